@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace fumon::gl {
+
+enum class Backend { automatic, osmesa, egl };
+
+/// An off-screen OpenGL core context (3.3 or newer) without a display. OSMesa and EGL are loaded at
+/// run time and neither is linked. A context belongs to the thread that made it.
+class Context {
+  public:
+    /// Makes a context and makes it current. `automatic` takes OSMesa and, where that is missing,
+    /// EGL (surfaceless, then a device). Throws Error naming what was tried and the package that
+    /// would help.
+    static std::unique_ptr<Context> create(Backend backend);
+
+    Context() = default;
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+    virtual ~Context() = default;
+
+    [[nodiscard]] virtual std::string backend_name() const = 0;  ///< "osmesa" or "egl"
+    [[nodiscard]] std::string renderer_name() const;             ///< GL_RENDERER
+    [[nodiscard]] std::string version() const;                   ///< GL_VERSION
+};
+
+}  // namespace fumon::gl

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <any>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "models/model.h"
+
+namespace fumon {
+
+class KeyTable;
+
+/// One model as scenes know it. Parameters travel as a value in `std::any`; only the model's own
+/// functions look inside.
+struct ModelEntry {
+    std::string_view name;
+    std::string_view help;  ///< one line
+    std::any (*default_parameters)();
+    /// Lists the keys `model.*` of these parameters, bound to them.
+    void (*list_keys)(std::any& parameters, KeyTable& table);
+    /// Builds the model. Throws InputError where parameters or bed do not fit the model.
+    std::unique_ptr<Model> (*make)(const std::any& parameters, ModelSetup setup);
+};
+
+/// Every model, in the order in which `fumon models` lists them.
+std::span<const ModelEntry> models();
+
+/// The entry of that name, or nullptr.
+const ModelEntry* find_model(std::string_view name);
+
+}  // namespace fumon

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+
+#include "models/model.h"
+#include "render/image.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+namespace gl {
+class Context;
+}
+class WorkerPool;
+
+/// Turns snapshots into pictures of one view. Everything that must hold still over a run (framing,
+/// automatic exaggeration, the reference of "change") is taken from the first snapshot, so that a
+/// still of step n is the run's frame of step n. Lives on the thread of its context.
+class Renderer {
+  public:
+    /// `last_step` is the run's length, over which the camera turns. Throws InputError where the
+    /// view does not fit the bed (a palette that does not exist), Error where OpenGL fails.
+    Renderer(gl::Context& context, const View& view, const Snapshot& first, std::int64_t last_step,
+             WorkerPool& pool);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// The picture of one snapshot. Its bed has the size of the first one.
+    Image render(const Snapshot& snapshot);
+
+    /// The vertical exaggeration in use.
+    [[nodiscard]] double exaggeration() const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace fumon

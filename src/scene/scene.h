@@ -1,0 +1,135 @@
+#pragma once
+
+#include <any>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fumon {
+
+/// A key that takes either a number or one of a few words ("auto", "fit", "mask").
+struct WordOrReal {
+    std::string word;  ///< empty: `value` counts
+    double value = 0.0;
+    [[nodiscard]] bool is_word() const { return !word.empty(); }
+    friend bool operator==(const WordOrReal&, const WordOrReal&) = default;
+};
+
+struct ModelChoice {
+    std::string name;
+    std::any parameters;  ///< the model's own struct, see models/registry.h
+};
+
+struct GridSettings {
+    std::int64_t nx = 100;
+    std::int64_t ny = 100;
+    std::vector<double> cell_size;  ///< metres: empty, {dx} or {dx, dy}
+    double height_unit = 0.0;       ///< metres per model height; 0: the cell size, or 1 without one
+};
+
+enum class BedKind { flat, noise, file };
+
+struct BedSettings {
+    BedKind kind = BedKind::noise;
+    double height = 0.0;           ///< flat: model heights
+    double low = 0.0, high = 1.0;  ///< noise: uniform in [low, high), model heights
+    std::string file;              ///< file: as written in the scene
+    std::vector<double> heights;   ///< file, PNG: metres of black and of white
+    WordOrReal nodata{"mask", 0.0};
+};
+
+struct RunSettings {
+    std::int64_t steps = 0;
+};
+
+/// When frames are taken: every n steps, at listed steps, or at logarithmically spaced ones.
+struct FrameSettings {
+    std::int64_t every = 0;
+    std::vector<std::int64_t> at;
+    std::int64_t logarithmic = 0;
+};
+
+enum class Projection { perspective, orthographic, map };
+
+struct CameraSettings {
+    Projection projection = Projection::perspective;
+    double azimuth = 215.0;           ///< where the camera stands, degrees clockwise from north
+    double elevation = 32.0;          ///< degrees above the horizon
+    WordOrReal distance{"fit", 0.0};  ///< from the block's centre, in units of its longer side
+    double field_of_view = 28.0;      ///< vertical, degrees (perspective)
+    double margin = 0.04;             ///< free border around the fitted block, share of the picture
+    double turn = 0.0;                ///< degrees of azimuth added over the whole run
+};
+
+struct SunSettings {
+    double azimuth = 300.0;   ///< degrees clockwise from north
+    double elevation = 24.0;  ///< degrees above the horizon
+    double diameter = 2.5;    ///< apparent, degrees: the width of the penumbra
+    double strength = 1.0;    ///< of direct light; 1 is a clear day
+    double sky_strength = 1.0;
+    double haze = 0.35;  ///< aerial perspective at the far edge of the block, 0 … 1
+};
+
+enum class Colouring { natural, height, slope, change };
+enum class ViewMode { scenic, figure };
+
+struct LookSettings {
+    ViewMode mode = ViewMode::scenic;
+    Colouring colour_by = Colouring::natural;
+    std::string palette = "sand";
+    WordOrReal low{"auto", 0.0};           ///< value at the palette's start
+    WordOrReal high{"auto", 0.0};          ///< value at its end
+    WordOrReal exaggeration{"auto", 0.0};  ///< vertical
+    bool block_sides = true;
+    double grain = 0.5;  ///< visible texture of the sand, 0 … 1
+};
+
+struct ImageSettings {
+    std::int64_t width = 1920;
+    std::int64_t height = 1080;
+    std::int64_t supersampling = 2;  ///< 1, 2 or 4 samples along each side of a pixel
+    double dots_per_inch = 300.0;    ///< written into the PNG
+};
+
+/// All that decides how a snapshot looks.
+struct View {
+    CameraSettings camera;
+    SunSettings sun;
+    LookSettings look;
+    ImageSettings image;
+};
+
+struct OutputSettings {
+    bool frames = true;
+    bool movie = true;
+    double movie_rate = 30.0;         ///< frames per second
+    std::int64_t movie_quality = 18;  ///< H.264 constant rate factor, 0 (lossless) … 51
+    bool measurements = true;
+    std::int64_t bed_every = 0;
+    std::vector<std::int64_t> bed_at;
+};
+
+/// What to simulate and how to show it: a value. Scene::locations knows where each key stood.
+struct Scene {
+    std::string title;
+    std::int64_t seed = 1;
+    ModelChoice model;
+    GridSettings grid;
+    BedSettings bed;
+    RunSettings run;
+    FrameSettings frames;
+    View view;
+    OutputSettings output;
+
+    std::filesystem::path directory;               ///< where relative files are looked for
+    std::string source;                            ///< the file's name, for messages
+    std::map<std::string, std::string> locations;  ///< key path → "file:line:column"
+
+    /// "file:line:column: " of a key, or of the file where the key is not written.
+    [[nodiscard]] std::string at(const std::string& key) const;
+};
+
+}  // namespace fumon

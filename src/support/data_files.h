@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace fumon {
+
+/// The path of a file that fumon ships ("shaders/terrain.frag.glsl",
+/// "assets/palettes/viridis.txt"). Looked for in $FUMON_DATA_DIR, then beside the installed program
+/// (../share/fumon), then in the source tree it was built from. Throws Error naming every place
+/// looked at.
+std::filesystem::path data_file(std::string_view relative);
+
+}  // namespace fumon

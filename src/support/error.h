@@ -1,0 +1,25 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace fumon {
+
+/// The base of everything fumon throws on purpose. `main` catches it once, prints one line and
+/// exits with `exit_status()`: 1 for a failure while working (full disk, NaN in a field, no
+/// OpenGL).
+class Error : public std::runtime_error {
+  public:
+    explicit Error(const std::string& what) : std::runtime_error(what) {}
+    [[nodiscard]] virtual int exit_status() const { return 1; }
+};
+
+/// The user's input is wrong: a scene, a terrain file or the command line. Exit status 2; nothing
+/// has been written. The text is one line, located as `file:line:column: ` where there is a place.
+class InputError : public Error {
+  public:
+    explicit InputError(const std::string& what) : Error(what) {}
+    [[nodiscard]] int exit_status() const override { return 2; }
+};
+
+}  // namespace fumon
