@@ -1,1 +1,22 @@
-int main() { return 0; }
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "app/command_line.h"
+#include "support/error.h"
+
+int main(int count, char** values) {
+    try {
+        return fumon::run_command_line(std::vector<std::string>(values + 1, values + count));
+    } catch (const fumon::Error& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return error.exit_status();
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "fumon: out of memory; a smaller grid or picture needs less\n");
+        return 1;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "fumon: unexpected: %s\n", error.what());
+        return 1;
+    }
+}

@@ -26,9 +26,9 @@ struct Range {
 
 /// What a user needs to know of a key besides its type.
 struct KeyNotes {
-    std::string unit;  ///< "sites", "m", "degrees"; empty for none
+    std::string unit{};  ///< "sites", "m", "degrees"; empty for none
     Range range{};
-    std::string help;  ///< one line
+    std::string help{};  ///< one line
 };
 
 struct ChoiceName {

@@ -27,7 +27,7 @@ struct GridSettings {
     std::int64_t nx = 100;
     std::int64_t ny = 100;
     std::vector<double> cell_size;  ///< metres: empty, {dx} or {dx, dy}
-    double height_unit = 0.0;       ///< metres per model height; 0: the cell size, or 1 without one
+    WordOrReal height_unit{"auto", 0.0};  ///< metres per model height
 };
 
 enum class BedKind { flat, noise, file };
@@ -108,7 +108,8 @@ struct OutputSettings {
     double movie_rate = 30.0;         ///< frames per second
     std::int64_t movie_quality = 18;  ///< H.264 constant rate factor, 0 (lossless) … 51
     bool measurements = true;
-    std::int64_t bed_every = 0;
+    std::int64_t measure_every = 0;  ///< steps between measurements; 0: with every frame
+    std::int64_t bed_every = 0;      ///< steps between written beds; 0: none
     std::vector<std::int64_t> bed_at;
 };
 

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
+
+#include "support/thread_clock.h"
 
 namespace fumon {
 
-WorkerPool::WorkerPool(int threads) {
+WorkerPool::WorkerPool(int threads, std::string name) : name_(std::move(name)) {
     if (threads <= 0) threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     errors_.resize(static_cast<std::size_t>(threads));
     workers_.reserve(static_cast<std::size_t>(threads) - 1);
@@ -42,6 +45,7 @@ void WorkerPool::for_ranges(int count, const std::function<void(int begin, int e
 }
 
 void WorkerPool::work(int worker) {
+    name_this_thread(name_);
     unsigned seen = 0;
     for (;;) {
         {

@@ -4,6 +4,7 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -13,8 +14,9 @@ namespace fumon {
 /// pool of one runs everything on the caller.
 class WorkerPool {
   public:
-    /// threads ≥ 1; 0 takes as many as the machine has processors.
-    explicit WorkerPool(int threads = 0);
+    /// threads ≥ 1; 0 takes as many as the machine has processors. `name` (at most 15 letters) is what
+    /// the system calls its threads, by which their CPU time is told apart.
+    explicit WorkerPool(int threads = 0, std::string name = "fumon-work");
     ~WorkerPool();
     WorkerPool(const WorkerPool&) = delete;
     WorkerPool& operator=(const WorkerPool&) = delete;
@@ -30,7 +32,7 @@ class WorkerPool {
     void work(int worker);
     void run_share(int share);
 
-    std::vector<std::jthread> workers_;
+    std::string name_;
     std::mutex mutex_;
     std::condition_variable wake_;
     std::condition_variable done_;
@@ -40,6 +42,7 @@ class WorkerPool {
     int running_ = 0;
     unsigned round_ = 0;
     bool stopping_ = false;
+    std::vector<std::jthread> workers_;  // last: joined before what they use goes
 };
 
 }  // namespace fumon

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/progress.h"
+#include "gl/context.h"
+
+namespace fumon {
+
+/// What every command that simulates or draws may be told.
+struct WorkOptions {
+    std::vector<std::string> settings;  ///< key.path=VALUE
+    gl::Backend backend = gl::Backend::automatic;
+    int threads = 0;  ///< 0: one per processor
+    Verbosity verbosity = Verbosity::normal;
+};
+
+struct RunOptions {
+    std::string scene;
+    std::string folder;
+    bool force = false;
+    WorkOptions work;
+};
+
+struct StillOptions {
+    std::string input;   ///< a scene (.toml) or a terrain file
+    std::string output;  ///< a PNG
+    std::optional<std::int64_t> step;
+    std::optional<double> time;
+    std::string heights;  ///< "low:high", metres of black and white of a PNG terrain
+    WorkOptions work;
+};
+
+struct AgainOptions {
+    std::string picture;
+    std::string output;  ///< empty: NAME-again.png in the working folder
+    WorkOptions work;
+};
+
+// Each returns the exit status, and throws InputError (2) or Error (1).
+
+int run_command(const RunOptions& options);
+int still_command(const StillOptions& options);
+int again_command(const AgainOptions& options);
+int check_command(const std::vector<std::string>& scenes, const std::vector<std::string>& settings);
+
+}  // namespace fumon

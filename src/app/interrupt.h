@@ -1,0 +1,21 @@
+#pragma once
+
+namespace fumon {
+
+/// While one lives, SIGINT and SIGTERM only leave a mark (a second one ends the program at once), and
+/// SIGPIPE is ignored so that a closed pipe is an ordinary write error.
+class InterruptGuard {
+  public:
+    InterruptGuard();
+    ~InterruptGuard();
+    InterruptGuard(const InterruptGuard&) = delete;
+    InterruptGuard& operator=(const InterruptGuard&) = delete;
+};
+
+/// The signal that asked us to stop, or 0.
+int interrupting_signal();
+
+/// Forgets it (for tests that run several commands in one process).
+void clear_interrupt();
+
+}  // namespace fumon

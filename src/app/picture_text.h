@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "files/hash.h"
+#include "output/png.h"
+#include "scene/initial_bed.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// What a picture says of its own making.
+struct PictureOrigin {
+    std::string scene;  ///< resolved, as TOML; its bed.file as reached from the working folder
+    std::int64_t step = 0;
+    std::vector<InputFile> inputs;
+    std::string version;      ///< of the fumon that made it
+    std::string pixels_hash;  ///< SHA-256 of the raw pixels, hexadecimal
+};
+
+/// The scene with every default written out and its input files named as reached from the working
+/// folder.
+std::string resolved_scene(const Scene& scene, const std::vector<InputFile>& inputs);
+
+/// The texts to write into a picture: Title, Software, and fumon's own (fumon:scene, fumon:seed,
+/// fumon:step, fumon:version, fumon:inputs, fumon:pixels).
+PictureText picture_text(const std::string& resolved, const Scene& scene, std::int64_t step,
+                         const std::vector<InputFile>& inputs, const Sha256& pixels);
+
+/// Reads them back. Throws InputError when the file is no PNG or not a picture of fumon's.
+PictureOrigin read_origin(const std::filesystem::path& picture);
+
+}  // namespace fumon

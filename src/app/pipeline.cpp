@@ -1,0 +1,307 @@
+#include "app/pipeline.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "app/bounded_queue.h"
+#include "app/interrupt.h"
+#include "app/measurement_file.h"
+#include "app/picture_text.h"
+#include "files/terrain_file.h"
+#include "output/movie.h"
+#include "output/png.h"
+#include "render/renderer.h"
+#include "scene/schedule.h"
+#include "support/error.h"
+#include "support/thread_clock.h"
+#include "support/worker_pool.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr std::size_t frames_in_a_queue = 2;  // enough to overlap, few enough for large pictures
+
+using SharedSnapshot = std::shared_ptr<const Snapshot>;
+
+struct Picture {
+    std::int64_t number;
+    SharedSnapshot snapshot;
+    std::shared_ptr<const Image> image;
+};
+
+class Stopwatch {
+  public:
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// One run under way: the queues, and a method for each stage.
+class Pipeline {
+  public:
+    Pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs, RunFolder& folder,
+             const PipelineOptions& options, Progress& progress)
+        : model_(model),
+          scene_(scene),
+          inputs_(inputs),
+          folder_(folder),
+          options_(options),
+          progress_(progress),
+          resolved_(resolved_scene(scene, inputs)) {}
+
+    RunOutcome run(const std::function<void(const DrawingRecord&)>& started) {
+        const Stopwatch wall;
+        const double cpu_before = cpu_seconds_of_process();
+        const bool pictures = scene_.output.frames || scene_.output.movie;
+        if (pictures) begin_drawing();
+        try {
+            started(outcome_.drawing);
+        } catch (...) {
+            abort();
+            throw;
+        }
+        progress_.expect(scene_.run.steps, pictures ? frame_schedule(scene_).count() : 0);
+        start("fumon-simulate", [this] { simulate(); });
+        if (pictures) start("fumon-encode", [this] { write_pictures(); });
+        if (scene_.output.movie) start("fumon-movie", [this] { write_movie(); });
+        if (bed_schedule(scene_).count() > 0) start("fumon-beds", [this] { write_beds(); });
+        wait_for_all();
+
+        if (outcome_.steps_done < scene_.run.steps) outcome_.signal = interrupting_signal();
+        outcome_.error = error_;
+        outcome_.timing.wall = wall.seconds();
+        outcome_.timing.encoding_cpu = cpu_seconds_of_process() - cpu_before - outcome_.timing.simulation_cpu -
+                                       outcome_.timing.rendering_cpu;
+        return std::move(outcome_);
+    }
+
+  private:
+    // ---- the stages, in the order in which a frame passes them ----
+
+    void simulate() {
+        std::unique_ptr<MeasurementFile> measurements;
+        try {
+            if (scene_.output.measurements) measurements = std::make_unique<MeasurementFile>(folder_.measurements());
+            advance(measurements.get());
+            check_finite(model_.snapshot());
+            outcome_.state = state_hash(model_);
+        } catch (...) {  // what was made before goes its way: the later stages drain their queues
+            remember(std::current_exception());
+        }
+        outcome_.steps_done = model_.steps_done();
+        outcome_.time = model_.time();
+        outcome_.timing.simulation_cpu = cpu_seconds_of_threads({"fumon-simulate"});
+        to_draw_.close();
+        to_beds_.close();
+        if (measurements) {
+            measurements->commit();
+            outcome_.measured = true;
+        }
+    }
+
+    void advance(MeasurementFile* measurements) {
+        const Schedule frames = frame_schedule(scene_);
+        const Schedule beds = bed_schedule(scene_);
+        const Schedule measured = measurement_schedule(scene_);
+        const bool pictures = scene_.output.frames || scene_.output.movie;
+        for (;;) {
+            const std::int64_t step = model_.steps_done();
+            const bool frame = pictures && frames.due(step);
+            const bool measure = measurements != nullptr && measured.due(step);
+            if (frame || measure || beds.due(step)) {
+                const auto snapshot = std::make_shared<const Snapshot>(model_.snapshot());
+                check_finite(*snapshot);
+                if (measure) measurements->add(*snapshot);
+                if (beds.due(step) && !to_beds_.push(snapshot)) return;
+                if (frame && !to_draw_.push(snapshot)) return;
+            }
+            if (step >= scene_.run.steps || interrupting_signal() != 0 || aborted()) return;
+            const Stopwatch watch;
+            model_.step();
+            outcome_.timing.simulation_wall += watch.seconds();
+            progress_.steps_done = model_.steps_done();
+        }
+    }
+
+    void draw(std::promise<void> ready) {
+        WorkerPool pool(options_.threads, "fumon-render");
+        std::unique_ptr<gl::Context> context;
+        std::unique_ptr<Renderer> renderer;
+        try {
+            context = gl::Context::create(options_.backend);
+            renderer =
+                std::make_unique<Renderer>(*context, scene_.view, model_.snapshot(), scene_.run.steps, pool);
+            outcome_.drawing = {context->backend_name(), context->renderer_name(), context->version(),
+                                renderer->exaggeration()};
+            ready.set_value();
+        } catch (...) {
+            ready.set_exception(std::current_exception());
+            return;
+        }
+        std::int64_t number = 0;
+        while (const auto snapshot = to_draw_.pop()) {
+            const Picture picture{number++, *snapshot, std::make_shared<const Image>(renderer->render(**snapshot))};
+            if (!to_pictures_.push(picture)) break;
+            if (scene_.output.movie && !to_movie_.push(picture)) break;
+        }
+        outcome_.timing.rendering_cpu = cpu_seconds_of_threads({"fumon-render", "llvmpipe"});
+        to_pictures_.close();
+        to_movie_.close();
+    }
+
+    void write_pictures() {
+        while (const auto picture = to_pictures_.pop()) {
+            const Sha256 pixels = pixel_hash(*picture->image);
+            const Snapshot& snapshot = *picture->snapshot;
+            if (scene_.output.frames) {
+                const auto texts = picture_text(resolved_, scene_, snapshot.step, inputs_, pixels);
+                write_file(folder_.frame(picture->number),
+                           encode_png(*picture->image, scene_.view.image.dots_per_inch, texts));
+            }
+            outcome_.frames.push_back({picture->number, snapshot.step, snapshot.time, pixels});
+            ++progress_.frames_done;
+        }
+    }
+
+    void write_movie() {
+        const OutputSettings& output = scene_.output;
+        Movie movie(folder_.movie(), static_cast<int>(scene_.view.image.width),
+                    static_cast<int>(scene_.view.image.height), output.movie_rate,
+                    static_cast<int>(output.movie_quality));
+        std::int64_t frames = 0;
+        while (const auto picture = to_movie_.pop()) {
+            movie.add(*picture->image);
+            ++frames;
+        }
+        movie.finish();
+        outcome_.movie = {frames, movie.padded_width(), movie.padded_height()};
+    }
+
+    void write_beds() {
+        while (const auto popped = to_beds_.pop()) {
+            const Snapshot& snapshot = **popped;
+            write_file(folder_.bed(snapshot.step),
+                       esri_ascii(snapshot.bed, snapshot.nodata, snapshot.scale.dx, snapshot.scale.dy));
+            outcome_.bed_steps.push_back(snapshot.step);
+        }
+    }
+
+    // ---- starting, failing, ending ----
+
+    /// Starts the OpenGL thread and waits until it can draw. Throws what keeps it from that.
+    void begin_drawing() {
+        std::promise<void> ready;
+        auto is_ready = ready.get_future();
+        start("fumon-render", [this, promise = std::make_shared<std::promise<void>>(std::move(ready))] {
+            draw(std::move(*promise));
+        });
+        is_ready.get();
+    }
+
+    template <class Body>
+    void start(const std::string& name, Body body) {
+        {
+            const std::lock_guard lock(mutex_);
+            ++running_;
+        }
+        threads_.emplace_back([this, name, body] {
+            name_this_thread(name);
+            try {
+                body();
+            } catch (...) {
+                remember(std::current_exception());
+                abort();
+            }
+            const std::lock_guard lock(mutex_);
+            if (--running_ == 0) all_done_.notify_all();
+        });
+    }
+
+    void remember(const std::exception_ptr& error) {
+        const std::lock_guard lock(mutex_);
+        if (!error_) error_ = error;
+    }
+
+    void abort() {
+        {
+            const std::lock_guard lock(mutex_);
+            aborted_ = true;
+        }
+        to_draw_.abort();
+        to_beds_.abort();
+        to_pictures_.abort();
+        to_movie_.abort();
+    }
+
+    [[nodiscard]] bool aborted() {
+        const std::lock_guard lock(mutex_);
+        return aborted_;
+    }
+
+    void wait_for_all() {
+        constexpr std::chrono::milliseconds between_looks{50};
+        std::unique_lock lock(mutex_);
+        while (!all_done_.wait_for(lock, between_looks, [this] { return running_ == 0; })) {
+            lock.unlock();
+            progress_.show();
+            lock.lock();
+        }
+        lock.unlock();
+        threads_.clear();
+    }
+
+    Model& model_;
+    const Scene& scene_;
+    const std::vector<InputFile>& inputs_;
+    RunFolder& folder_;
+    PipelineOptions options_;
+    Progress& progress_;
+    std::string resolved_;
+    RunOutcome outcome_;
+
+    BoundedQueue<SharedSnapshot> to_draw_{frames_in_a_queue};
+    BoundedQueue<SharedSnapshot> to_beds_{frames_in_a_queue};
+    BoundedQueue<Picture> to_pictures_{frames_in_a_queue};
+    BoundedQueue<Picture> to_movie_{frames_in_a_queue};
+
+    std::mutex mutex_;
+    std::condition_variable all_done_;
+    int running_ = 0;
+    bool aborted_ = false;
+    std::exception_ptr error_;
+    std::vector<std::jthread> threads_;  // last: joined before what they use goes
+};
+
+}  // namespace
+
+RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs, RunFolder& folder,
+                        const PipelineOptions& options, Progress& progress,
+                        const std::function<void(const DrawingRecord&)>& started) {
+    return Pipeline(model, scene, inputs, folder, options, progress).run(started);
+}
+
+void check_finite(const Snapshot& snapshot) {
+    for (int y = 0; y < snapshot.bed.ny(); ++y) {
+        const auto row = snapshot.bed.row(y);
+        for (int x = 0; x < snapshot.bed.nx(); ++x) {
+            const double height = row[static_cast<std::size_t>(x)];
+            if (std::isfinite(height)) continue;
+            throw Error(fmt::format("the bed height became {} at cell ({}, {}), step {}; earlier frames are kept "
+                                    "(try smaller rates, or `fumon describe` for the ranges)",
+                                    height, x, y, snapshot.step));
+        }
+    }
+}
+
+}  // namespace fumon

@@ -1,0 +1,97 @@
+#include "app/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace fumon {
+
+namespace {
+
+constexpr std::chrono::milliseconds between_live_lines{200};
+constexpr std::chrono::seconds between_log_lines{10};
+
+}  // namespace
+
+Progress::Progress(Verbosity verbosity, std::int64_t cells)
+    : verbosity_(verbosity), live_(isatty(STDERR_FILENO) == 1), cells_(cells) {}
+
+Progress::~Progress() { clear(); }
+
+void Progress::expect(std::int64_t steps, std::int64_t frames) {
+    steps_ = steps;
+    frames_ = frames;
+    start_ = shown_ = Clock::now();
+}
+
+void Progress::show() {
+    if (verbosity_ == Verbosity::quiet) return;
+    const auto now = Clock::now();
+    if (live_ ? now - shown_ < between_live_lines : now - shown_ < between_log_lines) return;
+    shown_ = now;
+    if (live_) {
+        fmt::print(stderr, "\r\033[K{}", line());
+        line_open_ = true;
+    } else {
+        fmt::print(stderr, "{}\n", line());
+    }
+    std::fflush(stderr);
+}
+
+void Progress::note(const std::string& text) {
+    if (verbosity_ == Verbosity::quiet) return;
+    clear();
+    fmt::print(stderr, "{}\n", text);
+}
+
+void Progress::verbose(const std::string& text) {
+    if (verbosity_ == Verbosity::verbose) note(text);
+}
+
+void Progress::clear() {
+    if (!line_open_) return;
+    fmt::print(stderr, "\r\033[K");
+    std::fflush(stderr);
+    line_open_ = false;
+}
+
+std::string Progress::line() const {
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    const std::int64_t steps = steps_done.load();
+    const std::int64_t frames = frames_done.load();
+    double share = steps_ > 0 ? static_cast<double>(steps) / static_cast<double>(steps_) : 1.0;
+    std::string text = fmt::format("step {}/{}", with_commas(steps), with_commas(steps_));
+    if (frames_ > 0) {
+        share = std::min(share, static_cast<double>(frames) / static_cast<double>(frames_));
+        text += fmt::format("  frame {}/{}  {:.1f} frames/s", with_commas(frames), with_commas(frames_),
+                            static_cast<double>(frames) / seconds);
+    }
+    if (cells_ > 0 && steps > 0) {
+        text += fmt::format("  {:.3g} million cell-steps/s",
+                            1e-6 * static_cast<double>(steps) * static_cast<double>(cells_) / seconds);
+    }
+    if (share > 0.0) text += fmt::format("  {} left", clock_text(seconds * (1.0 - share) / share));
+    return text;
+}
+
+std::string with_commas(std::int64_t number) {
+    std::string digits = fmt::format("{}", number);
+    for (std::size_t place = digits.size(); place > 3; place -= 3) {
+        if (digits[place - 4] == '-') break;
+        digits.insert(place - 3, ",");
+    }
+    return digits;
+}
+
+std::string clock_text(double seconds) {
+    const auto whole = static_cast<std::int64_t>(std::llround(seconds));
+    constexpr std::int64_t minute = 60;
+    constexpr std::int64_t hour = 3600;
+    if (whole >= hour) return fmt::format("{}:{:02}:{:02}", whole / hour, whole % hour / minute, whole % minute);
+    return fmt::format("{}:{:02}", whole / minute, whole % minute);
+}
+
+}  // namespace fumon

@@ -1,0 +1,82 @@
+#include "app/workshop.h"
+
+#include <fmt/format.h>
+
+#include "app/interrupt.h"
+#include "app/picture_text.h"
+#include "app/pipeline.h"
+#include "files/atomic_file.h"
+#include "models/registry.h"
+#include "output/png.h"
+#include "render/palette.h"
+#include "render/renderer.h"
+#include "support/error.h"
+
+namespace fumon {
+
+namespace {
+
+/// A model's refusal of its bed or parameters, placed where the scene chose the model.
+std::unique_ptr<Model> make_model(const Scene& scene, ModelSetup setup) {
+    try {
+        return find_model(scene.model.name)->make(scene.model.parameters, std::move(setup));
+    } catch (const InputError& refusal) {
+        throw InputError(scene.at("model.name") + refusal.what());
+    }
+}
+
+void check_palette(const Scene& scene) {
+    try {
+        read_palette(scene.view.look.palette);
+    } catch (const InputError& refusal) {
+        throw InputError(scene.at("look.palette") + refusal.what());
+    }
+}
+
+}  // namespace
+
+Workshop set_up(Scene scene, int threads) {
+    Workshop workshop;
+    workshop.scene = std::move(scene);
+    check_palette(workshop.scene);
+    workshop.initial = make_initial_bed(workshop.scene);
+    workshop.pool = std::make_unique<WorkerPool>(threads, "fumon-simulate");
+    workshop.model = make_model(workshop.scene, {workshop.initial.bed, workshop.initial.nodata, workshop.initial.scale,
+                                                 static_cast<std::uint64_t>(workshop.scene.seed), *workshop.pool});
+    return workshop;
+}
+
+int advance_to(Workshop& workshop, std::int64_t step, Progress& progress) {
+    Model& model = *workshop.model;
+    progress.expect(step, 0);
+    while (model.steps_done() < step) {
+        if (const int signal = interrupting_signal(); signal != 0) return signal;
+        model.step();
+        progress.steps_done = model.steps_done();
+        progress.show();
+    }
+    progress.clear();
+    check_finite(model.snapshot());
+    return 0;
+}
+
+Sha256 draw_still(Workshop& workshop, const Snapshot& first, const std::string& file, const WorkOptions& work,
+                  Progress& progress) {
+    const Scene& scene = workshop.scene;
+    WorkerPool pool(work.threads, "fumon-render");
+    const auto context = gl::Context::create(work.backend);
+    progress.verbose(fmt::format("{}: {}, OpenGL {}", context->backend_name(), context->renderer_name(),
+                                 context->version()));
+    Renderer renderer(*context, scene.view, first, scene.run.steps, pool);
+    const Image image = renderer.render(workshop.model->snapshot());
+    const Sha256 pixels = pixel_hash(image);
+    const auto texts = picture_text(resolved_scene(scene, workshop.initial.inputs), scene, workshop.model->steps_done(),
+                                    workshop.initial.inputs, pixels);
+    write_file(file, encode_png(image, scene.view.image.dots_per_inch, texts));
+    if (renderer.exaggeration() != 1.0) {
+        progress.note(fmt::format("vertical exaggeration {:g}", renderer.exaggeration()));
+    }
+    return pixels;
+}
+
+}  // namespace fumon

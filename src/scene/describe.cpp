@@ -1,0 +1,142 @@
+#include "scene/describe.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "models/registry.h"
+#include "scene/keys.h"
+#include "scene/write.h"
+#include "support/error.h"
+#include "support/nearest_name.h"
+
+namespace fumon {
+
+namespace {
+
+/// The keys of one model, or the common ones, with the values they are bound to.
+struct Section {
+    std::string model;  ///< empty: common to all scenes
+    Scene scene;
+    std::any parameters;
+    KeyTable table;
+};
+
+void check_name(const std::string& what) {
+    if (what.empty() || what == "scene" || find_model(what) != nullptr) return;
+    std::vector<std::string> known{"scene"};
+    for (const ModelEntry& entry : models()) known.emplace_back(entry.name);
+    throw InputError(fmt::format("fumon describe: \"{}\" is neither \"scene\" nor a model; {}", what,
+                                 suggestion(what, known)));
+}
+
+std::vector<std::unique_ptr<Section>> sections(const std::string& what) {
+    check_name(what);
+    std::vector<std::unique_ptr<Section>> all;
+    if (what.empty() || what == "scene") {
+        auto section = std::make_unique<Section>();
+        section->table = scene_keys(section->scene);
+        all.push_back(std::move(section));
+    }
+    for (const ModelEntry& entry : models()) {
+        if (!what.empty() && what != entry.name) continue;
+        auto section = std::make_unique<Section>();
+        section->model = entry.name;
+        section->parameters = entry.default_parameters();
+        entry.list_keys(section->parameters, section->table);
+        all.push_back(std::move(section));
+    }
+    return all;
+}
+
+std::string type_text(const Key& key) {
+    struct Name {
+        std::string operator()(const bool*) const { return "true or false"; }
+        std::string operator()(const std::int64_t*) const { return "whole number"; }
+        std::string operator()(const double*) const { return "number"; }
+        std::string operator()(const std::string*) const { return "text"; }
+        std::string operator()(const ChoiceTarget&) const { return "choice"; }
+        std::string operator()(const WordOrRealTarget&) const { return "word or number"; }
+        std::string operator()(const RealListTarget&) const { return "list of numbers"; }
+        std::string operator()(const IntegerListTarget&) const { return "list of whole numbers"; }
+    };
+    return std::visit(Name{}, key.target);
+}
+
+bool takes_numbers(const Key& key) {
+    return !std::holds_alternative<bool*>(key.target) && !std::holds_alternative<std::string*>(key.target) &&
+           !std::holds_alternative<ChoiceTarget>(key.target);
+}
+
+const std::vector<ChoiceName>& words_of(const Key& key) {
+    static const std::vector<ChoiceName> none;
+    if (const auto* choice = std::get_if<ChoiceTarget>(&key.target)) return choice->names;
+    if (const auto* either = std::get_if<WordOrRealTarget>(&key.target)) return either->words;
+    return none;
+}
+
+bool required(const Key& key) { return key.path == "model.name" || key.path == "run.steps"; }
+
+std::string key_text(const Key& key) {
+    std::string facts = type_text(key);
+    if (!key.notes.unit.empty()) facts += ", " + key.notes.unit;
+    if (takes_numbers(key) && key.notes.range.text() != "any") facts += ", " + key.notes.range.text();
+    const std::string standard = required(key) ? "required" : "default " + value_text(key);
+    std::string text = fmt::format("  {:<28} {} [{}]\n      {}\n", key.path, facts, standard, key.notes.help);
+    for (const ChoiceName& word : words_of(key)) text += fmt::format("        {:<18} {}\n", word.name, word.help);
+    return text;
+}
+
+nlohmann::ordered_json key_json(const Key& key, const std::string& model) {
+    nlohmann::ordered_json json;
+    json["key"] = key.path;
+    json["type"] = type_text(key);
+    json["unit"] = key.notes.unit;
+    json["default"] = required(key) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(value_text(key));
+    json["required"] = required(key);
+    if (takes_numbers(key)) {
+        const Range& range = key.notes.range;
+        json["minimum"] = std::isfinite(range.low) ? nlohmann::ordered_json(range.low) : nullptr;
+        json["minimum_excluded"] = range.low_open;
+        json["maximum"] = std::isfinite(range.high) ? nlohmann::ordered_json(range.high) : nullptr;
+    }
+    nlohmann::ordered_json words = nlohmann::ordered_json::array();
+    for (const ChoiceName& word : words_of(key)) words.push_back({{"name", word.name}, {"help", word.help}});
+    if (!words.empty()) json["values"] = words;
+    json["model"] = model.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(model);
+    json["help"] = key.notes.help;
+    return json;
+}
+
+}  // namespace
+
+std::string describe_text(const std::string& what) {
+    std::string text;
+    for (const auto& section : sections(what)) {
+        if (!text.empty()) text += "\n";
+        text += section->model.empty()
+                    ? "Keys of every scene (TOML: section.key, or key = value under [section])\n\n"
+                    : fmt::format("Keys of the model \"{}\": {}\n\n", section->model, find_model(section->model)->help);
+        if (section->table.keys().empty()) text += "  none\n";
+        for (const Key& key : section->table.keys()) text += key_text(key);
+    }
+    return text;
+}
+
+std::string describe_json(const std::string& what) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const auto& section : sections(what)) {
+        for (const Key& key : section->table.keys()) all.push_back(key_json(key, section->model));
+    }
+    return all.dump(2) + "\n";
+}
+
+std::string models_text() {
+    std::string text;
+    for (const ModelEntry& entry : models()) text += fmt::format("{:<10} {}\n", entry.name, entry.help);
+    return text;
+}
+
+}  // namespace fumon

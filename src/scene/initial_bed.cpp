@@ -1,0 +1,112 @@
+#include "scene/initial_bed.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "files/hash.h"
+#include "files/terrain_file.h"
+#include "scene/limits.h"
+#include "support/error.h"
+#include "terrain/random.h"
+
+namespace fumon {
+
+namespace {
+
+void check_size(const Scene& scene, const char* key, std::int64_t wanted, int found) {
+    if (!scene.locations.contains(key) || wanted == found) return;
+    throw InputError(fmt::format("{}{} is {}, but {} has {} cells there; leave the key out for a terrain file",
+                                 scene.at(key), key, wanted, scene.bed.file, found));
+}
+
+/// Cell size from the scene, from the file, or none. Where both have one they must agree.
+WorldScale scale_of(const Scene& scene, double file_dx, double file_dy) {
+    WorldScale scale;
+    const std::vector<double>& given = scene.grid.cell_size;
+    if (!given.empty()) {
+        scale.dx = given.front();
+        scale.dy = given.back();
+        scale.in_metres = true;
+        constexpr double tolerance = 1e-6;
+        if (file_dx > 0.0 && (std::abs(scale.dx / file_dx - 1.0) > tolerance ||
+                              std::abs(scale.dy / file_dy - 1.0) > tolerance)) {
+            throw InputError(fmt::format("{}grid.cell_size is [{}, {}] m, but {} has cells of [{:.6g}, {:.6g}] m; leave the key out",
+                                         scene.at("grid.cell_size"), scale.dx, scale.dy, scene.bed.file, file_dx,
+                                         file_dy));
+        }
+    } else if (file_dx > 0.0) {
+        scale.dx = file_dx;
+        scale.dy = file_dy;
+        scale.in_metres = true;
+    }
+    if (!scene.grid.height_unit.is_word()) {
+        scale.height_unit = scene.grid.height_unit.value;
+    } else {
+        scale.height_unit = scene.model.name == "static" ? 1.0 : scale.dx;
+    }
+    return scale;
+}
+
+void apply_nodata_rule(const Scene& scene, Terrain& terrain) {
+    if (terrain.nodata.empty()) return;
+    const WordOrReal& rule = scene.bed.nodata;
+    if (rule.word == "mask") return;
+    if (rule.word == "fill") {
+        terrain.heights = fill_nodata(terrain.heights, terrain.nodata);
+    } else {
+        for (std::size_t cell = 0; cell < terrain.heights.size(); ++cell) {
+            if (terrain.nodata.values()[cell] != 0) terrain.heights.values()[cell] = rule.value;
+        }
+    }
+    terrain.nodata = {};
+}
+
+InitialBed bed_from_file(const Scene& scene) {
+    const std::filesystem::path written = scene.bed.file;
+    const std::filesystem::path file = written.is_absolute() ? written : scene.directory / written;
+    std::error_code fault;
+    if (!std::filesystem::exists(file, fault)) {
+        throw InputError(fmt::format("{}bed.file \"{}\" is not there (looked for {}); paths are relative to the scene file",
+                                     scene.at("bed.file"), scene.bed.file, file.string()));
+    }
+    Terrain terrain = read_terrain(file, scene.bed.heights);
+    check_size(scene, "grid.nx", scene.grid.nx, terrain.heights.nx());
+    check_size(scene, "grid.ny", scene.grid.ny, terrain.heights.ny());
+    apply_nodata_rule(scene, terrain);
+
+    InitialBed initial;
+    initial.scale = scale_of(scene, terrain.dx, terrain.dy);
+    initial.bed = std::move(terrain.heights);
+    for (double& height : initial.bed.values()) height /= initial.scale.height_unit;
+    initial.nodata = std::move(terrain.nodata);
+    initial.inputs.push_back({file.lexically_normal().string(), hex(file_hash(file))});
+    initial.note = terrain.note;
+    return initial;
+}
+
+Grid noise(const Scene& scene) {
+    Grid bed(static_cast<int>(scene.grid.nx), static_cast<int>(scene.grid.ny));
+    const double low = scene.bed.low;
+    const double width = scene.bed.high - scene.bed.low;
+    for (int y = 0; y < bed.ny(); ++y) {
+        RandomStream stream(static_cast<std::uint64_t>(scene.seed), static_cast<std::uint32_t>(y), 0,
+                            Purpose::initial_bed);
+        for (double& height : bed.row(y)) height = low + width * stream.uniform();
+    }
+    return bed;
+}
+
+}  // namespace
+
+InitialBed make_initial_bed(const Scene& scene) {
+    if (scene.bed.kind == BedKind::file) return bed_from_file(scene);
+    InitialBed initial;
+    initial.scale = scale_of(scene, 0.0, 0.0);
+    initial.bed = scene.bed.kind == BedKind::noise
+                      ? noise(scene)
+                      : Grid(static_cast<int>(scene.grid.nx), static_cast<int>(scene.grid.ny), scene.bed.height);
+    return initial;
+}
+
+}  // namespace fumon

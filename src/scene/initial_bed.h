@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "terrain/grid.h"
+
+namespace fumon {
+
+/// A file that a scene reads, as a picture's metadata records it.
+struct InputFile {
+    std::string path;  ///< as reached from the working folder
+    std::string hash;  ///< SHA-256, hexadecimal
+};
+
+/// What a run starts from.
+struct InitialBed {
+    Grid bed;  ///< model heights
+    Mask nodata;
+    WorldScale scale;
+    std::vector<InputFile> inputs;
+    std::string note;  ///< what the user should hear (degrees converted, …); or empty
+};
+
+/// Builds the initial bed of a scene: flat, uniform noise from the scene's seed, or a terrain file, whose
+/// metres are divided by the height unit. Throws InputError located at the scene's key when a file
+/// is unreadable or malformed or does not fit grid.nx, grid.ny or grid.cell_size.
+InitialBed make_initial_bed(const Scene& scene);
+
+}  // namespace fumon

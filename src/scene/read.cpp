@@ -1,0 +1,236 @@
+#include "scene/read.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include <toml++/toml.h>
+
+#include "models/registry.h"
+#include "scene/assign.h"
+#include "scene/check.h"
+#include "support/error.h"
+#include "support/nearest_name.h"
+
+namespace fumon {
+
+namespace {
+
+/// One "key.path=VALUE" of the command line.
+struct Setting {
+    std::string place;  ///< "--set N"
+    std::string path;
+    std::size_t value_column = 0;
+    toml::table holder;  ///< the value under the name "value"
+
+    [[nodiscard]] const toml::node& value() const { return *holder.get("value"); }
+    [[nodiscard]] std::string locate(const toml::source_region& region) const {
+        constexpr std::size_t before_value = 9;  // the value starts in column 9 of "value = …"
+        const auto column = static_cast<std::size_t>(region.begin.column);
+        const std::size_t inside = column > before_value ? column - before_value : 0;
+        return fmt::format("{}:{}", place, value_column + inside);
+    }
+};
+
+Setting parse_setting(const std::string& text, std::size_t number) {
+    Setting setting;
+    setting.place = fmt::format("--set {}", number);
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        throw InputError(fmt::format("{}:1: \"{}\" sets nothing; write key.path=VALUE, for example model.creep_rate=0.2",
+                                     setting.place, text));
+    }
+    setting.path = text.substr(0, equals);
+    setting.value_column = equals + 2;
+    const std::string value = text.substr(equals + 1);
+    try {
+        setting.holder = toml::parse("value = " + value);
+        if (setting.holder.size() == 1) return setting;
+    } catch (const toml::parse_error&) {
+        // not TOML: a bare string, below
+    }
+    setting.holder = toml::table{};
+    setting.holder.insert_or_assign("value", value);
+    return setting;
+}
+
+class Reader {
+  public:
+    Reader(Scene& scene, std::vector<Setting> settings)
+        : scene_(scene), settings_(std::move(settings)), table_(scene_keys(scene)) {}
+
+    void read(const toml::table& root) {
+        choose_model(root);
+        read_section(root, "");
+        for (const Setting& setting : settings_) apply(setting);
+        check_scene(scene_);
+    }
+
+  private:
+    [[nodiscard]] std::string locate(const toml::source_region& region) const {
+        return fmt::format("{}:{}:{}", scene_.source, region.begin.line, region.begin.column);
+    }
+
+    /// The model comes first: it decides which model.* keys there are.
+    void choose_model(const toml::table& root) {
+        const Key key{"model.name", {}, &scene_.model.name};
+        std::string place;
+        if (const auto node = root["model"]["name"]; node) {
+            place = locate(node.node()->source());
+            assign(key, *node.node(), [this](const auto& region) { return locate(region); });
+        }
+        for (const Setting& setting : settings_) {
+            if (setting.path != "model.name") continue;
+            place = setting.locate(setting.value().source());
+            assign(key, setting.value(), [&](const auto& region) { return setting.locate(region); });
+        }
+        std::vector<std::string> known;
+        for (const ModelEntry& entry : models()) known.emplace_back(entry.name);
+        if (place.empty()) {
+            throw InputError(fmt::format("{}:1:1: model.name is missing; write [model] and name = \"…\" (known: {})",
+                                         scene_.source, fmt::join(known, ", ")));
+        }
+        const ModelEntry* entry = find_model(scene_.model.name);
+        if (entry == nullptr) {
+            throw InputError(fmt::format("{}: unknown model \"{}\"; {} (see `fumon models`)", place, scene_.model.name,
+                                         suggestion(scene_.model.name, known)));
+        }
+        scene_.model.parameters = entry->default_parameters();
+        table_ = scene_keys(scene_);
+    }
+
+    void read_section(const toml::table& section, const std::string& prefix) {
+        for (const auto& [name, value] : section) {
+            const std::string path = prefix + std::string(name.str());
+            const std::string place = locate(name.source());
+            if (const Key* key = table_.find(path)) {
+                if (value.is_table()) {
+                    throw InputError(fmt::format("{}: {} is no section; it takes {}", place, path, what_it_takes(*key)));
+                }
+                assign(*key, value, [this](const auto& region) { return locate(region); });
+                scene_.locations[path] = locate(value.source());
+            } else if (value.is_table() && is_section(path)) {
+                read_section(*value.as_table(), path + ".");
+            } else {
+                refuse_unknown(path, place);
+            }
+        }
+    }
+
+    void apply(const Setting& setting) {
+        const auto locate_value = [&](const toml::source_region& region) { return setting.locate(region); };
+        if (const Key* key = table_.find(setting.path)) {
+            assign(*key, setting.value(), locate_value);
+        } else if (const auto item = list_item(setting.path)) {
+            assign_item(*item->first, item->second, setting.value(), locate_value);
+        } else {
+            refuse_unknown(setting.path, setting.place + ":1");
+        }
+        scene_.locations[setting.path] = setting.locate(setting.value().source());
+    }
+
+    /// "frames.at.0" → the key frames.at and 0.
+    [[nodiscard]] std::optional<std::pair<const Key*, std::size_t>> list_item(const std::string& path) const {
+        const std::size_t dot = path.rfind('.');
+        if (dot == std::string::npos || dot + 1 == path.size()) return std::nullopt;
+        std::size_t index = 0;
+        const char* end = path.data() + path.size();
+        const auto [stop, fault] = std::from_chars(path.data() + dot + 1, end, index);
+        const Key* key = table_.find(path.substr(0, dot));
+        if (fault != std::errc{} || stop != end || key == nullptr) return std::nullopt;
+        return std::pair{key, index};
+    }
+
+    [[nodiscard]] bool is_section(const std::string& path) const {
+        for (const Key& key : table_.keys()) {
+            if (key.path.starts_with(path + ".")) return true;
+        }
+        return false;
+    }
+
+    [[noreturn]] void refuse_unknown(const std::string& path, const std::string& place) const {
+        if (is_section(path)) {
+            throw InputError(fmt::format("{}: {} is a section; write [{}] and its keys below", place, path, path));
+        }
+        std::vector<std::string> known;
+        for (const Key& key : table_.keys()) known.push_back(key.path);
+        if (const std::string owner = other_model_with(path); !owner.empty()) {
+            throw InputError(fmt::format("{}: {} belongs to the model \"{}\", not to \"{}\"; see `fumon describe {}`",
+                                         place, path, owner, scene_.model.name, scene_.model.name));
+        }
+        std::string nearest = nearest_name(path, known);
+        const std::string last = path.substr(path.rfind('.') + 1);
+        for (const std::string& candidate : known) {  // the right name in the wrong section
+            if (nearest.empty() && candidate.substr(candidate.rfind('.') + 1) == last) nearest = candidate;
+        }
+        if (!nearest.empty()) {
+            throw InputError(fmt::format("{}: unknown key {}; did you mean \"{}\"?", place, path, nearest));
+        }
+        throw InputError(fmt::format("{}: unknown key {}; `fumon describe {}` lists the known ones", place, path,
+                                     scene_.model.name));
+    }
+
+    [[nodiscard]] static std::string other_model_with(const std::string& path) {
+        for (const ModelEntry& entry : models()) {
+            std::any parameters = entry.default_parameters();
+            KeyTable table;
+            entry.list_keys(parameters, table);
+            if (table.find(path) != nullptr) return std::string(entry.name);
+        }
+        return {};
+    }
+
+    Scene& scene_;
+    std::vector<Setting> settings_;
+    KeyTable table_;
+};
+
+std::string one_line(std::string_view text) {
+    std::string line(text);
+    for (char& letter : line) {
+        if (letter == '\n' || letter == '\r') letter = ' ';
+    }
+    return line;
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& source, const std::filesystem::path& directory,
+                  const std::vector<std::string>& settings) {
+    Scene scene;
+    scene.source = source;
+    scene.directory = directory;
+    std::vector<Setting> parsed;
+    for (const std::string& setting : settings) parsed.push_back(parse_setting(setting, parsed.size() + 1));
+    toml::table root;
+    try {
+        root = toml::parse(text, source);
+    } catch (const toml::parse_error& fault) {
+        throw InputError(fmt::format("{}:{}:{}: {}; a scene is TOML: [section] lines and key = value lines", source,
+                                     fault.source().begin.line, fault.source().begin.column,
+                                     one_line(fault.description())));
+    }
+    Reader(scene, std::move(parsed)).read(root);
+    return scene;
+}
+
+Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings) {
+    std::error_code fault;
+    if (std::filesystem::is_directory(file, fault)) {
+        throw InputError(fmt::format("{}: is a folder; a scene is a TOML file", file.string()));
+    }
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) {
+        throw InputError(fmt::format("{}: cannot be read ({}); check the path", file.string(),
+                                     std::generic_category().message(errno)));
+    }
+    const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    if (stream.bad()) throw InputError(fmt::format("{}: cannot be read to its end", file.string()));
+    return parse_scene(text, file.string(), file.parent_path(), settings);
+}
+
+}  // namespace fumon

@@ -1,0 +1,11 @@
+#include "scene/scene.h"
+
+namespace fumon {
+
+std::string Scene::at(const std::string& key) const {
+    const auto found = locations.find(key);
+    if (found != locations.end()) return found->second + ": ";
+    return source.empty() ? std::string{} : source + ": ";
+}
+
+}  // namespace fumon
