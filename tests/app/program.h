@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace fumon::test {
+
+/// What a program said and how it ended.
+struct Ended {
+    int status = 0;  ///< exit status, or 128 + signal
+    std::string output;
+    std::string errors;
+};
+
+/// A running fumon; its standard output and error go to files.
+class Program {
+  public:
+    /// Starts fumon with these arguments in a folder; `environment` is added to the test's own.
+    Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+            const std::vector<std::string>& environment = {});
+    ~Program();
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+
+    void send(int signal) const;
+    Ended wait();
+
+  private:
+    int process_ = -1;
+    std::filesystem::path output_;
+    std::filesystem::path errors_;
+};
+
+Ended fumon(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+            const std::vector<std::string>& environment = {});
+
+/// A folder of the test's own, empty, deleted at the end.
+class ScratchFolder {
+  public:
+    ScratchFolder();
+    ~ScratchFolder();
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+std::string read_text(const std::filesystem::path& file);
+void write_text(const std::filesystem::path& file, const std::string& text);
+nlohmann::json read_manifest(const std::filesystem::path& folder);
+
+/// A scene that runs in a moment: 24×20 cells, 20 steps, five frames of 64×48.
+std::string small_scene();
+
+}  // namespace fumon::test
