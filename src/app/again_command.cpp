@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 fs::path find_input(const InputFile& input, const fs::path& picture) {
     std::vector<fs::path> candidates{input.path};
     if (fs::path(input.path).is_relative()) {
-        for (fs::path folder = fs::absolute(picture).parent_path();; folder = folder.parent_path()) {
+        for (fs::path folder = fs::absolute(picture).parent_path();;
+             folder = folder.parent_path()) {
             candidates.push_back(folder / input.path);
             if (folder == folder.parent_path()) break;
         }
@@ -31,13 +32,15 @@ fs::path find_input(const InputFile& input, const fs::path& picture) {
         if (changed.empty()) changed = candidate;
     }
     if (!changed.empty()) {
-        throw InputError(fmt::format("{}: {} has changed since the picture was made (SHA-256 then {}…); bring the old "
-                                     "file back",
-                                     picture.string(), changed.string(), input.hash.substr(0, 12)));
+        throw InputError(fmt::format(
+            "{}: {} has changed since the picture was made (SHA-256 then {}…); bring the old "
+            "file back",
+            picture.string(), changed.string(), input.hash.substr(0, 12)));
     }
-    throw InputError(fmt::format("{}: {} (SHA-256 {}…), which the picture was made from, is not there; run fumon again "
-                                 "in the folder from which the path leads to it",
-                                 picture.string(), input.path, input.hash.substr(0, 12)));
+    throw InputError(fmt::format(
+        "{}: {} (SHA-256 {}…), which the picture was made from, is not there; run fumon again "
+        "in the folder from which the path leads to it",
+        picture.string(), input.path, input.hash.substr(0, 12)));
 }
 
 fs::path output_of(const AgainOptions& options) {
@@ -51,23 +54,28 @@ int again_command(const AgainOptions& options) {
     const InterruptGuard guard;
     const PictureOrigin origin = read_origin(options.picture);
     Scene scene = parse_scene(origin.scene, options.picture, "", options.work.settings);
-    if (!origin.inputs.empty()) scene.bed.file = find_input(origin.inputs.front(), options.picture).string();
+    if (!origin.inputs.empty())
+        scene.bed.file = find_input(origin.inputs.front(), options.picture).string();
     Workshop workshop = set_up(std::move(scene), options.work.threads);
-    Progress progress(options.work.verbosity, static_cast<std::int64_t>(workshop.initial.bed.size()));
+    Progress progress(options.work.verbosity,
+                      static_cast<std::int64_t>(workshop.initial.bed.size()));
     const Snapshot first = workshop.model->snapshot();
     constexpr int status_of_signal = 128;
-    if (const int signal = advance_to(workshop, origin.step, progress); signal != 0) return status_of_signal + signal;
+    if (const int signal = advance_to(workshop, origin.step, progress); signal != 0)
+        return status_of_signal + signal;
 
     const fs::path output = output_of(options);
-    const std::string pixels = hex(draw_still(workshop, first, output.string(), options.work, progress));
+    const std::string pixels =
+        hex(draw_still(workshop, first, output.string(), options.work, progress));
     if (origin.pixels_hash.empty() || !options.work.settings.empty()) {
         progress.note(fmt::format("{}: made", output.string()));
     } else if (pixels == origin.pixels_hash) {
         progress.note(fmt::format("{}: the same pixels as {}", output.string(), options.picture));
     } else {
-        progress.note(fmt::format("{}: made, but its pixels differ from {} (made by fumon {}, this is {}; another "
-                                  "OpenGL driver or processor also changes pixels)",
-                                  output.string(), options.picture, origin.version, FUMON_VERSION));
+        progress.note(fmt::format(
+            "{}: made, but its pixels differ from {} (made by fumon {}, this is {}; another "
+            "OpenGL driver or processor also changes pixels)",
+            output.string(), options.picture, origin.version, FUMON_VERSION));
     }
     return 0;
 }

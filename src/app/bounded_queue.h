@@ -10,7 +10,8 @@
 namespace fumon {
 
 /// A queue between two stages of the pipeline. A full queue makes the producer wait (back-pressure,
-/// nothing is dropped); close() lets the consumer finish what is in it; abort() wakes everyone at once.
+/// nothing is dropped); close() lets the consumer finish what is in it; abort() wakes everyone at
+/// once.
 template <class Item>
 class BoundedQueue {
   public:

@@ -10,13 +10,15 @@
 
 namespace fumon {
 
-int check_command(const std::vector<std::string>& scenes, const std::vector<std::string>& settings) {
+int check_command(const std::vector<std::string>& scenes,
+                  const std::vector<std::string>& settings) {
     int status = 0;
     for (const std::string& file : scenes) {
         try {
             const Workshop workshop = set_up(read_scene(file, settings), 1);
-            fmt::print("{}: fine ({}, {} x {} cells, {} steps, {} frames)\n", file, workshop.scene.model.name,
-                       workshop.initial.bed.nx(), workshop.initial.bed.ny(), workshop.scene.run.steps,
+            fmt::print("{}: fine ({}, {} x {} cells, {} steps, {} frames)\n", file,
+                       workshop.scene.model.name, workshop.initial.bed.nx(),
+                       workshop.initial.bed.ny(), workshop.scene.run.steps,
                        frame_schedule(workshop.scene).count());
         } catch (const InputError& fault) {
             std::fflush(stdout);

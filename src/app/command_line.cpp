@@ -32,27 +32,35 @@ constexpr const char* examples =
     "`fumon COMMAND --help` tells more of one command.\n";
 
 void add_work_options(CLI::App& command, WorkOptions& work) {
-    command.add_option("--set", work.settings, "override a scene key: --set key.path=VALUE (repeatable)")
+    command
+        .add_option("--set", work.settings,
+                    "override a scene key: --set key.path=VALUE (repeatable)")
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->trigger_on_parse();
-    const std::map<std::string, gl::Backend> backends{
-        {"auto", gl::Backend::automatic}, {"osmesa", gl::Backend::osmesa}, {"egl", gl::Backend::egl}};
-    command.add_option("--gl", work.backend, "how to draw: auto, osmesa or egl (auto: OSMesa, else EGL)")
+    const std::map<std::string, gl::Backend> backends{{"auto", gl::Backend::automatic},
+                                                      {"osmesa", gl::Backend::osmesa},
+                                                      {"egl", gl::Backend::egl}};
+    command
+        .add_option("--gl", work.backend,
+                    "how to draw: auto, osmesa or egl (auto: OSMesa, else EGL)")
         ->type_name("NAME")
         ->transform(CLI::Transformer(backends))
         ->check([](const std::string& text) -> std::string {
             return text.size() == 1 ? "" : "--gl takes auto, osmesa or egl, not " + text;
         });
-    command.add_option("--threads", work.threads, "threads to compute with (default: one per processor)")
+    command
+        .add_option("--threads", work.threads,
+                    "threads to compute with (default: one per processor)")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
-    auto* quiet = command.add_flag_callback("-q,--quiet", [&work] { work.verbosity = Verbosity::quiet; },
-                                            "say nothing but errors");
+    auto* quiet = command.add_flag_callback(
+        "-q,--quiet", [&work] { work.verbosity = Verbosity::quiet; }, "say nothing but errors");
     command
-        .add_flag_callback("-v,--verbose", [&work] { work.verbosity = Verbosity::verbose; },
-                           "say which OpenGL draws, and more")
+        .add_flag_callback(
+            "-v,--verbose", [&work] { work.verbosity = Verbosity::verbose; },
+            "say which OpenGL draws, and more")
         ->excludes(quiet);
 }
 
@@ -89,39 +97,54 @@ struct CommandLine {
     }
 
     void add_run() {
-        CLI::App& command = add("run", "run a scene: frames, movie, measurements and manifest into a folder",
-                                [this] { return run_command(run); });
+        CLI::App& command =
+            add("run", "run a scene: frames, movie, measurements and manifest into a folder",
+                [this] { return run_command(run); });
         command.add_option("SCENE", run.scene, "a scene file (TOML)")->required();
-        command.add_option("-o,--output", run.folder, "the folder for the run")->type_name("DIR")->required();
+        command.add_option("-o,--output", run.folder, "the folder for the run")
+            ->type_name("DIR")
+            ->required();
         command.add_flag("--force", run.force, "replace the run that the folder holds");
         add_work_options(command, run.work);
-        command.footer("Exit status: 0 done, 1 failed, 2 wrong input, 130/143 interrupted (what was made is kept).");
+        command.footer(
+            "Exit status: 0 done, 1 failed, 2 wrong input, 130/143 interrupted (what was made is "
+            "kept).");
     }
 
     void add_still() {
         CLI::App& command = add("still", "one picture: of a step of a scene, or of a terrain file",
                                 [this] { return still_command(still); });
-        command.add_option("INPUT", still.input, "a scene (.toml), an ESRI ASCII grid or a grey PNG")->required();
-        command.add_option("-o,--output", still.output, "the picture (PNG)")->type_name("FILE.png")->required();
-        auto* step = command.add_option("--step", still.step, "of which step (default: the run's last)")
-                         ->type_name("N")
-                         ->check(CLI::NonNegativeNumber);
+        command
+            .add_option("INPUT", still.input, "a scene (.toml), an ESRI ASCII grid or a grey PNG")
+            ->required();
+        command.add_option("-o,--output", still.output, "the picture (PNG)")
+            ->type_name("FILE.png")
+            ->required();
+        auto* step =
+            command.add_option("--step", still.step, "of which step (default: the run's last)")
+                ->type_name("N")
+                ->check(CLI::NonNegativeNumber);
         command.add_option("--time", still.time, "of which time, in the model's unit")
             ->type_name("T")
             ->check(CLI::NonNegativeNumber)
             ->excludes(step);
-        command.add_option("--heights", still.heights, "metres of black and white of a PNG terrain")
+        command
+            .add_option("--heights", still.heights, "metres of black and white of a PNG terrain")
             ->type_name("LOW:HIGH");
         add_work_options(command, still.work);
-        command.footer("A look of your own: --set camera.azimuth=160 --set sun.elevation=15 --set image.width=3840 …\n"
-                       "(`fumon describe scene` lists every key).");
+        command.footer(
+            "A look of your own: --set camera.azimuth=160 --set sun.elevation=15 --set "
+            "image.width=3840 …\n"
+            "(`fumon describe scene` lists every key).");
     }
 
     void add_again() {
         CLI::App& command = add("again", "make a picture again from what it says of itself",
                                 [this] { return again_command(again); });
         command.add_option("PICTURE", again.picture, "a PNG that fumon made")->required();
-        command.add_option("-o,--output", again.output, "the new picture (default: NAME-again.png here)")
+        command
+            .add_option("-o,--output", again.output,
+                        "the new picture (default: NAME-again.png here)")
             ->type_name("FILE.png");
         add_work_options(command, again.work);
     }
@@ -130,7 +153,9 @@ struct CommandLine {
         CLI::App& command = add("check", "say whether scenes are right, and where not",
                                 [this] { return check_command(checked, check_settings); });
         command.add_option("SCENE", checked, "scene files")->required();
-        command.add_option("--set", check_settings, "override a scene key")->type_name("KEY=VALUE")->expected(1)
+        command.add_option("--set", check_settings, "override a scene key")
+            ->type_name("KEY=VALUE")
+            ->expected(1)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     }
 
@@ -139,11 +164,14 @@ struct CommandLine {
             std::fputs(models_text().c_str(), stdout);
             return 0;
         });
-        CLI::App& command = add("describe", "list scene keys with type, unit, default and range", [this] {
-            std::fputs((as_json ? describe_json(described) : describe_text(described)).c_str(), stdout);
-            return 0;
-        });
-        command.add_option("WHAT", described, "\"scene\" (the keys of every scene) or a model; nothing: all");
+        CLI::App& command =
+            add("describe", "list scene keys with type, unit, default and range", [this] {
+                std::fputs((as_json ? describe_json(described) : describe_text(described)).c_str(),
+                           stdout);
+                return 0;
+            });
+        command.add_option("WHAT", described,
+                           "\"scene\" (the keys of every scene) or a model; nothing: all");
         command.add_flag("--json", as_json, "as JSON");
     }
 };
@@ -151,11 +179,14 @@ struct CommandLine {
 [[noreturn]] void refuse_usage(const CommandLine& line, const std::vector<std::string>& arguments,
                                const std::string& what) {
     std::vector<std::string> commands;
-    for (const CLI::App* command : line.app.get_subcommands({})) commands.push_back(command->get_name());
+    for (const CLI::App* command : line.app.get_subcommands({}))
+        commands.push_back(command->get_name());
     if (arguments.empty()) throw InputError("fumon: a command is missing; try `fumon --help`");
     const std::string& first = arguments.front();
-    if (!first.starts_with("-") && std::find(commands.begin(), commands.end(), first) == commands.end()) {
-        throw InputError(fmt::format("fumon: unknown command \"{}\"; {}", first, suggestion(first, commands)));
+    if (!first.starts_with("-") &&
+        std::find(commands.begin(), commands.end(), first) == commands.end()) {
+        throw InputError(
+            fmt::format("fumon: unknown command \"{}\"; {}", first, suggestion(first, commands)));
     }
     const std::string of = first.starts_with("-") ? "" : " " + first;
     throw InputError(fmt::format("fumon{}: {}; try `fumon{} --help`", of, what, of));
@@ -163,7 +194,8 @@ struct CommandLine {
 
 void check_standard_output() {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
-    throw Error(fmt::format("cannot write to standard output: {}", std::generic_category().message(errno)));
+    throw Error(
+        fmt::format("cannot write to standard output: {}", std::generic_category().message(errno)));
 }
 
 }  // namespace

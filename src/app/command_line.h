@@ -5,8 +5,8 @@
 
 namespace fumon {
 
-/// Reads the command line, runs one command and returns its exit status. Throws InputError for wrong usage
-/// and whatever the command throws.
+/// Reads the command line, runs one command and returns its exit status. Throws InputError for
+/// wrong usage and whatever the command throws.
 int run_command_line(const std::vector<std::string>& arguments);
 
 }  // namespace fumon

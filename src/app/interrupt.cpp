@@ -8,7 +8,8 @@ namespace fumon {
 namespace {
 
 std::atomic<int> received{0};
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+static_assert(std::atomic<int>::is_always_lock_free,
+              "a signal handler may only touch lock-free atomics");
 
 void note_signal(int signal) {
     if (received.exchange(signal) != 0) {
@@ -30,8 +31,12 @@ InterruptGuard::~InterruptGuard() {
     std::signal(SIGTERM, SIG_DFL);
 }
 
-int interrupting_signal() { return received.load(); }
+int interrupting_signal() {
+    return received.load();
+}
 
-void clear_interrupt() { received.store(0); }
+void clear_interrupt() {
+    received.store(0);
+}
 
 }  // namespace fumon

@@ -2,8 +2,8 @@
 
 namespace fumon {
 
-/// While one lives, SIGINT and SIGTERM only leave a mark (a second one ends the program at once), and
-/// SIGPIPE is ignored so that a closed pipe is an ordinary write error.
+/// While one lives, SIGINT and SIGTERM only leave a mark (a second one ends the program at once),
+/// and SIGPIPE is ignored so that a closed pipe is an ordinary write error.
 class InterruptGuard {
   public:
     InterruptGuard();

@@ -59,9 +59,10 @@ Json performance(const ManifestFacts& facts, const RunOutcome& outcome) {
     json["simulation_cpu_seconds"] = timing.simulation_cpu;
     json["rendering_cpu_seconds"] = timing.rendering_cpu;
     json["encoding_cpu_seconds"] = timing.encoding_cpu;
-    json["cell_steps_per_second"] = timing.simulation_wall > 0.0
-                                        ? cells * static_cast<double>(outcome.steps_done) / timing.simulation_wall
-                                        : 0.0;
+    json["cell_steps_per_second"] =
+        timing.simulation_wall > 0.0
+            ? cells * static_cast<double>(outcome.steps_done) / timing.simulation_wall
+            : 0.0;
     json["peak_memory_bytes"] = peak_memory_bytes();
     json["threads"] = facts.threads;
     return json;
@@ -86,11 +87,13 @@ void write_frames(AtomicFile& file, const ManifestFacts& facts, const RunOutcome
 
 }  // namespace
 
-void write_running_manifest(const RunFolder& folder, const ManifestFacts& facts, const DrawingRecord& drawing) {
+void write_running_manifest(const RunFolder& folder, const ManifestFacts& facts,
+                            const DrawingRecord& drawing) {
     write_file(folder.manifest(), text_of(head(facts, "running", drawing), 2) + "\n");
 }
 
-void write_final_manifest(const RunFolder& folder, const ManifestFacts& facts, const RunOutcome& outcome) {
+void write_final_manifest(const RunFolder& folder, const ManifestFacts& facts,
+                          const RunOutcome& outcome) {
     Json json = head(facts, status_of(outcome), outcome.drawing);
     if (outcome.signal != 0) json["signal"] = outcome.signal == SIGINT ? "SIGINT" : "SIGTERM";
     if (outcome.error) json["error"] = error_text(outcome.error);

@@ -7,7 +7,8 @@
 
 namespace fumon {
 
-/// measurements.csv: one row a measured step, heights in model heights. It gets its name by commit().
+/// measurements.csv: one row a measured step, heights in model heights. It gets its name by
+/// commit().
 class MeasurementFile {
   public:
     /// Throws Error when it cannot be made or written.

@@ -22,16 +22,19 @@ constexpr const char* pixels_keyword = "fumon:pixels-sha256";
 
 std::string inputs_text(const std::vector<InputFile>& inputs) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const InputFile& input : inputs) list.push_back({{"path", input.path}, {"sha256", input.hash}});
+    for (const InputFile& input : inputs)
+        list.push_back({{"path", input.path}, {"sha256", input.hash}});
     return list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::vector<InputFile> parse_inputs(const std::string& text, const std::string& picture) {
     std::vector<InputFile> inputs;
     try {
-        for (const auto& item : nlohmann::json::parse(text)) inputs.push_back({item.at("path"), item.at("sha256")});
+        for (const auto& item : nlohmann::json::parse(text))
+            inputs.push_back({item.at("path"), item.at("sha256")});
     } catch (const nlohmann::json::exception&) {
-        throw InputError(fmt::format("{}: its {} text is damaged; take an untouched copy", picture, inputs_keyword));
+        throw InputError(fmt::format("{}: its {} text is damaged; take an untouched copy", picture,
+                                     inputs_keyword));
     }
     return inputs;
 }
@@ -40,8 +43,9 @@ std::int64_t parse_step(const std::string& text, const std::string& picture) {
     std::int64_t step = 0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), step);
     if (fault != std::errc{} || end != text.data() + text.size() || step < 0) {
-        throw InputError(fmt::format("{}: its {} text \"{}\" is no step number; take an untouched copy", picture,
-                                     step_keyword, text));
+        throw InputError(
+            fmt::format("{}: its {} text \"{}\" is no step number; take an untouched copy", picture,
+                        step_keyword, text));
     }
     return step;
 }
@@ -73,9 +77,10 @@ PictureOrigin read_origin(const std::filesystem::path& picture) {
     for (auto& [keyword, text] : read_png_texts(picture)) texts[keyword] = std::move(text);
     for (const char* keyword : {scene_keyword, step_keyword, inputs_keyword}) {
         if (!texts.contains(keyword)) {
-            throw InputError(fmt::format("{}: carries no {} text; fumon again takes a picture that fumon made and no "
-                                         "other program has rewritten",
-                                         picture.string(), keyword));
+            throw InputError(fmt::format(
+                "{}: carries no {} text; fumon again takes a picture that fumon made and no "
+                "other program has rewritten",
+                picture.string(), keyword));
         }
     }
     PictureOrigin origin;

@@ -50,8 +50,8 @@ class Stopwatch {
 /// One run under way: the queues, and a method for each stage.
 class Pipeline {
   public:
-    Pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs, RunFolder& folder,
-             const PipelineOptions& options, Progress& progress)
+    Pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs,
+             RunFolder& folder, const PipelineOptions& options, Progress& progress)
         : model_(model),
           scene_(scene),
           inputs_(inputs),
@@ -81,7 +81,8 @@ class Pipeline {
         if (outcome_.steps_done < scene_.run.steps) outcome_.signal = interrupting_signal();
         outcome_.error = error_;
         outcome_.timing.wall = wall.seconds();
-        outcome_.timing.encoding_cpu = cpu_seconds_of_process() - cpu_before - outcome_.timing.simulation_cpu -
+        outcome_.timing.encoding_cpu = cpu_seconds_of_process() - cpu_before -
+                                       outcome_.timing.simulation_cpu -
                                        outcome_.timing.rendering_cpu;
         return std::move(outcome_);
     }
@@ -92,7 +93,8 @@ class Pipeline {
     void simulate() {
         std::unique_ptr<MeasurementFile> measurements;
         try {
-            if (scene_.output.measurements) measurements = std::make_unique<MeasurementFile>(folder_.measurements());
+            if (scene_.output.measurements)
+                measurements = std::make_unique<MeasurementFile>(folder_.measurements());
             advance(measurements.get());
             check_finite(model_.snapshot());
             outcome_.state = state_hash(model_);
@@ -140,10 +142,10 @@ class Pipeline {
         std::unique_ptr<Renderer> renderer;
         try {
             context = gl::Context::create(options_.backend);
-            renderer =
-                std::make_unique<Renderer>(*context, scene_.view, model_.snapshot(), scene_.run.steps, pool);
-            outcome_.drawing = {context->backend_name(), context->renderer_name(), context->version(),
-                                renderer->exaggeration()};
+            renderer = std::make_unique<Renderer>(*context, scene_.view, model_.snapshot(),
+                                                  scene_.run.steps, pool);
+            outcome_.drawing = {context->backend_name(), context->renderer_name(),
+                                context->version(), renderer->exaggeration()};
             ready.set_value();
         } catch (...) {
             ready.set_exception(std::current_exception());
@@ -151,7 +153,8 @@ class Pipeline {
         }
         std::int64_t number = 0;
         while (const auto snapshot = to_draw_.pop()) {
-            const Picture picture{number++, *snapshot, std::make_shared<const Image>(renderer->render(**snapshot))};
+            const Picture picture{number++, *snapshot,
+                                  std::make_shared<const Image>(renderer->render(**snapshot))};
             if (!to_pictures_.push(picture)) break;
             if (scene_.output.movie && !to_movie_.push(picture)) break;
         }
@@ -191,8 +194,9 @@ class Pipeline {
     void write_beds() {
         while (const auto popped = to_beds_.pop()) {
             const Snapshot& snapshot = **popped;
-            write_file(folder_.bed(snapshot.step),
-                       esri_ascii(snapshot.bed, snapshot.nodata, snapshot.scale.dx, snapshot.scale.dy));
+            write_file(
+                folder_.bed(snapshot.step),
+                esri_ascii(snapshot.bed, snapshot.nodata, snapshot.scale.dx, snapshot.scale.dy));
             outcome_.bed_steps.push_back(snapshot.step);
         }
     }
@@ -203,9 +207,8 @@ class Pipeline {
     void begin_drawing() {
         std::promise<void> ready;
         auto is_ready = ready.get_future();
-        start("fumon-render", [this, promise = std::make_shared<std::promise<void>>(std::move(ready))] {
-            draw(std::move(*promise));
-        });
+        start("fumon-render", [this, promise = std::make_shared<std::promise<void>>(
+                                         std::move(ready))] { draw(std::move(*promise)); });
         is_ready.get();
     }
 
@@ -285,8 +288,8 @@ class Pipeline {
 
 }  // namespace
 
-RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs, RunFolder& folder,
-                        const PipelineOptions& options, Progress& progress,
+RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs,
+                        RunFolder& folder, const PipelineOptions& options, Progress& progress,
                         const std::function<void(const DrawingRecord&)>& started) {
     return Pipeline(model, scene, inputs, folder, options, progress).run(started);
 }
@@ -297,9 +300,10 @@ void check_finite(const Snapshot& snapshot) {
         for (int x = 0; x < snapshot.bed.nx(); ++x) {
             const double height = row[static_cast<std::size_t>(x)];
             if (std::isfinite(height)) continue;
-            throw Error(fmt::format("the bed height became {} at cell ({}, {}), step {}; earlier frames are kept "
-                                    "(try smaller rates, or `fumon describe` for the ranges)",
-                                    height, x, y, snapshot.step));
+            throw Error(fmt::format(
+                "the bed height became {} at cell ({}, {}), step {}; earlier frames are kept "
+                "(try smaller rates, or `fumon describe` for the ranges)",
+                height, x, y, snapshot.step));
         }
     }
 }

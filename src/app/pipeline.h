@@ -67,13 +67,13 @@ struct PipelineOptions {
     int threads = 0;  ///< of the renderer's own loops; 0: one per processor
 };
 
-/// Runs a scene: simulation thread → bounded queue → OpenGL thread → bounded queues → encoder threads →
-/// files in order. Memory does not grow with the number of frames. The first error stops every stage; an
-/// interrupt lets what is in flight finish. `started` is called once when OpenGL and the view are ready
-/// and before the first file is written; nothing is written when it throws or is never reached.
-/// Throws only what happens before that; later errors are in the outcome.
-RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs, RunFolder& folder,
-                        const PipelineOptions& options, Progress& progress,
+/// Runs a scene: simulation thread → bounded queue → OpenGL thread → bounded queues → encoder
+/// threads → files in order. Memory does not grow with the number of frames. The first error stops
+/// every stage; an interrupt lets what is in flight finish. `started` is called once when OpenGL
+/// and the view are ready and before the first file is written; nothing is written when it throws
+/// or is never reached. Throws only what happens before that; later errors are in the outcome.
+RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs,
+                        RunFolder& folder, const PipelineOptions& options, Progress& progress,
                         const std::function<void(const DrawingRecord&)>& started);
 
 /// Throws Error "NAME is nan at cell (x, y), step N" when a field of the snapshot is not finite.

@@ -19,7 +19,9 @@ constexpr std::chrono::seconds between_log_lines{10};
 Progress::Progress(Verbosity verbosity, std::int64_t cells)
     : verbosity_(verbosity), live_(isatty(STDERR_FILENO) == 1), cells_(cells) {}
 
-Progress::~Progress() { clear(); }
+Progress::~Progress() {
+    clear();
+}
 
 void Progress::expect(std::int64_t steps, std::int64_t frames) {
     steps_ = steps;
@@ -66,12 +68,13 @@ std::string Progress::line() const {
     std::string text = fmt::format("step {}/{}", with_commas(steps), with_commas(steps_));
     if (frames_ > 0) {
         share = std::min(share, static_cast<double>(frames) / static_cast<double>(frames_));
-        text += fmt::format("  frame {}/{}  {:.1f} frames/s", with_commas(frames), with_commas(frames_),
-                            static_cast<double>(frames) / seconds);
+        text += fmt::format("  frame {}/{}  {:.1f} frames/s", with_commas(frames),
+                            with_commas(frames_), static_cast<double>(frames) / seconds);
     }
     if (cells_ > 0 && steps > 0) {
-        text += fmt::format("  {:.3g} million cell-steps/s",
-                            1e-6 * static_cast<double>(steps) * static_cast<double>(cells_) / seconds);
+        text +=
+            fmt::format("  {:.3g} million cell-steps/s",
+                        1e-6 * static_cast<double>(steps) * static_cast<double>(cells_) / seconds);
     }
     if (share > 0.0) text += fmt::format("  {} left", clock_text(seconds * (1.0 - share) / share));
     return text;
@@ -90,7 +93,8 @@ std::string clock_text(double seconds) {
     const auto whole = static_cast<std::int64_t>(std::llround(seconds));
     constexpr std::int64_t minute = 60;
     constexpr std::int64_t hour = 3600;
-    if (whole >= hour) return fmt::format("{}:{:02}:{:02}", whole / hour, whole % hour / minute, whole % minute);
+    if (whole >= hour)
+        return fmt::format("{}:{:02}:{:02}", whole / hour, whole % hour / minute, whole % minute);
     return fmt::format("{}:{:02}", whole / minute, whole % minute);
 }
 

@@ -44,11 +44,13 @@ void remove_numbered(const fs::path& folder, const std::string& begin, const std
 RunFolder::RunFolder(fs::path folder, bool force) : folder_(std::move(folder)) {
     std::error_code fault;
     if (fs::exists(folder_, fault) && !fs::is_directory(folder_, fault)) {
-        throw InputError(fmt::format("{} is a file; name a folder for the run with -o", folder_.string()));
+        throw InputError(
+            fmt::format("{} is a file; name a folder for the run with -o", folder_.string()));
     }
     if (!force && fs::exists(manifest(), fault)) {
-        throw InputError(fmt::format("{} already holds a run; name another folder, or --force replaces it",
-                                     folder_.string()));
+        throw InputError(
+            fmt::format("{} already holds a run; name another folder, or --force replaces it",
+                        folder_.string()));
     }
 }
 
@@ -61,8 +63,12 @@ void RunFolder::create(bool with_frames, bool with_beds) {
     if (with_beds) make_folder(folder_ / "beds");
 }
 
-std::string RunFolder::frame_name(std::int64_t number) { return fmt::format("frames/frame_{:06}.png", number); }
+std::string RunFolder::frame_name(std::int64_t number) {
+    return fmt::format("frames/frame_{:06}.png", number);
+}
 
-std::string RunFolder::bed_name(std::int64_t step) { return fmt::format("beds/bed_{:08}.asc", step); }
+std::string RunFolder::bed_name(std::int64_t step) {
+    return fmt::format("beds/bed_{:08}.asc", step);
+}
 
 }  // namespace fumon

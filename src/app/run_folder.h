@@ -10,8 +10,8 @@ namespace fumon {
 /// beds/bed_00001000.asc.
 class RunFolder {
   public:
-    /// Makes nothing yet. Throws InputError when the folder already holds a run and `force` is not given,
-    /// or when the path is a file.
+    /// Makes nothing yet. Throws InputError when the folder already holds a run and `force` is not
+    /// given, or when the path is a file.
     RunFolder(std::filesystem::path folder, bool force);
 
     /// Makes the folder (and its parents) and takes a former run's files away. Throws Error.
@@ -19,9 +19,15 @@ class RunFolder {
 
     [[nodiscard]] std::filesystem::path manifest() const { return folder_ / "run.json"; }
     [[nodiscard]] std::filesystem::path movie() const { return folder_ / "movie.mp4"; }
-    [[nodiscard]] std::filesystem::path measurements() const { return folder_ / "measurements.csv"; }
-    [[nodiscard]] std::filesystem::path frame(std::int64_t number) const { return folder_ / frame_name(number); }
-    [[nodiscard]] std::filesystem::path bed(std::int64_t step) const { return folder_ / bed_name(step); }
+    [[nodiscard]] std::filesystem::path measurements() const {
+        return folder_ / "measurements.csv";
+    }
+    [[nodiscard]] std::filesystem::path frame(std::int64_t number) const {
+        return folder_ / frame_name(number);
+    }
+    [[nodiscard]] std::filesystem::path bed(std::int64_t step) const {
+        return folder_ / bed_name(step);
+    }
     [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
 
     /// Names within the folder, as the manifest lists them.

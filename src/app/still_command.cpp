@@ -15,13 +15,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_scene(const std::string& path) { return fs::path(path).extension() == ".toml"; }
+bool is_scene(const std::string& path) {
+    return fs::path(path).extension() == ".toml";
+}
 
 double parse_height(std::string_view text, const std::string& whole) {
     double height = 0.0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), height);
     if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(height)) {
-        throw InputError(fmt::format("--heights is \"{}\"; it takes low:high in metres, for example 0:850", whole));
+        throw InputError(fmt::format(
+            "--heights is \"{}\"; it takes low:high in metres, for example 0:850", whole));
     }
     return height;
 }
@@ -36,14 +39,16 @@ std::vector<double> parse_heights(const std::string& text) {
 
 /// A terrain file alone is a scene of the static model with the standard look.
 Scene terrain_scene(const StillOptions& options) {
-    Scene scene = parse_scene("[model]\nname = \"static\"\n[bed]\nkind = \"file\"\nfile = \"-\"\n", "", "",
-                              options.work.settings);
-    std::erase_if(scene.locations, [](const auto& entry) { return !entry.second.starts_with("--set"); });
+    Scene scene = parse_scene("[model]\nname = \"static\"\n[bed]\nkind = \"file\"\nfile = \"-\"\n",
+                              "", "", options.work.settings);
+    std::erase_if(scene.locations,
+                  [](const auto& entry) { return !entry.second.starts_with("--set"); });
     scene.bed.file = options.input;
     if (const auto heights = parse_heights(options.heights); !heights.empty()) {
         if (!(heights[0] < heights[1])) {
-            throw InputError(fmt::format("--heights {} must rise: low:high are the heights of black and white",
-                                         options.heights));
+            throw InputError(
+                fmt::format("--heights {} must rise: low:high are the heights of black and white",
+                            options.heights));
         }
         scene.bed.heights = heights;
     }
@@ -53,7 +58,8 @@ Scene terrain_scene(const StillOptions& options) {
 Scene scene_of(const StillOptions& options) {
     if (!is_scene(options.input)) return terrain_scene(options);
     if (!options.heights.empty()) {
-        throw InputError("--heights belongs to a PNG terrain; in a scene write bed.heights = [low, high]");
+        throw InputError(
+            "--heights belongs to a PNG terrain; in a scene write bed.heights = [low, high]");
     }
     return read_scene(options.input, options.work.settings);
 }
@@ -61,9 +67,10 @@ Scene scene_of(const StillOptions& options) {
 std::int64_t step_of(const StillOptions& options, const Scene& scene) {
     if (!options.step) return scene.run.steps;
     if (*options.step > scene.run.steps) {
-        throw InputError(fmt::format("--step {} is after the run's end; {} runs {} steps (lengthen it with --set "
-                                     "run.steps={})",
-                                     *options.step, options.input, scene.run.steps, *options.step));
+        throw InputError(fmt::format(
+            "--step {} is after the run's end; {} runs {} steps (lengthen it with --set "
+            "run.steps={})",
+            *options.step, options.input, scene.run.steps, *options.step));
     }
     return *options.step;
 }
@@ -73,8 +80,9 @@ int advance_to_time(Workshop& workshop, double time, Progress& progress) {
     while (workshop.model->time() < time) {
         const std::int64_t next = workshop.model->steps_done() + 1;
         if (next > workshop.scene.run.steps) {
-            throw InputError(fmt::format("--time {} is after the run's end at {} {}; lengthen run.steps", time,
-                                         workshop.model->time(), workshop.model->time_unit()));
+            throw InputError(
+                fmt::format("--time {} is after the run's end at {} {}; lengthen run.steps", time,
+                            workshop.model->time(), workshop.model->time_unit()));
         }
         if (const int signal = advance_to(workshop, next, progress); signal != 0) return signal;
     }
@@ -86,11 +94,13 @@ int advance_to_time(Workshop& workshop, double time, Progress& progress) {
 int still_command(const StillOptions& options) {
     const InterruptGuard guard;
     Workshop workshop = set_up(scene_of(options), options.work.threads);
-    Progress progress(options.work.verbosity, static_cast<std::int64_t>(workshop.initial.bed.size()));
+    Progress progress(options.work.verbosity,
+                      static_cast<std::int64_t>(workshop.initial.bed.size()));
     if (!workshop.initial.note.empty()) progress.note(workshop.initial.note);
     const Snapshot first = workshop.model->snapshot();
-    const int signal = options.time ? advance_to_time(workshop, *options.time, progress)
-                                    : advance_to(workshop, step_of(options, workshop.scene), progress);
+    const int signal = options.time
+                           ? advance_to_time(workshop, *options.time, progress)
+                           : advance_to(workshop, step_of(options, workshop.scene), progress);
     constexpr int status_of_signal = 128;
     if (signal != 0) return status_of_signal + signal;
     draw_still(workshop, first, options.output, options.work, progress);

@@ -16,12 +16,15 @@ namespace fumon {
 
 namespace {
 
-/// A model's refusal of its bed or parameters, placed where the scene chose the model.
+/// A model's refusal of its bed or parameters, placed at the key it names, else where the model was
+/// chosen.
 std::unique_ptr<Model> make_model(const Scene& scene, ModelSetup setup) {
     try {
         return find_model(scene.model.name)->make(scene.model.parameters, std::move(setup));
-    } catch (const InputError& refusal) {
-        throw InputError(scene.at("model.name") + refusal.what());
+    } catch (const KeyError& refusal) {
+        throw InputError(
+            scene.at(scene.locations.contains(refusal.key()) ? refusal.key() : "model.name") +
+            refusal.what());
     }
 }
 
@@ -41,8 +44,9 @@ Workshop set_up(Scene scene, int threads) {
     check_palette(workshop.scene);
     workshop.initial = make_initial_bed(workshop.scene);
     workshop.pool = std::make_unique<WorkerPool>(threads, "fumon-simulate");
-    workshop.model = make_model(workshop.scene, {workshop.initial.bed, workshop.initial.nodata, workshop.initial.scale,
-                                                 static_cast<std::uint64_t>(workshop.scene.seed), *workshop.pool});
+    workshop.model = make_model(
+        workshop.scene, {workshop.initial.bed, workshop.initial.nodata, workshop.initial.scale,
+                         static_cast<std::uint64_t>(workshop.scene.seed), *workshop.pool});
     return workshop;
 }
 
@@ -60,18 +64,18 @@ int advance_to(Workshop& workshop, std::int64_t step, Progress& progress) {
     return 0;
 }
 
-Sha256 draw_still(Workshop& workshop, const Snapshot& first, const std::string& file, const WorkOptions& work,
-                  Progress& progress) {
+Sha256 draw_still(Workshop& workshop, const Snapshot& first, const std::string& file,
+                  const WorkOptions& work, Progress& progress) {
     const Scene& scene = workshop.scene;
     WorkerPool pool(work.threads, "fumon-render");
     const auto context = gl::Context::create(work.backend);
-    progress.verbose(fmt::format("{}: {}, OpenGL {}", context->backend_name(), context->renderer_name(),
-                                 context->version()));
+    progress.verbose(fmt::format("{}: {}, OpenGL {}", context->backend_name(),
+                                 context->renderer_name(), context->version()));
     Renderer renderer(*context, scene.view, first, scene.run.steps, pool);
     const Image image = renderer.render(workshop.model->snapshot());
     const Sha256 pixels = pixel_hash(image);
-    const auto texts = picture_text(resolved_scene(scene, workshop.initial.inputs), scene, workshop.model->steps_done(),
-                                    workshop.initial.inputs, pixels);
+    const auto texts = picture_text(resolved_scene(scene, workshop.initial.inputs), scene,
+                                    workshop.model->steps_done(), workshop.initial.inputs, pixels);
     write_file(file, encode_png(image, scene.view.image.dots_per_inch, texts));
     if (renderer.exaggeration() != 1.0) {
         progress.note(fmt::format("vertical exaggeration {:g}", renderer.exaggeration()));

@@ -19,8 +19,8 @@ struct Workshop {
     std::unique_ptr<Model> model;
 };
 
-/// Builds bed and model of a scene and checks its palette. Throws InputError where they do not fit, located
-/// at the scene's model or key.
+/// Builds bed and model of a scene and checks its palette. Throws InputError where they do not fit,
+/// located at the scene's model or key.
 Workshop set_up(Scene scene, int threads);
 
 /// Advances the model to a step, showing progress. Returns the signal that stopped it early, or 0.
@@ -29,7 +29,7 @@ int advance_to(Workshop& workshop, std::int64_t step, Progress& progress);
 
 /// Draws the model's present state, as the run's frame of that step, and writes it whole with its
 /// metadata. Returns the picture's pixel hash.
-Sha256 draw_still(Workshop& workshop, const Snapshot& first, const std::string& file, const WorkOptions& work,
-                  Progress& progress);
+Sha256 draw_still(Workshop& workshop, const Snapshot& first, const std::string& file,
+                  const WorkOptions& work, Progress& progress);
 
 }  // namespace fumon

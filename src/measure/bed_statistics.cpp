@@ -45,7 +45,9 @@ BedStatistics bed_statistics(const Grid& bed, const Mask& nodata) {
     result.total = total.value();
     result.mean = result.total / static_cast<double>(cells);
     CompensatedSum squares;
-    for_each_height(bed, nodata, [&](double height) { squares.add((height - result.mean) * (height - result.mean)); });
+    for_each_height(bed, nodata, [&](double height) {
+        squares.add((height - result.mean) * (height - result.mean));
+    });
     result.standard_deviation = std::sqrt(squares.value() / static_cast<double>(cells));
     return result;
 }

@@ -13,8 +13,8 @@ struct BedStatistics {
     double total = 0.0;  ///< sum of heights over cells: the sand, in heights × cells
 };
 
-/// Computed in a fixed order with compensated sums (Neumaier 1974), so that the total of a conserving
-/// model changes only by the model's own rounding. All zero when no cell has data.
+/// Computed in a fixed order with compensated sums (Neumaier 1974), so that the total of a
+/// conserving model changes only by the model's own rounding. All zero when no cell has data.
 BedStatistics bed_statistics(const Grid& bed, const Mask& nodata);
 
 }  // namespace fumon

@@ -46,8 +46,8 @@ std::string as_written(const toml::node& value) {
 }
 
 [[noreturn]] void refuse(const Key& key, const toml::node& value, const Locate& locate) {
-    throw InputError(fmt::format("{}: {} is {}; it takes {}", locate(value.source()), key.path, as_written(value),
-                                 what_it_takes(key)));
+    throw InputError(fmt::format("{}: {} is {}; it takes {}", locate(value.source()), key.path,
+                                 as_written(value), what_it_takes(key)));
 }
 
 std::optional<double> real_of(const toml::node& value) {
@@ -69,13 +69,15 @@ std::optional<std::int64_t> whole_of(const toml::node& value) {
 
 double checked_real(const Key& key, const toml::node& value, const Locate& locate) {
     const auto real = real_of(value);
-    if (!real || !std::isfinite(*real) || !key.notes.range.contains(*real)) refuse(key, value, locate);
+    if (!real || !std::isfinite(*real) || !key.notes.range.contains(*real))
+        refuse(key, value, locate);
     return *real;
 }
 
 std::int64_t checked_whole(const Key& key, const toml::node& value, const Locate& locate) {
     const auto whole = whole_of(value);
-    if (!whole || !key.notes.range.contains(static_cast<double>(*whole))) refuse(key, value, locate);
+    if (!whole || !key.notes.range.contains(static_cast<double>(*whole)))
+        refuse(key, value, locate);
     return *whole;
 }
 
@@ -116,8 +118,9 @@ struct Assign {
                 return;
             }
         }
-        throw InputError(fmt::format("{}: {} is \"{}\"; it takes one of {} ({})", locate(value.source()), key.path,
-                                     text->get(), fmt::join(quoted(target.names), ", "),
+        throw InputError(fmt::format("{}: {} is \"{}\"; it takes one of {} ({})",
+                                     locate(value.source()), key.path, text->get(),
+                                     fmt::join(quoted(target.names), ", "),
                                      suggestion(text->get(), plain(target.names))));
     }
     void operator()(const WordOrRealTarget& target) const {
@@ -134,23 +137,26 @@ struct Assign {
     }
     void operator()(const RealListTarget& target) const {
         std::vector<double> reals;
-        for (const toml::node* item : items_of(value)) reals.push_back(checked_real(key, *item, locate));
-        if (reals.size() < target.smallest || reals.size() > target.largest) refuse(key, value, locate);
+        for (const toml::node* item : items_of(value))
+            reals.push_back(checked_real(key, *item, locate));
+        if (reals.size() < target.smallest || reals.size() > target.largest)
+            refuse(key, value, locate);
         *target.values = reals;
     }
     void operator()(const IntegerListTarget& target) const {
         std::vector<std::int64_t> wholes;
-        for (const toml::node* item : items_of(value)) wholes.push_back(checked_whole(key, *item, locate));
+        for (const toml::node* item : items_of(value))
+            wholes.push_back(checked_whole(key, *item, locate));
         *target.values = wholes;
     }
 };
 
 template <class Value>
-Value& item_at(const Key& key, std::vector<Value>& values, std::size_t index, const toml::node& value,
-               const Locate& locate) {
+Value& item_at(const Key& key, std::vector<Value>& values, std::size_t index,
+               const toml::node& value, const Locate& locate) {
     if (index < values.size()) return values[index];
-    throw InputError(fmt::format("{}: {} has no item {}; it has {} (counted from 0)", locate(value.source()),
-                                 key.path, index, values.size()));
+    throw InputError(fmt::format("{}: {} has no item {}; it has {} (counted from 0)",
+                                 locate(value.source()), key.path, index, values.size()));
 }
 
 }  // namespace
@@ -159,7 +165,9 @@ std::string what_it_takes(const Key& key) {
     struct Text {
         const Key& key;
         std::string operator()(const bool*) const { return "true or false"; }
-        std::string operator()(const std::int64_t*) const { return number_text("a whole number", key.notes); }
+        std::string operator()(const std::int64_t*) const {
+            return number_text("a whole number", key.notes);
+        }
         std::string operator()(const double*) const { return number_text("a number", key.notes); }
         std::string operator()(const std::string*) const { return "a text in quotes"; }
         std::string operator()(const ChoiceTarget& target) const {
@@ -170,9 +178,10 @@ std::string what_it_takes(const Key& key) {
                                number_text("a number", key.notes));
         }
         std::string operator()(const RealListTarget& target) const {
-            const std::string count = target.smallest == target.largest
-                                          ? fmt::format("{}", target.largest)
-                                          : fmt::format("{} to {}", target.smallest, target.largest);
+            const std::string count =
+                target.smallest == target.largest
+                    ? fmt::format("{}", target.largest)
+                    : fmt::format("{} to {}", target.smallest, target.largest);
             return number_text(fmt::format("a list of {} numbers", count).c_str(), key.notes);
         }
         std::string operator()(const IntegerListTarget&) const {
@@ -192,8 +201,8 @@ void assign_item(const Key& key, std::size_t index, const toml::node& value, con
     } else if (const auto* wholes = std::get_if<IntegerListTarget>(&key.target)) {
         item_at(key, *wholes->values, index, value, locate) = checked_whole(key, value, locate);
     } else {
-        throw InputError(fmt::format("{}: {} is no list; it takes {}", locate(value.source()), key.path,
-                                     what_it_takes(key)));
+        throw InputError(fmt::format("{}: {} is no list; it takes {}", locate(value.source()),
+                                     key.path, what_it_takes(key)));
     }
 }
 

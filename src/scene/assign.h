@@ -1,9 +1,9 @@
 #pragma once
 
+#include <toml++/toml.h>
+
 #include <functional>
 #include <string>
-
-#include <toml++/toml.h>
 
 #include "scene/keys.h"
 
@@ -12,8 +12,9 @@ namespace fumon {
 /// "file:line:column" of a place in the text being read.
 using Locate = std::function<std::string(const toml::source_region&)>;
 
-/// Sets a key from a TOML value after checking its type and range. Whole numbers serve as real ones, and
-/// reals as whole ones when exact. Throws InputError located at the value (or at the list item).
+/// Sets a key from a TOML value after checking its type and range. Whole numbers serve as real
+/// ones, and reals as whole ones when exact. Throws InputError located at the value (or at the list
+/// item).
 void assign(const Key& key, const toml::node& value, const Locate& locate);
 
 /// Sets item `index` of a list key. Throws InputError when the key is no list or has no such item.

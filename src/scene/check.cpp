@@ -15,46 +15,58 @@ namespace {
     throw InputError(scene.at(key) + what);
 }
 
-bool written(const Scene& scene, const std::string& key) { return scene.locations.contains(key); }
+bool written(const Scene& scene, const std::string& key) {
+    return scene.locations.contains(key);
+}
 
 void check_bed(const Scene& scene) {
     const BedSettings& bed = scene.bed;
     const bool from_file = bed.kind == BedKind::file;
-    if (from_file && bed.file.empty()) refuse(scene, "bed.kind", "bed.file is missing; name the terrain file");
+    if (from_file && bed.file.empty())
+        refuse(scene, "bed.kind", "bed.file is missing; name the terrain file");
     if (!from_file && !bed.file.empty()) {
-        refuse(scene, "bed.file", "bed.file is given but not used; write bed.kind = \"file\" to start from it");
+        refuse(scene, "bed.file",
+               "bed.file is given but not used; write bed.kind = \"file\" to start from it");
     }
     if (!from_file && !bed.heights.empty()) {
-        refuse(scene, "bed.heights", "bed.heights belongs to a PNG bed; noise takes bed.low and bed.high");
+        refuse(scene, "bed.heights",
+               "bed.heights belongs to a PNG bed; noise takes bed.low and bed.high");
     }
-    if (bed.heights.size() == 1) refuse(scene, "bed.heights", "bed.heights has one number; it takes [low, high]");
+    if (bed.heights.size() == 1)
+        refuse(scene, "bed.heights", "bed.heights has one number; it takes [low, high]");
     if (bed.heights.size() == 2 && !(bed.heights[0] < bed.heights[1])) {
-        refuse(scene, "bed.heights", "bed.heights must rise; write [low, high], the heights of black and white");
+        refuse(scene, "bed.heights",
+               "bed.heights must rise; write [low, high], the heights of black and white");
     }
     if (bed.kind == BedKind::noise && bed.low > bed.high) {
         refuse(scene, written(scene, "bed.high") ? "bed.high" : "bed.low",
-               fmt::format("bed.high ({}) is below bed.low ({}); noise is uniform in [low, high)", bed.high, bed.low));
+               fmt::format("bed.high ({}) is below bed.low ({}); noise is uniform in [low, high)",
+                           bed.high, bed.low));
     }
     if (!from_file && scene.grid.nx * scene.grid.ny > largest_grid_cells) {
         refuse(scene, written(scene, "grid.ny") ? "grid.ny" : "grid.nx",
-               fmt::format("{} x {} cells are too many; at most {} in all", scene.grid.nx, scene.grid.ny,
-                           largest_grid_cells));
+               fmt::format("{} x {} cells are too many; at most {} in all", scene.grid.nx,
+                           scene.grid.ny, largest_grid_cells));
     }
 }
 
 void check_frames(const Scene& scene) {
     const FrameSettings& frames = scene.frames;
-    const int ways = (frames.every > 0 ? 1 : 0) + (frames.at.empty() ? 0 : 1) + (frames.logarithmic > 0 ? 1 : 0);
+    const int ways =
+        (frames.every > 0 ? 1 : 0) + (frames.at.empty() ? 0 : 1) + (frames.logarithmic > 0 ? 1 : 0);
     if (ways > 1) {
         const char* second = frames.logarithmic > 0 ? "frames.logarithmic" : "frames.at";
-        refuse(scene, second, "two ways to choose frames; keep one of frames.every, frames.at, frames.logarithmic");
+        refuse(
+            scene, second,
+            "two ways to choose frames; keep one of frames.every, frames.at, frames.logarithmic");
     }
     const auto within_run = [&](const std::vector<std::int64_t>& steps, const std::string& key) {
         for (const std::int64_t step : steps) {
             if (step > scene.run.steps) {
                 refuse(scene, key,
-                       fmt::format("{} names step {}, after the run's end at {}; lengthen run.steps or drop it", key,
-                                   step, scene.run.steps));
+                       fmt::format("{} names step {}, after the run's end at {}; lengthen "
+                                   "run.steps or drop it",
+                                   key, step, scene.run.steps));
             }
         }
     };
@@ -66,7 +78,8 @@ void check_look(const Scene& scene) {
     const LookSettings& look = scene.view.look;
     if (!look.low.is_word() && !look.high.is_word() && !(look.low.value < look.high.value)) {
         refuse(scene, "look.high",
-               fmt::format("look.high ({}) must be above look.low ({})", look.high.value, look.low.value));
+               fmt::format("look.high ({}) must be above look.low ({})", look.high.value,
+                           look.low.value));
     }
     if (scene.view.image.supersampling == 3) {
         refuse(scene, "image.supersampling", "image.supersampling is 3; it takes 1, 2 or 4");
@@ -77,7 +90,8 @@ void check_look(const Scene& scene) {
 
 void check_scene(const Scene& scene) {
     if (scene.model.name != "static" && !written(scene, "run.steps")) {
-        refuse(scene, "run.steps", "run.steps is missing; say how long to run, for example [run] steps = 1000");
+        refuse(scene, "run.steps",
+               "run.steps is missing; say how long to run, for example [run] steps = 1000");
     }
     check_bed(scene);
     check_frames(scene);

@@ -28,8 +28,8 @@ void check_name(const std::string& what) {
     if (what.empty() || what == "scene" || find_model(what) != nullptr) return;
     std::vector<std::string> known{"scene"};
     for (const ModelEntry& entry : models()) known.emplace_back(entry.name);
-    throw InputError(fmt::format("fumon describe: \"{}\" is neither \"scene\" nor a model; {}", what,
-                                 suggestion(what, known)));
+    throw InputError(fmt::format("fumon describe: \"{}\" is neither \"scene\" nor a model; {}",
+                                 what, suggestion(what, known)));
 }
 
 std::vector<std::unique_ptr<Section>> sections(const std::string& what) {
@@ -66,7 +66,8 @@ std::string type_text(const Key& key) {
 }
 
 bool takes_numbers(const Key& key) {
-    return !std::holds_alternative<bool*>(key.target) && !std::holds_alternative<std::string*>(key.target) &&
+    return !std::holds_alternative<bool*>(key.target) &&
+           !std::holds_alternative<std::string*>(key.target) &&
            !std::holds_alternative<ChoiceTarget>(key.target);
 }
 
@@ -77,15 +78,20 @@ const std::vector<ChoiceName>& words_of(const Key& key) {
     return none;
 }
 
-bool required(const Key& key) { return key.path == "model.name" || key.path == "run.steps"; }
+bool required(const Key& key) {
+    return key.path == "model.name" || key.path == "run.steps";
+}
 
 std::string key_text(const Key& key) {
     std::string facts = type_text(key);
     if (!key.notes.unit.empty()) facts += ", " + key.notes.unit;
-    if (takes_numbers(key) && key.notes.range.text() != "any") facts += ", " + key.notes.range.text();
+    if (takes_numbers(key) && key.notes.range.text() != "any")
+        facts += ", " + key.notes.range.text();
     const std::string standard = required(key) ? "required" : "default " + value_text(key);
-    std::string text = fmt::format("  {:<28} {} [{}]\n      {}\n", key.path, facts, standard, key.notes.help);
-    for (const ChoiceName& word : words_of(key)) text += fmt::format("        {:<18} {}\n", word.name, word.help);
+    std::string text =
+        fmt::format("  {:<28} {} [{}]\n      {}\n", key.path, facts, standard, key.notes.help);
+    for (const ChoiceName& word : words_of(key))
+        text += fmt::format("        {:<18} {}\n", word.name, word.help);
     return text;
 }
 
@@ -94,7 +100,8 @@ nlohmann::ordered_json key_json(const Key& key, const std::string& model) {
     json["key"] = key.path;
     json["type"] = type_text(key);
     json["unit"] = key.notes.unit;
-    json["default"] = required(key) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(value_text(key));
+    json["default"] =
+        required(key) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(value_text(key));
     json["required"] = required(key);
     if (takes_numbers(key)) {
         const Range& range = key.notes.range;
@@ -103,7 +110,8 @@ nlohmann::ordered_json key_json(const Key& key, const std::string& model) {
         json["maximum"] = std::isfinite(range.high) ? nlohmann::ordered_json(range.high) : nullptr;
     }
     nlohmann::ordered_json words = nlohmann::ordered_json::array();
-    for (const ChoiceName& word : words_of(key)) words.push_back({{"name", word.name}, {"help", word.help}});
+    for (const ChoiceName& word : words_of(key))
+        words.push_back({{"name", word.name}, {"help", word.help}});
     if (!words.empty()) json["values"] = words;
     json["model"] = model.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(model);
     json["help"] = key.notes.help;
@@ -118,7 +126,8 @@ std::string describe_text(const std::string& what) {
         if (!text.empty()) text += "\n";
         text += section->model.empty()
                     ? "Keys of every scene (TOML: section.key, or key = value under [section])\n\n"
-                    : fmt::format("Keys of the model \"{}\": {}\n\n", section->model, find_model(section->model)->help);
+                    : fmt::format("Keys of the model \"{}\": {}\n\n", section->model,
+                                  find_model(section->model)->help);
         if (section->table.keys().empty()) text += "  none\n";
         for (const Key& key : section->table.keys()) text += key_text(key);
     }
@@ -135,7 +144,8 @@ std::string describe_json(const std::string& what) {
 
 std::string models_text() {
     std::string text;
-    for (const ModelEntry& entry : models()) text += fmt::format("{:<10} {}\n", entry.name, entry.help);
+    for (const ModelEntry& entry : models())
+        text += fmt::format("{:<10} {}\n", entry.name, entry.help);
     return text;
 }
 

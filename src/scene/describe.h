@@ -4,8 +4,8 @@
 
 namespace fumon {
 
-/// The keys of every scene ("scene"), of one model (its name), or all ("") as a text to read. Throws
-/// InputError for a name that is neither, with the nearest known one.
+/// The keys of every scene ("scene"), of one model (its name), or all ("") as a text to read.
+/// Throws InputError for a name that is neither, with the nearest known one.
 std::string describe_text(const std::string& what);
 
 /// The same as JSON: a list of {key, type, unit, default, range, values, model, help}.

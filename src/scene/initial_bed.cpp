@@ -16,8 +16,9 @@ namespace {
 
 void check_size(const Scene& scene, const char* key, std::int64_t wanted, int found) {
     if (!scene.locations.contains(key) || wanted == found) return;
-    throw InputError(fmt::format("{}{} is {}, but {} has {} cells there; leave the key out for a terrain file",
-                                 scene.at(key), key, wanted, scene.bed.file, found));
+    throw InputError(
+        fmt::format("{}{} is {}, but {} has {} cells there; leave the key out for a terrain file",
+                    scene.at(key), key, wanted, scene.bed.file, found));
 }
 
 /// Cell size from the scene, from the file, or none. Where both have one they must agree.
@@ -31,9 +32,10 @@ WorldScale scale_of(const Scene& scene, double file_dx, double file_dy) {
         constexpr double tolerance = 1e-6;
         if (file_dx > 0.0 && (std::abs(scale.dx / file_dx - 1.0) > tolerance ||
                               std::abs(scale.dy / file_dy - 1.0) > tolerance)) {
-            throw InputError(fmt::format("{}grid.cell_size is [{}, {}] m, but {} has cells of [{:.6g}, {:.6g}] m; leave the key out",
-                                         scene.at("grid.cell_size"), scale.dx, scale.dy, scene.bed.file, file_dx,
-                                         file_dy));
+            throw InputError(fmt::format(
+                "{}grid.cell_size is [{}, {}] m, but {} has cells of [{:.6g}, {:.6g}] m; leave the "
+                "key out",
+                scene.at("grid.cell_size"), scale.dx, scale.dy, scene.bed.file, file_dx, file_dy));
         }
     } else if (file_dx > 0.0) {
         scale.dx = file_dx;
@@ -67,8 +69,9 @@ InitialBed bed_from_file(const Scene& scene) {
     const std::filesystem::path file = written.is_absolute() ? written : scene.directory / written;
     std::error_code fault;
     if (!std::filesystem::exists(file, fault)) {
-        throw InputError(fmt::format("{}bed.file \"{}\" is not there (looked for {}); paths are relative to the scene file",
-                                     scene.at("bed.file"), scene.bed.file, file.string()));
+        throw InputError(fmt::format(
+            "{}bed.file \"{}\" is not there (looked for {}); paths are relative to the scene file",
+            scene.at("bed.file"), scene.bed.file, file.string()));
     }
     Terrain terrain = read_terrain(file, scene.bed.heights);
     check_size(scene, "grid.nx", scene.grid.nx, terrain.heights.nx());
@@ -90,8 +93,8 @@ Grid noise(const Scene& scene) {
     const double low = scene.bed.low;
     const double width = scene.bed.high - scene.bed.low;
     for (int y = 0; y < bed.ny(); ++y) {
-        RandomStream stream(static_cast<std::uint64_t>(scene.seed), static_cast<std::uint32_t>(y), 0,
-                            Purpose::initial_bed);
+        RandomStream stream(static_cast<std::uint64_t>(scene.seed), static_cast<std::uint32_t>(y),
+                            0, Purpose::initial_bed);
         for (double& height : bed.row(y)) height = low + width * stream.uniform();
     }
     return bed;
@@ -105,7 +108,8 @@ InitialBed make_initial_bed(const Scene& scene) {
     initial.scale = scale_of(scene, 0.0, 0.0);
     initial.bed = scene.bed.kind == BedKind::noise
                       ? noise(scene)
-                      : Grid(static_cast<int>(scene.grid.nx), static_cast<int>(scene.grid.ny), scene.bed.height);
+                      : Grid(static_cast<int>(scene.grid.nx), static_cast<int>(scene.grid.ny),
+                             scene.bed.height);
     return initial;
 }
 

@@ -12,7 +12,8 @@ std::string Range::text() const {
     const bool bounded_below = std::isfinite(low);
     const bool bounded_above = std::isfinite(high);
     if (bounded_below && bounded_above) {
-        return low_open ? fmt::format("> {} and ≤ {}", low, high) : fmt::format("{} … {}", low, high);
+        return low_open ? fmt::format("> {} and ≤ {}", low, high)
+                        : fmt::format("{} … {}", low, high);
     }
     if (bounded_below) return fmt::format("{} {}", low_open ? ">" : "≥", low);
     if (bounded_above) return fmt::format("≤ {}", high);
@@ -35,12 +36,13 @@ void KeyTable::text(std::string path, std::string& value, KeyNotes notes) {
     add(std::move(path), std::move(notes), &value);
 }
 
-void KeyTable::word_or_real(std::string path, WordOrReal& value, std::vector<ChoiceName> words, KeyNotes notes) {
+void KeyTable::word_or_real(std::string path, WordOrReal& value, std::vector<ChoiceName> words,
+                            KeyNotes notes) {
     add(std::move(path), std::move(notes), WordOrRealTarget{&value, std::move(words)});
 }
 
-void KeyTable::real_list(std::string path, std::vector<double>& values, std::size_t smallest, std::size_t largest,
-                         KeyNotes notes) {
+void KeyTable::real_list(std::string path, std::vector<double>& values, std::size_t smallest,
+                         std::size_t largest, KeyNotes notes) {
     add(std::move(path), std::move(notes), RealListTarget{&values, smallest, largest});
 }
 
@@ -49,7 +51,8 @@ void KeyTable::integer_list(std::string path, std::vector<std::int64_t>& values,
 }
 
 const Key* KeyTable::find(std::string_view path) const {
-    const auto found = std::find_if(keys_.begin(), keys_.end(), [&](const Key& key) { return key.path == path; });
+    const auto found =
+        std::find_if(keys_.begin(), keys_.end(), [&](const Key& key) { return key.path == path; });
     return found == keys_.end() ? nullptr : &*found;
 }
 

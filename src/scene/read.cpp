@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <toml++/toml.h>
 
 #include <charconv>
 #include <fstream>
 #include <iterator>
 #include <optional>
-
-#include <toml++/toml.h>
 
 #include "models/registry.h"
 #include "scene/assign.h"
@@ -41,8 +40,9 @@ Setting parse_setting(const std::string& text, std::size_t number) {
     setting.place = fmt::format("--set {}", number);
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {
-        throw InputError(fmt::format("{}:1: \"{}\" sets nothing; write key.path=VALUE, for example model.creep_rate=0.2",
-                                     setting.place, text));
+        throw InputError(fmt::format(
+            "{}:1: \"{}\" sets nothing; write key.path=VALUE, for example model.creep_rate=0.2",
+            setting.place, text));
     }
     setting.path = text.substr(0, equals);
     setting.value_column = equals + 2;
@@ -86,18 +86,20 @@ class Reader {
         for (const Setting& setting : settings_) {
             if (setting.path != "model.name") continue;
             place = setting.locate(setting.value().source());
-            assign(key, setting.value(), [&](const auto& region) { return setting.locate(region); });
+            assign(key, setting.value(),
+                   [&](const auto& region) { return setting.locate(region); });
         }
         std::vector<std::string> known;
         for (const ModelEntry& entry : models()) known.emplace_back(entry.name);
         if (place.empty()) {
-            throw InputError(fmt::format("{}:1:1: model.name is missing; write [model] and name = \"…\" (known: {})",
-                                         scene_.source, fmt::join(known, ", ")));
+            throw InputError(fmt::format(
+                "{}:1:1: model.name is missing; write [model] and name = \"…\" (known: {})",
+                scene_.source, fmt::join(known, ", ")));
         }
         const ModelEntry* entry = find_model(scene_.model.name);
         if (entry == nullptr) {
-            throw InputError(fmt::format("{}: unknown model \"{}\"; {} (see `fumon models`)", place, scene_.model.name,
-                                         suggestion(scene_.model.name, known)));
+            throw InputError(fmt::format("{}: unknown model \"{}\"; {} (see `fumon models`)", place,
+                                         scene_.model.name, suggestion(scene_.model.name, known)));
         }
         scene_.model.parameters = entry->default_parameters();
         table_ = scene_keys(scene_);
@@ -109,7 +111,8 @@ class Reader {
             const std::string place = locate(name.source());
             if (const Key* key = table_.find(path)) {
                 if (value.is_table()) {
-                    throw InputError(fmt::format("{}: {} is no section; it takes {}", place, path, what_it_takes(*key)));
+                    throw InputError(fmt::format("{}: {} is no section; it takes {}", place, path,
+                                                 what_it_takes(*key)));
                 }
                 assign(*key, value, [this](const auto& region) { return locate(region); });
                 scene_.locations[path] = locate(value.source());
@@ -122,7 +125,9 @@ class Reader {
     }
 
     void apply(const Setting& setting) {
-        const auto locate_value = [&](const toml::source_region& region) { return setting.locate(region); };
+        const auto locate_value = [&](const toml::source_region& region) {
+            return setting.locate(region);
+        };
         if (const Key* key = table_.find(setting.path)) {
             assign(*key, setting.value(), locate_value);
         } else if (const auto item = list_item(setting.path)) {
@@ -134,7 +139,8 @@ class Reader {
     }
 
     /// "frames.at.0" → the key frames.at and 0.
-    [[nodiscard]] std::optional<std::pair<const Key*, std::size_t>> list_item(const std::string& path) const {
+    [[nodiscard]] std::optional<std::pair<const Key*, std::size_t>> list_item(
+        const std::string& path) const {
         const std::size_t dot = path.rfind('.');
         if (dot == std::string::npos || dot + 1 == path.size()) return std::nullopt;
         std::size_t index = 0;
@@ -154,24 +160,28 @@ class Reader {
 
     [[noreturn]] void refuse_unknown(const std::string& path, const std::string& place) const {
         if (is_section(path)) {
-            throw InputError(fmt::format("{}: {} is a section; write [{}] and its keys below", place, path, path));
+            throw InputError(fmt::format("{}: {} is a section; write [{}] and its keys below",
+                                         place, path, path));
         }
         std::vector<std::string> known;
         for (const Key& key : table_.keys()) known.push_back(key.path);
         if (const std::string owner = other_model_with(path); !owner.empty()) {
-            throw InputError(fmt::format("{}: {} belongs to the model \"{}\", not to \"{}\"; see `fumon describe {}`",
-                                         place, path, owner, scene_.model.name, scene_.model.name));
+            throw InputError(fmt::format(
+                "{}: {} belongs to the model \"{}\", not to \"{}\"; see `fumon describe {}`", place,
+                path, owner, scene_.model.name, scene_.model.name));
         }
         std::string nearest = nearest_name(path, known);
         const std::string last = path.substr(path.rfind('.') + 1);
         for (const std::string& candidate : known) {  // the right name in the wrong section
-            if (nearest.empty() && candidate.substr(candidate.rfind('.') + 1) == last) nearest = candidate;
+            if (nearest.empty() && candidate.substr(candidate.rfind('.') + 1) == last)
+                nearest = candidate;
         }
         if (!nearest.empty()) {
-            throw InputError(fmt::format("{}: unknown key {}; did you mean \"{}\"?", place, path, nearest));
+            throw InputError(
+                fmt::format("{}: unknown key {}; did you mean \"{}\"?", place, path, nearest));
         }
-        throw InputError(fmt::format("{}: unknown key {}; `fumon describe {}` lists the known ones", place, path,
-                                     scene_.model.name));
+        throw InputError(fmt::format("{}: unknown key {}; `fumon describe {}` lists the known ones",
+                                     place, path, scene_.model.name));
     }
 
     [[nodiscard]] static std::string other_model_with(const std::string& path) {
@@ -199,20 +209,22 @@ std::string one_line(std::string_view text) {
 
 }  // namespace
 
-Scene parse_scene(std::string_view text, const std::string& source, const std::filesystem::path& directory,
+Scene parse_scene(std::string_view text, const std::string& source,
+                  const std::filesystem::path& directory,
                   const std::vector<std::string>& settings) {
     Scene scene;
     scene.source = source;
     scene.directory = directory;
     std::vector<Setting> parsed;
-    for (const std::string& setting : settings) parsed.push_back(parse_setting(setting, parsed.size() + 1));
+    for (const std::string& setting : settings)
+        parsed.push_back(parse_setting(setting, parsed.size() + 1));
     toml::table root;
     try {
         root = toml::parse(text, source);
     } catch (const toml::parse_error& fault) {
-        throw InputError(fmt::format("{}:{}:{}: {}; a scene is TOML: [section] lines and key = value lines", source,
-                                     fault.source().begin.line, fault.source().begin.column,
-                                     one_line(fault.description())));
+        throw InputError(fmt::format(
+            "{}:{}:{}: {}; a scene is TOML: [section] lines and key = value lines", source,
+            fault.source().begin.line, fault.source().begin.column, one_line(fault.description())));
     }
     Reader(scene, std::move(parsed)).read(root);
     return scene;
@@ -228,7 +240,8 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<std::strin
         throw InputError(fmt::format("{}: cannot be read ({}); check the path", file.string(),
                                      std::generic_category().message(errno)));
     }
-    const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    const std::string text((std::istreambuf_iterator<char>(stream)),
+                           std::istreambuf_iterator<char>());
     if (stream.bad()) throw InputError(fmt::format("{}: cannot be read to its end", file.string()));
     return parse_scene(text, file.string(), file.parent_path(), settings);
 }

@@ -9,16 +9,17 @@
 
 namespace fumon {
 
-/// Reads a scene file; `settings` are "key.path=VALUE" overrides of the command line, applied in order,
-/// with the same checks and located as `--set N:column`. VALUE is read as TOML, else as a bare
-/// string; list items are addressed by number (frames.at.0=50).
-/// Throws InputError "file:line:column: what is wrong; what would be right" for the first fault: bad
-/// TOML, an unknown key, a wrong type, a number out of range, an unknown model, keys that contradict.
+/// Reads a scene file; `settings` are "key.path=VALUE" overrides of the command line, applied in
+/// order, with the same checks and located as `--set N:column`. VALUE is read as TOML, else as a
+/// bare string; list items are addressed by number (frames.at.0=50). Throws InputError
+/// "file:line:column: what is wrong; what would be right" for the first fault: bad TOML, an unknown
+/// key, a wrong type, a number out of range, an unknown model, keys that contradict.
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings = {});
 
 /// The same for a scene's text; `source` names it in messages and `directory` is where its
 /// relative files are looked for.
-Scene parse_scene(std::string_view text, const std::string& source, const std::filesystem::path& directory,
+Scene parse_scene(std::string_view text, const std::string& source,
+                  const std::filesystem::path& directory,
                   const std::vector<std::string>& settings = {});
 
 }  // namespace fumon

@@ -26,7 +26,7 @@ struct ModelChoice {
 struct GridSettings {
     std::int64_t nx = 100;
     std::int64_t ny = 100;
-    std::vector<double> cell_size;  ///< metres: empty, {dx} or {dx, dy}
+    std::vector<double> cell_size;        ///< metres: empty, {dx} or {dx, dy}
     WordOrReal height_unit{"auto", 0.0};  ///< metres per model height
 };
 

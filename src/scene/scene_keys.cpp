@@ -9,16 +9,23 @@ namespace {
 constexpr double largest_step = 1e15;  // whole numbers stay exact in a double
 
 void list_run_keys(Scene& scene, KeyTable& table) {
-    table.text("title", scene.title, {.help = "what the run shows; goes into the manifest and the pictures"});
-    table.integer("seed", scene.seed, {.range = {0, 9223372036854775807.0}, .help = "of every random number; same seed, same bytes"});
+    table.text("title", scene.title,
+               {.help = "what the run shows; goes into the manifest and the pictures"});
+    table.integer("seed", scene.seed,
+                  {.range = {0, 9223372036854775807.0},
+                   .help = "of every random number; same seed, same bytes"});
     table.integer("run.steps", scene.run.steps,
-                  {.unit = "steps", .range = {0, largest_step}, .help = "length of the run (required, but for static)"});
+                  {.unit = "steps",
+                   .range = {0, largest_step},
+                   .help = "length of the run (required, but for static)"});
     table.integer("frames.every", scene.frames.every,
                   {.unit = "steps",
                    .range = {0, largest_step},
-                   .help = "a frame at 0, n, 2n, …; 0: a hundredth of the run when no other frames key is given"});
-    table.integer_list("frames.at", scene.frames.at,
-                       {.unit = "steps", .range = {0, largest_step}, .help = "frames at these steps"});
+                   .help = "a frame at 0, n, 2n, …; 0: a hundredth of the run when no other frames "
+                           "key is given"});
+    table.integer_list(
+        "frames.at", scene.frames.at,
+        {.unit = "steps", .range = {0, largest_step}, .help = "frames at these steps"});
     table.integer("frames.logarithmic", scene.frames.logarithmic,
                   {.unit = "frames",
                    .range = {0, 1e6},
@@ -38,25 +45,31 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                     {.unit = "m",
                      .range = {0, 1e7, true},
                      .help = "one number or [dx, dy]; without it lengths read \"sites\""});
-    table.word_or_real("grid.height_unit", scene.grid.height_unit,
-                       {{"auto", "1 m for the static model, else the cell size dx (1 site without one)"}},
-                       {.unit = "m", .range = {0, 1e7, true}, .help = "metres per model height"});
+    table.word_or_real(
+        "grid.height_unit", scene.grid.height_unit,
+        {{"auto", "1 m for the static model, else the cell size dx (1 site without one)"}},
+        {.unit = "m", .range = {0, 1e7, true}, .help = "metres per model height"});
     table.choice("bed.kind", scene.bed.kind,
                  {{"flat", "one height everywhere"},
                   {"noise", "uniform random heights in [low, high)"},
                   {"file", "a terrain file"}},
                  {.help = "the initial bed"});
-    table.real("bed.height", scene.bed.height, {.unit = "model heights", .help = "height of a flat bed"});
-    table.real("bed.low", scene.bed.low, {.unit = "model heights", .help = "lower end of the noise"});
-    table.real("bed.high", scene.bed.high, {.unit = "model heights", .help = "upper end of the noise"});
-    table.text("bed.file", scene.bed.file,
-               {.help = "ESRI ASCII grid or grey PNG, heights in metres; relative to the scene file"});
+    table.real("bed.height", scene.bed.height,
+               {.unit = "model heights", .help = "height of a flat bed"});
+    table.real("bed.low", scene.bed.low,
+               {.unit = "model heights", .help = "lower end of the noise"});
+    table.real("bed.high", scene.bed.high,
+               {.unit = "model heights", .help = "upper end of the noise"});
+    table.text(
+        "bed.file", scene.bed.file,
+        {.help = "ESRI ASCII grid or grey PNG, heights in metres; relative to the scene file"});
     table.real_list("bed.heights", scene.bed.heights, 0, 2,
                     {.unit = "m", .help = "[low, high]: heights of black and white in a PNG bed"});
-    table.word_or_real("bed.nodata", scene.bed.nodata,
-                       {{"mask", "cells without data lie outside the domain"},
-                        {"fill", "filled smoothly from their rim"}},
-                       {.unit = "m", .help = "cells without data: masked, filled, or set to a height"});
+    table.word_or_real(
+        "bed.nodata", scene.bed.nodata,
+        {{"mask", "cells without data lie outside the domain"},
+         {"fill", "filled smoothly from their rim"}},
+        {.unit = "m", .help = "cells without data: masked, filled, or set to a height"});
 }
 
 void list_view_keys(View& view, KeyTable& table) {
@@ -67,29 +80,43 @@ void list_view_keys(View& view, KeyTable& table) {
                   {"map", "straight from above, north up"}},
                  {.help = "how the block is projected"});
     table.real("camera.azimuth", camera.azimuth,
-               {.unit = "degrees", .range = {-360, 360}, .help = "where the camera stands, clockwise from north"});
+               {.unit = "degrees",
+                .range = {-360, 360},
+                .help = "where the camera stands, clockwise from north"});
     table.real("camera.elevation", camera.elevation,
                {.unit = "degrees", .range = {1, 89.9}, .help = "above the horizon"});
-    table.word_or_real("camera.distance", camera.distance, {{"fit", "the whole block just fits the picture"}},
+    table.word_or_real("camera.distance", camera.distance,
+                       {{"fit", "the whole block just fits the picture"}},
                        {.unit = "block lengths",
                         .range = {0.05, 100},
                         .help = "from the block's centre, in units of its longer side"});
-    table.real("camera.field_of_view", camera.field_of_view,
-               {.unit = "degrees", .range = {2, 120}, .help = "vertical, for the perspective camera"});
-    table.real("camera.margin", camera.margin,
-               {.range = {0, 0.4}, .help = "free border around the fitted block, share of the picture"});
-    table.real("camera.turn", camera.turn,
-               {.unit = "degrees", .range = {-36000, 36000}, .help = "azimuth added evenly over the run"});
+    table.real(
+        "camera.field_of_view", camera.field_of_view,
+        {.unit = "degrees", .range = {2, 120}, .help = "vertical, for the perspective camera"});
+    table.real(
+        "camera.margin", camera.margin,
+        {.range = {0, 0.4}, .help = "free border around the fitted block, share of the picture"});
+    table.real(
+        "camera.turn", camera.turn,
+        {.unit = "degrees", .range = {-36000, 36000}, .help = "azimuth added evenly over the run"});
 
     SunSettings& sun = view.sun;
     table.real("sun.azimuth", sun.azimuth,
-               {.unit = "degrees", .range = {-360, 360}, .help = "where the sun stands, clockwise from north"});
-    table.real("sun.elevation", sun.elevation, {.unit = "degrees", .range = {1, 90}, .help = "above the horizon"});
+               {.unit = "degrees",
+                .range = {-360, 360},
+                .help = "where the sun stands, clockwise from north"});
+    table.real("sun.elevation", sun.elevation,
+               {.unit = "degrees", .range = {1, 90}, .help = "above the horizon"});
     table.real("sun.diameter", sun.diameter,
-               {.unit = "degrees", .range = {0.1, 30}, .help = "apparent size: the width of the shadows' soft edge"});
-    table.real("sun.strength", sun.strength, {.range = {0, 10}, .help = "of direct light; 1 is a clear day"});
-    table.real("sun.sky_strength", sun.sky_strength, {.range = {0, 10}, .help = "of light from the sky; 1 is a clear day"});
-    table.real("sun.haze", sun.haze, {.range = {0, 1}, .help = "aerial perspective at the far edge of the block"});
+               {.unit = "degrees",
+                .range = {0.1, 30},
+                .help = "apparent size: the width of the shadows' soft edge"});
+    table.real("sun.strength", sun.strength,
+               {.range = {0, 10}, .help = "of direct light; 1 is a clear day"});
+    table.real("sun.sky_strength", sun.sky_strength,
+               {.range = {0, 10}, .help = "of light from the sky; 1 is a clear day"});
+    table.real("sun.haze", sun.haze,
+               {.range = {0, 1}, .help = "aerial perspective at the far edge of the block"});
 
     LookSettings& look = view.look;
     table.choice("look.mode", look.mode,
@@ -102,7 +129,8 @@ void list_view_keys(View& view, KeyTable& table) {
                   {"slope", "steepness in degrees"},
                   {"change", "height minus that of the first frame"}},
                  {.help = "what the colours mean"});
-    table.text("look.palette", look.palette, {.help = "a name of assets/palettes: sand, grey, viridis, cividis, …"});
+    table.text("look.palette", look.palette,
+               {.help = "a name of assets/palettes: sand, grey, viridis, cividis, …"});
     table.word_or_real("look.low", look.low, {{"auto", "from the frame"}},
                        {.help = "value at the palette's start, in the unit of colour_by"});
     table.word_or_real("look.high", look.high, {{"auto", "from the frame"}},
@@ -110,14 +138,19 @@ void list_view_keys(View& view, KeyTable& table) {
     table.word_or_real("look.exaggeration", look.exaggeration,
                        {{"auto", "a round number that shows the relief; 1 without metres"}},
                        {.range = {0, 1e4, true}, .help = "vertical exaggeration"});
-    table.boolean("look.block_sides", look.block_sides, {.help = "draw the cut sides of the block"});
+    table.boolean("look.block_sides", look.block_sides,
+                  {.help = "draw the cut sides of the block"});
     table.real("look.grain", look.grain, {.range = {0, 1}, .help = "visible grain of the sand"});
 
     ImageSettings& image = view.image;
     table.integer("image.width", image.width,
-                  {.unit = "pixels", .range = {smallest_picture_side, largest_picture_side}, .help = "width"});
+                  {.unit = "pixels",
+                   .range = {smallest_picture_side, largest_picture_side},
+                   .help = "width"});
     table.integer("image.height", image.height,
-                  {.unit = "pixels", .range = {smallest_picture_side, largest_picture_side}, .help = "height"});
+                  {.unit = "pixels",
+                   .range = {smallest_picture_side, largest_picture_side},
+                   .help = "height"});
     table.integer("image.supersampling", image.supersampling,
                   {.range = {1, 4}, .help = "1, 2 or 4 samples along each side of a pixel"});
     table.real("image.dots_per_inch", image.dots_per_inch,
@@ -133,11 +166,16 @@ void list_output_keys(OutputSettings& output, KeyTable& table) {
                   {.range = {0, 51}, .help = "H.264 rate factor: 18 looks lossless, 28 is small"});
     table.boolean("output.measurements", output.measurements, {.help = "write measurements.csv"});
     table.integer("output.measure_every", output.measure_every,
-                  {.unit = "steps", .range = {0, largest_step}, .help = "measure every n steps; 0: with every frame"});
+                  {.unit = "steps",
+                   .range = {0, largest_step},
+                   .help = "measure every n steps; 0: with every frame"});
     table.integer("output.bed_every", output.bed_every,
-                  {.unit = "steps", .range = {0, largest_step}, .help = "write the bed as ESRI ASCII every n steps; 0: not"});
-    table.integer_list("output.bed_at", output.bed_at,
-                       {.unit = "steps", .range = {0, largest_step}, .help = "write the bed at these steps too"});
+                  {.unit = "steps",
+                   .range = {0, largest_step},
+                   .help = "write the bed as ESRI ASCII every n steps; 0: not"});
+    table.integer_list(
+        "output.bed_at", output.bed_at,
+        {.unit = "steps", .range = {0, largest_step}, .help = "write the bed at these steps too"});
 }
 
 }  // namespace
@@ -145,8 +183,10 @@ void list_output_keys(OutputSettings& output, KeyTable& table) {
 KeyTable scene_keys(Scene& scene) {
     KeyTable table;
     list_run_keys(scene, table);
-    table.text("model.name", scene.model.name, {.help = "which model (required); see `fumon models`"});
-    if (const ModelEntry* entry = find_model(scene.model.name)) entry->list_keys(scene.model.parameters, table);
+    table.text("model.name", scene.model.name,
+               {.help = "which model (required); see `fumon models`"});
+    if (const ModelEntry* entry = find_model(scene.model.name))
+        entry->list_keys(scene.model.parameters, table);
     list_bed_keys(scene, table);
     list_view_keys(scene.view, table);
     list_output_keys(scene.output, table);

@@ -24,8 +24,8 @@ class Schedule {
 };
 
 /// When frames are taken. Without any frames key: every hundredth of the run (at least every step).
-/// Logarithmic: step 0 and `logarithmic` steps spaced evenly in their logarithm from 1 to the run's end,
-/// rounded; those that round to the same step count once.
+/// Logarithmic: step 0 and `logarithmic` steps spaced evenly in their logarithm from 1 to the run's
+/// end, rounded; those that round to the same step count once.
 Schedule frame_schedule(const Scene& scene);
 
 /// When the bed is written as a file.

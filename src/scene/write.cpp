@@ -39,7 +39,8 @@ struct ValueText {
         return fmt::format("\"{}\"", target.names[static_cast<std::size_t>(target.get())].name);
     }
     std::string operator()(const WordOrRealTarget& target) const {
-        return target.value->is_word() ? string_text(target.value->word) : real_text(target.value->value);
+        return target.value->is_word() ? string_text(target.value->word)
+                                       : real_text(target.value->value);
     }
     std::string operator()(const RealListTarget& target) const {
         std::vector<std::string> items;
@@ -53,7 +54,9 @@ struct ValueText {
 
 }  // namespace
 
-std::string value_text(const Key& key) { return std::visit(ValueText{}, key.target); }
+std::string value_text(const Key& key) {
+    return std::visit(ValueText{}, key.target);
+}
 
 std::string to_toml(const Scene& scene) {
     Scene copy = scene;  // the table binds to writable values

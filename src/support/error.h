@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace fumon {
 
@@ -20,6 +21,17 @@ class InputError : public Error {
   public:
     explicit InputError(const std::string& what) : Error(what) {}
     [[nodiscard]] int exit_status() const override { return 2; }
+};
+
+/// A key's value does not fit the rest of the scene; whoever knows the scene puts the key's place
+/// before it.
+class KeyError : public InputError {
+  public:
+    KeyError(std::string key, const std::string& what) : InputError(what), key_(std::move(key)) {}
+    [[nodiscard]] const std::string& key() const { return key_; }
+
+  private:
+    std::string key_;
 };
 
 }  // namespace fumon

@@ -14,7 +14,8 @@ namespace {
 /// Optimal string alignment distance (Damerau 1964), ignoring case.
 std::size_t distance(std::string_view a, std::string_view b) {
     const auto same = [](char p, char q) {
-        return std::tolower(static_cast<unsigned char>(p)) == std::tolower(static_cast<unsigned char>(q));
+        return std::tolower(static_cast<unsigned char>(p)) ==
+               std::tolower(static_cast<unsigned char>(q));
     };
     std::vector<std::size_t> before_last(b.size() + 1);
     std::vector<std::size_t> last(b.size() + 1);

@@ -53,8 +53,9 @@ double cpu_seconds_of_threads(const std::vector<std::string_view>& name_prefixes
     for (const auto& task : std::filesystem::directory_iterator("/proc/self/task", gone)) {
         std::string name;
         std::getline(std::ifstream(task.path() / "comm"), name);
-        const bool wanted = std::any_of(name_prefixes.begin(), name_prefixes.end(),
-                                        [&](std::string_view prefix) { return name.starts_with(prefix); });
+        const bool wanted =
+            std::any_of(name_prefixes.begin(), name_prefixes.end(),
+                        [&](std::string_view prefix) { return name.starts_with(prefix); });
         if (!wanted) continue;
         total += cpu_seconds_of_task(task.path());
     }

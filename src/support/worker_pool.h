@@ -14,8 +14,8 @@ namespace fumon {
 /// pool of one runs everything on the caller.
 class WorkerPool {
   public:
-    /// threads ≥ 1; 0 takes as many as the machine has processors. `name` (at most 15 letters) is what
-    /// the system calls its threads, by which their CPU time is told apart.
+    /// threads ≥ 1; 0 takes as many as the machine has processors. `name` (at most 15 letters) is
+    /// what the system calls its threads, by which their CPU time is told apart.
     explicit WorkerPool(int threads = 0, std::string name = "fumon-work");
     ~WorkerPool();
     WorkerPool(const WorkerPool&) = delete;

@@ -25,8 +25,10 @@ inline Block philox(Block c, std::uint32_t k0, std::uint32_t k1) {
     for (int round = 0; round < rounds; ++round) {
         const std::uint64_t product_0 = static_cast<std::uint64_t>(multiplier_0) * c.w0;
         const std::uint64_t product_1 = static_cast<std::uint64_t>(multiplier_1) * c.w2;
-        c = {static_cast<std::uint32_t>(product_1 >> 32) ^ c.w1 ^ k0, static_cast<std::uint32_t>(product_1),
-             static_cast<std::uint32_t>(product_0 >> 32) ^ c.w3 ^ k1, static_cast<std::uint32_t>(product_0)};
+        c = {static_cast<std::uint32_t>(product_1 >> 32) ^ c.w1 ^ k0,
+             static_cast<std::uint32_t>(product_1),
+             static_cast<std::uint32_t>(product_0 >> 32) ^ c.w3 ^ k1,
+             static_cast<std::uint32_t>(product_0)};
         k0 += weyl_0;
         k1 += weyl_1;
     }
@@ -36,8 +38,8 @@ inline Block philox(Block c, std::uint32_t k0, std::uint32_t k1) {
 constexpr int lanes = 16;
 
 /// `lanes` blocks for counters index, index + 1, …, written one after the other.
-FUMON_MULTIVERSION void philox_lanes(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key,
-                                     std::uint32_t* words) {
+FUMON_MULTIVERSION void philox_lanes(std::array<std::uint32_t, 4> counter,
+                                     std::array<std::uint32_t, 2> key, std::uint32_t* words) {
     std::uint64_t w0[lanes];  // 32-bit words held wide: the products need 64 bits
     std::uint64_t w1[lanes];
     std::uint64_t w2[lanes];
@@ -71,8 +73,8 @@ FUMON_MULTIVERSION void philox_lanes(std::array<std::uint32_t, 4> counter, std::
     }
 }
 
-/// Binomial by inversion: the geometric gaps between successes are added up (Devroye 1986, section X.4.3,
-/// "second waiting time method"). Costs about trials · probability draws.
+/// Binomial by inversion: the geometric gaps between successes are added up (Devroye 1986, section
+/// X.4.3, "second waiting time method"). Costs about trials · probability draws.
 std::int64_t binomial_by_gaps(RandomStream& stream, std::int64_t trials, double probability) {
     const double log_failure = elementary::log(1.0 - probability);
     std::int64_t successes = 0;
@@ -88,8 +90,9 @@ std::int64_t binomial_by_gaps(RandomStream& stream, std::int64_t trials, double 
 /// log k! − (k + ½) log(k + 1) + (k + 1) − ½ log 2π: what Stirling's formula leaves, for BTRS.
 double stirling_rest(double k) {
     static constexpr std::array<double, 10> table{
-        0.08106146679532726,  0.04134069595540929,  0.02767792568499834,  0.02079067210376509,  0.01664469118982119,
-        0.01387612882307075,  0.01189670994589177,  0.01041126526197209,  0.009255462182712733, 0.008330563433362871};
+        0.08106146679532726,  0.04134069595540929, 0.02767792568499834, 0.02079067210376509,
+        0.01664469118982119,  0.01387612882307075, 0.01189670994589177, 0.01041126526197209,
+        0.009255462182712733, 0.008330563433362871};
     if (k < static_cast<double>(table.size())) return table[static_cast<std::size_t>(k)];
     const double inverse = 1.0 / (k + 1.0);
     const double square = inverse * inverse;
@@ -116,22 +119,25 @@ std::int64_t binomial_by_rejection(RandomStream& stream, std::int64_t trials, do
         if (us >= 0.07 && v <= accepted_at_once) return static_cast<std::int64_t>(k);
         if (!(k >= 0.0) || k > n) continue;
         v = elementary::log(v * alpha / (a / (us * us) + b));
-        const double bound = (mode + 0.5) * elementary::log((mode + 1.0) / (odds * (n - mode + 1.0))) +
-                             (n + 1.0) * elementary::log((n - mode + 1.0) / (n - k + 1.0)) +
-                             (k + 0.5) * elementary::log(odds * (n - k + 1.0) / (k + 1.0)) + stirling_rest(mode) +
-                             stirling_rest(n - mode) - stirling_rest(k) - stirling_rest(n - k);
+        const double bound =
+            (mode + 0.5) * elementary::log((mode + 1.0) / (odds * (n - mode + 1.0))) +
+            (n + 1.0) * elementary::log((n - mode + 1.0) / (n - k + 1.0)) +
+            (k + 0.5) * elementary::log(odds * (n - k + 1.0) / (k + 1.0)) + stirling_rest(mode) +
+            stirling_rest(n - mode) - stirling_rest(k) - stirling_rest(n - k);
         if (v <= bound) return static_cast<std::int64_t>(k);
     }
 }
 
 }  // namespace
 
-std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key) {
+std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
+                                        std::array<std::uint32_t, 2> key) {
     const Block block = philox({counter[0], counter[1], counter[2], counter[3]}, key[0], key[1]);
     return {block.w0, block.w1, block.w2, block.w3};
 }
 
-RandomStream::RandomStream(std::uint64_t seed, std::uint32_t row, std::int64_t step, Purpose purpose)
+RandomStream::RandomStream(std::uint64_t seed, std::uint32_t row, std::int64_t step,
+                           Purpose purpose)
     : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)},
       counter_{0, row, static_cast<std::uint32_t>(step), static_cast<std::uint32_t>(purpose)} {}
 
@@ -158,7 +164,8 @@ std::uint32_t RandomStream::below(std::uint32_t count) {
     std::uint64_t product = static_cast<std::uint64_t>(next32()) * count;
     if (static_cast<std::uint32_t>(product) < count) {
         const std::uint32_t biased = (0U - count) % count;
-        while (static_cast<std::uint32_t>(product) < biased) product = static_cast<std::uint64_t>(next32()) * count;
+        while (static_cast<std::uint32_t>(product) < biased)
+            product = static_cast<std::uint64_t>(next32()) * count;
     }
     return static_cast<std::uint32_t>(product >> 32);
 }
@@ -179,15 +186,17 @@ std::int64_t binomial(RandomStream& stream, std::int64_t trials, double probabil
     if (probability >= 1.0) return trials;
     if (probability > 0.5) return trials - binomial(stream, trials, 1.0 - probability);
     constexpr double few = 10.0;
-    return static_cast<double>(trials) * probability < few ? binomial_by_gaps(stream, trials, probability)
-                                                           : binomial_by_rejection(stream, trials, probability);
+    return static_cast<double>(trials) * probability < few
+               ? binomial_by_gaps(stream, trials, probability)
+               : binomial_by_rejection(stream, trials, probability);
 }
 
 void multinomial_equal(RandomStream& stream, std::int64_t trials, std::span<std::int64_t> counts) {
     std::int64_t left = trials;
     for (std::size_t row = 0; row < counts.size(); ++row) {
         const std::size_t rows_left = counts.size() - row;
-        counts[row] = rows_left == 1 ? left : binomial(stream, left, 1.0 / static_cast<double>(rows_left));
+        counts[row] =
+            rows_left == 1 ? left : binomial(stream, left, 1.0 / static_cast<double>(rows_left));
         left -= counts[row];
     }
 }

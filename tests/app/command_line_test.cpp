@@ -31,21 +31,31 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Wrong{"nothing", {}, "fumon: a command is missing; try `fumon --help`"},
         Wrong{"unknown_command", {"rum"}, "fumon: unknown command \"rum\"; did you mean \"run\"?"},
-        Wrong{"no_scene", {"run", "-o", "x"}, "fumon run: SCENE is required; try `fumon run --help`"},
-        Wrong{"no_output", {"run", "scene.toml"}, "fumon run: --output is required; try `fumon run --help`"},
+        Wrong{
+            "no_scene", {"run", "-o", "x"}, "fumon run: SCENE is required; try `fumon run --help`"},
+        Wrong{"no_output",
+              {"run", "scene.toml"},
+              "fumon run: --output is required; try `fumon run --help`"},
         Wrong{"unknown_option",
               {"models", "--loud"},
-              "fumon models: The following argument was not expected: --loud; try `fumon models --help`"},
+              "fumon models: The following argument was not expected: --loud; try `fumon models "
+              "--help`"},
         Wrong{"missing_scene",
               {"run", "no.toml", "-o", "x"},
               "no.toml: cannot be read (No such file or directory); check the path"},
-        Wrong{"missing_terrain", {"still", "no.asc", "-o", "x.png"}, "bed.file \"no.asc\" is not there (looked for "
-                                                                     "no.asc); paths are relative to the scene file"},
-        Wrong{"unknown_model", {"describe", "sant"},
+        Wrong{"missing_terrain",
+              {"still", "no.asc", "-o", "x.png"},
+              "bed.file \"no.asc\" is not there (looked for "
+              "no.asc); paths are relative to the scene file"},
+        Wrong{"unknown_model",
+              {"describe", "sant"},
               "fumon describe: \"sant\" is neither \"scene\" nor a model; did you mean \"sand\"?"},
-        Wrong{"unknown_backend", {"still", "a.toml", "-o", "x.png", "--gl", "vulkan"},
-              "fumon still: --gl takes auto, osmesa or egl, not \"vulkan\"; try `fumon still --help`"},
-        Wrong{"bad_heights", {"still", "a.png", "-o", "x.png", "--heights", "10"},
+        Wrong{"unknown_backend",
+              {"still", "a.toml", "-o", "x.png", "--gl", "vulkan"},
+              "fumon still: --gl takes auto, osmesa or egl, not \"vulkan\"; try `fumon still "
+              "--help`"},
+        Wrong{"bad_heights",
+              {"still", "a.png", "-o", "x.png", "--heights", "10"},
               "--heights is \"10\"; it takes low:high in metres, for example 0:850"}),
     [](const auto& test) { return test.param.name; });
 
@@ -53,7 +63,8 @@ TEST(CommandLine, HelpTeaches) {
     const ScratchFolder folder;
     const Ended ended = fumon({"--help"}, folder.path());
     EXPECT_EQ(ended.status, 0);
-    for (const char* word : {"run", "still", "again", "check", "models", "describe", "--set", "terrain.asc"}) {
+    for (const char* word :
+         {"run", "still", "again", "check", "models", "describe", "--set", "terrain.asc"}) {
         EXPECT_NE(ended.output.find(word), std::string::npos) << word;
     }
     for (const char* command : {"run", "still", "again", "check", "describe"}) {
@@ -72,7 +83,8 @@ TEST(CommandLine, VersionModelsAndDescribe) {
     const auto keys = nlohmann::json::parse(fumon({"describe", "--json"}, folder.path()).output);
     EXPECT_GT(keys.size(), 60U);
     for (const auto& key : keys) {
-        for (const char* field : {"key", "type", "unit", "default", "help"}) EXPECT_TRUE(key.contains(field));
+        for (const char* field : {"key", "type", "unit", "default", "help"})
+            EXPECT_TRUE(key.contains(field));
     }
 }
 
@@ -88,10 +100,12 @@ TEST(CommandLine, CheckNamesEveryFault) {
 
 TEST(CommandLine, AFullStandardOutputIsAnError) {
     const ScratchFolder folder;
-    const std::string command = std::string(FUMON_PROGRAM) + " describe > /dev/full 2> " + (folder / "errors").string();
+    const std::string command =
+        std::string(FUMON_PROGRAM) + " describe > /dev/full 2> " + (folder / "errors").string();
     const int status = std::system(command.c_str());
     EXPECT_EQ(WEXITSTATUS(status), 1);
-    EXPECT_EQ(read_text(folder / "errors"), "cannot write to standard output: No space left on device\n");
+    EXPECT_EQ(read_text(folder / "errors"),
+              "cannot write to standard output: No space left on device\n");
 }
 
 TEST(CommandLine, EveryShippedSceneIsFine) {

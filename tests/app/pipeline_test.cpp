@@ -28,7 +28,9 @@ class SpoiledModel : public Model {
     [[nodiscard]] Snapshot snapshot() const override {
         return {steps_, static_cast<double>(steps_), "steps", bed_, {}, {}};
     }
-    [[nodiscard]] std::vector<StateField> state() const override { return {{"bed", bed_.values()}}; }
+    [[nodiscard]] std::vector<StateField> state() const override {
+        return {{"bed", bed_.values()}};
+    }
 
   private:
     std::int64_t spoiled_at_;
@@ -42,14 +44,16 @@ TEST(Pipeline, AFieldThatTurnsNaNIsReportedAndEarlierFramesAreKept) {
     SpoiledModel model(12);
     RunFolder run(folder / "out", false);
     Progress progress(Verbosity::quiet, 0);
-    const RunOutcome outcome =
-        run_pipeline(model, scene, {}, run, {}, progress, [&](const DrawingRecord&) { run.create(true, false); });
+    const RunOutcome outcome = run_pipeline(model, scene, {}, run, {}, progress,
+                                            [&](const DrawingRecord&) { run.create(true, false); });
     ASSERT_TRUE(outcome.error);
     EXPECT_EQ(error_text(outcome.error),
-              "the bed height became nan at cell (3, 4), step 15; earlier frames are kept (try smaller rates, or "
+              "the bed height became nan at cell (3, 4), step 15; earlier frames are kept (try "
+              "smaller rates, or "
               "`fumon describe` for the ranges)");
     ASSERT_EQ(outcome.frames.size(), 3U) << "steps 0, 5 and 10";
-    for (const FrameRecord& frame : outcome.frames) EXPECT_TRUE(std::filesystem::exists(run.frame(frame.number)));
+    for (const FrameRecord& frame : outcome.frames)
+        EXPECT_TRUE(std::filesystem::exists(run.frame(frame.number)));
     EXPECT_EQ(outcome.movie.frames, 3) << "the movie holds what was made";
     EXPECT_TRUE(std::filesystem::exists(run.movie()));
     EXPECT_TRUE(outcome.measured);
@@ -61,11 +65,13 @@ TEST(Pipeline, WhatFailsBeforeTheStartWritesNothing) {
     SpoiledModel model(1000);
     RunFolder run(folder / "out", false);
     Progress progress(Verbosity::quiet, 0);
-    EXPECT_THROW(run_pipeline(model, scene, {}, run, {}, progress,
-                              [](const DrawingRecord&) { throw Error("the folder cannot be made"); }),
-                 Error);
+    EXPECT_THROW(
+        run_pipeline(model, scene, {}, run, {}, progress,
+                     [](const DrawingRecord&) { throw Error("the folder cannot be made"); }),
+        Error);
     scene.view.look.palette = "no such palette";
-    EXPECT_THROW(run_pipeline(model, scene, {}, run, {}, progress, [&](const DrawingRecord&) { run.create(true, true); }),
+    EXPECT_THROW(run_pipeline(model, scene, {}, run, {}, progress,
+                              [&](const DrawingRecord&) { run.create(true, true); }),
                  InputError);
     EXPECT_FALSE(std::filesystem::exists(run.path()));
 }
@@ -76,7 +82,8 @@ TEST(Pipeline, AFolderThatVanishesStopsTheRunOnce) {
     SpoiledModel model(1000);
     RunFolder run(folder / "out", false);
     Progress progress(Verbosity::quiet, 0);
-    const RunOutcome outcome = run_pipeline(model, scene, {}, run, {}, progress, [](const DrawingRecord&) {});
+    const RunOutcome outcome =
+        run_pipeline(model, scene, {}, run, {}, progress, [](const DrawingRecord&) {});
     ASSERT_TRUE(outcome.error);
     EXPECT_NE(error_text(outcome.error).find("No such file or directory"), std::string::npos);
 }

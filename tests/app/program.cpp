@@ -16,7 +16,8 @@ namespace {
 
 fs::path unique_path(const std::string& stem) {
     static std::atomic<int> count{0};
-    return fs::temp_directory_path() / (stem + std::to_string(getpid()) + "-" + std::to_string(count++));
+    return fs::temp_directory_path() /
+           (stem + std::to_string(getpid()) + "-" + std::to_string(count++));
 }
 
 void redirect(int descriptor, const fs::path& file) {
@@ -53,7 +54,9 @@ Program::~Program() {
     fs::remove(errors_, ignored);
 }
 
-void Program::send(int signal) const { kill(process_, signal); }
+void Program::send(int signal) const {
+    kill(process_, signal);
+}
 
 Ended Program::wait() {
     int status = 0;
@@ -71,7 +74,9 @@ Ended fumon(const std::vector<std::string>& arguments, const fs::path& folder,
     return Program(arguments, folder, environment).wait();
 }
 
-ScratchFolder::ScratchFolder() : path_(unique_path("fumon-test-")) { fs::create_directories(path_); }
+ScratchFolder::ScratchFolder() : path_(unique_path("fumon-test-")) {
+    fs::create_directories(path_);
+}
 
 ScratchFolder::~ScratchFolder() {
     std::error_code ignored;
@@ -83,12 +88,17 @@ std::string read_text(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-void write_text(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+void write_text(const fs::path& file, const std::string& text) {
+    std::ofstream(file, std::ios::binary) << text;
+}
 
-nlohmann::json read_manifest(const fs::path& folder) { return nlohmann::json::parse(read_text(folder / "run.json")); }
+nlohmann::json read_manifest(const fs::path& folder) {
+    return nlohmann::json::parse(read_text(folder / "run.json"));
+}
 
 std::string small_scene() {
-    return "title = \"small\"\nseed = 5\n[model]\nname = \"sand\"\n[grid]\nnx = 24\nny = 20\n[run]\nsteps = 20\n"
+    return "title = \"small\"\nseed = 5\n[model]\nname = \"sand\"\n[grid]\nnx = 24\nny = "
+           "20\n[run]\nsteps = 20\n"
            "[frames]\nevery = 5\n[image]\nwidth = 64\nheight = 48\n";
 }
 

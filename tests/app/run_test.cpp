@@ -74,7 +74,8 @@ TEST_F(RunTest, TheSameForAnyNumberOfThreadsAndTwiceInARow) {
         const auto manifest = read_manifest(folder_ / output);
         EXPECT_EQ(manifest["state_sha256"], reference["state_sha256"]) << threads << " threads";
         EXPECT_EQ(pixel_hashes(manifest), pixel_hashes(reference)) << threads << " threads";
-        EXPECT_EQ(read_text(folder_ / output / "frames/frame_000004.png"), frame) << "the same bytes";
+        EXPECT_EQ(read_text(folder_ / output / "frames/frame_000004.png"), frame)
+            << "the same bytes";
         EXPECT_EQ(read_text(folder_ / output / "movie.mp4"), movie) << "the same bytes";
     }
 }
@@ -82,14 +83,16 @@ TEST_F(RunTest, TheSameForAnyNumberOfThreadsAndTwiceInARow) {
 TEST_F(RunTest, AnotherSeedIsAnotherRun) {
     ASSERT_EQ(run({}, "a").status, 0);
     ASSERT_EQ(run({"--set", "seed=6"}, "b").status, 0);
-    EXPECT_NE(read_manifest(folder_ / "a")["state_sha256"], read_manifest(folder_ / "b")["state_sha256"]);
+    EXPECT_NE(read_manifest(folder_ / "a")["state_sha256"],
+              read_manifest(folder_ / "b")["state_sha256"]);
 }
 
 TEST_F(RunTest, OSMesaAndEglDrawTheSamePixels) {
     const Ended osmesa = run({"--gl", "osmesa"}, "osmesa");
     const Ended egl = run({"--gl", "egl"}, "egl");
     if (osmesa.status != 0 || egl.status != 0) GTEST_SKIP() << osmesa.errors << egl.errors;
-    EXPECT_EQ(pixel_hashes(read_manifest(folder_ / "osmesa")), pixel_hashes(read_manifest(folder_ / "egl")));
+    EXPECT_EQ(pixel_hashes(read_manifest(folder_ / "osmesa")),
+              pixel_hashes(read_manifest(folder_ / "egl")));
 }
 
 TEST_F(RunTest, AFolderThatHoldsARunIsKept) {
@@ -97,15 +100,18 @@ TEST_F(RunTest, AFolderThatHoldsARunIsKept) {
     const std::string before = read_text(folder_ / "out/run.json");
     const Ended refused = run({});
     EXPECT_EQ(refused.status, 2);
-    EXPECT_EQ(refused.errors, "out already holds a run; name another folder, or --force replaces it\n");
+    EXPECT_EQ(refused.errors,
+              "out already holds a run; name another folder, or --force replaces it\n");
     EXPECT_EQ(read_text(folder_ / "out/run.json"), before);
 
     ASSERT_EQ(run({"--force", "--set", "frames.every=10"}).status, 0);
-    EXPECT_FALSE(fs::exists(folder_ / "out/frames/frame_000003.png")) << "the former run's frames are gone";
+    EXPECT_FALSE(fs::exists(folder_ / "out/frames/frame_000003.png"))
+        << "the former run's frames are gone";
 }
 
 TEST_F(RunTest, BadInputWritesNothing) {
-    for (const char* setting : {"sun.elevation=100", "look.palette=virids", "model.nam=x", "bed.kind=file"}) {
+    for (const char* setting :
+         {"sun.elevation=100", "look.palette=virids", "model.nam=x", "bed.kind=file"}) {
         const Ended ended = run({"--set", setting});
         EXPECT_EQ(ended.status, 2) << setting;
         EXPECT_EQ(std::count(ended.errors.begin(), ended.errors.end(), '\n'), 1) << ended.errors;
@@ -114,8 +120,9 @@ TEST_F(RunTest, BadInputWritesNothing) {
 }
 
 TEST_F(RunTest, AnOddSizeIsPaddedInTheMovieAndSaid) {
-    const Ended ended = fumon({"run", "scene.toml", "-o", "out", "--set", "image.width=65", "--set", "image.height=49"},
-                              folder_.path());
+    const Ended ended = fumon(
+        {"run", "scene.toml", "-o", "out", "--set", "image.width=65", "--set", "image.height=49"},
+        folder_.path());
     ASSERT_EQ(ended.status, 0) << ended.errors;
     EXPECT_NE(ended.errors.find("movie.mp4 is 66 x 50"), std::string::npos) << ended.errors;
     EXPECT_EQ(read_manifest(folder_ / "out")["movie"]["width"], 66);
@@ -124,18 +131,21 @@ TEST_F(RunTest, AnOddSizeIsPaddedInTheMovieAndSaid) {
 
 TEST_F(RunTest, StillsAndAgainGiveTheFrameOfTheRun) {
     ASSERT_EQ(run({"--set", "camera.turn=90"}).status, 0);
-    ASSERT_EQ(fumon({"still", "scene.toml", "--step", "15", "-o", "still.png", "-q", "--set", "camera.turn=90"},
+    ASSERT_EQ(fumon({"still", "scene.toml", "--step", "15", "-o", "still.png", "-q", "--set",
+                     "camera.turn=90"},
                     folder_.path())
                   .status,
               0);
     const std::string frame = read_text(folder_ / "out/frames/frame_000003.png");
-    EXPECT_EQ(read_text(folder_ / "still.png"), frame) << "a still of step 15 is the run's frame of step 15";
+    EXPECT_EQ(read_text(folder_ / "still.png"), frame)
+        << "a still of step 15 is the run's frame of step 15";
 
     const Ended again = fumon({"again", "out/frames/frame_000003.png"}, folder_.path());
     EXPECT_EQ(again.status, 0) << again.errors;
     EXPECT_NE(again.errors.find("the same pixels"), std::string::npos) << again.errors;
     EXPECT_EQ(read_text(folder_ / "frame_000003-again.png"), frame);
-    EXPECT_EQ(fumon({"still", "scene.toml", "--time", "15", "-o", "time.png", "-q", "--set", "camera.turn=90"},
+    EXPECT_EQ(fumon({"still", "scene.toml", "--time", "15", "-o", "time.png", "-q", "--set",
+                     "camera.turn=90"},
                     folder_.path())
                   .status,
               0);
@@ -151,7 +161,8 @@ void wait_for(const fs::path& file) {
 TEST_F(RunTest, AnInterruptKeepsWhatWasMade) {
     for (const int signal : {SIGINT, SIGTERM}) {
         const std::string output = "out" + std::to_string(signal);
-        Program program({"run", "scene.toml", "-o", output, "--set", "run.steps=100000000"}, folder_.path());
+        Program program({"run", "scene.toml", "-o", output, "--set", "run.steps=100000000"},
+                        folder_.path());
         wait_for(folder_ / output / "frames/frame_000002.png");
         program.send(signal);
         const Ended ended = program.wait();
@@ -178,14 +189,16 @@ TEST_F(RunTest, AMissingOutputDeviceIsReportedOnce) {
     const Ended ended = run({}, "file/out");
     EXPECT_EQ(ended.status, 1);
     EXPECT_EQ(std::count(ended.errors.begin(), ended.errors.end(), '\n'), 1) << ended.errors;
-    EXPECT_NE(ended.errors.find("cannot make the folder file/out"), std::string::npos) << ended.errors;
+    EXPECT_NE(ended.errors.find("cannot make the folder file/out"), std::string::npos)
+        << ended.errors;
 }
 
 TEST_F(RunTest, AFullDiskKeepsEarlierFramesAndIsReportedOnce) {
     const fs::path disk = folder_ / "disk";
     fs::create_directory(disk);
     const std::string mount = "mount -t tmpfs -o size=256k tmpfs " + disk.string() + " 2>/dev/null";
-    if (std::system(mount.c_str()) != 0) GTEST_SKIP() << "cannot mount a small tmpfs here (needs root)";
+    if (std::system(mount.c_str()) != 0)
+        GTEST_SKIP() << "cannot mount a small tmpfs here (needs root)";
     const Ended ended = run({"--set", "run.steps=5000", "--set", "output.movie=false"}, "disk/out");
     EXPECT_EQ(ended.status, 1);
     EXPECT_EQ(std::count(ended.errors.begin(), ended.errors.end(), '\n'), 1) << ended.errors;
@@ -210,11 +223,12 @@ TEST_F(RunTest, MeasurementsAloneNeedNoPictures) {
 TEST_F(RunTest, ALongRunNeedsNoMoreMemoryThanAShortOne) {
     const auto peak = [&](const std::string& frames) {
         const std::string output = "frames" + frames;
-        EXPECT_EQ(run({"--set", "run.steps=" + frames, "--set", "frames.every=1", "--set", "image.width=16", "--set",
-                       "image.height=16", "--set", "image.supersampling=1"},
-                      output)
-                      .status,
-                  0);
+        EXPECT_EQ(
+            run({"--set", "run.steps=" + frames, "--set", "frames.every=1", "--set",
+                 "image.width=16", "--set", "image.height=16", "--set", "image.supersampling=1"},
+                output)
+                .status,
+            0);
         const auto manifest = read_manifest(folder_ / output);
         EXPECT_EQ(manifest["frames"].size(), std::stoul(frames) + 1);
         return manifest["performance"]["peak_memory_bytes"].get<double>();

@@ -47,11 +47,11 @@ TEST(Elementary, LogIsWithinTwoUnitsInTheLastPlace) {
     EXPECT_LE(worst(elementary::log, truth, 0.0, 1e-308), 2.0) << "subnormal arguments";
 }
 
-TEST(Elementary, TanhIsWithinTwoUnitsInTheLastPlace) {
+TEST(Elementary, TanhIsWithinThreeUnitsInTheLastPlace) {
     const auto truth = [](long double x) { return std::tanh(x); };
     EXPECT_LE(worst(elementary::tanh, truth, -1e-5, 1e-5), 2.0);
-    EXPECT_LE(worst(elementary::tanh, truth, -1.0, 1.0), 2.0);
-    EXPECT_LE(worst(elementary::tanh, truth, -30.0, 30.0), 2.0);
+    EXPECT_LE(worst(elementary::tanh, truth, -1.0, 1.0), 3.0);
+    EXPECT_LE(worst(elementary::tanh, truth, -30.0, 30.0), 3.0);
 }
 
 TEST(Elementary, SineAndCosineAreWithinTwoUnitsInTheLastPlace) {

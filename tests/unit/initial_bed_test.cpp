@@ -1,10 +1,9 @@
 #include "scene/initial_bed.h"
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -22,13 +21,15 @@ class InitialBedTest : public testing::Test {
     void SetUp() override {
         folder_ = fs::temp_directory_path() / ("fumon-initial-bed-" + std::to_string(getpid()));
         fs::create_directories(folder_);
-        std::ofstream(folder_ / "bed.asc") << "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 4\n"
-                                              "NODATA_value -9\n1 2 3\n4 -9 6\n";
+        std::ofstream(folder_ / "bed.asc")
+            << "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 4\n"
+               "NODATA_value -9\n1 2 3\n4 -9 6\n";
     }
     void TearDown() override { fs::remove_all(folder_); }
 
     [[nodiscard]] Scene scene(const std::string& model, const std::string& more) const {
-        return parse_scene("[model]\nname = \"" + model + "\"\n[run]\nsteps = 1\n" + more, "scene.toml", folder_);
+        return parse_scene("[model]\nname = \"" + model + "\"\n[run]\nsteps = 1\n" + more,
+                           "scene.toml", folder_);
     }
     [[nodiscard]] std::string refusal(const std::string& more) const {
         try {
@@ -43,7 +44,8 @@ class InitialBedTest : public testing::Test {
 };
 
 TEST_F(InitialBedTest, NoiseIsUniformInItsInterval) {
-    const InitialBed initial = make_initial_bed(scene("sand", "[bed]\nlow = 2\nhigh = 5\n[grid]\nnx = 200\nny = 150\n"));
+    const InitialBed initial =
+        make_initial_bed(scene("sand", "[bed]\nlow = 2\nhigh = 5\n[grid]\nnx = 200\nny = 150\n"));
     double sum = 0.0;
     double squares = 0.0;
     for (const double height : initial.bed.values()) {
@@ -58,19 +60,26 @@ TEST_F(InitialBedTest, NoiseIsUniformInItsInterval) {
 }
 
 TEST_F(InitialBedTest, NoiseFollowsTheSeed) {
-    const auto bed = [&](const char* seed) { return make_initial_bed(parse_scene(std::string("seed = ") + seed + "\n[model]\nname=\"sand\"\n[run]\nsteps=1\n", "s", "")).bed; };
+    const auto bed = [&](const char* seed) {
+        return make_initial_bed(parse_scene(std::string("seed = ") + seed +
+                                                "\n[model]\nname=\"sand\"\n[run]\nsteps=1\n",
+                                            "s", ""))
+            .bed;
+    };
     EXPECT_EQ(bed("1"), bed("1"));
     EXPECT_NE(bed("1"), bed("2"));
 }
 
 TEST_F(InitialBedTest, AFlatBed) {
-    const InitialBed initial = make_initial_bed(scene("sand", "[bed]\nkind = \"flat\"\nheight = 1.5\n"));
+    const InitialBed initial =
+        make_initial_bed(scene("sand", "[bed]\nkind = \"flat\"\nheight = 1.5\n"));
     EXPECT_EQ(initial.bed, Grid(100, 100, 1.5));
     EXPECT_FALSE(initial.scale.in_metres);
 }
 
 TEST_F(InitialBedTest, ATerrainFileComesInMetresAndNorthUp) {
-    const InitialBed initial = make_initial_bed(scene("static", "[bed]\nkind = \"file\"\nfile = \"bed.asc\"\n"));
+    const InitialBed initial =
+        make_initial_bed(scene("static", "[bed]\nkind = \"file\"\nfile = \"bed.asc\"\n"));
     EXPECT_EQ(initial.bed(0, 1), 1.0) << "the file's first row is the northernmost";
     EXPECT_EQ(initial.bed(2, 0), 6.0);
     EXPECT_EQ(initial.nodata(1, 0), 1);
@@ -81,15 +90,16 @@ TEST_F(InitialBedTest, ATerrainFileComesInMetresAndNorthUp) {
 
 TEST_F(InitialBedTest, ForTheSandModelsMetresAreDividedByTheHeightUnit) {
     const std::string file = "[bed]\nkind = \"file\"\nfile = \"bed.asc\"\nnodata = 8\n";
-    EXPECT_EQ(make_initial_bed(scene("sand", file)).bed(0, 1), 0.25) << "the height unit is the cell size";
+    EXPECT_EQ(make_initial_bed(scene("sand", file)).bed(0, 1), 0.25)
+        << "the height unit is the cell size";
     EXPECT_EQ(make_initial_bed(scene("sand", file + "[grid]\nheight_unit = 0.5\n")).bed(0, 1), 2.0);
     EXPECT_EQ(make_initial_bed(scene("sand", file)).bed(1, 0), 2.0) << "no data set to 8 m";
     EXPECT_TRUE(make_initial_bed(scene("sand", file)).nodata.empty());
 }
 
 TEST_F(InitialBedTest, HolesCanBeFilled) {
-    const InitialBed initial =
-        make_initial_bed(scene("static", "[bed]\nkind = \"file\"\nfile = \"bed.asc\"\nnodata = \"fill\"\n"));
+    const InitialBed initial = make_initial_bed(
+        scene("static", "[bed]\nkind = \"file\"\nfile = \"bed.asc\"\nnodata = \"fill\"\n"));
     EXPECT_TRUE(initial.nodata.empty());
     EXPECT_GE(initial.bed(1, 0), 1.0);
     EXPECT_LE(initial.bed(1, 0), 6.0);
@@ -98,12 +108,14 @@ TEST_F(InitialBedTest, HolesCanBeFilled) {
 TEST_F(InitialBedTest, WhatDoesNotFitTheFileIsRefused) {
     const std::string file = "[bed]\nkind = \"file\"\nfile = \"bed.asc\"\n";
     EXPECT_EQ(refusal(file + "[grid]\nnx = 4\n"),
-              "scene.toml:9:6: grid.nx is 4, but bed.asc has 3 cells there; leave the key out for a terrain file");
+              "scene.toml:9:6: grid.nx is 4, but bed.asc has 3 cells there; leave the key out for "
+              "a terrain file");
     EXPECT_EQ(refusal(file + "[grid]\ncell_size = 5\n"),
-              "scene.toml:9:13: grid.cell_size is [5, 5] m, but bed.asc has cells of [4, 4] m; leave the key out");
+              "scene.toml:9:13: grid.cell_size is [5, 5] m, but bed.asc has cells of [4, 4] m; "
+              "leave the key out");
     EXPECT_EQ(refusal("[bed]\nkind = \"file\"\nfile = \"none.asc\"\n"),
-              "scene.toml:7:8: bed.file \"none.asc\" is not there (looked for " + (folder_ / "none.asc").string() +
-                  "); paths are relative to the scene file");
+              "scene.toml:7:8: bed.file \"none.asc\" is not there (looked for " +
+                  (folder_ / "none.asc").string() + "); paths are relative to the scene file");
 }
 
 }  // namespace

@@ -13,11 +13,14 @@ using Words = std::array<std::uint32_t, 4>;
 
 // The known answers that accompany Random123 (Salmon, Moraes, Dror & Shaw 2011) for philox4x32-10.
 TEST(Philox, GivesThePublishedKnownAnswers) {
-    EXPECT_EQ(philox4x32({0, 0, 0, 0}, {0, 0}), (Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
-    EXPECT_EQ(philox4x32({0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff}, {0xffffffff, 0xffffffff}),
-              (Words{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
-    EXPECT_EQ(philox4x32({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0}),
-              (Words{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
+    EXPECT_EQ(philox4x32({0, 0, 0, 0}, {0, 0}),
+              (Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
+    EXPECT_EQ(
+        philox4x32({0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff}, {0xffffffff, 0xffffffff}),
+        (Words{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
+    EXPECT_EQ(
+        philox4x32({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0}),
+        (Words{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
 }
 
 TEST(RandomStream, FillGivesTheSameWordsAsOneByOne) {
@@ -44,7 +47,8 @@ TEST(RandomStream, EveryCoordinateMakesAnotherStream) {
     EXPECT_EQ(firsts.size(), 6U);
 }
 
-/// Chi-square of counts against equal expectation, as a number of standard deviations above its mean.
+/// Chi-square of counts against equal expectation, as a number of standard deviations above its
+/// mean.
 double chi_square_excess(const std::vector<double>& counts, const std::vector<double>& expected) {
     double chi_square = 0.0;
     for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -64,7 +68,8 @@ TEST(RandomStream, BelowIsUniform) {
 }
 
 TEST(RandomStream, BelowHasNoModuloBias) {
-    // With a count of 3·2^30 a plain modulo or a plain multiply would favour a third of the values by 2 to 1.
+    // With a count of 3·2^30 a plain modulo or a plain multiply would favour a third of the values
+    // by 2 to 1.
     RandomStream stream(4, 0, 0, Purpose::picks);
     constexpr std::uint32_t count = 3U << 30U;
     std::vector<double> residues(3, 0.0);
@@ -90,8 +95,8 @@ TEST(RandomStream, UniformHasTheRightMoments) {
 
 /// The exact binomial distribution, by its logarithms.
 double binomial_share(int n, int k, double p) {
-    return std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) + k * std::log(p) +
-                    (n - k) * std::log(1.0 - p));
+    return std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) +
+                    k * std::log(p) + (n - k) * std::log(1.0 - p));
 }
 
 TEST(Binomial, FollowsTheExactDistribution) {
@@ -99,7 +104,8 @@ TEST(Binomial, FollowsTheExactDistribution) {
         int trials;
         double probability;
     };
-    for (const Case& one : {Case{20, 0.1}, Case{1000, 0.001}, Case{60, 0.4}, Case{400, 0.5}, Case{100, 0.93}}) {
+    for (const Case& one :
+         {Case{20, 0.1}, Case{1000, 0.001}, Case{60, 0.4}, Case{400, 0.5}, Case{100, 0.93}}) {
         RandomStream stream(6, 0, one.trials, Purpose::picks_per_row);
         constexpr int draws = 400000;
         std::vector<double> seen(static_cast<std::size_t>(one.trials) + 1, 0.0);
@@ -140,12 +146,14 @@ TEST(Multinomial, SharesAllTrialsEvenly) {
         for (std::size_t row = 0; row < rows; ++row) {
             sum += counts[row];
             totals[row] += static_cast<double>(counts[row]);
-            squares += (static_cast<double>(counts[row]) - 100.0) * (static_cast<double>(counts[row]) - 100.0);
+            squares += (static_cast<double>(counts[row]) - 100.0) *
+                       (static_cast<double>(counts[row]) - 100.0);
         }
         ASSERT_EQ(sum, trials);
     }
     EXPECT_LT(std::fabs(chi_square_excess(totals, std::vector<double>(rows, 100.0 * rounds))), 4.0);
-    EXPECT_NEAR(squares / (rounds * static_cast<double>(rows)), 98.0, 2.0) << "variance n p (1 − p)";
+    EXPECT_NEAR(squares / (rounds * static_cast<double>(rows)), 98.0, 2.0)
+        << "variance n p (1 − p)";
 }
 
 }  // namespace

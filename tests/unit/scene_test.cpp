@@ -37,15 +37,18 @@ TEST(Scene, DefaultsFillWhatIsNotWritten) {
 
 TEST(Scene, EveryKindOfValueIsRead) {
     const Scene scene = parse_scene(
-        "title = \"砂丘\"\nseed = 42\n[model]\nname = \"sand\"\n[run]\nsteps = 1e3\n[frames]\nat = [5, 7]\n"
-        "[grid]\nnx = 64\ncell_size = [0.5, 1]\nheight_unit = 2\n[bed]\nnodata = -3\n[camera]\nprojection = \"map\"\n"
+        "title = \"砂丘\"\nseed = 42\n[model]\nname = \"sand\"\n[run]\nsteps = 1e3\n[frames]\nat = "
+        "[5, 7]\n"
+        "[grid]\nnx = 64\ncell_size = [0.5, 1]\nheight_unit = 2\n[bed]\nnodata = "
+        "-3\n[camera]\nprojection = \"map\"\n"
         "distance = 2.5\n[output]\nmovie = false\n",
         "scene.toml", "");
     EXPECT_EQ(scene.title, "砂丘");
     EXPECT_EQ(scene.seed, 42);
     EXPECT_EQ(scene.run.steps, 1000) << "1e3 is exact, so it serves as a whole number";
     EXPECT_EQ(scene.frames.at, (std::vector<std::int64_t>{5, 7}));
-    EXPECT_EQ(scene.grid.cell_size, (std::vector<double>{0.5, 1.0})) << "a whole number serves as a real one";
+    EXPECT_EQ(scene.grid.cell_size, (std::vector<double>{0.5, 1.0}))
+        << "a whole number serves as a real one";
     EXPECT_DOUBLE_EQ(scene.grid.height_unit.value, 2.0);
     EXPECT_DOUBLE_EQ(scene.bed.nodata.value, -3.0);
     EXPECT_EQ(scene.view.camera.projection, Projection::map);
@@ -61,7 +64,9 @@ struct Broken {
 
 class BrokenScene : public testing::TestWithParam<Broken> {};
 
-TEST_P(BrokenScene, IsRefusedWithOneLocatedLine) { EXPECT_EQ(refusal(GetParam().text), GetParam().line); }
+TEST_P(BrokenScene, IsRefusedWithOneLocatedLine) {
+    EXPECT_EQ(refusal(GetParam().text), GetParam().line);
+}
 
 INSTANTIATE_TEST_SUITE_P(
     All, BrokenScene,
@@ -69,34 +74,45 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"misspelt_key", least + "[camera]\nazimut = 3\n",
                "scene.toml:6:1: unknown key camera.azimut; did you mean \"camera.azimuth\"?"},
         Broken{"wrong_section", least + "[sun]\nfield_of_view = 3\n",
-               "scene.toml:6:1: unknown key sun.field_of_view; did you mean \"camera.field_of_view\"?"},
-        Broken{"wrong_type", least + "[camera]\nazimuth = \"north\"\n",
-               "scene.toml:6:11: camera.azimuth is 'north'; it takes a number -360 … 360 (degrees)"},
+               "scene.toml:6:1: unknown key sun.field_of_view; did you mean "
+               "\"camera.field_of_view\"?"},
+        Broken{
+            "wrong_type", least + "[camera]\nazimuth = \"north\"\n",
+            "scene.toml:6:11: camera.azimuth is 'north'; it takes a number -360 … 360 (degrees)"},
         Broken{"out_of_range", least + "[sun]\nelevation = 91\n",
                "scene.toml:6:13: sun.elevation is 91; it takes a number 1 … 90 (degrees)"},
-        Broken{"unknown_model", "[model]\nname = \"sant\"\n",
-               "scene.toml:2:8: unknown model \"sant\"; did you mean \"sand\"? (see `fumon models`)"},
+        Broken{
+            "unknown_model", "[model]\nname = \"sant\"\n",
+            "scene.toml:2:8: unknown model \"sant\"; did you mean \"sand\"? (see `fumon models`)"},
         Broken{"no_model", "[run]\nsteps = 3\n",
-               "scene.toml:1:1: model.name is missing; write [model] and name = \"…\" (known: sand, static)"},
+               "scene.toml:1:1: model.name is missing; write [model] and name = \"…\" (known: "
+               "sand, static)"},
         Broken{"no_length", "[model]\nname = \"sand\"\n",
-               "scene.toml: run.steps is missing; say how long to run, for example [run] steps = 1000"},
+               "scene.toml: run.steps is missing; say how long to run, for example [run] steps = "
+               "1000"},
         Broken{"unknown_choice", least + "[look]\nmode = \"figur\"\n",
-               "scene.toml:6:8: look.mode is \"figur\"; it takes one of \"scenic\", \"figure\" (did you mean \"figure\"?)"},
+               "scene.toml:6:8: look.mode is \"figur\"; it takes one of \"scenic\", \"figure\" "
+               "(did you mean \"figure\"?)"},
         Broken{"bad_toml", "[model\nname = 1\n",
-               "scene.toml:1:7: Error while parsing table header: encountered unexpected character '\\n'; a scene is TOML: [section] "
+               "scene.toml:1:7: Error while parsing table header: encountered unexpected character "
+               "'\\n'; a scene is TOML: [section] "
                "lines and key = value lines"},
         Broken{"section_as_value", "camera = 3\n" + least,
                "scene.toml:1:1: camera is a section; write [camera] and its keys below"},
         Broken{"value_as_section", least + "[seed]\nx = 1\n",
-               "scene.toml:5:2: seed is no section; it takes a whole number 0 … 9.223372036854776e+18"},
+               "scene.toml:5:2: seed is no section; it takes a whole number 0 … "
+               "9.223372036854776e+18"},
         Broken{"not_whole", "seed = 1.5\n" + least,
                "scene.toml:1:8: seed is 1.5; it takes a whole number 0 … 9.223372036854776e+18"},
         Broken{"two_ways_of_frames", least + "[frames]\nevery = 2\nat = [1]\n",
-               "scene.toml:7:6: two ways to choose frames; keep one of frames.every, frames.at, frames.logarithmic"},
+               "scene.toml:7:6: two ways to choose frames; keep one of frames.every, frames.at, "
+               "frames.logarithmic"},
         Broken{"frame_after_the_end", least + "[frames]\nat = [11]\n",
-               "scene.toml:6:6: frames.at names step 11, after the run's end at 10; lengthen run.steps or drop it"},
-        Broken{"noise_upside_down", least + "[bed]\nlow = 2\nhigh = 1\n",
-               "scene.toml:7:8: bed.high (1) is below bed.low (2); noise is uniform in [low, high)"},
+               "scene.toml:6:6: frames.at names step 11, after the run's end at 10; lengthen "
+               "run.steps or drop it"},
+        Broken{
+            "noise_upside_down", least + "[bed]\nlow = 2\nhigh = 1\n",
+            "scene.toml:7:8: bed.high (1) is below bed.low (2); noise is uniform in [low, high)"},
         Broken{"too_many_cells", least + "[grid]\nnx = 100000\nny = 100000\n",
                "scene.toml:7:6: 100000 x 100000 cells are too many; at most 134217728 in all"},
         Broken{"file_without_name", least + "[bed]\nkind = \"file\"\n",
@@ -104,12 +120,14 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"infinite", least + "[sun]\nstrength = inf\n",
                "scene.toml:6:12: sun.strength is inf; it takes a number 0 … 10"},
         Broken{"item_of_a_list", least + "[frames]\nat = [1, -2]\n",
-               "scene.toml:6:10: frames.at is -2; it takes a list of whole numbers 0 … 1e+15 (steps)"}),
+               "scene.toml:6:10: frames.at is -2; it takes a list of whole numbers 0 … 1e+15 "
+               "(steps)"}),
     [](const auto& test) { return test.param.name; });
 
 TEST(Settings, OverrideTheFileInOrder) {
-    const Scene scene = parse_scene(least + "[frames]\nat = [1, 2]\n", "scene.toml", "",
-                                    {"run.steps=20", "camera.projection=map", "frames.at.1=9", "seed=7", "seed=8"});
+    const Scene scene =
+        parse_scene(least + "[frames]\nat = [1, 2]\n", "scene.toml", "",
+                    {"run.steps=20", "camera.projection=map", "frames.at.1=9", "seed=7", "seed=8"});
     EXPECT_EQ(scene.run.steps, 20);
     EXPECT_EQ(scene.view.camera.projection, Projection::map) << "a bare word is a string";
     EXPECT_EQ(scene.frames.at, (std::vector<std::int64_t>{1, 9}));
@@ -121,8 +139,9 @@ TEST(Settings, AreLocatedByNumberAndColumn) {
               "--set 2:15: sun.elevation is 91; it takes a number 1 … 90 (degrees)");
     EXPECT_EQ(refusal(least, {"sun.elevatoin=9"}),
               "--set 1:1: unknown key sun.elevatoin; did you mean \"sun.elevation\"?");
-    EXPECT_EQ(refusal(least, {"seed"}),
-              "--set 1:1: \"seed\" sets nothing; write key.path=VALUE, for example model.creep_rate=0.2");
+    EXPECT_EQ(
+        refusal(least, {"seed"}),
+        "--set 1:1: \"seed\" sets nothing; write key.path=VALUE, for example model.creep_rate=0.2");
     EXPECT_EQ(refusal(least, {"frames.at=[1, -1]"}),
               "--set 1:15: frames.at is -1; it takes a list of whole numbers 0 … 1e+15 (steps)");
     EXPECT_EQ(refusal(least + "[frames]\nat = [1]\n", {"frames.at.3=1"}),
@@ -134,10 +153,11 @@ TEST(Settings, ModelCanBeChosenThere) {
 }
 
 TEST(ResolvedScene, ReadsBackTheSame) {
-    const Scene scene = parse_scene(
-        "title = \"a \\\"quoted\\\" \\\\ title\"\n" + least +
-            "[grid]\ncell_size = 0.1\n[look]\nlow = -0.25\n[camera]\ndistance = 3\n[sun]\ndiameter = 0.30000000000000004\n",
-        "scene.toml", "");
+    const Scene scene =
+        parse_scene("title = \"a \\\"quoted\\\" \\\\ title\"\n" + least +
+                        "[grid]\ncell_size = 0.1\n[look]\nlow = -0.25\n[camera]\ndistance = "
+                        "3\n[sun]\ndiameter = 0.30000000000000004\n",
+                    "scene.toml", "");
     const std::string text = to_toml(scene);
     const Scene again = parse_scene(text, "again.toml", "");
     EXPECT_EQ(to_toml(again), text);
@@ -151,7 +171,8 @@ TEST(Describe, ListsEveryKeyWithTypeUnitDefaultAndRange) {
     EXPECT_NE(text.find("number, degrees, 1 … 90 [default 24.0]"), std::string::npos);
     EXPECT_THROW(describe_text("sant"), InputError);
     Scene scene;
-    for (const Key& key : scene_keys(scene).keys()) EXPECT_FALSE(key.notes.help.empty()) << key.path;
+    for (const Key& key : scene_keys(scene).keys())
+        EXPECT_FALSE(key.notes.help.empty()) << key.path;
 }
 
 TEST(Describe, DefaultsLieWithinTheirRanges) {

@@ -36,7 +36,8 @@ TEST(Schedule, LogarithmicStepsFromOneToTheEnd) {
 }
 
 TEST(Schedule, LogarithmicStepsThatRoundTogetherCountOnce) {
-    const auto steps = due_steps(frame_schedule(scene_with("[frames]\nlogarithmic = 5000\n")), 1000);
+    const auto steps =
+        due_steps(frame_schedule(scene_with("[frames]\nlogarithmic = 5000\n")), 1000);
     EXPECT_EQ(steps.front(), 0);
     EXPECT_EQ(steps.back(), 1000);
     EXPECT_LE(steps.size(), 1001U);
@@ -47,8 +48,9 @@ TEST(Schedule, AHundredFramesWhenNothingIsSaid) {
 }
 
 TEST(Schedule, BedsBothWays) {
-    EXPECT_EQ(due_steps(bed_schedule(scene_with("[output]\nbed_every = 500\nbed_at = [7, 500]\n")), 1000),
-              (std::vector<std::int64_t>{0, 7, 500, 1000}));
+    EXPECT_EQ(
+        due_steps(bed_schedule(scene_with("[output]\nbed_every = 500\nbed_at = [7, 500]\n")), 1000),
+        (std::vector<std::int64_t>{0, 7, 500, 1000}));
 }
 
 }  // namespace

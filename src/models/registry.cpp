@@ -1,0 +1,43 @@
+#include "models/registry.h"
+
+#include <algorithm>
+#include <array>
+
+#include "models/sand.h"
+#include "models/static_bed.h"
+
+namespace fumon {
+
+namespace {
+
+template <class Parameters, class Kind>
+constexpr ModelEntry entry(std::string_view name, std::string_view help) {
+    return {name, help, [] { return std::any(Parameters{}); },
+            [](std::any& parameters, KeyTable& table) {
+                list_keys(std::any_cast<Parameters&>(parameters), table);
+            },
+            [](const std::any& parameters, ModelSetup setup) -> std::unique_ptr<Model> {
+                return std::make_unique<Kind>(std::any_cast<const Parameters&>(parameters),
+                                              std::move(setup));
+            }};
+}
+
+constexpr std::array all_models{
+    entry<SandParameters, Sand>("sand",
+                                "wind-blown sand that hops and creeps: ripples, dunes, barchans"),
+    entry<StaticParameters, StaticBed>("static", "a bed as it is: look at a terrain"),
+};
+
+}  // namespace
+
+std::span<const ModelEntry> models() {
+    return all_models;
+}
+
+const ModelEntry* find_model(std::string_view name) {
+    const auto found = std::find_if(all_models.begin(), all_models.end(),
+                                    [&](const ModelEntry& entry) { return entry.name == name; });
+    return found == all_models.end() ? nullptr : &*found;
+}
+
+}  // namespace fumon

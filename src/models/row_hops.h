@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "models/sand_parameters.h"
+
+namespace fumon {
+
+/// Saltation within one row. Sand moves along the wind only, so rows are independent: a row after
+/// its hops is a function of the row before, and of its random numbers.
+///
+///     h(x) → h(x) − q,   h(x + L) → h(x + L) + q       (periodic)
+///
+/// with L and q by SandParameters; no hop is shorter than 0 and none carries less than 0.
+class RowHops {
+  public:
+    RowHops(const SandParameters& parameters, int nx);
+
+    /// Every cell hops once, all reading `before` (Terada 2025, eq. 1). `after` gets the new row.
+    void synchronous(std::span<const double> before, std::span<double> after);
+
+    /// As many hops as there are `words` accepted by Lemire's rule, one after the other in place,
+    /// each from the cell of its random word where the height is positive (Sudo 2002, appendix A).
+    /// Takes `picks` uniform cells from (seed, row, step).
+    void random_sequential(std::span<double> row, std::int64_t picks, std::uint64_t seed,
+                           std::uint32_t row_number, std::int64_t step);
+
+    /// The length of a hop from height h on slope s, before landing: sites.
+    [[nodiscard]] double length(double height, double slope) const;
+
+  private:
+    void take_slopes(std::span<const double> before);
+    void take_lengths(std::span<const double> before);
+    void take_amounts(std::span<const double> before);
+    void land(std::span<double> after) const;
+    void land_split(std::span<double> after) const;
+    void hop_from(double* row, int x) const;
+
+    SandParameters parameters_;
+    int nx_;
+    double exponential_rate_;   ///< ln(a)·2·h0: L grows as e^(rate·h)
+    double exponential_scale_;  ///< (N'x/10)/(a^(2·h0) − 1)
+    bool needs_slope_;
+    std::vector<double> slope_tanh_;
+    std::vector<double> length_;
+    std::vector<double> amount_;
+    std::vector<std::uint32_t> words_;
+};
+
+}  // namespace fumon
