@@ -1,0 +1,107 @@
+#include "files/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "support/error.h"
+
+namespace fumon {
+
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& file, int reason) {
+    throw Error(
+        fmt::format("cannot write {}: {}", file.string(), std::generic_category().message(reason)));
+}
+
+/// A link stays a link: what it points to is replaced.
+std::filesystem::path resolved(std::filesystem::path file) {
+    std::error_code ignored;
+    if (!std::filesystem::is_symlink(file, ignored)) return file;
+    auto target = std::filesystem::canonical(file, ignored);
+    return target.empty() ? file : target;
+}
+
+/// Pipes and devices ("/dev/stdout") cannot be replaced by a rename; they are written directly.
+bool takes_a_rename(const std::filesystem::path& file) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) return true;
+    if (S_ISDIR(status.st_mode)) fail(file, EISDIR);
+    return S_ISREG(status.st_mode);
+}
+
+int open_retrying(const std::filesystem::path& file, int flags) {
+    constexpr mode_t everyone_may_read_and_write = 0666;  // less the umask
+    int descriptor = -1;
+    do {
+        descriptor = ::open(file.c_str(), flags, everyone_may_read_and_write);
+    } while (descriptor < 0 && errno == EINTR);
+    return descriptor;
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(std::filesystem::path file) : file_(resolved(std::move(file))) {
+    if (takes_a_rename(file_)) {
+        temporary_ = file_;
+        temporary_ += ".part";
+        ::unlink(temporary_.c_str());  // what an interrupted run may have left
+        descriptor_ = open_retrying(temporary_, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC);
+    } else {
+        descriptor_ = open_retrying(file_, O_WRONLY | O_CLOEXEC);
+    }
+    if (descriptor_ < 0) fail(file_, errno);
+}
+
+AtomicFile::~AtomicFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::write(std::string_view text) {
+    constexpr std::size_t most_at_once = std::size_t{1} << 30;  // bytes; Linux writes at most 2 GiB
+    while (!text.empty()) {
+        const ssize_t written =
+            ::write(descriptor_, text.data(), std::min(text.size(), most_at_once));
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail(file_, errno);
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+void AtomicFile::write(std::span<const std::uint8_t> bytes) {
+    write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+void AtomicFile::commit() {
+    // A network file system may report a full disk only here. On Linux the descriptor is gone even
+    // after EINTR.
+    const int closed = ::close(std::exchange(descriptor_, -1));
+    if (closed != 0 && errno != EINTR) fail(file_, errno);
+    if (temporary_.empty()) return;
+    if (::rename(temporary_.c_str(), file_.c_str()) != 0) fail(file_, errno);
+    temporary_.clear();
+}
+
+void write_file(const std::filesystem::path& file, std::string_view text) {
+    AtomicFile out(file);
+    out.write(text);
+    out.commit();
+}
+
+void write_file(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
+    AtomicFile out(file);
+    out.write(bytes);
+    out.commit();
+}
+
+}  // namespace fumon

@@ -1,0 +1,73 @@
+#include "files/input_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <string_view>
+#include <system_error>
+
+#include "support/error.h"
+
+namespace fumon {
+
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, std::string_view reason,
+                         std::string_view remedy) {
+    throw InputError(fmt::format("{}: {}; {}", file.string(), reason, remedy));
+}
+
+[[noreturn]] void refuse_by_system(const std::filesystem::path& file, int reason) {
+    refuse(file, fmt::format("cannot be read: {}", std::generic_category().message(reason)),
+           "name a file that exists and that you may read");
+}
+
+struct Descriptor {
+    int number = -1;
+    explicit Descriptor(int number_) : number(number_) {}
+    ~Descriptor() {
+        if (number >= 0) ::close(number);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+};
+
+std::size_t size_of_regular_file(const std::filesystem::path& file, int descriptor) {
+    struct stat status {};
+    if (::fstat(descriptor, &status) != 0) refuse_by_system(file, errno);
+    if (S_ISDIR(status.st_mode)) refuse(file, "is a folder", "name a file in it");
+    if (!S_ISREG(status.st_mode)) refuse(file, "is not a regular file", "name a file on disk");
+    if (status.st_size > largest_input_file)
+        refuse(file, fmt::format("has {} bytes", status.st_size),
+               fmt::format("at most {} are read; cut out or coarsen the part you need",
+                           largest_input_file));
+    return static_cast<std::size_t>(status.st_size);
+}
+
+}  // namespace
+
+std::string read_input_file(const std::filesystem::path& file) {
+    // O_NONBLOCK: a named pipe nobody writes to would otherwise block here.
+    const Descriptor input(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (input.number < 0) refuse_by_system(file, errno);
+    constexpr std::size_t most_at_once = std::size_t{1} << 30;  // bytes; Linux reads at most 2 GiB
+    std::string bytes(size_of_regular_file(file, input.number), '\0');
+    std::size_t filled = 0;
+    while (filled < bytes.size()) {
+        const ssize_t got = ::read(input.number, bytes.data() + filled,
+                                   std::min(bytes.size() - filled, most_at_once));
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) refuse_by_system(file, errno);
+        if (got == 0) break;
+        filled += static_cast<std::size_t>(got);
+    }
+    bytes.resize(filled);
+    return bytes;
+}
+
+}  // namespace fumon

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace fumon {
+
+/// All bytes of a regular file. Throws InputError "FILE: cannot be read: REASON; …" for a missing
+/// file, a folder, a pipe or device, a file one may not read, and one larger than
+/// `largest_input_file`.
+std::string read_input_file(const std::filesystem::path& file);
+
+/// Bytes. A terrain of the largest size allowed (2^27 cells) at 32 characters a cell.
+inline constexpr long long largest_input_file = 1LL << 32;
+
+}  // namespace fumon
