@@ -21,9 +21,12 @@ class Context {
     Context& operator=(const Context&) = delete;
     virtual ~Context() = default;
 
+    /// Makes it the current context of this thread again, after another one was. Throws Error.
+    virtual void make_current() = 0;
+
     [[nodiscard]] virtual std::string backend_name() const = 0;  ///< "osmesa" or "egl"
-    [[nodiscard]] std::string renderer_name() const;             ///< GL_RENDERER
-    [[nodiscard]] std::string version() const;                   ///< GL_VERSION
+    [[nodiscard]] std::string renderer_name() const;  ///< GL_RENDERER of the current context
+    [[nodiscard]] std::string version() const;        ///< GL_VERSION of the current context
 };
 
 }  // namespace fumon::gl

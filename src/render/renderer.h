@@ -13,6 +13,11 @@ class Context;
 }
 class WorkerPool;
 
+/// How much is drawn at once.
+struct RenderLimits {
+    int tile_samples = 4096;  ///< samples along each side of the largest tile
+};
+
 /// Turns snapshots into pictures of one view. Everything that must hold still over a run (framing,
 /// automatic exaggeration, the reference of "change") is taken from the first snapshot, so that a
 /// still of step n is the run's frame of step n. Lives on the thread of its context.
@@ -21,7 +26,7 @@ class Renderer {
     /// `last_step` is the run's length, over which the camera turns. Throws InputError where the
     /// view does not fit the bed (a palette that does not exist), Error where OpenGL fails.
     Renderer(gl::Context& context, const View& view, const Snapshot& first, std::int64_t last_step,
-             WorkerPool& pool);
+             WorkerPool& pool, const RenderLimits& limits = {});
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;

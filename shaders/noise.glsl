@@ -1,0 +1,22 @@
+// Smooth noise from whole-number hashes: the same on every machine.
+
+float hash(ivec2 cell) {
+    uint h = uint(cell.x) * 0x8da6b343u + uint(cell.y) * 0xd8163841u;
+    h ^= h >> 15;
+    h *= 0x2c1b3c6du;
+    h ^= h >> 12;
+    h *= 0x297a2d39u;
+    h ^= h >> 15;
+    return float(h & 0xffffu) / 65535.0;
+}
+
+// −1 … 1, smooth, one feature to a unit of length.
+float value_noise(vec2 p) {
+    vec2 whole = floor(p);
+    vec2 t = p - whole;
+    t = t * t * (3.0 - 2.0 * t);
+    ivec2 cell = ivec2(whole);
+    float south = mix(hash(cell), hash(cell + ivec2(1, 0)), t.x);
+    float north = mix(hash(cell + ivec2(0, 1)), hash(cell + ivec2(1, 1)), t.x);
+    return 2.0 * mix(south, north, t.y) - 1.0;
+}

@@ -1,0 +1,23 @@
+#version 330 core
+// The display colour of the bed for a figure: the palette's colour, its light scaled by one number.
+// No haze and no tone curve, so that the colour bar stays true.
+#include "colour.glsl"
+#include "bed.glsl"
+
+uniform sampler2D palette;
+uniform float natural;
+uniform vec3 to_sun;
+
+in vec2 place;
+out vec4 colour;
+
+void main() {
+    BedPoint point = bed_point(place);
+    float value = texture(value_map, place).r;
+    vec3 albedo = linear_from_display(texture(palette, vec2(value * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb);
+    albedo = mix(albedo, vec3(0.82, 0.66, 0.45), natural);
+    float level = max(to_sun.z, 0.25);
+    float lit = point.sun * max(dot(point.normal, to_sun), 0.0) / level;  // 1 on level ground
+    float light = 0.30 + 0.32 * point.sky + 0.38 * min(lit, 1.6);
+    colour = vec4(display_from_linear(albedo * min(light, 1.0)), 1.0);
+}

@@ -1,0 +1,39 @@
+#include "gl/context.h"
+
+#include <fmt/format.h>
+
+#include "gl/backends.h"
+#include "gl/functions.h"
+#include "support/error.h"
+
+namespace fumon::gl {
+
+namespace {
+
+std::string text_of(GLenum name) {
+    const GLubyte* text = functions().GetString(name);
+    return text != nullptr ? reinterpret_cast<const char*>(text) : "unknown";
+}
+
+}  // namespace
+
+std::unique_ptr<Context> Context::create(Backend backend) {
+    std::string failures;
+    if (backend != Backend::egl) {
+        Attempt attempt = try_osmesa();
+        if (attempt.context) return std::move(attempt.context);
+        failures = std::move(attempt.failure);
+    }
+    if (backend != Backend::osmesa) {
+        Attempt attempt = try_egl();
+        if (attempt.context) return std::move(attempt.context);
+        if (!failures.empty()) failures += "; ";
+        failures += attempt.failure;
+    }
+    throw Error(fmt::format("no OpenGL 3.3 without a display: {}", failures));
+}
+
+std::string Context::renderer_name() const { return text_of(GL_RENDERER); }
+std::string Context::version() const { return text_of(GL_VERSION); }
+
+}  // namespace fumon::gl

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <GL/glcorearb.h>
+
+#include <functional>
+
+/// Every OpenGL function fumon calls: X(name without "gl", type).
+#define FUMON_GL_FUNCTIONS(X)                                        \
+    X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                         \
+    X(AttachShader, PFNGLATTACHSHADERPROC)                           \
+    X(BindAttribLocation, PFNGLBINDATTRIBLOCATIONPROC)               \
+    X(BindBuffer, PFNGLBINDBUFFERPROC)                               \
+    X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)                     \
+    X(BindTexture, PFNGLBINDTEXTUREPROC)                             \
+    X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)                     \
+    X(BufferData, PFNGLBUFFERDATAPROC)                               \
+    X(BufferSubData, PFNGLBUFFERSUBDATAPROC)                         \
+    X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC)       \
+    X(Clear, PFNGLCLEARPROC)                                         \
+    X(ClearColor, PFNGLCLEARCOLORPROC)                               \
+    X(CompileShader, PFNGLCOMPILESHADERPROC)                         \
+    X(CreateProgram, PFNGLCREATEPROGRAMPROC)                         \
+    X(CreateShader, PFNGLCREATESHADERPROC)                           \
+    X(DeleteBuffers, PFNGLDELETEBUFFERSPROC)                         \
+    X(DeleteFramebuffers, PFNGLDELETEFRAMEBUFFERSPROC)               \
+    X(DeleteProgram, PFNGLDELETEPROGRAMPROC)                         \
+    X(DeleteShader, PFNGLDELETESHADERPROC)                           \
+    X(DeleteTextures, PFNGLDELETETEXTURESPROC)                       \
+    X(DeleteVertexArrays, PFNGLDELETEVERTEXARRAYSPROC)               \
+    X(Disable, PFNGLDISABLEPROC)                                     \
+    X(DrawArrays, PFNGLDRAWARRAYSPROC)                               \
+    X(DrawElements, PFNGLDRAWELEMENTSPROC)                           \
+    X(Enable, PFNGLENABLEPROC)                                       \
+    X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC)     \
+    X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)           \
+    X(GenBuffers, PFNGLGENBUFFERSPROC)                               \
+    X(GenerateMipmap, PFNGLGENERATEMIPMAPPROC)                       \
+    X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)                     \
+    X(GenTextures, PFNGLGENTEXTURESPROC)                             \
+    X(GenVertexArrays, PFNGLGENVERTEXARRAYSPROC)                     \
+    X(GetError, PFNGLGETERRORPROC)                                   \
+    X(GetIntegerv, PFNGLGETINTEGERVPROC)                             \
+    X(GetProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC)                 \
+    X(GetProgramiv, PFNGLGETPROGRAMIVPROC)                           \
+    X(GetShaderInfoLog, PFNGLGETSHADERINFOLOGPROC)                   \
+    X(GetShaderiv, PFNGLGETSHADERIVPROC)                             \
+    X(GetString, PFNGLGETSTRINGPROC)                                 \
+    X(GetStringi, PFNGLGETSTRINGIPROC)                               \
+    X(GetUniformLocation, PFNGLGETUNIFORMLOCATIONPROC)               \
+    X(LinkProgram, PFNGLLINKPROGRAMPROC)                             \
+    X(PixelStorei, PFNGLPIXELSTOREIPROC)                             \
+    X(ReadPixels, PFNGLREADPIXELSPROC)                               \
+    X(ShaderSource, PFNGLSHADERSOURCEPROC)                           \
+    X(TexImage2D, PFNGLTEXIMAGE2DPROC)                               \
+    X(TexParameteri, PFNGLTEXPARAMETERIPROC)                         \
+    X(TexSubImage2D, PFNGLTEXSUBIMAGE2DPROC)                         \
+    X(Uniform1f, PFNGLUNIFORM1FPROC)                                 \
+    X(Uniform1i, PFNGLUNIFORM1IPROC)                                 \
+    X(Uniform2f, PFNGLUNIFORM2FPROC)                                 \
+    X(Uniform3f, PFNGLUNIFORM3FPROC)                                 \
+    X(Uniform4f, PFNGLUNIFORM4FPROC)                                 \
+    X(UniformMatrix4fv, PFNGLUNIFORMMATRIX4FVPROC)                   \
+    X(UseProgram, PFNGLUSEPROGRAMPROC)                               \
+    X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)             \
+    X(Viewport, PFNGLVIEWPORTPROC)
+
+namespace fumon::gl {
+
+/// The entry points of one context. Two backends in one program have different ones, so there is
+/// one table for each context.
+struct Functions {
+#define FUMON_GL_MEMBER(name, type) type name = nullptr;
+    FUMON_GL_FUNCTIONS(FUMON_GL_MEMBER)
+#undef FUMON_GL_MEMBER
+};
+
+/// Fills the table by `resolve("glName")`. Throws Error naming the first entry point missing.
+Functions resolve_functions(const std::function<void*(const char*)>& resolve);
+
+/// The entry points of the context current on this thread. Throws Error when there is none.
+const Functions& functions();
+
+/// Makes `table` (or none) the one of this thread. Called by contexts as they become current.
+void set_functions(const Functions* table);
+
+/// Throws Error naming `where` and the error when OpenGL has reported one since the last call.
+void check_errors(const char* where);
+
+}  // namespace fumon::gl

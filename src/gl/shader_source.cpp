@@ -1,0 +1,113 @@
+#include "gl/shader_source.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "support/data_files.h"
+#include "support/error.h"
+
+namespace fumon::gl {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+
+std::string_view trimmed(std::string_view line) {
+    const auto begin = line.find_first_not_of(blanks);
+    if (begin == std::string_view::npos) return {};
+    return line.substr(begin, line.find_last_not_of(blanks) - begin + 1);
+}
+
+class Assembler {
+  public:
+    Assembler(const ShaderReader& read, LineNames names) : read_(read), names_(names) {}
+
+    void add(const std::string& name, const std::string& text) {
+        chain_.push_back(name);
+        const std::size_t number = source_.files.size();
+        source_.files.push_back(name);
+        std::istringstream lines(text);
+        std::string line;
+        bool marked = number == 0;  // the first line of the first file is its #version
+        for (int line_number = 1; std::getline(lines, line); ++line_number) {
+            const std::string_view content = trimmed(line);
+            if (content.starts_with("#include")) {
+                include(content, fmt::format("shaders/{}:{}", name, line_number));
+                marked = false;
+                continue;
+            }
+            if (!marked) mark(number, line_number);
+            marked = true;
+            source_.text += line;
+            source_.text += '\n';
+            if (content.starts_with("#version")) {
+                if (names_ == LineNames::files)
+                    source_.text += "#extension GL_ARB_shading_language_include : enable\n";
+                marked = false;
+            }
+        }
+        chain_.pop_back();
+    }
+
+    ShaderSource take() { return std::move(source_); }
+
+  private:
+    void mark(std::size_t number, int line) {
+        if (names_ == LineNames::files) {
+            source_.text += fmt::format("#line {} \"shaders/{}\"\n", line, source_.files[number]);
+        } else {
+            source_.text += fmt::format("#line {} {}\n", line, number);
+        }
+    }
+
+    void include(std::string_view directive, const std::string& where) {
+        const std::string_view quoted = trimmed(directive.substr(std::string_view("#include").size()));
+        if (quoted.size() < 3 || quoted.front() != '"' || quoted.back() != '"') {
+            throw Error(fmt::format("{}: '{}' is no include; write #include \"file.glsl\"", where,
+                                    directive));
+        }
+        const std::string name(quoted.substr(1, quoted.size() - 2));
+        if (std::find(chain_.begin(), chain_.end(), name) != chain_.end()) {
+            throw Error(fmt::format("{}: the include comes round to itself: {} → {}", where,
+                                    fmt::join(chain_, " → "), name));
+        }
+        if (std::find(source_.files.begin(), source_.files.end(), name) != source_.files.end())
+            return;
+        const auto text = read_(name);
+        if (!text) throw Error(fmt::format("{}: shaders/{} does not exist", where, name));
+        add(name, *text);
+    }
+
+    const ShaderReader& read_;
+    LineNames names_;
+    std::vector<std::string> chain_;
+    ShaderSource source_;
+};
+
+}  // namespace
+
+ShaderSource assemble_shader(std::string_view name, const ShaderReader& read, LineNames names) {
+    const auto text = read(name);
+    if (!text) throw Error(fmt::format("shaders/{} does not exist", name));
+    Assembler assembler(read, names);
+    assembler.add(std::string(name), *text);
+    return assembler.take();
+}
+
+std::optional<std::string> read_shader_file(std::string_view name) {
+    std::ifstream file;
+    try {
+        file.open(data_file(fmt::format("shaders/{}", name)), std::ios::binary);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+    if (!file) return std::nullopt;
+    return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+}  // namespace fumon::gl

@@ -1,0 +1,70 @@
+#include "gl/texture.h"
+
+#include <fmt/format.h>
+
+#include "support/error.h"
+
+namespace fumon::gl {
+
+Texture2D::Texture2D(int width, int height, const TextureLayout& layout, const void* pixels)
+    : width_(width), height_(height), layout_(layout) {
+    const Functions& gl = functions();
+    GLint largest = 0;
+    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (width > largest || height > largest) {
+        throw Error(fmt::format("a texture of {} × {} is needed; this OpenGL allows {} × {}", width,
+                                height, largest, largest));
+    }
+    gl.BindTexture(GL_TEXTURE_2D, texture_.name());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, layout.internal_format, width, height, 0, layout.format,
+                  layout.type, pixels);
+    const GLint minification = layout.minification != 0 ? layout.minification : layout.filter;
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minification);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, layout.filter);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, layout.wrap);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, layout.wrap);
+    if (layout.minification == 0) gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+void Texture2D::upload(const void* pixels) const {
+    const Functions& gl = functions();
+    gl.BindTexture(GL_TEXTURE_2D, texture_.name());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, layout_.format, layout_.type, pixels);
+}
+
+void Texture2D::make_mipmaps() const {
+    functions().BindTexture(GL_TEXTURE_2D, texture_.name());
+    functions().GenerateMipmap(GL_TEXTURE_2D);
+}
+
+void Texture2D::bind(int unit) const {
+    functions().ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    functions().BindTexture(GL_TEXTURE_2D, texture_.name());
+}
+
+RenderTarget::RenderTarget(int width, int height, const TextureLayout& colour, bool with_depth)
+    : colour_(width, height, colour) {
+    const Functions& gl = functions();
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.name(), 0);
+    if (with_depth) {
+        gl.BindTexture(GL_TEXTURE_2D, depth_.name());
+        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width, height, 0, GL_DEPTH_COMPONENT,
+                      GL_UNSIGNED_INT, nullptr);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.name(),
+                                0);
+    }
+    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(fmt::format("OpenGL refuses a framebuffer of {} × {}", width, height));
+}
+
+void RenderTarget::bind() const {
+    functions().BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    functions().Viewport(0, 0, width(), height());
+}
+
+}  // namespace fumon::gl

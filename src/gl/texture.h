@@ -1,0 +1,55 @@
+#pragma once
+
+#include "gl/handles.h"
+
+namespace fumon::gl {
+
+/// How a texture is stored and sampled.
+struct TextureLayout {
+    GLint internal_format = GL_RGBA8;
+    GLenum format = GL_RGBA;
+    GLenum type = GL_UNSIGNED_BYTE;
+    GLint filter = GL_LINEAR;            ///< magnification, and minification without mipmaps
+    GLint minification = 0;              ///< 0: as `filter`
+    GLint wrap = GL_CLAMP_TO_EDGE;
+};
+
+/// A 2-D texture of a fixed size.
+class Texture2D {
+  public:
+    /// `pixels` may be null. Throws Error where the size exceeds what OpenGL allows.
+    Texture2D(int width, int height, const TextureLayout& layout, const void* pixels = nullptr);
+
+    void upload(const void* pixels) const;  ///< replaces all of it
+    void make_mipmaps() const;
+    void bind(int unit) const;  ///< to texture unit `unit`
+
+    [[nodiscard]] GLuint name() const { return texture_.name(); }
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+
+  private:
+    Texture texture_;
+    int width_;
+    int height_;
+    TextureLayout layout_;
+};
+
+/// A framebuffer that draws into one colour texture and, where asked for, a depth texture.
+class RenderTarget {
+  public:
+    /// Throws Error where OpenGL refuses the combination.
+    RenderTarget(int width, int height, const TextureLayout& colour, bool with_depth);
+
+    void bind() const;  ///< as the target, with a viewport over all of it
+    [[nodiscard]] const Texture2D& colour() const { return colour_; }
+    [[nodiscard]] int width() const { return colour_.width(); }
+    [[nodiscard]] int height() const { return colour_.height(); }
+
+  private:
+    Texture2D colour_;
+    Texture depth_;
+    Framebuffer framebuffer_;
+};
+
+}  // namespace fumon::gl

@@ -1,0 +1,33 @@
+#include "render/background_layer.h"
+
+#include "render/bed_shading.h"
+
+namespace fumon {
+
+BackgroundLayer::BackgroundLayer(const View& view, const Block& block)
+    : view_(view), block_(block), program_("screen.vert.glsl", "background.frag.glsl") {}
+
+void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile& tile) const {
+    const gl::Functions& gl = gl::functions();
+    gl.Disable(GL_DEPTH_TEST);
+    if (view_.look.mode == ViewMode::figure) {
+        gl.ClearColor(1.0F, 1.0F, 1.0F, 1.0F);
+        gl.Clear(GL_COLOR_BUFFER_BIT);
+        return;
+    }
+    program_.use();
+    set_light(program_, light, camera, block_, view_.sun.haze);
+    program_.set("ray_origin", glm::vec3(camera.eye));
+    program_.set("ray_right", glm::vec3(camera.right * camera.half.x));
+    program_.set("ray_up", glm::vec3(camera.up * camera.half.y));
+    program_.set("ray_forward", glm::vec3(camera.forward));
+    program_.set("base", static_cast<float>(block_.base));
+    program_.set("height", static_cast<float>(block_.surface - block_.base));
+    program_.set("extent", glm::vec2(block_.width_x, block_.width_y));
+    program_.set("picture_pixels", glm::vec2(static_cast<float>(view_.image.width),
+                                             static_cast<float>(view_.image.height)));
+    program_.set("tile_pixel", glm::vec2(static_cast<float>(tile.x), static_cast<float>(tile.y)));
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace fumon

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "gl/program.h"
+#include "render/block.h"
+#include "render/camera.h"
+#include "render/light.h"
+#include "render/tiles.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// What surrounds the block: plain and sky, or white paper in figure mode.
+class BackgroundLayer {
+  public:
+    BackgroundLayer(const View& view, const Block& block);
+
+    /// Draws one tile's background into the bound target, top row first.
+    void draw(const Light& light, const Camera& camera, const Tile& tile) const;
+
+  private:
+    View view_;
+    Block block_;
+    gl::Program program_;
+};
+
+}  // namespace fumon

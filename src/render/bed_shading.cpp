@@ -1,0 +1,129 @@
+#include "render/bed_shading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/colouring.h"
+#include "render/lighting.h"
+#include "render/palette.h"
+#include "terrain/elementary.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr int least_texels = 1024;          // along the longer side of the shaded bed
+constexpr double texels_per_sample = 1.3;   // beyond which mipmaps are needed against shimmer
+constexpr double natural_spread = 2.2;      // standard deviations from trough to crest, half of it
+constexpr double least_natural_range = 0.03; // of the longer side: a nearly flat bed stays even
+
+const gl::TextureLayout lighting_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, GL_LINEAR, 0,
+                                        GL_CLAMP_TO_EDGE};
+const gl::TextureLayout value_layout{GL_R16, GL_RED, GL_UNSIGNED_SHORT, GL_LINEAR, 0,
+                                     GL_CLAMP_TO_EDGE};
+const gl::TextureLayout palette_layout{GL_RGB8, GL_RGB, GL_UNSIGNED_BYTE, GL_LINEAR, 0,
+                                       GL_CLAMP_TO_EDGE};
+
+gl::TextureLayout shaded_layout(bool mipmaps) {
+    gl::TextureLayout layout;
+    layout.internal_format = GL_RGBA8;
+    if (mipmaps) layout.minification = GL_LINEAR_MIPMAP_LINEAR;
+    return layout;
+}
+
+int shaded_size(int count, int longer) {
+    if (longer >= least_texels) return count;
+    return std::max(1, static_cast<int>(static_cast<long>(count) * least_texels / longer));
+}
+
+/// The range of heights over which natural sand goes from trough to crest.
+std::pair<double, double> natural_range(const Snapshot& snapshot, const Block& block) {
+    double sum = 0.0;
+    double squares = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < snapshot.bed.size(); ++i) {
+        if (!snapshot.nodata.empty() && snapshot.nodata.values()[i] != 0) continue;
+        const double height = snapshot.bed.values()[i] - block.reference;
+        sum += height;
+        squares += height * height;
+        ++count;
+    }
+    if (count == 0) return {0.0, 1.0};
+    const double mean = sum / static_cast<double>(count);
+    const double spread = std::sqrt(std::max(squares / static_cast<double>(count) - mean * mean, 0.0));
+    const double half =
+        std::max(natural_spread * spread, 0.5 * least_natural_range / block.height_scale);
+    return {block.reference + mean - half, block.reference + mean + half};
+}
+
+}  // namespace
+
+void set_light(const gl::Program& program, const Light& light, const Camera& camera,
+               const Block& block, double haze) {
+    program.set("to_sun", light.to_sun);
+    program.set("sun_light", light.sun);
+    program.set("sky_light", light.sky);
+    program.set("haze_colour", light.haze);
+    program.set("glow_colour", light.glow);
+    program.set("zenith_colour", light.zenith);
+    program.set("eye", glm::vec3(camera.eye));
+    program.set("eye_axis", glm::vec3(-camera.forward));
+    program.set("parallel", camera.perspective ? 0.0F : 1.0F);
+    double nearest = std::numeric_limits<double>::max();
+    double farthest = std::numeric_limits<double>::lowest();
+    for (const glm::dvec3& corner : block_corners(block)) {
+        const double depth = glm::dot(corner, camera.forward);
+        nearest = std::min(nearest, depth);
+        farthest = std::max(farthest, depth);
+    }
+    const double scale = 1.0 / std::max(farthest - nearest, 1e-6);
+    program.set("depth_plane", glm::vec4(camera.forward * scale, -nearest * scale));
+    const double left = camera.perspective ? std::max(1.0 - haze, 0.02) : 1.0;
+    program.set("haze_log", static_cast<float>(elementary::log(left)));
+}
+
+BedShading::BedShading(const View& view, const Block& block, const Snapshot& first,
+                       const DisplayBed& first_bed, int samples_across)
+    : view_(view),
+      block_(block),
+      refinement_(first_bed.z.nx() / first.bed.nx()),
+      mipmaps_(std::max({first_bed.z.nx(), first_bed.z.ny(), least_texels}) >
+               texels_per_sample * samples_across),
+      program_("screen.vert.glsl", view.look.mode == ViewMode::figure ? "shade_figure.frag.glsl"
+                                                                      : "shade_scenic.frag.glsl"),
+      palette_(256, 1, palette_layout, read_palette(view.look.palette).data()),
+      lighting_(first_bed.z.nx(), first_bed.z.ny(), lighting_layout),
+      values_(first_bed.z.nx(), first_bed.z.ny(), value_layout),
+      target_(shaded_size(first_bed.z.nx(), std::max(first_bed.z.nx(), first_bed.z.ny())),
+              shaded_size(first_bed.z.ny(), std::max(first_bed.z.nx(), first_bed.z.ny())),
+              shaded_layout(mipmaps_), false) {}
+
+void BedShading::shade(const Snapshot& snapshot, const Snapshot& first, const DisplayBed& bed,
+                       const Light& light, const Camera& camera, WorkerPool& pool) {
+    lighting_.upload(lighting_texels(bed, sun_direction(view_.sun), pool).data());
+    const bool natural = view_.look.colour_by == Colouring::natural;
+    const auto range = natural ? natural_range(snapshot, block_)
+                               : colour_range(view_.look, snapshot, first);
+    const Field<float> values =
+        refined(coloured_values(view_.look.colour_by, snapshot, first), refinement_);
+    values_.upload(palette_places(values, range).data());
+
+    target_.bind();
+    gl::functions().Disable(GL_DEPTH_TEST);
+    lighting_.bind(0);
+    values_.bind(1);
+    palette_.bind(2);
+    program_.use();
+    program_.set("lighting_map", 0);
+    program_.set("value_map", 1);
+    program_.set("palette", 2);
+    program_.set("extent", glm::vec2(block_.width_x, block_.width_y));
+    program_.set("natural", natural ? 1.0F : 0.0F);
+    program_.set("rock", static_cast<float>(block_.rock));
+    set_light(program_, light, camera, block_, view_.sun.haze);
+    gl::functions().DrawArrays(GL_TRIANGLES, 0, 3);
+    if (mipmaps_) target_.colour().make_mipmaps();
+}
+
+}  // namespace fumon

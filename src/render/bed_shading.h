@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "models/model.h"
+#include "render/block.h"
+#include "render/camera.h"
+#include "render/display_bed.h"
+#include "render/light.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// Sets the uniforms of shaders/light.glsl and the eye of shaders/bed.glsl.
+void set_light(const gl::Program& program, const Light& light, const Camera& camera,
+               const Block& block, double haze);
+
+/// The bed's colour as the eye sees it, as a texture over the bed: each place is shaded once, and
+/// the many samples of a picture only look it up.
+class BedShading {
+  public:
+    /// `samples_across` is the length of the picture's longer side in samples. Throws InputError
+    /// for an unknown palette.
+    BedShading(const View& view, const Block& block, const Snapshot& first,
+               const DisplayBed& first_bed, int samples_across);
+
+    /// Uploads what light and colouring make of a snapshot, and shades it.
+    void shade(const Snapshot& snapshot, const Snapshot& first, const DisplayBed& bed,
+               const Light& light, const Camera& camera, WorkerPool& pool);
+
+    [[nodiscard]] const gl::Texture2D& colours() const { return target_.colour(); }
+
+  private:
+    View view_;
+    Block block_;
+    int refinement_;
+    bool mipmaps_;
+    gl::Program program_;
+    gl::Texture2D palette_;
+    gl::Texture2D lighting_;
+    gl::Texture2D values_;
+    gl::RenderTarget target_;
+};
+
+}  // namespace fumon

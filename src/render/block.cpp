@@ -1,0 +1,97 @@
+#include "render/block.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace fumon {
+
+namespace {
+
+constexpr double terrain_smoothness = 0.5;  // neighbours' correlation that tells terrain from noise
+constexpr double wanted_relief = 0.12;      // of the longer side: reads as relief at 30° elevation
+constexpr std::array<double, 11> steps = {1, 1.5, 2, 3, 5, 10, 15, 20, 30, 50, 100};
+
+constexpr double growth_of_noise = 0.05;    // of the longer side: dunes of 5 sites on 100
+constexpr double growth_of_terrain = 0.01;
+constexpr double thickness = 0.055;         // of the block under its lowest place, in longer sides
+constexpr double lowest_sand = -0.5;        // model heights; the sand models dip to about −0.1
+
+constexpr double least_mountain = 150.0;    // metres of relief: higher than dunes usually are
+constexpr double full_mountain = 450.0;
+
+double longer_side(const Snapshot& snapshot) {
+    return std::max(snapshot.bed.nx() * snapshot.scale.dx, snapshot.bed.ny() * snapshot.scale.dy);
+}
+
+bool is_terrain(const HeightStatistics& heights) { return heights.smoothness >= terrain_smoothness; }
+
+}  // namespace
+
+HeightStatistics height_statistics(const Grid& bed, const Mask& nodata) {
+    HeightStatistics result{std::numeric_limits<double>::max(),
+                            std::numeric_limits<double>::lowest(), 0.0, 0.0};
+    double sum = 0.0;
+    std::size_t count = 0;
+    const auto inside = [&](int x, int y) { return nodata.empty() || nodata(x, y) == 0; };
+    for (int y = 0; y < bed.ny(); ++y) {
+        for (int x = 0; x < bed.nx(); ++x) {
+            if (!inside(x, y)) continue;
+            result.low = std::min(result.low, bed(x, y));
+            result.high = std::max(result.high, bed(x, y));
+            sum += bed(x, y);
+            ++count;
+        }
+    }
+    if (count == 0) return {};
+    result.mean = sum / static_cast<double>(count);
+    double variance = 0.0;
+    double covariance = 0.0;
+    for (int y = 0; y < bed.ny(); ++y) {
+        for (int x = 0; x + 1 < bed.nx(); ++x) {
+            if (!inside(x, y) || !inside(x + 1, y)) continue;
+            const double here = bed(x, y) - result.mean;
+            const double next = bed(x + 1, y) - result.mean;
+            covariance += here * next;
+            variance += 0.5 * (here * here + next * next);
+        }
+    }
+    if (variance > 0.0) result.smoothness = covariance / variance;
+    return result;
+}
+
+double automatic_exaggeration(const Snapshot& first) {
+    if (!first.scale.in_metres) return 1.0;
+    const HeightStatistics heights = height_statistics(first.bed, first.nodata);
+    if (!is_terrain(heights)) return 1.0;
+    const double relief = (heights.high - heights.low) * first.scale.height_unit;
+    for (const double step : steps) {
+        if (relief * step >= wanted_relief * longer_side(first)) return step;
+    }
+    return steps.back();
+}
+
+Block frame_block(const Snapshot& first, double exaggeration) {
+    const HeightStatistics heights = height_statistics(first.bed, first.nodata);
+    Block block;
+    block.side = longer_side(first);
+    block.width_x = first.bed.nx() * first.scale.dx / block.side;
+    block.width_y = first.bed.ny() * first.scale.dy / block.side;
+    block.exaggeration = exaggeration;
+    block.reference = heights.mean;
+    block.height_scale = first.scale.height_unit * exaggeration / block.side;
+    block.surface = 0.0;
+    const bool terrain = is_terrain(heights);
+    const double lowest = terrain ? heights.low : std::min(heights.low, lowest_sand);
+    const double longer_thickness = std::min(thickness, std::min(block.width_x, block.width_y));
+    block.base = block.z(lowest) - longer_thickness;
+    block.top = block.z(heights.high) + (terrain ? growth_of_terrain : growth_of_noise);
+    if (terrain && first.scale.in_metres) {
+        const double relief = (heights.high - heights.low) * first.scale.height_unit;
+        block.rock =
+            std::clamp((relief - least_mountain) / (full_mountain - least_mountain), 0.0, 1.0);
+    }
+    return block;
+}
+
+}  // namespace fumon

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "models/model.h"
+
+namespace fumon {
+
+/// The block of terrain as it stands before the camera, fixed by the run's first snapshot. Lengths
+/// are in units of the block's longer side; the origin lies under its centre, x points east, y
+/// north, z up. A cell covers dx × dy, so a bed of nx × ny cells measures nx·dx by ny·dy.
+struct Block {
+    double side = 1.0;          ///< the longer side, in the snapshot's lengths (metres or sites)
+    double width_x = 1.0;       ///< extent eastward, in sides
+    double width_y = 1.0;       ///< extent northward
+    double exaggeration = 1.0;  ///< vertical
+    double reference = 0.0;     ///< the model height at z = 0
+    double height_scale = 1.0;  ///< z of one model height
+    double base = 0.0;          ///< z of its underside
+    double surface = 0.0;       ///< z of the first bed's mean
+    double top = 0.0;           ///< z up to which it is framed: the first bed and room to grow
+    double rock = 0.0;          ///< 0 sand … 1 mountains, for the natural colouring
+
+    [[nodiscard]] double z(double height) const { return (height - reference) * height_scale; }
+};
+
+/// How a bed's heights are spread, no-data cells left out.
+struct HeightStatistics {
+    double low = 0.0;
+    double high = 0.0;
+    double mean = 0.0;
+    /// Correlation of neighbours along x, 0 for noise, near 1 for terrain; 0 for a flat bed.
+    double smoothness = 0.0;
+};
+
+HeightStatistics height_statistics(const Grid& bed, const Mask& nodata);
+
+/// The automatic vertical exaggeration, from the first snapshot alone. Real terrain (heights in
+/// metres, neighbouring cells alike: correlation ≥ 0.5) gets the smallest of 1, 1.5, 2, 3, 5, 10,
+/// 15, 20, 30, 50, 100 that makes its relief at least 12 % of the longer side; a noise or flat bed,
+/// whose landforms are still to grow, and a bed without metres get 1.
+double automatic_exaggeration(const Snapshot& first);
+
+/// Frames the first snapshot. A noise or flat bed gets room for landforms 5 % of the longer side
+/// high and keeps its underside below model height −0.1, to which the sand models dip; real terrain
+/// gets 1 %.
+Block frame_block(const Snapshot& first, double exaggeration);
+
+}  // namespace fumon

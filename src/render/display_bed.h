@@ -1,0 +1,29 @@
+#pragma once
+
+#include "render/block.h"
+#include "terrain/grid.h"
+
+namespace fumon {
+
+/// A bed as it is shown: heights as z of the block, finer than the model's cells where these are
+/// few.
+struct DisplayBed {
+    Field<float> z;  ///< block lengths; no-data cells next to others continue them, the rest lie low
+    Mask nodata;     ///< empty when nothing is left out
+    float dx = 1.0F;  ///< block lengths
+    float dy = 1.0F;
+};
+
+/// How often each cell is divided: beds of fewer than about 400 cells along the longer side are
+/// refined, so that a paper's 100 × 100 sites do not look faceted.
+int refinement_of(int nx, int ny);
+
+/// Resamples heights to cells `refinement` times finer, whose centres divide the coarse cells
+/// evenly, by an interpolating C¹ bicubic (Catmull & Rom 1974). Beyond the border the edge cells
+/// are repeated.
+Field<float> refined(const Field<float>& heights, int refinement);
+
+/// The display bed of a snapshot.
+DisplayBed display_bed(const Snapshot& snapshot, const Block& block, int refinement);
+
+}  // namespace fumon

@@ -1,0 +1,194 @@
+#include "render/renderer.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gl/context.h"
+#include "gl/functions.h"
+#include "render/background_layer.h"
+#include "render/bed_shading.h"
+#include "render/block.h"
+#include "render/camera.h"
+#include "render/display_bed.h"
+#include "render/light.h"
+#include "render/terrain_layer.h"
+#include "render/tiles.h"
+#include "support/error.h"
+
+namespace fumon {
+
+namespace {
+
+double chosen_exaggeration(const View& view, const Snapshot& first) {
+    return view.look.exaggeration.is_word() ? automatic_exaggeration(first)
+                                            : view.look.exaggeration.value;
+}
+
+TilePlan plan_of(const View& view, const RenderLimits& limits) {
+    GLint largest = 0;
+    gl::functions().GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    return plan_tiles(static_cast<int>(view.image.width), static_cast<int>(view.image.height),
+                      static_cast<int>(view.image.supersampling),
+                      std::min(limits.tile_samples, static_cast<int>(largest)));
+}
+
+/// Pixels that one length of the block spans at its centre.
+double pixels_per_length(const Camera& camera, const View& view) {
+    const double depth = camera.perspective ? -glm::dot(camera.eye, camera.forward) : 1.0;
+    return 0.5 * static_cast<double>(view.image.height) / (camera.half.y * std::max(depth, 0.05));
+}
+
+gl::TextureLayout plain_layout() {
+    gl::TextureLayout layout;
+    layout.filter = GL_NEAREST;
+    return layout;
+}
+
+}  // namespace
+
+struct Renderer::Parts {
+    Parts(gl::Context& context_, const View& view_, const Snapshot& first_, std::int64_t last_step_,
+          WorkerPool& pool_, const RenderLimits& limits);
+
+    [[nodiscard]] Camera camera_at(std::int64_t step) const;
+    void draw_tile(const Tile& tile, const Camera& camera, Image& image);
+    void draw_background(const Tile& tile, const Camera& camera);
+    void resolve(const Tile& tile, Image& image);
+
+    gl::Context& context;
+    View view;
+    Snapshot first;
+    std::int64_t last_step;
+    WorkerPool& pool;
+    Block block;
+    int refinement;
+    TilePlan plan;
+    Light light;
+    BedShading shading;
+    TerrainLayer terrain;
+    BackgroundLayer background;
+    gl::RenderTarget samples;
+    gl::RenderTarget surroundings;
+    gl::RenderTarget pixels;
+    gl::Program resolve_program;
+    gl::VertexArray no_attributes;
+    bool surroundings_drawn = false;
+};
+
+Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot& first_,
+                       std::int64_t last_step_, WorkerPool& pool_, const RenderLimits& limits)
+    : context(context_),
+      view(view_),
+      first(first_),
+      last_step(last_step_),
+      pool(pool_),
+      block(frame_block(first, chosen_exaggeration(view, first))),
+      refinement(refinement_of(first.bed.nx(), first.bed.ny())),
+      plan(plan_of(view, limits)),
+      light(make_light(view.sun)),
+      shading(view, block, first, display_bed(first, block, refinement),
+              static_cast<int>(std::max(view.image.width, view.image.height)) * plan.factor),
+      terrain(view, block),
+      background(view, block),
+      samples(plan.target_width, plan.target_height, plain_layout(), true),
+      surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(), false),
+      pixels(plan.tiles.front().width, plan.tiles.front().height, plain_layout(), false),
+      resolve_program("screen.vert.glsl", "resolve.frag.glsl") {
+    gl::check_errors("the renderer's setup");
+}
+
+Camera Renderer::Parts::camera_at(std::int64_t step) const {
+    const double progress =
+        last_step > 0 ? static_cast<double>(step) / static_cast<double>(last_step) : 0.0;
+    const double aspect =
+        static_cast<double>(view.image.width) / static_cast<double>(view.image.height);
+    return place_camera(view.camera, block, aspect, std::clamp(progress, 0.0, 1.0));
+}
+
+void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera) {
+    // Nothing in it changes while the camera stands still.
+    const bool still = view.camera.turn == 0.0 && plan.tiles.size() == 1;
+    if (still && surroundings_drawn) return;
+    surroundings.bind();
+    background.draw(light, camera, tile);
+    surroundings_drawn = true;
+}
+
+void Renderer::Parts::resolve(const Tile& tile, Image& image) {
+    const gl::Functions& gl = gl::functions();
+    pixels.bind();
+    gl.Disable(GL_DEPTH_TEST);
+    resolve_program.use();
+    samples.colour().bind(0);
+    surroundings.colour().bind(1);
+    resolve_program.set("samples", 0);
+    resolve_program.set("background", 1);
+    resolve_program.set("factor", plan.factor);
+    resolve_program.set("margin", plan.margin);
+    resolve_program.set("rows", tile.height);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    std::uint8_t* corner = image.row(tile.y) + 3 * static_cast<std::size_t>(tile.x);
+    gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl.PixelStorei(GL_PACK_ROW_LENGTH, image.width);
+    gl.ReadPixels(0, 0, tile.width, tile.height, GL_RGB, GL_UNSIGNED_BYTE, corner);
+    gl.PixelStorei(GL_PACK_ROW_LENGTH, 0);
+}
+
+void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& image) {
+    const gl::Functions& gl = gl::functions();
+    gl.BindVertexArray(no_attributes.name());
+    draw_background(tile, camera);
+
+    samples.bind();
+    gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const int bottom = static_cast<int>(view.image.height) - tile.y - tile.height;
+    TileSamples placed{};
+    placed.picture_size =
+        glm::vec2(static_cast<float>(view.image.width), static_cast<float>(view.image.height)) *
+        static_cast<float>(plan.factor);
+    placed.corner = glm::vec2(static_cast<float>(tile.x * plan.factor - plan.margin),
+                              static_cast<float>(bottom * plan.factor - plan.margin));
+    placed.size = glm::vec2(static_cast<float>(plan.target_width),
+                            static_cast<float>(plan.target_height));
+    terrain.draw(shading.colours(), light, camera, placed);
+
+    gl.BindVertexArray(no_attributes.name());
+    resolve(tile, image);
+}
+
+Renderer::Renderer(gl::Context& context, const View& view, const Snapshot& first,
+                   std::int64_t last_step, WorkerPool& pool, const RenderLimits& limits) {
+    context.make_current();
+    parts_ = std::make_unique<Parts>(context, view, first, last_step, pool, limits);
+}
+
+Renderer::~Renderer() = default;
+
+double Renderer::exaggeration() const { return parts_->block.exaggeration; }
+
+Image Renderer::render(const Snapshot& snapshot) {
+    Parts& p = *parts_;
+    if (snapshot.bed.nx() != p.first.bed.nx() || snapshot.bed.ny() != p.first.bed.ny())
+        throw Error("a snapshot of another size than the first one cannot be drawn");
+    p.context.make_current();
+    const Camera camera = p.camera_at(snapshot.step);
+    const DisplayBed bed = display_bed(snapshot, p.block, p.refinement);
+
+    gl::functions().BindVertexArray(p.no_attributes.name());
+    p.shading.shade(snapshot, p.first, bed, p.light, camera, p.pool);
+
+    const double scale = pixels_per_length(camera, p.view);
+    const int stride =
+        mesh_stride(bed, scale * std::max(bed.dx, bed.dy), scale * std::max(camera.up.z, 0.05));
+    p.terrain.set_bed(bed, stride, {camera.forward.y >= 0.0, camera.forward.x >= 0.0});
+
+    Image image(static_cast<int>(p.view.image.width), static_cast<int>(p.view.image.height));
+    for (const Tile& tile : p.plan.tiles) p.draw_tile(tile, camera, image);
+    gl::check_errors("a frame");
+    return image;
+}
+
+}  // namespace fumon

@@ -1,0 +1,35 @@
+#include "render/tiles.h"
+
+#include <algorithm>
+
+namespace fumon {
+
+namespace {
+
+constexpr int clipped = 64;  // samples: longer than any edge of the terrain's mesh
+
+}  // namespace
+
+TilePlan plan_tiles(int width, int height, int factor, int largest) {
+    TilePlan plan;
+    plan.factor = factor;
+    if (width * factor <= largest && height * factor <= largest) {
+        plan.tiles.push_back({0, 0, width, height});
+        plan.target_width = width * factor;
+        plan.target_height = height * factor;
+        return plan;
+    }
+    plan.margin = std::min(clipped, largest / 4);
+    const int step = std::max((largest - 2 * plan.margin) / factor, 1);
+    const int step_x = std::min(step, width);
+    const int step_y = std::min(step, height);
+    for (int y = 0; y < height; y += step_y) {
+        for (int x = 0; x < width; x += step_x)
+            plan.tiles.push_back({x, y, std::min(step_x, width - x), std::min(step_y, height - y)});
+    }
+    plan.target_width = step_x * factor + 2 * plan.margin;
+    plan.target_height = step_y * factor + 2 * plan.margin;
+    return plan;
+}
+
+}  // namespace fumon

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+namespace fumon {
+
+/// A part of a picture that is drawn at once, in pixels; y counts rows from the top.
+struct Tile {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+/// How a picture is cut, and the samples each tile is drawn with.
+struct TilePlan {
+    std::vector<Tile> tiles;
+    int factor = 1;         ///< samples along each side of a pixel
+    int margin = 0;         ///< samples drawn around a tile and thrown away, where triangles are cut
+    int target_width = 0;   ///< samples
+    int target_height = 0;
+};
+
+/// One tile where the supersampled picture has at most `largest` samples on each side, else tiles
+/// of at most that many with a margin of `clipped` samples.
+TilePlan plan_tiles(int width, int height, int factor, int largest);
+
+}  // namespace fumon
