@@ -125,13 +125,15 @@ Vector solve(const Grid& heights, const Mask& nodata, const LaplaceProblem& prob
 }  // namespace
 
 Grid fill_nodata(const Grid& heights, const Mask& nodata) {
-    if (nodata.empty()) return heights;
-    const LaplaceProblem problem = laplace_problem(heights, nodata);
-    if (problem.holes.empty()) return heights;
-    if (problem.holes.size() == heights.size())
+    const auto mask = nodata.values();
+    const auto outside =
+        std::count_if(mask.begin(), mask.end(), [](auto cell) { return cell != 0; });
+    if (outside == 0) return heights;
+    if (static_cast<std::size_t>(outside) == heights.size())
         throw InputError(
-            "every cell is no-data, so there is nothing to fill from; give a terrain with "
-            "at least one height");
+            "every cell is no-data, so there is nothing to fill from; give a terrain with at least "
+            "one height");
+    const LaplaceProblem problem = laplace_problem(heights, nodata);
     const Vector filled = solve(heights, nodata, problem);
     Grid result = heights;
     for (std::size_t i = 0; i < problem.holes.size(); ++i) {
