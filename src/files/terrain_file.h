@@ -18,19 +18,24 @@ struct Terrain {
         note;  ///< what was converted and the user should hear ("degrees to metres at …"); or empty
 };
 
-/// Reads an ESRI ASCII grid (.asc and any file that starts with a header word) or a 16-bit (or
-/// 8-bit) grey PNG. `png_heights` are the metres of black and of white, {} for an ESRI grid. Cell
-/// sizes in degrees are recognised and converted at the mid-latitude (dx ≠ dy), which `note` says.
-/// Throws InputError "file:line: what is wrong; what would be right" for every malformed file.
+/// Reads an ESRI ASCII grid (see esri_ascii.h) or, by its signature, a 16-bit (or 8-bit) grey PNG
+/// (see png_heights.h). `png_heights` are the metres of black and of white, {} for an ESRI grid.
+/// Cell sizes in degrees are recognised (see geographic.h for the rule) and converted at the
+/// mid-latitude (dx ≠ dy), which `note` says. At most 2^27 cells are read. Throws InputError
+/// "file:line: what is wrong; what would be right" for every malformed file ("file: …" where there
+/// are no lines).
 Terrain read_terrain(const std::filesystem::path& file, const std::vector<double>& png_heights);
 
-/// Writes heights (metres or model heights) as an ESRI ASCII grid with full precision (17 digits
-/// where needed), north row first. dx ≠ dy is written as dx and dy lines, as GDAL does.
+/// Writes heights (metres or model heights) as an ESRI ASCII grid, north row first, with the fewest
+/// digits that read back as the same double (17 at most) and the origin (0, 0). No-data cells
+/// become −9999, or −99999 and so on where that is a height. dx ≠ dy is written as dx and dy lines,
+/// as GDAL does; both are greater than 0.
 std::string esri_ascii(const Grid& heights, const Mask& nodata, double dx, double dy);
 
-/// Fills no-data cells smoothly from their rim (the discrete Laplace equation on the holes),
-/// leaving the others as they are. Returns the heights with no hole left; throws InputError when
-/// all is hole.
+/// Fills no-data cells smoothly from their rim: the discrete Laplace equation on the holes, with no
+/// slope across the grid's edge; the other cells stay as they are. Exact for up to 300,000 hole
+/// cells; beyond, an iteration that starts from the filling of a grid half as fine stops within
+/// about 0.1 % of the relief. Throws InputError when all is hole.
 Grid fill_nodata(const Grid& heights, const Mask& nodata);
 
 }  // namespace fumon

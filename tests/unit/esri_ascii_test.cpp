@@ -152,10 +152,9 @@ TEST(EsriAscii, RoundTripKeepsEveryBit) {
 TEST(EsriAscii, ConvertsDegreesAtTheMiddleLatitude) {
     const Terrain terrain = parse(
         "ncols 2\nnrows 2\nxllcorner -105.5\nyllcorner 44.9\ncellsize 0.1\n2000 2100\n2200 2300\n");
-    // WGS84 at 45°: a degree of latitude is 111,131.78 m, of longitude 78,846.81 m (published
-    // tables).
-    EXPECT_NEAR(terrain.dx, 7884.681, 0.002);
-    EXPECT_NEAR(terrain.dy, 11113.178, 0.002);
+    // WGS84 at 45°: a degree of latitude is 111,131.777 m, of longitude 78,846.835 m.
+    EXPECT_NEAR(terrain.dx, 7884.6835, 0.0005);
+    EXPECT_NEAR(terrain.dy, 11113.1777, 0.0005);
     EXPECT_EQ(terrain.note,
               "cell size 0.1° read as degrees and converted to metres at the middle latitude "
               "45.0000°: dx = 7884.68 m, dy = 11113.18 m");

@@ -87,15 +87,16 @@ TEST(FillNoData, LeavesDataAloneAndStaysWithinIt) {
     }
 }
 
-// Beyond the size of the direct solver.
+// Beyond 300,000 hole cells, where filling is iterative.
 TEST(FillNoData, RestoresAPlaneWithALargeHole) {
-    const Grid whole = plane(600, 500);
+    const Grid whole = plane(600, 550);
     Grid holed = whole;
-    Mask mask(600, 500);
-    for (int y = 1; y < 499; ++y) {
+    Mask mask(600, 550);
+    for (int y = 1; y < 549; ++y) {
         for (int x = 1; x < 599; ++x) punch(holed, mask, x, y);
     }
-    EXPECT_LT(largest_difference(fill_nodata(holed, mask), whole), 1e-4);
+    const double relief = 0.5 * 599 + 0.25 * 549;
+    EXPECT_LT(largest_difference(fill_nodata(holed, mask), whole), 1e-3 * relief);
 }
 
 TEST(FillNoData, ReturnsAWholeBedAsItIs) {

@@ -41,16 +41,15 @@ TEST(Geographic, DegreeLengthsAddUpToThePublishedMeridian) {
     EXPECT_NEAR(degree_lengths(0).east * 90.0, 10018754.171, 0.001);
 }
 
-// Tables of the length of a degree on WGS84, rounded there to centimetres or metres.
+// The usual table of the lengths of a degree on WGS84, in kilometres to three places.
 TEST(Geographic, DegreeLengthsMatchPublishedOnes) {
-    EXPECT_NEAR(degree_lengths(0).east, 111319.49, 0.01);
-    EXPECT_NEAR(degree_lengths(0).north, 110574.27, 0.05);
-    EXPECT_NEAR(degree_lengths(45).east, 78846.81, 0.05);
-    EXPECT_NEAR(degree_lengths(45).north, 111131.77, 0.05);
-    EXPECT_NEAR(degree_lengths(-60).east, 55800.0, 0.05);
-    EXPECT_NEAR(degree_lengths(-60).north, 111412.27, 0.05);
-    EXPECT_NEAR(degree_lengths(90).east, 0.0, 0.05);
-    EXPECT_NEAR(degree_lengths(90).north, 111693.86, 0.1);
+    const double table[][3] = {{0, 111.320, 110.574}, {15, 107.550, 110.649}, {30, 96.486, 110.852},
+                               {45, 78.847, 111.132}, {-60, 55.800, 111.412}, {75, 28.902, 111.618},
+                               {90, 0.000, 111.694}};
+    for (const auto& [latitude, east, north] : table) {
+        EXPECT_NEAR(degree_lengths(latitude).east, 1000 * east, 0.6) << latitude;
+        EXPECT_NEAR(degree_lengths(latitude).north, 1000 * north, 0.6) << latitude;
+    }
 }
 
 }  // namespace
