@@ -36,9 +36,7 @@ void add_work_options(CLI::App& command, WorkOptions& work) {
         .add_option("--set", work.settings,
                     "override a scene key: --set key.path=VALUE (repeatable)")
         ->type_name("KEY=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->trigger_on_parse();
+        ->allow_extra_args(false);
     const std::map<std::string, gl::Backend> backends{{"auto", gl::Backend::automatic},
                                                       {"osmesa", gl::Backend::osmesa},
                                                       {"egl", gl::Backend::egl}};
@@ -48,7 +46,8 @@ void add_work_options(CLI::App& command, WorkOptions& work) {
         ->type_name("NAME")
         ->transform(CLI::Transformer(backends))
         ->check([](const std::string& text) -> std::string {
-            return text.size() == 1 ? "" : "--gl takes auto, osmesa or egl, not " + text;
+            return text.size() == 1 ? ""
+                                    : fmt::format("it takes auto, osmesa or egl, not \"{}\"", text);
         });
     command
         .add_option("--threads", work.threads,
@@ -155,8 +154,7 @@ struct CommandLine {
         command.add_option("SCENE", checked, "scene files")->required();
         command.add_option("--set", check_settings, "override a scene key")
             ->type_name("KEY=VALUE")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+            ->allow_extra_args(false);
     }
 
     void add_listings() {

@@ -81,12 +81,14 @@ std::string Progress::line() const {
 }
 
 std::string with_commas(std::int64_t number) {
-    std::string digits = fmt::format("{}", number);
-    for (std::size_t place = digits.size(); place > 3; place -= 3) {
-        if (digits[place - 4] == '-') break;
-        digits.insert(place - 3, ",");
+    const std::string digits = fmt::format("{}", number);
+    std::string text;
+    for (std::size_t place = 0; place < digits.size(); ++place) {
+        const std::size_t left = digits.size() - place;
+        if (place > 0 && left % 3 == 0 && digits[place - 1] != '-') text += ',';
+        text += digits[place];
     }
-    return digits;
+    return text;
 }
 
 std::string clock_text(double seconds) {

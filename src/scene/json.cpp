@@ -31,7 +31,8 @@ struct ValueJson {
 Json scene_json(const Scene& scene) {
     Scene copy = scene;  // the table binds to writable values
     Json json;
-    for (const Key& key : scene_keys(copy).keys()) {
+    const KeyTable table = scene_keys(copy);
+    for (const Key& key : table.keys()) {
         const std::size_t dot = key.path.find('.');
         Json value = std::visit(ValueJson{}, key.target);
         if (dot == std::string::npos) {

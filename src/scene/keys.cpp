@@ -8,15 +8,25 @@
 
 namespace fumon {
 
+namespace {
+
+/// Plain digits where they are few, else a power of ten.
+std::string limit_text(double limit) {
+    constexpr double many_digits = 1e9;
+    return std::abs(limit) < many_digits ? fmt::format("{}", limit) : fmt::format("{:.4g}", limit);
+}
+
+}  // namespace
+
 std::string Range::text() const {
     const bool bounded_below = std::isfinite(low);
     const bool bounded_above = std::isfinite(high);
     if (bounded_below && bounded_above) {
-        return low_open ? fmt::format("> {} and ≤ {}", low, high)
-                        : fmt::format("{} … {}", low, high);
+        return low_open ? fmt::format("> {} and ≤ {}", limit_text(low), limit_text(high))
+                        : fmt::format("{} … {}", limit_text(low), limit_text(high));
     }
-    if (bounded_below) return fmt::format("{} {}", low_open ? ">" : "≥", low);
-    if (bounded_above) return fmt::format("≤ {}", high);
+    if (bounded_below) return fmt::format("{} {}", low_open ? ">" : "≥", limit_text(low));
+    if (bounded_above) return fmt::format("≤ {}", limit_text(high));
     return "any";
 }
 

@@ -15,6 +15,10 @@ struct Wrong {
     std::string line;
 };
 
+void PrintTo(const Wrong& wrong, std::ostream* out) {
+    *out << wrong.name;
+}
+
 class WrongUsage : public testing::TestWithParam<Wrong> {};
 
 TEST_P(WrongUsage, GivesOneLineAndStatusTwo) {
@@ -52,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
               "fumon describe: \"sant\" is neither \"scene\" nor a model; did you mean \"sand\"?"},
         Wrong{"unknown_backend",
               {"still", "a.toml", "-o", "x.png", "--gl", "vulkan"},
-              "fumon still: --gl takes auto, osmesa or egl, not \"vulkan\"; try `fumon still "
+              "fumon still: --gl: it takes auto, osmesa or egl, not \"vulkan\"; try `fumon still "
               "--help`"},
         Wrong{"bad_heights",
               {"still", "a.png", "-o", "x.png", "--heights", "10"},
