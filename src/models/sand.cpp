@@ -21,19 +21,26 @@ void check_bed(const SandParameters& parameters, const ModelSetup& setup) {
                        "bed.nodata = \"fill\" or give "
                        "them a height");
     }
-    const RowHops hops(parameters, setup.bed.nx());
-    double longest = 0.0;
-    for (const double height : setup.bed.values())
-        longest = std::max(longest, hops.length(height, 0.0));
-    if (longest > static_cast<double>(setup.bed.nx())) {
-        throw KeyError(
-            "grid.height_unit",
-            fmt::format(
-                "the highest sand would hop {:.4g} sites, further than the box of {}; the bed is "
-                "in "
-                "units of grid.height_unit = {} m: raise it, lower the bed or shorten the hops",
-                longest, setup.bed.nx(), setup.scale.height_unit));
+    const double box = setup.bed.nx();
+    if (parameters.hop_length == HopLength::slope) {
+        const double longest = parameters.hop_base + parameters.hop_slope_factor;
+        if (longest <= box) return;
+        throw KeyError("model.hop_slope_factor",
+                       fmt::format("hops of up to {:.4g} sites (model.hop_base + "
+                                   "model.hop_slope_factor) exceed the box "
+                                   "of {} sites; take a wider grid or shorter hops",
+                                   longest, box));
     }
+    const double highest = *std::max_element(setup.bed.values().begin(), setup.bed.values().end());
+    const double longest = RowHops(parameters, setup.bed.nx()).length(highest, 0.0);
+    if (longest <= box) return;
+    throw KeyError(
+        "grid.height_unit",
+        fmt::format(
+            "the highest sand ({:.4g} heights of grid.height_unit = {:.4g} m) would hop {:.4g} "
+            "sites, "
+            "further than the box of {}; raise grid.height_unit, lower the bed or shorten the hops",
+            highest, setup.scale.height_unit, longest, box));
 }
 
 void check_creep(const SandParameters& parameters) {

@@ -16,12 +16,14 @@ namespace {
 
 std::vector<std::string> quoted(const std::vector<ChoiceName>& names) {
     std::vector<std::string> all;
+    all.reserve(names.size());
     for (const ChoiceName& name : names) all.push_back(fmt::format("\"{}\"", name.name));
     return all;
 }
 
 std::vector<std::string> plain(const std::vector<ChoiceName>& names) {
     std::vector<std::string> all;
+    all.reserve(names.size());
     for (const ChoiceName& name : names) all.emplace_back(name.name);
     return all;
 }

@@ -216,6 +216,7 @@ Scene parse_scene(std::string_view text, const std::string& source,
     scene.source = source;
     scene.directory = directory;
     std::vector<Setting> parsed;
+    parsed.reserve(settings.size());
     for (const std::string& setting : settings)
         parsed.push_back(parse_setting(setting, parsed.size() + 1));
     toml::table root;
