@@ -19,5 +19,5 @@ vec3 haze_towards(vec3 view) {
 
 vec3 with_haze(vec3 colour, vec3 point, vec3 view) {
     float depth = max(dot(depth_plane.xyz, point) + depth_plane.w, 0.0);
-    return mix(haze_towards(view), colour, exp(haze_log * depth));
+    return mix(haze_towards(view), colour, exp(haze_log * depth * depth));
 }

@@ -17,8 +17,8 @@ out vec4 colour;
 vec3 sand(vec2 world, BedPoint point, float height) {
     float broad = value_noise(world * 5.0) + 0.5 * value_noise(world * 11.0 + 7.3);
     float fine = value_noise(world * 43.0 + 3.1);
-    vec3 crest = vec3(0.800, 0.535, 0.285);
-    vec3 trough = vec3(0.600, 0.340, 0.155);
+    vec3 crest = vec3(0.800, 0.500, 0.235);
+    vec3 trough = vec3(0.600, 0.315, 0.120);
     float open = clamp(0.35 + 0.45 * height + 0.9 * (point.sky - 0.85), 0.0, 1.0);
     open = clamp(open + 0.10 * broad + 0.04 * fine, 0.0, 1.0);
     return mix(trough, crest, open) * (1.0 + 0.035 * broad + 0.02 * fine);
@@ -27,8 +27,8 @@ vec3 sand(vec2 world, BedPoint point, float height) {
 vec3 mountain(vec2 world, BedPoint point, float height) {
     float broad = value_noise(world * 9.0) + 0.5 * value_noise(world * 23.0);
     float steep = smoothstep(0.10, 0.36, 1.0 - point.normal.z + 0.03 * broad);
-    vec3 low_ground = mix(vec3(0.42, 0.32, 0.19), vec3(0.56, 0.43, 0.29), clamp(height + 0.12 * broad, 0.0, 1.0));
-    vec3 cliff = mix(vec3(0.33, 0.23, 0.165), vec3(0.47, 0.375, 0.30), clamp(height + 0.2 * broad, 0.0, 1.0));
+    vec3 low_ground = mix(vec3(0.50, 0.315, 0.165), vec3(0.68, 0.48, 0.295), clamp(height + 0.12 * broad, 0.0, 1.0));
+    vec3 cliff = mix(vec3(0.38, 0.195, 0.110), vec3(0.54, 0.36, 0.245), clamp(height + 0.2 * broad, 0.0, 1.0));
     return mix(low_ground, cliff, steep);
 }
 
@@ -48,7 +48,7 @@ void main() {
     // The sky is brighter on the sun's side.
     vec3 sky = sky_light * point.sky * (1.0 + 0.25 * dot(point.normal.xy, to_sun.xy));
     // One bounce: what the sky does not fill, sunlit sand around does.
-    vec3 bounce = albedo * (sun_light * max(to_sun.z, 0.15) + 0.5 * sky_light) * (1.0 - point.sky) * 1.15;
+    vec3 bounce = albedo * (sun_light * max(to_sun.z, 0.15) + 0.5 * sky_light) * (1.0 - point.sky) * 1.7;
     vec3 halfway = normalize(to_sun + to_eye);
     float shine = max(dot(point.normal, halfway), 0.0);
     shine *= shine; shine *= shine; shine *= shine;

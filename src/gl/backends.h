@@ -16,7 +16,8 @@ struct Attempt {
 /// A core profile 3.3 context by OSMesaCreateContextAttribs, drawing into framebuffer objects.
 Attempt try_osmesa();
 
-/// A core profile 3.3 context without a surface, on EGL's surfaceless platform, then on each device.
+/// A core profile 3.3 context without a surface, on EGL's surfaceless platform, then on each
+/// device.
 Attempt try_egl();
 
 }  // namespace fumon::gl

@@ -33,7 +33,11 @@ std::unique_ptr<Context> Context::create(Backend backend) {
     throw Error(fmt::format("no OpenGL 3.3 without a display: {}", failures));
 }
 
-std::string Context::renderer_name() const { return text_of(GL_RENDERER); }
-std::string Context::version() const { return text_of(GL_VERSION); }
+std::string Context::renderer_name() const {
+    return text_of(GL_RENDERER);
+}
+std::string Context::version() const {
+    return text_of(GL_VERSION);
+}
 
 }  // namespace fumon::gl

@@ -38,8 +38,8 @@ struct Library {
         find(make_current, "eglMakeCurrent");
         find(destroy_context, "eglDestroyContext");
         if (resolve == nullptr) return;
-        platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYPROC>(
-            resolve("eglGetPlatformDisplay"));
+        platform_display =
+            reinterpret_cast<PFNEGLGETPLATFORMDISPLAYPROC>(resolve("eglGetPlatformDisplay"));
         query_devices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(resolve("eglQueryDevicesEXT"));
     }
     [[nodiscard]] bool complete() const {
@@ -67,6 +67,7 @@ class EglContext final : public Context {
         try {
             bind();
             functions_ = resolve_functions(
+                // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): complete() was asked before
                 [](const char* name) { return reinterpret_cast<void*>(library().resolve(name)); });
         } catch (...) {
             library().destroy_context(display_, handle_);
@@ -87,6 +88,7 @@ class EglContext final : public Context {
 
   private:
     void bind() {
+        // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): complete() was asked before
         if (library().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, handle_) == EGL_FALSE)
             throw Error("it refuses to make a context current without a surface");
     }
@@ -99,6 +101,7 @@ class EglContext final : public Context {
 std::vector<EGLDisplay> displays() {
     const Library& egl = library();
     std::vector<EGLDisplay> found;
+    if (!egl.complete()) return found;
     const auto add = [&](EGLDisplay display) {
         if (display != EGL_NO_DISPLAY) found.push_back(display);
     };

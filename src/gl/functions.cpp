@@ -50,7 +50,9 @@ const Functions& functions() {
     return *current;
 }
 
-void set_functions(const Functions* table) { current = table; }
+void set_functions(const Functions* table) {
+    current = table;
+}
 
 void check_errors(const char* where) {
     const GLenum error = functions().GetError();

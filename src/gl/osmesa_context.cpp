@@ -79,7 +79,8 @@ class OsmesaContext final : public Context {
     }
 
     OSMesaContext handle_;
-    std::array<std::uint8_t, 4> pixel_{};  // OSMesa wants a buffer; frames go to framebuffer objects
+    std::array<std::uint8_t, 4>
+        pixel_{};  // OSMesa wants a buffer; frames go to framebuffer objects
     Functions functions_;
 };
 
@@ -94,9 +95,15 @@ Attempt try_osmesa() {
                                      "12.0 or newer)",
                                      advice)};
     }
-    const std::array<int, 9> attributes = {
-        osmesa_profile, osmesa_core_profile, osmesa_major_version, 3, osmesa_minor_version, 3,
-        osmesa_format,  GL_RGBA,             0};
+    const std::array<int, 9> attributes = {osmesa_profile,
+                                           osmesa_core_profile,
+                                           osmesa_major_version,
+                                           3,
+                                           osmesa_minor_version,
+                                           3,
+                                           osmesa_format,
+                                           GL_RGBA,
+                                           0};
     OSMesaContext handle = mesa.create(attributes.data(), nullptr);
     if (handle == nullptr)
         return {nullptr, "OSMesa: it offers no OpenGL 3.3 core profile (Mesa 12.0 or newer does)"};

@@ -83,7 +83,9 @@ Program::Program(std::string_view vertex_file, std::string_view fragment_file,
                             log.data()));
 }
 
-void Program::use() const { functions().UseProgram(program_.name()); }
+void Program::use() const {
+    functions().UseProgram(program_.name());
+}
 
 GLint Program::location(const char* uniform) const {
     return functions().GetUniformLocation(program_.name(), uniform);

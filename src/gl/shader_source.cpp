@@ -66,7 +66,8 @@ class Assembler {
     }
 
     void include(std::string_view directive, const std::string& where) {
-        const std::string_view quoted = trimmed(directive.substr(std::string_view("#include").size()));
+        const std::string_view quoted =
+            trimmed(directive.substr(std::string_view("#include").size()));
         if (quoted.size() < 3 || quoted.front() != '"' || quoted.back() != '"') {
             throw Error(fmt::format("{}: '{}' is no include; write #include \"file.glsl\"", where,
                                     directive));

@@ -22,7 +22,8 @@ struct ShaderSource {
 
 /// Reads `name` and replaces each line `#include "other.glsl"` by that file, once (a file already
 /// included is not repeated). #line directives keep the compiler's messages true. Throws Error
-/// "file:line: …" for a missing file, a malformed include and an include that comes round to itself.
+/// "file:line: …" for a missing file, a malformed include and an include that comes round to
+/// itself.
 ShaderSource assemble_shader(std::string_view name, const ShaderReader& read, LineNames names);
 
 /// The shader files that fumon ships, by data_file("shaders/NAME").

@@ -9,8 +9,8 @@ struct TextureLayout {
     GLint internal_format = GL_RGBA8;
     GLenum format = GL_RGBA;
     GLenum type = GL_UNSIGNED_BYTE;
-    GLint filter = GL_LINEAR;            ///< magnification, and minification without mipmaps
-    GLint minification = 0;              ///< 0: as `filter`
+    GLint filter = GL_LINEAR;  ///< magnification, and minification without mipmaps
+    GLint minification = 0;    ///< 0: as `filter`
     GLint wrap = GL_CLAMP_TO_EDGE;
 };
 

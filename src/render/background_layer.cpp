@@ -4,8 +4,18 @@
 
 namespace fumon {
 
-BackgroundLayer::BackgroundLayer(const View& view, const Block& block)
-    : view_(view), block_(block), program_("screen.vert.glsl", "background.frag.glsl") {}
+namespace {
+
+const gl::TextureLayout floor_layout{GL_RG8,    GL_RG, GL_UNSIGNED_BYTE,
+                                     GL_LINEAR, 0,     GL_CLAMP_TO_EDGE};
+
+}  // namespace
+
+BackgroundLayer::BackgroundLayer(const View& view, const Block& block, const FloorMap& floor)
+    : view_(view),
+      block_(block),
+      program_("screen.vert.glsl", "background.frag.glsl"),
+      floor_(FloorMap::cells, FloorMap::cells, floor_layout, floor.sun_and_sky.data()) {}
 
 void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile& tile) const {
     const gl::Functions& gl = gl::functions();
@@ -22,8 +32,9 @@ void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile&
     program_.set("ray_up", glm::vec3(camera.up * camera.half.y));
     program_.set("ray_forward", glm::vec3(camera.forward));
     program_.set("base", static_cast<float>(block_.base));
-    program_.set("height", static_cast<float>(block_.surface - block_.base));
-    program_.set("extent", glm::vec2(block_.width_x, block_.width_y));
+    floor_.bind(0);
+    program_.set("floor_map", 0);
+    program_.set("floor_half_width", static_cast<float>(FloorMap::half_width));
     program_.set("picture_pixels", glm::vec2(static_cast<float>(view_.image.width),
                                              static_cast<float>(view_.image.height)));
     program_.set("tile_pixel", glm::vec2(static_cast<float>(tile.x), static_cast<float>(tile.y)));

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "gl/program.h"
+#include "gl/texture.h"
 #include "render/block.h"
 #include "render/camera.h"
+#include "render/floor_map.h"
 #include "render/light.h"
 #include "render/tiles.h"
 #include "scene/scene.h"
@@ -12,7 +14,7 @@ namespace fumon {
 /// What surrounds the block: plain and sky, or white paper in figure mode.
 class BackgroundLayer {
   public:
-    BackgroundLayer(const View& view, const Block& block);
+    BackgroundLayer(const View& view, const Block& block, const FloorMap& floor);
 
     /// Draws one tile's background into the bound target, top row first.
     void draw(const Light& light, const Camera& camera, const Tile& tile) const;
@@ -21,6 +23,7 @@ class BackgroundLayer {
     View view_;
     Block block_;
     gl::Program program_;
+    gl::Texture2D floor_;
 };
 
 }  // namespace fumon

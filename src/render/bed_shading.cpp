@@ -13,17 +13,17 @@ namespace fumon {
 
 namespace {
 
-constexpr int least_texels = 1024;          // along the longer side of the shaded bed
-constexpr double texels_per_sample = 1.3;   // beyond which mipmaps are needed against shimmer
-constexpr double natural_spread = 2.2;      // standard deviations from trough to crest, half of it
-constexpr double least_natural_range = 0.03; // of the longer side: a nearly flat bed stays even
+constexpr int least_texels = 1024;         // along the longer side of the shaded bed
+constexpr double texels_per_sample = 1.3;  // beyond which mipmaps are needed against shimmer
+constexpr double natural_spread = 2.2;     // standard deviations from trough to crest, half of it
+constexpr double least_natural_range = 0.03;  // of the longer side: a nearly flat bed stays even
 
-const gl::TextureLayout lighting_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, GL_LINEAR, 0,
-                                        GL_CLAMP_TO_EDGE};
-const gl::TextureLayout value_layout{GL_R16, GL_RED, GL_UNSIGNED_SHORT, GL_LINEAR, 0,
-                                     GL_CLAMP_TO_EDGE};
-const gl::TextureLayout palette_layout{GL_RGB8, GL_RGB, GL_UNSIGNED_BYTE, GL_LINEAR, 0,
-                                       GL_CLAMP_TO_EDGE};
+const gl::TextureLayout lighting_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT,
+                                        GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
+const gl::TextureLayout value_layout{GL_R16,    GL_RED, GL_UNSIGNED_SHORT,
+                                     GL_LINEAR, 0,      GL_CLAMP_TO_EDGE};
+const gl::TextureLayout palette_layout{GL_RGB8,   GL_RGB, GL_UNSIGNED_BYTE,
+                                       GL_LINEAR, 0,      GL_CLAMP_TO_EDGE};
 
 gl::TextureLayout shaded_layout(bool mipmaps) {
     gl::TextureLayout layout;
@@ -51,7 +51,8 @@ std::pair<double, double> natural_range(const Snapshot& snapshot, const Block& b
     }
     if (count == 0) return {0.0, 1.0};
     const double mean = sum / static_cast<double>(count);
-    const double spread = std::sqrt(std::max(squares / static_cast<double>(count) - mean * mean, 0.0));
+    const double spread =
+        std::sqrt(std::max(squares / static_cast<double>(count) - mean * mean, 0.0));
     const double half =
         std::max(natural_spread * spread, 0.5 * least_natural_range / block.height_scale);
     return {block.reference + mean - half, block.reference + mean + half};
@@ -103,8 +104,8 @@ void BedShading::shade(const Snapshot& snapshot, const Snapshot& first, const Di
                        const Light& light, const Camera& camera, WorkerPool& pool) {
     lighting_.upload(lighting_texels(bed, sun_direction(view_.sun), pool).data());
     const bool natural = view_.look.colour_by == Colouring::natural;
-    const auto range = natural ? natural_range(snapshot, block_)
-                               : colour_range(view_.look, snapshot, first);
+    const auto range =
+        natural ? natural_range(snapshot, block_) : colour_range(view_.look, snapshot, first);
     const Field<float> values =
         refined(coloured_values(view_.look.colour_by, snapshot, first), refinement_);
     values_.upload(palette_places(values, range).data());

@@ -12,19 +12,45 @@ constexpr double terrain_smoothness = 0.5;  // neighbours' correlation that tell
 constexpr double wanted_relief = 0.12;      // of the longer side: reads as relief at 30° elevation
 constexpr std::array<double, 11> steps = {1, 1.5, 2, 3, 5, 10, 15, 20, 30, 50, 100};
 
-constexpr double growth_of_noise = 0.05;    // of the longer side: dunes of 5 sites on 100
+constexpr double growth_of_noise = 0.05;  // of the longer side: dunes of 5 sites on 100
 constexpr double growth_of_terrain = 0.01;
-constexpr double thickness = 0.055;         // of the block under its lowest place, in longer sides
-constexpr double lowest_sand = -0.5;        // model heights; the sand models dip to about −0.1
+constexpr double thickness = 0.055;   // of the block under its lowest place, in longer sides
+constexpr double lowest_sand = -0.5;  // model heights; the sand models dip to about −0.1
 
-constexpr double least_mountain = 150.0;    // metres of relief: higher than dunes usually are
+constexpr double least_mountain = 150.0;  // metres of relief: higher than dunes usually are
 constexpr double full_mountain = 450.0;
 
 double longer_side(const Snapshot& snapshot) {
     return std::max(snapshot.bed.nx() * snapshot.scale.dx, snapshot.bed.ny() * snapshot.scale.dy);
 }
 
-bool is_terrain(const HeightStatistics& heights) { return heights.smoothness >= terrain_smoothness; }
+std::vector<glm::dvec2> outline_of(const Snapshot& snapshot, const Block& block) {
+    const int nx = snapshot.bed.nx();
+    const int ny = snapshot.bed.ny();
+    const auto corner = [&](int x, int y) {
+        return glm::dvec2((static_cast<double>(x) / nx - 0.5) * block.width_x,
+                          (static_cast<double>(y) / ny - 0.5) * block.width_y);
+    };
+    std::vector<glm::dvec2> outline;
+    for (int y = 0; y < ny && !snapshot.nodata.empty(); ++y) {
+        const auto row = snapshot.nodata.row(y);
+        const auto first = std::find(row.begin(), row.end(), std::uint8_t{0});
+        if (first == row.end()) continue;
+        const auto last = std::find(row.rbegin(), row.rend(), std::uint8_t{0});
+        const auto west = static_cast<int>(first - row.begin());
+        const auto east = static_cast<int>(row.rend() - last);
+        for (const int x : {west, east}) {
+            outline.push_back(corner(x, y));
+            outline.push_back(corner(x, y + 1));
+        }
+    }
+    if (outline.empty()) outline = {corner(0, 0), corner(nx, 0), corner(0, ny), corner(nx, ny)};
+    return outline;
+}
+
+bool is_terrain(const HeightStatistics& heights) {
+    return heights.smoothness >= terrain_smoothness;
+}
 
 }  // namespace
 
@@ -77,6 +103,7 @@ Block frame_block(const Snapshot& first, double exaggeration) {
     block.side = longer_side(first);
     block.width_x = first.bed.nx() * first.scale.dx / block.side;
     block.width_y = first.bed.ny() * first.scale.dy / block.side;
+    block.outline = outline_of(first, block);
     block.exaggeration = exaggeration;
     block.reference = heights.mean;
     block.height_scale = first.scale.height_unit * exaggeration / block.side;

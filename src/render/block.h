@@ -1,5 +1,8 @@
 #pragma once
 
+#include <glm/glm.hpp>
+#include <vector>
+
 #include "models/model.h"
 
 namespace fumon {
@@ -17,7 +20,10 @@ struct Block {
     double base = 0.0;          ///< z of its underside
     double surface = 0.0;       ///< z of the first bed's mean
     double top = 0.0;           ///< z up to which it is framed: the first bed and room to grow
-    double rock = 0.0;          ///< 0 sand … 1 mountains, for the natural colouring
+    /// Points whose convex hull is the domain's outline: its corners, or, where cells lie outside,
+    /// both ends of every row.
+    std::vector<glm::dvec2> outline;
+    double rock = 0.0;  ///< 0 sand … 1 mountains, for the natural colouring
 
     [[nodiscard]] double z(double height) const { return (height - reference) * height_scale; }
 };

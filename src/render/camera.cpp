@@ -13,7 +13,8 @@ namespace fumon {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double turn_step = 3.0;  // degrees between the azimuths at which a turning block is fitted
+constexpr double turn_step =
+    3.0;  // degrees between the azimuths at which a turning block is fitted
 
 /// Sets the three directions of a camera that stands at an azimuth and elevation.
 void aim(Camera& camera, double azimuth, double elevation) {
@@ -32,12 +33,15 @@ glm::dvec3 along_axes(const Camera& camera, const glm::dvec3& point) {
             glm::dot(point, camera.forward)};
 }
 
-glm::dvec3 centre(const Block& block) { return {0.0, 0.0, 0.5 * (block.base + block.top)}; }
+glm::dvec3 centre(const Block& block) {
+    return {0.0, 0.0, 0.5 * (block.base + block.top)};
+}
 
 /// The block's corners along the axes of every camera of the turn.
 std::vector<glm::dvec3> corners_over_turn(const CameraSettings& settings, const Block& block) {
     std::vector<glm::dvec3> points;
-    const int count = 1 + static_cast<int>(std::ceil(std::min(std::abs(settings.turn), 360.0) / turn_step));
+    const int count =
+        1 + static_cast<int>(std::ceil(std::min(std::abs(settings.turn), 360.0) / turn_step));
     for (int i = 0; i < count; ++i) {
         Camera turned;
         const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
@@ -104,12 +108,12 @@ void set_depths(Camera& camera, const Block& block) {
 
 }  // namespace
 
-std::array<glm::dvec3, 8> block_corners(const Block& block) {
-    std::array<glm::dvec3, 8> corners{};
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        corners[i] = {(i & 1U) != 0 ? 0.5 * block.width_x : -0.5 * block.width_x,
-                      (i & 2U) != 0 ? 0.5 * block.width_y : -0.5 * block.width_y,
-                      (i & 4U) != 0 ? block.top : block.base};
+std::vector<glm::dvec3> block_corners(const Block& block) {
+    std::vector<glm::dvec3> corners;
+    corners.reserve(2 * block.outline.size());
+    for (const glm::dvec2& point : block.outline) {
+        corners.emplace_back(point, block.base);
+        corners.emplace_back(point, block.top);
     }
     return corners;
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "render/block.h"
 #include "scene/scene.h"
@@ -15,8 +16,8 @@ struct Camera {
     glm::dvec3 up{0, 1, 0};
     glm::dvec3 forward{0, 0, -1};
     glm::dvec3 eye{0, 0, 1};
-    glm::dvec2 half{1, 1};   ///< half the picture's extent: at depth 1 (perspective) or anywhere
-    double near_depth = 0.1; ///< along `forward` from the eye; the block lies within
+    glm::dvec2 half{1, 1};    ///< half the picture's extent: at depth 1 (perspective) or anywhere
+    double near_depth = 0.1;  ///< along `forward` from the eye; the block lies within
     double far_depth = 10.0;
 };
 
@@ -34,8 +35,8 @@ glm::dmat4 clip_matrix(const Camera& camera);
 /// The place in the picture of a point, −1 … 1 rightward and upward inside the frame.
 glm::dvec2 project(const Camera& camera, const glm::dvec3& point);
 
-/// The corners of the block that is framed.
-std::array<glm::dvec3, 8> block_corners(const Block& block);
+/// The corners of the block that is framed: its outline at its base and at its top.
+std::vector<glm::dvec3> block_corners(const Block& block);
 
 /// Where the bed lies in a picture of a `map` view, in pixels from the top left corner: left, top,
 /// width, height. What axes around a map need.

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "render/rounding.h"
+
 namespace fumon {
 
 namespace {
@@ -101,7 +103,7 @@ Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double
     for (std::size_t i = 0; i < values.size(); ++i) {
         const float place = (values.values()[i] - low) * scale;
         places.values()[i] =
-            static_cast<std::uint16_t>(std::min(std::max(place, 0.0F), 65535.0F) + 0.5F);
+            static_cast<std::uint16_t>(nearest(std::min(std::max(place, 0.0F), 65535.0F)));
     }
     return places;
 }

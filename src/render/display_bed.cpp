@@ -26,11 +26,11 @@ std::vector<Phase> phases_of(int refinement) {
         const int whole = place < 0.0 ? -1 : 0;
         const double t = place - whole;
         const auto weight = [](double value) { return static_cast<float>(value); };
-        phases.push_back({whole - 1,
-                          {weight(0.5 * t * (-1.0 + t * (2.0 - t))),
-                           weight(0.5 * (2.0 + t * t * (-5.0 + 3.0 * t))),
-                           weight(0.5 * t * (1.0 + t * (4.0 - 3.0 * t))),
-                           weight(0.5 * t * t * (t - 1.0))}});
+        phases.push_back(
+            {whole - 1,
+             {weight(0.5 * t * (-1.0 + t * (2.0 - t))),
+              weight(0.5 * (2.0 + t * t * (-5.0 + 3.0 * t))),
+              weight(0.5 * t * (1.0 + t * (4.0 - 3.0 * t))), weight(0.5 * t * t * (t - 1.0))}});
     }
     return phases;
 }

@@ -8,8 +8,9 @@ namespace fumon {
 /// A bed as it is shown: heights as z of the block, finer than the model's cells where these are
 /// few.
 struct DisplayBed {
-    Field<float> z;  ///< block lengths; no-data cells next to others continue them, the rest lie low
-    Mask nodata;     ///< empty when nothing is left out
+    Field<float>
+        z;        ///< block lengths; no-data cells next to others continue them, the rest lie low
+    Mask nodata;  ///< empty when nothing is left out
     float dx = 1.0F;  ///< block lengths
     float dy = 1.0F;
 };

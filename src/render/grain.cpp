@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "render/rounding.h"
+
 namespace fumon {
 
 namespace {
@@ -38,7 +40,8 @@ std::vector<std::uint8_t> grain_texels() {
             const float patch = (1 - v) * ((1 - u) * hash(x0, y0, 2) + u * hash(x1, y0, 2)) +
                                 v * ((1 - u) * hash(x0, y1, 2) + u * hash(x1, y1, 2));
             const float value = fine_share * fine + (1.0F - fine_share) * patch;
-            texels.push_back(static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F));
+            texels.push_back(
+                static_cast<std::uint8_t>(nearest(255.0F * std::clamp(value, 0.0F, 1.0F))));
         }
     }
     return texels;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "render/rounding.h"
 #include "render/sky_visibility.h"
 #include "render/sun_sweep.h"
 #include "support/multiversion.h"
@@ -28,10 +29,11 @@ void pack_row(const float* __restrict south, const float* __restrict row,
         const float p = slopes.scale_x * (row[x + 2] - row[x]);
         const float q = slopes.scale_y * (north[x] - south[x]);
         const float length = std::sqrt(1.0F + p * p + q * q);
-        texels[4 * x] = static_cast<std::uint16_t>(static_cast<int>(32767.5F - 32767.0F * p / length));
-        texels[4 * x + 1] = static_cast<std::uint16_t>(static_cast<int>(32767.5F - 32767.0F * q / length));
-        texels[4 * x + 2] = static_cast<std::uint16_t>(static_cast<int>(65535.0F * sun[x] + 0.5F));
-        texels[4 * x + 3] = static_cast<std::uint16_t>(static_cast<int>(65535.0F * sky[x] + 0.5F));
+        std::uint16_t* texel = texels + 4 * static_cast<std::ptrdiff_t>(x);
+        texel[0] = static_cast<std::uint16_t>(nearest(32767.0F - 32767.0F * p / length));
+        texel[1] = static_cast<std::uint16_t>(nearest(32767.0F - 32767.0F * q / length));
+        texel[2] = static_cast<std::uint16_t>(nearest(65535.0F * sun[x]));
+        texel[3] = static_cast<std::uint16_t>(nearest(65535.0F * sky[x]));
     }
 }
 
@@ -56,9 +58,10 @@ std::vector<std::uint16_t> lighting_texels(const DisplayBed& bed, const SunDirec
             const Slopes slopes{
                 0.5F / bed.dx,
                 north > south ? 1.0F / (bed.dy * static_cast<float>(north - south)) : 0.0F};
-            pack_row(bed.z.row(south).data(), row.data(), bed.z.row(north).data(),
-                     sun_share.row(y).data(), sky_share.row(y).data(), slopes, nx,
-                     texels.data() + 4 * static_cast<std::size_t>(y) * static_cast<std::size_t>(nx));
+            pack_row(
+                bed.z.row(south).data(), row.data(), bed.z.row(north).data(),
+                sun_share.row(y).data(), sky_share.row(y).data(), slopes, nx,
+                texels.data() + 4 * static_cast<std::size_t>(y) * static_cast<std::size_t>(nx));
         }
     });
     return texels;

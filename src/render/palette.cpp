@@ -94,7 +94,8 @@ Palette read_palette(std::string_view name) {
                 return edit_distance(name, a) < edit_distance(name, b);
             });
         throw InputError(fmt::format("unknown palette '{}'; did you mean '{}'? ({})", name,
-                                     nearest != names.end() ? *nearest : "", fmt::join(names, ", ")));
+                                     nearest != names.end() ? *nearest : "",
+                                     fmt::join(names, ", ")));
     }
     const auto file = data_file(fmt::format("assets/palettes/{}.txt", name));
     std::ifstream stream(file, std::ios::binary);

@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "render/block.h"
 #include "render/camera.h"
 #include "render/display_bed.h"
+#include "render/floor_map.h"
 #include "render/light.h"
 #include "render/terrain_layer.h"
 #include "render/tiles.h"
@@ -53,6 +55,9 @@ struct Renderer::Parts {
           WorkerPool& pool_, const RenderLimits& limits);
 
     [[nodiscard]] Camera camera_at(std::int64_t step) const;
+    /// A tile's first sample, and the sample its target begins at; from the picture's lower left.
+    [[nodiscard]] glm::ivec2 first_sample(const Tile& tile) const;
+    [[nodiscard]] glm::ivec2 target_corner(const Tile& tile) const;
     void draw_tile(const Tile& tile, const Camera& camera, Image& image);
     void draw_background(const Tile& tile, const Camera& camera);
     void resolve(const Tile& tile, Image& image);
@@ -91,7 +96,9 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       shading(view, block, first, display_bed(first, block, refinement),
               static_cast<int>(std::max(view.image.width, view.image.height)) * plan.factor),
       terrain(view, block),
-      background(view, block),
+      background(
+          view, block,
+          floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool)),
       samples(plan.target_width, plan.target_height, plain_layout(), true),
       surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(), false),
       pixels(plan.tiles.front().width, plan.tiles.front().height, plain_layout(), false),
@@ -126,7 +133,9 @@ void Renderer::Parts::resolve(const Tile& tile, Image& image) {
     resolve_program.set("samples", 0);
     resolve_program.set("background", 1);
     resolve_program.set("factor", plan.factor);
-    resolve_program.set("margin", plan.margin);
+    const glm::ivec2 from = first_sample(tile) - target_corner(tile);
+    resolve_program.set("margin_x", from.x);
+    resolve_program.set("margin_y", from.y);
     resolve_program.set("rows", tile.height);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
     std::uint8_t* corner = image.row(tile.y) + 3 * static_cast<std::size_t>(tile.x);
@@ -134,6 +143,21 @@ void Renderer::Parts::resolve(const Tile& tile, Image& image) {
     gl.PixelStorei(GL_PACK_ROW_LENGTH, image.width);
     gl.ReadPixels(0, 0, tile.width, tile.height, GL_RGB, GL_UNSIGNED_BYTE, corner);
     gl.PixelStorei(GL_PACK_ROW_LENGTH, 0);
+}
+
+glm::ivec2 Renderer::Parts::first_sample(const Tile& tile) const {
+    const int bottom = static_cast<int>(view.image.height) - tile.y - tile.height;
+    return glm::ivec2(tile.x, bottom) * plan.factor;
+}
+
+glm::ivec2 Renderer::Parts::target_corner(const Tile& tile) const {
+    const auto aligned = [&](int sample) {
+        return static_cast<int>(
+            std::floor(static_cast<double>(sample - plan.margin) / plan.alignment) *
+            plan.alignment);
+    };
+    const glm::ivec2 kept = first_sample(tile);
+    return {aligned(kept.x), aligned(kept.y)};
 }
 
 void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& image) {
@@ -144,15 +168,13 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
     samples.bind();
     gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const int bottom = static_cast<int>(view.image.height) - tile.y - tile.height;
     TileSamples placed{};
     placed.picture_size =
         glm::vec2(static_cast<float>(view.image.width), static_cast<float>(view.image.height)) *
         static_cast<float>(plan.factor);
-    placed.corner = glm::vec2(static_cast<float>(tile.x * plan.factor - plan.margin),
-                              static_cast<float>(bottom * plan.factor - plan.margin));
-    placed.size = glm::vec2(static_cast<float>(plan.target_width),
-                            static_cast<float>(plan.target_height));
+    placed.corner = glm::vec2(target_corner(tile));
+    placed.size =
+        glm::vec2(static_cast<float>(plan.target_width), static_cast<float>(plan.target_height));
     terrain.draw(shading.colours(), light, camera, placed);
 
     gl.BindVertexArray(no_attributes.name());
@@ -167,7 +189,9 @@ Renderer::Renderer(gl::Context& context, const View& view, const Snapshot& first
 
 Renderer::~Renderer() = default;
 
-double Renderer::exaggeration() const { return parts_->block.exaggeration; }
+double Renderer::exaggeration() const {
+    return parts_->block.exaggeration;
+}
 
 Image Renderer::render(const Snapshot& snapshot) {
     Parts& p = *parts_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct Family {
 
 /// For each cell of a line, the tangent of the horizon's elevation looking back to lower places,
 /// never below the horizontal.
-void sweep_horizon(const float* z, int count, int stride, float* tangent, int* hull) {
+void sweep_horizon(const float* z, int count, std::ptrdiff_t stride, float* tangent, int* hull) {
     int top = 0;
     hull[0] = 0;
     tangent[0] = 0.0F;
@@ -53,9 +54,9 @@ inline void sky_above(float t, float& tilted, float& level) {
     const float ratio = std::min(t, 1.0F) / std::max(t, 1.0F);
     const float square = ratio * ratio;
     const float arc =
-        ratio *
-        (0.9998660F +
-         square * (-0.3302995F + square * (0.1801410F + square * (-0.0851330F + square * 0.0208351F))));
+        ratio * (0.9998660F +
+                 square * (-0.3302995F +
+                           square * (0.1801410F + square * (-0.0851330F + square * 0.0208351F))));
     level = 1.0F / (1.0F + t * t);
     tilted = (t > 1.0F ? arc : quarter - arc) - t * level;
 }
@@ -128,7 +129,8 @@ void sweep_bundle(const Field<float>& heights, const Family& family, int first, 
         const auto [x0, begin, end] = columns(y);
         const float* row = heights.row(y).data() + x0;
         for (int lane = begin; lane < end; ++lane)
-            lines[static_cast<std::size_t>(lane) * length + static_cast<std::size_t>(y)] = row[lane];
+            lines[static_cast<std::size_t>(lane) * length + static_cast<std::size_t>(y)] =
+                row[lane];
     }
     for (int lane = 0; lane < bundle; ++lane) {
         const int x = first + lane;  // at row 0; the rows with 0 ≤ x + shear·y < nx belong to it
@@ -154,7 +156,8 @@ void sweep_bundle(const Field<float>& heights, const Family& family, int first, 
         const auto [x0, begin, end] = columns(y);
         float* row = sum.row(y).data() + x0;
         for (int lane = begin; lane < end; ++lane)
-            row[lane] += sums[static_cast<std::size_t>(lane) * length + static_cast<std::size_t>(y)];
+            row[lane] +=
+                sums[static_cast<std::size_t>(lane) * length + static_cast<std::size_t>(y)];
     }
 }
 
@@ -196,9 +199,8 @@ Field<float> sky_visibility(const Field<float>& heights, float dx, float dy, Wor
     const float weight_x = diagonal_angle / circle;
     const float weight_y = (0.25F * circle - diagonal_angle) / circle;
     const float diagonal = std::sqrt(dx * dx + dy * dy);
-    pool.for_ranges(ny, [&](int begin, int end) {
-        sweep_rows(heights, dx, weight_x, sum, begin, end);
-    });
+    pool.for_ranges(
+        ny, [&](int begin, int end) { sweep_rows(heights, dx, weight_x, sum, begin, end); });
     sweep_family(heights, {0, dy, weight_y}, sum, pool);
     sweep_family(heights, {1, diagonal, 0.125F}, sum, pool);
     sweep_family(heights, {-1, diagonal, 0.125F}, sum, pool);
@@ -208,8 +210,9 @@ Field<float> sky_visibility(const Field<float>& heights, float dx, float dy, Wor
             const int south = std::max(y - 1, 0);
             const int north = std::min(y + 1, ny - 1);
             std::copy_n(heights.row(y).data(), nx, row.begin() + 1);
-            row.front() = row[1];
-            row.back() = row[static_cast<std::size_t>(nx)];
+            const auto last = static_cast<std::size_t>(nx);
+            row.front() = nx > 1 ? 2.0F * row[1] - row[2] : row[1];
+            row.back() = nx > 1 ? 2.0F * row[last] - row[last - 1] : row[last];
             const float scale_y =
                 north > south ? 1.0F / (dy * static_cast<float>(north - south)) : 0.0F;
             multiply_by_normal(heights.row(south).data() - 1, heights.row(north).data() - 1,

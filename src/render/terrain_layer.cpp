@@ -10,11 +10,11 @@ namespace fumon {
 
 namespace {
 
-constexpr double grains_across = 2048.0;    // texels of grain along the block's longer side
-constexpr double strongest_grain = 0.30;    // of the colour, from darkest to lightest, at grain = 1
+constexpr double grains_across = 2048.0;  // texels of grain along the block's longer side
+constexpr double strongest_grain = 0.30;  // of the colour, from darkest to lightest, at grain = 1
 
-const gl::TextureLayout grain_layout{GL_R8,     GL_RED,    GL_UNSIGNED_BYTE,
-                                     GL_LINEAR, GL_LINEAR_MIPMAP_NEAREST, GL_REPEAT};
+const gl::TextureLayout grain_layout{
+    GL_R8, GL_RED, GL_UNSIGNED_BYTE, GL_LINEAR, GL_LINEAR_MIPMAP_NEAREST, GL_REPEAT};
 
 template <class Element>
 void fill(const gl::Buffer& buffer, GLenum target, const std::vector<Element>& elements,

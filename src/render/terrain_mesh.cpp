@@ -14,7 +14,8 @@ constexpr double largest_error = 0.6;   // pixels between mesh and bed, beyond w
 constexpr double allowed_share = 0.01;  // … no larger share of the cells may lie
 constexpr double shortest_edge = 2.2;   // pixels: nothing is gained by finer triangles
 constexpr int largest_stride = 64;
-constexpr int strip = 24;  // columns drawn together: their vertices stay in the vertex cache
+constexpr int rim_reach = 10;  // cells that a rim's smoothed direction looks around
+constexpr int strip = 24;      // columns drawn together: their vertices stay in the vertex cache
 
 /// The vertices along one axis: where they stand, 0 … 1, and which cell gives the height.
 struct Axis {
@@ -77,7 +78,28 @@ constexpr std::array<QuadSide, 4> quad_sides = {{{0, -1, {0, 0}, {1, 0}},
                                                  {0, 1, {1, 1}, {0, 1}},
                                                  {-1, 0, {0, 1}, {0, 0}}}};
 
-void add_sides(TerrainMesh& mesh, const QuadSet& quads) {
+/// Which way the domain ends at a cell: away from the middle of the cells around that have data, so
+/// that the steps of a rim of square cells are shaded as one face. Keeps `flat` at straight
+/// borders.
+std::array<float, 2> rim_direction(const Mask& nodata, int x, int y, std::array<float, 2> flat) {
+    float east = 0.0F;
+    float north = 0.0F;
+    for (int v = y - rim_reach; v <= y + rim_reach; ++v) {
+        for (int u = x - rim_reach; u <= x + rim_reach; ++u) {
+            // Beyond the border the nearest cell is repeated.
+            const int cell_x = std::clamp(u, 0, nodata.nx() - 1);
+            const int cell_y = std::clamp(v, 0, nodata.ny() - 1);
+            if (nodata(cell_x, cell_y) == 0) continue;
+            east += static_cast<float>(u - x);
+            north += static_cast<float>(v - y);
+        }
+    }
+    const float length = std::sqrt(east * east + north * north);
+    if (length < 1.0F) return flat;
+    return {east / length, north / length};
+}
+
+void add_sides(TerrainMesh& mesh, const QuadSet& quads, const Mask& nodata) {
     const auto width = static_cast<std::uint32_t>(quads.nx() + 1);
     for (int j = 0; j < quads.ny(); ++j) {
         for (int i = 0; i < quads.nx(); ++i) {
@@ -89,12 +111,22 @@ void add_sides(TerrainMesh& mesh, const QuadSet& quads) {
                            static_cast<std::uint32_t>(i + end[0]);
                 };
                 const auto corner = static_cast<std::uint32_t>(mesh.side_corners.size());
-                const auto nx = static_cast<float>(side.step_x);
-                const auto ny = static_cast<float>(side.step_y);
-                mesh.side_corners.push_back({vertex(side.from), 1.0F, nx, ny});
-                mesh.side_corners.push_back({vertex(side.to), 1.0F, nx, ny});
-                mesh.side_corners.push_back({vertex(side.to), 0.0F, nx, ny});
-                mesh.side_corners.push_back({vertex(side.from), 0.0F, nx, ny});
+                const std::array<float, 2> flat{static_cast<float>(side.step_x),
+                                                static_cast<float>(side.step_y)};
+                const bool border = i + side.step_x < 0 || i + side.step_x >= quads.nx() ||
+                                    j + side.step_y < 0 || j + side.step_y >= quads.ny();
+                const auto add = [&](const std::array<int, 2>& end, float lower) {
+                    const std::uint32_t at = vertex(end);
+                    const auto cell = static_cast<int>(mesh.samples[at]);
+                    const auto normal = border ? flat
+                                               : rim_direction(nodata, cell % nodata.nx(),
+                                                               cell / nodata.nx(), flat);
+                    mesh.side_corners.push_back({at, lower, normal[0], normal[1]});
+                };
+                add(side.from, 1.0F);
+                add(side.to, 1.0F);
+                add(side.to, 0.0F);
+                add(side.from, 0.0F);
                 for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U})
                     mesh.side_triangles.push_back(corner + k);
             }
@@ -162,7 +194,7 @@ TerrainMesh terrain_mesh(int nx, int ny, const Mask& nodata, int stride, ViewOrd
     }
     const QuadSet quads(east, north, nodata);
     add_triangles(mesh, quads, order);
-    add_sides(mesh, quads);
+    add_sides(mesh, quads, nodata);
     return mesh;
 }
 

@@ -17,7 +17,7 @@ struct MeshPlace {
 /// and which way the face looks.
 struct SideCorner {
     std::uint32_t vertex;
-    float lower;    ///< 1 at the block's underside, 0 at the surface
+    float lower;  ///< 1 at the block's underside, 0 at the surface
     float normal_x;
     float normal_y;
 };

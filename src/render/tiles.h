@@ -15,9 +15,10 @@ struct Tile {
 /// How a picture is cut, and the samples each tile is drawn with.
 struct TilePlan {
     std::vector<Tile> tiles;
-    int factor = 1;         ///< samples along each side of a pixel
-    int margin = 0;         ///< samples drawn around a tile and thrown away, where triangles are cut
-    int target_width = 0;   ///< samples
+    int factor = 1;        ///< samples along each side of a pixel
+    int margin = 0;        ///< samples drawn around a tile and thrown away, where triangles are cut
+    int alignment = 1;     ///< tiles begin at multiples of this many samples
+    int target_width = 0;  ///< samples
     int target_height = 0;
 };
 
