@@ -63,7 +63,8 @@ TEST(SunSweep, AWallsShadowHasItsLengthAndPenumbra) {
 
 TEST(SunSweep, ATowersShadowPointsAwayFromTheSunAtAnyAzimuth) {
     constexpr int n = 161;
-    for (double azimuth = 5.0; azimuth < 360.0; azimuth += 23.0) {
+    for (int degrees = 5; degrees < 360; degrees += 23) {
+        const double azimuth = degrees;
         Field<float> heights(n, n, 0.0F);
         for (int y = -3; y <= 3; ++y)
             for (int x = -3; x <= 3; ++x) heights(n / 2 + x, n / 2 + y) = 20.0F;
