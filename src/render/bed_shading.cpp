@@ -13,7 +13,7 @@ namespace fumon {
 
 namespace {
 
-constexpr int least_texels = 1024;         // along the longer side of the shaded bed
+constexpr int enough_texels = 1024;  // along the longer side of the shaded bed, if it is small
 constexpr double texels_per_sample = 1.3;  // beyond which mipmaps are needed against shimmer
 constexpr double natural_spread = 2.2;     // standard deviations from trough to crest, half of it
 constexpr double least_natural_range = 0.03;  // of the longer side: a nearly flat bed stays even
@@ -32,9 +32,14 @@ gl::TextureLayout shaded_layout(bool mipmaps) {
     return layout;
 }
 
-int shaded_size(int count, int longer) {
-    if (longer >= least_texels) return count;
-    return std::max(1, static_cast<int>(static_cast<long>(count) * least_texels / longer));
+/// Texels along the longer side: as the bed has, or more for a small bed in a large picture.
+int longer_shaded_side(const DisplayBed& bed, int samples_across) {
+    return std::max({bed.z.nx(), bed.z.ny(), std::min(enough_texels, samples_across)});
+}
+
+int shaded_size(int count, const DisplayBed& bed, int samples_across) {
+    const long longer = std::max(bed.z.nx(), bed.z.ny());
+    return std::max(1, static_cast<int>(count * longer_shaded_side(bed, samples_across) / longer));
 }
 
 /// The range of heights over which natural sand goes from trough to crest.
@@ -89,16 +94,15 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
     : view_(view),
       block_(block),
       refinement_(first_bed.z.nx() / first.bed.nx()),
-      mipmaps_(std::max({first_bed.z.nx(), first_bed.z.ny(), least_texels}) >
-               texels_per_sample * samples_across),
+      mipmaps_(longer_shaded_side(first_bed, samples_across) > texels_per_sample * samples_across),
       program_("screen.vert.glsl", view.look.mode == ViewMode::figure ? "shade_figure.frag.glsl"
                                                                       : "shade_scenic.frag.glsl"),
       palette_(256, 1, palette_layout, read_palette(view.look.palette).data()),
       lighting_(first_bed.z.nx(), first_bed.z.ny(), lighting_layout),
       values_(first_bed.z.nx(), first_bed.z.ny(), value_layout),
-      target_(shaded_size(first_bed.z.nx(), std::max(first_bed.z.nx(), first_bed.z.ny())),
-              shaded_size(first_bed.z.ny(), std::max(first_bed.z.nx(), first_bed.z.ny())),
-              shaded_layout(mipmaps_), false) {}
+      target_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
+              shaded_size(first_bed.z.ny(), first_bed, samples_across), shaded_layout(mipmaps_),
+              false) {}
 
 void BedShading::shade(const Snapshot& snapshot, const Snapshot& first, const DisplayBed& bed,
                        const Light& light, const Camera& camera, WorkerPool& pool) {

@@ -64,9 +64,10 @@ void continue_outward(Field<float>& z, const Mask& nodata, float low) {
 
 }  // namespace
 
-int refinement_of(int nx, int ny) {
+int refinement_of(int nx, int ny, int picture_side) {
     const int longer = std::max(nx, ny);
-    return std::clamp((smooth_enough + longer - 1) / longer, 1, 32);
+    const int wanted = std::min(smooth_enough, picture_side);
+    return std::clamp((wanted + longer - 1) / longer, 1, 32);
 }
 
 Field<float> refined(const Field<float>& heights, int refinement) {

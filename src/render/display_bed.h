@@ -16,8 +16,9 @@ struct DisplayBed {
 };
 
 /// How often each cell is divided: beds of fewer than about 400 cells along the longer side are
-/// refined, so that a paper's 100 × 100 sites do not look faceted.
-int refinement_of(int nx, int ny);
+/// refined, so that a paper's 100 × 100 sites do not look faceted, but not beyond the pixels of the
+/// picture's longer side.
+int refinement_of(int nx, int ny, int picture_side);
 
 /// Resamples heights to cells `refinement` times finer, whose centres divide the coarse cells
 /// evenly, by an interpolating C¹ bicubic (Catmull & Rom 1974). Beyond the border the edge cells

@@ -15,10 +15,11 @@ namespace fumon {
 namespace {
 
 TEST(DisplayBed, RefinesSmallBedsOnly) {
-    EXPECT_EQ(refinement_of(100, 100), 4);
-    EXPECT_EQ(refinement_of(43, 89), 5);
-    EXPECT_EQ(refinement_of(400, 30), 1);
-    EXPECT_EQ(refinement_of(1024, 1024), 1);
+    EXPECT_EQ(refinement_of(100, 100, 1920), 4);
+    EXPECT_EQ(refinement_of(43, 89, 1920), 5);
+    EXPECT_EQ(refinement_of(400, 30, 1920), 1);
+    EXPECT_EQ(refinement_of(1024, 1024, 1920), 1);
+    EXPECT_EQ(refinement_of(24, 20, 64), 3) << "no finer than the picture";
 }
 
 TEST(DisplayBed, RefinementInterpolatesAndKeepsStraightSlopes) {
