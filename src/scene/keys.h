@@ -91,7 +91,8 @@ class KeyTable {
                          std::move(names)});
     }
 
-    [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
+    [[nodiscard]] const std::vector<Key>& keys() const& { return keys_; }
+    const std::vector<Key>& keys() && = delete;  // a temporary's keys would be gone
     [[nodiscard]] const Key* find(std::string_view path) const;
 
   private:

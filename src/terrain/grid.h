@@ -34,9 +34,10 @@ class Field {
         return {values_.data() + index(0, y), static_cast<std::size_t>(nx_)};
     }
 
-    /// All nx·ny values, row 0 first.
-    std::span<Number> values() { return values_; }
-    [[nodiscard]] std::span<const Number> values() const { return values_; }
+    /// All nx·ny values, row 0 first. Not of a temporary, whose values would be gone.
+    std::span<Number> values() & { return values_; }
+    [[nodiscard]] std::span<const Number> values() const& { return values_; }
+    std::span<const Number> values() && = delete;
     Number* data() { return values_.data(); }
     [[nodiscard]] const Number* data() const { return values_.data(); }
 

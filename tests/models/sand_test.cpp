@@ -200,8 +200,8 @@ TEST(Sand, OneRowAndHopsAroundTheBoxAreFine) {
 TEST(Sand, NothingStaysBelowZeroWhenAmountsAreLimited) {
     SandParameters sand;
     sand.amount = 0.9;
-    for (const double height : after(sand, noise(40, 30, 0.0, 1.0, 6), 100).values())
-        EXPECT_GE(height, 0.0);
+    const Grid found = after(sand, noise(40, 30, 0.0, 1.0, 6), 100);
+    for (const double height : found.values()) EXPECT_GE(height, 0.0);
 }
 
 // ---- maxima-only creep against the plain sweep ----
