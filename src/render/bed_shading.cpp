@@ -34,7 +34,9 @@ gl::TextureLayout shaded_layout(bool mipmaps) {
 
 /// Texels along the longer side: as the bed has, or more for a small bed in a large picture.
 int longer_shaded_side(const DisplayBed& bed, int samples_across) {
-    return std::max({bed.z.nx(), bed.z.ny(), std::min(enough_texels, samples_across)});
+    const int wanted =
+        std::min(enough_texels, static_cast<int>(texels_per_sample * samples_across));
+    return std::max({bed.z.nx(), bed.z.ny(), wanted});
 }
 
 int shaded_size(int count, const DisplayBed& bed, int samples_across) {

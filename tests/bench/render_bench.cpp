@@ -1,6 +1,7 @@
 // CPU milliseconds (user and system, all threads of the process) of a picture of a changing bed at
-// 1920 × 1080, 2 × 2 samples a pixel, with shadow and sky visibility at full grid resolution, encoded as
-// PNG; and of its parts. Two beds take turns, so that nothing of a picture can be kept for the next.
+// 1920 × 1080, 2 × 2 samples a pixel, with shadow and sky visibility at full grid resolution,
+// encoded as PNG; and of its parts. Two beds take turns, so that nothing of a picture can be kept
+// for the next.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
