@@ -44,7 +44,7 @@ void add_work_options(CLI::App& command, WorkOptions& work) {
         .add_option("--gl", work.backend,
                     "how to draw: auto, osmesa or egl (auto: OSMesa, else EGL)")
         ->type_name("NAME")
-        ->transform(CLI::Transformer(backends))
+        ->transform(CLI::Transformer(backends).description(""))
         ->check([](const std::string& text) -> std::string {
             return text.size() == 1 ? ""
                                     : fmt::format("it takes auto, osmesa or egl, not \"{}\"", text);
@@ -53,7 +53,7 @@ void add_work_options(CLI::App& command, WorkOptions& work) {
         .add_option("--threads", work.threads,
                     "threads to compute with (default: one per processor)")
         ->type_name("N")
-        ->check(CLI::Range(1, 1024));
+        ->check(CLI::Range(1, 1024).description(""));
     auto* quiet = command.add_flag_callback(
         "-q,--quiet", [&work] { work.verbosity = Verbosity::quiet; }, "say nothing but errors");
     command
@@ -122,10 +122,10 @@ struct CommandLine {
         auto* step =
             command.add_option("--step", still.step, "of which step (default: the run's last)")
                 ->type_name("N")
-                ->check(CLI::NonNegativeNumber);
+                ->check(CLI::Range(0.0, 9e18).description(""));
         command.add_option("--time", still.time, "of which time, in the model's unit")
             ->type_name("T")
-            ->check(CLI::NonNegativeNumber)
+            ->check(CLI::Range(0.0, 9e18).description(""))
             ->excludes(step);
         command
             .add_option("--heights", still.heights, "metres of black and white of a PNG terrain")

@@ -14,8 +14,15 @@ namespace fumon {
 
 namespace {
 
+/// Whether a key of the scene holds for its terrain file. A file named on the command line takes
+/// the place of the scene's own bed, and of the size written for that.
+bool holds_for_file(const Scene& scene, const char* key) {
+    if (!scene.locations.contains(key)) return false;
+    return scene.set_on_command_line(key) || !scene.set_on_command_line("bed.file");
+}
+
 void check_size(const Scene& scene, const char* key, std::int64_t wanted, int found) {
-    if (!scene.locations.contains(key) || wanted == found) return;
+    if (!holds_for_file(scene, key) || wanted == found) return;
     throw InputError(
         fmt::format("{}{} is {}, but {} has {} cells there; leave the key out for a terrain file",
                     scene.at(key), key, wanted, scene.bed.file, found));
@@ -25,7 +32,8 @@ void check_size(const Scene& scene, const char* key, std::int64_t wanted, int fo
 WorldScale scale_of(const Scene& scene, double file_dx, double file_dy) {
     WorldScale scale;
     const std::vector<double>& given = scene.grid.cell_size;
-    if (!given.empty()) {
+    const bool file_decides = file_dx > 0.0 && !holds_for_file(scene, "grid.cell_size");
+    if (!given.empty() && !file_decides) {
         scale.dx = given.front();
         scale.dy = given.back();
         scale.in_metres = true;
@@ -66,12 +74,17 @@ void apply_nodata_rule(const Scene& scene, Terrain& terrain) {
 
 InitialBed bed_from_file(const Scene& scene) {
     const std::filesystem::path written = scene.bed.file;
-    const std::filesystem::path file = written.is_absolute() ? written : scene.directory / written;
+    const bool as_it_stands = written.is_absolute() || scene.set_on_command_line("bed.file");
+    const std::filesystem::path file = as_it_stands ? written : scene.directory / written;
     std::error_code fault;
+    if (!std::filesystem::exists(file, fault) && !scene.locations.contains("bed.file")) {
+        throw InputError(fmt::format("{}: is not there; check the path", file.string()));
+    }
     if (!std::filesystem::exists(file, fault)) {
-        throw InputError(fmt::format(
-            "{}bed.file \"{}\" is not there (looked for {}); paths are relative to the scene file",
-            scene.at("bed.file"), scene.bed.file, file.string()));
+        throw InputError(
+            fmt::format("{}bed.file \"{}\" is not there (looked for {}); paths are relative to {}",
+                        scene.at("bed.file"), scene.bed.file, file.string(),
+                        as_it_stands ? "the working folder" : "the scene file"));
     }
     Terrain terrain = read_terrain(file, scene.bed.heights);
     check_size(scene, "grid.nx", scene.grid.nx, terrain.heights.nx());

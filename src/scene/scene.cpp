@@ -8,4 +8,9 @@ std::string Scene::at(const std::string& key) const {
     return source.empty() ? std::string{} : source + ": ";
 }
 
+bool Scene::set_on_command_line(const std::string& key) const {
+    const auto found = locations.find(key);
+    return found != locations.end() && found->second.starts_with("--set");
+}
+
 }  // namespace fumon

@@ -131,6 +131,8 @@ struct Scene {
 
     /// "file:line:column: " of a key, or of the file where the key is not written.
     [[nodiscard]] std::string at(const std::string& key) const;
+    /// Whether the key's value comes from the command line (--set).
+    [[nodiscard]] bool set_on_command_line(const std::string& key) const;
 };
 
 }  // namespace fumon

@@ -62,7 +62,9 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                {.unit = "model heights", .help = "upper end of the noise"});
     table.text(
         "bed.file", scene.bed.file,
-        {.help = "ESRI ASCII grid or grey PNG, heights in metres; relative to the scene file"});
+        {.help =
+             "ESRI ASCII grid or grey PNG, heights in metres; relative to the scene file, or with "
+             "--set to the working folder"});
     table.real_list("bed.heights", scene.bed.heights, 0, 2,
                     {.unit = "m", .help = "[low, high]: heights of black and white in a PNG bed"});
     table.word_or_real(

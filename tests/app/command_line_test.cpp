@@ -49,8 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
               "no.toml: cannot be read (No such file or directory); check the path"},
         Wrong{"missing_terrain",
               {"still", "no.asc", "-o", "x.png"},
-              "bed.file \"no.asc\" is not there (looked for "
-              "no.asc); paths are relative to the scene file"},
+              "no.asc: is not there; check the path"},
         Wrong{"unknown_model",
               {"describe", "sant"},
               "fumon describe: \"sant\" is neither \"scene\" nor a model; did you mean \"sand\"?"},

@@ -97,6 +97,16 @@ TEST_F(InitialBedTest, ForTheSandModelsMetresAreDividedByTheHeightUnit) {
     EXPECT_TRUE(make_initial_bed(scene("sand", file)).nodata.empty());
 }
 
+TEST_F(InitialBedTest, AFileFromTheCommandLineTakesThePlaceOfTheScenesBed) {
+    const std::string file = (folder_ / "bed.asc").string();
+    const Scene scene = parse_scene(
+        "[model]\nname = \"static\"\n[grid]\nnx = 50\nny = 60\ncell_size = 9\n[bed]\nlow = 1\n",
+        "scene.toml", "elsewhere", {"bed.kind=file", "bed.file=" + file});
+    const InitialBed initial = make_initial_bed(scene);
+    EXPECT_EQ(initial.bed.nx(), 3);
+    EXPECT_EQ(initial.scale.dx, 4.0);
+}
+
 TEST_F(InitialBedTest, HolesCanBeFilled) {
     const InitialBed initial = make_initial_bed(
         scene("static", "[bed]\nkind = \"file\"\nfile = \"bed.asc\"\nnodata = \"fill\"\n"));
