@@ -57,7 +57,9 @@ Json performance(const ManifestFacts& facts, const RunOutcome& outcome) {
     json["wall_seconds"] = timing.wall;
     json["simulation_seconds"] = timing.simulation_wall;
     json["simulation_cpu_seconds"] = timing.simulation_cpu;
+    json["rendering_seconds"] = timing.rendering_wall;
     json["rendering_cpu_seconds"] = timing.rendering_cpu;
+    json["encoding_seconds"] = timing.encoding_wall;
     json["encoding_cpu_seconds"] = timing.encoding_cpu;
     json["cell_steps_per_second"] =
         timing.simulation_wall > 0.0

@@ -81,6 +81,7 @@ class Pipeline {
         if (outcome_.steps_done < scene_.run.steps) outcome_.signal = interrupting_signal();
         outcome_.error = error_;
         outcome_.timing.wall = wall.seconds();
+        outcome_.timing.encoding_wall = pictures_wall_ + movie_wall_;
         outcome_.timing.encoding_cpu = cpu_seconds_of_process() - cpu_before -
                                        outcome_.timing.simulation_cpu -
                                        outcome_.timing.rendering_cpu;
@@ -153,8 +154,10 @@ class Pipeline {
         }
         std::int64_t number = 0;
         while (const auto snapshot = to_draw_.pop()) {
+            const Stopwatch watch;
             const Picture picture{number++, *snapshot,
                                   std::make_shared<const Image>(renderer->render(**snapshot))};
+            outcome_.timing.rendering_wall += watch.seconds();
             if (!to_pictures_.push(picture)) break;
             if (scene_.output.movie && !to_movie_.push(picture)) break;
         }
@@ -165,6 +168,7 @@ class Pipeline {
 
     void write_pictures() {
         while (const auto picture = to_pictures_.pop()) {
+            const Stopwatch watch;
             const Sha256 pixels = pixel_hash(*picture->image);
             const Snapshot& snapshot = *picture->snapshot;
             if (scene_.output.frames) {
@@ -174,6 +178,7 @@ class Pipeline {
             }
             outcome_.frames.push_back({picture->number, snapshot.step, snapshot.time, pixels});
             ++progress_.frames_done;
+            pictures_wall_ += watch.seconds();
         }
     }
 
@@ -184,10 +189,14 @@ class Pipeline {
                     static_cast<int>(output.movie_quality));
         std::int64_t frames = 0;
         while (const auto picture = to_movie_.pop()) {
+            const Stopwatch watch;
             movie.add(*picture->image);
             ++frames;
+            movie_wall_ += watch.seconds();
         }
+        const Stopwatch watch;
         movie.finish();
+        movie_wall_ += watch.seconds();
         outcome_.movie = {frames, movie.padded_width(), movie.padded_height()};
     }
 
@@ -272,6 +281,8 @@ class Pipeline {
     Progress& progress_;
     std::string resolved_;
     RunOutcome outcome_;
+    double pictures_wall_ = 0.0;  // of two threads, added up at the end
+    double movie_wall_ = 0.0;
 
     BoundedQueue<SharedSnapshot> to_draw_{frames_in_a_queue};
     BoundedQueue<SharedSnapshot> to_beds_{frames_in_a_queue};

@@ -34,6 +34,9 @@ struct MovieRecord {
 struct Timing {
     double wall = 0.0;
     double simulation_wall = 0.0;  ///< inside the model's steps
+    double rendering_wall = 0.0;   ///< inside the renderer
+    double encoding_wall =
+        0.0;  ///< hashing, encoding and writing frames and movie, one after the other
     double simulation_cpu = 0.0;
     double rendering_cpu = 0.0;
     double encoding_cpu = 0.0;

@@ -112,9 +112,11 @@ void BedShading::shade(const Snapshot& snapshot, const Snapshot& first, const Di
     const bool natural = view_.look.colour_by == Colouring::natural;
     const auto range =
         natural ? natural_range(snapshot, block_) : colour_range(view_.look, snapshot, first);
-    const Field<float> values =
-        refined(coloured_values(view_.look.colour_by, snapshot, first), refinement_);
-    values_.upload(palette_places(values, range).data());
+    Field<float> values = coloured_values(view_.look.colour_by, snapshot, first);
+    if (!snapshot.nodata.empty()) {
+        continue_outward(values, snapshot.nodata, static_cast<float>(range.first));
+    }
+    values_.upload(palette_places(refined(values, refinement_), range).data());
 
     target_.bind();
     gl::functions().Disable(GL_DEPTH_TEST);

@@ -35,8 +35,9 @@ std::vector<Phase> phases_of(int refinement) {
     return phases;
 }
 
-/// Continues the domain outward by averages of known neighbours; what lies farther out gets `low`.
-void continue_outward(Field<float>& z, const Mask& nodata, float low) {
+}  // namespace
+
+void continue_outward(Field<float>& z, const Mask& nodata, float farther) {
     Mask unknown = nodata;
     for (int ring = 0; ring < rings_filled; ++ring) {
         const Mask before = unknown;
@@ -59,10 +60,8 @@ void continue_outward(Field<float>& z, const Mask& nodata, float low) {
         }
     }
     for (std::size_t i = 0; i < z.size(); ++i)
-        if (unknown.values()[i] != 0) z.values()[i] = low;
+        if (unknown.values()[i] != 0) z.values()[i] = farther;
 }
-
-}  // namespace
 
 int refinement_of(int nx, int ny, int picture_side) {
     const int longer = std::max(nx, ny);

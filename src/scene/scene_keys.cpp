@@ -131,8 +131,11 @@ void list_view_keys(View& view, KeyTable& table) {
                   {"slope", "steepness in degrees"},
                   {"change", "height minus that of the first frame"}},
                  {.help = "what the colours mean"});
-    table.text("look.palette", look.palette,
-               {.help = "a name of assets/palettes: sand, grey, viridis, cividis, …"});
+    table.text(
+        "look.palette", look.palette,
+        {.help =
+             "sand, grey, viridis, cividis, magma, inferno, plasma, batlow, lapaz, oslo, vik (for "
+             "change), or any NAME of assets/palettes/NAME.txt"});
     table.word_or_real("look.low", look.low, {{"auto", "from the frame"}},
                        {.help = "value at the palette's start, in the unit of colour_by"});
     table.word_or_real("look.high", look.high, {{"auto", "from the frame"}},

@@ -53,6 +53,12 @@ TEST_F(RunTest, MakesFramesMovieMeasurementsBedsAndManifest) {
     EXPECT_EQ(manifest["scene"]["run"]["steps"], 20);
     EXPECT_GT(manifest["performance"]["cell_steps_per_second"].get<double>(), 0.0);
     EXPECT_GT(manifest["performance"]["peak_memory_bytes"].get<double>(), 1e6);
+    for (const char* stage : {"simulation", "rendering", "encoding"}) {
+        EXPECT_GT(manifest["performance"][std::string(stage) + "_seconds"].get<double>(), 0.0)
+            << stage;
+        EXPECT_GT(manifest["performance"][std::string(stage) + "_cpu_seconds"].get<double>(), 0.0)
+            << stage;
+    }
 
     const std::string csv = read_text(folder_ / "out" / "measurements.csv");
     EXPECT_EQ(csv.substr(0, csv.find('\n')),

@@ -183,6 +183,35 @@ TEST(Renderer, LeavesCellsWithoutDataOut) {
     EXPECT_NE(colour_at(image, 0.5, 0.5), white);
 }
 
+TEST(Renderer, ColoursRunUpToTheRimOfAMaskedBed) {
+    Snapshot bed;
+    bed.bed = Grid(30, 30, 0.0);
+    bed.nodata = Mask(30, 30, 1);
+    for (int y = 8; y < 22; ++y) {
+        for (int x = 8; x < 22; ++x) {
+            bed.bed(x, y) = 1000.0;  // far from the zeros where nothing is known
+            bed.nodata(x, y) = 0;
+        }
+    }
+    View view = small_view(200, 200);
+    view.camera.projection = Projection::map;
+    view.look.mode = ViewMode::figure;
+    view.look.colour_by = Colouring::height;
+    view.look.palette = "grey";
+    view.look.low = {"", 999.0};
+    view.look.high = {"", 1001.0};
+    view.sun.elevation = 90.0;
+    const Image image = picture(view, bed);
+    int dark = 0;
+    int grey = 0;
+    for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+        if (image.rgb[i] < 90) ++dark;
+        if (image.rgb[i] >= 90 && image.rgb[i] < 200) ++grey;
+    }
+    EXPECT_EQ(dark, 0) << "the palette's low end at the rim";
+    EXPECT_GT(grey, 1000) << "the middle of the palette inside";
+}
+
 TEST(Renderer, AFigureKeepsThePalettesHue) {
     Snapshot flat;
     flat.bed = Grid(50, 50, 1.0);
