@@ -27,14 +27,14 @@ void main() {
     float laminae = (world_point.z + dip * along) * 260.0 + 0.7 * value_noise(vec2(along * 9.0, set_number));
     float lamina = value_noise(vec2(laminae, set_number * 7.0));
     float set_tone = mix(hash(set_key + ivec2(1, 5)), hash(set_key + ivec2(0, 5)), smoothstep(0.0, 0.10, 1.0 - within));
-    float speck = value_noise(vec2(along, world_point.z) * 900.0);
-    float tone = 0.12 + 0.62 * set_tone + 0.16 * lamina + 0.07 * speck - 0.16 * smoothstep(0.90, 1.0, within);
-    vec3 albedo = mix(vec3(0.50, 0.275, 0.125), vec3(0.74, 0.49, 0.265), clamp(tone, 0.0, 1.0));
+    float speck = value_noise(vec2(along, world_point.z) * 700.0);
+    float tone = 0.26 + 0.34 * set_tone + 0.09 * lamina + 0.20 * (speck - 0.5) - 0.10 * smoothstep(0.90, 1.0, within);
+    vec3 albedo = mix(vec3(0.54, 0.335, 0.175), vec3(0.74, 0.515, 0.30), clamp(tone, 0.0, 1.0));
     albedo = mix(albedo, mix(vec3(0.36, 0.215, 0.135), vec3(0.60, 0.43, 0.295), clamp(tone, 0.0, 1.0)), rock);
     vec3 normal = vec3(outward, 0.0);
     float sun = max(dot(normal, to_sun), 0.0);
     float above_ground = clamp((world_point.z - base) / 0.10, 0.0, 1.0);
-    float open = 0.28 + 0.24 * above_ground;  // half the sky, less near the ground
+    float open = 0.34 + 0.24 * above_ground;  // half the sky, less near the ground
     vec3 bounce = 0.42 * (sun_light * max(to_sun.z, 0.15) + 0.5 * sky_light) * vec3(0.78, 0.62, 0.44) *
                   (0.35 + 0.65 * max(0.5 + 0.5 * dot(normalize(to_sun.xy), outward), sun));
     float rim = 1.0 - 0.22 * exp(-depth * 160.0);  // the damp edge under the surface

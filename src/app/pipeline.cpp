@@ -203,9 +203,11 @@ class Pipeline {
     void write_beds() {
         while (const auto popped = to_beds_.pop()) {
             const Snapshot& snapshot = **popped;
-            write_file(
-                folder_.bed(snapshot.step),
-                esri_ascii(snapshot.bed, snapshot.nodata, snapshot.scale.dx, snapshot.scale.dy));
+            Grid heights =
+                snapshot.bed;  // in metres where there are metres, as terrain files are read
+            for (double& height : heights.values()) height *= snapshot.scale.height_unit;
+            write_file(folder_.bed(snapshot.step),
+                       esri_ascii(heights, snapshot.nodata, snapshot.scale.dx, snapshot.scale.dy));
             outcome_.bed_steps.push_back(snapshot.step);
         }
     }

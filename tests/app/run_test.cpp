@@ -125,6 +125,20 @@ TEST_F(RunTest, BadInputWritesNothing) {
     }
 }
 
+TEST_F(RunTest, AWrittenBedIsATerrainToStartFrom) {
+    ASSERT_EQ(run({"--set", "grid.cell_size=0.5", "--set", "grid.height_unit=0.25", "--set",
+                   "output.bed_at=[20]"})
+                  .status,
+              0);
+    const Ended again = run({"--set", "grid.height_unit=0.25", "--set", "bed.kind=file", "--set",
+                             "bed.file=out/beds/bed_00000020.asc", "--set", "output.bed_at=[0]"},
+                            "again");
+    ASSERT_EQ(again.status, 0) << again.errors;
+    EXPECT_EQ(read_text(folder_ / "again/beds/bed_00000000.asc"),
+              read_text(folder_ / "out/beds/bed_00000020.asc"));
+    EXPECT_EQ(read_manifest(folder_ / "again")["grid"]["dx"], 0.5);
+}
+
 TEST_F(RunTest, AnOddSizeIsPaddedInTheMovieAndSaid) {
     const Ended ended = fumon(
         {"run", "scene.toml", "-o", "out", "--set", "image.width=65", "--set", "image.height=49"},
