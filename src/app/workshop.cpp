@@ -43,6 +43,9 @@ Workshop set_up(Scene scene, int threads) {
     workshop.scene = std::move(scene);
     check_palette(workshop.scene);
     workshop.initial = make_initial_bed(workshop.scene);
+    workshop.scene.grid.nx =
+        workshop.initial.bed.nx();  // resolved: a terrain file brings its own size
+    workshop.scene.grid.ny = workshop.initial.bed.ny();
     workshop.pool = std::make_unique<WorkerPool>(threads, "fumon-simulate");
     workshop.model = make_model(
         workshop.scene, {workshop.initial.bed, workshop.initial.nodata, workshop.initial.scale,

@@ -41,7 +41,8 @@ int longer_shaded_side(const DisplayBed& bed, int samples_across) {
 
 int shaded_size(int count, const DisplayBed& bed, int samples_across) {
     const long longer = std::max(bed.z.nx(), bed.z.ny());
-    return std::max(1, static_cast<int>(count * longer_shaded_side(bed, samples_across) / longer));
+    return std::max(1, static_cast<int>(static_cast<long>(count) *
+                                        longer_shaded_side(bed, samples_across) / longer));
 }
 
 /// The range of heights over which natural sand goes from trough to crest.

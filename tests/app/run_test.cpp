@@ -172,6 +172,36 @@ TEST_F(RunTest, StillsAndAgainGiveTheFrameOfTheRun) {
     EXPECT_EQ(read_text(folder_ / "time.png"), frame);
 }
 
+TEST_F(RunTest, APictureOfATerrainFindsItsFileAgainAndNoticesAChange) {
+    const std::string terrain =
+        "ncols 3\nnrows 4\ncellsize 10\nxllcorner 0\nyllcorner 0\n1 2 3\n4 5 6\n7 8 9\n1 2 3\n";
+    fs::create_directories(folder_ / "data");
+    write_text(folder_ / "data/bed.asc", terrain);
+    const std::vector<std::string> small{"--set", "image.width=64", "--set", "image.height=48",
+                                         "-q"};
+    std::vector<std::string> arguments{"still", "data/bed.asc", "-o", "picture.png"};
+    arguments.insert(arguments.end(), small.begin(), small.end());
+    ASSERT_EQ(fumon(arguments, folder_.path()).status, 0);
+    const std::string picture = read_text(folder_ / "picture.png");
+
+    ASSERT_EQ(fumon({"again", "picture.png"}, folder_.path()).status, 0);
+    EXPECT_EQ(read_text(folder_ / "picture-again.png"), picture) << "the same bytes";
+    const Ended elsewhere =
+        fumon({"again", "../picture.png", "-o", "../again.png"}, folder_ / "data");
+    EXPECT_EQ(elsewhere.status, 0) << "found beside the picture: " << elsewhere.errors;
+
+    write_text(folder_ / "data/bed.asc", terrain + "\n");
+    const Ended changed = fumon({"again", "picture.png", "-o", "changed.png"}, folder_.path());
+    EXPECT_EQ(changed.status, 2);
+    EXPECT_NE(
+        changed.errors.find("picture.png: data/bed.asc has changed since the picture was made"),
+        std::string::npos)
+        << changed.errors;
+    fs::remove(folder_ / "data/bed.asc");
+    EXPECT_EQ(fumon({"again", "picture.png", "-o", "gone.png"}, folder_.path()).status, 2);
+    EXPECT_FALSE(fs::exists(folder_ / "changed.png"));
+}
+
 void wait_for(const fs::path& file) {
     for (int tries = 0; tries < 600 && !fs::exists(file); ++tries) {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
