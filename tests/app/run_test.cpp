@@ -271,6 +271,9 @@ TEST_F(RunTest, MeasurementsAloneNeedNoPictures) {
 }
 
 TEST_F(RunTest, ALongRunNeedsNoMoreMemoryThanAShortOne) {
+#ifdef FUMON_SANITIZED
+    GTEST_SKIP() << "sanitizers keep freed memory for a while, so peaks mean nothing";
+#endif
     const auto peak = [&](const std::string& frames) {
         const std::string output = "frames" + frames;
         EXPECT_EQ(
@@ -284,7 +287,7 @@ TEST_F(RunTest, ALongRunNeedsNoMoreMemoryThanAShortOne) {
         return manifest["performance"]["peak_memory_bytes"].get<double>();
     };
     const double short_run = peak("100");
-    EXPECT_LE(peak(FUMON_LONG_RUN_FRAMES), 1.05 * short_run);
+    EXPECT_LE(peak("10000"), 1.05 * short_run);
 }
 
 }  // namespace
