@@ -21,9 +21,8 @@ class RowHops {
     /// Every cell hops once, all reading `before` (Terada 2025, eq. 1). `after` gets the new row.
     void synchronous(std::span<const double> before, std::span<double> after);
 
-    /// As many hops as there are `words` accepted by Lemire's rule, one after the other in place,
-    /// each from the cell of its random word where the height is positive (Sudo 2002, appendix A).
-    /// Takes `picks` uniform cells from (seed, row, step).
+    /// `picks` hops one after the other, in place, each from a uniformly random cell if there is
+    /// sand (Sudo 2002, appendix A). The cells come from the stream of (seed, row, step).
     void random_sequential(std::span<double> row, std::int64_t picks, std::uint64_t seed,
                            std::uint32_t row_number, std::int64_t step);
 

@@ -6,6 +6,7 @@
 
 #include "output/png.h"
 #include "program.h"
+#include "support/missing_library.h"
 
 namespace fumon::test {
 namespace {
@@ -96,7 +97,11 @@ TEST_F(RunTest, AnotherSeedIsAnotherRun) {
 TEST_F(RunTest, OSMesaAndEglDrawTheSamePixels) {
     const Ended osmesa = run({"--gl", "osmesa"}, "osmesa");
     const Ended egl = run({"--gl", "egl"}, "egl");
-    if (osmesa.status != 0 || egl.status != 0) GTEST_SKIP() << osmesa.errors << egl.errors;
+    if (library_is_missing(osmesa.errors + egl.errors)) {
+        GTEST_SKIP() << osmesa.errors << egl.errors;
+    }
+    ASSERT_EQ(osmesa.status, 0) << osmesa.errors;
+    ASSERT_EQ(egl.status, 0) << egl.errors;
     EXPECT_EQ(pixel_hashes(read_manifest(folder_ / "osmesa")),
               pixel_hashes(read_manifest(folder_ / "egl")));
 }

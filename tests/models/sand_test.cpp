@@ -191,7 +191,6 @@ TEST(Sand, OneRowAndHopsAroundTheBoxAreFine) {
     SandParameters sand;
     sand.hop_base = 7.0;  // the box is 7 wide: sand lands where it started, or further round
     const Grid bed = noise(7, 1, 0.0, 1.0, 5);
-    WorkerPool pool(1);
     sand.hop_per_height = 0.0;
     const Grid found = after(sand, bed, 5);
     EXPECT_NEAR(bed_statistics(found, {}).total, bed_statistics(bed, {}).total, 1e-13);
