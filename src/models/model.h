@@ -13,6 +13,21 @@ namespace fumon {
 
 class WorkerPool;
 
+/// A field beside the bed that a model shows: the cells of the last avalanche, water depth …
+struct SnapshotField {
+    std::string name;       ///< as files and scenes call it: "last_avalanche"
+    std::string long_name;  ///< what it is, in a few words
+    std::string unit;       ///< "1" for a pure number
+    Grid values;            ///< nx × ny
+};
+
+/// A number that a model keeps count of, beside its fields.
+struct SnapshotNumber {
+    std::string name;  ///< "lost_grains"
+    std::string unit;
+    double value = 0.0;
+};
+
 /// An immutable picture of a model between two steps: all that the renderer, the measurements and
 /// the writers ever see of it. `bed` is in model heights; `scale` ties it to metres.
 struct Snapshot {
@@ -22,6 +37,18 @@ struct Snapshot {
     Grid bed;
     Mask nodata;  ///< empty when no cell lies outside the domain
     WorldScale scale;
+    bool periodic = false;  ///< whether the bed goes on past its edges with its other side
+    std::vector<SnapshotField> fields{};
+    std::vector<SnapshotNumber> numbers{};
+};
+
+/// All toppling that one dropped grain sets off (Higashi & Takamori 2003, section 4.2).
+struct Avalanche {
+    std::int64_t grain = 0;      ///< the grain that set it off, counted from 1
+    std::int64_t size = 0;       ///< A_s: distinct cells whose height changed
+    std::int64_t duration = 0;   ///< rounds of toppling until rest
+    std::int64_t topplings = 0;  ///< cells that toppled, each as often as it did
+    std::int64_t lost = 0;       ///< grains that left over the edge
 };
 
 /// One state field, in the order in which the state hash takes them.
@@ -57,6 +84,9 @@ class Model {
     [[nodiscard]] virtual std::int64_t steps_done() const = 0;
     [[nodiscard]] virtual double time() const { return static_cast<double>(steps_done()); }
     [[nodiscard]] virtual std::string_view time_unit() const { return "steps"; }
+
+    /// The avalanches of the last step, in order. Empty for models without any.
+    [[nodiscard]] virtual std::span<const Avalanche> avalanches() const { return {}; }
 
     /// The state between steps, copied.
     [[nodiscard]] virtual Snapshot snapshot() const = 0;

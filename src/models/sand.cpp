@@ -78,7 +78,7 @@ void Sand::step() {
 }
 
 Snapshot Sand::snapshot() const {
-    return {steps_, time(), std::string(time_unit()), bed_, {}, scale_};
+    return {steps_, time(), std::string(time_unit()), bed_, {}, scale_, true};
 }
 
 void Sand::share_picks() {
