@@ -1,10 +1,11 @@
 #include "models/creep.h"
 
-#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 
 #include "support/multiversion.h"
+#include "support/worker_pool.h"
 
 namespace fumon {
 
@@ -37,6 +38,18 @@ FUMON_MULTIVERSION void mark_peaks(const double* here, const double* sides, cons
     }
 }
 
+/// 64 bytes of 0 or 1 as 64 bits.
+std::uint64_t packed(const unsigned char* bytes) {
+    constexpr std::uint64_t gather = 0x0102040810204080;
+    std::uint64_t bits = 0;
+    for (int group = 0; group < 8; ++group) {
+        std::uint64_t eight = 0;
+        std::memcpy(&eight, bytes + std::ptrdiff_t{8} * group, sizeof eight);
+        bits |= ((eight * gather) >> 56U) << (8U * static_cast<unsigned>(group));
+    }
+    return bits;
+}
+
 /// The eight neighbours of a cell of a periodic bed, in the order of Sudo's program.
 struct Neighbours {
     double* south;
@@ -47,10 +60,13 @@ struct Neighbours {
     int east;
 
     [[nodiscard]] bool below_cell() const {
-        const double height = here[x];
-        return height > here[west] && height > here[east] && height > south[x] &&
-               height > north[x] && height > south[west] && height > north[west] &&
-               height > south[east] && height > north[east];
+        const double height = here[x];  // no short cuts: their jumps cannot be foreseen
+        const auto below = [height](const double* row, int column) {
+            return static_cast<unsigned>(height > row[column]);
+        };
+        return (below(here, west) & below(here, east) & below(south, x) & below(north, x) &
+                below(south, west) & below(north, west) & below(south, east) &
+                below(north, east)) != 0;
     }
 
     void topple(double rate) const {
@@ -93,47 +109,72 @@ void creep_row(std::span<const double> south, std::span<const double> here,
     edge((nx - 2 + nx) % nx, nx - 1, 0);
 }
 
-void MaximaCreep::operator()(Grid& bed, double rate) {
-    const int nx = bed.nx();
-    const int ny = bed.ny();
-    const auto width = static_cast<std::size_t>(nx);
-    sides_.resize(width);
-    column_.resize(width);
-    peaks_.assign(width + sizeof(std::uint64_t), 0);
-    for (int y = 0; y < ny; ++y) {
-        double* south = bed.row(y == 0 ? ny - 1 : y - 1).data();
+void MaximaCreep::operator()(Grid& bed, double rate, WorkerPool& pool) {
+    mark(bed, pool);
+    for (int y = 0; y < ny_; ++y) {
+        double* south = bed.row(y == 0 ? ny_ - 1 : y - 1).data();
         double* here = bed.row(y).data();
-        double* north = bed.row(y + 1 == ny ? 0 : y + 1).data();
-        take_maxima(south, here, north, nx, sides_.data(), column_.data());
-        if (nx > 2) mark_peaks(here, sides_.data(), column_.data(), nx - 2, peaks_.data());
-
-        const auto visit = [&](int x) {
-            const Neighbours around{
-                south, here, north, x == 0 ? nx - 1 : x - 1, x, x + 1 == nx ? 0 : x + 1};
-            if (!around.below_cell()) return false;
-            around.topple(rate);
-            return true;
-        };
-        // A topple changes the columns x − 1 … x + 1, so the marks of x + 1 and x + 2 may be out of
-        // date, and those of the last two cells after one at x = 0 or 1: these are looked at again.
-        int look_again_until = 0;
-        int x = 0;
-        while (x < nx) {
-            const bool wraps = x == 0 || x >= nx - 2;
-            if (!wraps && x > look_again_until) {
-                std::uint64_t eight = 0;
-                std::memcpy(&eight, peaks_.data() + x, sizeof eight);
-                if (eight == 0 && x + 8 <= nx - 2) {
-                    x += 8;
-                    continue;
-                }
-                if (peaks_[static_cast<std::size_t>(x)] == 0) {
-                    ++x;
-                    continue;
-                }
+        double* north = bed.row(y + 1 == ny_ ? 0 : y + 1).data();
+        const std::uint64_t* marks = marks_.data() + static_cast<std::size_t>(y) * words_;
+        for (std::size_t word = 0; word < words_; ++word) {
+            std::uint64_t not_passed = ~std::uint64_t{0};
+            while (const std::uint64_t waiting = marks[word] & not_passed) {
+                const int bit = std::countr_zero(waiting);
+                const int x = static_cast<int>(word) * 64 + bit;
+                not_passed = ~std::uint64_t{1} << static_cast<unsigned>(bit);
+                const Neighbours around{
+                    south, here, north, x == 0 ? nx_ - 1 : x - 1, x, x + 1 == nx_ ? 0 : x + 1};
+                if (!around.below_cell()) continue;
+                around.topple(rate);
+                mark_around(x, y);
             }
-            if (visit(x)) look_again_until = x + 2;
-            ++x;
+        }
+    }
+}
+
+/// Marks the strict maxima of the bed as it is, and the first and last cell of every row.
+void MaximaCreep::mark(const Grid& bed, WorkerPool& pool) {
+    nx_ = bed.nx();
+    ny_ = bed.ny();
+    const auto width = static_cast<std::size_t>(nx_);
+    words_ = (width + 63) / 64;
+    marks_.resize(words_ * static_cast<std::size_t>(ny_));
+    pool.for_ranges(ny_, [&](int begin, int end) {
+        std::vector<double> sides(width);   // the larger of the cells south and north
+        std::vector<double> column(width);  // the largest of south, here and north
+        std::vector<unsigned char> peaks(words_ * 64, 0);
+        for (int y = begin; y < end; ++y) {
+            const double* here = bed.row(y).data();
+            take_maxima(bed.row(y == 0 ? ny_ - 1 : y - 1).data(), here,
+                        bed.row(y + 1 == ny_ ? 0 : y + 1).data(), nx_, sides.data(), column.data());
+            if (nx_ > 2) mark_peaks(here, sides.data(), column.data(), nx_ - 2, peaks.data());
+            peaks[0] = peaks[width - 1] = 1;
+            std::uint64_t* marks = marks_.data() + static_cast<std::size_t>(y) * words_;
+            for (std::size_t word = 0; word < words_; ++word)
+                marks[word] = packed(peaks.data() + 64 * word);
+        }
+    });
+}
+
+/// Marks the neighbours of a cell that gave: they were raised, or stand beside a lower one, and may
+/// have become maxima. Marks behind the sweep do no harm.
+void MaximaCreep::mark_around(int x, int y) {
+    const auto bit = static_cast<unsigned>(x);
+    const bool inside = y > 0 && y + 1 < ny_ && x + 1 < nx_ && bit % 64 != 0 && bit % 64 != 63;
+    if (inside) {
+        std::uint64_t* here = marks_.data() + static_cast<std::size_t>(y) * words_ + bit / 64;
+        const std::uint64_t three = std::uint64_t{7} << (bit % 64 - 1);
+        here[0] |= three;
+        here[words_] |= three;
+        return;
+    }
+    const int west = x == 0 ? nx_ - 1 : x - 1;
+    const int east = x + 1 == nx_ ? 0 : x + 1;
+    for (const int row : {y == 0 ? ny_ - 1 : y - 1, y, y + 1 == ny_ ? 0 : y + 1}) {
+        std::uint64_t* marks = marks_.data() + static_cast<std::size_t>(row) * words_;
+        for (const int column : {west, x, east}) {
+            const auto marked = static_cast<unsigned>(column);
+            marks[marked / 64] |= std::uint64_t{1} << (marked % 64);
         }
     }
 }

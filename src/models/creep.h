@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "terrain/grid.h"
 
 namespace fumon {
+
+class WorkerPool;
 
 /// Creep of every cell (Sudo 2002, eq. 3; Nishimori & Ouchi 1993), for one row of a periodic bed:
 ///
@@ -17,17 +21,20 @@ void creep_row(std::span<const double> south, std::span<const double> here,
 
 /// Creep as in the program of Sudo (2002, appendix A): in place, row after row from y = 0 and from
 /// x = 0, each cell that is strictly higher than its 8 neighbours at that moment gives D·h away, a
-/// sixth of it to each side and a twelfth to each corner. Exactly sequential, but a vectorised look
-/// ahead finds the cells worth a visit.
+/// sixth of it to each side and a twelfth to each corner. Exactly sequential; but threads mark the
+/// maxima of the bed before, and only those and the surroundings of cells that gave are visited.
 class MaximaCreep {
   public:
-    void operator()(Grid& bed, double rate);
+    void operator()(Grid& bed, double rate, WorkerPool& pool);
 
   private:
-    std::vector<double> sides_;   ///< the larger of the cells south and north
-    std::vector<double> column_;  ///< the largest of south, here and north
-    std::vector<unsigned char>
-        peaks_;  ///< 1 where the cell was a strict maximum when its row began
+    void mark(const Grid& bed, WorkerPool& pool);
+    void mark_around(int x, int y);
+
+    int nx_ = 0;
+    int ny_ = 0;
+    std::size_t words_ = 0;             ///< of 64 cells, in a row
+    std::vector<std::uint64_t> marks_;  ///< a bit for each cell that is to be visited
 };
 
 }  // namespace fumon

@@ -1,11 +1,11 @@
 #include "models/row_hops.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "support/multiversion.h"
 #include "terrain/elementary.h"
-#include "terrain/random.h"
 
 namespace fumon {
 
@@ -74,6 +74,17 @@ FUMON_MULTIVERSION void add_to_all(double* values, double what, int count) {
     for (int x = 0; x < count; ++x) values[x] += what;
 }
 
+/// Piecewise linear between the table's points, constant beyond its ends.
+double tabulated(const std::vector<double>& heights, const std::vector<double>& lengths,
+                 double height) {
+    if (!(height > heights.front())) return lengths.front();
+    if (height >= heights.back()) return lengths.back();
+    const auto above = std::upper_bound(heights.begin(), heights.end(), height);
+    const auto k = static_cast<std::size_t>(above - heights.begin());
+    const double share = (height - heights[k - 1]) / (heights[k] - heights[k - 1]);
+    return lengths[k - 1] + share * (lengths[k] - lengths[k - 1]);
+}
+
 }  // namespace
 
 RowHops::RowHops(const SandParameters& parameters, int nx)
@@ -84,10 +95,7 @@ RowHops::RowHops(const SandParameters& parameters, int nx)
       exponential_scale_(parameters.exponential_length / 10.0 /
                          (elementary::exp(exponential_rate_) - 1.0)),
       needs_slope_(parameters.hop_length == HopLength::slope ||
-                   parameters.hop_amount == HopAmount::slope),
-      slope_tanh_(static_cast<std::size_t>(nx)),
-      length_(static_cast<std::size_t>(nx)),
-      amount_(static_cast<std::size_t>(nx)) {}
+                   parameters.hop_amount == HopAmount::slope) {}
 
 double RowHops::length(double height, double slope) const {
     const SandParameters& p = parameters_;
@@ -102,11 +110,16 @@ double RowHops::length(double height, double slope) const {
             return usable(p.hop_base - p.hop_slope_factor * elementary::tanh(slope));
         case HopLength::exponential:
             return usable(exponential_scale_ * (elementary::exp(exponential_rate_ * height) - 1.0));
+        case HopLength::tabulated:
+            return usable(tabulated(p.hop_table_heights, p.hop_table_lengths, height));
     }
     return 0.0;
 }
 
 void RowHops::synchronous(std::span<const double> before, std::span<double> after) {
+    slope_tanh_.resize(before.size());
+    length_.resize(before.size());
+    amount_.resize(before.size());
     if (needs_slope_) take_slopes(before);
     take_lengths(before);
     take_amounts(before);
@@ -158,6 +171,9 @@ void RowHops::take_lengths(std::span<const double> before) {
         case HopLength::exponential:
             exponential(before.data(), exponential_scale_, exponential_rate_, nx_, length_.data());
             break;
+        case HopLength::tabulated:
+            for (std::size_t x = 0; x < before.size(); ++x) length_[x] = length(before[x], 0.0);
+            break;
     }
     if (p.landing == Landing::round) add_to_all(length_.data(), 0.5, nx_);
 }
@@ -200,21 +216,78 @@ void RowHops::land_split(std::span<double> after) const {
     }
 }
 
-void RowHops::random_sequential(std::span<double> row, std::int64_t picks, std::uint64_t seed,
-                                std::uint32_t row_number, std::int64_t step) {
-    RandomStream stream(seed, row_number, step, Purpose::picks);
-    words_.resize(static_cast<std::size_t>(picks));
-    stream.fill(words_);
-    const auto cells = static_cast<std::uint32_t>(nx_);
-    const std::uint32_t biased =
-        (0U - cells) % cells;  // Lemire (2019): words that would favour some cells
-    for (std::uint32_t word : words_) {
-        std::uint64_t product = static_cast<std::uint64_t>(word) * cells;
-        while (static_cast<std::uint32_t>(product) < biased) {
-            word = stream.next32();
-            product = static_cast<std::uint64_t>(word) * cells;
+void Picks::draw(std::int64_t count, std::uint64_t seed, std::uint32_t row, std::int64_t step) {
+    rest_ = RandomStream(seed, row, step, Purpose::picks);
+    words_.resize(static_cast<std::size_t>(count));
+    rest_.fill(words_);
+    step_ = step;
+}
+
+/// Calls hop(x) for the cell of every pick, in order. The cells of a block are worked out first, so
+/// that those of a long row are on their way from memory when they are needed.
+template <class Hop>
+inline void RowHops::hop_from_each(double* row, const Picks& picks, Hop hop) const {
+    constexpr std::size_t block = 32;
+    std::array<int, block> cells{};
+    RandomStream rest = picks.rest();
+    const auto words = picks.words();
+    const auto nx = static_cast<std::uint32_t>(nx_);
+    const std::uint32_t biased = (0U - nx) % nx;  // Lemire (2019): words that would favour cells
+    const auto cell_of = [&](std::uint32_t word) {
+        std::uint64_t product = static_cast<std::uint64_t>(word) * nx;
+        while (static_cast<std::uint32_t>(product) < biased)
+            product = static_cast<std::uint64_t>(rest.next32()) * nx;
+        return static_cast<int>(product >> 32);
+    };
+    const auto fetch = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const int cell = cell_of(words[k]);
+            __builtin_prefetch(row + cell, 1);
+            cells[k % block] = cell;
         }
-        hop_from(row.data(), static_cast<int>(product >> 32));
+    };
+    constexpr std::size_t ahead = block / 2;
+    fetch(0, std::min(ahead, words.size()));
+    for (std::size_t begin = 0; begin < words.size(); begin += ahead) {
+        const std::size_t end = std::min(begin + ahead, words.size());
+        fetch(end, std::min(end + ahead, words.size()));
+        for (std::size_t k = begin; k < end; ++k) hop(cells[k % block]);
+    }
+}
+
+/// The commonest rule by itself: linear hops that carry q0 and land whole.
+template <bool truncate_terms>
+void RowHops::hop_linearly(double* row, const Picks& picks) const {
+    const double base = parameters_.hop_base;
+    const double to_nearest = parameters_.landing == Landing::round ? 0.5 : 0.0;
+    const double per_height = parameters_.hop_per_height;
+    const double amount = parameters_.amount;
+    const bool limited = parameters_.limit_amount;
+    const bool shadowed = parameters_.shadow == Shadow::upwind_higher;
+    const int nx = nx_;
+    hop_from_each(row, picks, [=](int x) {
+        const double height = row[x];
+        double carried = limited && height < amount ? height : amount;
+        carried = height > 0.0 ? carried : 0.0;
+        if (shadowed) carried = row[x == 0 ? nx - 1 : x - 1] > height ? 0.0 : carried;
+        double grown = per_height * height;
+        if (truncate_terms) grown = static_cast<double>(static_cast<int>(usable(grown)));
+        const int whole = static_cast<int>(usable(base + grown) + to_nearest);
+        row[x] = height - carried;
+        row[wrapped(x + whole, nx)] += carried;
+    });
+}
+
+void RowHops::random_sequential(std::span<double> row, const Picks& picks) const {
+    const SandParameters& p = parameters_;
+    const bool common = p.hop_length == HopLength::linear && p.hop_amount == HopAmount::constant &&
+                        p.landing != Landing::split;
+    if (!common) {
+        hop_from_each(row.data(), picks, [&](int x) { hop_from(row.data(), x); });
+    } else if (p.landing == Landing::truncate_terms) {
+        hop_linearly<true>(row.data(), picks);
+    } else {
+        hop_linearly<false>(row.data(), picks);
     }
 }
 

@@ -5,8 +5,27 @@
 #include <vector>
 
 #include "models/sand_parameters.h"
+#include "terrain/random.h"
 
 namespace fumon {
+
+/// The random numbers by which one row picks its cells in one step: drawn ahead of the hops, so
+/// that another thread can draw the next step's meanwhile.
+class Picks {
+  public:
+    /// `count` numbers from the stream of (seed, row, step).
+    void draw(std::int64_t count, std::uint64_t seed, std::uint32_t row, std::int64_t step);
+
+    [[nodiscard]] std::int64_t step() const { return step_; }
+    [[nodiscard]] std::span<const std::uint32_t> words() const { return words_; }
+    /// What comes after the words: for those that would favour some cells.
+    [[nodiscard]] RandomStream rest() const { return rest_; }
+
+  private:
+    std::int64_t step_ = -1;
+    std::vector<std::uint32_t> words_;
+    RandomStream rest_{0, 0, 0, Purpose::picks};
+};
 
 /// Saltation within one row. Sand moves along the wind only, so rows are independent: a row after
 /// its hops is a function of the row before, and of its random numbers.
@@ -21,10 +40,9 @@ class RowHops {
     /// Every cell hops once, all reading `before` (Terada 2025, eq. 1). `after` gets the new row.
     void synchronous(std::span<const double> before, std::span<double> after);
 
-    /// `picks` hops one after the other, in place, each from a uniformly random cell if there is
-    /// sand (Sudo 2002, appendix A). The cells come from the stream of (seed, row, step).
-    void random_sequential(std::span<double> row, std::int64_t picks, std::uint64_t seed,
-                           std::uint32_t row_number, std::int64_t step);
+    /// Hops one after the other, in place, each from a uniformly random cell if there is sand (Sudo
+    /// 2002, appendix A), as many as the picks hold.
+    void random_sequential(std::span<double> row, const Picks& picks) const;
 
     /// The length of a hop from height h on slope s, before landing: sites.
     [[nodiscard]] double length(double height, double slope) const;
@@ -35,6 +53,10 @@ class RowHops {
     void take_amounts(std::span<const double> before);
     void land(std::span<double> after) const;
     void land_split(std::span<double> after) const;
+    template <class Hop>
+    void hop_from_each(double* row, const Picks& picks, Hop hop) const;
+    template <bool truncate_terms>
+    void hop_linearly(double* row, const Picks& picks) const;
     void hop_from(double* row, int x) const;
 
     SandParameters parameters_;
@@ -45,7 +67,6 @@ class RowHops {
     std::vector<double> slope_tanh_;
     std::vector<double> length_;
     std::vector<double> amount_;
-    std::vector<std::uint32_t> words_;
 };
 
 }  // namespace fumon

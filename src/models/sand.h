@@ -15,6 +15,7 @@ namespace fumon {
 ///
 ///     saltation   h(x) → h(x) − q,  h(x + L) → h(x + L) + q      see RowHops
 ///     creep       every cell, or strict maxima only               see creep.h
+///                 or each row a profile of its own                see profile_creep.h
 ///
 /// h: bed in model heights on nx × ny sites, periodic in x and y. In the random-sequential order
 /// the nx·ny picks of a step fall on the rows as an exact multinomial, and each row runs its share
@@ -39,7 +40,9 @@ class Sand : public Model {
     void share_picks();
     void hop_rows_and_creep();
     void hop_rows();
-    void hop_row(RowHops& hops, int y, std::span<double> after) const;
+    void hop_only_row();
+    void hop_row(RowHops& hops, Picks& picks, int y, std::span<double> after) const;
+    void creep_profiles();
 
     SandParameters parameters_;
     WorldScale scale_;
@@ -49,6 +52,8 @@ class Sand : public Model {
     Grid bed_;
     Grid next_;
     std::vector<std::int64_t> picks_;  ///< of each row, this step
+    Picks drawn_;                      ///< of a single row: this step's …
+    Picks drawn_ahead_;                ///< … and the next one's
     MaximaCreep maxima_creep_;
 };
 

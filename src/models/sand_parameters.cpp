@@ -6,6 +6,7 @@ namespace fumon {
 
 void list_keys(SandParameters& sand, KeyTable& table) {
     constexpr double longest_hop = 1e6;
+    constexpr std::size_t longest_table = 100000;
     table.choice("model.order", sand.order,
                  {{"synchronous",
                    "every cell hops once, all from the bed before the step (Terada 2024, 2025)"},
@@ -16,7 +17,8 @@ void list_keys(SandParameters& sand, KeyTable& table) {
         "model.hop_length", sand.hop_length,
         {{"linear", "L = L0 + b h (Nishimori & Ouchi 1993; Sudo 2002)"},
          {"slope", "L = L0 - alpha tanh(dh/dx): the dune rule (Terada 2024)"},
-         {"exponential", "L = (N'x/10) (a^(2 h0 h) - 1) / (a^(2 h0) - 1) (Terada 2025, eq. 45)"}},
+         {"exponential", "L = (N'x/10) (a^(2 h0 h) - 1) / (a^(2 h0) - 1) (Terada 2025, eq. 45)"},
+         {"tabulated", "from a table of heights and lengths, linear between its points"}},
         {.help = "how far sand hops from height h"});
     table.real("model.hop_base", sand.hop_base,
                {.unit = "sites",
@@ -39,6 +41,14 @@ void list_keys(SandParameters& sand, KeyTable& table) {
                {.unit = "sites",
                 .range = {0, longest_hop, true},
                 .help = "N'x of the exponential law; 100 on any grid"});
+    table.real_list("model.hop_table_heights", sand.hop_table_heights, 0, longest_table,
+                    {.unit = "heights",
+                     .help = "of the tabulated law: heights, rising; beyond the ends the length "
+                             "stays"});
+    table.real_list("model.hop_table_lengths", sand.hop_table_lengths, 0, longest_table,
+                    {.unit = "sites",
+                     .range = {0, longest_hop},
+                     .help = "of the tabulated law: the hop length at each of these heights"});
     table.choice("model.landing", sand.landing,
                  {{"truncate", "in the cell that the truncated length reaches"},
                   {"round", "in the nearest cell"},
@@ -65,12 +75,19 @@ void list_keys(SandParameters& sand, KeyTable& table) {
         "model.creep", sand.creep,
         {{"every-cell", "every cell shares D of itself with its 8 neighbours (Sudo's eq. 3)"},
          {"maxima-only", "strict maxima give D h away, in place and in order (Sudo's program)"},
+         {"profile",
+          "each row by itself: strict maxima of two neighbours give D h, flanks E h downhill, in "
+          "place from left to right (Sudo 2002, section 5)"},
          {"none", "hops alone"}},
         {.help = "how sand rolls after the hops"});
     table.real("model.creep_rate", sand.creep_rate,
                {.unit = "share per step",
                 .range = {0, 1, true},
                 .help = "D; at most 0.75 for every-cell creep"});
+    table.real("model.flank_rate", sand.flank_rate,
+               {.unit = "share per step",
+                .range = {0, 1},
+                .help = "E of the profile's creep (in Sudo's program only)"});
     table.choice(
         "model.shadow", sand.shadow,
         {{"none", "wind everywhere"},

@@ -1,17 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace fumon {
 
 class KeyTable;
 
 enum class HopOrder { synchronous, random_sequential };
-enum class HopLength { linear, slope, exponential };
+enum class HopLength { linear, slope, exponential, tabulated };
 enum class HopAmount { constant, slope };
 enum class Landing { truncate, round, split, truncate_terms };
 enum class SlopeDifference { central, backward, forward };
-enum class Creep { every_cell, maxima_only, none };
+enum class Creep { every_cell, maxima_only, profile, none };
 enum class Shadow { none, upwind_higher };
 
 /// The parameters of the wind-blown sand family. Heights h and lengths are in model heights and
@@ -27,6 +28,8 @@ struct SandParameters {
     double exponential_height = 0.25;  ///< h0: millimetres; one model height is 2·h0
     double exponential_length =
         100.0;  ///< N'x: sites; L = (N'x/10)·(a^(2·h0·h) − 1)/(a^(2·h0) − 1)
+    std::vector<double> hop_table_heights;  ///< tabulated: heights, rising
+    std::vector<double> hop_table_lengths;  ///< sites, one for each of them
     Landing landing = Landing::round;
 
     HopAmount hop_amount = HopAmount::constant;
@@ -37,6 +40,7 @@ struct SandParameters {
     SlopeDifference slope_difference = SlopeDifference::central;
     Creep creep = Creep::every_cell;
     double creep_rate = 0.15;  ///< D: share per step
+    double flank_rate = 0.05;  ///< E: share per step, of the profile's creep
     Shadow shadow = Shadow::none;
 };
 

@@ -77,6 +77,23 @@ void sudo_maxima_only(benchmark::State& state) {
     measure(state, sudo(Creep::maxima_only), 2.85, 3.15);
 }
 
+/// One row of 10,000 to 4 million sites: Sudo's profile model.
+void profile(benchmark::State& state) {
+    const int sites = static_cast<int>(state.range(0));
+    SandParameters parameters = sudo(Creep::profile);
+    parameters.hop_base = 50.0;
+    WorkerPool pool;
+    Grid bed(sites, 1);
+    RandomStream stream(1, 0, 0, Purpose::initial_bed);
+    for (double& height : bed.values()) height = 48.5 + 3.0 * stream.uniform();
+    Sand sand(parameters, {std::move(bed), {}, {}, 1, pool});
+    constexpr int steps_to_a_pattern = 300;
+    for (int step = 0; step < steps_to_a_pattern; ++step) sand.step();
+    for ([[maybe_unused]] auto _ : state) sand.step();
+    state.counters["million_cell_steps_per_second"] = benchmark::Counter(
+        1e-6 * sites * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+
 void sizes(benchmark::internal::Benchmark* one) {
     one->RangeMultiplier(2)->Range(128, 4096)->Unit(benchmark::kMillisecond)->UseRealTime();
 }
@@ -86,6 +103,13 @@ BENCHMARK(dunes)->Apply(sizes);
 BENCHMARK(exponential)->Apply(sizes);
 BENCHMARK(sudo_every_cell)->Apply(sizes);
 BENCHMARK(sudo_maxima_only)->Apply(sizes);
+BENCHMARK(profile)
+    ->Arg(10000)
+    ->Arg(100000)
+    ->Arg(1000000)
+    ->Arg(4000000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace fumon

@@ -9,6 +9,7 @@
 
 #include "measure/bed_statistics.h"
 #include "models/creep.h"
+#include "models/profile_creep.h"
 #include "support/error.h"
 #include "support/worker_pool.h"
 #include "terrain/random.h"
@@ -119,16 +120,19 @@ std::vector<SandParameters> all_options() {
     std::vector<SandParameters> all;
     for (const HopOrder order : {HopOrder::synchronous, HopOrder::random_sequential}) {
         for (const HopLength length :
-             {HopLength::linear, HopLength::slope, HopLength::exponential}) {
+             {HopLength::linear, HopLength::slope, HopLength::exponential, HopLength::tabulated}) {
             for (const Landing landing :
                  {Landing::truncate, Landing::round, Landing::split, Landing::truncate_terms}) {
                 for (const SlopeDifference difference :
                      {SlopeDifference::central, SlopeDifference::backward,
                       SlopeDifference::forward}) {
-                    for (const Creep creep : {Creep::every_cell, Creep::maxima_only, Creep::none}) {
+                    for (const Creep creep :
+                         {Creep::every_cell, Creep::maxima_only, Creep::profile, Creep::none}) {
                         SandParameters sand;
                         sand.order = order;
                         sand.hop_length = length;
+                        sand.hop_table_heights = {0.0, 1.0, 4.0};
+                        sand.hop_table_lengths = {2.0, 5.5, 6.0};
                         sand.landing = landing;
                         sand.slope_difference = difference;
                         sand.creep = creep;
@@ -177,6 +181,10 @@ TEST(Sand, EveryOptionMakesADifference) {
     EXPECT_TRUE(differs({}, [](auto& sand) { sand.limit_amount = false; }));
     EXPECT_TRUE(differs({}, [](auto& sand) { sand.shadow = Shadow::upwind_higher; }));
     EXPECT_TRUE(differs({}, [](auto& sand) { sand.creep = Creep::none; }));
+    EXPECT_TRUE(differs({}, [](auto& sand) { sand.creep = Creep::profile; }));
+    SandParameters profile;
+    profile.creep = Creep::profile;
+    EXPECT_TRUE(differs(profile, [](auto& sand) { sand.flank_rate = 0.2; }));
     EXPECT_TRUE(
         differs(dunes(), [](auto& sand) { sand.slope_difference = SlopeDifference::backward; }));
     EXPECT_TRUE(
@@ -185,6 +193,18 @@ TEST(Sand, EveryOptionMakesADifference) {
     broken_base.hop_base = 2.75;  // with a whole L0 both truncations agree
     EXPECT_TRUE(differs(broken_base, [](auto& sand) { sand.landing = Landing::truncate_terms; }));
     EXPECT_FALSE(differs(sudo(), [](auto& sand) { sand.landing = Landing::truncate_terms; }));
+}
+
+TEST(Sand, ATableOfTheLinearLawIsTheLinearLaw) {
+    SandParameters linear;
+    SandParameters table;
+    table.hop_length = HopLength::tabulated;
+    table.hop_table_heights = {-1.0, 0.0, 0.5, 3.0};
+    table.hop_table_lengths = {5.0, 5.0, 6.0, 11.0};  // L = 5 + 2 h between 0 and 3
+    const Grid bed = noise(40, 30, 0.0, 1.0, 8);
+    EXPECT_EQ(after(table, bed, 4), after(linear, bed, 4));
+    table.hop_table_lengths.back() = 9.0;
+    EXPECT_NE(after(table, bed, 4), after(linear, bed, 4));
 }
 
 TEST(Sand, OneRowAndHopsAroundTheBoxAreFine) {
@@ -230,6 +250,7 @@ void plain_maxima_creep(Grid& bed, double rate) {
 
 TEST(MaximaCreep, IsThePlainSweepBitForBit) {
     MaximaCreep creep;
+    WorkerPool pool(2);
     for (const auto& [nx, ny] : std::vector<std::pair<int, int>>{{1, 1},
                                                                  {2, 3},
                                                                  {3, 3},
@@ -251,13 +272,79 @@ TEST(MaximaCreep, IsThePlainSweepBitForBit) {
             const double rate =
                 seed % 3 == 0 ? 0.9 : 0.1;  // large gifts make new maxima on the way
             for (int sweep = 0; sweep < 4; ++sweep) {
-                creep(fast, rate);
+                creep(fast, rate, pool);
                 plain_maxima_creep(plain, rate);
                 ASSERT_EQ(fast, plain)
                     << nx << " x " << ny << ", seed " << seed << ", sweep " << sweep;
             }
         }
     }
+}
+
+// ---- the profile's creep against the plain sweep ----
+
+void plain_profile_creep(std::span<double> row, double creep_rate, double flank_rate) {
+    const std::size_t nx = row.size();
+    for (std::size_t x = 0; x < nx; ++x) {
+        double& left = row[(x + nx - 1) % nx];
+        double& right = row[(x + 1) % nx];
+        const double here = row[x];
+        if (here > left && here > right) {
+            left += creep_rate * here * 0.5;
+            right += creep_rate * here * 0.5;
+            row[x] -= creep_rate * here;
+        } else if (here > left) {
+            left += flank_rate * here;
+            row[x] -= flank_rate * here;
+        } else if (here > right) {
+            right += flank_rate * here;
+            row[x] -= flank_rate * here;
+        }
+    }
+}
+
+/// Noise, plateaus, a slope that never ends (where a guess never comes true), or one constant.
+Grid profile_bed(int nx, std::uint64_t seed) {
+    Grid bed = noise(nx, 1, 40.0, 60.0, seed);
+    for (int x = 0; x < nx; ++x) {
+        if (seed % 4 == 1) bed(x, 0) = std::floor(bed(x, 0) / 4.0);
+        if (seed % 4 == 2) bed(x, 0) = 1e4 - 0.1 * x;
+        if (seed % 4 == 3) bed(x, 0) = 50.0;
+    }
+    return bed;
+}
+
+TEST(ProfileCreep, IsThePlainSweepBitForBit) {
+    WorkerPool one(1);
+    WorkerPool two(2);
+    WorkerPool five(5);
+    for (const int nx : {1, 2, 3, 4, 5, 6, 17, 1000, 16384, 40000, 90001}) {
+        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+            Grid plain = profile_bed(nx, seed);
+            std::vector<Grid> fast(3, plain);
+            for (int sweep = 0; sweep < 3; ++sweep) {
+                plain_profile_creep(plain.row(0), 0.1, 0.05);
+                std::size_t k = 0;
+                for (WorkerPool* pool : {&one, &two, &five}) {
+                    Grid swept(nx, 1);
+                    profile_creep(fast[k].row(0), 0.1, 0.05, swept.row(0), pool);
+                    ASSERT_EQ(swept, plain) << nx << " sites, seed " << seed << ", sweep " << sweep
+                                            << ", " << pool->size() << " threads";
+                    fast[k++] = swept;
+                }
+            }
+        }
+    }
+}
+
+TEST(Sand, ALongProfileIsTheSameForAnyNumberOfThreads) {
+    SandParameters profile = sudo();
+    profile.creep = Creep::profile;
+    profile.hop_base = 50.0;
+    const Grid bed = noise(50000, 1, 48.5, 51.5, 7);
+    const Grid one = after(profile, bed, 20, 1);
+    for (const int threads : {2, 3, 8}) EXPECT_EQ(after(profile, bed, 20, threads), one);
+    EXPECT_NEAR(bed_statistics(one, {}).total, bed_statistics(bed, {}).total, 1e-6);
 }
 
 // ---- refusals ----
@@ -291,6 +378,16 @@ TEST(Sand, RefusesWhatDoesNotFit) {
               "model.creep_rate is 0.8; with every-cell creep it takes a number > 0 and ≤ 0.75");
     fast_creep.creep = Creep::maxima_only;
     EXPECT_EQ(refusal(fast_creep, Grid(20, 20, 1.0)), "(accepted)");
+    SandParameters table;
+    table.hop_length = HopLength::tabulated;
+    table.hop_table_heights = {0.0, 1.0, 1.0};
+    table.hop_table_lengths = {2.0, 3.0};
+    EXPECT_EQ(refusal(table, Grid(20, 20, 1.0)),
+              "the tabulated hop law needs at least two points, and a length for each height; "
+              "there are 3 in model.hop_table_heights and 2 in model.hop_table_lengths");
+    table.hop_table_lengths.push_back(4.0);
+    EXPECT_EQ(refusal(table, Grid(20, 20, 1.0)),
+              "model.hop_table_heights must rise, but 1 follows 1");
 }
 
 }  // namespace
