@@ -15,7 +15,7 @@ void main() {
     BedPoint point = bed_point(place);
     float value = texture(value_map, place).r;
     vec3 albedo = linear_from_display(texture(palette, vec2(value * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb);
-    albedo = mix(albedo, vec3(0.82, 0.66, 0.45), natural);
+    albedo = marked(mix(albedo, vec3(0.82, 0.66, 0.45), natural), place);
     float level = max(to_sun.z, 0.25);
     float lit = point.sun * max(dot(point.normal, to_sun), 0.0) / level;  // 1 on level ground
     float light = 0.30 + 0.32 * point.sky + 0.38 * min(lit, 1.6);

@@ -41,6 +41,7 @@ void main() {
 
     vec3 albedo = mix(linear_from_display(texture(palette, vec2(value * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb),
                       mix(sand(world, point, value), mountain(world, point, value), rock), natural);
+    albedo = marked(albedo, place);
 
     float n_dot_l = max(dot(point.normal, to_sun), 0.0);
     float n_dot_v = max(dot(point.normal, to_eye), 0.0);

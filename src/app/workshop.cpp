@@ -8,6 +8,7 @@
 #include "files/atomic_file.h"
 #include "models/registry.h"
 #include "output/png.h"
+#include "render/colouring.h"
 #include "render/palette.h"
 #include "render/renderer.h"
 #include "support/error.h"
@@ -36,6 +37,15 @@ void check_palette(const Scene& scene) {
     }
 }
 
+/// A marking needs a model that has something to mark.
+void check_marking(const Scene& scene, const Model& model) {
+    const Marking mark = scene.view.look.mark;
+    if (mark == Marking::none || marked_field(mark, model.snapshot()) != nullptr) return;
+    throw InputError(fmt::format(
+        "{}look.mark = \"last-avalanche\" needs a model with avalanches (sandpile), not {}",
+        scene.at("look.mark"), scene.model.name));
+}
+
 }  // namespace
 
 Workshop set_up(Scene scene, int threads) {
@@ -50,6 +60,7 @@ Workshop set_up(Scene scene, int threads) {
     workshop.model = make_model(
         workshop.scene, {workshop.initial.bed, workshop.initial.nodata, workshop.initial.scale,
                          static_cast<std::uint64_t>(workshop.scene.seed), *workshop.pool});
+    check_marking(workshop.scene, *workshop.model);
     return workshop;
 }
 

@@ -11,8 +11,11 @@ namespace fumon {
 namespace {
 
 template <class Parameters, class Kind>
-constexpr ModelEntry entry(std::string_view name, std::string_view help) {
-    return {name, help, [] { return std::any(Parameters{}); },
+constexpr ModelEntry entry(std::string_view name, std::string_view help, bool starts_bare = false) {
+    return {name,
+            help,
+            starts_bare,
+            [] { return std::any(Parameters{}); },
             [](std::any& parameters, KeyTable& table) {
                 list_keys(std::any_cast<Parameters&>(parameters), table);
             },

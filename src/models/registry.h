@@ -16,6 +16,7 @@ class KeyTable;
 struct ModelEntry {
     std::string_view name;
     std::string_view help;  ///< one line
+    bool starts_bare;       ///< its usual initial bed is flat, not noise
     std::any (*default_parameters)();
     /// Lists the keys `model.*` of these parameters, bound to them.
     void (*list_keys)(std::any& parameters, KeyTable& table);

@@ -22,6 +22,8 @@ const gl::TextureLayout lighting_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT,
                                         GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
 const gl::TextureLayout value_layout{GL_R16,    GL_RED, GL_UNSIGNED_SHORT,
                                      GL_LINEAR, 0,      GL_CLAMP_TO_EDGE};
+const gl::TextureLayout mark_layout{GL_R8,      GL_RED, GL_UNSIGNED_BYTE,
+                                    GL_NEAREST, 0,      GL_CLAMP_TO_EDGE};
 const gl::TextureLayout palette_layout{GL_RGB8,   GL_RGB, GL_UNSIGNED_BYTE,
                                        GL_LINEAR, 0,      GL_CLAMP_TO_EDGE};
 
@@ -103,6 +105,8 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
       palette_(256, 1, palette_layout, read_palette(view.look.palette).data()),
       lighting_(first_bed.z.nx(), first_bed.z.ny(), lighting_layout),
       values_(first_bed.z.nx(), first_bed.z.ny(), value_layout),
+      marks_(view.look.mark == Marking::none ? 1 : first.bed.nx(),
+             view.look.mark == Marking::none ? 1 : first.bed.ny(), mark_layout),
       target_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
               shaded_size(first_bed.z.ny(), first_bed, samples_across), shaded_layout(mipmaps_),
               false) {}
@@ -119,15 +123,19 @@ void BedShading::shade(const Snapshot& snapshot, const Snapshot& first, const Di
     }
     values_.upload(palette_places(refined(values, refinement_), range).data());
 
+    marks_.upload(mark_texels(view_.look.mark, snapshot).data());
+
     target_.bind();
     gl::functions().Disable(GL_DEPTH_TEST);
     lighting_.bind(0);
     values_.bind(1);
     palette_.bind(2);
+    marks_.bind(3);
     program_.use();
     program_.set("lighting_map", 0);
     program_.set("value_map", 1);
     program_.set("palette", 2);
+    program_.set("mark_map", 3);
     program_.set("extent", glm::vec2(block_.width_x, block_.width_y));
     program_.set("natural", natural ? 1.0F : 0.0F);
     program_.set("rock", static_cast<float>(block_.rock));

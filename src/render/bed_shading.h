@@ -43,6 +43,7 @@ class BedShading {
     gl::Texture2D palette_;
     gl::Texture2D lighting_;
     gl::Texture2D values_;
+    gl::Texture2D marks_;
     gl::RenderTarget target_;
 };
 

@@ -108,4 +108,26 @@ Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double
     return places;
 }
 
+const SnapshotField* marked_field(Marking mark, const Snapshot& snapshot) {
+    if (mark == Marking::none) return nullptr;
+    for (const SnapshotField& field : snapshot.fields) {
+        if (field.name == "last_avalanche") return &field;
+    }
+    return nullptr;
+}
+
+Field<std::uint8_t> mark_texels(Marking mark, const Snapshot& snapshot) {
+    if (mark == Marking::none) return {1, 1, 0};
+    Field<std::uint8_t> texels(snapshot.bed.nx(), snapshot.bed.ny());
+    const SnapshotField* field = marked_field(mark, snapshot);
+    if (field == nullptr) return texels;
+    constexpr std::uint8_t received = 120;
+    constexpr std::uint8_t toppled = 235;
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const double value = field->values.values()[i];
+        if (value > 0.0) texels.values()[i] = value > 1.0 ? toppled : received;
+    }
+    return texels;
+}
+
 }  // namespace fumon

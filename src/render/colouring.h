@@ -25,4 +25,11 @@ Field<float> coloured_values(Colouring colour_by, const Snapshot& snapshot, cons
 /// Values as places in the palette, 0 … 65535.
 Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double, double> range);
 
+/// The field of a snapshot that a marking shows, or nullptr where the model has none.
+const SnapshotField* marked_field(Marking mark, const Snapshot& snapshot);
+
+/// How much each cell stands out, 0 … 255: for the last avalanche, cells that toppled fully and
+/// cells that only received grains by half. A single 0 when nothing is marked.
+Field<std::uint8_t> mark_texels(Marking mark, const Snapshot& snapshot);
+
 }  // namespace fumon

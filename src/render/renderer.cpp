@@ -15,6 +15,7 @@
 #include "render/display_bed.h"
 #include "render/floor_map.h"
 #include "render/light.h"
+#include "render/shown_snapshot.h"
 #include "render/terrain_layer.h"
 #include "render/tiles.h"
 #include "support/error.h"
@@ -86,7 +87,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
                        std::int64_t last_step_, WorkerPool& pool_, const RenderLimits& limits)
     : context(context_),
       view(view_),
-      first(first_),
+      first(shown_snapshot(first_, view_.look).value_or(first_)),
       last_step(last_step_),
       pool(pool_),
       block(frame_block(first, chosen_exaggeration(view, first))),
@@ -194,8 +195,10 @@ double Renderer::exaggeration() const {
     return parts_->block.exaggeration;
 }
 
-Image Renderer::render(const Snapshot& snapshot) {
+Image Renderer::render(const Snapshot& whole) {
     Parts& p = *parts_;
+    const std::optional<Snapshot> reshaped = shown_snapshot(whole, p.view.look);
+    const Snapshot& snapshot = reshaped ? *reshaped : whole;
     if (snapshot.bed.nx() != p.first.bed.nx() || snapshot.bed.ny() != p.first.bed.ny())
         throw Error("a snapshot of another size than the first one cannot be drawn");
     p.context.make_current();

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "scene/initial_bed.h"
 #include "scene/limits.h"
 #include "support/error.h"
 
@@ -21,7 +22,7 @@ bool written(const Scene& scene, const std::string& key) {
 
 void check_bed(const Scene& scene) {
     const BedSettings& bed = scene.bed;
-    const bool from_file = bed.kind == BedKind::file;
+    const bool from_file = bed_kind(scene) == BedKind::file;
     if (from_file && bed.file.empty())
         refuse(scene, "bed.kind", "bed.file is missing; name the terrain file");
     if (!from_file && !bed.file.empty()) {
@@ -38,7 +39,7 @@ void check_bed(const Scene& scene) {
         refuse(scene, "bed.heights",
                "bed.heights must rise; write [low, high], the heights of black and white");
     }
-    if (bed.kind == BedKind::noise && bed.low > bed.high) {
+    if (bed_kind(scene) == BedKind::noise && bed.low > bed.high) {
         refuse(scene, written(scene, "bed.high") ? "bed.high" : "bed.low",
                fmt::format("bed.high ({}) is below bed.low ({}); noise is uniform in [low, high)",
                            bed.high, bed.low));

@@ -6,6 +6,7 @@
 
 #include "files/hash.h"
 #include "files/terrain_file.h"
+#include "models/registry.h"
 #include "scene/limits.h"
 #include "support/error.h"
 #include "terrain/random.h"
@@ -115,14 +116,21 @@ Grid noise(const Scene& scene) {
 
 }  // namespace
 
+BedKind bed_kind(const Scene& scene) {
+    if (scene.bed.kind != BedKind::automatic) return scene.bed.kind;
+    if (!scene.bed.file.empty()) return BedKind::file;
+    const ModelEntry* model = find_model(scene.model.name);
+    return model != nullptr && model->starts_bare ? BedKind::flat : BedKind::noise;
+}
+
 InitialBed make_initial_bed(const Scene& scene) {
-    if (scene.bed.kind == BedKind::file) return bed_from_file(scene);
+    const BedKind kind = bed_kind(scene);
+    if (kind == BedKind::file) return bed_from_file(scene);
     InitialBed initial;
     initial.scale = scale_of(scene, 0.0, 0.0);
-    initial.bed = scene.bed.kind == BedKind::noise
-                      ? noise(scene)
-                      : Grid(static_cast<int>(scene.grid.nx), static_cast<int>(scene.grid.ny),
-                             scene.bed.height);
+    initial.bed = kind == BedKind::noise ? noise(scene)
+                                         : Grid(static_cast<int>(scene.grid.nx),
+                                                static_cast<int>(scene.grid.ny), scene.bed.height);
     return initial;
 }
 

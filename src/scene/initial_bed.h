@@ -23,6 +23,9 @@ struct InitialBed {
     std::string note;  ///< what the user should hear (degrees converted, …); or empty
 };
 
+/// The kind of bed that a scene starts from, where bed.kind is "auto" too.
+BedKind bed_kind(const Scene& scene);
+
 /// Builds the initial bed of a scene: flat, uniform noise from the scene's seed, or a terrain file,
 /// whose metres are divided by the height unit. Throws InputError located at the scene's key when a
 /// file is unreadable or malformed or does not fit grid.nx, grid.ny or grid.cell_size.

@@ -30,10 +30,10 @@ struct GridSettings {
     WordOrReal height_unit{"auto", 0.0};  ///< metres per model height
 };
 
-enum class BedKind { flat, noise, file };
+enum class BedKind { automatic, flat, noise, file };
 
 struct BedSettings {
-    BedKind kind = BedKind::noise;
+    BedKind kind = BedKind::automatic;
     double height = 0.0;           ///< flat: model heights
     double low = 0.0, high = 1.0;  ///< noise: uniform in [low, high), model heights
     std::string file;              ///< file: as written in the scene
@@ -75,6 +75,7 @@ struct SunSettings {
 
 enum class Colouring { natural, height, slope, change };
 enum class ViewMode { scenic, figure };
+enum class Marking { none, last_avalanche };
 
 struct LookSettings {
     ViewMode mode = ViewMode::scenic;
@@ -85,6 +86,9 @@ struct LookSettings {
     WordOrReal exaggeration{"auto", 0.0};  ///< vertical
     bool block_sides = true;
     double grain = 0.5;  ///< visible texture of the sand, 0 … 1
+    Marking mark = Marking::none;
+    std::int64_t profile_start = 0;  ///< of a single row: the first site shown
+    std::int64_t profile_sites = 0;  ///< and how many; 0: 900 or all
 };
 
 struct ImageSettings {

@@ -50,7 +50,10 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
         {{"auto", "1 m for the static model, else the cell size dx (1 site without one)"}},
         {.unit = "m", .range = {0, 1e7, true}, .help = "metres per model height"});
     table.choice("bed.kind", scene.bed.kind,
-                 {{"flat", "one height everywhere"},
+                 {{"auto",
+                   "the file of bed.file, else as the model starts: the sandpile flat, "
+                   "others with noise"},
+                  {"flat", "one height everywhere"},
                   {"noise", "uniform random heights in [low, high)"},
                   {"file", "a terrain file"}},
                  {.help = "the initial bed"});
@@ -146,6 +149,20 @@ void list_view_keys(View& view, KeyTable& table) {
     table.boolean("look.block_sides", look.block_sides,
                   {.help = "draw the cut sides of the block"});
     table.real("look.grain", look.grain, {.range = {0, 1}, .help = "visible grain of the sand"});
+    table.choice("look.mark", look.mark,
+                 {{"none", "the bed alone"},
+                  {"last-avalanche",
+                   "the cells of the pile's last avalanche: toppled ones dark, others lighter"}},
+                 {.help = "cells that stand out in blue"});
+    table.integer("look.profile_start", look.profile_start,
+                  {.unit = "sites",
+                   .range = {0, largest_grid_side},
+                   .help = "a profile (grid.ny = 1) is drawn as a strip: its first site"});
+    table.integer(
+        "look.profile_sites", look.profile_sites,
+        {.unit = "sites",
+         .range = {0, 8192},
+         .help = "how many sites of a profile are drawn; 0: 900, or all of a shorter one"});
 
     ImageSettings& image = view.image;
     table.integer("image.width", image.width,

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include "models/model.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// A snapshot as it is drawn, where that is not the snapshot itself:
+///
+/// - a profile (a single row) becomes a strip: look.profile_sites of its sites from
+///   look.profile_start on, a quarter as deep as long and the same all across;
+/// - a bed of more than 8192 cells on a side becomes one of fewer cells, each the mean of k × k.
+///
+/// Nothing when the snapshot is drawn as it is.
+std::optional<Snapshot> shown_snapshot(const Snapshot& snapshot, const LookSettings& look);
+
+}  // namespace fumon
