@@ -106,11 +106,7 @@ struct Assign {
     }
     void operator()(std::int64_t* target) const { *target = checked_whole(key, value, locate); }
     void operator()(double* target) const { *target = checked_real(key, value, locate); }
-    void operator()(std::string* target) const {
-        const auto* text = value.as_string();
-        if (text == nullptr) refuse(key, value, locate);
-        *target = text->get();
-    }
+    void operator()(std::string* target) const { *target = checked_text(value); }
     void operator()(const ChoiceTarget& target) const {
         const auto* text = value.as_string();
         if (text == nullptr) refuse(key, value, locate);
@@ -151,6 +147,17 @@ struct Assign {
             wholes.push_back(checked_whole(key, *item, locate));
         *target.values = wholes;
     }
+    void operator()(const TextListTarget& target) const {
+        std::vector<std::string> texts;
+        for (const toml::node* item : items_of(value)) texts.push_back(checked_text(*item));
+        *target.values = texts;
+    }
+
+    [[nodiscard]] std::string checked_text(const toml::node& item) const {
+        const auto* text = item.as_string();
+        if (text == nullptr) refuse(key, item, locate);
+        return text->get();
+    }
 };
 
 template <class Value>
@@ -189,6 +196,7 @@ std::string what_it_takes(const Key& key) {
         std::string operator()(const IntegerListTarget&) const {
             return number_text("a list of whole numbers", key.notes);
         }
+        std::string operator()(const TextListTarget&) const { return "a list of texts in quotes"; }
     };
     return std::visit(Text{key}, key.target);
 }
@@ -202,6 +210,9 @@ void assign_item(const Key& key, std::size_t index, const toml::node& value, con
         item_at(key, *reals->values, index, value, locate) = checked_real(key, value, locate);
     } else if (const auto* wholes = std::get_if<IntegerListTarget>(&key.target)) {
         item_at(key, *wholes->values, index, value, locate) = checked_whole(key, value, locate);
+    } else if (const auto* texts = std::get_if<TextListTarget>(&key.target)) {
+        item_at(key, *texts->values, index, value, locate) =
+            Assign{key, value, locate}.checked_text(value);
     } else {
         throw InputError(fmt::format("{}: {} is no list; it takes {}", locate(value.source()),
                                      key.path, what_it_takes(key)));

@@ -61,6 +61,7 @@ std::string type_text(const Key& key) {
         std::string operator()(const WordOrRealTarget&) const { return "word or number"; }
         std::string operator()(const RealListTarget&) const { return "list of numbers"; }
         std::string operator()(const IntegerListTarget&) const { return "list of whole numbers"; }
+        std::string operator()(const TextListTarget&) const { return "list of texts"; }
     };
     return std::visit(Name{}, key.target);
 }
@@ -68,6 +69,7 @@ std::string type_text(const Key& key) {
 bool takes_numbers(const Key& key) {
     return !std::holds_alternative<bool*>(key.target) &&
            !std::holds_alternative<std::string*>(key.target) &&
+           !std::holds_alternative<TextListTarget>(key.target) &&
            !std::holds_alternative<ChoiceTarget>(key.target);
 }
 

@@ -24,6 +24,7 @@ struct ValueJson {
     }
     Json operator()(const RealListTarget& target) const { return *target.values; }
     Json operator()(const IntegerListTarget& target) const { return *target.values; }
+    Json operator()(const TextListTarget& target) const { return *target.values; }
 };
 
 }  // namespace

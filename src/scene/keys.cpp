@@ -60,6 +60,10 @@ void KeyTable::integer_list(std::string path, std::vector<std::int64_t>& values,
     add(std::move(path), std::move(notes), IntegerListTarget{&values});
 }
 
+void KeyTable::text_list(std::string path, std::vector<std::string>& values, KeyNotes notes) {
+    add(std::move(path), std::move(notes), TextListTarget{&values});
+}
+
 const Key* KeyTable::find(std::string_view path) const {
     const auto found =
         std::find_if(keys_.begin(), keys_.end(), [&](const Key& key) { return key.path == path; });

@@ -59,8 +59,12 @@ struct IntegerListTarget {
     std::vector<std::int64_t>* values;
 };
 
+struct TextListTarget {
+    std::vector<std::string>* values;
+};
+
 using KeyTarget = std::variant<bool*, std::int64_t*, double*, std::string*, ChoiceTarget,
-                               WordOrRealTarget, RealListTarget, IntegerListTarget>;
+                               WordOrRealTarget, RealListTarget, IntegerListTarget, TextListTarget>;
 
 /// One scene key: its path ("camera.azimuth"), what is said of it, and the value it is bound to.
 struct Key {
@@ -80,6 +84,7 @@ class KeyTable {
                       KeyNotes notes);
     void real_list(std::string path, std::vector<double>& values, std::size_t smallest,
                    std::size_t largest, KeyNotes notes);
+    void text_list(std::string path, std::vector<std::string>& values, KeyNotes notes);
     void integer_list(std::string path, std::vector<std::int64_t>& values, KeyNotes notes);
 
     template <class Enumeration>

@@ -117,6 +117,12 @@ struct OutputSettings {
     std::vector<std::int64_t> bed_at;
 };
 
+/// What `fumon sweep` runs when its command line does not say.
+struct SweepSettings {
+    std::vector<std::string> over;  ///< "key=v1,v2" or "key=lo:hi:n", as for --over
+    std::int64_t seeds = 1;         ///< of each combination: seed, seed + 1 …
+};
+
 /// What to simulate and how to show it: a value. Scene::locations knows where each key stood.
 struct Scene {
     std::string title;
@@ -128,6 +134,7 @@ struct Scene {
     FrameSettings frames;
     View view;
     OutputSettings output;
+    SweepSettings sweep;
 
     std::filesystem::path directory;               ///< where relative files are looked for
     std::string source;                            ///< the file's name, for messages

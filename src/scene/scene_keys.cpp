@@ -200,6 +200,17 @@ void list_output_keys(OutputSettings& output, KeyTable& table) {
         {.unit = "steps", .range = {0, largest_step}, .help = "write the bed at these steps too"});
 }
 
+void list_sweep_keys(SweepSettings& sweep, KeyTable& table) {
+    table.text_list(
+        "sweep.over", sweep.over,
+        {.help = "what `fumon sweep` varies, as its --over: \"key=v1,v2\", "
+                 "\"key=low:high:count\", \"key+key=v1,v2\" for keys that go together"});
+    table.integer("sweep.seeds", sweep.seeds,
+                  {.unit = "seeds",
+                   .range = {1, 1e6},
+                   .help = "runs of each combination in a sweep: seed, seed + 1 …"});
+}
+
 }  // namespace
 
 KeyTable scene_keys(Scene& scene) {
@@ -212,6 +223,7 @@ KeyTable scene_keys(Scene& scene) {
     list_bed_keys(scene, table);
     list_view_keys(scene.view, table);
     list_output_keys(scene.output, table);
+    list_sweep_keys(scene.sweep, table);
     return table;
 }
 

@@ -50,6 +50,11 @@ struct ValueText {
     std::string operator()(const IntegerListTarget& target) const {
         return fmt::format("[{}]", fmt::join(*target.values, ", "));
     }
+    std::string operator()(const TextListTarget& target) const {
+        std::vector<std::string> items;
+        for (const std::string& value : *target.values) items.push_back(string_text(value));
+        return fmt::format("[{}]", fmt::join(items, ", "));
+    }
 };
 
 }  // namespace
