@@ -69,6 +69,7 @@ struct CommandLine {
     RunOptions run;
     StillOptions still;
     AgainOptions again;
+    MeasureOptions measure;
     std::vector<std::string> checked;
     std::vector<std::string> check_settings;
     std::string described;
@@ -84,6 +85,7 @@ struct CommandLine {
         add_run();
         add_still();
         add_again();
+        add_measure();
         add_check();
         add_listings();
     }
@@ -146,6 +148,47 @@ struct CommandLine {
                         "the new picture (default: NAME-again.png here)")
             ->type_name("FILE.png");
         add_work_options(command, again.work);
+    }
+
+    void add_measure() {
+        CLI::App& command =
+            add("measure", "measure a bed: wavelength, crests, dunes, slopes, a pile's cone",
+                [this] { return measure_command(measure); });
+        command.add_option("BED", measure.bed, "an ESRI ASCII grid, a NetCDF file or a grey PNG")
+            ->required();
+        command.add_flag("--json", measure.as_json, "as JSON");
+        command
+            .add_option("--as", measure.as, "bed, profile or pile (default: a profile is one row)")
+            ->type_name("KIND")
+            ->check(CLI::IsMember({"bed", "profile", "pile"}).description(""));
+        command.add_flag("--open", measure.open_edges,
+                         "the bed ends at its edges (default: it goes on periodically, as the sand "
+                         "models' do)");
+        command.add_option("--drop", measure.drop, "the cell on which a pile's grains fell")
+            ->type_name("X Y")
+            ->expected(2)
+            ->check(CLI::NonNegativeNumber.description(""));
+        auto* earlier = command
+                            .add_option("--earlier", measure.earlier,
+                                        "a bed of the same run before this one: for celerity")
+                            ->type_name("BED");
+        command.add_option("--steps", measure.steps_between, "steps between the two beds")
+            ->type_name("N")
+            ->check(CLI::Range(1.0, 9e18).description(""))
+            ->needs(earlier);
+        command
+            .add_option("--heights", measure.heights, "metres of black and white of a PNG terrain")
+            ->type_name("LOW:HIGH");
+        command
+            .add_option("--set", measure.settings,
+                        "override a scene key, as grid.cell_size or bed.nodata (repeatable)")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
+        command.footer(
+            "Lengths are in metres where the file has them, else in sites; \"undefined\" is what "
+            "has no "
+            "meaning\nfor this bed. `fumon run` writes the same measures over time into "
+            "measurements.csv.");
     }
 
     void add_check() {

@@ -40,11 +40,24 @@ struct AgainOptions {
     WorkOptions work;
 };
 
+struct MeasureOptions {
+    std::string bed;
+    std::string heights;      ///< "low:high", metres of black and white of a PNG terrain
+    std::string as;           ///< "bed", "profile", "pile"; empty: by the bed's rows
+    bool open_edges = false;  ///< the bed ends at its edges
+    std::vector<int> drop;    ///< x and y of a pile's drop site; empty: its middle
+    std::string earlier;      ///< a bed of the same run, for celerity
+    std::int64_t steps_between = 0;
+    bool as_json = false;
+    std::vector<std::string> settings;
+};
+
 // Each returns the exit status, and throws InputError (2) or Error (1).
 
 int run_command(const RunOptions& options);
 int still_command(const StillOptions& options);
 int again_command(const AgainOptions& options);
+int measure_command(const MeasureOptions& options);
 int check_command(const std::vector<std::string>& scenes, const std::vector<std::string>& settings);
 
 }  // namespace fumon

@@ -2,19 +2,22 @@
 
 #include <fmt/format.h>
 
-#include "measure/bed_statistics.h"
+#include <cmath>
 
 namespace fumon {
 
-MeasurementFile::MeasurementFile(const std::filesystem::path& file) : file_(file) {
-    file_.write(
-        "step,time,mean_height,standard_deviation,minimum_height,maximum_height,total_sand\n");
+MeasurementFile::MeasurementFile(const std::filesystem::path& file, Landform landform)
+    : file_(file), suite_(landform) {
+    std::string header = "step,time";
+    for (const MeasureColumn& column : suite_.columns()) header += "," + column.name;
+    file_.write(header + "\n");
 }
 
 void MeasurementFile::add(const Snapshot& snapshot) {
-    const BedStatistics bed = bed_statistics(snapshot.bed, snapshot.nodata);
-    file_.write(fmt::format("{},{},{},{},{},{},{}\n", snapshot.step, snapshot.time, bed.mean,
-                            bed.standard_deviation, bed.minimum, bed.maximum, bed.total));
+    std::string line = fmt::format("{},{}", snapshot.step, snapshot.time);
+    for (const double value : suite_.row(snapshot))
+        line += std::isnan(value) ? "," : fmt::format(",{}", value);
+    file_.write(line + "\n");
 }
 
 }  // namespace fumon

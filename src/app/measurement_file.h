@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "files/atomic_file.h"
+#include "measure/suite.h"
 #include "models/model.h"
 
 namespace fumon {
@@ -12,12 +13,13 @@ namespace fumon {
 class MeasurementFile {
   public:
     /// Throws Error when it cannot be made or written.
-    explicit MeasurementFile(const std::filesystem::path& file);
+    MeasurementFile(const std::filesystem::path& file, Landform landform);
     void add(const Snapshot& snapshot);
     void commit() { file_.commit(); }
 
   private:
     AtomicFile file_;
+    MeasureSuite suite_;
 };
 
 }  // namespace fumon

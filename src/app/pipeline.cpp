@@ -95,7 +95,8 @@ class Pipeline {
         std::unique_ptr<MeasurementFile> measurements;
         try {
             if (scene_.output.measurements)
-                measurements = std::make_unique<MeasurementFile>(folder_.measurements());
+                measurements = std::make_unique<MeasurementFile>(folder_.measurements(),
+                                                                 landform_of(model_.snapshot()));
             advance(measurements.get());
             check_finite(model_.snapshot());
             outcome_.state = state_hash(model_);

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
+#include <filesystem>
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/terrain_scene.h"
 #include "app/workshop.h"
 #include "scene/read.h"
 #include "support/error.h"
@@ -19,44 +19,9 @@ bool is_scene(const std::string& path) {
     return fs::path(path).extension() == ".toml";
 }
 
-double parse_height(std::string_view text, const std::string& whole) {
-    double height = 0.0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), height);
-    if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(height)) {
-        throw InputError(fmt::format(
-            "--heights is \"{}\"; it takes low:high in metres, for example 0:850", whole));
-    }
-    return height;
-}
-
-std::vector<double> parse_heights(const std::string& text) {
-    if (text.empty()) return {};
-    const std::size_t colon = text.find(':');
-    if (colon == std::string::npos) parse_height("", text);
-    return {parse_height(std::string_view(text).substr(0, colon), text),
-            parse_height(std::string_view(text).substr(colon + 1), text)};
-}
-
-/// A terrain file alone is a scene of the static model with the standard look.
-Scene terrain_scene(const StillOptions& options) {
-    Scene scene = parse_scene("[model]\nname = \"static\"\n[bed]\nkind = \"file\"\nfile = \"-\"\n",
-                              "", "", options.work.settings);
-    std::erase_if(scene.locations,
-                  [](const auto& entry) { return !entry.second.starts_with("--set"); });
-    scene.bed.file = options.input;
-    if (const auto heights = parse_heights(options.heights); !heights.empty()) {
-        if (!(heights[0] < heights[1])) {
-            throw InputError(
-                fmt::format("--heights {} must rise: low:high are the heights of black and white",
-                            options.heights));
-        }
-        scene.bed.heights = heights;
-    }
-    return scene;
-}
-
 Scene scene_of(const StillOptions& options) {
-    if (!is_scene(options.input)) return terrain_scene(options);
+    if (!is_scene(options.input))
+        return terrain_scene(options.input, options.heights, options.work.settings);
     if (!options.heights.empty()) {
         throw InputError(
             "--heights belongs to a PNG terrain; in a scene write bed.heights = [low, high]");

@@ -1,15 +1,61 @@
 #include "measure/suite.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "measure/bed_statistics.h"
 
 namespace fumon {
+
+namespace {
+
+struct WorldUnit {
+    std::string_view unit;
+    std::string_view in_metres;
+    double (*factor)(const WorldScale& scale);
+};
+
+constexpr std::array world_units{
+    WorldUnit{"sites", "m", [](const WorldScale& s) { return s.dx; }},
+    WorldUnit{"heights", "m", [](const WorldScale& s) { return s.height_unit; }},
+    WorldUnit{"cells", "m2", [](const WorldScale& s) { return s.dx * s.dy; }},
+    WorldUnit{"heights x cells", "m3",
+              [](const WorldScale& s) { return s.height_unit * s.dx * s.dy; }},
+    WorldUnit{"heights/site", "", [](const WorldScale& s) { return s.height_unit / s.dx; }},
+    WorldUnit{"sites/step", "m/step", [](const WorldScale& s) { return s.dx; }},
+    WorldUnit{"1/cell", "1/m2", [](const WorldScale& s) { return 1.0 / (s.dx * s.dy); }},
+    WorldUnit{"1/site", "1/m", [](const WorldScale& s) { return 1.0 / s.dx; }},
+};
+
+}  // namespace
+
+Landform landform_of(const Snapshot& snapshot) {
+    const bool counts_grains =
+        std::any_of(snapshot.numbers.begin(), snapshot.numbers.end(),
+                    [](const SnapshotNumber& number) { return number.name == "dropped_grains"; });
+    if (counts_grains) return Landform::pile;
+    return snapshot.bed.ny() == 1 ? Landform::profile : Landform::bed;
+}
+
+MeasuredValue in_world_units(const MeasuredValue& measured, const WorldScale& scale) {
+    if (!scale.in_metres) return measured;
+    MeasuredValue result = measured;
+    for (const WorldUnit& one : world_units) {
+        if (one.unit != measured.column.unit) continue;
+        result.column.unit = one.in_metres;
+        result.value *= one.factor(scale);
+        break;
+    }
+    return result;
+}
 
 class MeasureSuite::Parts {
   public:
     std::vector<MeasureColumn> columns;
 };
 
-MeasureSuite::MeasureSuite(const Snapshot& /*first*/) : parts_(std::make_unique<Parts>()) {
+MeasureSuite::MeasureSuite(Landform /*landform*/) : parts_(std::make_unique<Parts>()) {
     parts_->columns = {
         {"mean_height", "heights", "mean of the bed"},
         {"standard_deviation", "heights", "of the heights over all cells"},

@@ -9,18 +9,34 @@
 
 namespace fumon {
 
-/// One column of measurements.csv: its name carries the unit where there is one.
+/// What kind of bed is measured: it decides which measures there are.
+enum class Landform { bed, profile, pile };
+
+/// A pile where the model keeps count of dropped grains, a profile where there is a single row,
+/// else a bed.
+Landform landform_of(const Snapshot& snapshot);
+
+/// One column of measurements.csv.
 struct MeasureColumn {
     std::string name;  ///< "wavelength_spectrum"
     std::string unit;  ///< "sites", "heights", "degrees" …; empty for a pure number
-    std::string help;  ///< one line
+    std::string help;  ///< one line: how it is defined
 };
 
-/// What a run measures, row by row: the columns follow from the first snapshot (a bed, a profile or
-/// a pile), and rows may draw on earlier ones (celerity) and on all avalanches so far.
+struct MeasuredValue {
+    MeasureColumn column;
+    double value;
+};
+
+/// The same value in metres where the scale has them: sites by dx, heights by the height unit,
+/// cells by dx·dy.
+MeasuredValue in_world_units(const MeasuredValue& measured, const WorldScale& scale);
+
+/// What a run measures, row by row: the columns follow from the landform, and rows may draw on
+/// earlier ones (celerity) and on all avalanches so far.
 class MeasureSuite {
   public:
-    explicit MeasureSuite(const Snapshot& first);
+    explicit MeasureSuite(Landform landform);
     ~MeasureSuite();
     MeasureSuite(const MeasureSuite&) = delete;
     MeasureSuite& operator=(const MeasureSuite&) = delete;
