@@ -255,8 +255,8 @@ inline void RowHops::hop_from_each(double* row, const Picks& picks, Hop hop) con
     }
 }
 
-/// The commonest rule by itself: linear hops that carry q0 and land whole.
-template <bool truncate_terms>
+/// The commonest rule by itself: linear hops that carry q0.
+template <bool truncate_terms, bool split>
 void RowHops::hop_linearly(double* row, const Picks& picks) const {
     const double base = parameters_.hop_base;
     const double to_nearest = parameters_.landing == Landing::round ? 0.5 : 0.0;
@@ -272,22 +272,30 @@ void RowHops::hop_linearly(double* row, const Picks& picks) const {
         if (shadowed) carried = row[x == 0 ? nx - 1 : x - 1] > height ? 0.0 : carried;
         double grown = per_height * height;
         if (truncate_terms) grown = static_cast<double>(static_cast<int>(usable(grown)));
-        const int whole = static_cast<int>(usable(base + grown) + to_nearest);
+        const double reach = usable(base + grown) + to_nearest;
+        const int whole = static_cast<int>(reach);
         row[x] = height - carried;
-        row[wrapped(x + whole, nx)] += carried;
+        if (split) {
+            const double far_amount = carried * (reach - static_cast<double>(whole));
+            row[wrapped(x + whole, nx)] += carried - far_amount;
+            row[wrapped(x + whole + 1, nx)] += far_amount;
+        } else {
+            row[wrapped(x + whole, nx)] += carried;
+        }
     });
 }
 
 void RowHops::random_sequential(std::span<double> row, const Picks& picks) const {
     const SandParameters& p = parameters_;
-    const bool common = p.hop_length == HopLength::linear && p.hop_amount == HopAmount::constant &&
-                        p.landing != Landing::split;
+    const bool common = p.hop_length == HopLength::linear && p.hop_amount == HopAmount::constant;
     if (!common) {
         hop_from_each(row.data(), picks, [&](int x) { hop_from(row.data(), x); });
     } else if (p.landing == Landing::truncate_terms) {
-        hop_linearly<true>(row.data(), picks);
+        hop_linearly<true, false>(row.data(), picks);
+    } else if (p.landing == Landing::split) {
+        hop_linearly<false, true>(row.data(), picks);
     } else {
-        hop_linearly<false>(row.data(), picks);
+        hop_linearly<false, false>(row.data(), picks);
     }
 }
 

@@ -55,7 +55,7 @@ class RowHops {
     void land_split(std::span<double> after) const;
     template <class Hop>
     void hop_from_each(double* row, const Picks& picks, Hop hop) const;
-    template <bool truncate_terms>
+    template <bool truncate_terms, bool split>
     void hop_linearly(double* row, const Picks& picks) const;
     void hop_from(double* row, int x) const;
 
