@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "models/loop_watch.h"
 #include "models/toppling.h"
 
 namespace fumon {
@@ -45,6 +46,9 @@ Pile::Pile(const SandpileParameters& parameters, const Grid& bed, std::span<cons
     for (int direction = 1; direction <= direction_count; ++direction) {
         const RingStep step = ring_step(direction);
         around_[static_cast<std::size_t>(direction - 1)] = step.dy * stride_ + step.dx;
+    }
+    for (std::ptrdiff_t place = 0; place < 9; ++place) {
+        block_[static_cast<std::size_t>(place)] = (place / 3 - 1) * stride_ + place % 3 - 1;
     }
     const auto shares = shares_of(static_cast<int>(parameters.grains_per_topple));
     for (int direction = 1; direction <= direction_count; ++direction) {
@@ -104,7 +108,7 @@ bool Pile::unstable_by(std::size_t cell) const {
         if (direction != no_direction && direction != drop_site) {
             const auto& three = receivers_[direction];
             return std::any_of(three.begin(), three.end(), [&](const Receiver& receiver) {
-                return (cells_.data() + cell)[receiver.offset] <= limit;
+                return receiver.given > 0 && (cells_.data() + cell)[receiver.offset] <= limit;
             });
         }
     }
@@ -159,6 +163,7 @@ void Pile::topple(std::size_t cell, TopplingDraws& draws, Received received) {
 /// cell now lies far below, and the cell itself.
 template <bool toward_direction>
 void Pile::sweep_until_rest(TopplingDraws& draws, Avalanche& avalanche) {
+    LoopWatch watch;
     bool toppled = true;
     while (toppled) {
         toppled = false;
@@ -177,6 +182,7 @@ void Pile::sweep_until_rest(TopplingDraws& draws, Avalanche& avalanche) {
             toppled = true;
         }
         if (toppled) ++avalanche.duration;
+        watch.look(avalanche.topplings, draws.drawn(), changed_, cells_, {});
     }
 }
 
@@ -187,6 +193,7 @@ void Pile::empty_queue(TopplingDraws& draws, Avalanche& avalanche) {
         waiting_.insert(cell);
         next_queue_.push_back(cell);
     };
+    LoopWatch watch;
     for (std::size_t cell = waiting_.next(0); cell != CellSet::none; cell = waiting_.next(cell + 1))
         queue_.push_back(cell);
     while (!queue_.empty()) {
@@ -195,15 +202,15 @@ void Pile::empty_queue(TopplingDraws& draws, Avalanche& avalanche) {
             waiting_.remove(cell);
             if (!unstable(cell)) continue;
             topple(cell, draws, [](std::size_t) {});
-            for (const std::ptrdiff_t offset : around_)
+            for (const std::ptrdiff_t offset : block_)
                 join(cell + static_cast<std::size_t>(offset));
-            join(cell);
             ++avalanche.topplings;
             toppled = true;
         }
         if (toppled) ++avalanche.duration;
         queue_.clear();
         std::swap(queue_, next_queue_);
+        watch.look(avalanche.topplings, draws.drawn(), changed_, cells_, queue_);
     }
 }
 

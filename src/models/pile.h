@@ -28,9 +28,10 @@ struct Site {
 /// the sweep are still visited in it, those behind in the next, so the result is that of visiting
 /// every cell in every sweep, at a cost per topple that hardly depends on the size of the grid.
 ///
-/// First in, first out: after a topple the eight neighbours in the order of directions 1 … 8, then
-/// the toppled cell itself, join the end of a queue, each if it is unstable and not in the queue.
-/// The cell at the front leaves it and topples once, if it is still unstable.
+/// First in, first out: the cell at the front of a queue leaves it and topples once, if it is
+/// unstable; then the 3 × 3 cells around and including it join the end in array order, each if it
+/// is unstable and not in the queue. Which cells join when matters a little: other orders of
+/// joining change the grains resident on 64 × 64 cells by some 5 %.
 class Pile {
   public:
     /// `bed`: whole heights ≥ 0, below 2^26. `apexes`: the drop sites, whose direction is drawn
@@ -90,6 +91,7 @@ class Pile {
     std::int32_t threshold_;                               ///< as packed heights
     std::int32_t moved_;                                   ///< by a topple, as packed heights
     std::array<std::ptrdiff_t, 8> around_{};               ///< the ring, direction 1 first
+    std::array<std::ptrdiff_t, 9> block_{};                ///< 3 × 3, in array order
     std::array<std::array<Receiver, 3>, 9> receivers_{};   ///< by direction 1 … 8
     std::array<std::array<std::int32_t, 9>, 10> after_{};  ///< B' by B (0 … 9) and B_R (1 … 8)
     /// 16 · height + direction, rows from the north with an edge all round: comparisons of heights

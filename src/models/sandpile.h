@@ -30,6 +30,16 @@ namespace fumon {
 /// dropped, not on how they were shared out over steps. A bed that is not at rest settles before
 /// the first grain, in the first step; that is no avalanche, its losses count as lost.
 ///
+/// `topple_toward = toward_direction` counts only the neighbours n that would receive; drop sites,
+/// whose direction is not known before they topple, and cells without one count all eight. A cell
+/// without a direction that topples (of a given bed) draws one and keeps it.
+///
+/// Nothing proves that the published rule comes to rest from any bed: it moves grains uphill too,
+/// where a cell's direction does not point at what makes it unstable. From an empty bed it always
+/// has; with g = 1 and direction = mean, rough beds are known on which grains go round for ever.
+/// That is noticed (LoopWatch). With g = 1 and toward_direction each topple lowers Σ h², so it
+/// ends.
+///
 /// The published direction average is biased: on 64 × 64 cells the pile drifts some ten cells off
 /// its drop site. `direction = circular_mean` has no such drift.
 class Sandpile : public Model {
@@ -39,6 +49,8 @@ class Sandpile : public Model {
     Sandpile(const SandpileParameters& parameters, const ModelSetup& setup);
 
     [[nodiscard]] std::string_view name() const override { return "sandpile"; }
+
+    /// Throws Error where the toppling would never end.
     void step() override;
     [[nodiscard]] std::int64_t steps_done() const override { return steps_; }
     [[nodiscard]] double time() const override { return static_cast<double>(dropped_); }

@@ -35,12 +35,12 @@ void list_keys(SandpileParameters& pile, KeyTable& table) {
                    .range = {1, highest_threshold},
                    .help = "T: a cell topples when a neighbour is lower by this or more; 5 in the "
                            "paper, 1 admits no topple"});
-    table.integer(
-        "model.grains_per_topple", pile.grains_per_topple,
-        {.unit = "grains",
-         .range = {1, highest_threshold},
-         .help = "g: grains that a topple moves, at most 3 for T = 5 (the paper) and 4, 2 "
-                 "for T = 3, 1 for T = 2: g + ceil(g/3) <= T"});
+    table.integer("model.grains_per_topple", pile.grains_per_topple,
+                  {.unit = "grains",
+                   .range = {1, highest_threshold},
+                   .help = "g: grains that a topple moves (3 in the paper), shared evenly by 3 "
+                           "cells; at most 1 for T = 2, 2 for T = 3, 3 for T = 4 and 5: g + "
+                           "ceil(g/3) <= T; 1 keeps grains on the 8 rays from a drop site"});
     table.choice(
         "model.direction", pile.direction,
         {{"mean",
@@ -50,13 +50,12 @@ void list_keys(SandpileParameters& pile, KeyTable& table) {
          {"circular-mean", "halfway on the circle: no drift"}},
         {.help = "how a cell that receives a grain going B_R turns its own direction B (Higashi & "
                  "Takamori 2003, section 3.2.3)"});
-    table.choice(
-        "model.topple_toward", pile.topple_toward,
-        {{"any-lower", "where any of the 8 neighbours is low enough (the paper)"},
-         {"toward-direction",
-          "only where one of the three cells around its direction is; drop sites and cells "
-          "without a direction look at all 8"}},
-        {.help = "which lower neighbours make a cell topple"});
+    table.choice("model.topple_toward", pile.topple_toward,
+                 {{"any-lower", "where any of the 8 neighbours is low enough (the paper)"},
+                  {"toward-direction",
+                   "only where one of the cells that would get its grains is; drop sites and cells "
+                   "without a direction look at all 8"}},
+                 {.help = "which lower neighbours make a cell topple"});
     table.choice(
         "model.order", pile.order,
         {{"sweep",
