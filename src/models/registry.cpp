@@ -4,6 +4,7 @@
 #include <array>
 
 #include "models/sand.h"
+#include "models/sandpile.h"
 #include "models/static_bed.h"
 
 namespace fumon {
@@ -28,6 +29,9 @@ constexpr ModelEntry entry(std::string_view name, std::string_view help, bool st
 constexpr std::array all_models{
     entry<SandParameters, Sand>("sand",
                                 "wind-blown sand that hops and creeps: ripples, dunes, barchans"),
+    entry<SandpileParameters, Sandpile>(
+        "sandpile",
+        "a pile that grains fall on and that topples: cones, avalanches and their sizes"),
     entry<StaticParameters, StaticBed>("static", "a bed as it is: look at a terrain"),
 };
 
