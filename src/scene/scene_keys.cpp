@@ -149,6 +149,11 @@ void list_view_keys(View& view, KeyTable& table) {
     table.boolean("look.block_sides", look.block_sides,
                   {.help = "draw the cut sides of the block"});
     table.real("look.grain", look.grain, {.range = {0, 1}, .help = "visible grain of the sand"});
+    table.word_or_real("look.room", look.room,
+                       {{"auto", "as far as the model's landforms usually grow"}},
+                       {.unit = "model heights",
+                        .range = {0, 1e7},
+                        .help = "what the picture leaves free above the first bed"});
     table.choice("look.mark", look.mark,
                  {{"none", "the bed alone"},
                   {"last-avalanche",
