@@ -39,11 +39,19 @@ void check_size(const NetcdfInput& input, const BedVariable& bed) {
             fmt::format("at most {} are read; cut out or coarsen the part you need", most));
 }
 
+/// "m" of "m above sea level" and "meters (NAVD88)".
+std::string without_datum(const std::string& unit) {
+    std::size_t end = unit.size();
+    for (const char* begin : {" above ", " (", " a.s.l", " asl", " amsl"})
+        end = std::min(end, unit.find(begin));
+    return unit.substr(0, end);
+}
+
 /// Metres per unit of the variable's heights.
 double height_factor(const NetcdfInput& input, const BedVariable& bed) {
     const std::string unit = input.text(bed.variable, "units").value_or("");
     if (unit.empty() || unit == "1") return 1.0;
-    if (const auto metres = metres_per_unit(unit)) return *metres;
+    if (const auto metres = metres_per_unit(without_datum(unit))) return *metres;
     input.refuse(fmt::format("{} is in \"{}\"", bed.name, unit),
                  "heights are in a unit of length (\"m\"); name another variable by bed.variable");
 }
@@ -171,16 +179,20 @@ void complete_spacing(NetcdfAxis& x, NetcdfAxis& y) {
 
 void set_cell_sizes(const NetcdfInput& input, const NetcdfAxis& x, const NetcdfAxis& y,
                     Terrain& terrain) {
+    if (!y.has_coordinates)
+        add_note(terrain,
+                 fmt::format("no coordinates for {}: its first row is taken for the southernmost, "
+                             "and the cell size is unknown",
+                             y.name));
+    if (!x.has_coordinates)
+        add_note(terrain, fmt::format("no coordinates for {}: its first column is taken for the "
+                                      "westernmost, and the cell size is unknown",
+                                      x.name));
+    if (!x.has_coordinates || !y.has_coordinates) return;
     if (x.unit != y.unit)
         input.refuse(fmt::format("{} and {} have units of different kinds", x.name, y.name),
                      "both are lengths, or both degrees");
-    if (x.unit == AxisUnit::sites || x.spacing == 0.0 || y.spacing == 0.0) {
-        if (!x.has_coordinates || !y.has_coordinates)
-            add_note(terrain, fmt::format("no coordinates for {}: the first row is taken for the "
-                                          "southernmost, the cell size is unknown",
-                                          x.has_coordinates ? y.name : x.name));
-        return;
-    }
+    if (x.unit == AxisUnit::sites || x.spacing == 0.0 || y.spacing == 0.0) return;
     terrain.dx = x.spacing;
     terrain.dy = y.spacing;
     const GridExtent extent{x.lowest - 0.5 * x.spacing,

@@ -9,6 +9,7 @@ namespace fumon {
 /// Held around every use of the NetCDF library, which keeps its open files and HDF5's handles in
 /// process-wide tables and is not thread-safe: one file is written or read at a time, whatever
 /// threads they belong to. Compression happens under it too.
+/// Also keeps HDF5 from printing to the standard error output of its own accord.
 class NetcdfLock {
   public:
     NetcdfLock();

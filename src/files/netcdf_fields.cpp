@@ -55,7 +55,9 @@ bool has_size(const Grid& grid, const RecordForm& form) {
 class FieldsFile::Parts {
   public:
     Parts(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text)
-        : file_(resolved_link(file)), part_(file_), form_(form_of(first)) {
+        : file_(resolved_link(file)),
+          part_(std::filesystem::absolute(file_)),  // which is never taken for a network address
+          form_(form_of(first)) {
         part_ += ".part";
         if (!takes_a_rename(file_))
             throw Error(fmt::format(

@@ -22,9 +22,11 @@ struct FieldsText {
 /// The file is made as NAME.part and gets its name by commit(). After every add() the file on disk
 /// is whole, so that a run that is killed between two records leaves a NAME.part that opens, with
 /// all records so far; a kill within the instant in which a record's index is written (tens of
-/// microseconds) may leave it unreadable. Disk space is set aside before a record is begun, so a
-/// full disk refuses the record and leaves the file as it was, still fit for commit(). An
-/// uncommitted file is deleted: a run that is interrupted or fails commits what it has.
+/// microseconds) may leave it unreadable. While it is being written HDF5's lock keeps other
+/// programs from opening it (unless HDF5_USE_FILE_LOCKING=FALSE). Disk space is set aside before a
+/// record is begun, so a full disk refuses the record and leaves the file as it was, still fit for
+/// commit(). An uncommitted file is deleted: a run that is interrupted or fails commits what it
+/// has.
 ///
 /// Same records and text give the same bytes, with the same versions of the NetCDF and HDF5
 /// libraries. Memory does not grow with the records. Any threads may write different files at the
