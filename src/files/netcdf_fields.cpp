@@ -37,6 +37,7 @@ struct RecordForm {
 template <class Named>
 std::vector<std::string> names_of(const std::vector<Named>& list) {
     std::vector<std::string> names;
+    names.reserve(list.size());
     for (const Named& entry : list) names.push_back(entry.name);
     return names;
 }
