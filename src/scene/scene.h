@@ -38,6 +38,7 @@ struct BedSettings {
     double low = 0.0, high = 1.0;  ///< noise: uniform in [low, high), model heights
     std::string file;              ///< file: as written in the scene
     std::vector<double> heights;   ///< file, PNG: metres of black and of white
+    std::string variable;          ///< file, NetCDF: the variable to read; empty for the file's own
     WordOrReal nodata{"mask", 0.0};
 };
 
