@@ -36,17 +36,19 @@ class RowPairs {
 
     void clear() { std::fill(pair_.begin(), pair_.end(), Complex()); }
     void set_real(std::span<const double> row, bool periodic, std::span<const double> window = {}) {
-        row_departures(row, periodic, departures_);
-        for (std::size_t x = 0; x < departures_.size(); ++x) {
-            pair_[x].real(window.empty() ? departures_[x] : departures_[x] * window[x]);
-        }
+        find_departures(row, periodic, window);
+        for (std::size_t x = 0; x < departures_.size(); ++x) pair_[x].real(departures_[x]);
     }
     void set_imaginary(std::span<const double> row, bool periodic,
                        std::span<const double> window = {}) {
-        row_departures(row, periodic, departures_);
-        for (std::size_t x = 0; x < departures_.size(); ++x) {
-            pair_[x].imag(window.empty() ? departures_[x] : departures_[x] * window[x]);
-        }
+        find_departures(row, periodic, window);
+        for (std::size_t x = 0; x < departures_.size(); ++x) pair_[x].imag(departures_[x]);
+    }
+    /// Σ f² of the row that was set last.
+    [[nodiscard]] double squares() const {
+        double sum = 0.0;
+        for (const double departure : departures_) sum += departure * departure;
+        return sum;
     }
     const std::vector<Complex>& transformed() {
         transform_.forward(pair_, spectrum_);
@@ -54,6 +56,12 @@ class RowPairs {
     }
 
   private:
+    void find_departures(std::span<const double> row, bool periodic,
+                         std::span<const double> window) {
+        row_departures(row, periodic, departures_);
+        for (std::size_t x = 0; x < window.size(); ++x) departures_[x] *= window[x];
+    }
+
     FourierTransform transform_;
     std::vector<double> departures_;
     std::vector<Complex> pair_;
@@ -123,11 +131,13 @@ std::vector<double> cross_correlation_along_x(const Grid& earlier, const Grid& l
     const auto nx = static_cast<std::size_t>(earlier.nx());
     RowPairs pairs(nx, nx);
     std::vector<Complex> products(nx);
-    double earlier_power = 0.0;
-    double later_power = 0.0;
+    double earlier_squares = 0.0;
+    double later_squares = 0.0;
     for (int y = 0; y < earlier.ny(); ++y) {
         pairs.set_real(earlier.row(y), true);
+        earlier_squares += pairs.squares();
         pairs.set_imaginary(later.row(y), true);
+        later_squares += pairs.squares();
         const std::vector<Complex>& z = pairs.transformed();
         for (std::size_t k = 0; k < nx; ++k) {
             const Complex mirrored = std::conj(z[k == 0 ? 0 : nx - k]);
@@ -136,11 +146,9 @@ std::vector<double> cross_correlation_along_x(const Grid& earlier, const Grid& l
             const Complex b{0.5 * twice_ib.imag(), -0.5 * twice_ib.real()};
             products[k] += Complex{a.real() * b.real() + a.imag() * b.imag(),
                                    a.real() * b.imag() - a.imag() * b.real()};
-            earlier_power += std::norm(a);
-            later_power += std::norm(b);
         }
     }
-    const double whole = std::sqrt(earlier_power * later_power) / static_cast<double>(nx);
+    const double whole = std::sqrt(earlier_squares * later_squares);
     if (!(whole > 0.0)) return {};
     std::vector<double> result = back_to_shifts(std::move(products));
     for (double& value : result) value /= whole;

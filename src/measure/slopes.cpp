@@ -14,14 +14,15 @@ constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double level = 1e-12;
 
 std::vector<double> forward_differences(const Grid& bed, bool periodic) {
-    std::vector<double> differences;
-    differences.reserve(bed.size());
+    if (bed.nx() < 2) return {};
+    const auto nx = static_cast<std::size_t>(bed.nx());
+    const std::size_t in_row = periodic ? nx : nx - 1;
+    std::vector<double> differences(in_row * static_cast<std::size_t>(bed.ny()));
     for (int y = 0; y < bed.ny(); ++y) {
         const auto row = bed.row(y);
-        for (std::size_t x = 0; x + 1 < row.size(); ++x) {
-            differences.push_back(row[x + 1] - row[x]);
-        }
-        if (periodic && row.size() > 1) differences.push_back(row.front() - row.back());
+        double* difference = differences.data() + in_row * static_cast<std::size_t>(y);
+        for (std::size_t x = 0; x + 1 < nx; ++x) difference[x] = row[x + 1] - row[x];
+        if (periodic) difference[nx - 1] = row.front() - row.back();
     }
     return differences;
 }
@@ -57,26 +58,42 @@ double ninetieth_percentile(std::span<double> values) {
     return *at;
 }
 
+/// The magnitudes of rises and falls, without what is level, in one array with room between.
+class Sides {
+  public:
+    Sides(std::span<const double> differences, double level_below)
+        : magnitudes_(differences.size() + 1) {
+        for (const double difference : differences) {  // without branches: noise has no pattern
+            magnitudes_[rises_] = difference;
+            magnitudes_[magnitudes_.size() - 1 - falls_] = -difference;
+            rises_ += static_cast<std::size_t>(difference > level_below);
+            falls_ += static_cast<std::size_t>(difference < -level_below);
+        }
+    }
+    std::span<double> rises() { return std::span(magnitudes_).first(rises_); }
+    std::span<double> falls() { return std::span(magnitudes_).last(falls_); }
+
+  private:
+    std::vector<double> magnitudes_;
+    std::size_t rises_ = 0;
+    std::size_t falls_ = 0;
+};
+
 }  // namespace
 
 BedSlopes bed_slopes(const Grid& bed, bool periodic) {
     const std::vector<double> differences = forward_differences(bed, periodic);
     double highest = 0.0;
     for (const double height : bed.values()) highest = std::max(highest, std::abs(height));
-    std::vector<double> rises;
-    std::vector<double> falls;
-    for (const double difference : differences) {
-        if (difference > level * highest) rises.push_back(difference);
-        if (difference < -level * highest) falls.push_back(-difference);
-    }
+    Sides sides(differences, level * highest);
     BedSlopes result;
-    if (rises.empty() && falls.empty()) return result;
+    if (sides.rises().empty() && sides.falls().empty()) return result;
     result.skewness = skewness(differences);
-    result.stoss = mean_of(rises);
-    result.lee = mean_of(falls);
+    result.stoss = mean_of(sides.rises());
+    result.lee = mean_of(sides.falls());
     result.stoss_to_lee = result.stoss / result.lee;
-    result.steep_stoss = ninetieth_percentile(rises);
-    result.steep_lee = ninetieth_percentile(falls);
+    result.steep_stoss = ninetieth_percentile(sides.rises());
+    result.steep_lee = ninetieth_percentile(sides.falls());
     return result;
 }
 
