@@ -8,7 +8,7 @@
 
 namespace fumon {
 
-/// What counts as a separate dune (MODELS section 5).
+/// What counts as a separate dune.
 struct DuneCriteria {
     double level_share = 0.3;       ///< of the bed's highest cell: a dune stands above it
     std::int64_t least_cells = 20;  ///< a smaller piece is no dune
@@ -44,7 +44,7 @@ struct DuneField {
 };
 
 /// Dunes are the 8-connected pieces of cells higher than level_share times the highest cell, of at
-/// least least_cells cells, that do not wrap round a periodic bed (MODELS section 5). Heights are
+/// least least_cells cells, that do not wrap round a periodic bed. Heights are
 /// taken as they are, above zero: this is for dunes on bare ground at height 0. On a thick bed the
 /// level cuts nothing, and the whole bed is one piece that wraps. A piece of two dunes that touch
 /// counts once. In a bed that is not periodic, dunes cut off by the edge count as they are. Where
