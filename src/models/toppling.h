@@ -35,7 +35,7 @@ int turned(int direction, int eighths);
 ///                    table 2's exceptions hold
 ///     circular-mean  halfway on the circle of eighths; a half eighth is rounded toward B_R, and
 ///                    opposite directions, which have no mean, give B_R: the rule is the same seen
-///                    in a mirror or turned, so it has no bias. This one is not the paper's.
+///                    in a mirror or turned, so it has no bias of its own. Not the paper's.
 ///
 /// `before` is B, 0 … 8; `incoming` is B_R, 1 … 8: the direction in which the grain came.
 int direction_after(DirectionRule rule, int before, int incoming);
