@@ -10,7 +10,7 @@ namespace fumon {
 class WorkerPool;
 
 /// What a random stream is for: part of the counter, so that no two uses share numbers.
-enum class Purpose : std::uint32_t { initial_bed = 1, picks_per_row = 2, picks = 3 };
+enum class Purpose : std::uint32_t { initial_bed = 1, picks_per_row = 2, picks = 3, bootstrap = 5 };
 
 /// Philox4x32-10 (Salmon, Moraes, Dror & Shaw 2011): ten rounds on a 128-bit counter under a 64-bit
 /// key. Checked against its published known-answer vectors.
