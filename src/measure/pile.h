@@ -30,7 +30,7 @@ struct PileShape {
 ///
 /// A pile that has drifted off the drop point shows it twice: in `offset`, and in a low R² of
 /// `drop_cone` beside a high one of `cone`. Higashi & Takamori's rule at M = 64, S = 60,000 gives
-/// .27 to .30 and .92 to .93 (5 seeds); an unbiased mean of directions .95 to .96 and .97.
+/// .27 to .30 and .92 to .93 (5 seeds); an unbiased mean of directions about .95 and .97.
 PileShape pile_shape(const Grid& bed, BedPoint drop);
 
 }  // namespace fumon
