@@ -110,9 +110,8 @@ MeasureGroup crest_group() {
                 return of_whole_beds(snapshot, count, [&]() -> std::vector<double> {
                     const Grid& bed = snapshot.bed;
                     const CrestOrientation crests = crest_orientation(bed, snapshot.periodic);
-                    const CrestDefects defects =
-                        crest_defects(bed, snapshot.periodic,
-                                      wavelength_spectrum(bed, snapshot.periodic));
+                    const CrestDefects defects = crest_defects(
+                        bed, snapshot.periodic, wavelength_spectrum(bed, snapshot.periodic));
                     return {crests.degrees, crests.coherence, static_cast<double>(defects.ends),
                             defects.defect_density};
                 });
