@@ -13,7 +13,7 @@ namespace fumon {
 namespace {
 
 constexpr double least_correlation = 0.3;
-constexpr double as_good_as_the_highest = 0.95;
+constexpr double as_good_as_the_highest = 0.8;
 
 }  // namespace
 

@@ -13,7 +13,7 @@ namespace fumon {
 namespace {
 
 constexpr double smoothing_share = 1.0 / 12.0;  // all of these are shares of a wavelength
-constexpr double reach_share = 1.0 / 3.0;
+constexpr double reach_share = 1.0 / 2.0;
 constexpr double least_length_share = 1.0 / 4.0;
 constexpr double edge_share = 1.0 / 2.0;
 constexpr double prominence = 0.5;  // of a standard deviation

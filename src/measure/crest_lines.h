@@ -33,11 +33,12 @@ struct CrestDefects {
 };
 
 /// The crest lines of a bed whose waves are about `wavelength` sites long along x (any measure of
-/// it; factors of 1.5 do not matter). The bed is smoothed by a triangular kernel of wavelength/12
-/// sites (half its width at half height) in x and y. A crest of a row is a maximum from which the
+/// it; factors of 1.3 do not matter; of separate dunes, rather their length along the wind, lest
+/// neighbours be taken for one). The bed is smoothed by a triangular kernel of wavelength/12 sites
+/// (half its width at half height) in x and y. A crest of a row is a maximum from which the
 /// smoothed row falls on both sides by half the standard deviation of the smoothed bed (about its
 /// rows' means or lines) before it rises higher. Crests of neighbouring rows are linked where each
-/// is the other's nearest and they lie within a third of a wavelength. Lines over fewer rows than a
+/// is the other's nearest and they lie within half a wavelength. Lines over fewer rows than a
 /// quarter of a wavelength are noise and left out. Lines follow from row to row: this fails for
 /// crests turned more than about 60 degrees from the normal to the wind, which have no maximum
 /// along x.

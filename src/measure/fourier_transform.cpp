@@ -1,5 +1,6 @@
 #include "measure/fourier_transform.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <unsupported/Eigen/FFT>
@@ -37,6 +38,10 @@ class FourierTransform::Method {
 class FourierTransform::MixedRadix : public Method {
   public:
     void forward(std::span<const Complex> values, std::span<Complex> spectrum) override {
+        if (values.size() < 2) {  // which Eigen does not take
+            std::copy(values.begin(), values.end(), spectrum.begin());
+            return;
+        }
         transform_.fwd(spectrum.data(), values.data(), static_cast<Eigen::Index>(values.size()));
     }
 

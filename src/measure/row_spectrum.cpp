@@ -102,12 +102,14 @@ std::vector<double> back_to_shifts(std::vector<Complex> spectrum) {
 }  // namespace
 
 std::vector<double> power_along_x(const Grid& bed, bool periodic) {
+    if (bed.empty()) return {};
     const auto nx = static_cast<std::size_t>(bed.nx());
     const std::vector<double> window = periodic ? std::vector<double>() : hann_window(nx);
     return power_of_rows(bed, periodic, nx, window);
 }
 
 std::vector<double> autocorrelation_along_x(const Grid& bed, bool periodic) {
+    if (bed.empty()) return {};
     const auto nx = static_cast<std::size_t>(bed.nx());
     const std::size_t length = periodic ? nx : std::bit_ceil(nx + nx / 2 + 1);
     const std::vector<double> power = power_of_rows(bed, periodic, length, {});
@@ -128,6 +130,7 @@ std::vector<double> cross_correlation_along_x(const Grid& earlier, const Grid& l
     if (earlier.nx() != later.nx() || earlier.ny() != later.ny()) {
         throw Error("two beds are compared whose sizes differ");
     }
+    if (earlier.empty()) return {};
     const auto nx = static_cast<std::size_t>(earlier.nx());
     RowPairs pairs(nx, nx);
     std::vector<Complex> products(nx);

@@ -8,7 +8,8 @@ namespace fumon {
 
 /// The power |F(k)|² of the bed's departures along x (see row_departures) in wave numbers
 /// k = 0 … nx/2 (cycles per row), summed over the rows. The rows of a bed that is not periodic are
-/// brought to zero at their ends by a Hann window first, which widens a peak to three bins.
+/// brought to zero at their ends by a Hann window first, which widens a peak to three bins. Empty
+/// for an empty bed.
 std::vector<double> power_along_x(const Grid& bed, bool periodic);
 
 /// The correlation of the bed's departures with themselves shifted by 0, 1, 2 … sites along x, rows

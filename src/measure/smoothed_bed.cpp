@@ -16,20 +16,20 @@ std::size_t site(int x, int count, bool periodic) {
 void mean_along_x(const Grid& from, Grid& to, bool periodic, int radius) {
     const int nx = from.nx();
     const double scale = 1.0 / (2 * radius + 1);
-    std::vector<double> padded(static_cast<std::size_t>(nx + 2 * radius + 1));
+    const auto half = static_cast<std::size_t>(radius);
+    const std::size_t width = 2 * half + 1;
+    std::vector<double> padded(static_cast<std::size_t>(nx) + width);
     for (int y = 0; y < from.ny(); ++y) {
         const auto row = from.row(y);
         std::copy(row.begin(), row.end(), padded.begin() + radius);
         for (int beyond = 0; beyond <= radius; ++beyond) {
-            padded[static_cast<std::size_t>(nx + radius + beyond)] =
-                row[site(nx + beyond, nx, periodic)];
-            if (beyond < radius) {
-                padded[static_cast<std::size_t>(beyond)] = row[site(beyond - radius, nx, periodic)];
-            }
+            const auto distance = static_cast<std::size_t>(beyond);
+            if (beyond < radius) padded[distance] = row[site(beyond - radius, nx, periodic)];
+            padded[row.size() + half + distance] = row[site(nx + beyond, nx, periodic)];
         }
         double sum = 0.0;
-        for (int i = 0; i < 2 * radius + 1; ++i) sum += padded[static_cast<std::size_t>(i)];
-        const double* in = padded.data() + 2 * radius + 1;
+        for (std::size_t i = 0; i < width; ++i) sum += padded[i];
+        const double* in = padded.data() + width;
         const double* out = padded.data();
         for (double& mean : to.row(y)) {
             mean = sum * scale;

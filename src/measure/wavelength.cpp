@@ -22,7 +22,7 @@ constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 double wavelength_spectrum(const Grid& bed, bool periodic) {
-    if (bed.nx() < least_columns) return undefined;
+    if (bed.nx() < least_columns || bed.empty()) return undefined;
     const std::vector<double> power = power_along_x(bed, periodic);
     const auto peak =
         static_cast<int>(std::max_element(power.begin() + 1, power.end()) - power.begin());
@@ -38,7 +38,7 @@ double wavelength_spectrum(const Grid& bed, bool periodic) {
 }
 
 double wavelength_autocorrelation(const Grid& bed, bool periodic) {
-    if (bed.nx() < least_columns) return undefined;
+    if (bed.nx() < least_columns || bed.empty()) return undefined;
     std::vector<double> correlation = autocorrelation_along_x(bed, periodic);
     if (correlation.empty()) return undefined;
     if (periodic) correlation.insert(correlation.end(), {correlation[0], correlation[1]});
@@ -55,7 +55,7 @@ double wavelength_autocorrelation(const Grid& bed, bool periodic) {
 }
 
 double wavelength_crossings(const Grid& bed, bool periodic) {
-    if (bed.nx() < least_columns) return undefined;
+    if (bed.nx() < least_columns || bed.empty()) return undefined;
     std::vector<double> departures(static_cast<std::size_t>(bed.nx()));
     std::vector<int> sites;
     std::int64_t length = 0;

@@ -112,6 +112,10 @@ TEST(Autocorrelation, OfAnOpenBedCountsTheOverlapOnly) {
 
 TEST(Correlations, AreEmptyWithoutRelief) {
     const Grid level(16, 4, 0.1);
+    for (const Grid& bed : {Grid(), Grid(0, 3), Grid(1, 3, 2.0)}) {
+        EXPECT_TRUE(autocorrelation_along_x(bed, true).empty());
+        EXPECT_TRUE(cross_correlation_along_x(bed, bed).empty());
+    }
     EXPECT_TRUE(autocorrelation_along_x(level, true).empty());
     EXPECT_TRUE(autocorrelation_along_x(level, false).empty());
     EXPECT_TRUE(cross_correlation_along_x(level, test::noise(16, 4, 1)).empty());
