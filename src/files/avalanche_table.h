@@ -16,8 +16,8 @@ namespace fumon {
 /// it.
 inline constexpr std::string_view avalanche_table_header = "grain,size,duration,topplings,lost";
 
-/// Writes avalanches.csv while a run goes on, however long: rows are held back by the few kilobytes
-/// only. The file gets its name by commit().
+/// Writes avalanches.csv while a run goes on, however long: at most 64 KiB of rows are held back.
+/// The file gets its name by commit().
 class AvalancheFile {
   public:
     /// Throws Error when it cannot be made.

@@ -35,7 +35,7 @@ ConeFit cone_at(const Grid& bed, BedPoint apex);
 
 /// The best cone wherever its apex lies on the bed, over the same cells: Levenberg's (1944) and
 /// Marquardt's (1963) damped Gauss–Newton steps for the apex, height and slope solved for anew at
-/// each, from the centroid of the heights. Exact cones are found to about 1e-8 cells, also where
+/// each, from the centroid of the heights. Exact cones are found to 1e-7 cells, also where
 /// the edge cuts them off.
 ///
 /// Not a number as for `cone_at`, for fewer than 5 covered cells, and where the best apex lies

@@ -11,7 +11,8 @@ double azimuth(double east, double north) {
     constexpr double degrees_per_radian = 57.29577951308232;
     if (east == 0.0 && north == 0.0) return ConeFit::none;
     const double degrees = degrees_per_radian * std::atan2(east, north);
-    return degrees < 0.0 ? degrees + 360.0 : degrees;
+    const double positive = degrees < 0.0 ? degrees + 360.0 : degrees;
+    return positive < 360.0 ? positive : 0.0;  // a hair west of north rounds to a full turn
 }
 
 /// Of the covered cells; `count` of them.
