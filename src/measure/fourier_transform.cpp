@@ -42,6 +42,10 @@ class FourierTransform::MixedRadix : public Method {
             std::copy(values.begin(), values.end(), spectrum.begin());
             return;
         }
+        if (values.size() == 1) {  // has no factors, which Eigen's transform does not foresee
+            spectrum[0] = values[0];
+            return;
+        }
         transform_.fwd(spectrum.data(), values.data(), static_cast<Eigen::Index>(values.size()));
     }
 
