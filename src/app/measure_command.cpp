@@ -109,6 +109,8 @@ std::string as_json(const MeasureOptions& options, const std::vector<MeasuredVal
 }  // namespace
 
 int measure_command(const MeasureOptions& options) {
+    if (std::filesystem::path(options.bed).extension() == ".csv")
+        return measure_avalanches(options);
     if (options.earlier.empty() != (options.steps_between == 0)) {
         throw InputError(
             "fumon measure: --earlier and --steps go together: an earlier bed and the steps "
