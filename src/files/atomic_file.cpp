@@ -18,27 +18,6 @@ namespace fumon {
 
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& file, int reason) {
-    throw Error(
-        fmt::format("cannot write {}: {}", file.string(), std::generic_category().message(reason)));
-}
-
-/// A link stays a link: what it points to is replaced.
-std::filesystem::path resolved(std::filesystem::path file) {
-    std::error_code ignored;
-    if (!std::filesystem::is_symlink(file, ignored)) return file;
-    auto target = std::filesystem::canonical(file, ignored);
-    return target.empty() ? file : target;
-}
-
-/// Pipes and devices ("/dev/stdout") cannot be replaced by a rename; they are written directly.
-bool takes_a_rename(const std::filesystem::path& file) {
-    struct stat status {};
-    if (::stat(file.c_str(), &status) != 0) return true;
-    if (S_ISDIR(status.st_mode)) fail(file, EISDIR);
-    return S_ISREG(status.st_mode);
-}
-
 int open_retrying(const std::filesystem::path& file, int flags) {
     constexpr mode_t everyone_may_read_and_write = 0666;  // less the umask
     int descriptor = -1;
@@ -50,7 +29,26 @@ int open_retrying(const std::filesystem::path& file, int flags) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(std::filesystem::path file) : file_(resolved(std::move(file))) {
+void refuse_to_write(const std::filesystem::path& file, int reason) {
+    throw Error(
+        fmt::format("cannot write {}: {}", file.string(), std::generic_category().message(reason)));
+}
+
+std::filesystem::path resolved_link(std::filesystem::path file) {
+    std::error_code ignored;
+    if (!std::filesystem::is_symlink(file, ignored)) return file;
+    auto target = std::filesystem::canonical(file, ignored);
+    return target.empty() ? file : target;
+}
+
+bool takes_a_rename(const std::filesystem::path& file) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) return true;
+    if (S_ISDIR(status.st_mode)) refuse_to_write(file, EISDIR);
+    return S_ISREG(status.st_mode);
+}
+
+AtomicFile::AtomicFile(std::filesystem::path file) : file_(resolved_link(std::move(file))) {
     if (takes_a_rename(file_)) {
         temporary_ = file_;
         temporary_ += ".part";
@@ -59,7 +57,7 @@ AtomicFile::AtomicFile(std::filesystem::path file) : file_(resolved(std::move(fi
     } else {
         descriptor_ = open_retrying(file_, O_WRONLY | O_CLOEXEC);
     }
-    if (descriptor_ < 0) fail(file_, errno);
+    if (descriptor_ < 0) refuse_to_write(file_, errno);
 }
 
 AtomicFile::~AtomicFile() {
@@ -73,7 +71,7 @@ void AtomicFile::write(std::string_view text) {
         const ssize_t written =
             ::write(descriptor_, text.data(), std::min(text.size(), most_at_once));
         if (written < 0 && errno == EINTR) continue;
-        if (written < 0) fail(file_, errno);
+        if (written < 0) refuse_to_write(file_, errno);
         text.remove_prefix(static_cast<std::size_t>(written));
     }
 }
@@ -86,9 +84,9 @@ void AtomicFile::commit() {
     // A network file system may report a full disk only here. On Linux the descriptor is gone even
     // after EINTR.
     const int closed = ::close(std::exchange(descriptor_, -1));
-    if (closed != 0 && errno != EINTR) fail(file_, errno);
+    if (closed != 0 && errno != EINTR) refuse_to_write(file_, errno);
     if (temporary_.empty()) return;
-    if (::rename(temporary_.c_str(), file_.c_str()) != 0) fail(file_, errno);
+    if (::rename(temporary_.c_str(), file_.c_str()) != 0) refuse_to_write(file_, errno);
     temporary_.clear();
 }
 

@@ -27,6 +27,16 @@ class AtomicFile {
     int descriptor_ = -1;
 };
 
+/// What a path leads to: a link stays a link, and what it points to is written.
+std::filesystem::path resolved_link(std::filesystem::path file);
+
+/// Whether a file can be replaced by a rename: not pipes and devices ("/dev/stdout"), which are
+/// written directly. Throws Error for a folder.
+bool takes_a_rename(const std::filesystem::path& file);
+
+/// Throws Error "cannot write FILE: REASON" for an errno value.
+[[noreturn]] void refuse_to_write(const std::filesystem::path& file, int reason);
+
 /// One whole file at once. Throws Error naming the file and the system's reason.
 void write_file(const std::filesystem::path& file, std::string_view text);
 void write_file(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "files/esri_header.h"
 #include "files/geographic.h"
@@ -107,34 +106,6 @@ void read_cells(const TextSource& source, const EsriHeader& header, Terrain& ter
         refuse_count(source, header, offset, count + count_words(text.substr(offset)));
 }
 
-/// Highest less lowest height; negative where no cell has data.
-double relief(const Terrain& terrain) {
-    double lowest = std::numeric_limits<double>::infinity();
-    double highest = -lowest;
-    const auto heights = terrain.heights.values();
-    const auto nodata = terrain.nodata.values();
-    for (std::size_t i = 0; i < heights.size(); ++i) {
-        if (!nodata.empty() && nodata[i] != 0) continue;
-        lowest = std::min(lowest, heights[i]);
-        highest = std::max(highest, heights[i]);
-    }
-    return highest >= lowest ? highest - lowest : -1.0;
-}
-
-void convert_degrees(const EsriHeader& header, const GridExtent& extent, Terrain& terrain) {
-    const double middle = extent.south + 0.5 * extent.height;
-    const DegreeLengths lengths = degree_lengths(middle);
-    terrain.dx = header.dx * lengths.east;
-    terrain.dy = header.dy * lengths.north;
-    const std::string cell = header.dx == header.dy
-                                 ? fmt::format("{:.6g}°", header.dx)
-                                 : fmt::format("{:.6g}° × {:.6g}°", header.dx, header.dy);
-    terrain.note = fmt::format(
-        "cell size {} read as degrees and converted to metres at the middle latitude {:.4f}°: "
-        "dx = {:.2f} m, dy = {:.2f} m",
-        cell, middle, terrain.dx, terrain.dy);
-}
-
 }  // namespace
 
 Terrain parse_esri_ascii(const TextSource& source) {
@@ -143,13 +114,24 @@ Terrain parse_esri_ascii(const TextSource& source) {
     terrain.dx = header.dx;
     terrain.dy = header.dy;
     read_cells(source, header, terrain);
-    const GridExtent extent{header.west, header.south, header.dx * header.nx, header.dy * header.ny,
-                            header.dx,   header.dy,    relief(terrain)};
+    const GridExtent extent{header.west,
+                            header.south,
+                            header.dx * header.nx,
+                            header.dy * header.ny,
+                            header.dx,
+                            header.dy,
+                            relief(terrain.heights, terrain.nodata)};
     if (extent.relief < 0.0)
         source.fail(
             header.end, "every cell is no-data",
             fmt::format("at least one height must differ from the NODATA_value {}", header.nodata));
-    if (is_geographic(extent)) convert_degrees(header, extent, terrain);
+    if (is_geographic(extent)) {
+        const double middle = extent.south + 0.5 * extent.height;
+        const MetricCells cells = cells_from_degrees(header.dx, header.dy, middle);
+        terrain.dx = cells.dx;
+        terrain.dy = cells.dy;
+        terrain.note = cells.note;
+    }
     return terrain;
 }
 

@@ -102,7 +102,7 @@ void refuse_what_is_no_grid(const TextSource& source, std::size_t start) {
         if (code < 0x20 && !is_space(source.text[i]) && source.text[i] != end_of_dos_text)
             source.fail(i, "this is a binary file",
                         "terrain is read from ESRI ASCII grids (gdal_translate -of AAIGrid makes "
-                        "them) and grey PNG images");
+                        "them), NetCDF files and grey PNG images");
     }
 }
 

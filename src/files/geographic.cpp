@@ -1,7 +1,11 @@
 #include "files/geographic.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <numbers>
 
 #include "terrain/elementary.h"
@@ -34,6 +38,29 @@ DegreeLengths degree_lengths(double latitude) {
     const double prime_vertical = semi_major_axis / std::sqrt(w_squared);
     const double meridian = prime_vertical * (1.0 - eccentricity_squared) / w_squared;
     return {prime_vertical * cosine * radians_per_degree, meridian * radians_per_degree};
+}
+
+MetricCells cells_from_degrees(double dx, double dy, double middle_latitude) {
+    const DegreeLengths lengths = degree_lengths(middle_latitude);
+    MetricCells cells{dx * lengths.east, dy * lengths.north, ""};
+    const std::string degrees =
+        dx == dy ? fmt::format("{:.6g}°", dx) : fmt::format("{:.6g}° × {:.6g}°", dx, dy);
+    cells.note = fmt::format(
+        "cell size {} read as degrees and converted to metres at the middle latitude {:.4f}°: "
+        "dx = {:.2f} m, dy = {:.2f} m",
+        degrees, middle_latitude, cells.dx, cells.dy);
+    return cells;
+}
+
+double relief(const Grid& heights, const Mask& nodata) {
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        if (!nodata.empty() && nodata.values()[i] != 0) continue;
+        lowest = std::min(lowest, heights.values()[i]);
+        highest = std::max(highest, heights.values()[i]);
+    }
+    return highest >= lowest ? highest - lowest : -1.0;
 }
 
 }  // namespace fumon

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <string>
+
+#include "terrain/grid.h"
+
 namespace fumon {
 
 /// Where a grid lies and how high its terrain is, in the unit of its file.
@@ -34,5 +38,18 @@ struct DegreeLengths {
 /// N = a/w and M = a(1 − e²)/w³, w² = 1 − e² sin² φ. Source: Snyder (1987), Map Projections – A
 /// Working Manual, USGS Professional Paper 1395, eqs. 4-18 to 4-21.
 DegreeLengths degree_lengths(double latitude);
+
+/// Cells in metres, and what the user should hear of it.
+struct MetricCells {
+    double dx = 0.0;  ///< metres
+    double dy = 0.0;  ///< metres
+    std::string note;
+};
+
+/// The cells of a grid in degrees, converted at its middle latitude.
+MetricCells cells_from_degrees(double dx, double dy, double middle_latitude);
+
+/// Highest less lowest height; negative where no cell has data.
+double relief(const Grid& heights, const Mask& nodata);
 
 }  // namespace fumon

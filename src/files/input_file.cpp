@@ -42,24 +42,22 @@ std::size_t size_of_regular_file(const std::filesystem::path& file, int descript
     if (::fstat(descriptor, &status) != 0) refuse_by_system(file, errno);
     if (S_ISDIR(status.st_mode)) refuse(file, "is a folder", "name a file in it");
     if (!S_ISREG(status.st_mode)) refuse(file, "is not a regular file", "name a file on disk");
-    if (status.st_size > largest_input_file)
-        refuse(file, fmt::format("has {} bytes", status.st_size),
-               fmt::format("at most {} are read; cut out or coarsen the part you need",
-                           largest_input_file));
     return static_cast<std::size_t>(status.st_size);
 }
 
-}  // namespace
+/// O_NONBLOCK: a named pipe nobody writes to would otherwise block here.
+int open_to_read(const std::filesystem::path& file) {
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0) refuse_by_system(file, errno);
+    return descriptor;
+}
 
-std::string read_input_file(const std::filesystem::path& file) {
-    // O_NONBLOCK: a named pipe nobody writes to would otherwise block here.
-    const Descriptor input(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (input.number < 0) refuse_by_system(file, errno);
+std::string read_bytes(const std::filesystem::path& file, int descriptor, std::size_t count) {
     constexpr std::size_t most_at_once = std::size_t{1} << 30;  // bytes; Linux reads at most 2 GiB
-    std::string bytes(size_of_regular_file(file, input.number), '\0');
+    std::string bytes(count, '\0');
     std::size_t filled = 0;
     while (filled < bytes.size()) {
-        const ssize_t got = ::read(input.number, bytes.data() + filled,
+        const ssize_t got = ::read(descriptor, bytes.data() + filled,
                                    std::min(bytes.size() - filled, most_at_once));
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) refuse_by_system(file, errno);
@@ -68,6 +66,24 @@ std::string read_input_file(const std::filesystem::path& file) {
     }
     bytes.resize(filled);
     return bytes;
+}
+
+}  // namespace
+
+std::string read_input_file(const std::filesystem::path& file) {
+    const Descriptor input(open_to_read(file));
+    const std::size_t size = size_of_regular_file(file, input.number);
+    if (size > static_cast<std::size_t>(largest_input_file))
+        refuse(file, fmt::format("has {} bytes", size),
+               fmt::format("at most {} are read; cut out or coarsen the part you need",
+                           largest_input_file));
+    return read_bytes(file, input.number, size);
+}
+
+std::string start_of_input_file(const std::filesystem::path& file, std::size_t count) {
+    const Descriptor input(open_to_read(file));
+    const std::size_t size = size_of_regular_file(file, input.number);
+    return read_bytes(file, input.number, std::min(size, count));
 }
 
 }  // namespace fumon

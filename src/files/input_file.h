@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
@@ -9,6 +10,9 @@ namespace fumon {
 /// file, a folder, a pipe or device, a file one may not read, and one larger than
 /// `largest_input_file`.
 std::string read_input_file(const std::filesystem::path& file);
+
+/// The first bytes of such a file, however large it is: at most `count`. Throws as read_input_file.
+std::string start_of_input_file(const std::filesystem::path& file, std::size_t count);
 
 /// Bytes. A terrain of the largest size allowed (2^27 cells) at 32 characters a cell.
 inline constexpr long long largest_input_file = 1LL << 32;

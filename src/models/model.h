@@ -37,6 +37,8 @@ struct Snapshot {
     Grid bed;
     Mask nodata;  ///< empty when no cell lies outside the domain
     WorldScale scale;
+    /// Up to where the model's landforms grow, model heights; 0 where it does not know.
+    double highest_expected = 0.0;
     bool periodic = false;  ///< whether the bed goes on past its edges with its other side
     std::vector<SnapshotField> fields{};
     std::vector<SnapshotNumber> numbers{};

@@ -231,14 +231,15 @@ Avalanche Pile::topple_until_rest(TopplingDraws& draws) {
     return avalanche;
 }
 
-void Pile::settle(TopplingDraws& draws) {
+std::int64_t Pile::settle(TopplingDraws& draws) {
     for (int y = ny_ - 1; y >= 0; --y) {
         for (int x = 0; x < nx_; ++x) {
             if (unstable(cell_of({x, y}))) waiting_.insert(cell_of({x, y}));
         }
     }
-    topple_until_rest(draws);
+    const Avalanche settling = topple_until_rest(draws);
     forget_changes();
+    return settling.topplings;
 }
 
 Avalanche Pile::drop(Site site, TopplingDraws& draws) {

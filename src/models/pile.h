@@ -40,7 +40,7 @@ class Pile {
 
     /// Topples until no cell is unstable, which the given bed may be. No avalanche: changes() are
     /// 0.
-    void settle(TopplingDraws& draws);
+    std::int64_t settle(TopplingDraws& draws);
 
     /// Drops one grain on a cell of a pile at rest and topples until no cell is unstable. An
     /// avalanche of size 0 if the grain set off no toppling.
@@ -94,8 +94,8 @@ class Pile {
     std::array<std::ptrdiff_t, 9> block_{};                ///< 3 × 3, in array order
     std::array<std::array<Receiver, 3>, 9> receivers_{};   ///< by direction 1 … 8
     std::array<std::array<std::int32_t, 9>, 10> after_{};  ///< B' by B (0 … 9) and B_R (1 … 8)
-    /// 16 · height + direction, rows from the north with an edge all round: comparisons of heights
-    /// need no unpacking, since the direction decides nothing that 16 · height + 15 leaves open.
+    /// 16 · height + direction, rows from the north with an edge all round. Heights are compared
+    /// packed: h ≤ H just when 16·h + direction ≤ 16·H + 15.
     std::vector<std::int32_t> cells_;
     std::vector<std::uint32_t> changes_;  ///< see changes()
     std::vector<std::size_t> changed_;    ///< cells whose changes_ is not 0

@@ -31,7 +31,7 @@ constexpr std::array all_models{
                                 "wind-blown sand that hops and creeps: ripples, dunes, barchans"),
     entry<SandpileParameters, Sandpile>(
         "sandpile",
-        "a pile that grains fall on and that topples: cones, avalanches and their sizes"),
+        "a pile that grains fall on and that topples: cones, avalanches and their sizes", true),
     entry<StaticParameters, StaticBed>("static", "a bed as it is: look at a terrain"),
 };
 

@@ -111,7 +111,9 @@ void Sand::step() {
 }
 
 Snapshot Sand::snapshot() const {
-    return {steps_, time(), std::string(time_unit()), bed_, {}, scale_, true};
+    Snapshot snapshot{steps_, time(), std::string(time_unit()), bed_, {}, scale_};
+    snapshot.periodic = true;
+    return snapshot;
 }
 
 void Sand::share_picks() {

@@ -117,7 +117,12 @@ const Site& Sandpile::site_of_next_grain() const {
 }
 
 Snapshot Sandpile::snapshot() const {
-    Snapshot snapshot{steps_, time(), std::string(time_unit()), pile_.heights(), {}, scale_, false};
+    Snapshot snapshot{steps_, time(), std::string(time_unit()), pile_.heights(), {}, scale_};
+    constexpr double slope_of_threshold = 0.35;  // of the cones that grow, heights per site
+    const auto threshold = static_cast<double>(parameters_.threshold);
+    snapshot.highest_expected =
+        threshold *
+        (1.0 + slope_of_threshold * 0.5 * std::min(snapshot.bed.nx(), snapshot.bed.ny()));
     snapshot.fields.push_back(
         {"last_avalanche",
          "what the last avalanche did to each cell: 1 received, 1 + n toppled n times", "1",

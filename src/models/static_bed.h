@@ -20,7 +20,7 @@ class StaticBed : public Model {
     void step() override { ++steps_; }
     [[nodiscard]] std::int64_t steps_done() const override { return steps_; }
     [[nodiscard]] Snapshot snapshot() const override {
-        return {steps_, time(), std::string(time_unit()), bed_, nodata_, scale_};
+        return {steps_, time(), std::string(time_unit()), bed_, nodata_, scale_, 0.0, false};
     }
     [[nodiscard]] std::vector<StateField> state() const override {
         return {{"bed", bed_.values()}};

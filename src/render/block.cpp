@@ -97,7 +97,7 @@ double automatic_exaggeration(const Snapshot& first) {
     return steps.back();
 }
 
-Block frame_block(const Snapshot& first, double exaggeration) {
+Block frame_block(const Snapshot& first, double exaggeration, const WordOrReal& room) {
     const HeightStatistics heights = height_statistics(first.bed, first.nodata);
     Block block;
     block.side = longer_side(first);
@@ -113,6 +113,8 @@ Block frame_block(const Snapshot& first, double exaggeration) {
     const double longer_thickness = std::min(thickness, std::min(block.width_x, block.width_y));
     block.base = block.z(lowest) - longer_thickness;
     block.top = block.z(heights.high) + (terrain ? growth_of_terrain : growth_of_noise);
+    block.top = std::max(block.top, block.z(first.highest_expected));
+    if (!room.is_word()) block.top = block.z(heights.high + room.value);
     if (terrain && first.scale.in_metres) {
         const double relief = (heights.high - heights.low) * first.scale.height_unit;
         block.rock =

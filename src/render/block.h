@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "models/model.h"
+#include "scene/scene.h"
 
 namespace fumon {
 
@@ -45,9 +46,11 @@ HeightStatistics height_statistics(const Grid& bed, const Mask& nodata);
 /// whose landforms are still to grow, and a bed without metres get 1.
 double automatic_exaggeration(const Snapshot& first);
 
-/// Frames the first snapshot. A noise or flat bed gets room for landforms 5 % of the longer side
-/// high and keeps its underside below model height −0.1, to which the sand models dip; real terrain
-/// gets 1 %.
-Block frame_block(const Snapshot& first, double exaggeration);
+/// Frames the first snapshot. `room` says how many model heights stay free above it. "auto": up to
+/// where the model expects its landforms to grow, if it does; else a noise or flat bed gets room
+/// for landforms 5 % of the longer side high and keeps its underside below model height −0.1, to
+/// which the sand models dip; real terrain gets 1 %.
+Block frame_block(const Snapshot& first, double exaggeration,
+                  const WordOrReal& room = {"auto", 0.0});
 
 }  // namespace fumon

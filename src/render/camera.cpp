@@ -102,7 +102,8 @@ void set_depths(Camera& camera, const Block& block) {
     }
     // Later beds may stand higher than the framed one.
     const double room = 0.25 * (farthest - nearest);
-    camera.near_depth = camera.perspective ? std::max(nearest - room, 0.02) : nearest - room;
+    constexpr double tall = 2.0;  // block lengths; nothing is lost by it without perspective
+    camera.near_depth = camera.perspective ? std::max(nearest - room, 0.02) : nearest - tall;
     camera.far_depth = std::max(farthest + room, camera.near_depth + 0.1);
 }
 

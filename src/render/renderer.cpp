@@ -90,7 +90,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       first(shown_snapshot(first_, view_.look).value_or(first_)),
       last_step(last_step_),
       pool(pool_),
-      block(frame_block(first, chosen_exaggeration(view, first))),
+      block(frame_block(first, chosen_exaggeration(view, first), view.look.room)),
       refinement(refinement_of(first.bed.nx(), first.bed.ny(),
                                static_cast<int>(std::max(view.image.width, view.image.height)))),
       plan(plan_of(view, limits)),

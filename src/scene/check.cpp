@@ -33,6 +33,10 @@ void check_bed(const Scene& scene) {
         refuse(scene, "bed.heights",
                "bed.heights belongs to a PNG bed; noise takes bed.low and bed.high");
     }
+    if (!from_file && !bed.variable.empty()) {
+        refuse(scene, "bed.variable",
+               "bed.variable belongs to a NetCDF bed; write bed.kind = \"file\" and bed.file");
+    }
     if (bed.heights.size() == 1)
         refuse(scene, "bed.heights", "bed.heights has one number; it takes [low, high]");
     if (bed.heights.size() == 2 && !(bed.heights[0] < bed.heights[1])) {

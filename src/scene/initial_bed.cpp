@@ -87,7 +87,7 @@ InitialBed bed_from_file(const Scene& scene) {
                         scene.at("bed.file"), scene.bed.file, file.string(),
                         as_it_stands ? "the working folder" : "the scene file"));
     }
-    Terrain terrain = read_terrain(file, scene.bed.heights);
+    Terrain terrain = read_terrain(file, scene.bed.heights, scene.bed.variable);
     check_size(scene, "grid.nx", scene.grid.nx, terrain.heights.nx());
     check_size(scene, "grid.ny", scene.grid.ny, terrain.heights.ny());
     apply_nodata_rule(scene, terrain);

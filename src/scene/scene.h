@@ -38,6 +38,7 @@ struct BedSettings {
     double low = 0.0, high = 1.0;  ///< noise: uniform in [low, high), model heights
     std::string file;              ///< file: as written in the scene
     std::vector<double> heights;   ///< file, PNG: metres of black and of white
+    std::string variable;          ///< file, NetCDF: the variable to read; empty for the file's own
     WordOrReal nodata{"mask", 0.0};
 };
 
@@ -85,7 +86,8 @@ struct LookSettings {
     WordOrReal high{"auto", 0.0};          ///< value at its end
     WordOrReal exaggeration{"auto", 0.0};  ///< vertical
     bool block_sides = true;
-    double grain = 0.5;  ///< visible texture of the sand, 0 … 1
+    double grain = 0.5;            ///< visible texture of the sand, 0 … 1
+    WordOrReal room{"auto", 0.0};  ///< heights framed above the first bed
     Marking mark = Marking::none;
     std::int64_t profile_start = 0;  ///< of a single row: the first site shown
     std::int64_t profile_sites = 0;  ///< and how many; 0: 900 or all

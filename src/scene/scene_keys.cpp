@@ -63,13 +63,15 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                {.unit = "model heights", .help = "lower end of the noise"});
     table.real("bed.high", scene.bed.high,
                {.unit = "model heights", .help = "upper end of the noise"});
-    table.text(
-        "bed.file", scene.bed.file,
-        {.help =
-             "ESRI ASCII grid or grey PNG, heights in metres; relative to the scene file, or with "
-             "--set to the working folder"});
+    table.text("bed.file", scene.bed.file,
+               {.help = "ESRI ASCII grid, NetCDF (the last record) or grey PNG, heights in metres; "
+                        "relative to "
+                        "the scene file, or with --set to the working folder"});
     table.real_list("bed.heights", scene.bed.heights, 0, 2,
                     {.unit = "m", .help = "[low, high]: heights of black and white in a PNG bed"});
+    table.text("bed.variable", scene.bed.variable,
+               {.help = "variable of a NetCDF bed; needed where the file has several and no "
+                        "bed_height"});
     table.word_or_real(
         "bed.nodata", scene.bed.nodata,
         {{"mask", "cells without data lie outside the domain"},
@@ -149,6 +151,11 @@ void list_view_keys(View& view, KeyTable& table) {
     table.boolean("look.block_sides", look.block_sides,
                   {.help = "draw the cut sides of the block"});
     table.real("look.grain", look.grain, {.range = {0, 1}, .help = "visible grain of the sand"});
+    table.word_or_real("look.room", look.room,
+                       {{"auto", "as far as the model's landforms usually grow"}},
+                       {.unit = "model heights",
+                        .range = {0, 1e7},
+                        .help = "what the picture leaves free above the first bed"});
     table.choice("look.mark", look.mark,
                  {{"none", "the bed alone"},
                   {"last-avalanche",

@@ -30,11 +30,14 @@ class FileSizeLimit {
     void (*old_handler_)(int);
 };
 
-/// A file system of 64 KiB on an empty folder; mounted() is false where this user may not mount.
+/// A small file system, of 64 KiB unless said, on an empty folder; mounted() is false where this
+/// user may not mount.
 class SmallDisk {
   public:
-    explicit SmallDisk(std::filesystem::path folder) : folder_(std::move(folder)) {
-        mounted_ = mount("tmpfs", folder_.c_str(), "tmpfs", 0, "size=64k") == 0;
+    explicit SmallDisk(std::filesystem::path folder, int kibibytes = 64)
+        : folder_(std::move(folder)) {
+        const std::string size = "size=" + std::to_string(kibibytes) + "k";
+        mounted_ = mount("tmpfs", folder_.c_str(), "tmpfs", 0, size.c_str()) == 0;
     }
     ~SmallDisk() {
         if (mounted_) umount(folder_.c_str());

@@ -40,8 +40,8 @@ const std::string all_words =
     "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize (or dx and dy), "
     "NODATA_value";
 const std::string use_instead =
-    "; terrain is read from ESRI ASCII grids (gdal_translate -of AAIGrid makes them) and grey PNG "
-    "images";
+    "; terrain is read from ESRI ASCII grids (gdal_translate -of AAIGrid makes them), NetCDF files "
+    "and grey PNG images";
 
 const std::vector<BrokenFile> broken_files{
     {"Empty", "", ":1: the file is empty; an ESRI ASCII grid starts with its ncols line"},
