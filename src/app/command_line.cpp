@@ -63,8 +63,7 @@ void add_work_options(CLI::App& command, WorkOptions& work) {
         "-q,--quiet", [&work] { work.verbosity = Verbosity::quiet; }, "say nothing but errors");
     command
         .add_flag_callback(
-            "-v,--verbose", [&work] { work.verbosity = Verbosity::verbose; },
-            "say which OpenGL draws, and more")
+            "-v,--verbose", [&work] { work.verbosity = Verbosity::verbose; }, "say more")
         ->excludes(quiet);
 }
 

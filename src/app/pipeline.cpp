@@ -319,7 +319,7 @@ void check_finite(const Snapshot& snapshot) {
             throw Error(fmt::format(
                 "the bed height became {} at cell ({}, {}), step {}; try smaller rates (`fumon "
                 "describe` lists the ranges)",
-                height, x, y, snapshot.step));
+                std::isnan(height) ? "nan" : fmt::format("{}", height), x, y, snapshot.step));
         }
     }
 }

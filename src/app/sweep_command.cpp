@@ -33,7 +33,10 @@ int sweep_command(const SweepOptions& options) {
     StatusLine status(options.work.verbosity);
     const auto plan =
         make_plan({options.scene, options.work.settings, options.over, options.seeds});
-    if (!plan) return status_of_signal + interrupting_signal();
+    if (!plan) {
+        status.note("stopped while the runs were being checked; nothing is written");
+        return status_of_signal + interrupting_signal();
+    }
     const SweepFolder folder(options.folder, *plan, options.force);
     for (const std::string& note : plan->notes) status.note(note);
 

@@ -144,12 +144,25 @@ void check_outputs(SweepPlan& plan, const Scene& scene) {
         run_label(plan, second), run_label(plan, first)));
 }
 
-/// Builds a combination once to see that it is right, and lists its runs.
+/// Builds a combination once, with the first seed, to see that it is right. A refusal that is not
+/// placed at one of its values says which combination it is about.
+Workshop set_up_combination(SweepPlan& plan, std::size_t combination) {
+    try {
+        Scene scene = scene_of(plan, combination);
+        check_outputs(plan, scene);
+        scene.seed = plan.seeds.first;
+        return set_up(std::move(scene), 1);
+    } catch (const InputError& refusal) {
+        const std::string what = refusal.what();
+        if (plan.axes.empty() || what.starts_with("--over ")) throw;
+        throw InputError(fmt::format("{} (with {})", what,
+                                     run_label(plan, {combination, plan.seeds.first, {}, 0.0})));
+    }
+}
+
+/// Lists the runs of a combination.
 void add_combination(SweepPlan& plan, std::size_t combination, std::map<Sha256, SweepRun>& known) {
-    Scene scene = scene_of(plan, combination);
-    check_outputs(plan, scene);
-    scene.seed = plan.seeds.first;
-    Workshop workshop = set_up(std::move(scene), 1);
+    Workshop workshop = set_up_combination(plan, combination);
     note_inputs(plan, workshop.initial);
     if (combination == 0) plan.base = base_of(plan, workshop.scene);
     const double work = static_cast<double>(workshop.initial.bed.size()) *

@@ -68,7 +68,9 @@ class Work {
             const bool ended =
                 changed_.wait_for(lock, between_looks, [this] { return running_ == 0; });
             for (const std::string& failure : failures_) status.error(failure);
+            for (const std::string& success : successes_) status.verbose(success);
             failures_.clear();
+            successes_.clear();
             if (ended) break;
             if (status.due()) {
                 status.show(sweep_progress_text(done_, records_.size(), failed_,
@@ -97,6 +99,9 @@ class Work {
             records_[number - 1] = *record;
             if (record->status == RunStatus::done) {
                 ++done_;
+                successes_.push_back(fmt::format("run {} ({}) is done in {}", number,
+                                                 run_label(plan_, run(number)),
+                                                 clock_text(record->wall_seconds)));
             } else {
                 ++failed_;
                 failures_.push_back(fmt::format("run {} ({}) failed: {}", number,
@@ -169,8 +174,9 @@ class Work {
     int running_ = 0;
     std::size_t done_ = 0;
     std::size_t failed_ = 0;
-    std::vector<std::string> failures_;
-    std::vector<std::jthread> threads_;  // last: joined before what they use goes
+    std::vector<std::string> failures_;   ///< not told yet
+    std::vector<std::string> successes_;  ///< not told yet
+    std::vector<std::jthread> threads_;   // last: joined before what they use goes
 };
 
 }  // namespace
