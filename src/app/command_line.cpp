@@ -24,6 +24,8 @@ constexpr const char* examples =
     "Try:\n"
     "  fumon run scenes/terada-barchans.toml -o out/barchans     frames, movie, measurements\n"
     "  fumon run SCENE -o DIR --set model.creep_rate=0.2         change one number\n"
+    "  fumon sweep SCENE --over model.creep_rate=0.1:0.5:5 --seeds 10 -o DIR   many runs, one "
+    "table\n"
     "  fumon still SCENE --step 500 -o dunes.png                 one picture of a run\n"
     "  fumon still terrain.asc -o terrain.png                    a terrain file of your own\n"
     "  fumon again dunes.png                                     the same picture from itself\n"
@@ -31,12 +33,7 @@ constexpr const char* examples =
     "\n"
     "`fumon COMMAND --help` tells more of one command.\n";
 
-void add_work_options(CLI::App& command, WorkOptions& work) {
-    command
-        .add_option("--set", work.settings,
-                    "override a scene key: --set key.path=VALUE (repeatable)")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
+void add_drawing_options(CLI::App& command, WorkOptions& work) {
     const std::map<std::string, gl::Backend> backends{{"auto", gl::Backend::automatic},
                                                       {"osmesa", gl::Backend::osmesa},
                                                       {"egl", gl::Backend::egl}};
@@ -49,6 +46,14 @@ void add_work_options(CLI::App& command, WorkOptions& work) {
             return text.size() == 1 ? ""
                                     : fmt::format("it takes auto, osmesa or egl, not \"{}\"", text);
         });
+}
+
+void add_work_options(CLI::App& command, WorkOptions& work) {
+    command
+        .add_option("--set", work.settings,
+                    "override a scene key: --set key.path=VALUE (repeatable)")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
     command
         .add_option("--threads", work.threads,
                     "threads to compute with (default: one per processor)")
@@ -58,8 +63,7 @@ void add_work_options(CLI::App& command, WorkOptions& work) {
         "-q,--quiet", [&work] { work.verbosity = Verbosity::quiet; }, "say nothing but errors");
     command
         .add_flag_callback(
-            "-v,--verbose", [&work] { work.verbosity = Verbosity::verbose; },
-            "say which OpenGL draws, and more")
+            "-v,--verbose", [&work] { work.verbosity = Verbosity::verbose; }, "say more")
         ->excludes(quiet);
 }
 
@@ -67,6 +71,7 @@ void add_work_options(CLI::App& command, WorkOptions& work) {
 struct CommandLine {
     CLI::App app{opening, "fumon"};
     RunOptions run;
+    SweepOptions sweep;
     StillOptions still;
     AgainOptions again;
     MeasureOptions measure;
@@ -83,6 +88,7 @@ struct CommandLine {
         app.require_subcommand(1);
         app.get_formatter()->column_width(34);
         add_run();
+        add_sweep();
         add_still();
         add_again();
         add_measure();
@@ -107,9 +113,45 @@ struct CommandLine {
             ->required();
         command.add_flag("--force", run.force, "replace the run that the folder holds");
         add_work_options(command, run.work);
+        add_drawing_options(command, run.work);
         command.footer(
             "Exit status: 0 done, 1 failed, 2 wrong input, 130/143 interrupted (what was made is "
             "kept).");
+    }
+
+    void add_sweep() {
+        CLI::App& command =
+            add("sweep", "run a scene many times, over values and seeds: one table of measurements",
+                [this] { return sweep_command(sweep); });
+        command.add_option("SCENE", sweep.scene, "a scene file (TOML)")->required();
+        command
+            .add_option("--over", sweep.over,
+                        "vary a key: --over key=v1,v2 or key=low:high:count (repeatable: all "
+                        "combinations; default: the scene's sweep.over)")
+            ->type_name("KEY=VALUES")
+            ->allow_extra_args(false);
+        command
+            .add_option("--seeds", sweep.seeds,
+                        "runs of each combination: how many seeds, from the scene's own on, or "
+                        "first:last (default: the scene's sweep.seeds)")
+            ->type_name("N");
+        command.add_option("-o,--output", sweep.folder, "the folder for the sweep")
+            ->type_name("DIR")
+            ->required();
+        command.add_flag("--force", sweep.force, "replace the sweep that the folder holds");
+        add_work_options(command, sweep.work);
+        command.footer(
+            "  fumon sweep SCENE --over model.creep_rate=0.1:0.5:5 --seeds 10 -o out/creep\n"
+            "  fumon sweep SCENE --over bed.file=a.asc,b.asc --over run.steps=100,200 -o out/beds\n"
+            "  fumon sweep SCENE --over grid.nx+grid.ny=64,128 -o out/sizes    keys that go "
+            "together\n"
+            "\n"
+            "DIR/sweep.csv has a row a run and measured step, DIR/runs.csv a row a run, DIR/runs "
+            "each run's own files.\n"
+            "The same command goes on where it was stopped; with more values or seeds it runs only "
+            "those.\n"
+            "Exit status: 0 done, 1 some runs failed, 2 wrong input, 130/143 interrupted (finished "
+            "runs are kept).");
     }
 
     void add_still() {
@@ -133,6 +175,7 @@ struct CommandLine {
             .add_option("--heights", still.heights, "metres of black and white of a PNG terrain")
             ->type_name("LOW:HIGH");
         add_work_options(command, still.work);
+        add_drawing_options(command, still.work);
         command.footer(
             "A look of your own: --set camera.azimuth=160 --set sun.elevation=15 --set "
             "image.width=3840 …\n"
@@ -148,6 +191,7 @@ struct CommandLine {
                         "the new picture (default: NAME-again.png here)")
             ->type_name("FILE.png");
         add_work_options(command, again.work);
+        add_drawing_options(command, again.work);
     }
 
     void add_measure() {

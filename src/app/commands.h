@@ -25,6 +25,15 @@ struct RunOptions {
     WorkOptions work;
 };
 
+struct SweepOptions {
+    std::string scene;
+    std::vector<std::string> over;  ///< "key=v1,v2" or "key=low:high:count"
+    std::string seeds;              ///< "10" or "1:10"
+    std::string folder;
+    bool force = false;
+    WorkOptions work;
+};
+
 struct StillOptions {
     std::string input;   ///< a scene (.toml) or a terrain file
     std::string output;  ///< a PNG
@@ -56,6 +65,7 @@ struct MeasureOptions {
 // Each returns the exit status, and throws InputError (2) or Error (1).
 
 int run_command(const RunOptions& options);
+int sweep_command(const SweepOptions& options);
 int still_command(const StillOptions& options);
 int again_command(const AgainOptions& options);
 int measure_command(const MeasureOptions& options);

@@ -102,7 +102,11 @@ void write_final_manifest(const RunFolder& folder, const ManifestFacts& facts,
     json["steps_done"] = outcome.steps_done;
     json["time"] = outcome.time;
     if (!outcome.error) json["state_sha256"] = hex(outcome.state);
-    if (outcome.measured) json["measurements"] = folder.measurements().filename().string();
+    const RecordPaths records = folder.records();
+    if (outcome.recorded.measurements)
+        json["measurements"] = records.measurements.filename().string();
+    if (outcome.recorded.avalanches) json["avalanches"] = records.avalanches.filename().string();
+    if (outcome.recorded.fields) json["fields"] = records.fields.filename().string();
     if (outcome.movie.frames > 0) {
         json["movie"] = {{"file", folder.movie().filename().string()},
                          {"frames", outcome.movie.frames},

@@ -8,12 +8,13 @@
 #include <future>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "app/bounded_queue.h"
 #include "app/interrupt.h"
-#include "app/measurement_file.h"
 #include "app/picture_text.h"
+#include "app/recorder.h"
 #include "files/terrain_file.h"
 #include "output/movie.h"
 #include "output/png.h"
@@ -92,12 +93,10 @@ class Pipeline {
     // ---- the stages, in the order in which a frame passes them ----
 
     void simulate() {
-        std::unique_ptr<MeasurementFile> measurements;
+        std::optional<Recorder> recorder;
         try {
-            if (scene_.output.measurements)
-                measurements = std::make_unique<MeasurementFile>(folder_.measurements(),
-                                                                 landform_of(model_.snapshot()));
-            advance(measurements.get());
+            recorder.emplace(scene_, model_, resolved_, folder_.records());
+            advance(*recorder);
             check_finite(model_.snapshot());
             outcome_.state = state_hash(model_);
         } catch (...) {  // what was made before goes its way: the later stages drain their queues
@@ -108,25 +107,27 @@ class Pipeline {
         outcome_.timing.simulation_cpu = cpu_seconds_of_threads({"fumon-simulate"});
         to_draw_.close();
         to_beds_.close();
-        if (measurements) {
-            measurements->commit();
-            outcome_.measured = true;
+        if (!recorder) return;
+        try {
+            recorder->commit();
+        } catch (...) {
+            remember(std::current_exception());
         }
+        outcome_.recorded = recorder->recorded();
     }
 
-    void advance(MeasurementFile* measurements) {
+    void advance(Recorder& recorder) {
         const Schedule frames = frame_schedule(scene_);
         const Schedule beds = bed_schedule(scene_);
-        const Schedule measured = measurement_schedule(scene_);
         const bool pictures = scene_.output.frames || scene_.output.movie;
         for (;;) {
             const std::int64_t step = model_.steps_done();
             const bool frame = pictures && frames.due(step);
-            const bool measure = measurements != nullptr && measured.due(step);
-            if (frame || measure || beds.due(step)) {
+            const bool record = recorder.due(step);
+            if (frame || record || beds.due(step)) {
                 const auto snapshot = std::make_shared<const Snapshot>(model_.snapshot());
                 check_finite(*snapshot);
-                if (measure) measurements->add(*snapshot);
+                if (record) recorder.record(*snapshot);
                 if (beds.due(step) && !to_beds_.push(snapshot)) return;
                 if (frame && !to_draw_.push(snapshot)) return;
             }
@@ -134,6 +135,7 @@ class Pipeline {
             const Stopwatch watch;
             model_.step();
             outcome_.timing.simulation_wall += watch.seconds();
+            recorder.note(model_.avalanches());
             progress_.steps_done = model_.steps_done();
         }
     }
@@ -315,9 +317,9 @@ void check_finite(const Snapshot& snapshot) {
             const double height = row[static_cast<std::size_t>(x)];
             if (std::isfinite(height)) continue;
             throw Error(fmt::format(
-                "the bed height became {} at cell ({}, {}), step {}; earlier frames are kept "
-                "(try smaller rates, or `fumon describe` for the ranges)",
-                height, x, y, snapshot.step));
+                "the bed height became {} at cell ({}, {}), step {}; try smaller rates (`fumon "
+                "describe` lists the ranges)",
+                std::isnan(height) ? "nan" : fmt::format("{}", height), x, y, snapshot.step));
         }
     }
 }

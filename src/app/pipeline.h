@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/progress.h"
+#include "app/recorder.h"
 #include "app/run_folder.h"
 #include "files/hash.h"
 #include "gl/context.h"
@@ -56,7 +57,7 @@ struct RunOutcome {
     double time = 0.0;
     std::vector<FrameRecord> frames;
     std::vector<std::int64_t> bed_steps;
-    bool measured = false;
+    Recorded recorded;
     MovieRecord movie;
     DrawingRecord drawing;
     Sha256 state{};

@@ -1,63 +1,21 @@
 #include "app/progress.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace fumon {
-
-namespace {
-
-constexpr std::chrono::milliseconds between_live_lines{200};
-constexpr std::chrono::seconds between_log_lines{10};
-
-}  // namespace
-
-Progress::Progress(Verbosity verbosity, std::int64_t cells)
-    : verbosity_(verbosity), live_(isatty(STDERR_FILENO) == 1), cells_(cells) {}
-
-Progress::~Progress() {
-    clear();
-}
 
 void Progress::expect(std::int64_t steps, std::int64_t frames) {
     steps_ = steps;
     frames_ = frames;
-    start_ = shown_ = Clock::now();
+    start_ = Clock::now();
+    status_.restart();
 }
 
 void Progress::show() {
-    if (verbosity_ == Verbosity::quiet) return;
-    const auto now = Clock::now();
-    if (live_ ? now - shown_ < between_live_lines : now - shown_ < between_log_lines) return;
-    shown_ = now;
-    if (live_) {
-        fmt::print(stderr, "\r\033[K{}", line());
-        line_open_ = true;
-    } else {
-        fmt::print(stderr, "{}\n", line());
-    }
-    std::fflush(stderr);
-}
-
-void Progress::note(const std::string& text) {
-    if (verbosity_ == Verbosity::quiet) return;
-    clear();
-    fmt::print(stderr, "{}\n", text);
-}
-
-void Progress::verbose(const std::string& text) {
-    if (verbosity_ == Verbosity::verbose) note(text);
-}
-
-void Progress::clear() {
-    if (!line_open_) return;
-    fmt::print(stderr, "\r\033[K");
-    std::fflush(stderr);
-    line_open_ = false;
+    if (status_.due()) status_.show(line());
 }
 
 std::string Progress::line() const {

@@ -5,18 +5,14 @@
 #include <cstdint>
 #include <string>
 
+#include "app/status_line.h"
+
 namespace fumon {
 
-enum class Verbosity { quiet, normal, verbose };
-
-/// Tells on standard error how far a run is: one live line on a terminal, a plain line now and then
-/// elsewhere. The pipeline's threads count; one thread shows.
+/// Tells on standard error how far a run is. The pipeline's threads count; one thread shows.
 class Progress {
   public:
-    Progress(Verbosity verbosity, std::int64_t cells);
-    ~Progress();
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
+    Progress(Verbosity verbosity, std::int64_t cells) : status_(verbosity), cells_(cells) {}
 
     /// What is to be done. Without frames the line shows steps alone.
     void expect(std::int64_t steps, std::int64_t frames);
@@ -28,25 +24,22 @@ class Progress {
     void show();
 
     /// A lasting line, above the live one.
-    void note(const std::string& line);     ///< unless quiet
-    void verbose(const std::string& line);  ///< only when verbose
+    void note(const std::string& line) { status_.note(line); }        ///< unless quiet
+    void verbose(const std::string& line) { status_.verbose(line); }  ///< only when verbose
 
     /// Takes the live line away.
-    void clear();
+    void clear() { status_.clear(); }
 
   private:
     using Clock = std::chrono::steady_clock;
 
     [[nodiscard]] std::string line() const;
 
-    Verbosity verbosity_;
-    bool live_;
+    StatusLine status_;
     std::int64_t cells_;
     std::int64_t steps_ = 0;
     std::int64_t frames_ = 0;
     Clock::time_point start_ = Clock::now();
-    Clock::time_point shown_ = start_;
-    bool line_open_ = false;
 };
 
 /// "1,234,567".

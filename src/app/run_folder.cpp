@@ -13,15 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void make_folder(const fs::path& folder) {
-    std::error_code fault;
-    fs::create_directories(folder, fault);
-    if (fault || !fs::is_directory(folder)) {
-        throw Error(fmt::format("cannot make the folder {}: {}", folder.string(),
-                                fault ? fault.message() : "a file is in the way"));
-    }
-}
-
 void remove_with_temporary(const fs::path& file) {
     std::error_code fault;
     fs::remove(file, fault);
@@ -41,6 +32,15 @@ void remove_numbered(const fs::path& folder, const std::string& begin, const std
 
 }  // namespace
 
+void make_folder(const fs::path& folder) {
+    std::error_code fault;
+    fs::create_directories(folder, fault);
+    if (fault || !fs::is_directory(folder)) {
+        throw Error(fmt::format("cannot make the folder {}: {}", folder.string(),
+                                fault ? fault.message() : "a file is in the way"));
+    }
+}
+
 RunFolder::RunFolder(fs::path folder, bool force) : folder_(std::move(folder)) {
     std::error_code fault;
     if (fs::exists(folder_, fault) && !fs::is_directory(folder_, fault)) {
@@ -56,7 +56,10 @@ RunFolder::RunFolder(fs::path folder, bool force) : folder_(std::move(folder)) {
 
 void RunFolder::create(bool with_frames, bool with_beds) {
     make_folder(folder_);
-    for (const fs::path& file : {manifest(), movie(), measurements()}) remove_with_temporary(file);
+    const RecordPaths written = records();
+    for (const fs::path& file :
+         {manifest(), movie(), written.measurements, written.avalanches, written.fields})
+        remove_with_temporary(file);
     remove_numbered(folder_ / "frames", "frame_", ".png");
     remove_numbered(folder_ / "beds", "bed_", ".asc");
     if (with_frames) make_folder(folder_ / "frames");

@@ -4,10 +4,15 @@
 #include <filesystem>
 #include <string>
 
+#include "app/recorder.h"
+
 namespace fumon {
 
+/// Makes a folder and its parents, if they are not there yet. Throws Error.
+void make_folder(const std::filesystem::path& folder);
+
 /// The folder of one run: run.json, frames/frame_000000.png …, movie.mp4, measurements.csv,
-/// beds/bed_00001000.asc.
+/// avalanches.csv, fields.nc, beds/bed_00001000.asc.
 class RunFolder {
   public:
     /// Makes nothing yet. Throws InputError when the folder already holds a run and `force` is not
@@ -19,8 +24,8 @@ class RunFolder {
 
     [[nodiscard]] std::filesystem::path manifest() const { return folder_ / "run.json"; }
     [[nodiscard]] std::filesystem::path movie() const { return folder_ / "movie.mp4"; }
-    [[nodiscard]] std::filesystem::path measurements() const {
-        return folder_ / "measurements.csv";
+    [[nodiscard]] RecordPaths records() const {
+        return {folder_ / "measurements.csv", folder_ / "avalanches.csv", folder_ / "fields.nc"};
     }
     [[nodiscard]] std::filesystem::path frame(std::int64_t number) const {
         return folder_ / frame_name(number);

@@ -67,11 +67,17 @@ AtomicFile::~AtomicFile() {
 
 void AtomicFile::write(std::string_view text) {
     constexpr std::size_t most_at_once = std::size_t{1} << 30;  // bytes; Linux writes at most 2 GiB
+    const off_t end = ::lseek(descriptor_, 0, SEEK_CUR);
     while (!text.empty()) {
         const ssize_t written =
             ::write(descriptor_, text.data(), std::min(text.size(), most_at_once));
         if (written < 0 && errno == EINTR) continue;
-        if (written < 0) refuse_to_write(file_, errno);
+        if (written < 0) {
+            const int reason = errno;
+            if (!temporary_.empty() && ::ftruncate(descriptor_, end) == 0)
+                ::lseek(descriptor_, end, SEEK_SET);
+            refuse_to_write(file_, reason);
+        }
         text.remove_prefix(static_cast<std::size_t>(written));
     }
 }

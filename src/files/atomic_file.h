@@ -17,7 +17,8 @@ class AtomicFile {
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
-    void write(std::string_view text);  ///< throws Error on a full disk or any failed write
+    /// Throws Error on a full disk or any failed write; the file then ends where it did before.
+    void write(std::string_view text);
     void write(std::span<const std::uint8_t> bytes);  ///< likewise
     void commit();  ///< flushes, closes, renames; throws Error on failure
 

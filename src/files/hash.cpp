@@ -81,11 +81,14 @@ Sha256 state_hash(const Model& model) {
     return hasher.finish();
 }
 
-Sha256 file_hash(const std::filesystem::path& file) {
-    const std::string bytes = read_input_file(file);
+Sha256 text_hash(std::string_view text) {
     Hasher hasher;
-    hasher.add(bytes.data(), bytes.size());
+    hasher.add(text.data(), text.size());
     return hasher.finish();
+}
+
+Sha256 file_hash(const std::filesystem::path& file) {
+    return text_hash(read_input_file(file));
 }
 
 std::string hex(const Sha256& hash) {

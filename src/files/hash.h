@@ -20,6 +20,9 @@ Sha256 pixel_hash(const Image& image);
 /// (float64 little-endian).
 Sha256 state_hash(const Model& model);
 
+/// SHA-256 of a text's bytes.
+Sha256 text_hash(std::string_view text);
+
 /// SHA-256 of a file's bytes. Throws InputError when it cannot be read.
 Sha256 file_hash(const std::filesystem::path& file);
 

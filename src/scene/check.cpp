@@ -77,6 +77,7 @@ void check_frames(const Scene& scene) {
     };
     within_run(frames.at, "frames.at");
     within_run(scene.output.bed_at, "output.bed_at");
+    within_run(scene.output.fields_at, "output.fields_at");
 }
 
 void check_look(const Scene& scene) {

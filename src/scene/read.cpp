@@ -19,11 +19,9 @@ namespace fumon {
 
 namespace {
 
-/// One "key.path=VALUE" of the command line.
+/// An override with its value read.
 struct Setting {
-    std::string place;  ///< "--set N"
-    std::string path;
-    std::size_t value_column = 0;
+    Override given;
     toml::table holder;  ///< the value under the name "value"
 
     [[nodiscard]] const toml::node& value() const { return *holder.get("value"); }
@@ -31,30 +29,24 @@ struct Setting {
         constexpr std::size_t before_value = 9;  // the value starts in column 9 of "value = …"
         const auto column = static_cast<std::size_t>(region.begin.column);
         const std::size_t inside = column > before_value ? column - before_value : 0;
-        return fmt::format("{}:{}", place, value_column + inside);
+        return given.column == 0 ? given.place
+                                 : fmt::format("{}:{}", given.place, given.column + inside);
+    }
+    [[nodiscard]] std::string locate_key() const {
+        return given.column == 0 ? given.place : given.place + ":1";
     }
 };
 
-Setting parse_setting(const std::string& text, std::size_t number) {
-    Setting setting;
-    setting.place = fmt::format("--set {}", number);
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-        throw InputError(fmt::format(
-            "{}:1: \"{}\" sets nothing; write key.path=VALUE, for example model.creep_rate=0.2",
-            setting.place, text));
-    }
-    setting.path = text.substr(0, equals);
-    setting.value_column = equals + 2;
-    const std::string value = text.substr(equals + 1);
+Setting parse_setting(const Override& given) {
+    Setting setting{given, {}};
     try {
-        setting.holder = toml::parse("value = " + value);
+        setting.holder = toml::parse("value = " + given.value);
         if (setting.holder.size() == 1) return setting;
     } catch (const toml::parse_error&) {
         // not TOML: a bare string, below
     }
     setting.holder = toml::table{};
-    setting.holder.insert_or_assign("value", value);
+    setting.holder.insert_or_assign("value", given.value);
     return setting;
 }
 
@@ -84,7 +76,7 @@ class Reader {
             assign(key, *node.node(), [this](const auto& region) { return locate(region); });
         }
         for (const Setting& setting : settings_) {
-            if (setting.path != "model.name") continue;
+            if (setting.given.path != "model.name") continue;
             place = setting.locate(setting.value().source());
             assign(key, setting.value(),
                    [&](const auto& region) { return setting.locate(region); });
@@ -128,14 +120,14 @@ class Reader {
         const auto locate_value = [&](const toml::source_region& region) {
             return setting.locate(region);
         };
-        if (const Key* key = table_.find(setting.path)) {
+        if (const Key* key = table_.find(setting.given.path)) {
             assign(*key, setting.value(), locate_value);
-        } else if (const auto item = list_item(setting.path)) {
+        } else if (const auto item = list_item(setting.given.path)) {
             assign_item(*item->first, item->second, setting.value(), locate_value);
         } else {
-            refuse_unknown(setting.path, setting.place + ":1");
+            refuse_unknown(setting.given.path, setting.locate_key());
         }
-        scene_.locations[setting.path] = setting.locate(setting.value().source());
+        scene_.locations[setting.given.path] = setting.locate(setting.value().source());
     }
 
     /// "frames.at.0" → the key frames.at and 0.
@@ -209,29 +201,32 @@ std::string one_line(std::string_view text) {
 
 }  // namespace
 
-Scene parse_scene(std::string_view text, const std::string& source,
-                  const std::filesystem::path& directory,
-                  const std::vector<std::string>& settings) {
+Scene parse_scene(const SceneText& scene_text, const std::vector<Override>& overrides) {
     Scene scene;
-    scene.source = source;
-    scene.directory = directory;
-    std::vector<Setting> parsed;
-    parsed.reserve(settings.size());
-    for (const std::string& setting : settings)
-        parsed.push_back(parse_setting(setting, parsed.size() + 1));
+    scene.source = scene_text.source;
+    scene.directory = scene_text.directory;
+    std::vector<Setting> settings;
+    settings.reserve(overrides.size());
+    for (const Override& override : overrides) settings.push_back(parse_setting(override));
     toml::table root;
     try {
-        root = toml::parse(text, source);
+        root = toml::parse(scene_text.text, scene.source);
     } catch (const toml::parse_error& fault) {
         throw InputError(fmt::format(
-            "{}:{}:{}: {}; a scene is TOML: [section] lines and key = value lines", source,
+            "{}:{}:{}: {}; a scene is TOML: [section] lines and key = value lines", scene.source,
             fault.source().begin.line, fault.source().begin.column, one_line(fault.description())));
     }
-    Reader(scene, std::move(parsed)).read(root);
+    Reader(scene, std::move(settings)).read(root);
     return scene;
 }
 
-Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings) {
+Scene parse_scene(std::string_view text, const std::string& source,
+                  const std::filesystem::path& directory,
+                  const std::vector<std::string>& settings) {
+    return parse_scene({std::string(text), source, directory}, read_settings(settings));
+}
+
+SceneText read_scene_text(const std::filesystem::path& file) {
     std::error_code fault;
     if (std::filesystem::is_directory(file, fault)) {
         throw InputError(fmt::format("{}: is a folder; a scene is a TOML file", file.string()));
@@ -241,10 +236,13 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<std::strin
         throw InputError(fmt::format("{}: cannot be read ({}); check the path", file.string(),
                                      std::generic_category().message(errno)));
     }
-    const std::string text((std::istreambuf_iterator<char>(stream)),
-                           std::istreambuf_iterator<char>());
+    std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
     if (stream.bad()) throw InputError(fmt::format("{}: cannot be read to its end", file.string()));
-    return parse_scene(text, file.string(), file.parent_path(), settings);
+    return {std::move(text), file.string(), file.parent_path()};
+}
+
+Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings) {
+    return parse_scene(read_scene_text(file), read_settings(settings));
 }
 
 }  // namespace fumon

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/override.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -21,5 +22,18 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<std::strin
 Scene parse_scene(std::string_view text, const std::string& source,
                   const std::filesystem::path& directory,
                   const std::vector<std::string>& settings = {});
+
+/// A scene's file as it was when it was read.
+struct SceneText {
+    std::string text;
+    std::string source;               ///< names it in messages
+    std::filesystem::path directory;  ///< where its relative files are looked for
+};
+
+/// Throws InputError when the file cannot be read.
+SceneText read_scene_text(const std::filesystem::path& file);
+
+/// The scene of a text with overrides applied in order; throws as read_scene.
+Scene parse_scene(const SceneText& text, const std::vector<Override>& overrides);
 
 }  // namespace fumon

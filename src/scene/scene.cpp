@@ -10,7 +10,8 @@ std::string Scene::at(const std::string& key) const {
 
 bool Scene::set_on_command_line(const std::string& key) const {
     const auto found = locations.find(key);
-    return found != locations.end() && found->second.starts_with("--set");
+    return found != locations.end() &&
+           (found->second.starts_with("--set ") || found->second.starts_with("--over "));
 }
 
 }  // namespace fumon

@@ -117,6 +117,9 @@ struct OutputSettings {
     std::int64_t measure_every = 0;  ///< steps between measurements; 0: with every frame
     std::int64_t bed_every = 0;      ///< steps between written beds; 0: none
     std::vector<std::int64_t> bed_at;
+    std::int64_t fields_every = 0;  ///< steps between records of fields.nc; 0: none
+    std::vector<std::int64_t> fields_at;
+    bool avalanches = true;  ///< avalanches.csv, where the model has avalanches
 };
 
 /// What `fumon sweep` runs when its command line does not say.
@@ -144,7 +147,7 @@ struct Scene {
 
     /// "file:line:column: " of a key, or of the file where the key is not written.
     [[nodiscard]] std::string at(const std::string& key) const;
-    /// Whether the key's value comes from the command line (--set).
+    /// Whether the key's value comes from the command line (--set, --over).
     [[nodiscard]] bool set_on_command_line(const std::string& key) const;
 };
 

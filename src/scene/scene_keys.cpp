@@ -205,6 +205,16 @@ void list_output_keys(OutputSettings& output, KeyTable& table) {
     table.integer_list(
         "output.bed_at", output.bed_at,
         {.unit = "steps", .range = {0, largest_step}, .help = "write the bed at these steps too"});
+    table.integer("output.fields_every", output.fields_every,
+                  {.unit = "steps",
+                   .range = {0, largest_step},
+                   .help = "record all fields in fields.nc (NetCDF) every n steps; 0: not"});
+    table.integer_list("output.fields_at", output.fields_at,
+                       {.unit = "steps",
+                        .range = {0, largest_step},
+                        .help = "record all fields at these steps too"});
+    table.boolean("output.avalanches", output.avalanches,
+                  {.help = "write avalanches.csv where the model has avalanches"});
 }
 
 void list_sweep_keys(SweepSettings& sweep, KeyTable& table) {

@@ -58,6 +58,10 @@ Schedule bed_schedule(const Scene& scene) {
     return {scene.output.bed_every, scene.output.bed_at, scene.run.steps};
 }
 
+Schedule fields_schedule(const Scene& scene) {
+    return {scene.output.fields_every, scene.output.fields_at, scene.run.steps};
+}
+
 Schedule measurement_schedule(const Scene& scene) {
     if (scene.output.measure_every > 0) return {scene.output.measure_every, {}, scene.run.steps};
     return frame_schedule(scene);

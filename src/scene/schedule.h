@@ -31,6 +31,9 @@ Schedule frame_schedule(const Scene& scene);
 /// When the bed is written as a file.
 Schedule bed_schedule(const Scene& scene);
 
+/// When all fields are recorded in fields.nc.
+Schedule fields_schedule(const Scene& scene);
+
 /// When the bed is measured: with every frame, or by output.measure_every.
 Schedule measurement_schedule(const Scene& scene);
 

@@ -48,15 +48,14 @@ TEST(Pipeline, AFieldThatTurnsNaNIsReportedAndEarlierFramesAreKept) {
                                             [&](const DrawingRecord&) { run.create(true, false); });
     ASSERT_TRUE(outcome.error);
     EXPECT_EQ(error_text(outcome.error),
-              "the bed height became nan at cell (3, 4), step 15; earlier frames are kept (try "
-              "smaller rates, or "
-              "`fumon describe` for the ranges)");
+              "the bed height became nan at cell (3, 4), step 15; try smaller rates (`fumon "
+              "describe` lists the ranges)");
     ASSERT_EQ(outcome.frames.size(), 3U) << "steps 0, 5 and 10";
     for (const FrameRecord& frame : outcome.frames)
         EXPECT_TRUE(std::filesystem::exists(run.frame(frame.number)));
     EXPECT_EQ(outcome.movie.frames, 3) << "the movie holds what was made";
     EXPECT_TRUE(std::filesystem::exists(run.movie()));
-    EXPECT_TRUE(outcome.measured);
+    EXPECT_TRUE(outcome.recorded.measurements);
 }
 
 TEST(Pipeline, WhatFailsBeforeTheStartWritesNothing) {

@@ -1,0 +1,108 @@
+#include "app/recorder.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <exception>
+#include <iterator>
+#include <utility>
+
+namespace fumon {
+
+/// avalanches.csv: rows are held back by the few kilobytes only.
+class AvalancheFile {
+  public:
+    explicit AvalancheFile(const std::filesystem::path& file)
+        : file_(file), rows_("grain,size,duration,topplings,lost\n") {}
+
+    void add(std::span<const Avalanche> avalanches) {
+        constexpr std::size_t enough_to_write = 1 << 16;  // bytes
+        for (const Avalanche& avalanche : avalanches) {
+            fmt::format_to(std::back_inserter(rows_), "{},{},{},{},{}\n", avalanche.grain,
+                           avalanche.size, avalanche.duration, avalanche.topplings, avalanche.lost);
+            if (rows_.size() >= enough_to_write) flush();
+        }
+    }
+
+    void commit() {
+        flush();
+        file_.commit();
+    }
+
+  private:
+    void flush() {
+        file_.write(rows_);
+        rows_.clear();
+    }
+
+    AtomicFile file_;
+    std::string rows_;  ///< not written yet
+};
+
+Recorder::Recorder(const Scene& scene, const Model& model, std::string resolved, RecordPaths paths)
+    : scene_(scene),
+      resolved_(std::move(resolved)),
+      paths_(std::move(paths)),
+      measured_(scene.output.measurements ? measurement_schedule(scene) : Schedule{}),
+      fielded_(fields_schedule(scene)),
+      suite_(landform_of(model.snapshot())) {
+    if (!scene.output.measurements) return;
+    measurements_.emplace(paths_.measurements);
+    std::string header = "step,time";
+    for (const MeasureColumn& column : suite_.columns()) header += "," + column.name;
+    measurements_->write(header + "\n");
+}
+
+Recorder::~Recorder() = default;
+
+bool Recorder::due(std::int64_t step) const {
+    return measured_.due(step) || fielded_.due(step);
+}
+
+void Recorder::record(const Snapshot& snapshot) {
+    if (measured_.due(snapshot.step)) measure(snapshot);
+    if (fielded_.due(snapshot.step)) record_fields(snapshot);
+}
+
+void Recorder::note(std::span<const Avalanche> avalanches) {
+    if (avalanches.empty()) return;
+    if (scene_.output.measurements) suite_.note(avalanches);
+    if (!scene_.output.avalanches) return;
+    if (!avalanches_) avalanches_ = std::make_unique<AvalancheFile>(paths_.avalanches);
+    avalanches_->add(avalanches);
+}
+
+void Recorder::measure(const Snapshot& snapshot) {
+    std::string line = fmt::format("{},{}", snapshot.step, snapshot.time);
+    for (const double value : suite_.row(snapshot))
+        line += std::isnan(value) ? "," : fmt::format(",{}", value);
+    measurements_->write(line + "\n");
+}
+
+void Recorder::record_fields(const Snapshot& snapshot) {
+    if (!fields_) {
+        fields_ = std::make_unique<FieldsFile>(paths_.fields, snapshot,
+                                               FieldsText{scene_.title, resolved_, scene_.seed});
+    }
+    fields_->add(snapshot);
+}
+
+void Recorder::commit() {
+    std::exception_ptr first;
+    const auto commit_one = [&](auto& file, bool& written) {
+        if (!file) return;
+        try {
+            file->commit();
+            written = true;
+        } catch (...) {
+            if (!first) first = std::current_exception();
+        }
+        file.reset();
+    };
+    commit_one(avalanches_, recorded_.avalanches);
+    commit_one(fields_, recorded_.fields);
+    commit_one(measurements_, recorded_.measurements);
+    if (first) std::rethrow_exception(first);
+}
+
+}  // namespace fumon

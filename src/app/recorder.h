@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "files/atomic_file.h"
+#include "files/netcdf_fields.h"
+#include "measure/suite.h"
+#include "models/model.h"
+#include "scene/scene.h"
+#include "scene/schedule.h"
+
+namespace fumon {
+
+class AvalancheFile;
+
+/// Where a recorder writes.
+struct RecordPaths {
+    std::filesystem::path measurements;
+    std::filesystem::path avalanches;
+    std::filesystem::path fields;
+};
+
+/// What a recorder has written: the files that exist under their final names.
+struct Recorded {
+    bool measurements = false;
+    bool avalanches = false;
+    bool fields = false;
+};
+
+/// What a simulation writes besides pictures and beds, as its scene wants it:
+///
+///     measurements.csv   step, time and the measures of MeasureSuite; an empty cell where a
+///                        measure has no meaning
+///     avalanches.csv     one row an avalanche; no file until there is one
+///     fields.nc          every field of the snapshot, as NetCDF
+///
+/// The files get their names by commit(); without it they vanish with the recorder.
+class Recorder {
+  public:
+    /// `resolved` is the scene as TOML, for fields.nc. Throws Error when a file cannot be made.
+    Recorder(const Scene& scene, const Model& model, std::string resolved, RecordPaths paths);
+    ~Recorder();
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
+
+    /// Whether a step's snapshot is to be recorded.
+    [[nodiscard]] bool due(std::int64_t step) const;
+
+    /// Records a snapshot of a step that is due. Throws Error on a full disk or any failed write;
+    /// the rows before stay whole.
+    void record(const Snapshot& snapshot);
+
+    /// Takes the last step's avalanches, after every step. Throws as record().
+    void note(std::span<const Avalanche> avalanches);
+
+    /// Gives every file its name, even when one fails; then throws the first Error.
+    void commit();
+    [[nodiscard]] const Recorded& recorded() const { return recorded_; }
+
+  private:
+    void measure(const Snapshot& snapshot);
+    void record_fields(const Snapshot& snapshot);
+
+    const Scene& scene_;
+    std::string resolved_;
+    RecordPaths paths_;
+    Schedule measured_;
+    Schedule fielded_;
+    MeasureSuite suite_;
+    std::optional<AtomicFile> measurements_;
+    std::unique_ptr<AvalancheFile> avalanches_;
+    std::unique_ptr<FieldsFile> fields_;
+    Recorded recorded_;
+};
+
+}  // namespace fumon

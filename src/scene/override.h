@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace fumon {
+
+/// A value given to a scene key from outside the scene's file.
+struct Override {
+    std::string path;        ///< of the key: "model.creep_rate", or of a list's item: "frames.at.0"
+    std::string value;       ///< TOML, else a bare string
+    std::string place;       ///< what messages call it: "--set 2"
+    std::size_t column = 0;  ///< of the value in there, counted from 1; 0: the place alone
+};
+
+/// The overrides of "key.path=VALUE" texts, placed as "--set N". Throws InputError for a text
+/// without a key.
+std::vector<Override> read_settings(const std::vector<std::string>& settings);
+
+/// The value as plain text: a quoted string without its quotes, all else as written.
+std::string plain_text(const Override& override);
+
+}  // namespace fumon
