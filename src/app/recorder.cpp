@@ -4,40 +4,11 @@
 
 #include <cmath>
 #include <exception>
-#include <iterator>
 #include <utility>
 
+#include "files/avalanche_table.h"
+
 namespace fumon {
-
-/// avalanches.csv: rows are held back by the few kilobytes only.
-class AvalancheFile {
-  public:
-    explicit AvalancheFile(const std::filesystem::path& file)
-        : file_(file), rows_("grain,size,duration,topplings,lost\n") {}
-
-    void add(std::span<const Avalanche> avalanches) {
-        constexpr std::size_t enough_to_write = 1 << 16;  // bytes
-        for (const Avalanche& avalanche : avalanches) {
-            fmt::format_to(std::back_inserter(rows_), "{},{},{},{},{}\n", avalanche.grain,
-                           avalanche.size, avalanche.duration, avalanche.topplings, avalanche.lost);
-            if (rows_.size() >= enough_to_write) flush();
-        }
-    }
-
-    void commit() {
-        flush();
-        file_.commit();
-    }
-
-  private:
-    void flush() {
-        file_.write(rows_);
-        rows_.clear();
-    }
-
-    AtomicFile file_;
-    std::string rows_;  ///< not written yet
-};
 
 Recorder::Recorder(const Scene& scene, const Model& model, std::string resolved, RecordPaths paths)
     : scene_(scene),

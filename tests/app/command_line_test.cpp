@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "program.h"
+#include "support/program.h"
 
 namespace fumon::test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "app/bounded_queue.h"
 #include "app/manifest.h"
-#include "program.h"
+#include "support/program.h"
 #include "scene/read.h"
 #include "support/error.h"
 

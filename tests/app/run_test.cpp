@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "output/png.h"
-#include "program.h"
+#include "support/program.h"
 #include "support/missing_library.h"
 
 namespace fumon::test {

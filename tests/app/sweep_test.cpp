@@ -7,7 +7,7 @@
 #include <sstream>
 #include <thread>
 
-#include "program.h"
+#include "support/program.h"
 
 namespace fumon::test {
 namespace {

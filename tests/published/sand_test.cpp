@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "published/sweep_table.h"
 
@@ -31,8 +32,8 @@ void ripples_of_sudo(const std::string& creep, const std::array<double, 3>& wave
     std::size_t k = 0;
     for (const double base : {1.0, 3.0, 5.0}) {
         expect_within(table.mean("wavelength_spectrum", at("model.hop_base", base, 5000)),
-                      wavelengths.at(k), tolerances.at(k), creep + ": wavelength at L0 = " +
-                                                               std::to_string(base).substr(0, 1));
+                      wavelengths.at(k), tolerances.at(k),
+                      creep + ": wavelength at L0 = " + std::to_string(base).substr(0, 1));
         ++k;
     }
     expect_within(table.mean("standard_deviation", at("model.hop_base", 3, 5000)), deviation, 0.04,
@@ -68,9 +69,8 @@ TEST(PublishedSudo, BarchansByTheShadowZone) {
 // ---- Sudo (2002), profiles ----
 
 TEST(PublishedSudo, ProfilesSettleOnALineInTheWind) {
-    const SweepTable table({"figures/sudo-2002-12.toml",
-                            {"model.hop_base=5,50,200"},
-                            {"output.measure_every=2000"}});
+    const SweepTable table(
+        {"figures/sudo-2002-12.toml", {"model.hop_base=5,50,200"}, {"output.measure_every=2000"}});
     const auto settled = [](double base) {
         return [=](const Row& row) {
             return row.at("model.hop_base") == base && row.at("step") >= 40000;
@@ -84,7 +84,8 @@ TEST(PublishedSudo, ProfilesSettleOnALineInTheWind) {
     for (std::size_t k = 0; k < bases.size(); ++k) {
         const std::string of = " at L0 = " + std::to_string(static_cast<int>(bases.at(k)));
         found.push_back(table.mean("wavelength_crossings", settled(bases.at(k))));
-        expect_within(found.back(), wavelengths.at(k), tolerances.at(k), "profile: wavelength" + of);
+        expect_within(found.back(), wavelengths.at(k), tolerances.at(k),
+                      "profile: wavelength" + of);
         expect_within(table.mean("top_one_percent_height", settled(bases.at(k))), heights.at(k),
                       0.04, "profile: highest 1 %" + of);
     }
@@ -143,17 +144,16 @@ TEST(PublishedTerada, Ripples) {
 }
 
 TEST(PublishedTerada, RipplesByTheExponentialLaw) {
-    const SweepTable table({"figures/terada-2025-21.toml",
-                            {},
-                            {"output.fields_at=[]", "output.measure_every=300"}});
+    const SweepTable table(
+        {"figures/terada-2025-21.toml", {}, {"output.fields_at=[]", "output.measure_every=300"}});
     expect_within(table.mean("wavelength_spectrum", at("step", 300)), 7.23, 0.04,
                   "exponential hops: wavelength");
     expect_within(table.mean("standard_deviation", at("step", 300)), 0.196, 0.04,
                   "exponential hops: standard deviation of the bed");
-    const SweepTable weak({"figures/terada-2025-21.toml",
-                           {},
-                           {"model.creep_rate=0.15", "output.fields_at=[]",
-                            "output.measure_every=300"}});
+    const SweepTable weak(
+        {"figures/terada-2025-21.toml",
+         {},
+         {"model.creep_rate=0.15", "output.fields_at=[]", "output.measure_every=300"}});
     std::printf("    crest orientation's coherence with D = 0.7: %.2f, with 0.15: %.2f\n",
                 table.mean("crest_coherence", at("step", 300)),
                 weak.mean("crest_coherence", at("step", 300)));

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/program.h"
+#include "support/program.h"
 
 namespace fumon::test {
 
@@ -50,9 +50,15 @@ std::vector<SweepTable::Row> read_table(const std::filesystem::path& file) {
 
 SweepTable::SweepTable(const Order& order) {
     const ScratchFolder folder;
-    std::vector<std::string> arguments{"sweep", std::string(FUMON_SCENES_FOLDER) + "/" + order.scene,
-                                       "-o", (folder / "sweep").string(), "-q", "--threads", "2",
-                                       "--seeds", std::to_string(order.seeds)};
+    std::vector<std::string> arguments{"sweep",
+                                       std::string(FUMON_SCENES_FOLDER) + "/" + order.scene,
+                                       "-o",
+                                       (folder / "sweep").string(),
+                                       "-q",
+                                       "--threads",
+                                       "2",
+                                       "--seeds",
+                                       std::to_string(order.seeds)};
     for (const std::string& over : order.over) {
         arguments.emplace_back("--over");
         arguments.push_back(over);
@@ -90,8 +96,7 @@ double SweepTable::mean(const std::string& column, const Where& where) const {
         sum += cell->second;
         ++count;
     }
-    return count > 0 ? sum / static_cast<double>(count)
-                     : std::numeric_limits<double>::quiet_NaN();
+    return count > 0 ? sum / static_cast<double>(count) : std::numeric_limits<double>::quiet_NaN();
 }
 
 void expect_within(double found, double expected, double share, const std::string& what) {
