@@ -5,8 +5,9 @@
 namespace fumon {
 
 /// The mean of the highest 1 % of the bed's cells (ceil(N/100) of its N cells, at least one), in
-/// heights (the height of a profile in Sudo 2002, section 5.1). It rises with the mean height of
-/// the bed, and in a bed of a few dunes it is that of the highest one. NaN for an empty bed.
+/// heights (a profile's height in Sudo 2002, section 5.1). It rises with the mean height of the
+/// bed, and in a bed of a few dunes it is that of the highest one. NaN for an empty bed. Every cell
+/// must hold a number.
 double top_one_percent_mean(const Grid& bed);
 
 /// The mean height of a wave from its trough to its crest: highest minus lowest site of every wave

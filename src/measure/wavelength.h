@@ -27,8 +27,8 @@ double wavelength_autocorrelation(const Grid& bed, bool periodic);
 /// row (find_upward_crossings): periodic, the number of sites over the number of crossings; else
 /// the distance from the first to the last crossing over the waves between, rows summed. The
 /// default for profiles. Waves lower than about half a standard deviation on either
-/// side of the mean are passed over. NaN without a crossing (not periodic: without two in one
-/// row).
+/// side of the mean are passed over. Exceeds nx where many rows cross no dune. NaN without a
+/// crossing (not periodic: without two in one row).
 double wavelength_crossings(const Grid& bed, bool periodic);
 
 }  // namespace fumon

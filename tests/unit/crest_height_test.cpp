@@ -19,6 +19,11 @@ TEST(TopOnePercent, IsTheMeanOfTheHighestCells) {
     EXPECT_DOUBLE_EQ(top_one_percent_mean(bed), 1044.0);
 }
 
+TEST(TopOnePercent, OfAThousandCellsAreTen) {
+    const Grid bed = test::bed_of(100, 10, [](int x, int y) { return (7 * (100 * y + x)) % 1000; });
+    EXPECT_DOUBLE_EQ(top_one_percent_mean(bed), 994.5);
+}
+
 TEST(TopOnePercent, AgreesWithASortedBed) {
     const Grid bed = test::noise(73, 29, 6);
     std::vector<double> sorted(bed.values().begin(), bed.values().end());

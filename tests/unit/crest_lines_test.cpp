@@ -145,6 +145,19 @@ TEST(CrestDefects, OfSeparateDunesAreTwoEach) {
     EXPECT_NEAR(found.defect_density, 3.0 / found.crest_length, 1e-15);
 }
 
+TEST(CrestDefects, SpecksAreNoCrests) {
+    Grid bed(96, 60);
+    for (int y = 10; y < 40; ++y) {
+        for (int x = 20; x < 26; ++x) bed(x, y) = 1.0;
+    }
+    EXPECT_EQ(crest_defects(bed, true, 24.0).lines, 1);
+    bed(60, 30) = 2.0;  // seen in three rows of the smoothed bed; a line needs six
+    EXPECT_EQ(crest_defects(bed, true, 24.0).lines, 1);
+    bed(60, 38) = 2.0;
+    bed(60, 34) = 2.0;
+    EXPECT_EQ(crest_defects(bed, true, 24.0).lines, 2);
+}
+
 TEST(CrestDefects, AtTheEdgeOfAnOpenBedAreNone) {
     // One crest ends in the middle, at y = 60; it leaves over the northern edge.
     const Grid bed = with_pair(96, 120, 8.0, 40.3, 60.4, 400.0);
