@@ -198,7 +198,9 @@ struct CommandLine {
         CLI::App& command =
             add("measure", "measure a bed: wavelength, crests, dunes, slopes, a pile's cone",
                 [this] { return measure_command(measure); });
-        command.add_option("BED", measure.bed, "an ESRI ASCII grid, a NetCDF file or a grey PNG")
+        command
+            .add_option("BED", measure.bed,
+                        "an ESRI ASCII grid, a NetCDF file, a grey PNG; or a run's avalanches.csv")
             ->required();
         command.add_flag("--json", measure.as_json, "as JSON");
         command

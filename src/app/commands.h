@@ -57,6 +57,7 @@ struct MeasureOptions {
     std::vector<int> drop;    ///< x and y of a pile's drop site; empty: its middle
     std::string earlier;      ///< a bed of the same run, for celerity
     std::int64_t steps_between = 0;
+    std::string window;  ///< "low:high", cells: where avalanche sizes are fitted
     bool as_json = false;
     std::vector<std::string> settings;
 };
@@ -68,6 +69,7 @@ int sweep_command(const SweepOptions& options);
 int still_command(const StillOptions& options);
 int again_command(const AgainOptions& options);
 int measure_command(const MeasureOptions& options);
+int measure_avalanches(const MeasureOptions& options);  ///< of avalanches.csv
 int check_command(const std::vector<std::string>& scenes, const std::vector<std::string>& settings);
 
 }  // namespace fumon

@@ -70,7 +70,7 @@ std::vector<MeasuredValue> measured(const MeasureOptions& options) {
                             options.earlier, earlier.bed.nx(), earlier.bed.ny(), options.bed,
                             bed.bed.nx(), bed.bed.ny()));
         }
-        suite.row(earlier);
+        static_cast<void>(suite.row(earlier));
         bed.step = options.steps_between;
         values = suite.row(bed);
     }
@@ -109,6 +109,8 @@ std::string as_json(const MeasureOptions& options, const std::vector<MeasuredVal
 }  // namespace
 
 int measure_command(const MeasureOptions& options) {
+    if (std::filesystem::path(options.bed).extension() == ".csv")
+        return measure_avalanches(options);
     if (options.earlier.empty() != (options.steps_between == 0)) {
         throw InputError(
             "fumon measure: --earlier and --steps go together: an earlier bed and the steps "

@@ -49,6 +49,12 @@ void TextSource::fail(std::size_t offset, std::string_view what, std::string_vie
     throw InputError(fmt::format("{}:{}: {}; {}", name, line_of(text, offset), what, remedy));
 }
 
+void TextSource::fail_at_column(std::size_t offset, std::string_view what,
+                                std::string_view remedy) const {
+    throw InputError(fmt::format("{}:{}:{}: {}; {}", name, line_of(text, offset),
+                                 column_of(text, offset), what, remedy));
+}
+
 std::size_t line_of(std::string_view text, std::size_t offset) {
     std::size_t line = 1;
     const std::size_t end = std::min(offset, text.size());
@@ -57,6 +63,13 @@ std::size_t line_of(std::string_view text, std::size_t offset) {
         if (is_line_end(text[i]) && !second_of_pair) ++line;
     }
     return line;
+}
+
+std::size_t column_of(std::string_view text, std::size_t offset) {
+    std::size_t start = std::min(offset, text.size());
+    const std::size_t end = start;
+    while (start > 0 && !is_line_end(text[start - 1])) --start;
+    return end - start + 1;
 }
 
 std::string_view word_at(std::string_view text, std::size_t offset) {

@@ -15,10 +15,17 @@ struct TextSource {
     /// `offset`.
     [[noreturn]] void fail(std::size_t offset, std::string_view what,
                            std::string_view remedy) const;
+
+    /// The same as "name:line:column: what; remedy".
+    [[noreturn]] void fail_at_column(std::size_t offset, std::string_view what,
+                                     std::string_view remedy) const;
 };
 
 /// Counted from 1. CR, LF and CRLF each end a line.
 std::size_t line_of(std::string_view text, std::size_t offset);
+
+/// The place of a character in its line, counted from 1 in bytes.
+std::size_t column_of(std::string_view text, std::size_t offset);
 
 inline bool is_line_end(char c) {
     return c == '\n' || c == '\r';

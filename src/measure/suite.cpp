@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "measure/bed_statistics.h"
+#include "measure/suite_groups.h"
 
 namespace fumon {
 
@@ -52,17 +52,28 @@ MeasuredValue in_world_units(const MeasuredValue& measured, const WorldScale& sc
 
 class MeasureSuite::Parts {
   public:
+    std::vector<MeasureGroup> groups;
     std::vector<MeasureColumn> columns;
 };
 
-MeasureSuite::MeasureSuite(Landform /*landform*/) : parts_(std::make_unique<Parts>()) {
-    parts_->columns = {
-        {"mean_height", "heights", "mean of the bed"},
-        {"standard_deviation", "heights", "of the heights over all cells"},
-        {"minimum_height", "heights", "lowest cell"},
-        {"maximum_height", "heights", "highest cell"},
-        {"total_sand", "heights x cells", "sum of the heights"},
-    };
+MeasureSuite::MeasureSuite(Landform landform) : parts_(std::make_unique<Parts>()) {
+    std::vector<MeasureGroup>& groups = parts_->groups;
+    groups.push_back(statistics_group());
+    if (landform == Landform::pile) {
+        groups.push_back(pile_group());
+        groups.push_back(avalanche_group());
+    } else {
+        groups.push_back(wave_group());
+        groups.push_back(celerity_group());
+        groups.push_back(slope_group());
+    }
+    if (landform == Landform::bed) {
+        groups.push_back(crest_group());
+        groups.push_back(dune_group());
+    }
+    for (const MeasureGroup& group : groups) {
+        parts_->columns.insert(parts_->columns.end(), group.columns.begin(), group.columns.end());
+    }
 }
 
 MeasureSuite::~MeasureSuite() = default;
@@ -71,11 +82,20 @@ const std::vector<MeasureColumn>& MeasureSuite::columns() const {
     return parts_->columns;
 }
 
-void MeasureSuite::note(std::span<const Avalanche> /*avalanches*/) {}
+void MeasureSuite::note(std::span<const Avalanche> avalanches) {
+    for (const MeasureGroup& group : parts_->groups) {
+        if (group.note) group.note(avalanches);
+    }
+}
 
 std::vector<double> MeasureSuite::row(const Snapshot& snapshot) {
-    const BedStatistics bed = bed_statistics(snapshot.bed, snapshot.nodata);
-    return {bed.mean, bed.standard_deviation, bed.minimum, bed.maximum, bed.total};
+    std::vector<double> values;
+    values.reserve(parts_->columns.size());
+    for (const MeasureGroup& group : parts_->groups) {
+        const std::vector<double> some = group.values(snapshot);
+        values.insert(values.end(), some.begin(), some.end());
+    }
+    return values;
 }
 
 }  // namespace fumon

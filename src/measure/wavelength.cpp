@@ -2,55 +2,28 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
-#include "support/error.h"
-#include "terrain/elementary.h"
+#include "measure/peak_offset.h"
+#include "measure/row_departures.h"
+#include "measure/row_spectrum.h"
+#include "measure/row_waves.h"
 
 namespace fumon {
 
 namespace {
 
 constexpr int bins_beside_peak = 2;
-constexpr double turn = 6.283185307179586;
-
-/// Power in wave numbers 0 … nx/2, summed over the rows, by the plain sum of the Fourier transform.
-std::vector<double> power_along_x(const Grid& bed) {
-    const auto nx = static_cast<std::size_t>(bed.nx());
-    std::vector<double> cosine(nx);
-    std::vector<double> sine(nx);
-    for (std::size_t i = 0; i < nx; ++i) {
-        const double angle = turn * static_cast<double>(i) / static_cast<double>(nx);
-        cosine[i] = elementary::cos(angle);
-        sine[i] = elementary::sin(angle);
-    }
-    std::vector<double> power(nx / 2 + 1);
-    for (int y = 0; y < bed.ny(); ++y) {
-        const auto row = bed.row(y);
-        double mean = 0.0;
-        for (const double h : row) mean += h;
-        mean /= static_cast<double>(nx);
-        for (std::size_t k = 1; k < power.size(); ++k) {
-            double real = 0.0;
-            double imaginary = 0.0;
-            std::size_t phase = 0;
-            for (const double h : row) {
-                real += (h - mean) * cosine[phase];
-                imaginary += (h - mean) * sine[phase];
-                phase += k;
-                if (phase >= nx) phase -= nx;
-            }
-            power[k] += real * real + imaginary * imaginary;
-        }
-    }
-    return power;
-}
+constexpr int least_columns = 4;
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-double wavelength_along_x(const Grid& bed) {
-    if (bed.nx() < 4) throw Error("a wavelength along x needs at least 4 columns");
-    const std::vector<double> power = power_along_x(bed);
+double wavelength_spectrum(const Grid& bed, bool periodic) {
+    if (bed.nx() < least_columns || bed.empty()) return undefined;
+    const std::vector<double> power = power_along_x(bed, periodic);
     const auto peak =
         static_cast<int>(std::max_element(power.begin() + 1, power.end()) - power.begin());
     const int first = std::max(1, peak - bins_beside_peak);
@@ -61,7 +34,44 @@ double wavelength_along_x(const Grid& bed) {
         total += power[static_cast<std::size_t>(k)];
         weighted += k * power[static_cast<std::size_t>(k)];
     }
-    return weighted > 0.0 ? bed.nx() * total / weighted : 0.0;
+    return weighted > 0.0 ? bed.nx() * total / weighted : undefined;
+}
+
+double wavelength_autocorrelation(const Grid& bed, bool periodic) {
+    if (bed.nx() < least_columns || bed.empty()) return undefined;
+    std::vector<double> correlation = autocorrelation_along_x(bed, periodic);
+    if (correlation.empty()) return undefined;
+    if (periodic) correlation.insert(correlation.end(), {correlation[0], correlation[1]});
+    const auto negative = [](double value) { return value < 0.0; };
+    const auto positive = [](double value) { return value > 0.0; };
+    const auto trough = std::find_if(correlation.begin(), correlation.end(), negative);
+    const auto rise = std::find_if(trough, correlation.end(), positive);
+    const auto fall = std::find_if(rise, correlation.end(), negative);
+    if (rise == correlation.end()) return undefined;
+    const auto peak = std::max_element(rise, fall);
+    if (peak + 1 == correlation.end()) return undefined;
+    return static_cast<double>(peak - correlation.begin()) +
+           peak_offset(*(peak - 1), *peak, *(peak + 1));
+}
+
+double wavelength_crossings(const Grid& bed, bool periodic) {
+    if (bed.nx() < least_columns || bed.empty()) return undefined;
+    std::vector<double> departures(static_cast<std::size_t>(bed.nx()));
+    std::vector<int> sites;
+    std::int64_t length = 0;
+    std::int64_t waves = 0;
+    for (int y = 0; y < bed.ny(); ++y) {
+        row_departures(bed.row(y), periodic, departures);
+        find_upward_crossings(departures, periodic, sites);
+        if (periodic) {
+            length += bed.nx();
+            waves += static_cast<std::int64_t>(sites.size());
+        } else if (sites.size() > 1) {
+            length += sites.back() - sites.front();
+            waves += static_cast<std::int64_t>(sites.size()) - 1;
+        }
+    }
+    return waves > 0 ? static_cast<double>(length) / static_cast<double>(waves) : undefined;
 }
 
 }  // namespace fumon

@@ -59,10 +59,15 @@ Pile::Pile(const SandpileParameters& parameters, const Grid& bed, std::span<cons
                 height_1 * shares[static_cast<std::size_t>(side)]};
         }
         for (int before = 0; before <= direction_count; ++before) {
-            after_[static_cast<std::size_t>(before)][static_cast<std::size_t>(direction)] =
-                direction_after(parameters.direction, before, direction);
+            const auto b = static_cast<std::size_t>(before);
+            const auto r = static_cast<std::size_t>(direction);
+            after_[b][r] = direction_after(parameters.direction, before, direction);
+            after_former_[b][r] =
+                direction_after(parameters.direction, before, direction, HalfStep::toward_former);
+            has_half_steps_ |= after_[b][r] != after_former_[b][r];
         }
         after_[drop_site][static_cast<std::size_t>(direction)] = drop_site;
+        after_former_[drop_site][static_cast<std::size_t>(direction)] = drop_site;
     }
 }
 
@@ -152,8 +157,13 @@ void Pile::topple(std::size_t cell, TopplingDraws& draws, Received received) {
             lost_ += receiver.given / height_1;
             continue;
         }
-        cells_[to] += receiver.given - static_cast<std::int32_t>(before) +
-                      after_[before][static_cast<std::size_t>(receiver.direction)];
+        const auto came = static_cast<std::size_t>(receiver.direction);
+        std::int32_t after = after_[before][came];
+        if (has_half_steps_ && after != after_former_[before][came] &&
+            draws.toss() == HalfStep::toward_former) {
+            after = after_former_[before][came];
+        }
+        cells_[to] += receiver.given - static_cast<std::int32_t>(before) + after;
         note_change(to, 0);
         received(to);
     }

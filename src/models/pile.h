@@ -88,12 +88,15 @@ class Pile {
     std::ptrdiff_t stride_;  ///< cells of a row with its two edges
     bool toward_direction_;
     ToppleOrder order_;
-    std::int32_t threshold_;                               ///< as packed heights
-    std::int32_t moved_;                                   ///< by a topple, as packed heights
-    std::array<std::ptrdiff_t, 8> around_{};               ///< the ring, direction 1 first
-    std::array<std::ptrdiff_t, 9> block_{};                ///< 3 × 3, in array order
-    std::array<std::array<Receiver, 3>, 9> receivers_{};   ///< by direction 1 … 8
-    std::array<std::array<std::int32_t, 9>, 10> after_{};  ///< B' by B (0 … 9) and B_R (1 … 8)
+    std::int32_t threshold_;                                    ///< as packed heights
+    std::int32_t moved_;                                        ///< by a topple, as packed heights
+    std::array<std::ptrdiff_t, 8> around_{};                    ///< the ring, direction 1 first
+    std::array<std::ptrdiff_t, 9> block_{};                     ///< 3 × 3, in array order
+    std::array<std::array<Receiver, 3>, 9> receivers_{};        ///< by direction 1 … 8
+    using Turns = std::array<std::array<std::int32_t, 9>, 10>;  ///< B' by B (0 … 9), B_R (1 … 8)
+    Turns after_{};                                             ///< half steps toward B_R …
+    Turns after_former_{};                                      ///< … and toward B
+    bool has_half_steps_ = false;
     /// 16 · height + direction, rows from the north with an edge all round. Heights are compared
     /// packed: h ≤ H just when 16·h + direction ≤ 16·H + 15.
     std::vector<std::int32_t> cells_;

@@ -47,7 +47,7 @@ void list_keys(SandpileParameters& pile, KeyTable& table) {
           "trunc((B + B_R)/2) with table 2's exceptions, B_R where B is 0 (eqs. 4, 5); biased: the "
           "pile drifts"},
          {"mean-rounded", "as table 3 prints it: halves rounded up, a B of 0 averaged too"},
-         {"circular-mean", "halfway on the circle: no drift"}},
+         {"circular-mean", "halfway on the circle, halves toward B_R: a round cone, little drift"}},
         {.help = "how a cell that receives a grain going B_R turns its own direction B (Higashi & "
                  "Takamori 2003, section 3.2.3)"});
     table.choice("model.topple_toward", pile.topple_toward,

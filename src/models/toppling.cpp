@@ -22,12 +22,13 @@ int published_mean(int before, int incoming, int added_before_halving) {
     return exception != 0 ? exception : (before + incoming + added_before_halving) / 2;
 }
 
-int circular_mean(int before, int incoming) {
+int circular_mean(int before, int incoming, HalfStep half_step) {
     constexpr int half_turn = direction_count / 2;
+    const int rounded = half_step == HalfStep::toward_incoming ? 1 : 0;
     const int clockwise = (incoming - before + direction_count) % direction_count;
     if (clockwise == half_turn) return incoming;
-    return clockwise < half_turn ? turned(before, (clockwise + 1) / 2)
-                                 : turned(before, -((direction_count - clockwise + 1) / 2));
+    return clockwise < half_turn ? turned(before, (clockwise + rounded) / 2)
+                                 : turned(before, -((direction_count - clockwise + rounded) / 2));
 }
 
 }  // namespace
@@ -42,11 +43,11 @@ int turned(int direction, int eighths) {
     return (direction - 1 + eighths + direction_count) % direction_count + 1;
 }
 
-int direction_after(DirectionRule rule, int before, int incoming) {
+int direction_after(DirectionRule rule, int before, int incoming, HalfStep half_step) {
     if (rule == DirectionRule::mean_rounded) return published_mean(before, incoming, 1);
     if (before == no_direction) return incoming;
     return rule == DirectionRule::mean ? published_mean(before, incoming, 0)
-                                       : circular_mean(before, incoming);
+                                       : circular_mean(before, incoming, half_step);
 }
 
 std::array<int, 3> shares_of(int grains) {

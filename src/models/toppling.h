@@ -33,12 +33,16 @@ int turned(int direction, int eighths);
 ///     mean-rounded   halves rounded up, and a B of 0 averaged like any other, which is how table 3
 ///                    gets 2, 3, 3 from B = 0 and B_R = 4, 5, 6, against eq. (5) and table 2;
 ///                    table 2's exceptions hold
-///     circular-mean  halfway on the circle of eighths; a half eighth is rounded toward B_R, and
-///                    opposite directions, which have no mean, give B_R: the rule is the same seen
-///                    in a mirror or turned, so it has no bias. This one is not the paper's.
+///     circular-mean  halfway on the circle of eighths. Half an eighth goes to either side with
+///                    equal chance (`half_step`, see TopplingDraws::toss): always rounded to the
+///                    same side, even toward B_R, piles stand crooked. Opposite directions, which
+///                    have no mean, give B_R. The rule is the same seen in a mirror or turned, so
+///                    it has no bias of its own. Not the paper's.
 ///
 /// `before` is B, 0 … 8; `incoming` is B_R, 1 … 8: the direction in which the grain came.
-int direction_after(DirectionRule rule, int before, int incoming);
+enum class HalfStep { toward_incoming, toward_former };
+int direction_after(DirectionRule rule, int before, int incoming,
+                    HalfStep half_step = HalfStep::toward_incoming);
 
 /// How g grains fall on the three cells around B, counter-clockwise neighbour first: g/3 each; one
 /// left over goes to B's own cell, two go to its neighbours. One grain each for g = 3, as

@@ -8,7 +8,8 @@
 
 namespace fumon {
 
-/// The directions that drop sites, and cells that have none, draw when they topple. Random ones are
+/// The directions that drop sites, and cells that have none, draw when they topple, and the tosses
+/// that decide half steps of the circular mean. Random ones are
 /// the numbers of (seed, grain), so that a run can go on from any grain; cycling ones go on from
 /// grain to grain.
 class TopplingDraws {
@@ -26,6 +27,14 @@ class TopplingDraws {
             return static_cast<int>((drawn_ - 1) % direction_count) + 1;
         }
         return static_cast<int>(stream_.below(direction_count)) + 1;
+    }
+
+    /// Which way half a step goes: either with equal chance, or in turn where directions cycle.
+    HalfStep toss() {
+        ++drawn_;
+        const bool heads =
+            kind_ == DropDirection::cycling ? drawn_ % 2 == 0 : stream_.below(2) == 0;
+        return heads ? HalfStep::toward_incoming : HalfStep::toward_former;
     }
 
     /// How many have been drawn so far.

@@ -15,7 +15,8 @@ enum class Purpose : std::uint32_t {
     picks_per_row = 2,
     picks = 3,
     toppling_directions = 4,
-    drop_sites = 5
+    drop_sites = 5,
+    bootstrap = 6
 };
 
 /// Philox4x32-10 (Salmon, Moraes, Dror & Shaw 2011): ten rounds on a 128-bit counter under a 64-bit

@@ -138,9 +138,22 @@ class PlainPile {
                 continue;
             }
             height_[at(x, y)] += given;
-            direction_[at(x, y)] = direction_after(parameters_.direction, direction_[at(x, y)], to);
+            if (!is_site(at(x, y))) turn(direction_[at(x, y)], to, stream);
             if (changes_[at(x, y)] == 0) changes_[at(x, y)] = 1;
         }
+    }
+
+    void turn(int& direction, int to, RandomStream& stream) {
+        const DirectionRule rule = parameters_.direction;
+        const int toward = direction_after(rule, direction, to, HalfStep::toward_incoming);
+        const int former = direction_after(rule, direction, to, HalfStep::toward_former);
+        bool stay = false;
+        if (toward != former) {
+            ++drawn_;
+            stay = parameters_.drop_direction == DropDirection::cycling ? drawn_ % 2 != 0
+                                                                        : stream.below(2) != 0;
+        }
+        direction = stay ? former : toward;
     }
 
     Avalanche topple_from(const std::vector<int>& cells, std::int64_t grain) {

@@ -39,7 +39,7 @@ TEST_P(PublishedWavelength, IsFound) {
         Sand sand(std::any_cast<const SandParameters&>(scene.model.parameters),
                   {initial.bed, {}, {}, static_cast<std::uint64_t>(seed), pool});
         while (sand.steps_done() < expected.step) sand.step();
-        sum += wavelength_along_x(sand.snapshot().bed);
+        sum += wavelength_spectrum(sand.snapshot().bed, true);
     }
     EXPECT_NEAR(sum / seeds, expected.wavelength, expected.tolerance);
 }

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "measure/avalanche_sizes.h"
+#include "measure/pile.h"
+#include "measure/power_law.h"
+#include "measure/suite_groups.h"
+
+namespace fumon {
+
+namespace {
+
+std::optional<double> number_of(const Snapshot& snapshot, std::string_view name) {
+    const auto found =
+        std::find_if(snapshot.numbers.begin(), snapshot.numbers.end(),
+                     [&](const SnapshotNumber& number) { return number.name == name; });
+    if (found == snapshot.numbers.end()) return std::nullopt;
+    return found->value;
+}
+
+/// The drop site, or the middle of the bed as Higashi & Takamori (2003) have it.
+BedPoint drop_point(const Snapshot& snapshot) {
+    return {number_of(snapshot, "drop_x").value_or(snapshot.bed.nx() / 2),
+            number_of(snapshot, "drop_y").value_or(snapshot.bed.ny() - 1 - snapshot.bed.ny() / 2)};
+}
+
+struct Counted {
+    AvalancheSizes sizes;
+    std::optional<Avalanche> last;
+};
+
+}  // namespace
+
+MeasureGroup pile_group() {
+    return {{{"resident_grains", "grains", "sum of the heights"},
+             {"dropped_grains", "grains", "since the start"},
+             {"lost_grains", "grains", "gone over the edge since the start"},
+             {"covered_cells", "cells", "cells with a grain on them"},
+             {"footprint_axis_ratio", "", "shorter over longer axis of the covered cells"},
+             {"drop_cone_r_squared", "", "of the best cone that stands on the first drop site"},
+             {"cone_r_squared", "", "of the best cone anywhere"},
+             {"cone_height", "heights", "its apex"},
+             {"cone_slope", "heights/site", "fall of its sides"},
+             {"cone_angle", "degrees", "of its sides, heights taken as tall as cells"},
+             {"cone_offset", "sites", "of its apex from the first drop site"},
+             {"cone_offset_azimuth", "degrees", "clockwise from north"}},
+            [](const Snapshot& snapshot) -> std::vector<double> {
+                constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+                const PileShape pile = pile_shape(snapshot.bed, drop_point(snapshot));
+                return {pile.resident_grains,
+                        number_of(snapshot, "dropped_grains").value_or(unknown),
+                        number_of(snapshot, "lost_grains").value_or(unknown),
+                        static_cast<double>(pile.covered_cells),
+                        pile.axis_ratio,
+                        pile.drop_cone.r_squared,
+                        pile.cone.r_squared,
+                        pile.cone.height,
+                        pile.cone.slope,
+                        pile.cone.angle,
+                        pile.offset,
+                        pile.offset_azimuth};
+            }};
+}
+
+MeasureGroup avalanche_group() {
+    const auto counted = std::make_shared<Counted>();
+    return {{{"avalanches", "", "since the start"},
+             {"last_avalanche_size", "cells", "cells whose height changed"},
+             {"last_avalanche_duration", "", "rounds of toppling until rest"},
+             {"last_avalanche_topplings", "", "cells that toppled, each as often as it did"},
+             {"largest_avalanche_size", "cells", "since the start"},
+             {"size_slope_least_squares", "", "log-log slope of A_p over A_s in 10 to 100"},
+             {"size_slope_least_squares_r_squared", "", "of that line"},
+             {"size_slope_logarithmic_bins", "", "the same through bins that widen by a factor"},
+             {"size_slope_likelihood", "", "minus the exponent of largest likelihood, 10 to 100"}},
+            [counted](const Snapshot&) -> std::vector<double> {
+                constexpr double none = std::numeric_limits<double>::quiet_NaN();
+                const auto& last = counted->last;
+                const LineFit raw = fit_raw_bins(counted->sizes);
+                return {static_cast<double>(counted->sizes.avalanches()),
+                        last ? static_cast<double>(last->size) : none,
+                        last ? static_cast<double>(last->duration) : none,
+                        last ? static_cast<double>(last->topplings) : none,
+                        static_cast<double>(counted->sizes.largest()),
+                        raw.slope,
+                        raw.r_squared,
+                        fit_logarithmic_bins(counted->sizes).slope,
+                        -fit_likelihood(counted->sizes).exponent};
+            },
+            [counted](std::span<const Avalanche> avalanches) {
+                if (avalanches.empty()) return;
+                counted->sizes.add(avalanches);
+                counted->last = avalanches.back();
+            }};
+}
+
+}  // namespace fumon
