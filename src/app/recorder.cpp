@@ -4,40 +4,9 @@
 
 #include <cmath>
 #include <exception>
-#include <iterator>
 #include <utility>
 
 namespace fumon {
-
-/// avalanches.csv: rows are held back by the few kilobytes only.
-class AvalancheFile {
-  public:
-    explicit AvalancheFile(const std::filesystem::path& file)
-        : file_(file), rows_("grain,size,duration,topplings,lost\n") {}
-
-    void add(std::span<const Avalanche> avalanches) {
-        constexpr std::size_t enough_to_write = 1 << 16;  // bytes
-        for (const Avalanche& avalanche : avalanches) {
-            fmt::format_to(std::back_inserter(rows_), "{},{},{},{},{}\n", avalanche.grain,
-                           avalanche.size, avalanche.duration, avalanche.topplings, avalanche.lost);
-            if (rows_.size() >= enough_to_write) flush();
-        }
-    }
-
-    void commit() {
-        flush();
-        file_.commit();
-    }
-
-  private:
-    void flush() {
-        file_.write(rows_);
-        rows_.clear();
-    }
-
-    AtomicFile file_;
-    std::string rows_;  ///< not written yet
-};
 
 Recorder::Recorder(const Scene& scene, const Model& model, std::string resolved, RecordPaths paths)
     : scene_(scene),
@@ -53,8 +22,6 @@ Recorder::Recorder(const Scene& scene, const Model& model, std::string resolved,
     measurements_->write(header + "\n");
 }
 
-Recorder::~Recorder() = default;
-
 bool Recorder::due(std::int64_t step) const {
     return measured_.due(step) || fielded_.due(step);
 }
@@ -68,7 +35,7 @@ void Recorder::note(std::span<const Avalanche> avalanches) {
     if (avalanches.empty()) return;
     if (scene_.output.measurements) suite_.note(avalanches);
     if (!scene_.output.avalanches) return;
-    if (!avalanches_) avalanches_ = std::make_unique<AvalancheFile>(paths_.avalanches);
+    if (!avalanches_) avalanches_.emplace(paths_.avalanches);
     avalanches_->add(avalanches);
 }
 
@@ -81,8 +48,7 @@ void Recorder::measure(const Snapshot& snapshot) {
 
 void Recorder::record_fields(const Snapshot& snapshot) {
     if (!fields_) {
-        fields_ = std::make_unique<FieldsFile>(paths_.fields, snapshot,
-                                               FieldsText{scene_.title, resolved_, scene_.seed});
+        fields_.emplace(paths_.fields, snapshot, FieldsText{scene_.title, resolved_, scene_.seed});
     }
     fields_->add(snapshot);
 }
