@@ -24,8 +24,6 @@ Recorder::Recorder(const Scene& scene, const Model& model, std::string resolved,
     measurements_->write(header + "\n");
 }
 
-Recorder::~Recorder() = default;
-
 bool Recorder::due(std::int64_t step) const {
     return measured_.due(step) || fielded_.due(step);
 }
@@ -39,7 +37,7 @@ void Recorder::note(std::span<const Avalanche> avalanches) {
     if (avalanches.empty()) return;
     if (scene_.output.measurements) suite_.note(avalanches);
     if (!scene_.output.avalanches) return;
-    if (!avalanches_) avalanches_ = std::make_unique<AvalancheFile>(paths_.avalanches);
+    if (!avalanches_) avalanches_.emplace(paths_.avalanches);
     avalanches_->add(avalanches);
 }
 
@@ -52,8 +50,7 @@ void Recorder::measure(const Snapshot& snapshot) {
 
 void Recorder::record_fields(const Snapshot& snapshot) {
     if (!fields_) {
-        fields_ = std::make_unique<FieldsFile>(paths_.fields, snapshot,
-                                               FieldsText{scene_.title, resolved_, scene_.seed});
+        fields_.emplace(paths_.fields, snapshot, FieldsText{scene_.title, resolved_, scene_.seed});
     }
     fields_->add(snapshot);
 }

@@ -2,12 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 
 #include "files/atomic_file.h"
+#include "files/avalanche_table.h"
 #include "files/netcdf_fields.h"
 #include "measure/suite.h"
 #include "models/model.h"
@@ -15,8 +15,6 @@
 #include "scene/schedule.h"
 
 namespace fumon {
-
-class AvalancheFile;
 
 /// Where a recorder writes.
 struct RecordPaths {
@@ -44,7 +42,6 @@ class Recorder {
   public:
     /// `resolved` is the scene as TOML, for fields.nc. Throws Error when a file cannot be made.
     Recorder(const Scene& scene, const Model& model, std::string resolved, RecordPaths paths);
-    ~Recorder();
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
@@ -73,8 +70,8 @@ class Recorder {
     Schedule fielded_;
     MeasureSuite suite_;
     std::optional<AtomicFile> measurements_;
-    std::unique_ptr<AvalancheFile> avalanches_;
-    std::unique_ptr<FieldsFile> fields_;
+    std::optional<AvalancheFile> avalanches_;
+    std::optional<FieldsFile> fields_;
     Recorded recorded_;
 };
 

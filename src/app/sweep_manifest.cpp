@@ -40,7 +40,7 @@ std::string scene_difference(const Json& former, const Json& now, const std::str
         const std::string path = prefix + name;
         if (!now.contains(name)) return fmt::format("its scene has {}, now it has none", path);
         if (value.is_object()) {
-            const std::string inside = scene_difference(value, now[name], path + ".");
+            std::string inside = scene_difference(value, now[name], path + ".");
             if (!inside.empty()) return inside;
         } else if (value != now[name] && path != "bed.file") {
             return fmt::format("its scene has {} = {}, now {}", path, text_of(value),

@@ -304,6 +304,33 @@ TEST_F(SweepTest, AnotherSweepIsRefusedUnlessForced) {
     EXPECT_FALSE(fs::exists(folder_ / "out/runs/0002.csv")) << "the former sweep is gone";
 }
 
+TEST_F(SweepTest, RecordsOfAnotherRunOrVersionAreNotTaken) {
+    const std::vector<std::string> two{"--seeds", "2"};
+    ASSERT_EQ(sweep(two).status, 0);
+    const std::string whole = table();
+    const fs::path record = folder_ / "out/runs/0001.json";
+    auto json = nlohmann::json::parse(read_text(record));
+    json["id"] = std::string(64, '0');
+    write_text(record, json.dump());
+    write_text(folder_ / "out/runs/0001.csv", "step,time\n");
+    fs::remove(folder_ / "out/runs/0002.csv");
+    const Ended again = sweep(two);
+    EXPECT_EQ(again.status, 0) << again.errors;
+    EXPECT_EQ(again.errors, "2 of 2 runs are done: out/sweep.csv\n") << "none was there already";
+    EXPECT_EQ(table(), whole);
+
+    auto manifest = nlohmann::ordered_json::parse(read_text(folder_ / "out/sweep.json"));
+    manifest["fumon"] = "0.0.1";
+    write_text(folder_ / "out/sweep.json", manifest.dump());
+    EXPECT_EQ(sweep(two).errors,
+              "out holds another sweep: it was made by fumon 0.0.1, this is " FUMON_VERSION
+              "; name another folder, or --force replaces it\n");
+    write_text(folder_ / "out/sweep.json", "{");
+    EXPECT_EQ(sweep(two).errors,
+              "out holds a sweep whose sweep.json is damaged; name another folder, or --force "
+              "replaces it\n");
+}
+
 TEST_F(SweepTest, OneProgramAtATimeWorksInAFolder) {
     Program first(arguments({"--seeds", "40", "--set", "run.steps=100000"}, "out"), folder_.path());
     for (int tries = 0; tries < 3000 && !fs::exists(folder_ / "out/runs.csv"); ++tries)

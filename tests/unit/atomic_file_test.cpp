@@ -33,6 +33,19 @@ TEST(AtomicFile, LeavesNothingWhenNotCommitted) {
     EXPECT_EQ(folder.entries(), 0);
 }
 
+TEST(AtomicFile, AFailedWriteLeavesWhatWasThereBefore) {
+    const TemporaryFolder folder;
+    AtomicFile file(folder / "a.csv");
+    file.write("whole row\n");
+    {
+        const testing::FileSizeLimit limit(14);
+        EXPECT_THROW(file.write("another row\n"), Error);
+    }
+    file.write("last\n");
+    file.commit();
+    EXPECT_EQ(bytes_of(folder / "a.csv"), "whole row\nlast\n");
+}
+
 TEST(AtomicFile, KeepsTheOldFileUntilTheNewOneIsComplete) {
     const TemporaryFolder folder;
     folder.file("a.csv", "old");

@@ -85,6 +85,9 @@ INSTANTIATE_TEST_SUITE_P(
             "scene.toml:6:11: camera.azimuth is 'north'; it takes a number -360 … 360 (degrees)"},
         Broken{"out_of_range", least + "[sun]\nelevation = 91\n",
                "scene.toml:6:13: sun.elevation is 91; it takes a number 1 … 90 (degrees)"},
+        Broken{"fields_after_the_end", least + "[output]\nfields_at = [5, 11]\n",
+               "scene.toml:6:13: output.fields_at names step 11, after the run's end at 10; "
+               "lengthen run.steps or drop it"},
         Broken{
             "unknown_model", "[model]\nname = \"sant\"\n",
             "scene.toml:2:8: unknown model \"sant\"; did you mean \"sand\"? (see `fumon models`)"},

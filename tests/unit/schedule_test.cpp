@@ -53,5 +53,13 @@ TEST(Schedule, BedsBothWays) {
         (std::vector<std::int64_t>{0, 7, 500, 1000}));
 }
 
+TEST(Schedule, FieldsBothWays) {
+    EXPECT_EQ(due_steps(fields_schedule(
+                            scene_with("[output]\nfields_every = 400\nfields_at = [9, 400]\n")),
+                        1000),
+              (std::vector<std::int64_t>{0, 9, 400, 800}));
+    EXPECT_EQ(fields_schedule(scene_with("")).count(), 0);
+}
+
 }  // namespace
 }  // namespace fumon
