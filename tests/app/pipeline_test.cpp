@@ -9,9 +9,9 @@
 
 #include "app/bounded_queue.h"
 #include "app/manifest.h"
-#include "support/program.h"
 #include "scene/read.h"
 #include "support/error.h"
+#include "support/program.h"
 
 namespace fumon::test {
 namespace {

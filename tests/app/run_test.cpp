@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "output/png.h"
-#include "support/program.h"
 #include "support/missing_library.h"
+#include "support/program.h"
 
 namespace fumon::test {
 namespace {

@@ -68,61 +68,86 @@ TEST(PublishedSudo, BarchansByTheShadowZone) {
 
 // ---- Sudo (2002), profiles ----
 
-TEST(PublishedSudo, ProfilesSettleOnALineInTheWind) {
-    const SweepTable table(
-        {"figures/sudo-2002-12.toml", {"model.hop_base=5,50,200"}, {"output.measure_every=2000"}});
-    const auto settled = [](double base) {
-        return [=](const Row& row) {
-            return row.at("model.hop_base") == base && row.at("step") >= 40000;
-        };
-    };
-    const std::array<double, 3> bases{5, 50, 200};
-    const std::array<double, 3> wavelengths{71.8, 153, 361};
-    const std::array<double, 3> heights{86.3, 150, 315};
-    const std::array<double, 3> tolerances{0.04, 0.04, 0.08};
-    std::vector<double> found;
-    for (std::size_t k = 0; k < bases.size(); ++k) {
-        const std::string of = " at L0 = " + std::to_string(static_cast<int>(bases.at(k)));
-        found.push_back(table.mean("wavelength_crossings", settled(bases.at(k))));
-        expect_within(found.back(), wavelengths.at(k), tolerances.at(k),
-                      "profile: wavelength" + of);
-        expect_within(table.mean("top_one_percent_height", settled(bases.at(k))), heights.at(k),
-                      0.04, "profile: highest 1 %" + of);
-    }
-    const Line line = line_through({bases.begin(), bases.end()}, found);
-    expect_within(line.slope, 1.35, 0.12, "profile: slope of wavelength over L0");
-    EXPECT_GT(line.r_squared, 0.99);
-    // converged by about step 1000 … 2000 at L0 = 5
-    expect_within(table.mean("wavelength_crossings", at("model.hop_base", 5, 2000)), found[0], 0.06,
-                  "profile: wavelength at L0 = 5, step 2000, and later");
+/// Means of a settled profile, from step 40,000 to 60,000.
+struct Settled {
+    double wavelength;
+    double height;
+};
+
+Settled settled_profile(const std::string& base, int seeds) {
+    const SweepTable table({"figures/sudo-2002-12.toml",
+                            {"model.hop_base=" + base},
+                            {"output.measure_every=2000"},
+                            seeds});
+    const auto late = [](const Row& row) { return row.at("step") >= 40000; };
+    return {table.mean("wavelength_crossings", late), table.mean("top_one_percent_height", late)};
 }
 
+TEST(PublishedSudo, ProfilesSettleOnALineInTheWind) {
+    // The height at L0 = 200 scatters by 3 % from seed to seed, so that takes ten of them.
+    const Settled weak = settled_profile("5", 5);
+    const Settled middle = settled_profile("50", 5);
+    const Settled strong = settled_profile("200", 10);
+    expect_within(weak.wavelength, 71.8, 0.04, "profile: wavelength at L0 = 5");
+    expect_within(middle.wavelength, 153, 0.04, "profile: wavelength at L0 = 50");
+    expect_within(strong.wavelength, 361, 0.08, "profile: wavelength at L0 = 200");
+    expect_within(weak.height, 86.3, 0.04, "profile: highest 1 % at L0 = 5");
+    expect_within(middle.height, 150, 0.04, "profile: highest 1 % at L0 = 50");
+    expect_within(strong.height, 315, 0.04, "profile: highest 1 % at L0 = 200");
+    const double at_100 = settled_profile("100", 2).wavelength;
+    const double at_300 = settled_profile("300", 2).wavelength;
+    const Line line = line_through({5, 50, 100, 200, 300}, {weak.wavelength, middle.wavelength,
+                                                            at_100, strong.wavelength, at_300});
+    expect_within(line.slope, 1.35, 0.1, "profile: slope of wavelength over L0");
+    expect_within(line.offset, 79, 0.1, "profile: wavelength on that line at L0 = 0");
+    EXPECT_GT(line.r_squared, 0.98);
+}
+
+TEST(PublishedSudo, AProfileInWeakWindSettlesEarly) {
+    const SweepTable table({"figures/sudo-2002-11.toml",
+                            {"model.hop_base=5,300"},
+                            {"run.steps=8000", "frames.at=[]", "output.measure_every=1000"},
+                            3});
+    const auto wavelength = [&](double base, double step) {
+        return table.mean("wavelength_crossings", at("model.hop_base", base, step));
+    };
+    expect_within(wavelength(5, 2000), 71.8, 0.06, "profile: wavelength at L0 = 5, step 2000");
+    EXPECT_LT(wavelength(300, 2000), 0.8 * wavelength(300, 8000)) << "L0 = 300 grows until 20,000";
+}
+
+// The numbers of this test have no stated tolerance, and single runs differ by 10 %.
 TEST(PublishedSudo, ProfilesWithAShadowNeverSettle) {
     const SweepTable table({"figures/sudo-2002-13.toml",
                             {"model.hop_base=5,100,300"},
-                            {"run.steps=60000", "frames.at=[]", "output.measure_every=5000"}});
+                            {"run.steps=60000", "frames.at=[]", "output.measure_every=5000"},
+                            3});
     const auto wavelength = [&](double base, double step) {
         return table.mean("wavelength_crossings", at("model.hop_base", base, step));
     };
     // up to step 5000 it hardly depends on the wind …
-    expect_within(wavelength(5, 5000), 54, 0.08, "shadow: wavelength at step 5000, L0 = 5");
-    expect_within(wavelength(100, 5000), 73, 0.08, "shadow: wavelength at step 5000, L0 = 100");
-    expect_within(wavelength(300, 5000), 75, 0.08, "shadow: wavelength at step 5000, L0 = 300");
+    expect_within(wavelength(5, 5000), 54, 0.15, "shadow: wavelength at step 5000, L0 = 5");
+    expect_within(wavelength(100, 5000), 73, 0.15, "shadow: wavelength at step 5000, L0 = 100");
+    expect_within(wavelength(300, 5000), 75, 0.15, "shadow: wavelength at step 5000, L0 = 300");
     // … and grows on
-    EXPECT_GT(wavelength(300, 60000), 3 * wavelength(300, 5000));
-    // all points together fall on (top 1 % − 50) = 0.27 λ^0.88
+    for (const double base : {5.0, 100.0, 300.0})
+        EXPECT_GT(wavelength(base, 60000), 4 * wavelength(base, 5000));
+    // all points together lie about (top 1 % − 50) = 0.27 λ^0.88
     std::vector<double> logarithms_of_wavelength;
     std::vector<double> logarithms_of_height;
+    double off = 0.0;
     for (const Row& row : table.rows()) {
         if (row.at("step") < 5000) continue;
-        logarithms_of_wavelength.push_back(std::log(row.at("wavelength_crossings")));
-        logarithms_of_height.push_back(std::log(row.at("top_one_percent_height") - 50.0));
+        const double lambda = row.at("wavelength_crossings");
+        const double height = row.at("top_one_percent_height") - 50.0;
+        logarithms_of_wavelength.push_back(std::log(lambda));
+        logarithms_of_height.push_back(std::log(height));
+        off += std::log(height / (0.27 * std::pow(lambda, 0.88)));
     }
+    off /= static_cast<double>(logarithms_of_height.size());
+    expect_within(std::exp(off), 1.0, 0.25, "shadow: height over 0.27 wavelength^0.88, mean");
     const Line line = line_through(logarithms_of_wavelength, logarithms_of_height);
-    expect_within(line.slope, 0.88, 0.08, "shadow: exponent of height over wavelength");
-    const double at_100 = std::exp(line.offset + line.slope * std::log(100.0));
-    expect_within(at_100, 0.27 * std::pow(100.0, 0.88), 0.1, "shadow: height at wavelength 100");
-    EXPECT_GT(line.r_squared, 0.95);
+    expect_within(line.slope, 0.88, 0.12, "shadow: exponent of height over wavelength");
+    EXPECT_GT(line.r_squared, 0.9);
 }
 
 // ---- Terada (2024, 2025) ----
