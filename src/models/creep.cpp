@@ -125,8 +125,9 @@ void MaximaCreep::operator()(Grid& bed, double rate, WorkerPool& pool) {
                 const Neighbours around{
                     south, here, north, x == 0 ? nx_ - 1 : x - 1, x, x + 1 == nx_ ? 0 : x + 1};
                 if (!around.below_cell()) continue;
+                const int reach = here[x] < 0.0 ? 2 : 1;
                 around.topple(rate);
-                mark_around(x, y);
+                mark_around(x, y, reach);
             }
         }
     }
@@ -156,11 +157,13 @@ void MaximaCreep::mark(const Grid& bed, WorkerPool& pool) {
     });
 }
 
-/// Marks the neighbours of a cell that gave: they were raised, or stand beside a lower one, and may
-/// have become maxima. Marks behind the sweep do no harm.
-void MaximaCreep::mark_around(int x, int y) {
+/// Marks the cells that a cell may have made maxima by giving: its neighbours, which were raised
+/// and stand beside a lower one. A cell below zero takes instead, and lowers its neighbours, so
+/// that theirs may have become maxima. Marks behind the sweep do no harm.
+void MaximaCreep::mark_around(int x, int y, int reach) {
     const auto bit = static_cast<unsigned>(x);
-    const bool inside = y > 0 && y + 1 < ny_ && x + 1 < nx_ && bit % 64 != 0 && bit % 64 != 63;
+    const bool inside =
+        reach == 1 && y > 0 && y + 1 < ny_ && x + 1 < nx_ && bit % 64 != 0 && bit % 64 != 63;
     if (inside) {
         std::uint64_t* here = marks_.data() + static_cast<std::size_t>(y) * words_ + bit / 64;
         const std::uint64_t three = std::uint64_t{7} << (bit % 64 - 1);
@@ -168,12 +171,11 @@ void MaximaCreep::mark_around(int x, int y) {
         here[words_] |= three;
         return;
     }
-    const int west = x == 0 ? nx_ - 1 : x - 1;
-    const int east = x + 1 == nx_ ? 0 : x + 1;
-    for (const int row : {y == 0 ? ny_ - 1 : y - 1, y, y + 1 == ny_ ? 0 : y + 1}) {
+    for (int dy = -reach; dy <= reach; ++dy) {
+        const int row = (y + dy + 2 * ny_) % ny_;
         std::uint64_t* marks = marks_.data() + static_cast<std::size_t>(row) * words_;
-        for (const int column : {west, x, east}) {
-            const auto marked = static_cast<unsigned>(column);
+        for (int dx = -reach; dx <= reach; ++dx) {
+            const auto marked = static_cast<unsigned>((x + dx + 2 * nx_) % nx_);
             marks[marked / 64] |= std::uint64_t{1} << (marked % 64);
         }
     }

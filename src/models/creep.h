@@ -29,7 +29,7 @@ class MaximaCreep {
 
   private:
     void mark(const Grid& bed, WorkerPool& pool);
-    void mark_around(int x, int y);
+    void mark_around(int x, int y, int reach);
 
     int nx_ = 0;
     int ny_ = 0;
