@@ -227,7 +227,7 @@ void Picks::draw(std::int64_t count, std::uint64_t seed, std::uint32_t row, std:
 /// that those of a long row are on their way from memory when they are needed.
 template <class Hop>
 inline void RowHops::hop_from_each(double* row, const Picks& picks, Hop hop) const {
-    constexpr std::size_t block = 32;
+    constexpr std::size_t block = 128;
     std::array<int, block> cells{};
     RandomStream rest = picks.rest();
     const auto words = picks.words();

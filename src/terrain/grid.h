@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "terrain/large_pages.h"
+
 namespace fumon {
 
 /// A field f(x, y) on nx × ny cells, x fastest in memory. x grows east, y grows north: row 0 is the
@@ -51,7 +53,7 @@ class Field {
 
     int nx_ = 0;
     int ny_ = 0;
-    std::vector<Number> values_;
+    std::vector<Number, LargePages<Number>> values_;
 };
 
 using Grid = Field<double>;
