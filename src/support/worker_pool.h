@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <exception>
 #include <functional>
@@ -29,6 +30,8 @@ class WorkerPool {
     void for_ranges(int count, const std::function<void(int begin, int end)>& body);
 
   private:
+    template <class Condition>
+    static void look_a_moment(Condition condition);
     void work(int worker);
     void run_share(int share);
 
@@ -39,9 +42,9 @@ class WorkerPool {
     const std::function<void(int, int)>* body_ = nullptr;
     std::vector<std::exception_ptr> errors_;
     int count_ = 0;
-    int running_ = 0;
-    unsigned round_ = 0;
-    bool stopping_ = false;
+    std::atomic<int> running_ = 0;
+    std::atomic<unsigned> round_ = 0;
+    std::atomic<bool> stopping_ = false;
     std::vector<std::jthread> workers_;  // last: joined before what they use goes
 };
 
