@@ -158,7 +158,8 @@ struct CommandLine {
         CLI::App& command = add("still", "one picture: of a step of a scene, or of a terrain file",
                                 [this] { return still_command(still); });
         command
-            .add_option("INPUT", still.input, "a scene (.toml), an ESRI ASCII grid or a grey PNG")
+            .add_option("INPUT", still.input,
+                        "a scene (.toml), an ESRI ASCII grid, a NetCDF file or a grey PNG")
             ->required();
         command.add_option("-o,--output", still.output, "the picture (PNG)")
             ->type_name("FILE.png")
@@ -222,6 +223,10 @@ struct CommandLine {
             ->type_name("N")
             ->check(CLI::Range(1.0, 9e18).description(""))
             ->needs(earlier);
+        command
+            .add_option("--window", measure.window,
+                        "sizes over which avalanches.csv is fitted (default 10:100)")
+            ->type_name("LOW:HIGH");
         command
             .add_option("--heights", measure.heights, "metres of black and white of a PNG terrain")
             ->type_name("LOW:HIGH");
