@@ -223,6 +223,7 @@ TEST_F(SweepTest, AnInterruptKeepsWhatIsDoneAndTheSameCommandGoesOn) {
                                         "--seeds",   "4",
                                         "--set",     "run.steps=4000",
                                         "--set",     "grid.nx=100",
+                                        "--set",     "output.measure_every=400",
                                         "--threads", "2"};
     ASSERT_EQ(sweep(grid, "whole").status, 0);
     for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
