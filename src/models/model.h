@@ -21,6 +21,32 @@ struct SnapshotField {
     Grid values;            ///< nx × ny
 };
 
+/// A line along the profile of a section, one value a column: "bed_shear_stress" …
+struct SectionCurve {
+    std::string name;
+    std::string long_name;
+    std::string unit;
+    std::vector<double> values;  ///< nx
+};
+
+/// The path of a grain through the air. x goes on past the section's end where the grain does.
+struct GrainPath {
+    double launch_angle = 0.0;  ///< to the local bed, degrees
+    std::vector<double> x;      ///< metres
+    std::vector<double> z;      ///< metres, as many
+};
+
+/// The vertical plane over a bed that is a profile, in metres: column i at x = i·dx, node k at
+/// z = k·dz. Periodic in x.
+struct SnapshotSection {
+    double dx = 0.0;
+    double dz = 0.0;
+    /// nx × nz each: "velocity_x", "velocity_z" (m/s), "pressure" (Pa) …; 0 at and below the bed.
+    std::vector<SnapshotField> fields;
+    std::vector<SectionCurve> curves;
+    std::vector<GrainPath> paths;
+};
+
 /// A number that a model keeps count of, beside its fields.
 struct SnapshotNumber {
     std::string name;  ///< "lost_grains"
@@ -42,6 +68,8 @@ struct Snapshot {
     bool periodic = false;  ///< whether the bed goes on past its edges with its other side
     std::vector<SnapshotField> fields{};
     std::vector<SnapshotNumber> numbers{};
+    /// What is above a bed of a single row, where the model knows; shared, since it is large.
+    std::shared_ptr<const SnapshotSection> section{};
 };
 
 /// All toppling that one dropped grain sets off (Higashi & Takamori 2003, section 4.2).

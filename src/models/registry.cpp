@@ -12,10 +12,10 @@ namespace fumon {
 namespace {
 
 template <class Parameters, class Kind>
-constexpr ModelEntry entry(std::string_view name, std::string_view help, bool starts_bare = false) {
+constexpr ModelEntry entry(std::string_view name, std::string_view help, ModelHome home = {}) {
     return {name,
             help,
-            starts_bare,
+            home,
             [] { return std::any(Parameters{}); },
             [](std::any& parameters, KeyTable& table) {
                 list_keys(std::any_cast<Parameters&>(parameters), table);
@@ -31,7 +31,8 @@ constexpr std::array all_models{
                                 "wind-blown sand that hops and creeps: ripples, dunes, barchans"),
     entry<SandpileParameters, Sandpile>(
         "sandpile",
-        "a pile that grains fall on and that topples: cones, avalanches and their sizes", true),
+        "a pile that grains fall on and that topples: cones, avalanches and their sizes",
+        {.starts_bare = true}),
     entry<StaticParameters, StaticBed>("static", "a bed as it is: look at a terrain"),
 };
 

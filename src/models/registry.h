@@ -11,12 +11,21 @@ namespace fumon {
 
 class KeyTable;
 
+/// What a model's bed is where the scene does not say.
+struct ModelHome {
+    bool starts_bare = false;  ///< its usual initial bed is flat, not noise
+    /// Usual cell size, metres, of a model that lives in metres and seconds, whose heights are
+    /// metres; 0 for one that lives in sites and model heights.
+    double cell_size = 0.0;
+    bool on_profile = false;  ///< its bed is a single row: grid.ny is 1 where it is not written
+};
+
 /// One model as scenes know it. Parameters travel as a value in `std::any`; only the model's own
 /// functions look inside.
 struct ModelEntry {
     std::string_view name;
     std::string_view help;  ///< one line
-    bool starts_bare;       ///< its usual initial bed is flat, not noise
+    ModelHome home;
     std::any (*default_parameters)();
     /// Lists the keys `model.*` of these parameters, bound to them.
     void (*list_keys)(std::any& parameters, KeyTable& table);

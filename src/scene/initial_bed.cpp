@@ -15,6 +15,17 @@ namespace fumon {
 
 namespace {
 
+ModelHome home_of(const Scene& scene) {
+    const ModelEntry* model = find_model(scene.model.name);
+    return model != nullptr ? model->home : ModelHome{};
+}
+
+/// Cells northward: one for a model on a profile, unless the scene says otherwise.
+int rows_of(const Scene& scene) {
+    if (home_of(scene).on_profile && !scene.locations.contains("grid.ny")) return 1;
+    return static_cast<int>(scene.grid.ny);
+}
+
 /// Whether a key of the scene holds for its terrain file. A file named on the command line takes
 /// the place of the scene's own bed, and of the size written for that.
 bool holds_for_file(const Scene& scene, const char* key) {
@@ -51,7 +62,15 @@ WorldScale scale_of(const Scene& scene, double file_dx, double file_dy) {
         scale.dy = file_dy;
         scale.in_metres = true;
     }
-    if (!scene.grid.height_unit.is_word()) {
+    const ModelHome home = home_of(scene);
+    if (home.cell_size > 0.0) {
+        if (!scale.in_metres) scale = {home.cell_size, home.cell_size, 1.0, true};
+        if (!scene.grid.height_unit.is_word() && scene.grid.height_unit.value != 1.0) {
+            throw InputError(fmt::format(
+                "{}grid.height_unit is {}, but {} lives in metres; leave the key out",
+                scene.at("grid.height_unit"), scene.grid.height_unit.value, scene.model.name));
+        }
+    } else if (!scene.grid.height_unit.is_word()) {
         scale.height_unit = scene.grid.height_unit.value;
     } else {
         scale.height_unit = scene.model.name == "static" ? 1.0 : scale.dx;
@@ -103,7 +122,7 @@ InitialBed bed_from_file(const Scene& scene) {
 }
 
 Grid noise(const Scene& scene) {
-    Grid bed(static_cast<int>(scene.grid.nx), static_cast<int>(scene.grid.ny));
+    Grid bed(static_cast<int>(scene.grid.nx), rows_of(scene));
     const double low = scene.bed.low;
     const double width = scene.bed.high - scene.bed.low;
     for (int y = 0; y < bed.ny(); ++y) {
@@ -119,8 +138,7 @@ Grid noise(const Scene& scene) {
 BedKind bed_kind(const Scene& scene) {
     if (scene.bed.kind != BedKind::automatic) return scene.bed.kind;
     if (!scene.bed.file.empty()) return BedKind::file;
-    const ModelEntry* model = find_model(scene.model.name);
-    return model != nullptr && model->starts_bare ? BedKind::flat : BedKind::noise;
+    return home_of(scene).starts_bare ? BedKind::flat : BedKind::noise;
 }
 
 InitialBed make_initial_bed(const Scene& scene) {
@@ -128,9 +146,9 @@ InitialBed make_initial_bed(const Scene& scene) {
     if (kind == BedKind::file) return bed_from_file(scene);
     InitialBed initial;
     initial.scale = scale_of(scene, 0.0, 0.0);
-    initial.bed = kind == BedKind::noise ? noise(scene)
-                                         : Grid(static_cast<int>(scene.grid.nx),
-                                                static_cast<int>(scene.grid.ny), scene.bed.height);
+    initial.bed = kind == BedKind::noise
+                      ? noise(scene)
+                      : Grid(static_cast<int>(scene.grid.nx), rows_of(scene), scene.bed.height);
     return initial;
 }
 

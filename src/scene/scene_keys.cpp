@@ -45,10 +45,11 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                     {.unit = "m",
                      .range = {0, 1e7, true},
                      .help = "one number or [dx, dy]; without it lengths read \"sites\""});
-    table.word_or_real(
-        "grid.height_unit", scene.grid.height_unit,
-        {{"auto", "1 m for the static model, else the cell size dx (1 site without one)"}},
-        {.unit = "m", .range = {0, 1e7, true}, .help = "metres per model height"});
+    table.word_or_real("grid.height_unit", scene.grid.height_unit,
+                       {{"auto",
+                         "1 m for models in metres (static, gully, airflow), else the cell size dx "
+                         "(1 site without one)"}},
+                       {.unit = "m", .range = {0, 1e7, true}, .help = "metres per model height"});
     table.choice("bed.kind", scene.bed.kind,
                  {{"auto",
                    "the file of bed.file, else as the model starts: the sandpile flat, "
