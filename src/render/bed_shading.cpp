@@ -8,6 +8,7 @@
 #include "render/lighting.h"
 #include "render/palette.h"
 #include "terrain/elementary.h"
+#include "terrain/resampling.h"
 
 namespace fumon {
 

@@ -20,15 +20,6 @@ struct DisplayBed {
 /// picture's longer side.
 int refinement_of(int nx, int ny, int picture_side);
 
-/// Continues values of a masked domain outward over a few cells by averages of known neighbours, so
-/// that resampling near its rim meets no foreign values; cells farther out get `farther`.
-void continue_outward(Field<float>& values, const Mask& nodata, float farther);
-
-/// Resamples heights to cells `refinement` times finer, whose centres divide the coarse cells
-/// evenly, by an interpolating C¹ bicubic (Catmull & Rom 1974). Beyond the border the edge cells
-/// are repeated.
-Field<float> refined(const Field<float>& heights, int refinement);
-
 /// The display bed of a snapshot.
 DisplayBed display_bed(const Snapshot& snapshot, const Block& block, int refinement);
 

@@ -37,6 +37,10 @@ void check_bed(const Scene& scene) {
         refuse(scene, "bed.variable",
                "bed.variable belongs to a NetCDF bed; write bed.kind = \"file\" and bed.file");
     }
+    if (!from_file && bed.refine != 1) {
+        refuse(scene, "bed.refine",
+               "bed.refine belongs to a terrain file; elsewhere take larger grid.nx and grid.ny");
+    }
     if (bed.heights.size() == 1)
         refuse(scene, "bed.heights", "bed.heights has one number; it takes [low, high]");
     if (bed.heights.size() == 2 && !(bed.heights[0] < bed.heights[1])) {

@@ -10,6 +10,7 @@
 #include "scene/limits.h"
 #include "support/error.h"
 #include "terrain/random.h"
+#include "terrain/resampling.h"
 
 namespace fumon {
 
@@ -92,6 +93,22 @@ void apply_nodata_rule(const Scene& scene, Terrain& terrain) {
     terrain.nodata = {};
 }
 
+/// Divides each cell as bed.refine says, with heights between them by a bicubic.
+void refine(const Scene& scene, Terrain& terrain) {
+    const auto refinement = static_cast<int>(scene.bed.refine);
+    if (refinement == 1) return;
+    const std::int64_t cells =
+        static_cast<std::int64_t>(terrain.heights.size()) * refinement * refinement;
+    if (cells > largest_grid_cells) {
+        throw InputError(fmt::format(
+            "{}bed.refine is {}: {} x {} cells would become {}; at most {}", scene.at("bed.refine"),
+            refinement, terrain.heights.nx(), terrain.heights.ny(), cells, largest_grid_cells));
+    }
+    if (!terrain.nodata.empty()) continue_outward(terrain.heights, terrain.nodata, 0.0);
+    terrain.heights = refined(terrain.heights, refinement);
+    terrain.nodata = refined(terrain.nodata, refinement);
+}
+
 InitialBed bed_from_file(const Scene& scene) {
     const std::filesystem::path written = scene.bed.file;
     const bool as_it_stands = written.is_absolute() || scene.set_on_command_line("bed.file");
@@ -107,12 +124,16 @@ InitialBed bed_from_file(const Scene& scene) {
                         as_it_stands ? "the working folder" : "the scene file"));
     }
     Terrain terrain = read_terrain(file, scene.bed.heights, scene.bed.variable);
-    check_size(scene, "grid.nx", scene.grid.nx, terrain.heights.nx());
-    check_size(scene, "grid.ny", scene.grid.ny, terrain.heights.ny());
+    const int refinement = static_cast<int>(scene.bed.refine);
+    check_size(scene, "grid.nx", scene.grid.nx, terrain.heights.nx() * refinement);
+    check_size(scene, "grid.ny", scene.grid.ny, terrain.heights.ny() * refinement);
     apply_nodata_rule(scene, terrain);
 
     InitialBed initial;
     initial.scale = scale_of(scene, terrain.dx, terrain.dy);
+    refine(scene, terrain);
+    initial.scale.dx /= refinement;
+    initial.scale.dy /= refinement;
     initial.bed = std::move(terrain.heights);
     for (double& height : initial.bed.values()) height /= initial.scale.height_unit;
     initial.nodata = std::move(terrain.nodata);

@@ -40,6 +40,7 @@ struct BedSettings {
     std::vector<double> heights;   ///< file, PNG: metres of black and of white
     std::string variable;          ///< file, NetCDF: the variable to read; empty for the file's own
     WordOrReal nodata{"mask", 0.0};
+    std::int64_t refine = 1;  ///< file: cells along each side of one of its cells
 };
 
 struct RunSettings {

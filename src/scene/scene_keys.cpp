@@ -78,6 +78,10 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
         {{"mask", "cells without data lie outside the domain"},
          {"fill", "filled smoothly from their rim"}},
         {.unit = "m", .help = "cells without data: masked, filled, or set to a height"});
+    table.integer("bed.refine", scene.bed.refine,
+                  {.range = {1, 64},
+                   .help = "of a terrain file: each cell becomes n x n, smooth between them "
+                           "(bicubic); grid.cell_size is that of the file's own cells"});
 }
 
 void list_view_keys(View& view, KeyTable& table) {

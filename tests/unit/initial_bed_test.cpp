@@ -43,6 +43,31 @@ class InitialBedTest : public testing::Test {
     fs::path folder_;
 };
 
+TEST_F(InitialBedTest, ARefinedTerrainKeepsItsPlaneItsMaskAndItsExtent) {
+    std::ofstream plane(folder_ / "plane.asc");
+    plane << "ncols 7\nnrows 7\nxllcorner 0\nyllcorner 0\ncellsize 6\nNODATA_value -9\n";
+    for (int y = 6; y >= 0; --y) {
+        for (int x = 0; x < 7; ++x) plane << (x == 6 && y == 0 ? -9 : 2 * x + 10 * y) << ' ';
+        plane << '\n';
+    }
+    plane.close();
+    const InitialBed initial =
+        make_initial_bed(scene("static", "[bed]\nfile = \"plane.asc\"\nrefine = 3\n"));
+    ASSERT_EQ(initial.bed.nx(), 21);
+    ASSERT_EQ(initial.bed.ny(), 21);
+    EXPECT_DOUBLE_EQ(initial.scale.dx, 2.0);
+    EXPECT_DOUBLE_EQ(initial.scale.dy, 2.0);
+    for (int y = 6; y < 15; ++y) {  // away from the border the bicubic is exact for a plane
+        for (int x = 6; x < 12; ++x)
+            EXPECT_NEAR(initial.bed(x, y), (x - 1) * 2.0 / 3.0 + (y - 1) * 10.0 / 3.0, 1e-12);
+    }
+    EXPECT_EQ(initial.nodata(17, 2), 0);
+    EXPECT_EQ(initial.nodata(18, 2), 1);
+    EXPECT_EQ(initial.nodata(18, 3), 0);
+    EXPECT_NE(refusal("[bed]\nrefine = 3\n[grid]\nnx = 4\n").find("belongs to a terrain file"),
+              std::string::npos);
+}
+
 TEST_F(InitialBedTest, NoiseIsUniformInItsInterval) {
     const InitialBed initial =
         make_initial_bed(scene("sand", "[bed]\nlow = 2\nhigh = 5\n[grid]\nnx = 200\nny = 150\n"));

@@ -9,6 +9,7 @@
 #include "render/lighting.h"
 #include "render/terrain_mesh.h"
 #include "support/worker_pool.h"
+#include "terrain/resampling.h"
 #include "view_beds.h"
 
 namespace fumon {
