@@ -22,6 +22,7 @@ MeasureGroup number_group(const Snapshot& first, std::span<const MeasureColumn> 
     return {
         std::move(columns), [names = std::move(names)](const Snapshot& snapshot) {
             std::vector<double> values;
+            values.reserve(names.size());
             for (const std::string& name : names)
                 values.push_back(
                     number_of(snapshot, name).value_or(std::numeric_limits<double>::quiet_NaN()));

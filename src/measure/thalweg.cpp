@@ -75,14 +75,22 @@ std::vector<int> best_way(const WindowedDepth& depth, int ny) {
     return columns;
 }
 
-void smooth_departures(std::vector<double>& way) {
-    if (way.size() < 3) return;
-    const double start = way.front();
-    const double slope = (way.back() - start) / static_cast<double>(way.size() - 1);
-    const auto on_line = [&](std::size_t y) { return start + slope * static_cast<double>(y); };
-    for (std::size_t y = 0; y < way.size(); ++y) way[y] -= on_line(y);
-    way = gaussian_smoothed(way, smoothing, false);
-    for (std::size_t y = 0; y < way.size(); ++y) way[y] += on_line(y);
+/// Smoothed by a Gaussian; past its ends the way goes on as it came, turned by half a turn.
+void smooth_way(std::vector<double>& way) {
+    constexpr std::size_t reach = 8;  // sites, of the Gaussian
+    const std::size_t beyond = std::min(reach, way.size() - 1);
+    std::vector<double> longer;
+    for (std::size_t i = beyond; i > 0; --i) longer.push_back(2.0 * way.front() - way[i]);
+    longer.insert(longer.end(), way.begin(), way.end());
+    for (std::size_t i = 1; i <= beyond; ++i)
+        longer.push_back(2.0 * way.back() - way[way.size() - 1 - i]);
+    longer = gaussian_smoothed(longer, smoothing, false);
+    std::copy_n(longer.begin() + static_cast<std::ptrdiff_t>(beyond), way.size(), way.begin());
+}
+
+/// Where a parabola through a site and its neighbours is highest, from −1/2 to 1/2.
+double top_offset(double before, double here, double after) {
+    return std::clamp(peak_offset(before, here, after), -0.5, 0.5);
 }
 
 }  // namespace
@@ -125,14 +133,12 @@ std::vector<double> thalweg(const Grid& smooth_depth, ChannelWindow window, bool
     for (const int column : best_way(depth, smooth_depth.ny())) {
         const int x = window.first + column;
         const bool has_sides = periodic || (x > 0 && x < smooth_depth.nx() - 1);
-        const double before = has_sides ? depth.at(column - 1, y) : 0.0;
-        const double here = depth.at(column, y);
-        const double after = has_sides ? depth.at(column + 1, y) : 0.0;
-        const bool highest = has_sides && here >= before && here >= after;
-        way.push_back(x + (highest ? peak_offset(before, here, after) : 0.0));
+        way.push_back(has_sides ? x + top_offset(depth.at(column - 1, y), depth.at(column, y),
+                                                 depth.at(column + 1, y))
+                                : x);
         ++y;
     }
-    smooth_departures(way);
+    smooth_way(way);
     return way;
 }
 

@@ -22,10 +22,9 @@ std::vector<ChannelWindow> channel_windows(std::span<const int> sites, int nx, b
 ///
 /// Of all ways through the window that go one cell aside at most from row to row it is the one with
 /// the largest sum of the depth, which is smoothed by a Gaussian of 2 cells both ways before; of
-/// equal ones the straightest. In each row it is then refined by a parabola, and its departures
-/// from the line between its ends are smoothed by a Gaussian of 2 cells, so that the steps of the
-/// grid do not lengthen it: bends shorter than some 15 cells lose height by that (a wave of 50
-/// cells 3 %).
+/// equal ones the straightest. In each row it is then refined by a parabola, by half a cell at
+/// most, and smoothed by a Gaussian of 2 cells, so that the steps of the grid do not lengthen it:
+/// bends shorter than some 15 cells lose height by that (a wave of 50 cells 3 %).
 std::vector<double> thalweg(const Grid& smooth_depth, ChannelWindow window, bool periodic);
 
 /// The depth as thalweg() takes it: smoothed by a Gaussian of 2 cells along x and y.
