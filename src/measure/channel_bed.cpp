@@ -37,7 +37,7 @@ ChannelBed channel_bed(const Grid& bed, const Mask& nodata, double dx, bool peri
         const int straight = std::abs(x - channel);
         const int distance = periodic ? std::min(straight, nx - straight) : straight;
         const double height = line[static_cast<std::size_t>(x)];
-        if (4 * distance > nx) {
+        if (5 * distance > 2 * nx) {
             far.push_back(height);
         } else {
             rim = std::max(rim, height);

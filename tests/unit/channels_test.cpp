@@ -137,11 +137,12 @@ TEST(Thalweg, WindowsMeetHalfWay) {
     EXPECT_EQ(alone[0].last, 69);
 }
 
-/// A trough of Gaussian depth 0.02 m and width 4 cells with rims of 0.003 m on both sides.
+/// A trough of Gaussian depth 0.02 m and width 4 cells with rims of 0.003 m on both sides, 30 cells
+/// away.
 Grid trough(double far_bed, double middle) {
     return bed_of(100, 12, [=](int x, int) {
         const double away = std::remainder(x - middle, 100.0);
-        const double rim = std::abs(away) - 14.0;
+        const double rim = std::abs(away) - 30.0;
         return far_bed - 0.02 * std::exp(-away * away / 32.0) +
                0.003 * std::exp(-0.5 * rim * rim / 4.0);
     });
