@@ -10,15 +10,15 @@ namespace fumon {
 
 MeasureGroup number_group(const Snapshot& first, std::span<const MeasureColumn> taken) {
     std::vector<MeasureColumn> columns;
+    std::vector<std::string> names;
     for (const SnapshotNumber& number : first.numbers) {
         const bool is_taken = std::ranges::any_of(
             taken, [&](const MeasureColumn& column) { return column.name == number.name; });
         if (is_taken) continue;
+        names.push_back(number.name);
         columns.push_back(
             {number.name, number.unit == "1" ? "" : number.unit, "as the model itself keeps it"});
     }
-    std::vector<std::string> names;
-    for (const MeasureColumn& column : columns) names.push_back(column.name);
     return {
         std::move(columns), [names = std::move(names)](const Snapshot& snapshot) {
             std::vector<double> values;

@@ -31,6 +31,7 @@ Snapshot wavy(int waves, double crest = 0.0) {
 
 std::vector<double> wave(int n, int waves, double mean, double amplitude, double phase) {
     std::vector<double> curve;
+    curve.reserve(static_cast<std::size_t>(n));
     for (int i = 0; i < n; ++i)
         curve.push_back(mean + amplitude * std::cos(turn * waves * i / n + phase));
     return curve;
