@@ -197,15 +197,19 @@ struct CommandLine {
 
     void add_measure() {
         CLI::App& command =
-            add("measure", "measure a bed: wavelength, crests, dunes, slopes, a pile's cone",
+            add("measure", "measure a bed: wavelength, crests, dunes, slopes, a pile's cone, water",
                 [this] { return measure_command(measure); });
         command
-            .add_option("BED", measure.bed,
-                        "an ESRI ASCII grid, a NetCDF file, a grey PNG; or a run's avalanches.csv")
+            .add_option(
+                "BED", measure.bed,
+                "an ESRI ASCII grid, a NetCDF file (a run's fields.nc: its last record, water "
+                "too), a grey PNG; or a run's avalanches.csv")
             ->required();
         command.add_flag("--json", measure.as_json, "as JSON");
         command
-            .add_option("--as", measure.as, "bed, profile or pile (default: a profile is one row)")
+            .add_option("--as", measure.as,
+                        "bed, profile or pile (default: a profile is one row; what a fields.nc "
+                        "holds besides tells water and piles)")
             ->type_name("KIND")
             ->check(CLI::IsMember({"bed", "profile", "pile"}).description(""));
         command.add_flag("--open", measure.open_edges,

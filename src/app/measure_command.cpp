@@ -1,13 +1,17 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
+#include "app/check_finite.h"
 #include "app/commands.h"
-#include "app/pipeline.h"
 #include "app/terrain_scene.h"
+#include "files/netcdf_record.h"
 #include "measure/suite.h"
 #include "scene/initial_bed.h"
 #include "support/error.h"
@@ -16,9 +20,21 @@ namespace fumon {
 
 namespace {
 
+/// What a run's fields file holds beside the bed: its water, the numbers of a pile …
+void add_record(const std::string& file, Snapshot& snapshot) {
+    std::optional<FieldsRecord> record = read_fields_record(file);
+    if (!record) return;
+    snapshot.periodic = snapshot.periodic && record->periodic;
+    snapshot.numbers = std::move(record->numbers);
+    const bool fits = std::ranges::all_of(record->fields, [&](const SnapshotField& field) {
+        return field.values.nx() == snapshot.bed.nx() && field.values.ny() == snapshot.bed.ny();
+    });
+    if (fits) snapshot.fields = std::move(record->fields);
+}
+
 Snapshot read_bed(const MeasureOptions& options, const std::string& file) {
-    const InitialBed initial =
-        make_initial_bed(terrain_scene(file, options.heights, options.settings));
+    const Scene scene = terrain_scene(file, options.heights, options.settings);
+    const InitialBed initial = make_initial_bed(scene);
     if (!initial.note.empty()) fmt::print(stderr, "{}\n", initial.note);
     Snapshot snapshot;
     snapshot.time_unit = "steps";
@@ -26,6 +42,7 @@ Snapshot read_bed(const MeasureOptions& options, const std::string& file) {
     snapshot.nodata = initial.nodata;
     snapshot.scale = initial.scale;
     snapshot.periodic = !options.open_edges;
+    if (scene.bed.variable.empty()) add_record(file, snapshot);
     check_finite(snapshot);
     return snapshot;
 }
@@ -50,6 +67,9 @@ void place_drop_site(const MeasureOptions& options, Snapshot& snapshot) {
                                          snapshot.bed.ny(), options.bed));
         }
     }
+    std::erase_if(snapshot.numbers, [](const SnapshotNumber& number) {
+        return number.name == "drop_x" || number.name == "drop_y";
+    });
     snapshot.numbers.push_back({"drop_x", "cells", static_cast<double>(options.drop[0])});
     snapshot.numbers.push_back({"drop_y", "cells", static_cast<double>(options.drop[1])});
 }
@@ -57,7 +77,7 @@ void place_drop_site(const MeasureOptions& options, Snapshot& snapshot) {
 std::vector<MeasuredValue> measured(const MeasureOptions& options) {
     Snapshot bed = read_bed(options, options.bed);
     place_drop_site(options, bed);
-    MeasureSuite suite(landform(options, bed));
+    MeasureSuite suite(landform(options, bed), bed);
     std::vector<double> values;
     if (options.earlier.empty()) {
         values = suite.row(bed);

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "app/bounded_queue.h"
+#include "app/check_finite.h"
 #include "app/interrupt.h"
 #include "app/picture_text.h"
 #include "app/recorder.h"
@@ -308,20 +309,6 @@ RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<Inpu
                         RunFolder& folder, const PipelineOptions& options, Progress& progress,
                         const std::function<void(const DrawingRecord&)>& started) {
     return Pipeline(model, scene, inputs, folder, options, progress).run(started);
-}
-
-void check_finite(const Snapshot& snapshot) {
-    for (int y = 0; y < snapshot.bed.ny(); ++y) {
-        const auto row = snapshot.bed.row(y);
-        for (int x = 0; x < snapshot.bed.nx(); ++x) {
-            const double height = row[static_cast<std::size_t>(x)];
-            if (std::isfinite(height)) continue;
-            throw Error(fmt::format(
-                "the bed height became {} at cell ({}, {}), step {}; try smaller rates (`fumon "
-                "describe` lists the ranges)",
-                std::isnan(height) ? "nan" : fmt::format("{}", height), x, y, snapshot.step));
-        }
-    }
 }
 
 }  // namespace fumon

@@ -80,7 +80,4 @@ RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<Inpu
                         RunFolder& folder, const PipelineOptions& options, Progress& progress,
                         const std::function<void(const DrawingRecord&)>& started);
 
-/// Throws Error "NAME is nan at cell (x, y), step N" when a field of the snapshot is not finite.
-void check_finite(const Snapshot& snapshot);
-
 }  // namespace fumon

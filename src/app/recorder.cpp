@@ -10,13 +10,21 @@
 
 namespace fumon {
 
+namespace {
+
+MeasureSuite suite_for(const Snapshot& first) {
+    return MeasureSuite(landform_of(first), first);
+}
+
+}  // namespace
+
 Recorder::Recorder(const Scene& scene, const Model& model, std::string resolved, RecordPaths paths)
     : scene_(scene),
       resolved_(std::move(resolved)),
       paths_(std::move(paths)),
       measured_(scene.output.measurements ? measurement_schedule(scene) : Schedule{}),
       fielded_(fields_schedule(scene)),
-      suite_(landform_of(model.snapshot())) {
+      suite_(suite_for(model.snapshot())) {
     if (!scene.output.measurements) return;
     measurements_.emplace(paths_.measurements);
     std::string header = "step,time";

@@ -10,10 +10,10 @@
 #include <string>
 #include <thread>
 
+#include "app/check_finite.h"
 #include "app/interrupt.h"
 #include "app/manifest.h"
 #include "app/picture_text.h"
-#include "app/pipeline.h"
 #include "app/progress.h"
 #include "app/recorder.h"
 #include "app/workshop.h"

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "app/check_finite.h"
 #include "app/interrupt.h"
 #include "app/picture_text.h"
-#include "app/pipeline.h"
 #include "files/atomic_file.h"
 #include "models/registry.h"
 #include "output/png.h"

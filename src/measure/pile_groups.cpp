@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -6,19 +5,12 @@
 #include "measure/avalanche_sizes.h"
 #include "measure/pile.h"
 #include "measure/power_law.h"
+#include "measure/snapshot_lookup.h"
 #include "measure/suite_groups.h"
 
 namespace fumon {
 
 namespace {
-
-std::optional<double> number_of(const Snapshot& snapshot, std::string_view name) {
-    const auto found =
-        std::find_if(snapshot.numbers.begin(), snapshot.numbers.end(),
-                     [&](const SnapshotNumber& number) { return number.name == name; });
-    if (found == snapshot.numbers.end()) return std::nullopt;
-    return found->value;
-}
 
 /// The drop site, or the middle of the bed as Higashi & Takamori (2003) have it.
 BedPoint drop_point(const Snapshot& snapshot) {

@@ -1,9 +1,9 @@
 #include "measure/suite.h"
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 
+#include "measure/snapshot_lookup.h"
 #include "measure/suite_groups.h"
 
 namespace fumon {
@@ -31,10 +31,9 @@ constexpr std::array world_units{
 }  // namespace
 
 Landform landform_of(const Snapshot& snapshot) {
-    const bool counts_grains =
-        std::any_of(snapshot.numbers.begin(), snapshot.numbers.end(),
-                    [](const SnapshotNumber& number) { return number.name == "dropped_grains"; });
-    if (counts_grains) return Landform::pile;
+    if (number_of(snapshot, "dropped_grains")) return Landform::pile;
+    if (field_of(snapshot.fields, "water_depth") != nullptr) return Landform::water;
+    if (snapshot.section) return Landform::air;
     return snapshot.bed.ny() == 1 ? Landform::profile : Landform::bed;
 }
 
@@ -56,23 +55,53 @@ class MeasureSuite::Parts {
     std::vector<MeasureColumn> columns;
 };
 
-MeasureSuite::MeasureSuite(Landform landform) : parts_(std::make_unique<Parts>()) {
-    std::vector<MeasureGroup>& groups = parts_->groups;
+namespace {
+
+std::vector<MeasureGroup> groups_of(Landform landform, const Snapshot& first) {
+    std::vector<MeasureGroup> groups;
     groups.push_back(statistics_group());
-    if (landform == Landform::pile) {
-        groups.push_back(pile_group());
-        groups.push_back(avalanche_group());
-    } else {
-        groups.push_back(wave_group());
-        groups.push_back(celerity_group());
-        groups.push_back(slope_group());
+    switch (landform) {
+        case Landform::bed:
+        case Landform::profile:
+            groups.push_back(wave_group());
+            groups.push_back(celerity_group());
+            groups.push_back(slope_group());
+            if (landform == Landform::profile) break;
+            groups.push_back(crest_group());
+            groups.push_back(dune_group());
+            break;
+        case Landform::pile:
+            groups.push_back(pile_group());
+            groups.push_back(avalanche_group());
+            break;
+        case Landform::water:
+            groups.push_back(channel_group());
+            groups.push_back(water_relief_group());
+            groups.push_back(water_flow_group());
+            break;
+        case Landform::air:
+            groups.push_back(stress_group());
+            groups.push_back(air_group());
+            groups.push_back(flight_group(first));
+            break;
     }
-    if (landform == Landform::bed) {
-        groups.push_back(crest_group());
-        groups.push_back(dune_group());
-    }
-    for (const MeasureGroup& group : groups) {
-        parts_->columns.insert(parts_->columns.end(), group.columns.begin(), group.columns.end());
+    return groups;
+}
+
+void append(std::vector<MeasureColumn>& columns, const MeasureGroup& group) {
+    columns.insert(columns.end(), group.columns.begin(), group.columns.end());
+}
+
+}  // namespace
+
+MeasureSuite::MeasureSuite(Landform landform, const Snapshot& first)
+    : parts_(std::make_unique<Parts>()) {
+    std::vector<MeasureColumn>& columns = parts_->columns;
+    parts_->groups = groups_of(landform, first);
+    for (const MeasureGroup& group : parts_->groups) append(columns, group);
+    if (landform == Landform::water || landform == Landform::air) {
+        parts_->groups.push_back(number_group(first, columns));
+        append(columns, parts_->groups.back());
     }
 }
 

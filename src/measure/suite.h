@@ -10,10 +10,10 @@
 namespace fumon {
 
 /// What kind of bed is measured: it decides which measures there are.
-enum class Landform { bed, profile, pile };
+enum class Landform { bed, profile, pile, water, air };
 
-/// A pile where the model keeps count of dropped grains, a profile where there is a single row,
-/// else a bed.
+/// A pile where the model keeps count of dropped grains, water where the snapshot has a field
+/// "water_depth", air where it has a section, a profile where there is a single row, else a bed.
 Landform landform_of(const Snapshot& snapshot);
 
 /// One column of measurements.csv.
@@ -33,10 +33,12 @@ struct MeasuredValue {
 MeasuredValue in_world_units(const MeasuredValue& measured, const WorldScale& scale);
 
 /// What a run measures, row by row: the columns follow from the landform, and rows may draw on
-/// earlier ones (celerity) and on all avalanches so far.
+/// earlier ones (celerity) and on all avalanches so far. Water and air live in metres and seconds
+/// and are measured in them; the numbers that their models keep are columns too, by their names.
 class MeasureSuite {
   public:
-    explicit MeasureSuite(Landform landform);
+    /// `first` is a snapshot such as will be measured: which numbers and curves it has.
+    explicit MeasureSuite(Landform landform, const Snapshot& first = {});
     ~MeasureSuite();
     MeasureSuite(const MeasureSuite&) = delete;
     MeasureSuite& operator=(const MeasureSuite&) = delete;

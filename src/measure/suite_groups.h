@@ -30,5 +30,19 @@ MeasureGroup dune_group();
 MeasureGroup pile_group();
 /// The last avalanche, and the sizes of all so far.
 MeasureGroup avalanche_group();
+/// Channels, their course, and the bed of a single one.
+MeasureGroup channel_group();
+/// How uneven water and bed are.
+MeasureGroup water_relief_group();
+/// Fluxes, speeds and Froude numbers.
+MeasureGroup water_flow_group();
+/// Speed, divergence, eddy and pressure of the air in a section.
+MeasureGroup air_group();
+/// The bed's shear stress beside the bed.
+MeasureGroup stress_group();
+/// Flight lengths, a column for each curve "flight_length_…" that a snapshot has.
+MeasureGroup flight_group(const Snapshot& first);
+/// The numbers that a model keeps itself, as the first snapshot has them, but for those named.
+MeasureGroup number_group(const Snapshot& first, std::span<const MeasureColumn> taken);
 
 }  // namespace fumon

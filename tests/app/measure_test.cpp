@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "files/netcdf_fields.h"
 #include "support/program.h"
 
 namespace fumon::test {
@@ -76,6 +77,39 @@ TEST(Measure, ARowIsAProfileAndAPileHasACone) {
     EXPECT_NEAR(value_of(all, "cone_offset")["value"].get<double>(), 3.0, 1e-3);
     EXPECT_NEAR(value_of(all, "cone_offset_azimuth")["value"].get<double>(), 90.0, 0.1);
     EXPECT_NEAR(value_of(all, "cone_slope")["value"].get<double>(), 2.0, 1e-4);
+}
+
+TEST(Measure, AFieldsFileHasItsWaterMeasured) {
+    const ScratchFolder folder;
+    Snapshot slope;
+    slope.time_unit = "s";
+    slope.periodic = true;
+    slope.scale = {2.0, 2.0, 1.0, true};
+    slope.bed = Grid(60, 8, 0.25);
+    Grid depth(60, 8);
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 60; ++x)
+            depth(x, y) = 0.01 + 0.001 * std::cos(6.283185307179586 * x / 20.0);
+    }
+    slope.fields = {{"water_depth", "depth of the water", "m", depth},
+                    {"velocity_x", "velocity eastward", "m s-1", Grid(60, 8, 0.0)},
+                    {"velocity_y", "velocity northward", "m s-1", Grid(60, 8, -0.5)}};
+    slope.numbers = {{"mean_slope", "1", 0.04}, {"rain_volume", "m3", 12.0}};
+    FieldsFile file(folder / "fields.nc", slope, {"a slope", "seed = 1\n", 1});
+    file.add(slope);
+    file.commit();
+    const auto all = measured(folder, {"fields.nc"});
+    EXPECT_EQ(value_of(all, "channel_count")["value"], 3.0);
+    EXPECT_NEAR(value_of(all, "channel_spacing")["value"].get<double>(), 40.0, 1e-9);
+    EXPECT_EQ(value_of(all, "channel_spacing")["unit"], "m");
+    EXPECT_NEAR(value_of(all, "downslope_flux")["value"].get<double>(), 0.005, 1e-9);
+    EXPECT_EQ(value_of(all, "rain_volume")["value"], 12.0);
+    EXPECT_NEAR(value_of(all, "mean_height")["value"].get<double>(), 0.25, 1e-12);
+    EXPECT_EQ(value_of(measured(folder, {"fields.nc", "--as", "bed"}), "channel_count"), nullptr);
+    EXPECT_EQ(value_of(measured(folder, {"fields.nc", "--set", "bed.variable=water_depth"}),
+                       "channel_count"),
+              nullptr)
+        << "that variable alone is measured, as a bed";
 }
 
 TEST(Measure, AvalanchesHaveASizeDistribution) {

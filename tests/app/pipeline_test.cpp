@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/bounded_queue.h"
+#include "app/check_finite.h"
 #include "app/manifest.h"
 #include "scene/read.h"
 #include "support/error.h"
@@ -56,6 +57,36 @@ TEST(Pipeline, AFieldThatTurnsNaNIsReportedAndEarlierFramesAreKept) {
     EXPECT_EQ(outcome.movie.frames, 3) << "the movie holds what was made";
     EXPECT_TRUE(std::filesystem::exists(run.movie()));
     EXPECT_TRUE(outcome.recorded.measurements);
+}
+
+TEST(Pipeline, EveryFieldIsCheckedAndTheMessageNamesItsPlaceAndTime) {
+    Snapshot snapshot;
+    snapshot.step = 15;
+    snapshot.time = 1.5;
+    snapshot.time_unit = "s";
+    snapshot.bed = Grid(6, 1, 1.0);
+    snapshot.fields = {{"water_depth", "", "m", Grid(6, 1, 0.01)}};
+    SnapshotSection section;
+    section.fields = {{"velocity_x", "", "m/s", Grid(6, 4, 0.5)}};
+    snapshot.section = std::make_shared<const SnapshotSection>(section);
+    EXPECT_NO_THROW(check_finite(snapshot));
+    const auto message = [&] {
+        try {
+            check_finite(snapshot);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const std::string end =
+        ", step 15 (1.5 s); try smaller rates (`fumon describe` lists the ranges)";
+    section.fields[0].values(2, 3) = std::numeric_limits<double>::quiet_NaN();
+    snapshot.section = std::make_shared<const SnapshotSection>(section);
+    EXPECT_EQ(message(), "velocity_x became nan at node (2, 3)" + end);
+    snapshot.fields[0].values(4, 0) = -std::numeric_limits<double>::infinity();
+    EXPECT_EQ(message(), "water_depth became -inf at cell (4, 0)" + end);
+    snapshot.bed(5, 0) = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(message(), "the bed height became inf at cell (5, 0)" + end);
 }
 
 TEST(Pipeline, WhatFailsBeforeTheStartWritesNothing) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <set>
 
 namespace fumon {
@@ -30,20 +31,95 @@ double value_of(const MeasureSuite& suite, const std::vector<double>& row,
 }
 
 TEST(MeasureSuite, EveryRowHasAValueForEveryColumnAndNamesAreDistinct) {
-    for (const Landform landform : {Landform::bed, Landform::profile, Landform::pile}) {
+    for (const Landform landform :
+         {Landform::bed, Landform::profile, Landform::pile, Landform::water, Landform::air}) {
         MeasureSuite suite(landform);
         std::set<std::string> names;
         for (const MeasureColumn& column : suite.columns()) {
             EXPECT_TRUE(names.insert(column.name).second) << column.name;
             EXPECT_FALSE(column.help.empty()) << column.name;
         }
-        EXPECT_EQ(suite.row(bed_of(40, landform == Landform::profile ? 1 : 20)).size(),
-                  names.size());
+        const bool is_row = landform == Landform::profile || landform == Landform::air;
+        EXPECT_EQ(suite.row(bed_of(40, is_row ? 1 : 20)).size(), names.size());
         Snapshot masked = bed_of(40, 20);
         masked.nodata = Mask(40, 20);
         masked.nodata(3, 3) = 1;
         EXPECT_EQ(suite.row(masked).size(), names.size());
     }
+}
+
+/// A slope of straight stripes under water of 0.01 m that runs down it.
+Snapshot water_of(int nx, int ny) {
+    Snapshot snapshot = bed_of(nx, ny);
+    snapshot.time_unit = "s";
+    snapshot.scale = {2.0, 2.0, 1.0, true};
+    Grid depth = snapshot.bed;
+    for (double& h : depth.values()) h *= 0.005;
+    snapshot.fields = {{"water_depth", "depth of the water", "m", depth},
+                       {"velocity_x", "eastward", "m/s", Grid(nx, ny, 0.0)},
+                       {"velocity_y", "northward", "m/s", Grid(nx, ny, -0.5)}};
+    snapshot.numbers = {{"mean_slope", "1", 0.04}, {"water_volume", "m3", 7.0}};
+    return snapshot;
+}
+
+Snapshot air_of(int nx) {
+    Snapshot snapshot = bed_of(nx, 1);
+    SnapshotSection section{0.1, 0.1, {}, {}, {}};
+    for (const char* name : {"velocity_x", "velocity_z", "pressure"})
+        section.fields.push_back({name, name, "", Grid(nx, 50, 1.0)});
+    section.curves = {
+        {"bed_shear_stress", "", "Pa",
+         std::vector<double>(snapshot.bed.values().begin(), snapshot.bed.values().end())},
+        {"flight_length_20", "", "m", std::vector<double>(static_cast<std::size_t>(nx), 0.25)}};
+    section.curves.back().values[3] = std::nan("");
+    section.curves.back().values[4] = 0.75;
+    snapshot.section = std::make_shared<const SnapshotSection>(section);
+    snapshot.numbers = {{"hop_base", "1", 5.2}};
+    return snapshot;
+}
+
+TEST(MeasureSuite, WaterIsMeasuredInMetresAndItsNumbersAreColumns) {
+    const Snapshot water = water_of(40, 20);
+    EXPECT_EQ(landform_of(water), Landform::water);
+    MeasureSuite suite(Landform::water, water);
+    const auto row = suite.row(water);
+    ASSERT_EQ(row.size(), suite.columns().size());
+    EXPECT_EQ(value_of(suite, row, "channel_count"), 4.0);
+    EXPECT_NEAR(value_of(suite, row, "channel_spacing"), 20.0, 1e-12);
+    EXPECT_NEAR(value_of(suite, row, "channel_sinuosity"), 1.0, 1e-12);
+    EXPECT_NEAR(value_of(suite, row, "mean_depth"), 0.01, 1e-12);
+    EXPECT_NEAR(value_of(suite, row, "downslope_flux"), 0.005, 1e-12);
+    EXPECT_NEAR(value_of(suite, row, "downslope_invariant_share"), 1.0, 1e-12);
+    EXPECT_EQ(value_of(suite, row, "water_volume"), 7.0);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+        if (suite.columns()[k].unit != "m") continue;
+        const MeasuredValue world = in_world_units({suite.columns()[k], row[k]}, water.scale);
+        EXPECT_TRUE(world.value == row[k] || std::isnan(row[k])) << suite.columns()[k].name;
+    }
+}
+
+TEST(MeasureSuite, WhatRunsDownTheSlopeHasNoMeaningWithoutOne) {
+    Snapshot water = water_of(40, 20);
+    water.numbers[0].value = 0.0;
+    MeasureSuite suite(Landform::water, water);
+    const auto row = suite.row(water);
+    for (const char* name : {"channel_count", "channel_sinuosity", "downslope_flux",
+                             "downslope_depth_variation", "downslope_invariant_share"})
+        EXPECT_TRUE(std::isnan(value_of(suite, row, name))) << name;
+    EXPECT_NEAR(value_of(suite, row, "mean_speed"), 0.5, 1e-12);
+}
+
+TEST(MeasureSuite, AirHasAColumnForEveryFlightAndNumber) {
+    const Snapshot air = air_of(40);
+    EXPECT_EQ(landform_of(air), Landform::air);
+    MeasureSuite suite(Landform::air, air);
+    const auto row = suite.row(air);
+    ASSERT_EQ(row.size(), suite.columns().size());
+    EXPECT_NEAR(value_of(suite, row, "stress_lead"), 0.0, 1e-9) << "the stress is the bed";
+    EXPECT_EQ(value_of(suite, row, "hop_base"), 5.2);
+    EXPECT_NEAR(value_of(suite, row, "mean_flight_length_20"), (38 * 0.25 + 0.75) / 39, 1e-12);
+    EXPECT_EQ(value_of(suite, row, "longest_flight_length_20"), 0.75);
+    EXPECT_EQ(value_of(suite, row, "eddy_length"), 0.0);
 }
 
 TEST(MeasureSuite, CelerityIsSinceTheRowBefore) {

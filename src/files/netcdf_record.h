@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "models/model.h"
+
+namespace fumon {
+
+/// What the last record of a fields file holds beside its bed.
+struct FieldsRecord {
+    bool periodic = false;
+    std::vector<SnapshotField> fields;    ///< 0 in cells without data
+    std::vector<SnapshotNumber> numbers;  ///< those that the model kept
+};
+
+/// Reads it from a file that a FieldsFile wrote, which its attribute `source` and its bed_height
+/// tell; nothing from any other file. The units are those in the file ("1" for sites and the like).
+/// Throws InputError "FILE: what; remedy" for a damaged one, and for one without a record.
+std::optional<FieldsRecord> read_fields_record(const std::filesystem::path& file);
+
+}  // namespace fumon
