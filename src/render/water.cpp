@@ -15,7 +15,8 @@ namespace fumon {
 namespace {
 
 constexpr double gravity = 9.8;       // m/s²
-constexpr double film_clarity = 4.0;  // how much clearer an even film is drawn than a pond
+constexpr double pond_clarity = 0.6;  // of the high depth
+constexpr double film_clarity = 3.4;  // more than a pond's, for a film that is as deep everywhere
 
 const Grid& values_of(const Snapshot& snapshot, std::string_view name) {
     const SnapshotField* field = find_field(snapshot, name);
@@ -139,7 +140,8 @@ double water_clarity(const LookSettings& look, const WaterStatistics& water) {
     if (!look.water_clarity.is_word()) return look.water_clarity.value;
     if (!(water.high_depth > 0.0)) return 1.0;
     const double evenness = water.median_depth / water.high_depth;
-    return water.high_depth * (1.0 + film_clarity * evenness * evenness);
+    const double squared = evenness * evenness;
+    return water.high_depth * (pond_clarity + film_clarity * squared * squared);
 }
 
 DisplayWater display_water(const Snapshot& snapshot, int refinement) {

@@ -43,8 +43,8 @@ struct WaterStatistics {
 WaterStatistics water_statistics(const Snapshot& snapshot);
 
 /// The depth at which the bed is half hidden, metres: look.water_clarity or, if that is "auto",
-/// high_depth · (1 + 4 (median_depth/high_depth)²), so that ponds hide their deepest ground and a
-/// film that is as deep everywhere stays transparent.
+/// high_depth · (0.6 + 3.4 (median_depth/high_depth)⁴), so that ponds hide their deepest ground and
+/// a film that is as deep everywhere stays transparent.
 double water_clarity(const LookSettings& look, const WaterStatistics& water);
 
 /// Water on the cells of a display bed. Cells without data are dry.

@@ -23,11 +23,13 @@ class WaterShading {
   private:
     View view_;
     Block block_;
+    double cell_x_;  ///< block lengths
+    double cell_y_;
     gl::Texture2D water_;
+    gl::Texture2D slopes_;
     gl::Texture2D streaks_;
     double clarity_ = 1.0;
     double usual_froude_ = 0.0;
-    double height_unit_ = 1.0;
 };
 
 }  // namespace fumon

@@ -95,7 +95,7 @@ struct LookSettings {
     double shading = 1.0;                   ///< hill shading of a figure, 0 … 1
     bool water = true;                      ///< draw the water, where the model has some
     WordOrReal water_clarity{"auto", 0.0};  ///< metres of water that hide half of the bed
-    double turbidity = 0.25;                ///< 0 clear … 1 muddy
+    double turbidity = 0.15;                ///< 0 clear … 1 muddy
     Marking mark = Marking::none;
     std::int64_t profile_start = 0;  ///< of a single row: the first site shown
     std::int64_t profile_sites = 0;  ///< and how many; 0: 900 or all
