@@ -12,6 +12,7 @@ namespace {
 
 constexpr double terrain_smoothness = 0.5;  // neighbours' correlation that tells terrain from noise
 constexpr double wanted_relief = 0.12;      // of the longer side: reads as relief at 30° elevation
+constexpr double wanted_carving = 0.04;     // for what water is still to carve
 constexpr std::array<double, 11> steps = {1, 1.5, 2, 3, 5, 10, 15, 20, 30, 50, 100};
 
 constexpr double growth_of_noise = 0.05;  // of the longer side: dunes of 5 sites on 100
@@ -101,7 +102,7 @@ double automatic_exaggeration(const Snapshot& first) {
     const bool terrain = is_terrain(heights);
     if (!terrain && carved == 0.0) return 1.0;
     const double relief = std::max((heights.high - heights.low) * first.scale.height_unit, carved);
-    const double wanted = terrain ? wanted_relief : growth_of_noise;
+    const double wanted = terrain ? wanted_relief : wanted_carving;
     for (const double step : steps) {
         if (relief * step >= wanted * longer_side(first)) return step;
     }
@@ -121,8 +122,8 @@ Block frame_block(const Snapshot& first, double exaggeration, const WordOrReal& 
     block.surface = 0.0;
     const bool terrain = is_terrain(heights);
     const double carved = carved_relief(first) / first.scale.height_unit;
-    double lowest = heights.low;
-    if (!terrain) lowest = carved > 0.0 ? lowest - 0.5 * carved : std::min(lowest, lowest_sand);
+    double lowest = heights.low - 0.5 * std::max(carved - (heights.high - heights.low), 0.0);
+    if (!terrain && carved == 0.0) lowest = std::min(lowest, lowest_sand);
     const double longer_thickness = std::min(thickness, std::min(block.width_x, block.width_y));
     block.base = block.z(lowest) - longer_thickness;
     block.top = block.z(heights.high) + (terrain ? growth_of_terrain : growth_of_noise);
