@@ -2,7 +2,7 @@
 // light.glsl, sky.glsl, bed.glsl and water_body.glsl before it.
 uniform sampler2D water_map;   // depth (m), velocity east and north (m/s), dampness of the ground
 uniform sampler2D water_slope_map;  // by which depth adds to the bed's slope, in block lengths
-uniform sampler2D streak_map;  // seamless noise
+uniform sampler2D streak_map;  // seamless: noise, and its slopes east and north around ½
 uniform float clarity;         // depth at which the bed is half hidden, m
 uniform float usual_froude;    // the median of the wet cells
 
@@ -42,11 +42,8 @@ float streaks(vec2 world, vec2 flow, float fineness) {
 // The slope of small waves: crests across the flow where it is fast, none where it is still.
 vec2 ripple_slope(vec2 world, Water water) {
     vec2 across = vec2(-water.flow.y, water.flow.x);
-    const float apart = 1.2 / 512.0;
-    vec2 at = world * 0.35;
-    float here = texture(streak_map, at).r;
-    vec2 gradient = vec2(texture(streak_map, at + vec2(apart, 0.0)).r, texture(streak_map, at + vec2(0.0, apart)).r) - here;
-    float strength = 0.09 * smoothstep(0.02, 0.5, water.froude) * water.film;
+    vec2 gradient = 2.0 * texture(streak_map, world * 0.35).gb - 1.0;
+    float strength = 0.11 * smoothstep(0.02, 0.5, water.froude) * water.film;
     return strength * (gradient - 0.6 * dot(gradient, across) * across);
 }
 

@@ -17,9 +17,10 @@ constexpr std::array<double, 11> steps = {1, 1.5, 2, 3, 5, 10, 15, 20, 30, 50, 1
 
 constexpr double growth_of_noise = 0.05;  // of the longer side: dunes of 5 sites on 100
 constexpr double growth_of_terrain = 0.01;
-constexpr double depths_carved = 10.0;  // channels cut a film's bed this many depths deep
-constexpr double thickness = 0.055;     // of the block under its lowest place, in longer sides
-constexpr double lowest_sand = -0.5;    // model heights; the sand models dip to about −0.1
+constexpr double depths_carved = 10.0;    // channels cut a film's bed this many depths deep
+constexpr double deepest_carving = 0.05;  // of the longer side: room kept for it
+constexpr double thickness = 0.055;       // of the block under its lowest place, in longer sides
+constexpr double lowest_sand = -0.5;      // model heights; the sand models dip to about −0.1
 
 constexpr double least_mountain = 150.0;  // metres of relief: higher than dunes usually are
 constexpr double full_mountain = 450.0;
@@ -122,7 +123,8 @@ Block frame_block(const Snapshot& first, double exaggeration, const WordOrReal& 
     block.surface = 0.0;
     const bool terrain = is_terrain(heights);
     const double carved = carved_relief(first) / first.scale.height_unit;
-    double lowest = heights.low - 0.5 * std::max(carved - (heights.high - heights.low), 0.0);
+    const double lacking = std::max(carved - (heights.high - heights.low), 0.0);
+    double lowest = heights.low - std::min(0.5 * lacking, deepest_carving / block.height_scale);
     if (!terrain && carved == 0.0) lowest = std::min(lowest, lowest_sand);
     const double longer_thickness = std::min(thickness, std::min(block.width_x, block.width_y));
     block.base = block.z(lowest) - longer_thickness;

@@ -52,7 +52,7 @@ double automatic_exaggeration(const Snapshot& first);
 /// where the model expects its landforms to grow, if it does; else a noise or flat bed gets room
 /// for landforms 5 % of the longer side high and keeps its underside below model height −0.1, to
 /// which the sand models dip; real terrain gets 1 %. Under water the bed has
-/// room below it for half of what its relief lacks of ten depths.
+/// room below it for half of what its relief lacks of ten depths, at most 5 % of the longer side.
 Block frame_block(const Snapshot& first, double exaggeration,
                   const WordOrReal& room = {"auto", 0.0});
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "render/grain.h"
@@ -12,7 +13,29 @@ namespace {
 
 const gl::TextureLayout water_layout{GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
 const gl::TextureLayout slope_layout{GL_RG32F, GL_RG, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
-const gl::TextureLayout streak_layout{GL_R8, GL_RED, GL_UNSIGNED_BYTE, GL_LINEAR, 0, GL_REPEAT};
+const gl::TextureLayout streak_layout{GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_LINEAR, 0, GL_REPEAT};
+
+/// A seamless square of noise for streaks and ripples, four bytes a texel: the noise, its
+/// differences to the next texels east and north, halved around 128, and 255.
+std::vector<std::uint8_t> streak_texels() {
+    const std::vector<std::uint8_t> noise = grain_texels();
+    const auto at = [&](int x, int y) {
+        return int{noise[static_cast<std::size_t>((y % grain_size) * grain_size + x % grain_size)]};
+    };
+    const auto slope = [](int from, int to) {
+        return static_cast<std::uint8_t>(128 + (to - from) / 2);
+    };
+    std::vector<std::uint8_t> texels;
+    texels.reserve(4 * noise.size());
+    for (int y = 0; y < grain_size; ++y) {
+        for (int x = 0; x < grain_size; ++x) {
+            const int here = at(x, y);
+            texels.insert(texels.end(), {static_cast<std::uint8_t>(here), slope(here, at(x + 1, y)),
+                                         slope(here, at(x, y + 1)), std::uint8_t{255}});
+        }
+    }
+    return texels;
+}
 
 /// How much the depth rises to the east and to the north, two numbers a cell; `scale_x` and
 /// `scale_y` turn a difference of depth between neighbours into a slope.
@@ -46,7 +69,7 @@ WaterShading::WaterShading(const View& view, const Block& block, int nx, int ny)
       cell_y_(block.width_y / ny),
       water_(nx, ny, water_layout),
       slopes_(nx, ny, slope_layout),
-      streaks_(grain_size, grain_size, streak_layout, grain_texels().data()) {}
+      streaks_(grain_size, grain_size, streak_layout, streak_texels().data()) {}
 
 void WaterShading::upload(const Snapshot& snapshot, const DisplayWater& water) {
     std::vector<float> texels;
