@@ -19,16 +19,17 @@ const gl::TextureLayout streak_layout{GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_LI
 /// differences to the next texels east and north, halved around 128, and 255.
 std::vector<std::uint8_t> streak_texels() {
     const std::vector<std::uint8_t> noise = grain_texels();
-    const auto at = [&](int x, int y) {
-        return int{noise[static_cast<std::size_t>((y % grain_size) * grain_size + x % grain_size)]};
+    constexpr auto size = static_cast<std::size_t>(grain_size);
+    const auto at = [&](std::size_t x, std::size_t y) {
+        return int{noise[(y % size) * size + x % size]};
     };
     const auto slope = [](int from, int to) {
         return static_cast<std::uint8_t>(128 + (to - from) / 2);
     };
     std::vector<std::uint8_t> texels;
     texels.reserve(4 * noise.size());
-    for (int y = 0; y < grain_size; ++y) {
-        for (int x = 0; x < grain_size; ++x) {
+    for (std::size_t y = 0; y < size; ++y) {
+        for (std::size_t x = 0; x < size; ++x) {
             const int here = at(x, y);
             texels.insert(texels.end(), {static_cast<std::uint8_t>(here), slope(here, at(x + 1, y)),
                                          slope(here, at(x, y + 1)), std::uint8_t{255}});
