@@ -5,6 +5,7 @@
 #include "colour.glsl"
 #include "light.glsl"
 #include "noise.glsl"
+#include "sky.glsl"
 
 uniform vec3 ray_origin;
 uniform vec3 ray_right;    // origin or direction moves by these over the picture
@@ -30,16 +31,6 @@ vec3 plain(vec3 point, vec3 view) {
     // What the sky does not light near the block, the block's sunlit side does a little.
     light += albedo * albedo * 0.08 * sun_light * (1.0 - light_shares.y);
     return with_haze(light, point, view);
-}
-
-vec3 sky(vec3 view) {
-    vec3 horizon = haze_towards(view);
-    float height_of_view = clamp(view.z, 0.0, 1.0);
-    height_of_view *= height_of_view / (height_of_view + 0.04);  // no crease at the horizon
-    vec3 colour_there = mix(horizon, zenith_colour, 1.0 - exp(-14.0 * height_of_view));
-    float near_sun = max(dot(view, to_sun), 0.0);
-    near_sun *= near_sun; near_sun *= near_sun; near_sun *= near_sun;
-    return colour_there + glow_colour * 0.35 * near_sun;
 }
 
 void main() {

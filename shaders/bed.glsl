@@ -2,6 +2,7 @@
 uniform sampler2D lighting_map;
 uniform sampler2D value_map;  // palette places
 uniform sampler2D mark_map;   // 0 … 1: how much a cell stands out
+uniform sampler2D uncoloured_map;  // 1: the cell has no palette place
 uniform vec2 extent;          // of the block
 
 uniform vec3 eye;        // perspective

@@ -4,6 +4,7 @@
 #include "light.glsl"
 #include "noise.glsl"
 #include "bed.glsl"
+#include "water_body.glsl"
 
 uniform float base;
 uniform float figure;  // 1: plain and grey
@@ -11,12 +12,13 @@ uniform float rock;
 
 in vec3 world_point;
 in vec2 outward;
-in float surface;
+in float ground;
+in float surface;  // above the ground where water stands on it
 out vec4 colour;
 
 void main() {
     float along = world_point.x + world_point.y;
-    float depth = surface - world_point.z;
+    float depth = ground - world_point.z;
     // Sets of cross-beds: thick layers that undulate, each filled with thin laminae of its own dip.
     float undulation = 0.55 * value_noise(vec2(along * 2.3, 4.5)) + 0.22 * value_noise(vec2(along * 7.1, 8.5));
     float sets = world_point.z * 52.0 + undulation;
@@ -39,6 +41,10 @@ void main() {
                   (0.35 + 0.65 * max(0.5 + 0.5 * dot(normalize(to_sun.xy), outward), sun));
     float rim = 1.0 - 0.22 * exp(-depth * 160.0);  // the damp edge under the surface
     vec3 light = albedo * rim * (sun_light * 0.85 * sun + sky_light * open + bounce);
+    if (world_point.z > ground && surface > ground) {  // water, cut through
+        float share = (surface - world_point.z) / (surface - ground);
+        light = mix(water_body_colour() * 1.6, vec3(0.10, 0.20, 0.22), 0.5 - 0.4 * share) * (sun_light * (0.35 + 0.5 * sun) + sky_light);
+    }
     vec3 scenic = tone_curve(with_haze(light, world_point, -direction_to_eye(world_point)));
     float grey = 0.42 + 0.25 * sun + 0.05 * lamina;
     colour = vec4(display_from_linear(mix(scenic, vec3(grey) * vec3(1.0, 0.97, 0.93), figure)), 1.0);

@@ -6,14 +6,16 @@ uniform vec2 extent;
 
 in vec2 east_north;  // 0 … 1
 in vec2 normal;
-in vec2 heights;  // of this corner, of the surface above it
+in vec3 heights;  // of this corner, of the ground and of the surface above it
 out vec3 world_point;
 out vec2 outward;
+out float ground;
 out float surface;
 
 void main() {
     world_point = vec3((east_north - 0.5) * extent, heights.x);
     outward = normal;
-    surface = heights.y;
+    ground = heights.y;
+    surface = heights.z;
     gl_Position = snapped(clip_from_world * vec4(world_point, 1.0));
 }

@@ -9,5 +9,6 @@ out vec4 colour;
 
 void main() {
     float speck = texture(grain, place * grain_scale).r - 0.5;
-    colour = vec4(texture(shaded, place).rgb * (1.0 + grain_strength * speck), 1.0);
+    vec4 ground = texture(shaded, place);  // alpha: how much of the grain is seen
+    colour = vec4(ground.rgb * (1.0 + grain_strength * ground.a * speck), 1.0);
 }

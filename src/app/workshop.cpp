@@ -11,6 +11,7 @@
 #include "render/colouring.h"
 #include "render/palette.h"
 #include "render/renderer.h"
+#include "render/water.h"
 #include "support/error.h"
 
 namespace fumon {
@@ -46,6 +47,15 @@ void check_marking(const Scene& scene, const Model& model) {
         scene.at("look.mark"), scene.model.name));
 }
 
+/// Colours that mean the water need a model that has some.
+void check_colouring(const Scene& scene, const Model& model) {
+    if (!colours_water(scene.view.look.colour_by) || has_water(model.snapshot())) return;
+    throw InputError(
+        fmt::format("{}look.colour_by shows the water, and the model {} has none; take height, "
+                    "slope, change or natural",
+                    scene.at("look.colour_by"), scene.model.name));
+}
+
 }  // namespace
 
 Workshop set_up(Scene scene, int threads) {
@@ -61,6 +71,7 @@ Workshop set_up(Scene scene, int threads) {
         workshop.scene, {workshop.initial.bed, workshop.initial.nodata, workshop.initial.scale,
                          static_cast<std::uint64_t>(workshop.scene.seed), *workshop.pool});
     check_marking(workshop.scene, *workshop.model);
+    check_colouring(workshop.scene, *workshop.model);
     return workshop;
 }
 

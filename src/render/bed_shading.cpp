@@ -48,6 +48,25 @@ int shaded_size(int count, const DisplayBed& bed, int samples_across) {
                                         longer_shaded_side(bed, samples_across) / longer));
 }
 
+Palette chosen_palette(const LookSettings& look) {
+    Palette palette = read_palette(look.palette);
+    if (look.palette_reversed) std::reverse(palette.begin(), palette.end());
+    return palette;
+}
+
+const char* shader_of(const LookSettings& look, const Snapshot& first) {
+    if (look.mode == ViewMode::figure) return "shade_figure.frag.glsl";
+    return draws_water(look, first) ? "shade_water.frag.glsl" : "shade_scenic.frag.glsl";
+}
+
+/// 255 in the cells that get no palette place, 1 × 1 where all do.
+Field<std::uint8_t> uncoloured_texels(Colouring colour_by, const Snapshot& snapshot) {
+    if (!colours_water(colour_by)) return {1, 1, 0};
+    Field<std::uint8_t> texels = dry_cells(snapshot);
+    for (std::uint8_t& texel : texels.values()) texel = texel != 0 ? 255 : 0;
+    return texels;
+}
+
 /// The range of heights over which natural sand goes from trough to crest.
 std::pair<double, double> natural_range(const Snapshot& snapshot, const Block& block) {
     double sum = 0.0;
@@ -101,30 +120,36 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
       block_(block),
       refinement_(first_bed.z.nx() / first.bed.nx()),
       mipmaps_(longer_shaded_side(first_bed, samples_across) > texels_per_sample * samples_across),
-      program_("screen.vert.glsl", view.look.mode == ViewMode::figure ? "shade_figure.frag.glsl"
-                                                                      : "shade_scenic.frag.glsl"),
-      palette_(256, 1, palette_layout, read_palette(view.look.palette).data()),
+      program_("screen.vert.glsl", shader_of(view.look, first)),
+      palette_(256, 1, palette_layout, chosen_palette(view.look).data()),
       lighting_(first_bed.z.nx(), first_bed.z.ny(), lighting_layout),
       values_(first_bed.z.nx(), first_bed.z.ny(), value_layout),
       marks_(view.look.mark == Marking::none ? 1 : first.bed.nx(),
              view.look.mark == Marking::none ? 1 : first.bed.ny(), mark_layout),
+      uncoloured_(colours_water(view.look.colour_by) ? first.bed.nx() : 1,
+                  colours_water(view.look.colour_by) ? first.bed.ny() : 1, mark_layout),
       target_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
               shaded_size(first_bed.z.ny(), first_bed, samples_across), shaded_layout(mipmaps_),
-              false) {}
+              false) {
+    if (draws_water(view.look, first))
+        water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny());
+}
 
 void BedShading::shade(const Snapshot& snapshot, const Snapshot& first, const DisplayBed& bed,
-                       const Light& light, const Camera& camera, WorkerPool& pool) {
+                       const DisplayWater* water, const Light& light, const Camera& camera,
+                       WorkerPool& pool) {
     lighting_.upload(lighting_texels(bed, sun_direction(view_.sun), pool).data());
     const bool natural = view_.look.colour_by == Colouring::natural;
     const auto range =
         natural ? natural_range(snapshot, block_) : colour_range(view_.look, snapshot, first);
     Field<float> values = coloured_values(view_.look.colour_by, snapshot, first);
-    if (!snapshot.nodata.empty()) {
-        continue_outward(values, snapshot.nodata, static_cast<float>(range.first));
-    }
+    const Mask without = uncoloured_cells(view_.look.colour_by, snapshot);
+    if (!without.empty()) continue_outward(values, without, static_cast<float>(range.first));
     values_.upload(palette_places(refined(values, refinement_), range).data());
 
     marks_.upload(mark_texels(view_.look.mark, snapshot).data());
+    uncoloured_.upload(uncoloured_texels(view_.look.colour_by, snapshot).data());
+    if (water_) water_->upload(snapshot, *water);
 
     target_.bind();
     gl::functions().Disable(GL_DEPTH_TEST);
@@ -132,11 +157,16 @@ void BedShading::shade(const Snapshot& snapshot, const Snapshot& first, const Di
     values_.bind(1);
     palette_.bind(2);
     marks_.bind(3);
+    uncoloured_.bind(4);
     program_.use();
     program_.set("lighting_map", 0);
     program_.set("value_map", 1);
     program_.set("palette", 2);
     program_.set("mark_map", 3);
+    program_.set("uncoloured_map", 4);
+    program_.set("shading", static_cast<float>(view_.look.shading));
+    program_.set("tinted", colours_water(view_.look.colour_by) ? 0.0F : 1.0F);
+    if (water_) water_->set_uniforms(program_, 5);
     program_.set("extent", glm::vec2(block_.width_x, block_.width_y));
     program_.set("natural", natural ? 1.0F : 0.0F);
     program_.set("rock", static_cast<float>(block_.rock));

@@ -9,6 +9,7 @@
 #include "render/camera.h"
 #include "render/display_bed.h"
 #include "render/light.h"
+#include "render/water_shading.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -29,8 +30,10 @@ class BedShading {
                const DisplayBed& first_bed, int samples_across);
 
     /// Uploads what light and colouring make of a snapshot, and shades it.
+    /// `water` is given where draws_water says so.
     void shade(const Snapshot& snapshot, const Snapshot& first, const DisplayBed& bed,
-               const Light& light, const Camera& camera, WorkerPool& pool);
+               const DisplayWater* water, const Light& light, const Camera& camera,
+               WorkerPool& pool);
 
     [[nodiscard]] const gl::Texture2D& colours() const { return target_.colour(); }
 
@@ -44,6 +47,8 @@ class BedShading {
     gl::Texture2D lighting_;
     gl::Texture2D values_;
     gl::Texture2D marks_;
+    gl::Texture2D uncoloured_;
+    std::optional<WaterShading> water_;
     gl::RenderTarget target_;
 };
 

@@ -4,18 +4,23 @@
 #include <array>
 #include <limits>
 
+#include "render/water.h"
+
 namespace fumon {
 
 namespace {
 
 constexpr double terrain_smoothness = 0.5;  // neighbours' correlation that tells terrain from noise
 constexpr double wanted_relief = 0.12;      // of the longer side: reads as relief at 30° elevation
+constexpr double wanted_carving = 0.04;     // for what water is still to carve
 constexpr std::array<double, 11> steps = {1, 1.5, 2, 3, 5, 10, 15, 20, 30, 50, 100};
 
 constexpr double growth_of_noise = 0.05;  // of the longer side: dunes of 5 sites on 100
 constexpr double growth_of_terrain = 0.01;
-constexpr double thickness = 0.055;   // of the block under its lowest place, in longer sides
-constexpr double lowest_sand = -0.5;  // model heights; the sand models dip to about −0.1
+constexpr double depths_carved = 10.0;    // channels cut a film's bed this many depths deep
+constexpr double deepest_carving = 0.05;  // of the longer side: room kept for it
+constexpr double thickness = 0.055;       // of the block under its lowest place, in longer sides
+constexpr double lowest_sand = -0.5;      // model heights; the sand models dip to about −0.1
 
 constexpr double least_mountain = 150.0;  // metres of relief: higher than dunes usually are
 constexpr double full_mountain = 450.0;
@@ -46,6 +51,11 @@ std::vector<glm::dvec2> outline_of(const Snapshot& snapshot, const Block& block)
     }
     if (outline.empty()) outline = {corner(0, 0), corner(nx, 0), corner(0, ny), corner(nx, ny)};
     return outline;
+}
+
+/// The relief in metres that a snapshot's water is expected to carve, 0 without water.
+double carved_relief(const Snapshot& first) {
+    return depths_carved * water_statistics(first).high_depth;
 }
 
 bool is_terrain(const HeightStatistics& heights) {
@@ -89,10 +99,13 @@ HeightStatistics height_statistics(const Grid& bed, const Mask& nodata) {
 double automatic_exaggeration(const Snapshot& first) {
     if (!first.scale.in_metres) return 1.0;
     const HeightStatistics heights = height_statistics(first.bed, first.nodata);
-    if (!is_terrain(heights)) return 1.0;
-    const double relief = (heights.high - heights.low) * first.scale.height_unit;
+    const double carved = carved_relief(first);
+    const bool terrain = is_terrain(heights);
+    if (!terrain && carved == 0.0) return 1.0;
+    const double relief = std::max((heights.high - heights.low) * first.scale.height_unit, carved);
+    const double wanted = terrain ? wanted_relief : wanted_carving;
     for (const double step : steps) {
-        if (relief * step >= wanted_relief * longer_side(first)) return step;
+        if (relief * step >= wanted * longer_side(first)) return step;
     }
     return steps.back();
 }
@@ -109,7 +122,10 @@ Block frame_block(const Snapshot& first, double exaggeration, const WordOrReal& 
     block.height_scale = first.scale.height_unit * exaggeration / block.side;
     block.surface = 0.0;
     const bool terrain = is_terrain(heights);
-    const double lowest = terrain ? heights.low : std::min(heights.low, lowest_sand);
+    const double carved = carved_relief(first) / first.scale.height_unit;
+    const double lacking = std::max(carved - (heights.high - heights.low), 0.0);
+    double lowest = heights.low - std::min(0.5 * lacking, deepest_carving / block.height_scale);
+    if (!terrain && carved == 0.0) lowest = std::min(lowest, lowest_sand);
     const double longer_thickness = std::min(thickness, std::min(block.width_x, block.width_y));
     block.base = block.z(lowest) - longer_thickness;
     block.top = block.z(heights.high) + (terrain ? growth_of_terrain : growth_of_noise);

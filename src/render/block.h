@@ -43,13 +43,16 @@ HeightStatistics height_statistics(const Grid& bed, const Mask& nodata);
 /// The automatic vertical exaggeration, from the first snapshot alone. Real terrain (heights in
 /// metres, neighbouring cells alike: correlation ≥ 0.5) gets the smallest of 1, 1.5, 2, 3, 5, 10,
 /// 15, 20, 30, 50, 100 that makes its relief at least 12 % of the longer side; a noise or flat bed,
-/// whose landforms are still to grow, and a bed without metres get 1.
+/// whose landforms are still to grow, and a bed without metres get 1. Under water the relief counts
+/// as at least ten depths (their 99th percentile), which the water may carve, and a noise or flat
+/// bed too gets the number that makes it 4 % of the longer side.
 double automatic_exaggeration(const Snapshot& first);
 
 /// Frames the first snapshot. `room` says how many model heights stay free above it. "auto": up to
 /// where the model expects its landforms to grow, if it does; else a noise or flat bed gets room
 /// for landforms 5 % of the longer side high and keeps its underside below model height −0.1, to
-/// which the sand models dip; real terrain gets 1 %.
+/// which the sand models dip; real terrain gets 1 %. Under water the bed has
+/// room below it for half of what its relief lacks of ten depths, at most 5 % of the longer side.
 Block frame_block(const Snapshot& first, double exaggeration,
                   const WordOrReal& room = {"auto", 0.0});
 

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <numbers>
 
+#include "render/percentile.h"
 #include "render/rounding.h"
+#include "render/water.h"
 
 namespace fumon {
 
@@ -49,18 +51,22 @@ Field<float> slopes(const Snapshot& snapshot) {
     return result;
 }
 
-/// The value below which a share of the cells lies; cells without data do not count.
-double percentile(std::vector<float>& values, double share) {
-    if (values.empty()) return 0.0;
-    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + place, values.end());
-    return values[static_cast<std::size_t>(place)];
+}  // namespace
+
+bool colours_water(Colouring colour_by) {
+    return colour_by == Colouring::water_depth || colour_by == Colouring::speed ||
+           colour_by == Colouring::froude;
 }
 
-}  // namespace
+Mask uncoloured_cells(Colouring colour_by, const Snapshot& snapshot) {
+    return colours_water(colour_by) ? dry_cells(snapshot) : snapshot.nodata;
+}
 
 Field<float> coloured_values(Colouring colour_by, const Snapshot& snapshot, const Snapshot& first) {
     if (colour_by == Colouring::slope) return slopes(snapshot);
+    if (colour_by == Colouring::speed) return water_speed(snapshot);
+    if (colour_by == Colouring::froude) return froude_numbers(snapshot);
+    if (colour_by == Colouring::water_depth) return water_depths(snapshot);
     Field<float> result(snapshot.bed.nx(), snapshot.bed.ny());
     const bool change = colour_by == Colouring::change;
     for (std::size_t i = 0; i < result.size(); ++i) {
@@ -76,9 +82,9 @@ std::pair<double, double> colour_range(const LookSettings& look, const Snapshot&
     const Field<float> values = coloured_values(look.colour_by, snapshot, first);
     std::vector<float> known;
     known.reserve(values.size());
+    const Mask without = uncoloured_cells(look.colour_by, snapshot);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (snapshot.nodata.empty() || snapshot.nodata.values()[i] == 0)
-            known.push_back(values.values()[i]);
+        if (without.empty() || without.values()[i] == 0) known.push_back(values.values()[i]);
     }
     double low = percentile(known, tail);
     double high = percentile(known, 1.0 - tail);
@@ -110,10 +116,7 @@ Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double
 
 const SnapshotField* marked_field(Marking mark, const Snapshot& snapshot) {
     if (mark == Marking::none) return nullptr;
-    for (const SnapshotField& field : snapshot.fields) {
-        if (field.name == "last_avalanche") return &field;
-    }
-    return nullptr;
+    return find_field(snapshot, "last_avalanche");
 }
 
 Field<std::uint8_t> mark_texels(Marking mark, const Snapshot& snapshot) {

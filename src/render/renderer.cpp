@@ -29,6 +29,20 @@ double chosen_exaggeration(const View& view, const Snapshot& first) {
                                             : view.look.exaggeration.value;
 }
 
+Datum chosen_datum(const LookSettings& look, const Snapshot& first) {
+    if (look.datum != Datum::automatic) return look.datum;
+    return has_water(first) ? Datum::mean : Datum::first;
+}
+
+/// The block as one frame stands in it: its heights are counted from the first bed's mean or from
+/// the frame's own.
+Block block_of_frame(const Block& block, const Snapshot& snapshot, Datum datum) {
+    Block framed = block;
+    if (datum == Datum::mean)
+        framed.reference = height_statistics(snapshot.bed, snapshot.nodata).mean;
+    return framed;
+}
+
 TilePlan plan_of(const View& view, const RenderLimits& limits) {
     GLint largest = 0;
     gl::functions().GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
@@ -69,6 +83,8 @@ struct Renderer::Parts {
     std::int64_t last_step;
     WorkerPool& pool;
     Block block;
+    Datum datum;
+    bool water;  // whether it is drawn
     int refinement;
     TilePlan plan;
     Light light;
@@ -91,6 +107,8 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       last_step(last_step_),
       pool(pool_),
       block(frame_block(first, chosen_exaggeration(view, first), view.look.room)),
+      datum(chosen_datum(view.look, first)),
+      water(draws_water(view.look, first)),
       refinement(refinement_of(first.bed.nx(), first.bed.ny(),
                                static_cast<int>(std::max(view.image.width, view.image.height)))),
       plan(plan_of(view, limits)),
@@ -203,15 +221,23 @@ Image Renderer::render(const Snapshot& whole) {
         throw Error("a snapshot of another size than the first one cannot be drawn");
     p.context.make_current();
     const Camera camera = p.camera_at(snapshot.step);
-    const DisplayBed bed = display_bed(snapshot, p.block, p.refinement);
+    const DisplayBed bed =
+        display_bed(snapshot, block_of_frame(p.block, snapshot, p.datum), p.refinement);
+    std::optional<DisplayWater> water;
+    if (p.water) water = display_water(snapshot, p.refinement);
 
     gl::functions().BindVertexArray(p.no_attributes.name());
-    p.shading.shade(snapshot, p.first, bed, p.light, camera, p.pool);
+    p.shading.shade(snapshot, p.first, bed, water ? &*water : nullptr, p.light, camera, p.pool);
+    if (water) {
+        const auto rise = static_cast<float>(p.block.height_scale / snapshot.scale.height_unit);
+        for (float& depth : water->depth.values()) depth *= rise;
+    }
 
     const double scale = pixels_per_length(camera, p.view);
     const int stride =
         mesh_stride(bed, scale * std::max(bed.dx, bed.dy), scale * std::max(camera.up.z, 0.05));
-    p.terrain.set_bed(bed, stride, {camera.forward.y >= 0.0, camera.forward.x >= 0.0});
+    p.terrain.set_bed(bed, water ? &water->depth : nullptr, stride,
+                      {camera.forward.y >= 0.0, camera.forward.x >= 0.0});
 
     Image image(static_cast<int>(p.view.image.width), static_cast<int>(p.view.image.height));
     for (const Tile& tile : p.plan.tiles) p.draw_tile(tile, camera, image);

@@ -75,12 +75,13 @@ void TerrainLayer::build(const DisplayBed& bed, int stride, ViewOrder order) {
                            reinterpret_cast<const void*>(sizeof(MeshPlace)));
     gl.EnableVertexAttribArray(1);
     gl.BindBuffer(GL_ARRAY_BUFFER, side_heights_.name());
-    float_attribute(2, 2);
+    float_attribute(2, 3);
     fill(side_triangles_, GL_ELEMENT_ARRAY_BUFFER, mesh_.side_triangles, GL_STATIC_DRAW);
     gl.BindVertexArray(0);
 }
 
-void TerrainLayer::set_bed(const DisplayBed& bed, int stride, ViewOrder order) {
+void TerrainLayer::set_bed(const DisplayBed& bed, const Field<float>* water_depth, int stride,
+                           ViewOrder order) {
     const bool same_order =
         order.from_south == order_.from_south && order.from_west == order_.from_west;
     if (stride != stride_ || !same_order || bed.nodata != nodata_) build(bed, stride, order);
@@ -88,14 +89,20 @@ void TerrainLayer::set_bed(const DisplayBed& bed, int stride, ViewOrder order) {
     std::vector<float> heights(mesh_.samples.size());
     std::transform(mesh_.samples.begin(), mesh_.samples.end(), heights.begin(),
                    [&](std::uint32_t sample) { return bed.z.values()[sample]; });
+    const auto depth_at = [&](std::uint32_t vertex) {
+        return water_depth == nullptr ? 0.0F : water_depth->values()[mesh_.samples[vertex]];
+    };
     const auto base = static_cast<float>(block_.base);
-    std::vector<glm::vec2> side_heights(mesh_.side_corners.size());
+    std::vector<glm::vec3> side_heights(mesh_.side_corners.size());
     std::transform(mesh_.side_corners.begin(), mesh_.side_corners.end(), side_heights.begin(),
                    [&](const SideCorner& corner) {
-                       const float surface = heights[corner.vertex];
-                       const float lower = std::min(base, surface);
-                       return glm::vec2(corner.lower > 0.5F ? lower : surface, surface);
+                       const float ground = heights[corner.vertex];
+                       const float surface = ground + depth_at(corner.vertex);
+                       const float lower = std::min(base, ground);
+                       return glm::vec3(corner.lower > 0.5F ? lower : surface, ground, surface);
                    });
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        heights[i] += depth_at(static_cast<std::uint32_t>(i));
     fill(heights_, GL_ARRAY_BUFFER, heights, GL_STREAM_DRAW);
     fill(side_heights_, GL_ARRAY_BUFFER, side_heights, GL_STREAM_DRAW);
 }
@@ -139,6 +146,7 @@ void TerrainLayer::draw_surface(const gl::Texture2D& colours) const {
 
 void TerrainLayer::draw_sides(const Light& light, const Camera& camera) const {
     set_light(side_program_, light, camera, block_, view_.sun.haze);
+    side_program_.set("turbidity", static_cast<float>(view_.look.turbidity));
     side_program_.set("base", static_cast<float>(block_.base));
     side_program_.set("rock", static_cast<float>(block_.rock));
     side_program_.set("figure", view_.look.mode == ViewMode::figure ? 1.0F : 0.0F);

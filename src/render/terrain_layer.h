@@ -23,7 +23,9 @@ class TerrainLayer {
     TerrainLayer(const View& view, const Block& block);
 
     /// Takes the heights of a snapshot, meshing the bed anew where its stride or domain changed.
-    void set_bed(const DisplayBed& bed, int stride, ViewOrder order);
+    /// `water_depth`, in block lengths, stands on the bed where it is given.
+    void set_bed(const DisplayBed& bed, const Field<float>* water_depth, int stride,
+                 ViewOrder order);
 
     /// Draws into the bound target.
     void draw(const gl::Texture2D& colours, const Light& light, const Camera& camera,

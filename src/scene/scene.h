@@ -75,20 +75,27 @@ struct SunSettings {
     double haze = 0.35;  ///< aerial perspective at the far edge of the block, 0 … 1
 };
 
-enum class Colouring { natural, height, slope, change };
+enum class Colouring { natural, height, slope, change, water_depth, speed, froude };
 enum class ViewMode { scenic, figure };
 enum class Marking { none, last_avalanche };
+enum class Datum { automatic, first, mean };
 
 struct LookSettings {
     ViewMode mode = ViewMode::scenic;
     Colouring colour_by = Colouring::natural;
     std::string palette = "sand";
+    bool palette_reversed = false;
     WordOrReal low{"auto", 0.0};           ///< value at the palette's start
     WordOrReal high{"auto", 0.0};          ///< value at its end
     WordOrReal exaggeration{"auto", 0.0};  ///< vertical
     bool block_sides = true;
     double grain = 0.5;            ///< visible texture of the sand, 0 … 1
     WordOrReal room{"auto", 0.0};  ///< heights framed above the first bed
+    Datum datum = Datum::automatic;
+    double shading = 1.0;                   ///< hill shading of a figure, 0 … 1
+    bool water = true;                      ///< draw the water, where the model has some
+    WordOrReal water_clarity{"auto", 0.0};  ///< metres of water that hide half of the bed
+    double turbidity = 0.15;                ///< 0 clear … 1 muddy
     Marking mark = Marking::none;
     std::int64_t profile_start = 0;  ///< of a single row: the first site shown
     std::int64_t profile_sites = 0;  ///< and how many; 0: 900 or all

@@ -139,13 +139,18 @@ void list_view_keys(View& view, KeyTable& table) {
                  {{"natural", "as the ground looks"},
                   {"height", "bed height"},
                   {"slope", "steepness in degrees"},
-                  {"change", "height minus that of the first frame"}},
+                  {"change", "height minus that of the first frame"},
+                  {"water-depth", "depth of the water in m; dry cells stay sand"},
+                  {"speed", "of the water, m/s"},
+                  {"froude", "Froude number of the water, speed over sqrt(g depth)"}},
                  {.help = "what the colours mean"});
     table.text(
         "look.palette", look.palette,
         {.help =
              "sand, grey, viridis, cividis, magma, inferno, plasma, batlow, lapaz, oslo, vik (for "
              "change), or any NAME of assets/palettes/NAME.txt"});
+    table.boolean("look.palette_reversed", look.palette_reversed,
+                  {.help = "begin with the palette's end, such as dark for deep with grey"});
     table.word_or_real("look.low", look.low, {{"auto", "from the frame"}},
                        {.help = "value at the palette's start, in the unit of colour_by"});
     table.word_or_real("look.high", look.high, {{"auto", "from the frame"}},
@@ -161,6 +166,21 @@ void list_view_keys(View& view, KeyTable& table) {
                        {.unit = "model heights",
                         .range = {0, 1e7},
                         .help = "what the picture leaves free above the first bed"});
+    table.choice("look.datum", look.datum,
+                 {{"auto", "mean for models with water, else first"},
+                  {"first", "the first bed's heights: a bed that sinks is seen to sink"},
+                  {"mean", "each frame's mean height: a bed that sinks as a whole stays framed"}},
+                 {.help = "what the drawn heights are counted from"});
+    table.real("look.shading", look.shading,
+               {.range = {0, 1}, .help = "hill shading of a figure; 0: the colours alone"});
+    table.boolean("look.water", look.water,
+                  {.help = "draw the water over the bed, where the model has some"});
+    table.word_or_real(
+        "look.water_clarity", look.water_clarity,
+        {{"auto", "from the frame's depths: ponds hide their ground, an even film does not"}},
+        {.unit = "m", .range = {0, 1e6, true}, .help = "depth at which the bed is half hidden"});
+    table.real("look.turbidity", look.turbidity,
+               {.range = {0, 1}, .help = "of the water: 0 clear and blue-green, 1 muddy"});
     table.choice("look.mark", look.mark,
                  {{"none", "the bed alone"},
                   {"last-avalanche",

@@ -120,8 +120,8 @@ TEST_F(RunTest, AFolderThatHoldsARunIsKept) {
 }
 
 TEST_F(RunTest, BadInputWritesNothing) {
-    for (const char* setting :
-         {"sun.elevation=100", "look.palette=virids", "model.nam=x", "bed.kind=file"}) {
+    for (const char* setting : {"sun.elevation=100", "look.palette=virids", "model.nam=x",
+                                "bed.kind=file", "look.colour_by=water-depth"}) {
         const Ended ended = run({"--set", setting});
         EXPECT_EQ(ended.status, 2) << setting;
         EXPECT_EQ(std::count(ended.errors.begin(), ended.errors.end(), '\n'), 1) << ended.errors;
