@@ -8,3 +8,11 @@
 #else
 #define FUMON_MULTIVERSION
 #endif
+
+/// Before a loop whose rounds do not depend on each other, though the compiler cannot see that its
+/// arrays are apart.
+#if defined(__GNUC__) && !defined(__clang__)
+#define FUMON_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define FUMON_INDEPENDENT
+#endif
