@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <string_view>
 
 namespace fumon {
@@ -37,12 +38,12 @@ Ticks linear_ticks(double low, double high, int most) {
     for (;; ++exponent) {
         for (const int leading : {1, 2, 5}) {
             const double step = leading * std::pow(10.0, exponent);
-            const auto first = std::ceil(low / step - rounding);
-            const auto last = std::floor(high / step + rounding);
-            if (last - first + 1.0 > std::max(most, 2)) continue;
+            const auto first = static_cast<std::int64_t>(std::ceil(low / step - rounding));
+            const auto last = static_cast<std::int64_t>(std::floor(high / step + rounding));
+            if (last - first + 1 > std::max(most, 2)) continue;
             const int decimals = std::max(0, -exponent);
-            for (double i = first; i <= last; ++i) {
-                const double value = i * step + 0.0;  // never −0
+            for (std::int64_t i = first; i <= last; ++i) {
+                const double value = static_cast<double>(i) * step;
                 ticks.values.push_back(value);
                 ticks.labels.push_back(with_minus_sign(fmt::format("{:.{}f}", value, decimals)));
             }
