@@ -1,12 +1,26 @@
 #include "models/cip_scheme.h"
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 #include "models/courant.h"
 #include "support/worker_pool.h"
 
 namespace fumon {
+
+namespace {
+
+void copy_padded(const Grid& from, PaddedGrid& to, int y) {
+    const auto row = from.row(y);
+    std::copy(row.begin(), row.end(), to.row(y));
+    to.wrap(y);
+}
+
+void copy_row(const PaddedGrid& from, Grid& to, int y) {
+    std::copy(from.row(y), from.row(y) + to.nx(), to.row(y).data());
+}
+
+}  // namespace
 
 CipScheme::CipScheme(const GullyParameters& parameters, const WaterDomain& domain,
                      const Water& start, WorkerPool& pool)
@@ -21,10 +35,10 @@ CipScheme::CipScheme(const GullyParameters& parameters, const WaterDomain& domai
       u_(nx_, ny_),
       v_(nx_, ny_),
       depth_(nx_, ny_),
-      bed_(nx_, ny_),
-      flux_(nx_, ny_, domain.dx, domain.dy, pool) {
-    take_in(start, Grid(nx_, ny_));
-    for (Carried* carried : {&u_, &v_, &depth_}) start_gradients(*carried);
+      flux_(nx_, ny_, domain.dx, domain.dy) {
+    start_from(start.velocity_x, u_);
+    start_from(start.velocity_y, v_);
+    start_from(start.depth, depth_);
 }
 
 double CipScheme::step_at_courant_one(const Water& water) const {
@@ -34,17 +48,27 @@ double CipScheme::step_at_courant_one(const Water& water) const {
 void CipScheme::advance(Water& water, const Grid& bed, double dt, double rain) {
     const cip::SubStep step{dt,       domain_.dx, domain_.dy, gravity_, -gravity_ * domain_.slope,
                             friction_};
-    take_in(water, bed);
-    advect_and_accelerate(step);
-    if (as_published_) {
-        thin_as_published(step, rain);
-        turn_gradients(step, depth_);
-    } else {
-        flux_.carry(depth_.value, u_.next, v_.next, dt, rain, water.depth);
+    advect_and_accelerate(step, water, bed);
+    if (as_published_) thin_as_published(step, rain);
+    flux_.begin(dt, rain);
+    pool_.for_ranges(ny_, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            turn_gradient(step, u_, y);
+            turn_gradient(step, v_, y);
+            copy_row(u_.next, water.velocity_x, y);
+            copy_row(v_.next, water.velocity_y, y);
+            if (!as_published_) continue;
+            turn_gradient(step, depth_, y);
+            copy_row(depth_.next, water.depth, y);
+        }
+        if (!as_published_) flux_.carry(depth_.value, u_.next, v_.next, begin, end, water.depth);
+    });
+    if (!as_published_) flux_.finish(depth_.value, u_.next, v_.next, water.depth);
+    for (Carried* carried : {&u_, &v_, &depth_}) {
+        std::swap(carried->gradient_x, carried->next_x);
+        std::swap(carried->gradient_y, carried->next_y);
+        std::swap(carried->value, carried->next);
     }
-    turn_gradients(step, u_);
-    turn_gradients(step, v_);
-    give_back(water);
 }
 
 std::vector<StateField> CipScheme::state() const {
@@ -63,24 +87,9 @@ cip::Stencil CipScheme::around(const PaddedGrid& grid, int y) const {
     return {grid.row((y + ny_ - 1) % ny_), grid.row(y), grid.row((y + 1) % ny_)};
 }
 
-void CipScheme::take_in(const Water& water, const Grid& bed) {
-    pool_.for_ranges(ny_, [&](int begin, int end) {
-        const auto copy = [](const Grid& from, PaddedGrid& to, int y) {
-            const auto row = from.row(y);
-            std::copy(row.begin(), row.end(), to.row(y));
-            to.wrap(y);
-        };
-        for (int y = begin; y < end; ++y) {
-            copy(water.velocity_x, u_.value, y);
-            copy(water.velocity_y, v_.value, y);
-            copy(water.depth, depth_.value, y);
-            copy(bed, bed_, y);
-        }
-    });
-}
-
-/// Central differences.
-void CipScheme::start_gradients(Carried& carried) {
+/// The gradients begin as central differences.
+void CipScheme::start_from(const Grid& values, Carried& carried) const {
+    for (int y = 0; y < ny_; ++y) copy_padded(values, carried.value, y);
     for (int y = 0; y < ny_; ++y) {
         const cip::Stencil value = around(carried.value, y);
         for (int x = 0; x < nx_; ++x) {
@@ -92,10 +101,12 @@ void CipScheme::start_gradients(Carried& carried) {
     }
 }
 
-void CipScheme::advect_and_accelerate(const cip::SubStep& step) {
+void CipScheme::advect_and_accelerate(const cip::SubStep& step, const Water& water,
+                                      const Grid& bed) {
     pool_.for_ranges(ny_, [&](int begin, int end) {
         std::vector<double> advected_u(static_cast<std::size_t>(nx_));
         std::vector<double> advected_v(static_cast<std::size_t>(nx_));
+        PaddedGrid bed_row(nx_, 1);
         for (int y = begin; y < end; ++y) {
             const auto advect = [&](Carried& carried, double* value) {
                 cip::advect_row({around(carried.value, y), around(carried.gradient_x, y),
@@ -105,16 +116,22 @@ void CipScheme::advect_and_accelerate(const cip::SubStep& step) {
             };
             advect(u_, advected_u.data());
             advect(v_, advected_v.data());
-            const cip::Stencil depth = around(depth_.value, y);
-            const cip::Stencil bed = around(bed_, y);
+            if (!as_published_) copy_padded(water.depth, depth_.value, y);
+            std::copy(bed.row(y).begin(), bed.row(y).end(), bed_row.row(0));
+            bed_row.wrap(0);
+            const int south = (y + ny_ - 1) % ny_;
+            const int north = (y + 1) % ny_;
+            const cip::Stencil depth{water.depth.row(south).data(), depth_.value.row(y),
+                                     water.depth.row(north).data()};
+            const cip::Stencil ground{bed.row(south).data(), bed_row.row(0), bed.row(north).data()};
             if (as_published_) {
                 advect(depth_, depth_.next.row(y));
-                cip::accelerate_row_as_published(depth, bed, u_.value.row(y), v_.value.row(y), step,
-                                                 nx_, advected_u.data(), advected_v.data(),
+                cip::accelerate_row_as_published(depth, ground, u_.value.row(y), v_.value.row(y),
+                                                 step, nx_, advected_u.data(), advected_v.data(),
                                                  u_.next.row(y), v_.next.row(y), u_.gained.row(y),
                                                  v_.gained.row(y));
             } else {
-                cip::accelerate_row(depth, bed, step, nx_, advected_u.data(), advected_v.data(),
+                cip::accelerate_row(depth, ground, step, nx_, advected_u.data(), advected_v.data(),
                                     u_.next.row(y), v_.next.row(y), u_.gained.row(y),
                                     v_.gained.row(y));
             }
@@ -134,35 +151,16 @@ void CipScheme::thin_as_published(const cip::SubStep& step, double rain) {
                           around(v_.next, y), step, rain, nx_, depth_.next.row(y),
                           depth_.gained.row(y));
             depth_.gained.wrap(y);
+            depth_.next.wrap(y);
         }
     });
 }
 
-void CipScheme::turn_gradients(const cip::SubStep& step, Carried& carried) {
-    pool_.for_ranges(ny_, [&](int begin, int end) {
-        for (int y = begin; y < end; ++y) {
-            cip::turn_gradient_row(around(carried.gained, y), around(u_.value, y),
-                                   around(v_.value, y), step, nx_, carried.next_x.row(y),
-                                   carried.next_y.row(y));
-            carried.next_x.wrap(y);
-            carried.next_y.wrap(y);
-        }
-    });
-    std::swap(carried.gradient_x, carried.next_x);
-    std::swap(carried.gradient_y, carried.next_y);
-}
-
-void CipScheme::give_back(Water& water) {
-    pool_.for_ranges(ny_, [&](int begin, int end) {
-        const auto copy = [this](const PaddedGrid& from, Grid& to, int y) {
-            std::copy(from.row(y), from.row(y) + nx_, to.row(y).data());
-        };
-        for (int y = begin; y < end; ++y) {
-            copy(u_.next, water.velocity_x, y);
-            copy(v_.next, water.velocity_y, y);
-            if (as_published_) copy(depth_.next, water.depth, y);
-        }
-    });
+void CipScheme::turn_gradient(const cip::SubStep& step, Carried& carried, int y) const {
+    cip::turn_gradient_row(around(carried.gained, y), around(u_.value, y), around(v_.value, y),
+                           step, nx_, carried.next_x.row(y), carried.next_y.row(y));
+    carried.next_x.wrap(y);
+    carried.next_y.wrap(y);
 }
 
 }  // namespace fumon

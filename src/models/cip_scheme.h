@@ -27,6 +27,7 @@ class CipScheme : public ShallowWaterScheme {
               WorkerPool& pool);
 
     [[nodiscard]] double step_at_courant_one(const Water& water) const override;
+    /// `water` must be what the last call left, or what the scheme was built on.
     void advance(Water& water, const Grid& bed, double dt, double rain) override;
     [[nodiscard]] std::vector<StateField> state() const override;
 
@@ -48,12 +49,10 @@ class CipScheme : public ShallowWaterScheme {
         PaddedGrid gained;
     };
 
-    void take_in(const Water& water, const Grid& bed);
-    void start_gradients(Carried& carried);
-    void advect_and_accelerate(const cip::SubStep& step);
+    void start_from(const Grid& values, Carried& carried) const;
+    void advect_and_accelerate(const cip::SubStep& step, const Water& water, const Grid& bed);
     void thin_as_published(const cip::SubStep& step, double rain);
-    void turn_gradients(const cip::SubStep& step, Carried& carried);
-    void give_back(Water& water);
+    void turn_gradient(const cip::SubStep& step, Carried& carried, int y) const;
     [[nodiscard]] cip::Stencil around(const PaddedGrid& grid, int y) const;
 
     bool as_published_;
@@ -66,7 +65,6 @@ class CipScheme : public ShallowWaterScheme {
     Carried u_;
     Carried v_;
     Carried depth_;
-    PaddedGrid bed_;
     DepthFlux flux_;
 };
 

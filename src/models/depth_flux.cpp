@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "support/multiversion.h"
-#include "support/worker_pool.h"
 
 namespace fumon {
 
@@ -56,44 +55,41 @@ bool settle(const double* before, const double* east_faces, const double* south_
 
 }  // namespace
 
-DepthFlux::DepthFlux(int nx, int ny, double dx, double dy, WorkerPool& pool)
-    : nx_(nx), ny_(ny), dx_(dx), dy_(dy), pool_(pool), overdrawn_(static_cast<std::size_t>(ny)) {}
+DepthFlux::DepthFlux(int nx, int ny, double dx, double dy)
+    : nx_(nx), ny_(ny), dx_(dx), dy_(dy), overdrawn_(static_cast<std::size_t>(ny)) {}
 
-void DepthFlux::carry(const PaddedGrid& before, const PaddedGrid& u, const PaddedGrid& v, double dt,
-                      double rain, Grid& after) {
-    pool_.for_ranges(
-        ny_, [&](int begin, int end) { carry_rows(before, u, v, dt, rain, begin, end, after); });
-    if (std::find(overdrawn_.begin(), overdrawn_.end(), 1) != overdrawn_.end())
-        limit_outflow(before, u, v, dt, rain, after);
+void DepthFlux::begin(double dt, double rain) {
+    dt_ = dt;
+    fallen_ = rain * dt;
 }
 
 /// faces[1 + x] lies between cells x and x + 1, x = −1 … nx − 1.
-void DepthFlux::moved_east(const PaddedGrid& before, const PaddedGrid& u, double dt, int y,
+void DepthFlux::moved_east(const PaddedGrid& before, const PaddedGrid& u, int y,
                            double* faces) const {
     const double* h = before.row(y) - 1;
     const double* speed = u.row(y) - 1;
-    through_faces(h - 1, h, h + 1, h + 2, speed, speed + 1, dt / dx_, nx_ + 1, faces);
+    through_faces(h - 1, h, h + 1, h + 2, speed, speed + 1, dt_ / dx_, nx_ + 1, faces);
 }
 
 /// faces[x] lies between cells (x, y) and (x, y + 1).
-void DepthFlux::moved_north(const PaddedGrid& before, const PaddedGrid& v, double dt, int y,
+void DepthFlux::moved_north(const PaddedGrid& before, const PaddedGrid& v, int y,
                             double* faces) const {
     const auto row = [this](int any) { return ((any % ny_) + ny_) % ny_; };
     through_faces(before.row(row(y - 1)), before.row(row(y)), before.row(row(y + 1)),
-                  before.row(row(y + 2)), v.row(row(y)), v.row(row(y + 1)), dt / dy_, nx_, faces);
+                  before.row(row(y + 2)), v.row(row(y)), v.row(row(y + 1)), dt_ / dy_, nx_, faces);
 }
 
-void DepthFlux::carry_rows(const PaddedGrid& before, const PaddedGrid& u, const PaddedGrid& v,
-                           double dt, double rain, int begin, int end, Grid& after) {
+void DepthFlux::carry(const PaddedGrid& before, const PaddedGrid& u, const PaddedGrid& v, int begin,
+                      int end, Grid& after) {
     std::vector<double> east(static_cast<std::size_t>(nx_) + 1);
     std::vector<double> south(static_cast<std::size_t>(nx_));
     std::vector<double> north(static_cast<std::size_t>(nx_));
-    moved_north(before, v, dt, begin - 1, south.data());
+    moved_north(before, v, begin - 1, south.data());
     for (int y = begin; y < end; ++y) {
-        moved_east(before, u, dt, y, east.data());
-        moved_north(before, v, dt, y, north.data());
+        moved_east(before, u, y, east.data());
+        moved_north(before, v, y, north.data());
         overdrawn_[static_cast<std::size_t>(y)] =
-            settle(before.row(y), east.data() + 1, south.data(), north.data(), rain * dt, nx_,
+            settle(before.row(y), east.data() + 1, south.data(), north.data(), fallen_, nx_,
                    after.row(y).data())
                 ? 1
                 : 0;
@@ -101,14 +97,15 @@ void DepthFlux::carry_rows(const PaddedGrid& before, const PaddedGrid& u, const 
     }
 }
 
-void DepthFlux::limit_outflow(const PaddedGrid& before, const PaddedGrid& u, const PaddedGrid& v,
-                              double dt, double rain, Grid& after) {
+void DepthFlux::finish(const PaddedGrid& before, const PaddedGrid& u, const PaddedGrid& v,
+                       Grid& after) {
+    if (std::find(overdrawn_.begin(), overdrawn_.end(), 1) == overdrawn_.end()) return;
     constexpr double whole = 1.0 - 0x1p-50;  // so that rounding cannot take more than there is
     Grid east(nx_ + 1, ny_);
     Grid north(nx_, ny_);
     for (int y = 0; y < ny_; ++y) {
-        moved_east(before, u, dt, y, east.row(y).data());
-        moved_north(before, v, dt, y, north.row(y).data());
+        moved_east(before, u, y, east.row(y).data());
+        moved_north(before, v, y, north.row(y).data());
     }
     Grid share(nx_, ny_, 1.0);
     for (int y = 0; y < ny_; ++y) {
@@ -134,7 +131,7 @@ void DepthFlux::limit_outflow(const PaddedGrid& before, const PaddedGrid& u, con
         for (int x = 0; x < nx_; ++x) {
             const double out =
                 (east(x + 1, y) - east(x, y)) + (north(x, y) - north(x, (y + ny_ - 1) % ny_));
-            after(x, y) = std::max(before.row(y)[x] - out, 0.0) + rain * dt;
+            after(x, y) = std::max(before.row(y)[x] - out, 0.0) + fallen_;
         }
     }
 }
