@@ -46,7 +46,7 @@ void check_time_step(const GullyParameters& parameters, double step_at_one) {
 Gully::Gully(const GullyParameters& parameters, ModelSetup setup)
     : Gully(start_of_gully(parameters, setup), setup.scale, setup.pool) {}
 
-Gully::Gully(GullyStart start, const WorldScale& scale, WorkerPool& pool)
+Gully::Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool)
     : parameters_(start.parameters),
       domain_(start.domain),
       scale_(scale),

@@ -44,7 +44,7 @@ class Gully : public Model {
     [[nodiscard]] std::vector<StateField> state() const override;
 
   private:
-    Gully(GullyStart start, const WorldScale& scale, WorkerPool& pool);
+    Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool);
 
     void sub_step(double dt, double& elapsed);
     [[nodiscard]] double sub_step_size(double remaining, double elapsed) const;
