@@ -69,7 +69,8 @@ Workshop set_up(Scene scene, int threads) {
     workshop.pool = std::make_unique<WorkerPool>(threads, "fumon-simulate");
     workshop.model = make_model(
         workshop.scene, {workshop.initial.bed, workshop.initial.nodata, workshop.initial.scale,
-                         static_cast<std::uint64_t>(workshop.scene.seed), *workshop.pool});
+                         static_cast<std::uint64_t>(workshop.scene.seed), *workshop.pool,
+                         bed_kind(workshop.scene) == BedKind::file});
     check_marking(workshop.scene, *workshop.model);
     check_colouring(workshop.scene, *workshop.model);
     return workshop;

@@ -95,6 +95,7 @@ struct ModelSetup {
     WorldScale scale;
     std::uint64_t seed = 1;
     WorkerPool& pool;
+    bool from_file = false;  ///< the bed is a terrain file's
 };
 
 /// A landform model: it owns its state and advances it, and knows nothing of threads of the

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "models/gully.h"
 #include "models/sand.h"
 #include "models/sandpile.h"
 #include "models/static_bed.h"
@@ -33,6 +34,9 @@ constexpr std::array all_models{
         "sandpile",
         "a pile that grains fall on and that topples: cones, avalanches and their sizes",
         {.starts_bare = true}),
+    entry<GullyParameters, Gully>(
+        "gully", "water down a slope that it erodes: gullies, channels with banks, rain on terrain",
+        {.cell_size = 1.0, .noise_height = 0.01}),
     entry<StaticParameters, StaticBed>("static", "a bed as it is: look at a terrain"),
 };
 

@@ -17,6 +17,8 @@ struct ModelHome {
     /// Usual cell size, metres, of a model that lives in metres and seconds, whose heights are
     /// metres; 0 for one that lives in sites and model heights.
     double cell_size = 0.0;
+    /// Upper end of its usual initial noise, model heights, where bed.high is not written.
+    double noise_height = 1.0;
     bool on_profile = false;  ///< its bed is a single row: grid.ny is 1 where it is not written
 };
 

@@ -94,6 +94,7 @@ class Reader {
                                          scene_.model.name, suggestion(scene_.model.name, known)));
         }
         scene_.model.parameters = entry->default_parameters();
+        scene_.bed.high = entry->home.noise_height;
         table_ = scene_keys(scene_);
     }
 

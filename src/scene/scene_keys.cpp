@@ -63,7 +63,7 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
     table.real("bed.low", scene.bed.low,
                {.unit = "model heights", .help = "lower end of the noise"});
     table.real("bed.high", scene.bed.high,
-               {.unit = "model heights", .help = "upper end of the noise"});
+               {.unit = "model heights", .help = "upper end of the noise; 0.01 for a gully"});
     table.text("bed.file", scene.bed.file,
                {.help = "ESRI ASCII grid, NetCDF (the last record) or grey PNG, heights in metres; "
                         "relative to "

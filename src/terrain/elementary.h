@@ -8,8 +8,8 @@
 /// Elementary functions whose bits do not depend on the CPU: plain IEEE double arithmetic in a
 /// fixed order, never the system library's (whose results change with the presence of FMA). Within
 /// 2 units in the last place of the true value unless said; tested against long double. exp,
-/// expm1_positive and tanh are free of branches, so that loops over them vectorise and give the
-/// very same bits.
+/// expm1_positive, tanh and log_of_normal are free of branches, so that loops over them vectorise
+/// and give the very same bits.
 namespace fumon::elementary {
 
 namespace detail {
@@ -132,28 +132,50 @@ inline double tanh(double x) {
     return std::copysign(t / (t + 2.0), x);
 }
 
+/// Natural logarithm of a normal positive number (at least 2^-1022); anything else gives a value
+/// without meaning. Free of branches, so that loops over it vectorise.
+inline double log_of_normal(double x) {
+    using namespace detail;
+    constexpr std::uint64_t one = 0x3ff0000000000000;        // the bits of 1
+    constexpr std::uint64_t root_half = 0x3fe6a09e667f3bcd;  // the bits of √½
+    constexpr std::uint64_t two_to_52 = 0x4330000000000000;  // the bits of 2^52
+    constexpr std::uint64_t mantissa_bits = 0x000fffffffffffff;
+    constexpr double biased = 0x1p52 + 1023.0;
+    constexpr int exponent_at = 52;
+    const std::uint64_t bits = std::bit_cast<std::uint64_t>(x) + (one - root_half);
+    const double k = std::bit_cast<double>((bits >> exponent_at) | two_to_52) - biased;
+    const double mantissa =  // in [√½, √2)
+        std::bit_cast<double>((bits & mantissa_bits) + root_half);
+    const double f = mantissa - 1.0;
+    const double s = f / (2.0 + f);  // log(1 + f) = 2 artanh s
+    const double z = s * s;
+    double series = 2.0 / 25.0;
+    series = series * z + 2.0 / 23.0;
+    series = series * z + 2.0 / 21.0;
+    series = series * z + 2.0 / 19.0;
+    series = series * z + 2.0 / 17.0;
+    series = series * z + 2.0 / 15.0;
+    series = series * z + 2.0 / 13.0;
+    series = series * z + 2.0 / 11.0;
+    series = series * z + 2.0 / 9.0;
+    series = series * z + 2.0 / 7.0;
+    series = series * z + 2.0 / 5.0;
+    series = series * z + 2.0 / 3.0;
+    const double half_square = 0.5 * f * f;
+    return k * ln2_high - ((half_square - (s * (half_square + z * series) + k * ln2_low)) - f);
+}
+
 /// Natural logarithm: −infinity at 0, not a number below.
 inline double log(double x) {
-    using namespace detail;
     if (!(x > 0.0)) {
         return x == 0.0 ? -std::numeric_limits<double>::infinity()
                         : std::numeric_limits<double>::quiet_NaN();
     }
     if (x == std::numeric_limits<double>::infinity()) return x;
-    int exponent = 0;
-    double mantissa = std::frexp(x, &exponent);  // exact; mantissa in [1/2, 1)
-    if (mantissa < 0x1.6a09e667f3bcdp-1) {       // √½: bring the mantissa to [√½, √2)
-        mantissa *= 2.0;
-        --exponent;
-    }
-    const double f = mantissa - 1.0;
-    const double s = f / (2.0 + f);  // log(1 + f) = 2 artanh s
-    const double z = s * s;
-    double series = 2.0 / 25.0;
-    for (int n = 23; n >= 3; n -= 2) series = series * z + 2.0 / n;
-    const double k = exponent;
-    const double half_square = 0.5 * f * f;
-    return k * ln2_high - ((half_square - (s * (half_square + z * series) + k * ln2_low)) - f);
+    constexpr double smallest_normal = 0x1p-1022;
+    if (x >= smallest_normal) return log_of_normal(x);
+    constexpr double shift = 54.0;
+    return log_of_normal(x * 0x1p54) - shift * 0x1.62e42fefa39efp-1;
 }
 
 /// base^exponent for base > 0, as exp(exponent · log base): its relative error grows to 2^-53 (2 +

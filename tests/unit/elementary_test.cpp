@@ -47,6 +47,36 @@ TEST(Elementary, LogIsWithinTwoUnitsInTheLastPlace) {
     EXPECT_LE(worst(elementary::log, truth, 0.0, 1e-308), 2.0) << "subnormal arguments";
 }
 
+/// x^1.8 y^2.1 as models take powers of squares: exp(1.8/2 ln x² + 2.1/2 ln y²).
+FUMON_MULTIVERSION void powers_of_all(const double* in, double* out, int count) {
+    for (int i = 0; i < count; ++i) {
+        out[i] = elementary::exp(0.9 * elementary::log_of_normal(in[i] * in[i]) +
+                                 1.05 * elementary::log_of_normal(in[i]));
+    }
+}
+
+TEST(Elementary, PowersByLogarithmsKeepThirteenDigits) {
+    std::vector<double> in(4001);
+    RandomStream stream(3, 0, 0, Purpose::initial_bed);
+    for (double& x : in) x = elementary::exp(-20.0 + 25.0 * stream.uniform());
+    std::vector<double> out(in.size());
+    powers_of_all(in.data(), out.data(), static_cast<int>(in.size()));
+    for (std::size_t i = 0; i < in.size(); ++i) {
+        const long double truth = std::pow(static_cast<long double>(in[i]), 2.85L);
+        ASSERT_LT(std::fabs(static_cast<double>(out[i] / truth - 1.0L)), 1e-13) << in[i];
+    }
+}
+
+TEST(Elementary, LogarithmsOfNormalNumbersAreThoseOfLog) {
+    for (const double x : {0x1p-1022, 1e-300, 0.1, 0.70710678118654752, 0.70710678118654757, 1.0,
+                           1.4142135623730951, 1e300, 0x1.fffffffffffffp1023}) {
+        EXPECT_EQ(elementary::log_of_normal(x), elementary::log(x)) << x;
+        EXPECT_NEAR(elementary::log(x), static_cast<double>(std::log(static_cast<long double>(x))),
+                    1e-15 * (1.0 + std::fabs(elementary::log(x))))
+            << x;
+    }
+}
+
 TEST(Elementary, TanhIsWithinThreeUnitsInTheLastPlace) {
     const auto truth = [](long double x) { return std::tanh(x); };
     EXPECT_LE(worst(elementary::tanh, truth, -1e-5, 1e-5), 2.0);

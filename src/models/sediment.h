@@ -1,0 +1,62 @@
+#pragma once
+
+#include <vector>
+
+#include "models/bed_diffusion.h"
+#include "models/gully_parameters.h"
+#include "models/row_sides.h"
+#include "models/sediment_rows.h"
+#include "models/shallow_water.h"
+#include "terrain/compensated_sum.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// What flowing water does to its bed (Saeki & Okamura 2007, eqs. 4, 5, 12):
+///
+///     ∂z/∂t = transport + D ∇²z      q_s = K_f (K_t U^q S^γ − τ_c)^p u/U     S = |∇z|, mean slope
+///                                                                            included
+/// with the transport as
+///
+///  * incision: −|q_s| / (1 m);
+///  * as printed: the sums of eq. (12), −(q_x[i+1] + q_x[i−1]) / 2dx and the same along y, which
+///    points down the plane as in the paper: a sink that depends on the grid;
+///  * conservative: −∇·q_s by central differences.
+///
+/// S from central differences, one-sided at edges that are not periodic and beside cells without
+/// data. Nothing is transported where the water stands or the bed is level. The diffusion crosses
+/// periodic edges only.
+class Sediment {
+  public:
+    Sediment(const GullyParameters& parameters, const WaterDomain& domain, int nx, int ny,
+             WorkerPool& pool);
+
+    /// Changes the bed (m, departures from the mean plane) over `dt` seconds of this flow.
+    void advance(Grid& bed, const Water& water, double dt);
+
+    /// What the transport has taken from the domain since the start, m³.
+    [[nodiscard]] double removed() const { return -changed_.value() * domain_.dx * domain_.dy; }
+
+  private:
+    void find_fluxes(const Grid& bed, const Water& water);
+    void transport_row(const Grid& bed, const Water& water, double dt, int y, RowSides& sides_x,
+                       RowSides& sides_y, std::vector<double>& flux);
+    void diffuse_masked(Grid& bed, double dt);
+
+    SedimentTransport transport_;
+    double diffusion_rate_;  ///< D, m²/s
+    sediment::FluxLaw law_;
+    WaterDomain domain_;
+    int nx_;
+    int ny_;
+    WorkerPool& pool_;
+    BedDiffusion diffusion_;
+    Grid flux_x_;  ///< q_s, m²/s, where its neighbours count
+    Grid flux_y_;
+    Grid change_;  ///< of the bed by transport in a sub-step, m
+    std::vector<double> row_changes_;
+    CompensatedSum changed_;
+};
+
+}  // namespace fumon
