@@ -127,6 +127,7 @@ std::vector<SnapshotNumber> Gully::budgets() const {
         cell_area_ * sum_of(bed_, domain_.nodata, [](double z) { return std::fabs(z); });
     return {
         {"mean_slope", "m/m", domain_.slope},
+        {"gravity", "m/s2", parameters_.gravity},
         {"water_volume", "m3", water},
         {"rain_volume", "m3", rain},
         {"left_volume", "m3", left},

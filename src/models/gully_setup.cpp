@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "models/cip_scheme.h"
+#include "models/finite_volume_scheme.h"
 #include "support/error.h"
 #include "terrain/elementary.h"
 
@@ -149,9 +150,7 @@ std::unique_ptr<ShallowWaterScheme> make_water_scheme(const GullyStart& start, W
         case WaterScheme::finite_volume:
             break;
     }
-    throw KeyError("model.scheme",
-                   "model.scheme \"finite-volume\" is not there yet; take a periodic plane with "
-                   "model.scheme = \"cip\"");
+    return std::make_unique<FiniteVolumeScheme>(start.parameters, start.domain, pool);
 }
 
 }  // namespace fumon
