@@ -71,7 +71,7 @@ AirProjection::AirProjection(const AirPlane& plane, const AirflowParameters& par
     : plane_(plane),
       parameters_(parameters),
       pool_(pool),
-      poisson_(plane, parameters.bed_pressure),
+      poisson_(plane, parameters.bed_pressure, pool),
       u_(plane.at(plane.nx, 0), 0.0),
       w_(u_),
       p_(u_),
