@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <map>
 
+#include "models/plane_loop.h"
 #include "support/multiversion.h"
-#include "support/worker_pool.h"
 
 namespace fumon {
 
@@ -117,7 +117,7 @@ void AirPoisson::solve_pinned(std::span<const double> right_side) {
             sum += term.weight * p_[at(term.i, term.k)];
         departing[static_cast<std::size_t>(i)] = sum;
     }
-    pool_.for_ranges(plane_.nx, [&](int begin, int end) {
+    over_plane(pool_, plane_.nx, inverse_.size(), [&](int begin, int end) {
         add_columns(inverse_, departing, strengths_, static_cast<std::size_t>(begin),
                     static_cast<std::size_t>(end));
     });

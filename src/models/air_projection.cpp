@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "models/plane_loop.h"
 #include "support/error.h"
 #include "support/multiversion.h"
-#include "support/worker_pool.h"
 
 namespace fumon {
 
@@ -91,13 +91,13 @@ AirProjection::AirProjection(const AirPlane& plane, const AirflowParameters& par
 
 void AirProjection::step() {
     ++steps_;
-    pool_.for_ranges(plane_.nx, [this](int begin, int end) { predict(begin, end); });
-    pool_.for_ranges(plane_.nx, [this](int begin, int end) { diverge(begin, end); });
+    over_plane(pool_, plane_.nx, u_.size(), [this](int begin, int end) { predict(begin, end); });
+    over_plane(pool_, plane_.nx, u_.size(), [this](int begin, int end) { diverge(begin, end); });
     poisson_.solve(right_side_, p_);
-    pool_.for_ranges(plane_.nx, [this](int begin, int end) {
+    over_plane(pool_, plane_.nx, u_.size(), [this](int begin, int end) {
         for (int i = begin; i < end; ++i) extend_pressure(i);
     });
-    pool_.for_ranges(plane_.nx, [this](int begin, int end) { correct(begin, end); });
+    over_plane(pool_, plane_.nx, u_.size(), [this](int begin, int end) { correct(begin, end); });
     check();
 }
 

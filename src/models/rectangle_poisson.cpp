@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "support/worker_pool.h"
+#include "models/plane_loop.h"
 #include "terrain/elementary.h"
 
 namespace fumon {
@@ -47,7 +47,7 @@ void RectanglePoisson::add(const std::vector<double>& b, int rows) {
 }
 
 void RectanglePoisson::transform(const std::vector<double>& b, int rows) {
-    pool_.for_ranges(chunks(rows), [&](int begin, int end) {
+    over_plane(pool_, chunks(rows), size(), [&](int begin, int end) {
         ColumnTransform::Scratch scratch = transform_.scratch();
         for (int chunk = begin; chunk < end; ++chunk) {
             const std::size_t at = static_cast<std::size_t>(chunk) * ColumnTransform::rows;
@@ -60,7 +60,7 @@ void RectanglePoisson::solve_modes(int rows, bool anew) {
     const auto filled = static_cast<std::size_t>(rows < nodes_ ? rows : nodes_);
     const auto nodes = static_cast<std::size_t>(nodes_);
     const double scale = 1.0 / nx_;
-    pool_.for_ranges(modes_, [&](int begin, int end) {
+    over_plane(pool_, modes_, size(), [&](int begin, int end) {
         std::vector<double> re(nodes + 1);
         std::vector<double> im(nodes + 1);
         for (int m = begin; m < end; ++m) {
@@ -88,7 +88,7 @@ void RectanglePoisson::solve_modes(int rows, bool anew) {
 }
 
 void RectanglePoisson::write(std::vector<double>& p, int rows) {
-    pool_.for_ranges(chunks(rows), [&](int begin, int end) {
+    over_plane(pool_, chunks(rows), size(), [&](int begin, int end) {
         ColumnTransform::Scratch scratch = transform_.scratch();
         for (int chunk = begin; chunk < end; ++chunk) {
             const std::size_t at = static_cast<std::size_t>(chunk) * ColumnTransform::rows;
