@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "models/plane_loop.h"
+#include "models/wall_stress.h"
 #include "support/error.h"
 #include "support/multiversion.h"
 
@@ -174,6 +175,21 @@ void AirProjection::correct(int begin, int end) {
             w_[at] = predicted_w_[at] - factor * (here[k + 1] - here[k - 1]);
         }
     }
+}
+
+AirFields AirProjection::fields() const {
+    AirFields fields{u_, w_, p_};
+    for (int i = 0; i < plane_.nx; ++i)
+        fields.pressure[plane_.at(i, plane_.under_bed[static_cast<std::size_t>(i)])] = 0.0;
+    return fields;
+}
+
+std::vector<double> AirProjection::bed_stress() const {
+    return staircase_stress(plane_, u_, w_, parameters_.density * parameters_.viscosity);
+}
+
+std::vector<StateField> AirProjection::state() const {
+    return {{"velocity_x", u_}, {"velocity_z", w_}, {"pressure", p_}};
 }
 
 double AirProjection::largest_divergence() const {

@@ -4,6 +4,7 @@
 
 #include "models/air_bed.h"
 #include "models/air_poisson.h"
+#include "models/air_scheme.h"
 #include "models/airflow_parameters.h"
 
 namespace fumon {
@@ -20,20 +21,19 @@ class WorkerPool;
 /// Periodic in x; v = (u0, 0) at the lid; v = 0 at nodes at and below the bed, a staircase. Since
 /// the Laplacian is not the divergence of the gradient, ∇·v is small, not 0. Pressures are solved
 /// exactly, where the thesis stops a Gauss–Seidel iteration at a tolerance it does not give.
-class AirProjection {
+class AirProjection : public AirScheme {
   public:
     /// At rest up to the bed's highest point, Couette flow from there to the lid (eq. 8).
     AirProjection(const AirPlane& plane, const AirflowParameters& parameters, WorkerPool& pool);
 
     /// One Δt. Throws Error naming a node whose velocity is no longer finite.
-    void step();
+    void step() override;
 
-    [[nodiscard]] const std::vector<double>& u() const { return u_; }         ///< m/s
-    [[nodiscard]] const std::vector<double>& w() const { return w_; }         ///< m/s
-    [[nodiscard]] const std::vector<double>& pressure() const { return p_; }  ///< Pa
-
-    /// The largest |∇·v| at a node of the air, central differences, 1/s.
-    [[nodiscard]] double largest_divergence() const;
+    [[nodiscard]] AirFields fields() const override;
+    [[nodiscard]] std::vector<double> bed_stress() const override;
+    /// By central differences.
+    [[nodiscard]] double largest_divergence() const override;
+    [[nodiscard]] std::vector<StateField> state() const override;
 
   private:
     void predict(int begin, int end);

@@ -10,12 +10,28 @@
 #include <numeric>
 #include <string>
 
-#include "models/wall_stress.h"
+#include "models/air_projection.h"
+#include "models/fitted_airflow.h"
 #include "support/error.h"
 
 namespace fumon {
 
 namespace {
+
+/// Up to which the scheme's explicit differences are stable, s: diffusion on the staircase; on the
+/// fitted grid central advection, which diffusion must outdo.
+double longest_step(const AirPlane& plane, const AirflowParameters& parameters) {
+    if (parameters.scheme == AirSchemeKind::staircase)
+        return 0.25 * plane.spacing * plane.spacing / parameters.viscosity;
+    return 2.0 * parameters.viscosity / (parameters.lid_speed * parameters.lid_speed);
+}
+
+std::unique_ptr<AirScheme> make_scheme(const AirPlane& plane, const AirflowParameters& parameters,
+                                       WorkerPool& pool) {
+    if (parameters.scheme == AirSchemeKind::staircase)
+        return std::make_unique<AirProjection>(plane, parameters, pool);
+    return std::make_unique<FittedAirflow>(plane, parameters);
+}
 
 AirPlane checked_plane(const AirflowParameters& parameters, const ModelSetup& setup) {
     AirPlane plane = make_air_plane(parameters, setup);
@@ -27,8 +43,7 @@ AirPlane checked_plane(const AirflowParameters& parameters, const ModelSetup& se
                                    parameters.time_step, courant, parameters.lid_speed,
                                    plane.spacing / parameters.lid_speed));
     }
-    constexpr double most_diffusion = 0.25;
-    const double longest = most_diffusion * plane.spacing * plane.spacing / parameters.viscosity;
+    const double longest = longest_step(plane, parameters);
     if (parameters.time_step > longest) {
         throw KeyError(
             "model.time_step",
@@ -64,7 +79,7 @@ double vorticity(const AirPlane& plane, const std::vector<double>& u, const std:
 Airflow::Airflow(const AirflowParameters& parameters, const ModelSetup& setup)
     : parameters_(parameters),
       plane_(checked_plane(parameters, setup)),
-      flow_(plane_, parameters, setup.pool),
+      flow_(make_scheme(plane_, parameters, setup.pool)),
       decay_time_(decay_time(plane_, parameters.viscosity)),
       last_fit_(fitted_stress()) {
     constexpr double watches_per_decay = 50.0;
@@ -75,7 +90,7 @@ Airflow::Airflow(const AirflowParameters& parameters, const ModelSetup& setup)
 void Airflow::step() {
     ++steps_;
     if (steady_ && parameters_.until_steady) return;
-    flow_.step();
+    flow_->step();
     ++flow_steps_;
     if (flow_steps_ % watch_every_ == 0) watch_stress();
 }
@@ -93,13 +108,8 @@ void Airflow::watch_stress() {
     steady_time_ = time();
 }
 
-std::vector<double> Airflow::bed_stress() const {
-    return staircase_stress(plane_, flow_.u(), flow_.w(),
-                            parameters_.density * parameters_.viscosity);
-}
-
 StressFit Airflow::fitted_stress() const {
-    return fit_stress(bed_stress(), static_cast<int>(parameters_.bed_waves));
+    return fit_stress(flow_->bed_stress(), static_cast<int>(parameters_.bed_waves));
 }
 
 Snapshot Airflow::snapshot() const {
@@ -113,6 +123,7 @@ Snapshot Airflow::snapshot() const {
     auto section = std::make_shared<SnapshotSection>();
     section->dx = plane_.spacing;
     section->dz = plane_.spacing;
+    const AirFields air = flow_->fields();
     const Grid empty(plane_.nx, plane_.nz);
     section->fields = {
         {"velocity_x", "velocity of the air along x", "m/s", empty},
@@ -121,13 +132,13 @@ Snapshot Airflow::snapshot() const {
         {"vorticity", "du/dz - dw/dx of the air", "1/s", empty}};
     for (int i = 0; i < plane_.nx; ++i) {
         for (int k = plane_.under_bed[static_cast<std::size_t>(i)] + 1; k < plane_.nz; ++k) {
-            section->fields[0].values(i, k) = flow_.u()[plane_.at(i, k)];
-            section->fields[1].values(i, k) = flow_.w()[plane_.at(i, k)];
-            section->fields[2].values(i, k) = flow_.pressure()[plane_.at(i, k)];
-            section->fields[3].values(i, k) = vorticity(plane_, flow_.u(), flow_.w(), i, k);
+            section->fields[0].values(i, k) = air.u[plane_.at(i, k)];
+            section->fields[1].values(i, k) = air.w[plane_.at(i, k)];
+            section->fields[2].values(i, k) = air.pressure[plane_.at(i, k)];
+            section->fields[3].values(i, k) = vorticity(plane_, air.u, air.w, i, k);
         }
     }
-    section->curves = {{"bed_shear_stress", "shear stress on the bed", "Pa", bed_stress()},
+    section->curves = {{"bed_shear_stress", "shear stress on the bed", "Pa", flow_->bed_stress()},
                        {"bed_height", "height of the bed", "m", plane_.height}};
     snapshot.section = std::move(section);
 
@@ -139,7 +150,7 @@ Snapshot Airflow::snapshot() const {
                         {"stress_amplitude", "Pa", fit.amplitude},
                         {"stress_phase", "rad", fit.phase},
                         {"stress_mean", "Pa", fit.mean},
-                        {"largest_divergence", "1/s", flow_.largest_divergence()},
+                        {"largest_divergence", "1/s", flow_->largest_divergence()},
                         {"stress_change", "1", stress_change_},
                         {"steady", "1", steady_ ? 1.0 : 0.0},
                         {"steady_time", "s", steady_time_}};
@@ -147,7 +158,7 @@ Snapshot Airflow::snapshot() const {
 }
 
 std::vector<StateField> Airflow::state() const {
-    return {{"velocity_x", flow_.u()}, {"velocity_z", flow_.w()}, {"pressure", flow_.pressure()}};
+    return flow_->state();
 }
 
 }  // namespace fumon

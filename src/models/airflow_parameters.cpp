@@ -45,18 +45,24 @@ void list_keys(AirflowParameters& air, KeyTable& table) {
                {.unit = "kg/m^3", .range = {0, 1e5, true}, .help = "rho of the air"});
     table.real("model.viscosity", air.viscosity,
                {.unit = "m^2/s", .range = {0, 1e3, true}, .help = "nu of the air"});
+    table.choice("model.scheme", air.scheme,
+                 {{"staircase", "projection on a square grid (Terada 2025, section 3)"},
+                  {"boundary-fitted",
+                   "stream function and vorticity on a grid that follows the bed: no steps, second "
+                   "order"}},
+                 {.help = "how the air is advanced"});
     table.choice("model.advection", air.advection,
                  {{"upwind", "first order, as published (Terada 2025, eq. 30)"},
                   {"second-order",
                    "linear upwind, which is less viscous; first order at nodes that lack one of "
                    "their second neighbours, next to bed and lid"}},
-                 {.help = "differences of the advection term"});
+                 {.help = "differences of the staircase's advection term"});
     table.choice("model.bed_pressure", air.bed_pressure,
                  {{"one-sided", "that of the node above: no gradient"},
                   {"extrapolated",
                    "2 p1 - p2 of the nodes above (Terada 2025, eq. 26); unstable where the "
                    "pressure is solved exactly, as it is here: ends in an error"}},
-                 {.help = "pressure at the node just under the bed"});
+                 {.help = "the staircase's pressure at the node just under the bed"});
     table.boolean("model.until_steady", air.until_steady,
                   {.help = "hold the flow once it is steady: later steps change nothing"});
     table.real("model.steady_tolerance", air.steady_tolerance,

@@ -6,6 +6,7 @@ namespace fumon {
 
 class KeyTable;
 
+enum class AirSchemeKind { staircase, boundary_fitted };
 enum class AirBedShape { automatic, cosine, given };
 enum class AirAdvection { upwind, second_order };
 enum class BedPressure { one_sided, extrapolated };
@@ -21,6 +22,7 @@ struct AirflowParameters {
     double lid_speed = 1.0;       ///< u0, m/s
     double density = 1.3;         ///< ρ, kg/m³
     double viscosity = 1.5e-5;    ///< ν, m²/s
+    AirSchemeKind scheme = AirSchemeKind::staircase;
     AirAdvection advection = AirAdvection::upwind;
     BedPressure bed_pressure = BedPressure::one_sided;
     bool until_steady = false;
