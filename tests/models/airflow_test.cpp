@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -138,9 +137,8 @@ TEST(Airflow, HoldsASteadyFlow) {
 
 // ---- second order ----
 
-/// Where the bed is level to the grid, the lid is far and only advection matters: of a wave of w
-/// that is carried along, second order keeps more.
-TEST(Airflow, SecondOrderKeepsMoreOfTheFlowOverRipples) {
+/// The staircase disturbs both alike, so the upward velocity is compared above the crests.
+TEST(Airflow, SecondOrderIsNearerToAFinerGrid) {
     const auto flow = [](AirAdvection advection, int refinement) {
         AirflowParameters parameters;
         parameters.advection = advection;
@@ -159,9 +157,7 @@ TEST(Airflow, SecondOrderKeepsMoreOfTheFlowOverRipples) {
         }
         return sum;
     };
-    const double a = error(AirAdvection::second_order);
-    const double b = error(AirAdvection::upwind);
-    EXPECT_LT(a, b);
+    EXPECT_LT(error(AirAdvection::second_order), error(AirAdvection::upwind));
 }
 
 // ---- the fitted grid ----
@@ -181,9 +177,11 @@ TEST(FittedAirflow, NearsTheSmoothBedsStressUnderRefinement) {
         return std::max(std::abs(run.number("stress_mean") / 0.01185 - 1.0),
                         std::abs(run.number("stress_amplitude") / 0.01665 - 1.0));
     };
-    const double coarse = error(2);
+    const double coarse = error(1);
+    const double medium = error(2);
     const double fine = error(4);
-    EXPECT_LT(fine, 0.5 * coarse);
+    EXPECT_LT(medium, 0.5 * coarse);
+    EXPECT_LT(fine, medium);
     EXPECT_LT(fine, 0.02);
 }
 
@@ -227,7 +225,6 @@ TEST(FittedAirflow, AgreesWithTheStaircase) {
     EXPECT_LT(difference(0), 0.05);
     EXPECT_LT(difference(1), 0.15);
     EXPECT_LT(difference(2), 0.15);
-    std::cout << difference(0) << " " << difference(1) << " " << difference(2) << "\n";
 }
 
 // ---- threads ----
