@@ -18,11 +18,12 @@ namespace fumon {
 
 namespace {
 
-/// Up to which the scheme's explicit differences are stable, s: diffusion on the staircase; on the
-/// fitted grid central advection, which diffusion must outdo.
+/// Up to which the scheme's explicit differences are stable, s: u0 Δt/Δr + 4 ν Δt/Δr² = 1 on the
+/// staircase; on the fitted grid central advection must not outdo diffusion.
 double longest_step(const AirPlane& plane, const AirflowParameters& parameters) {
     if (parameters.scheme == AirSchemeKind::staircase)
-        return 0.25 * plane.spacing * plane.spacing / parameters.viscosity;
+        return plane.spacing * plane.spacing /
+               (parameters.lid_speed * plane.spacing + 4.0 * parameters.viscosity);
     return 2.0 * parameters.viscosity / (parameters.lid_speed * parameters.lid_speed);
 }
 
@@ -45,11 +46,11 @@ AirPlane checked_plane(const AirflowParameters& parameters, const ModelSetup& se
     }
     const double longest = longest_step(plane, parameters);
     if (parameters.time_step > longest) {
-        throw KeyError(
-            "model.time_step",
-            fmt::format("{:.4g} s is too long for a viscosity of {:.4g} m^2/s on cells "
-                        "of {:.4g} m; take {:.4g} s or less",
-                        parameters.time_step, parameters.viscosity, plane.spacing, longest));
+        throw KeyError("model.time_step",
+                       fmt::format("{:.4g} s is too long at {:.4g} m/s for a viscosity of {:.4g} "
+                                   "m^2/s on cells of {:.4g} m; take {:.4g} s or less",
+                                   parameters.time_step, parameters.lid_speed, parameters.viscosity,
+                                   plane.spacing, longest));
     }
     if (2 * parameters.bed_waves >= plane.nx) {
         throw KeyError("model.bed_waves", fmt::format("{} waves do not fit {} columns; take fewer "

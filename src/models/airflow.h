@@ -28,8 +28,8 @@ namespace fumon {
 class Airflow : public Model {
   public:
     /// Throws KeyError as make_air_plane does, for a time step in which the lid moves a cell or
-    /// more, one beyond ν Δt/Δr² = 1/4 (staircase) or u0² Δt/ν = 2 (boundary-fitted), and for waves
-    /// too many for the columns.
+    /// more, one beyond u0 Δt/Δr + 4ν Δt/Δr² = 1 (staircase) or u0² Δt/ν = 2 (boundary-fitted), and
+    /// for waves too many for the columns.
     Airflow(const AirflowParameters& parameters, const ModelSetup& setup);
 
     [[nodiscard]] std::string_view name() const override { return "airflow"; }

@@ -193,7 +193,7 @@ void ColumnTransform::forward(const double* values, std::size_t stride, double* 
     transform(scratch);
     for (std::size_t m = 0; m <= length_ / 2; ++m) {
         const double* z = &scratch.from[m * rows];
-        const double* mirrored = &scratch.from[(length_ - m) % length_ * rows];
+        const double* mirrored = &scratch.from[(m == 0 ? 0 : length_ - m) * rows];
         double* re = real + m * spectrum_stride;
         double* im = imaginary + m * spectrum_stride;
         for (std::size_t l = 0; l < half; ++l) {
@@ -214,7 +214,7 @@ void ColumnTransform::backward(const double* real, const double* imaginary,
         const double* re = real + m * spectrum_stride;
         const double* im = imaginary + m * spectrum_stride;
         double* z = &scratch.from[m * rows];
-        double* mirrored = &scratch.from[(length_ - m) % length_ * rows];
+        double* mirrored = &scratch.from[(m == 0 ? 0 : length_ - m) * rows];
         for (std::size_t l = 0; l < half; ++l) {
             mirrored[l + half] = re[l] + im[l + half];
             mirrored[l] = re[l + half] - im[l];
