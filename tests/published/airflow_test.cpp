@@ -74,8 +74,11 @@ TEST(PublishedAirflow, SteadyStressOnAStaircase) {
         EXPECT_EQ(number(model, "steady"), 1.0);
         EXPECT_GT(number(model, "steady_time"), 0.045);
         EXPECT_LT(number(model, "steady_time"), 0.080);
-        return StressFit{number(model, "stress_amplitude"), number(model, "stress_phase"),
-                         number(model, "stress_mean")};
+        StressFit reached;
+        reached.amplitude = number(model, "stress_amplitude");
+        reached.phase = number(model, "stress_phase");
+        reached.mean = number(model, "stress_mean");
+        return reached;
     };
     const StressFit coarse = fit({100, 30, 5e-5, 1e-5});
     const StressFit fine = fit({250, 75, 2e-5, 4e-6});
