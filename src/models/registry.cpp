@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "models/airflow.h"
 #include "models/gully.h"
 #include "models/sand.h"
 #include "models/sandpile.h"
@@ -37,6 +38,9 @@ constexpr std::array all_models{
     entry<GullyParameters, Gully>(
         "gully", "water down a slope that it erodes: gullies, channels with banks, rain on terrain",
         {.cell_size = 1.0, .noise_height = 0.01}),
+    entry<AirflowParameters, Airflow>(
+        "airflow", "air between a rippled bed and a moving lid: velocity, pressure, shear stress",
+        {.starts_bare = true, .cell_size = 5e-5, .on_profile = true}),
     entry<StaticParameters, StaticBed>("static", "a bed as it is: look at a terrain"),
 };
 
