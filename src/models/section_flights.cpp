@@ -48,8 +48,8 @@ std::vector<SnapshotNumber> add_flights(SnapshotSection& section,
         static_cast<std::int64_t>(flights.size() / parameters.launch_angles.size());
     for (const double angle : parameters.launch_angles) {
         for (std::int64_t n = 0; n < parameters.shown_paths; ++n) {
-            const auto column = static_cast<double>(n * columns / parameters.shown_paths);
-            section.paths.push_back(grains.path({column * section.dx, angle}));
+            const std::int64_t column = n * columns / parameters.shown_paths;
+            section.paths.push_back(grains.path({static_cast<double>(column) * section.dx, angle}));
         }
     }
     const auto by_height = [](const Flight& a, const Flight& b) { return a.height < b.height; };
