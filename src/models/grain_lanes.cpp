@@ -43,13 +43,13 @@ template <bool beyond_stokes>
     double* __restrict flying = lanes.flying.data();
     for (int lane = 0; lane < count; ++lane) {
         const double moves = flying[lane];
-        const double here_x = at_x[lane];
-        const double here_z = at_z[lane];
         const double vx = speed_x[lane];
         const double vz = speed_z[lane];
-        double x = here_x + dt * vx;
-        const double z = here_z + dt * vz;
-        const double turned = x >= width ? 1.0 : (x < 0.0 ? -1.0 : 0.0);
+        double x = at_x[lane] + moves * (dt * vx);
+        const double z = at_z[lane] + moves * (dt * vz);
+        const double turned_east = x >= width ? 1.0 : 0.0;
+        const double turned_west = x < 0.0 ? 1.0 : 0.0;
+        const double turned = turned_east - turned_west;
         x = x - turned * width;
 
         const double column = within(x * per_dx, last_column);
@@ -72,19 +72,19 @@ template <bool beyond_stokes>
         const double slip = slip_x * slip_x + slip_z * slip_z;
         double drag = rate;
         if constexpr (beyond_stokes) drag *= drag::schiller_naumann_factor(scale * slip);
-        const double next_x = vx - dt * (drag * slip_x);
-        const double next_z = vz - dt * (gravity + drag * slip_z);
 
-        double goes_on = z <= ground ? 0.0 : moves;
-        goes_on = z > lid ? 0.0 : goes_on;
-        const double largest = fastest[lane] > slip ? fastest[lane] : slip;
-        at_x[lane] = moves != 0.0 ? x : here_x;
-        at_z[lane] = moves != 0.0 ? z : here_z;
-        turns[lane] += moves * turned;
+        const double above_bed = z <= ground ? 0.0 : 1.0;
+        const double below_lid = z > lid ? 0.0 : 1.0;
+        const double goes_on = moves * (above_bed * below_lid);
+        const double counted = goes_on * slip;
+        const double fastest_before = fastest[lane];
+        at_x[lane] = x;
+        at_z[lane] = z;
+        turns[lane] += turned;
         done[lane] += moves;
-        speed_x[lane] = goes_on != 0.0 ? next_x : vx;
-        speed_z[lane] = goes_on != 0.0 ? next_z : vz;
-        fastest[lane] = goes_on != 0.0 ? largest : fastest[lane];
+        speed_x[lane] = vx - goes_on * (dt * (drag * slip_x));
+        speed_z[lane] = vz - goes_on * (dt * (gravity + drag * slip_z));
+        fastest[lane] = fastest_before > counted ? fastest_before : counted;
         flying[lane] = goes_on;
     }
 }
