@@ -6,8 +6,8 @@
 #include "terrain/elementary.h"
 
 /// Drag on a sphere that is slower or faster than the air, as a rate: force = −m · rate · (velocity
-/// of the grain − velocity of the air). Free of branches, so that loops over grains vectorise; the
-/// same bits on every processor.
+/// of the grain − velocity of the air). Free of branches; the same bits on every
+/// processor.
 namespace fumon::drag {
 
 /// Stokes' rate for a sphere of density ρ_p, 3πρνd/m = 18 ρν/(ρ_p d²), 1/s (Terada 2025, eq. 12).

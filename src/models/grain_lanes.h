@@ -5,7 +5,7 @@
 
 namespace fumon {
 
-/// Grains in flight side by side, for loops that vectorise. SI units.
+/// Grains in flight side by side, so that the steps of one overlap those of the others. SI units.
 struct GrainLanes {
     static constexpr int most = 32;
     using Values = std::array<double, static_cast<std::size_t>(most)>;
