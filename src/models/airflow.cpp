@@ -12,6 +12,7 @@
 
 #include "models/air_projection.h"
 #include "models/fitted_airflow.h"
+#include "models/section_flights.h"
 #include "support/error.h"
 
 namespace fumon {
@@ -35,6 +36,7 @@ std::unique_ptr<AirScheme> make_scheme(const AirPlane& plane, const AirflowParam
 }
 
 AirPlane checked_plane(const AirflowParameters& parameters, const ModelSetup& setup) {
+    check(parameters.flight);
     AirPlane plane = make_air_plane(parameters, setup);
     const double courant = parameters.lid_speed * parameters.time_step / plane.spacing;
     if (courant >= 1.0) {
@@ -79,6 +81,7 @@ double vorticity(const AirPlane& plane, const std::vector<double>& u, const std:
 
 Airflow::Airflow(const AirflowParameters& parameters, const ModelSetup& setup)
     : parameters_(parameters),
+      pool_(&setup.pool),
       plane_(checked_plane(parameters, setup)),
       flow_(make_scheme(plane_, parameters, setup.pool)),
       decay_time_(decay_time(plane_, parameters.viscosity)),
@@ -141,8 +144,6 @@ Snapshot Airflow::snapshot() const {
     }
     section->curves = {{"bed_shear_stress", "shear stress on the bed", "Pa", flow_->bed_stress()},
                        {"bed_height", "height of the bed", "m", plane_.height}};
-    snapshot.section = std::move(section);
-
     const StressFit fit = fitted_stress();
     const double width = plane_.nx * plane_.spacing;
     snapshot.numbers = {{"lid_speed", "m/s", parameters_.lid_speed},
@@ -155,6 +156,12 @@ Snapshot Airflow::snapshot() const {
                         {"stress_change", "1", stress_change_},
                         {"steady", "1", steady_ ? 1.0 : 0.0},
                         {"steady_time", "s", steady_time_}};
+    if (parameters_.flight.flights) {
+        const auto flown = add_flights(*section, parameters_.flight,
+                                       {parameters_.density, parameters_.viscosity}, *pool_);
+        snapshot.numbers.insert(snapshot.numbers.end(), flown.begin(), flown.end());
+    }
+    snapshot.section = std::move(section);
     return snapshot;
 }
 

@@ -29,7 +29,7 @@ class Airflow : public Model {
   public:
     /// Throws KeyError as make_air_plane does, for a time step in which the lid moves a cell or
     /// more, one beyond u0 Δt/Δr + 4ν Δt/Δr² = 1 (staircase) or u0² Δt/ν = 2 (boundary-fitted), and
-    /// for waves too many for the columns.
+    /// for waves too many for the columns; for the grains as check(FlightParameters) does.
     Airflow(const AirflowParameters& parameters, const ModelSetup& setup);
 
     [[nodiscard]] std::string_view name() const override { return "airflow"; }
@@ -47,7 +47,7 @@ class Airflow : public Model {
     /// (1/s) and the curves "bed_shear_stress" (Pa), "bed_height" (m). Numbers: "lid_speed",
     /// "bed_waves", "reynolds" u0 W/ν, the fit "stress_amplitude", "stress_phase", "stress_mean",
     /// "largest_divergence", "stress_change" (see model.steady_tolerance), "steady" (0 or 1) and
-    /// "steady_time", when it became so.
+    /// "steady_time", when it became so. With flights (model.flights) also what add_flights adds.
     [[nodiscard]] Snapshot snapshot() const override;
 
     /// The scheme's fields, column by column. The spans hold until the next step.
@@ -58,6 +58,7 @@ class Airflow : public Model {
     [[nodiscard]] StressFit fitted_stress() const;
 
     AirflowParameters parameters_;
+    WorkerPool* pool_;
     AirPlane plane_;
     std::unique_ptr<AirScheme> flow_;
     double decay_time_;  ///< (H − mean h)²/(π²ν), s

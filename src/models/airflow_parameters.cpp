@@ -70,6 +70,7 @@ void list_keys(AirflowParameters& air, KeyTable& table) {
                 .help = "steady once mean and amplitude of the bed's shear stress change by less "
                         "than this part of the mean in (H - mean h)^2 / (pi^2 nu), the time in "
                         "which a disturbance decays to 1/e"});
+    list_keys(air.flight, table);
 }
 
 }  // namespace fumon

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "models/flight_parameters.h"
+
 namespace fumon {
 
 class KeyTable;
@@ -27,6 +29,7 @@ struct AirflowParameters {
     BedPressure bed_pressure = BedPressure::one_sided;
     bool until_steady = false;
     double steady_tolerance = 1e-3;
+    FlightParameters flight;
 };
 
 /// Lists the keys model.* bound to these parameters.
