@@ -1,11 +1,21 @@
 #include "models/sediment.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "support/error.h"
 #include "support/worker_pool.h"
 
 namespace fumon {
+
+namespace {
+
+constexpr double stable_turn = 0.4;  // D dt (1/dx² + 1/dy²) of an explicit turn: 0.5 is the limit
+constexpr double most_turns = 10000;
+
+}  // namespace
 
 Sediment::Sediment(const GullyParameters& parameters, const WaterDomain& domain, int nx, int ny,
                    WorkerPool& pool)
@@ -29,6 +39,17 @@ Sediment::Sediment(const GullyParameters& parameters, const WaterDomain& domain,
                  domain.edges_x == EdgeKind::periodic, domain.edges_y == EdgeKind::periodic, pool),
       change_(nx, ny),
       row_changes_(static_cast<std::size_t>(ny)) {
+    const double most =
+        most_turns * stable_turn /
+        (parameters.time_step * (1.0 / (domain.dx * domain.dx) + 1.0 / (domain.dy * domain.dy)));
+    if (!domain.nodata.empty() && diffusion_rate_ > most) {
+        throw KeyError(
+            "model.bed_diffusion",
+            fmt::format("model.bed_diffusion is {:.4g} m^2/s, too fast for steps of "
+                        "{:.4g} s on a bed with cells without data; take at most {:.3g}, "
+                        "or bed.nodata = \"fill\"",
+                        diffusion_rate_, parameters.time_step, most));
+    }
     if (transport_ == SedimentTransport::as_printed ||
         transport_ == SedimentTransport::conservative) {
         flux_x_ = Grid(nx, ny);
@@ -113,8 +134,7 @@ void Sediment::transport_row(const Grid& bed, const Water& water, double dt, int
 void Sediment::diffuse_masked(Grid& bed, double dt) {
     const double per_x = diffusion_rate_ * dt / (domain_.dx * domain_.dx);
     const double per_y = diffusion_rate_ * dt / (domain_.dy * domain_.dy);
-    constexpr double stable = 0.4;  // of the largest that is, 0.5
-    const int turns = std::max(1, static_cast<int>(std::ceil((per_x + per_y) / stable)));
+    const int turns = std::max(1, static_cast<int>(std::ceil((per_x + per_y) / stable_turn)));
     for (std::size_t cell = 0; cell < bed.size(); ++cell)
         bed.values()[cell] += change_.values()[cell];
     for (int turn = 0; turn < turns; ++turn) {

@@ -26,9 +26,12 @@ class WorkerPool;
 ///
 /// S from central differences, one-sided at edges that are not periodic and beside cells without
 /// data. Nothing is transported where the water stands or the bed is level. The diffusion crosses
-/// periodic edges only.
+/// periodic edges only; it goes by alternating directions (Peaceman & Rachford 1955), or in
+/// explicit turns where cells are without data.
 class Sediment {
   public:
+    /// Throws KeyError where a bed with cells without data would diffuse in over 10,000 explicit
+    /// turns a step.
     Sediment(const GullyParameters& parameters, const WaterDomain& domain, int nx, int ny,
              WorkerPool& pool);
 

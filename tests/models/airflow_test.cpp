@@ -275,25 +275,45 @@ Grid step_bed() {
     return bed;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Airflow, RefusedAir,
-    testing::Values(
-        Refused{"model.time_step", with([](auto& air) { air.time_step = 5e-5; }), Grid(100, 1)},
-        Refused{"model.time_step", with([](auto& air) { air.viscosity = 2e-4; }), Grid(100, 1)},
-        Refused{"model.nz", with([](auto& air) { air.nz = 12; }), Grid(100, 1)},
-        Refused{"model.nz", with([](auto& air) { air.nz = 8; }), Grid(100, 1)},
-        Refused{"model.bed_amplitude", with([](auto& air) { air.bed_waves = 4; }), Grid(100, 1)},
-        Refused{"model.bed_waves", with([](auto& air) {
-                    air.bed_waves = 50;
-                    air.bed_amplitude = 0.0;
-                }),
-                Grid(100, 1)},
-        Refused{"model.bed_row", with([](auto& air) {
-                    air.bed_row = 2;
-                    air.bed = AirBedShape::given;
-                }),
-                Grid(100, 2)},
-        Refused{"bed.kind", {}, step_bed()}, Refused{"grid.nx", {}, Grid(3, 1)}));
+std::vector<Refused> refused_air() {
+    std::vector<Refused> cases;
+    const auto add = [&](const char* key, void (*change)(AirflowParameters&), Grid bed) {
+        cases.push_back({key, with(change), std::move(bed)});
+    };
+    const Grid level(100, 1);
+    add(
+        "model.time_step", [](auto& air) { air.time_step = 5e-5; }, level);
+    add(
+        "model.time_step", [](auto& air) { air.viscosity = 2e-4; }, level);
+    add(
+        "model.nz", [](auto& air) { air.nz = 12; }, level);
+    add(
+        "model.nz", [](auto& air) { air.nz = 8; }, level);
+    add(
+        "model.bed_amplitude", [](auto& air) { air.bed_waves = 4; }, level);
+    const auto no_angles = [](AirflowParameters& air) {
+        air.flight.flights = true;
+        air.flight.launch_angles.clear();
+    };
+    add("model.launch_angles", no_angles, level);
+    const auto many_waves = [](AirflowParameters& air) {
+        air.bed_waves = 50;
+        air.bed_amplitude = 0.0;
+    };
+    add("model.bed_waves", many_waves, level);
+    const auto far_row = [](AirflowParameters& air) {
+        air.bed_row = 2;
+        air.bed = AirBedShape::given;
+    };
+    add("model.bed_row", far_row, Grid(100, 2));
+    add(
+        "bed.kind", [](auto& /*air*/) {}, step_bed());
+    add(
+        "grid.nx", [](auto& /*air*/) {}, Grid(3, 1));
+    return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(Airflow, RefusedAir, testing::ValuesIn(refused_air()));
 
 TEST(Airflow, SaysWhereTheExtrapolatedPressureBlowsUp) {
     AirflowParameters parameters;

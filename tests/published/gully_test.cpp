@@ -9,62 +9,25 @@
 #include <cstdio>
 #include <map>
 
+#include "measure/channels.h"
 #include "models/gully_run.h"
 #include "support/error.h"
 
 namespace fumon::test {
 namespace {
 
-/// A profile across the slope, smoothed by a Gaussian of 2 cells, periodic.
-std::vector<double> smoothed(const std::vector<double>& profile) {
-    constexpr int reach = 8;
-    const auto nx = static_cast<int>(profile.size());
-    std::vector<double> smooth(profile.size());
-    double weights = 0.0;
-    for (int k = -reach; k <= reach; ++k) weights += std::exp(-0.125 * k * k);
-    for (int x = 0; x < nx; ++x) {
-        for (int k = -reach; k <= reach; ++k) {
-            smooth[static_cast<std::size_t>(x)] +=
-                std::exp(-0.125 * k * k) / weights *
-                profile[static_cast<std::size_t>((x + k + nx) % nx)];
-        }
-    }
-    return smooth;
-}
-
-/// Maxima of the smoothed downslope-mean depth whose prominence is a quarter of its range or more.
-int channels(const Grid& depth) {
-    const std::vector<double> profile = smoothed(column_means(depth));
-    const auto nx = static_cast<int>(profile.size());
-    const auto at = [&](int x) { return profile[static_cast<std::size_t>(((x % nx) + nx) % nx)]; };
-    const auto [low, high] = std::minmax_element(profile.begin(), profile.end());
-    const double least = 0.25 * (*high - *low);
-    int count = 0;
-    for (int x = 0; x < nx; ++x) {
-        if (!(at(x) > at(x - 1) && at(x) >= at(x + 1))) continue;
-        const auto saddle = [&](int way) {
-            double lowest = at(x);
-            for (int k = 1; k < nx && at(x + way * k) <= at(x); ++k)
-                lowest = std::min(lowest, at(x + way * k));
-            return lowest;
-        };
-        if (at(x) - std::max(saddle(-1), saddle(1)) >= least) ++count;
-    }
-    return count;
-}
-
 /// Mean number of channels at each time, over seeds.
-std::map<int, double> mean_channels(double slope, int side, int seeds,
+std::map<int, double> mean_channels(const GullyParameters& gully, int side, int seeds,
                                     const std::vector<int>& times) {
     std::vector<std::map<int, int>> counts(static_cast<std::size_t>(seeds));
     WorkerPool pool(2);
     pool.for_ranges(seeds, [&](int begin, int end) {
         for (int seed = begin; seed < end; ++seed) {
-            GullyRun run(as_printed(slope),
-                         noise(side, side, 0.01, static_cast<std::uint64_t>(seed) + 1), 1);
+            GullyRun run(gully, noise(side, side, 0.01, static_cast<std::uint64_t>(seed) + 1), 1);
             for (const int time : times) {
                 run.to(time);
-                counts[static_cast<std::size_t>(seed)][time] = channels(run.field("water_depth"));
+                counts[static_cast<std::size_t>(seed)][time] =
+                    static_cast<int>(find_channels(run.field("water_depth"), {}, 1.0, true).count);
             }
             EXPECT_LT(std::fabs(run.number("water_budget_error")), 1e-12);
         }
@@ -74,26 +37,34 @@ std::map<int, double> mean_channels(double slope, int side, int seeds,
         for (auto& of_seed : counts) means[time] += static_cast<double>(of_seed[time]) / seeds;
     }
     for (const auto& [time, mean] : means)
-        std::printf("    slope %g, %d x %d, t = %d: %.2f channels\n", slope, side, side, time,
-                    mean);
+        std::printf("    slope %g, %d x %d, t = %d: %.2f channels\n", gully.slope.value, side, side,
+                    time, mean);
     return means;
 }
 
 TEST(PublishedGully, ChannelsMergeOnTheFiguresSlope) {
-    const auto means = mean_channels(0.04, 100, 5, {100, 500, 1000});
+    const auto means = mean_channels(as_printed(0.04), 100, 5, {100, 500, 1000});
     EXPECT_NEAR(means.at(100), 2.8, 0.8);
     EXPECT_NEAR(means.at(500), 2.4, 0.8);
     EXPECT_NEAR(means.at(1000), 1.4, 0.8);
 }
 
+TEST(PublishedGully, FiniteVolumesSpaceChannelsAlike) {
+    GullyParameters gully = as_printed(0.04);
+    gully.scheme = WaterScheme::finite_volume;
+    const auto channels = mean_channels(gully, 100, 5, {100, 500});
+    EXPECT_NEAR(channels.at(100), 2.8, 0.8);
+    EXPECT_NEAR(channels.at(500), 2.4, 0.8);
+}
+
 TEST(PublishedGully, AGentleSlopeSoonHasOneChannel) {
-    const auto means = mean_channels(0.005, 100, 5, {100, 500});
+    const auto means = mean_channels(as_printed(0.005), 100, 5, {100, 500});
     EXPECT_NEAR(means.at(100), 2.6, 0.8);
     EXPECT_NEAR(means.at(500), 1.0, 0.8);
 }
 
 TEST(PublishedGully, ALargerPlaneHasMoreChannels) {
-    const auto means = mean_channels(0.04, 200, 3, {100, 500, 1000});
+    const auto means = mean_channels(as_printed(0.04), 200, 3, {100, 500, 1000});
     EXPECT_NEAR(means.at(100), 6.0, 1.5);
     EXPECT_NEAR(means.at(500), 4.0, 1.5);
     EXPECT_NEAR(means.at(1000), 3.0, 1.5);
