@@ -43,6 +43,10 @@ void list_keys(FlightParameters& flight, KeyTable& table) {
 }
 
 void check(const FlightParameters& flight) {
+    if (flight.launch_angles.empty()) {
+        throw KeyError("model.launch_angles",
+                       "model.launch_angles is empty; give at least one, such as [10, 20, 30, 40]");
+    }
     std::vector<double> angles = flight.launch_angles;
     std::sort(angles.begin(), angles.end());
     const auto twice = std::adjacent_find(angles.begin(), angles.end());

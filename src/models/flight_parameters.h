@@ -24,7 +24,7 @@ struct FlightParameters {
 /// Lists the keys model.* bound to these parameters.
 void list_keys(FlightParameters& parameters, KeyTable& table);
 
-/// Throws KeyError where angles are missing, repeated, or do not lead away from the bed.
+/// Throws KeyError where angles are missing or repeated.
 void check(const FlightParameters& parameters);
 
 }  // namespace fumon
