@@ -20,7 +20,7 @@ namespace fumon {
 
 namespace {
 
-/// What a run's fields file holds beside the bed: its water, the numbers of a pile …
+/// What a run's fields file holds beside the bed: its water or air, the numbers of a pile …
 void add_record(const std::string& file, Snapshot& snapshot) {
     std::optional<FieldsRecord> record = read_fields_record(file);
     if (!record) return;
@@ -30,6 +30,9 @@ void add_record(const std::string& file, Snapshot& snapshot) {
         return field.values.nx() == snapshot.bed.nx() && field.values.ny() == snapshot.bed.ny();
     });
     if (fits) snapshot.fields = std::move(record->fields);
+    if (record->section && snapshot.bed.ny() == 1 &&
+        record->section->fields.front().values.nx() == snapshot.bed.nx())
+        snapshot.section = std::move(record->section);
 }
 
 Snapshot read_bed(const MeasureOptions& options, const std::string& file) {
@@ -50,7 +53,8 @@ Snapshot read_bed(const MeasureOptions& options, const std::string& file) {
 Landform landform(const MeasureOptions& options, const Snapshot& snapshot) {
     if (options.as == "pile") return Landform::pile;
     if (options.as == "bed") return Landform::bed;
-    if (options.as == "profile" && snapshot.bed.ny() > 1) {
+    if (options.as == "profile") {
+        if (snapshot.bed.ny() == 1) return Landform::profile;
         throw InputError(fmt::format("--as profile: {} has {} rows; a profile has one", options.bed,
                                      snapshot.bed.ny()));
     }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <limits>
+#include <optional>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -25,6 +26,18 @@ namespace {
 
 constexpr int closed = -1;
 
+/// What the sections of every record have in common.
+struct SectionForm {
+    double dx = 0.0;
+    double dz = 0.0;
+    int nz = 0;
+    std::vector<std::string> fields;
+    std::vector<std::string> curves;
+    std::size_t paths = 0;
+
+    bool operator==(const SectionForm&) const = default;
+};
+
 /// What every record of a file has in common.
 struct RecordForm {
     int nx = 0;
@@ -32,6 +45,7 @@ struct RecordForm {
     WorldScale scale;
     std::vector<std::string> fields;
     std::vector<std::string> numbers;
+    std::optional<SectionForm> section;
 };
 
 template <class Named>
@@ -42,9 +56,19 @@ std::vector<std::string> names_of(const std::vector<Named>& list) {
     return names;
 }
 
+std::optional<SectionForm> form_of(const SnapshotSection* section) {
+    if (section == nullptr) return std::nullopt;
+    return SectionForm{section->dx,
+                       section->dz,
+                       section->fields.empty() ? 0 : section->fields.front().values.ny(),
+                       names_of(section->fields),
+                       names_of(section->curves),
+                       section->paths.size()};
+}
+
 RecordForm form_of(const Snapshot& snapshot) {
-    return {snapshot.bed.nx(), snapshot.bed.ny(), snapshot.scale, names_of(snapshot.fields),
-            names_of(snapshot.numbers)};
+    return {snapshot.bed.nx(),         snapshot.bed.ny(),          snapshot.scale,
+            names_of(snapshot.fields), names_of(snapshot.numbers), form_of(snapshot.section.get())};
 }
 
 bool has_size(const Grid& grid, const RecordForm& form) {
@@ -167,6 +191,31 @@ class FieldsFile::Parts {
         if (!snapshot.nodata.empty() &&
             (snapshot.nodata.nx() != form_.nx || snapshot.nodata.ny() != form_.ny))
             refuse_form("the mask's size is not the bed's");
+        if (snapshot.section) check_whole(*snapshot.section);
+    }
+
+    void check_whole(const SnapshotSection& section) const {
+        constexpr int fewest = 2;  // nodes from which a spacing can be told
+        const int nz = form_.section->nz;
+        if (form_.ny != 1 || form_.nx < fewest || nz < fewest)
+            refuse_form(fmt::format(
+                "a section of {} x {} nodes stands on a bed of {} x {} cells; it has 2 x 2 nodes "
+                "or more, and its bed one row",
+                form_.nx, nz, form_.nx, form_.ny));
+        for (const SnapshotField& field : section.fields) {
+            if (field.values.nx() != form_.nx || field.values.ny() != nz)
+                refuse_form(fmt::format("{} has {} x {} nodes, the section {} x {}", field.name,
+                                        field.values.nx(), field.values.ny(), form_.nx, nz));
+        }
+        for (const SectionCurve& curve : section.curves) {
+            if (curve.values.size() != static_cast<std::size_t>(form_.nx))
+                refuse_form(fmt::format("{} has {} values, the section {} columns", curve.name,
+                                        curve.values.size(), form_.nx));
+        }
+        for (const GrainPath& path : section.paths) {
+            if (path.x.size() != path.z.size())
+                refuse_form(fmt::format("a path has {} x and {} z", path.x.size(), path.z.size()));
+        }
     }
 
     void check_form(const Snapshot& snapshot) const {
@@ -178,6 +227,10 @@ class FieldsFile::Parts {
             refuse_form(fmt::format("step {} has another scale", snapshot.step));
         if (form.fields != form_.fields || form.numbers != form_.numbers)
             refuse_form(fmt::format("step {} has other fields or numbers", snapshot.step));
+        if (form.section != form_.section)
+            refuse_form(fmt::format(
+                "step {} has another section, in its spacing, fields, curves or number of paths",
+                snapshot.step));
         check_whole(snapshot);
     }
 
@@ -189,6 +242,7 @@ class FieldsFile::Parts {
         for (std::size_t i = 0; i < layout_.numbers.size(); ++i)
             write_number(layout_.numbers[i], snapshot.numbers[i].value);
         const std::size_t record = static_cast<std::size_t>(records_);
+        if (layout_.section) write_section(netcdf_, *layout_.section, record, *snapshot.section);
         const long long step = snapshot.step;
         check_netcdf(nc_put_var1_longlong(netcdf_, layout_.step, &record, &step));
         write_number(layout_.time, snapshot.time);

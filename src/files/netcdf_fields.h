@@ -16,8 +16,9 @@ struct FieldsText {
     std::int64_t seed = 1;  ///< of the scene
 };
 
-/// A NetCDF-4 file of a run's fields over (time, y, x), record by record, by the CF conventions 1.9
-/// (1.8 has no 64-bit integers); the names, units and attributes are those of netcdf_layout.h.
+/// A NetCDF-4 file of a run's fields over (time, y, x), and of its section's over (time, z,
+/// section_x), record by record, by the CF conventions 1.9 (1.8 has no 64-bit integers); the names,
+/// units and attributes are those of netcdf_layout.h and netcdf_section.h.
 ///
 /// The file is made as NAME.part and gets its name by commit(). After every add() the file on disk
 /// is whole, so that a run that is killed between two records leaves a NAME.part that opens, with
@@ -33,16 +34,18 @@ struct FieldsText {
 /// same time (they take turns, see NetcdfLock); one file belongs to one thread at a time.
 class FieldsFile {
   public:
-    /// `first` gives the size, the fields, the numbers and the units of every record; it is not
-    /// itself recorded. Throws Error where the file cannot be made, and for a field or number whose
-    /// name is no NetCDF name or is there twice.
+    /// `first` gives the size, the fields, the numbers, the section and the units of every record;
+    /// it is not itself recorded. Throws Error where the file cannot be made, for a field, number
+    /// or curve whose name is no NetCDF name or is there twice, and for a section below 2 x 2 nodes
+    /// or over a bed of several rows.
     FieldsFile(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text);
     ~FieldsFile();
     FieldsFile(const FieldsFile&) = delete;
     FieldsFile& operator=(const FieldsFile&) = delete;
 
     /// Appends one record and puts it on disk. Throws Error, and appends nothing, for a snapshot
-    /// whose size, scale, fields or numbers differ from the file's, and when the disk is full.
+    /// whose size, scale, fields, numbers or section (its spacing, fields, curves and number of
+    /// paths; not their lengths) differ from the file's, and when the disk is full.
     void add(const Snapshot& snapshot);
 
     [[nodiscard]] std::int64_t records() const;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "files/netcdf_fields.h"
+#include "files/netcdf_section.h"
 
 namespace fumon {
 
@@ -13,8 +15,9 @@ struct FieldsLayout {
     int bed = 0;               ///< bed_height(time, y, x), float64
     std::vector<int> fields;   ///< one each of Snapshot::fields, float64 over (time, y, x)
     std::vector<int> numbers;  ///< one each of Snapshot::numbers, float64 over (time)
-    int rows = 1;              ///< rows of a chunk: what is compressed and written at once
-    double bed_factor = 1.0;   ///< from the snapshot's bed to the file's
+    std::optional<SectionLayout> section;  ///< where snapshots have one
+    int rows = 1;             ///< rows of a chunk: what is compressed and written at once
+    double bed_factor = 1.0;  ///< from the snapshot's bed to the file's
 };
 
 /// Defines a fields file that has just been made, and writes its coordinates x and y.
@@ -26,11 +29,13 @@ struct FieldsLayout {
 /// without data are NaN, the _FillValue, in every field. `time` is the model's: the step number
 /// with unit "1", or a time since the run's start in "s" and the like; there is no calendar, so no
 /// "since". Units that udunits does not know ("sites", "grains") become "1" and stand in brackets
-/// in the long name.
+/// in the long name. A section's variables are those of SectionLayout.
 ///
 /// Global attributes: Conventions, title, source, history (none of them holds the clock), scene,
 /// seed, cell_size_x, cell_size_y, cell_size_unit, height_unit, periodic ("yes" or "no").
-/// Throws NetcdfFault, and Error for names that do not do. The caller holds the NetcdfLock.
+/// Throws NetcdfFault, and Error for names that do not do: a letter comes first, then letters,
+/// digits and underscores, as CF recommends, and points ("flight_length_12.5"). The caller holds
+/// the NetcdfLock.
 FieldsLayout define_fields(int file, const Snapshot& first, const FieldsText& text);
 
 /// Bytes that the header and the coordinates take at most, generously.

@@ -10,6 +10,7 @@
 
 #include "files/netcdf_bed.h"
 #include "files/netcdf_input.h"
+#include "files/netcdf_section_record.h"
 #include "support/error.h"
 
 namespace fumon {
@@ -61,6 +62,7 @@ std::optional<FieldsRecord> read_record(const NetcdfInput& input) {
             found.numbers.push_back({name, unit, value});
         }
     }
+    found.section = read_section(input, records - 1);
     return found;
 }
 

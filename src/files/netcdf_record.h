@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -11,8 +12,9 @@ namespace fumon {
 /// What the last record of a fields file holds beside its bed.
 struct FieldsRecord {
     bool periodic = false;
-    std::vector<SnapshotField> fields;    ///< 0 in cells without data
-    std::vector<SnapshotNumber> numbers;  ///< those that the model kept
+    std::vector<SnapshotField> fields;               ///< 0 in cells without data
+    std::vector<SnapshotNumber> numbers;             ///< those that the model kept
+    std::shared_ptr<const SnapshotSection> section;  ///< where the file has one
 };
 
 /// Reads it from a file that a FieldsFile wrote, which its attribute `source` and its bed_height

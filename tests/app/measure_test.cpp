@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <memory>
 
 #include "files/netcdf_fields.h"
 #include "support/program.h"
@@ -110,6 +112,49 @@ TEST(Measure, AFieldsFileHasItsWaterMeasured) {
                        "channel_count"),
               nullptr)
         << "that variable alone is measured, as a bed";
+}
+
+TEST(Measure, MeasuresTheAirThatAFieldsFileHolds) {
+    const ScratchFolder folder;
+    constexpr int nx = 64;
+    constexpr int nz = 20;
+    constexpr double turn = 6.283185307179586;
+    SnapshotSection section;
+    section.dx = 0.5;
+    section.dz = 0.25;
+    section.fields = {{"velocity_x", "velocity of the air along x", "m/s", Grid(nx, nz, 3.0)},
+                      {"velocity_z", "velocity of the air upward", "m/s", Grid(nx, nz, 4.0)},
+                      {"pressure", "pressure of the air", "Pa", Grid(nx, nz, 1.0)}};
+    section.fields[0].values(7, 15) = -0.5;
+    SectionCurve stress{"bed_shear_stress", "shear stress on the bed", "Pa", {}};
+    SectionCurve flights{"flight_length_30", "flight length", "m", std::vector<double>(nx, 0.25)};
+    flights.values[5] = std::numeric_limits<double>::quiet_NaN();
+    flights.values[6] = 0.75;
+    Snapshot snapshot;
+    snapshot.time_unit = "s";
+    snapshot.scale = {0.5, 0.5, 1.0, true};
+    snapshot.periodic = true;
+    snapshot.bed = Grid(nx, 1);
+    for (int i = 0; i < nx; ++i) {
+        snapshot.bed(i, 0) = 1.0 + 0.5 * std::cos(turn * 2 * i / nx);
+        stress.values.push_back(0.01 + 0.005 * std::cos(turn * (2.0 * i / nx + 1.0 / 12.0)));
+    }
+    section.curves = {stress, flights};
+    snapshot.numbers = {{"lid_speed", "m/s", 0.5}};
+    snapshot.section = std::make_shared<const SnapshotSection>(section);
+    FieldsFile file(folder / "fields.nc", snapshot, {"air", "seed = 1\n", 1});
+    file.add(snapshot);
+    file.commit();
+    const auto all = measured(folder, {"fields.nc"});
+    EXPECT_NEAR(value_of(all, "stress_lead")["value"].get<double>(), 30.0, 1e-6);
+    EXPECT_NEAR(value_of(all, "stress_lead_length")["value"].get<double>(), 16.0 / 12.0, 1e-6);
+    EXPECT_NEAR(value_of(all, "largest_speed")["value"].get<double>(), 5.0, 1e-12);
+    EXPECT_NEAR(value_of(all, "eddy_length")["value"].get<double>(), 0.5, 1e-12);
+    EXPECT_NEAR(value_of(all, "mean_flight_length_30")["value"].get<double>(),
+                (62 * 0.25 + 0.75) / 63, 1e-12);
+    EXPECT_EQ(value_of(all, "longest_flight_length_30")["value"], 0.75);
+    EXPECT_EQ(value_of(all, "lid_speed")["value"], 0.5);
+    EXPECT_EQ(value_of(measured(folder, {"fields.nc", "--as", "profile"}), "stress_lead"), nullptr);
 }
 
 TEST(Measure, AvalanchesHaveASizeDistribution) {

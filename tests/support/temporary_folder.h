@@ -38,7 +38,7 @@ class TemporaryFolder {
 
     /// Makes a file with these bytes.
     std::filesystem::path file(std::string_view name, std::string_view bytes) const {
-        const auto made = path_ / name;
+        auto made = path_ / name;
         std::ofstream(made, std::ios::binary) << bytes;
         return made;
     }
