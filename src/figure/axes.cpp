@@ -40,14 +40,16 @@ void Axes::draw(Canvas& canvas) const {
     const double bottom = frame_.y + frame_.height;
     outline(canvas, frame_, thin);
 
-    const Ticks across = linear_ticks(x_.low, x_.high, ticks_along(frame_.width, 4.5 * font));
+    const Ticks across = linear_ticks(x_.low, x_.high, ticks_along(frame_.width, 3.6 * font));
     for (std::size_t i = 0; i < across.values.size(); ++i) {
         const double x = at(across.values[i], y_.low).x;
         canvas.stroke(std::array<CanvasPoint, 2>{{{x, bottom}, {x, bottom + mark}}}, thin, black);
-        canvas.write(across.labels[i], {x, bottom + mark}, {0.5, 0.0}, black, tick_text);
+        canvas.write(across.labels[i], {x, bottom + 0.5 * font}, {0.5, 0.0}, black, tick_text);
     }
-    const Ticks upward = linear_ticks(y_.low, y_.high, ticks_along(frame_.height, 2.0 * font));
+    const Ticks upward = linear_ticks(y_.low, y_.high, ticks_along(frame_.height, 1.2 * font));
+    double widest = 0.0;
     for (std::size_t i = 0; i < upward.values.size(); ++i) {
+        widest = std::max(widest, canvas.text_size(upward.labels[i], tick_text)[0]);
         const double y = at(x_.low, upward.values[i]).y;
         canvas.stroke(std::array<CanvasPoint, 2>{{{frame_.x - mark, y}, {frame_.x, y}}}, thin,
                       black);
@@ -56,9 +58,10 @@ void Axes::draw(Canvas& canvas) const {
     }
     write_within(canvas, x_.label, frame_.width,
                  {frame_.x + 0.5 * frame_.width, bottom + room_below * font}, {0.5, 1.0}, 0.95);
-    write_within(canvas, y_.label, frame_.height + 2.0 * font,
-                 {frame_.x - room_left * font, frame_.y + 0.5 * frame_.height}, {0.0, 0.5}, 0.95,
-                 true);
+    write_within(
+        canvas, y_.label, frame_.height + 2.0 * font,
+        {frame_.x - 0.8 * font - std::min(widest, 3.6 * font), frame_.y + 0.5 * frame_.height},
+        {1.0, 0.5}, 0.95, true);
 }
 
 void outline(Canvas& canvas, const CanvasBox& box, double width) {

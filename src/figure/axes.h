@@ -31,8 +31,8 @@ class Axes {
     void draw(Canvas& canvas) const;
 
     /// Font sizes that ticks and labels take to the left of a frame, and below it.
-    static constexpr double room_left = 5.8;
-    static constexpr double room_below = 3.1;
+    static constexpr double room_left = 5.6;
+    static constexpr double room_below = 2.7;
 
   private:
     CanvasBox frame_;

@@ -31,18 +31,19 @@ void draw_colour_bar(Canvas& canvas, const CanvasBox& frame, const ColourScale& 
     }
     outline(canvas, bar, thin);
     const Ticks ticks = linear_ticks(scale.low, scale.high,
-                                     std::max(2, static_cast<int>(bar.height / (2.0 * font))));
+                                     std::max(2, static_cast<int>(bar.height / (1.2 * font))));
+    double widest = 0.0;
     for (std::size_t i = 0; i < ticks.values.size(); ++i) {
+        widest = std::max(widest, canvas.text_size(ticks.labels[i], 0.85)[0]);
         const double share = (ticks.values[i] - scale.low) / (scale.high - scale.low);
         const double y = bar.y + bar.height * (1.0 - share);
         canvas.stroke(std::array<CanvasPoint, 2>{{{right, y}, {right + 0.25 * font, y}}}, thin, {});
         write_within(canvas, ticks.labels[i], 3.6 * font, {right + 0.4 * font, y}, {0.0, 0.5},
                      0.85);
     }
-    write_within(
-        canvas, scale.label, frame.height + 2.0 * font,
-        {frame.x + frame.width + (colour_bar_room - 0.3) * font, frame.y + 0.5 * frame.height},
-        {1.0, 0.5}, 0.95, true);
+    write_within(canvas, scale.label, frame.height + 0.4 * font,
+                 {right + 0.7 * font + std::min(widest, 3.6 * font), frame.y + 0.5 * frame.height},
+                 {0.0, 0.5}, 0.95, true);
 }
 
 }  // namespace fumon

@@ -21,6 +21,6 @@ struct ColourScale {
 void draw_colour_bar(Canvas& canvas, const CanvasBox& frame, const ColourScale& scale);
 
 /// Font sizes that a colour bar takes to the right of a frame.
-constexpr double colour_bar_room = 7.4;
+constexpr double colour_bar_room = 7.2;
 
 }  // namespace fumon

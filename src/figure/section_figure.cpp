@@ -103,8 +103,9 @@ Arrangement arrange(const ImageSettings& image, double font, double aspect,
             one.cell_width -
             (Axes::room_left + room_right + (maps > 0 ? colour_bar_room : 0.0)) * font;
         one.frame_height = one.cell_height - (room_above + Axes::room_below + 0.4) * font;
-        if (one.frame_width < 4.0 * font || one.frame_height < 2.0 * font) continue;
+        if (one.frame_width < 6.0 * font || one.frame_height < 3.0 * font) continue;
         fit_map(one, aspect);
+        if (maps > 0 && one.map_width < 6.0 * font) continue;
         const bool aligned = columns == 1 && maps > 0;
         const double line_width = aligned ? one.map_width : one.frame_width;
         const double area = maps * one.map_width * one.map_height +

@@ -94,8 +94,8 @@ double draw_arrows(Canvas& canvas, const Axes& axes, double unit, const SectionA
     const CanvasBox& frame = axes.frame();
     const double fastest = extremes(air, MapQuantity::speed)[1];
     if (!(fastest > 0.0)) return 0.0;
-    const int columns = std::max(2, static_cast<int>(frame.width / (2.4 * font)));
-    const int rows = std::max(2, static_cast<int>(frame.height / (0.95 * font)));
+    const int columns = std::max(4, static_cast<int>(frame.width / (1.8 * font)));
+    const int rows = std::max(2, static_cast<int>(frame.height / (0.8 * font)));
     const double apart = frame.width / columns;
     const double pixels = 0.9 * apart / fastest;  // a metre per second
     const double stretch = (frame.height / (axes.y().high - axes.y().low)) /
@@ -120,11 +120,12 @@ double draw_arrows(Canvas& canvas, const Axes& axes, double unit, const SectionA
     const std::string text = fmt::format("{:g} m/s", reference);
     const double right = frame.x + frame.width;
     const double above = frame.y - 0.8 * font;
-    const double width = canvas.text_size(text, 0.85)[0];
-    canvas.write(text, {right, above}, {1.0, 0.5}, dark, 0.85);
+    const double wanted = canvas.text_size(text, 0.85)[0];
+    const double width = std::min(wanted, 0.3 * frame.width);
+    write_within(canvas, text, width, {right, above}, {1.0, 0.5}, 0.85);
     const double length = pixels * reference;
     draw_arrow(canvas, {right - width - 0.4 * font - length, above}, length, 0.0, font);
-    return width + 1.4 * font + length;
+    return width + 0.8 * font + length;
 }
 
 void draw_streamlines(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air) {
