@@ -46,7 +46,7 @@ void Axes::draw(Canvas& canvas) const {
         canvas.stroke(std::array<CanvasPoint, 2>{{{x, bottom}, {x, bottom + mark}}}, thin, black);
         canvas.write(across.labels[i], {x, bottom + 0.5 * font}, {0.5, 0.0}, black, tick_text);
     }
-    const Ticks upward = linear_ticks(y_.low, y_.high, ticks_along(frame_.height, 1.2 * font));
+    const Ticks upward = linear_ticks(y_.low, y_.high, ticks_along(frame_.height, 1.1 * font));
     double widest = 0.0;
     for (std::size_t i = 0; i < upward.values.size(); ++i) {
         widest = std::max(widest, canvas.text_size(upward.labels[i], tick_text)[0]);

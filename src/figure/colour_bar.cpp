@@ -31,7 +31,7 @@ void draw_colour_bar(Canvas& canvas, const CanvasBox& frame, const ColourScale& 
     }
     outline(canvas, bar, thin);
     const Ticks ticks = linear_ticks(scale.low, scale.high,
-                                     std::max(2, static_cast<int>(bar.height / (1.2 * font))));
+                                     std::max(2, static_cast<int>(bar.height / (1.1 * font))));
     double widest = 0.0;
     for (std::size_t i = 0; i < ticks.values.size(); ++i) {
         widest = std::max(widest, canvas.text_size(ticks.labels[i], 0.85)[0]);

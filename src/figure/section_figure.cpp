@@ -24,7 +24,7 @@ struct PanelName {
 constexpr std::array<PanelName, 6> panel_names{
     {{SectionPanel::velocity, "velocity", "Velocity of the air"},
      {SectionPanel::pressure, "pressure", "Pressure"},
-     {SectionPanel::stress, "stress", "Shear stress on the bed"},
+     {SectionPanel::stress, "stress", "Shear stress"},
      {SectionPanel::flights, "flights", "Flight length"},
      {SectionPanel::flight_law, "flight-law", "Flight length and height"},
      {SectionPanel::paths, "paths", "Paths of grains"}}};
@@ -207,8 +207,7 @@ class Drawing {
         const double legend =
             draw_legend(canvas_, axes, panel.series, 0.6 * axes.frame().width - font);
         const bool beside = kind == SectionPanel::stress || kind == SectionPanel::flights;
-        write_title(axes.frame(),
-                    std::string(title_of(kind)) + (beside ? " (ground: the bed's shape)" : ""),
+        write_title(axes.frame(), std::string(title_of(kind)) + (beside ? " over the bed" : ""),
                     legend);
     }
 
