@@ -76,13 +76,10 @@ void fit_map(Arrangement& arrangement, double aspect) {
         return;
     }
     if (2.0 * equal_height >= arrangement.frame_height) return;
-    double exaggeration = 1.0;
-    for (double power = 1.0; power < 1e6; power *= 10.0) {
-        for (const double step : {1.0, 2.0, 5.0}) {
-            if (step * power * equal_height <= arrangement.frame_height)
-                exaggeration = step * power;
-        }
-    }
+    const double largest = arrangement.frame_height / equal_height;
+    const double power = std::pow(10.0, std::floor(std::log10(largest)));
+    const double step = largest >= 5.0 * power ? 5.0 : largest >= 2.0 * power ? 2.0 : 1.0;
+    const double exaggeration = step * power;
     arrangement.exaggeration = exaggeration;
     arrangement.map_height = exaggeration * equal_height;
 }
