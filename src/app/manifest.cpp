@@ -42,10 +42,9 @@ Json head(const ManifestFacts& facts, const std::string& status, const DrawingRe
     if (!initial.note.empty()) json["note"] = initial.note;
     json["scene"] = scene_json(facts.scene);
     if (!drawing.backend.empty()) {
-        json["drawing"] = {{"backend", drawing.backend},
-                           {"renderer", drawing.renderer},
-                           {"opengl", drawing.version},
-                           {"vertical_exaggeration", drawing.exaggeration}};
+        json["drawing"] = {{"backend", drawing.backend}, {"renderer", drawing.renderer}};
+        if (!drawing.version.empty()) json["drawing"]["opengl"] = drawing.version;
+        json["drawing"]["vertical_exaggeration"] = drawing.exaggeration;
     }
     return json;
 }

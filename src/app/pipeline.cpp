@@ -19,7 +19,6 @@
 #include "files/terrain_file.h"
 #include "output/movie.h"
 #include "output/png.h"
-#include "render/renderer.h"
 #include "scene/schedule.h"
 #include "support/error.h"
 #include "support/thread_clock.h"
@@ -143,14 +142,10 @@ class Pipeline {
 
     void draw(std::promise<void> ready) {
         WorkerPool pool(options_.threads, "fumon-render");
-        std::unique_ptr<gl::Context> context;
-        std::unique_ptr<Renderer> renderer;
+        std::unique_ptr<FramePainter> painter;
         try {
-            context = gl::Context::create(options_.backend);
-            renderer = std::make_unique<Renderer>(*context, scene_.view, model_.snapshot(),
-                                                  scene_.run.steps, pool);
-            outcome_.drawing = {context->backend_name(), context->renderer_name(),
-                                context->version(), renderer->exaggeration()};
+            painter = make_frame_painter(scene_, model_.snapshot(), options_.backend, pool);
+            outcome_.drawing = painter->record();
             ready.set_value();
         } catch (...) {
             ready.set_exception(std::current_exception());
@@ -160,7 +155,7 @@ class Pipeline {
         while (const auto snapshot = to_draw_.pop()) {
             const Stopwatch watch;
             const Picture picture{number++, *snapshot,
-                                  std::make_shared<const Image>(renderer->render(**snapshot))};
+                                  std::make_shared<const Image>(painter->paint(**snapshot))};
             outcome_.timing.rendering_wall += watch.seconds();
             if (!to_pictures_.push(picture)) break;
             if (scene_.output.movie && !to_movie_.push(picture)) break;
@@ -218,7 +213,7 @@ class Pipeline {
 
     // ---- starting, failing, ending ----
 
-    /// Starts the OpenGL thread and waits until it can draw. Throws what keeps it from that.
+    /// Starts the drawing thread and waits until it can draw. Throws what keeps it from that.
     void begin_drawing() {
         std::promise<void> ready;
         auto is_ready = ready.get_future();

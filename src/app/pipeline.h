@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/frame_painter.h"
 #include "app/progress.h"
 #include "app/recorder.h"
 #include "app/run_folder.h"
@@ -43,14 +44,6 @@ struct Timing {
     double encoding_cpu = 0.0;
 };
 
-/// How OpenGL drew: for the manifest.
-struct DrawingRecord {
-    std::string backend;
-    std::string renderer;
-    std::string version;
-    double exaggeration = 1.0;
-};
-
 /// What a run came to, however it ended. Everything listed is whole and on disk.
 struct RunOutcome {
     std::int64_t steps_done = 0;
@@ -71,11 +64,12 @@ struct PipelineOptions {
     int threads = 0;  ///< of the renderer's own loops; 0: one per processor
 };
 
-/// Runs a scene: simulation thread → bounded queue → OpenGL thread → bounded queues → encoder
+/// Runs a scene: simulation thread → bounded queue → drawing thread → bounded queues → encoder
 /// threads → files in order. Memory does not grow with the number of frames. The first error stops
-/// every stage; an interrupt lets what is in flight finish. `started` is called once when OpenGL
-/// and the view are ready and before the first file is written; nothing is written when it throws
-/// or is never reached. Throws only what happens before that; later errors are in the outcome.
+/// every stage; an interrupt lets what is in flight finish. `started` is called once when the
+/// painter and the view are ready and before the first file is written; nothing is written when it
+/// throws or is never reached. Throws only what happens before that; later errors are in the
+/// outcome.
 RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs,
                         RunFolder& folder, const PipelineOptions& options, Progress& progress,
                         const std::function<void(const DrawingRecord&)>& started);

@@ -3,14 +3,15 @@
 #include <fmt/format.h>
 
 #include "app/check_finite.h"
+#include "app/frame_painter.h"
 #include "app/interrupt.h"
 #include "app/picture_text.h"
+#include "figure/section_figure.h"
 #include "files/atomic_file.h"
 #include "models/registry.h"
 #include "output/png.h"
 #include "render/colouring.h"
 #include "render/palette.h"
-#include "render/renderer.h"
 #include "render/water.h"
 #include "support/error.h"
 
@@ -56,6 +57,23 @@ void check_colouring(const Scene& scene, const Model& model) {
                     scene.at("look.colour_by"), scene.model.name));
 }
 
+/// The figure of a section needs a model with one, which gives what its panels show.
+void check_section(const Scene& scene, const Model& model) {
+    const Snapshot snapshot = model.snapshot();
+    if (!snapshot.section) {
+        const auto key = scene.locations.lower_bound("section.");
+        if (key == scene.locations.end() || !key->first.starts_with("section.")) return;
+        throw InputError(fmt::format("{}{} needs a model with a section (airflow), not {}",
+                                     scene.at(key->first), key->first, scene.model.name));
+    }
+    if (scene.view.look.mode != ViewMode::figure) return;
+    try {
+        draw_section_figure(scene.view, snapshot);
+    } catch (const KeyError& refusal) {
+        throw InputError(scene.at(refusal.key()) + refusal.what());
+    }
+}
+
 }  // namespace
 
 Workshop set_up(Scene scene, int threads) {
@@ -73,6 +91,7 @@ Workshop set_up(Scene scene, int threads) {
                          bed_kind(workshop.scene) == BedKind::file});
     check_marking(workshop.scene, *workshop.model);
     check_colouring(workshop.scene, *workshop.model);
+    check_section(workshop.scene, *workshop.model);
     return workshop;
 }
 
@@ -94,17 +113,17 @@ Sha256 draw_still(Workshop& workshop, const Snapshot& first, const std::string& 
                   const WorkOptions& work, Progress& progress) {
     const Scene& scene = workshop.scene;
     WorkerPool pool(work.threads, "fumon-render");
-    const auto context = gl::Context::create(work.backend);
-    progress.verbose(fmt::format("{}: {}, OpenGL {}", context->backend_name(),
-                                 context->renderer_name(), context->version()));
-    Renderer renderer(*context, scene.view, first, scene.run.steps, pool);
-    const Image image = renderer.render(workshop.model->snapshot());
+    const auto painter = make_frame_painter(scene, first, work.backend, pool);
+    const DrawingRecord drawing = painter->record();
+    progress.verbose(fmt::format("{}: {}{}{}", drawing.backend, drawing.renderer,
+                                 drawing.version.empty() ? "" : ", OpenGL ", drawing.version));
+    const Image image = painter->paint(workshop.model->snapshot());
     const Sha256 pixels = pixel_hash(image);
     const auto texts = picture_text(resolved_scene(scene, workshop.initial.inputs), scene,
                                     workshop.model->steps_done(), workshop.initial.inputs, pixels);
     write_file(file, encode_png(image, scene.view.image.dots_per_inch, texts));
-    if (renderer.exaggeration() != 1.0) {
-        progress.note(fmt::format("vertical exaggeration {:g}", renderer.exaggeration()));
+    if (drawing.exaggeration != 1.0) {
+        progress.note(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));
     }
     return pixels;
 }

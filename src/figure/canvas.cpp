@@ -156,4 +156,8 @@ Image Canvas::image() const {
     return image;
 }
 
+std::string figure_library() {
+    return fmt::format("Cairo {}, Pango {}", cairo_version_string(), pango_version_string());
+}
+
 }  // namespace fumon

@@ -70,4 +70,7 @@ class Canvas {
     std::unique_ptr<Parts> parts_;
 };
 
+/// The libraries that draw figures, with their versions, for records.
+std::string figure_library();
+
 }  // namespace fumon

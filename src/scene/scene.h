@@ -108,11 +108,25 @@ struct ImageSettings {
     double dots_per_inch = 300.0;    ///< written into the PNG
 };
 
+enum class SectionArrows { arrows, streamlines, none };
+enum class SectionColour { speed, velocity_x, velocity_z, pressure };
+
+/// The figure of a section (look.mode = "figure" and a model with one).
+struct SectionSettings {
+    std::vector<std::string> panels;  ///< empty: velocity, pressure and stress, where there are any
+    SectionArrows arrows = SectionArrows::arrows;
+    SectionColour colour_by = SectionColour::speed;  ///< of the velocity's panel
+    WordOrReal low{"auto", 0.0};                     ///< of the velocity's panel, m/s, or Pa
+    WordOrReal high{"auto", 0.0};
+    WordOrReal font_size{"auto", 0.0};  ///< points
+};
+
 /// All that decides how a snapshot looks.
 struct View {
     CameraSettings camera;
     SunSettings sun;
     LookSettings look;
+    SectionSettings section;
     ImageSettings image;
 };
 

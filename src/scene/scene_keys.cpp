@@ -211,6 +211,33 @@ void list_view_keys(View& view, KeyTable& table) {
                {.range = {1, 10000}, .help = "physical size, written into the PNG"});
 }
 
+void list_section_keys(SectionSettings& section, KeyTable& table) {
+    table.text_list(
+        "section.panels", section.panels,
+        {.help = "of the figure of a section: velocity, pressure, stress, flights, "
+                 "flight-law, paths; empty: the first three, where the model has them"});
+    table.choice("section.arrows", section.arrows,
+                 {{"arrows", "at evenly spaced places, with a reference arrow"},
+                  {"streamlines", "evenly spaced streamlines"},
+                  {"none", "the colours alone"}},
+                 {.help = "how the velocity panel shows directions"});
+    table.choice("section.colour_by", section.colour_by,
+                 {{"speed", "length of the velocity, m/s"},
+                  {"velocity-x", "along the wind, m/s"},
+                  {"velocity-z", "upward, m/s"},
+                  {"pressure", "Pa"}},
+                 {.help = "what the colours of the velocity panel mean"});
+    table.word_or_real("section.low", section.low, {{"auto", "from the frame"}},
+                       {.help = "value at the palette's start, in the unit of section.colour_by"});
+    table.word_or_real("section.high", section.high, {{"auto", "from the frame"}},
+                       {.help = "value at the palette's end"});
+    table.word_or_real("section.font_size", section.font_size,
+                       {{"auto", "a 36th of the picture's shorter side, or what leaves room"}},
+                       {.unit = "points",
+                        .range = {0, 1000, true},
+                        .help = "of the figure's text, at image.dots_per_inch"});
+}
+
 void list_output_keys(OutputSettings& output, KeyTable& table) {
     table.boolean("output.frames", output.frames, {.help = "write frames as PNG"});
     table.boolean("output.movie", output.movie, {.help = "write movie.mp4"});
@@ -264,6 +291,7 @@ KeyTable scene_keys(Scene& scene) {
         entry->list_keys(scene.model.parameters, table);
     list_bed_keys(scene, table);
     list_view_keys(scene.view, table);
+    list_section_keys(scene.view.section, table);
     list_output_keys(scene.output, table);
     list_sweep_keys(scene.sweep, table);
     return table;

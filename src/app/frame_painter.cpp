@@ -1,0 +1,54 @@
+#include "app/frame_painter.h"
+
+#include "figure/canvas.h"
+#include "figure/section_figure.h"
+#include "render/renderer.h"
+
+namespace fumon {
+
+namespace {
+
+class BedPainter : public FramePainter {
+  public:
+    BedPainter(const Scene& scene, const Snapshot& first, gl::Backend backend, WorkerPool& pool)
+        : context_(gl::Context::create(backend)),
+          renderer_(*context_, scene.view, first, scene.run.steps, pool) {}
+
+    Image paint(const Snapshot& snapshot) override { return renderer_.render(snapshot); }
+    [[nodiscard]] DrawingRecord record() const override {
+        return {context_->backend_name(), context_->renderer_name(), context_->version(),
+                renderer_.exaggeration()};
+    }
+
+  private:
+    std::unique_ptr<gl::Context> context_;
+    Renderer renderer_;
+};
+
+class SectionPainter : public FramePainter {
+  public:
+    SectionPainter(const Scene& scene, const Snapshot& first)
+        : view_(scene.view), exaggeration_(draw_section_figure(view_, first).exaggeration) {}
+
+    Image paint(const Snapshot& snapshot) override {
+        return draw_section_figure(view_, snapshot).image;
+    }
+    [[nodiscard]] DrawingRecord record() const override {
+        return {"cairo", figure_library(), "", exaggeration_};
+    }
+
+  private:
+    View view_;
+    double exaggeration_;
+};
+
+}  // namespace
+
+std::unique_ptr<FramePainter> make_frame_painter(const Scene& scene, const Snapshot& first,
+                                                 gl::Backend backend, WorkerPool& pool) {
+    if (first.section && scene.view.look.mode == ViewMode::figure)
+        return std::make_unique<SectionPainter>(scene, first);
+    return std::make_unique<BedPainter>(scene, first, backend, pool);
+}
+
+}  // namespace fumon

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+
+#include "figure/canvas.h"
+
+namespace fumon {
+
+/// What an axis runs over, in the unit that its label states.
+struct AxisRange {
+    double low = 0.0;
+    double high = 1.0;
+    std::string label;
+};
+
+/// Linear axes in a frame on a canvas.
+class Axes {
+  public:
+    /// `frame` in whole pixels, neither range empty.
+    Axes(const CanvasBox& frame, AxisRange x, AxisRange y);
+
+    [[nodiscard]] const CanvasBox& frame() const { return frame_; }
+    [[nodiscard]] const AxisRange& x() const { return x_; }
+    [[nodiscard]] const AxisRange& y() const { return y_; }
+    /// Where a pair of values lies.
+    [[nodiscard]] CanvasPoint at(double x, double y) const;
+    /// The values at a place.
+    [[nodiscard]] CanvasPoint value(const CanvasPoint& place) const;
+
+    /// The frame, its ticks and their labels, and the labels of both axes.
+    void draw(Canvas& canvas) const;
+
+    /// Font sizes that ticks and labels take to the left of a frame, and below it.
+    static constexpr double room_left = 5.6;
+    static constexpr double room_below = 2.7;
+
+  private:
+    CanvasBox frame_;
+    AxisRange x_;
+    AxisRange y_;
+};
+
+/// The outline of a box, `width` pixels wide.
+void outline(Canvas& canvas, const CanvasBox& box, double width);
+
+/// Writes a text smaller where it would be longer than `longest` pixels.
+void write_within(Canvas& canvas, const std::string& text, double longest, const CanvasPoint& at,
+                  const CanvasPoint& anchor, double size, bool upright = false);
+
+}  // namespace fumon

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "figure/axes.h"
+#include "figure/colour_bar.h"
+#include "figure/section_air.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// What a map's colours show of the air: the length of its velocity, or one of its fields.
+enum class MapQuantity { speed, velocity_x, velocity_z, pressure };
+
+/// The palette and range of a map. A range that is not given comes from the air: from 0 where the
+/// values have one sign, else as far below 0 as above it. A palette "sand" (for beds) gives way to
+/// viridis, or vik for values of both signs. Throws InputError where there is no such palette.
+ColourScale map_scale(const SectionAir& air, MapQuantity quantity, const LookSettings& look,
+                      const WordOrReal& low, const WordOrReal& high);
+
+/// Colours every pixel of a frame by the quantity at its middle, with the bed in front. `axes` in
+/// units of `unit` metres. The air has the quantity's fields.
+void draw_section_map(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air,
+                      MapQuantity quantity, const ColourScale& scale);
+
+/// The velocity over a map: arrows with a reference arrow above the frame's right end, or
+/// streamlines. Returns the pixels of width that the reference takes above the frame.
+double draw_section_flow(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air,
+                         SectionArrows arrows);
+
+/// The bed's ground from the frame's lower side up to its surface.
+void draw_section_bed(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air);
+
+}  // namespace fumon
