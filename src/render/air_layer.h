@@ -19,7 +19,7 @@ struct AirVertex {
 
 /// The paths of a section's grains as ribbons that face the camera, with grains along them: three
 /// vertices to a triangle. They are spread over the strip's depth, and where a path leaves the
-/// section it goes on at the other end.
+/// section it goes on at the other end. Hops below 1.5 % of the strip's length are left out.
 std::vector<AirVertex> grain_paths(const Snapshot& strip, const Block& block, const Camera& camera);
 
 /// The air over a strip: a translucent sheet along its far edge, and grains' paths above it.

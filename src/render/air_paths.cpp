@@ -12,6 +12,7 @@ namespace {
 constexpr double ribbon_width = 0.0016;  // block lengths
 constexpr double grain_radius = 0.0034;
 constexpr double grain_spacing = 0.07;     // along a path
+constexpr double shortest_path = 0.015;    // shorter hops would be mere specks
 constexpr double golden_share = 0.618034;  // spreads the paths evenly over any number of them
 constexpr double used_depth = 0.86;        // of the strip
 constexpr int grain_corners = 12;
@@ -35,6 +36,7 @@ class Ribbons {
 
     void add(const GrainPath& path, double y, double first_grain) {
         const std::size_t count = std::min(path.x.size(), path.z.size());
+        if (!large_enough(path)) return;
         double to_grain = first_grain * grain_spacing;
         for (std::size_t i = 1; i < count; ++i) {
             // Both ends counted from the period in which the middle lies.
@@ -59,6 +61,12 @@ class Ribbons {
 
   private:
     [[nodiscard]] double half_cell() const { return 0.5 * length_ / cells_; }
+
+    [[nodiscard]] bool large_enough(const GrainPath& path) const {
+        if (path.x.empty()) return false;
+        const auto [west, east] = std::minmax_element(path.x.begin(), path.x.end());
+        return (*east - *west) / length_ * block_.width_x > shortest_path;
+    }
 
     [[nodiscard]] glm::dvec3 place(double x, double y, double z) const {
         return {((x + half_cell()) / length_ - 0.5) * block_.width_x, y,

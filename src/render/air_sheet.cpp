@@ -14,10 +14,10 @@ namespace {
 constexpr double slowest_share = 0.10;  // of the palette: its very ends are black and white
 constexpr double fastest_share = 0.72;
 constexpr double opacity = 0.80;       // at the bed
-constexpr double top_opacity = 0.10;   // at the section's top
-constexpr double fading_from = 0.35;   // of the sheet's height
+constexpr double top_opacity = 0.16;   // at the section's top
+constexpr double fading_from = 0.42;   // of the sheet's height
 constexpr double separations = 52.0;   // of streamlines along the sheet
-constexpr double line_width = 0.0011;  // of the sheet's width
+constexpr double line_width = 0.0013;  // of the sheet's width
 constexpr double line_strength = 0.85;
 constexpr double taper = 0.02;  // of the sheet's width: over which a line's ends fade
 
@@ -73,8 +73,17 @@ Field<float> streamline_cover(const SectionAir& air, const AirSheet& sheet, doub
         const auto strength = [&](std::size_t i) {
             return std::min({fade(line.front(), i), fade(line.back(), line.size() - 1 - i), 1.0});
         };
+        const double width = line_width * sheet.width;
         for (std::size_t i = 1; i < line.size(); ++i)
-            stroke(cover, pixel(i - 1), pixel(i), line_width * sheet.width, strength(i));
+            stroke(cover, pixel(i - 1), pixel(i), width, strength(i));
+        // The sheet begins half a cell before the section, and a line's last step may miss its end.
+        const auto prolong = [&](glm::dvec2 end, glm::dvec2 before) {
+            const double steps = 1.0 + half_cell * scale.x / step;
+            stroke(cover, end, end + steps * (end - before), width, 1.0);
+        };
+        const std::size_t last = line.size() - 1;
+        if (!ends_within(line.front())) prolong(pixel(0), pixel(1));
+        if (!ends_within(line.back())) prolong(pixel(last), pixel(last - 1));
     }
     return cover;
 }
