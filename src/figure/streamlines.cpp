@@ -100,9 +100,12 @@ class Tracer {
     template <class Wanted>
     void trace_lattice(Wanted wanted) {
         const double spacing = 0.5 * separation_;
-        for (double z = 0.5 * spacing; z < size_.y; z += spacing) {
-            for (double x = 0.5 * spacing; x < size_.x; x += spacing) {
-                if (wanted(glm::dvec2(x, z))) trace_from({x, z});
+        const auto rows = static_cast<int>(size_.y / spacing + 0.5);
+        const auto columns = static_cast<int>(size_.x / spacing + 0.5);
+        for (int row = 0; row < rows; ++row) {
+            for (int column = 0; column < columns; ++column) {
+                const glm::dvec2 at = spacing * glm::dvec2(column + 0.5, row + 0.5);
+                if (wanted(at)) trace_from(at);
             }
         }
     }

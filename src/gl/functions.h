@@ -13,6 +13,7 @@
     X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)                 \
     X(BindTexture, PFNGLBINDTEXTUREPROC)                         \
     X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)                 \
+    X(BlendFuncSeparate, PFNGLBLENDFUNCSEPARATEPROC)             \
     X(BufferData, PFNGLBUFFERDATAPROC)                           \
     X(BufferSubData, PFNGLBUFFERSUBDATAPROC)                     \
     X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC)   \
@@ -27,6 +28,7 @@
     X(DeleteShader, PFNGLDELETESHADERPROC)                       \
     X(DeleteTextures, PFNGLDELETETEXTURESPROC)                   \
     X(DeleteVertexArrays, PFNGLDELETEVERTEXARRAYSPROC)           \
+    X(DepthMask, PFNGLDEPTHMASKPROC)                             \
     X(Disable, PFNGLDISABLEPROC)                                 \
     X(DrawArrays, PFNGLDRAWARRAYSPROC)                           \
     X(DrawElements, PFNGLDRAWELEMENTSPROC)                       \

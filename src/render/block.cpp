@@ -25,6 +25,15 @@ constexpr double lowest_sand = -0.5;      // model heights; the sand models dip 
 constexpr double least_mountain = 150.0;  // metres of relief: higher than dunes usually are
 constexpr double full_mountain = 450.0;
 
+/// As the sheet of air over a strip is framed: no higher than this share of the longer side.
+constexpr double highest_air = 0.35;
+
+/// The height of a section's top in metres, 0 without one.
+double air_height(const Snapshot& snapshot) {
+    if (!snapshot.section || snapshot.section->fields.empty()) return 0.0;
+    return (snapshot.section->fields.front().values.ny() - 1) * snapshot.section->dz;
+}
+
 double longer_side(const Snapshot& snapshot) {
     return std::max(snapshot.bed.nx() * snapshot.scale.dx, snapshot.bed.ny() * snapshot.scale.dy);
 }
@@ -104,10 +113,14 @@ double automatic_exaggeration(const Snapshot& first) {
     if (!terrain && carved == 0.0) return 1.0;
     const double relief = std::max((heights.high - heights.low) * first.scale.height_unit, carved);
     const double wanted = terrain ? wanted_relief : wanted_carving;
+    const double air = air_height(first) - heights.low * first.scale.height_unit;
+    double chosen = steps.front();
     for (const double step : steps) {
-        if (relief * step >= wanted * longer_side(first)) return step;
+        if (air_height(first) > 0.0 && air * step > highest_air * longer_side(first)) break;
+        chosen = step;
+        if (relief * step >= wanted * longer_side(first)) break;
     }
-    return steps.back();
+    return chosen;
 }
 
 Block frame_block(const Snapshot& first, double exaggeration, const WordOrReal& room) {
@@ -131,6 +144,8 @@ Block frame_block(const Snapshot& first, double exaggeration, const WordOrReal& 
     block.top = block.z(heights.high) + (terrain ? growth_of_terrain : growth_of_noise);
     block.top = std::max(block.top, block.z(first.highest_expected));
     if (!room.is_word()) block.top = block.z(heights.high + room.value);
+    if (first.section)
+        block.top = std::max(block.top, block.z(air_height(first) / first.scale.height_unit));
     if (terrain && first.scale.in_metres) {
         const double relief = (heights.high - heights.low) * first.scale.height_unit;
         block.rock =

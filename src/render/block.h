@@ -45,7 +45,8 @@ HeightStatistics height_statistics(const Grid& bed, const Mask& nodata);
 /// 15, 20, 30, 50, 100 that makes its relief at least 12 % of the longer side; a noise or flat bed,
 /// whose landforms are still to grow, and a bed without metres get 1. Under water the relief counts
 /// as at least ten depths (their 99th percentile), which the water may carve, and a noise or flat
-/// bed too gets the number that makes it 4 % of the longer side.
+/// bed too gets the number that makes it 4 % of the longer side. Under a section
+/// it is a smaller one of these numbers, if need be, that keeps the air below 35 % of that side.
 double automatic_exaggeration(const Snapshot& first);
 
 /// Frames the first snapshot. `room` says how many model heights stay free above it. "auto": up to

@@ -8,6 +8,7 @@
 
 #include "gl/context.h"
 #include "gl/functions.h"
+#include "render/air_layer.h"
 #include "render/background_layer.h"
 #include "render/bed_shading.h"
 #include "render/block.h"
@@ -91,6 +92,7 @@ struct Renderer::Parts {
     BedShading shading;
     TerrainLayer terrain;
     BackgroundLayer background;
+    std::optional<AirLayer> air;
     gl::RenderTarget samples;
     gl::RenderTarget surroundings;
     gl::RenderTarget pixels;
@@ -123,6 +125,9 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(), false),
       pixels(plan.tiles.front().width, plan.tiles.front().height, plain_layout(), false),
       resolve_program("screen.vert.glsl", "resolve.frag.glsl") {
+    if (first.section)
+        air.emplace(block, camera_at(0),
+                    static_cast<int>(std::max(view.image.width, view.image.height)));
     gl::check_errors("the renderer's setup");
 }
 
@@ -188,6 +193,9 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
     samples.bind();
     gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    if (air)
+        air->draw_behind(surroundings.colour(), plan.factor,
+                         first_sample(tile) - target_corner(tile), {tile.width, tile.height});
     TileSamples placed{};
     placed.picture_size =
         glm::vec2(static_cast<float>(view.image.width), static_cast<float>(view.image.height)) *
@@ -196,6 +204,7 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
     placed.size =
         glm::vec2(static_cast<float>(plan.target_width), static_cast<float>(plan.target_height));
     terrain.draw(shading.colours(), light, camera, placed);
+    if (air) air->draw(camera, placed);
 
     gl.BindVertexArray(no_attributes.name());
     resolve(tile, image);
@@ -221,8 +230,8 @@ Image Renderer::render(const Snapshot& whole) {
         throw Error("a snapshot of another size than the first one cannot be drawn");
     p.context.make_current();
     const Camera camera = p.camera_at(snapshot.step);
-    const DisplayBed bed =
-        display_bed(snapshot, block_of_frame(p.block, snapshot, p.datum), p.refinement);
+    const Block framed = block_of_frame(p.block, snapshot, p.datum);
+    const DisplayBed bed = display_bed(snapshot, framed, p.refinement);
     std::optional<DisplayWater> water;
     if (p.water) water = display_water(snapshot, p.refinement);
 
@@ -238,6 +247,8 @@ Image Renderer::render(const Snapshot& whole) {
         mesh_stride(bed, scale * std::max(bed.dx, bed.dy), scale * std::max(camera.up.z, 0.05));
     p.terrain.set_bed(bed, water ? &water->depth : nullptr, stride,
                       {camera.forward.y >= 0.0, camera.forward.x >= 0.0});
+
+    if (p.air && snapshot.section) p.air->set_air(snapshot, framed, camera, p.pool);
 
     Image image(static_cast<int>(p.view.image.width), static_cast<int>(p.view.image.height));
     for (const Tile& tile : p.plan.tiles) p.draw_tile(tile, camera, image);

@@ -10,9 +10,15 @@ namespace {
 constexpr int longest_drawn = 8192;        // cells on a side
 constexpr std::int64_t usual_strip = 900;  // sites: a dozen wavelengths of the published profiles
 constexpr int strip_proportion = 4;        // length to depth
+constexpr int strip_proportion_under_air = 3;
 
-Grid strip_of(const Grid& row, int start, int sites) {
-    const int depth = std::max(1, sites / strip_proportion);
+bool shows_air(const Snapshot& snapshot, const LookSettings& look) {
+    return snapshot.section && look.air && look.mode == ViewMode::scenic &&
+           snapshot.bed.nx() <= longest_drawn;
+}
+
+Grid strip_of(const Grid& row, int start, int sites, int proportion) {
+    const int depth = std::max(1, sites / proportion);
     Grid strip(sites, depth);
     for (int y = 0; y < depth; ++y) {
         for (int x = 0; x < sites; ++x) strip(x, y) = row((start + x) % row.nx(), 0);
@@ -23,11 +29,16 @@ Grid strip_of(const Grid& row, int start, int sites) {
 Snapshot as_strip(const Snapshot& snapshot, const LookSettings& look) {
     const std::int64_t nx = snapshot.bed.nx();
     const std::int64_t wanted = look.profile_sites > 0 ? look.profile_sites : usual_strip;
-    const int sites = static_cast<int>(std::min({wanted, nx, std::int64_t{longest_drawn}}));
-    const int start = static_cast<int>(look.profile_start % nx);
+    const bool air = shows_air(snapshot, look);
+    const int sites =
+        static_cast<int>(air ? nx : std::min({wanted, nx, std::int64_t{longest_drawn}}));
+    const int start = air ? 0 : static_cast<int>(look.profile_start % nx);
+    const int proportion = air ? strip_proportion_under_air : strip_proportion;
     Snapshot shown = snapshot;
-    shown.bed = strip_of(snapshot.bed, start, sites);
-    for (SnapshotField& field : shown.fields) field.values = strip_of(field.values, start, sites);
+    if (!air) shown.section.reset();
+    shown.bed = strip_of(snapshot.bed, start, sites, proportion);
+    for (SnapshotField& field : shown.fields)
+        field.values = strip_of(field.values, start, sites, proportion);
     if (!snapshot.nodata.empty()) {
         shown.nodata = Mask(sites, shown.bed.ny());
         for (int y = 0; y < shown.nodata.ny(); ++y) {

@@ -96,6 +96,7 @@ struct LookSettings {
     bool water = true;                      ///< draw the water, where the model has some
     WordOrReal water_clarity{"auto", 0.0};  ///< metres of water that hide half of the bed
     double turbidity = 0.15;                ///< 0 clear … 1 muddy
+    bool air = true;  ///< draw the air over a profile, where the model has some
     Marking mark = Marking::none;
     std::int64_t profile_start = 0;  ///< of a single row: the first site shown
     std::int64_t profile_sites = 0;  ///< and how many; 0: 900 or all

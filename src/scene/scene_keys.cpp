@@ -181,6 +181,8 @@ void list_view_keys(View& view, KeyTable& table) {
         {.unit = "m", .range = {0, 1e6, true}, .help = "depth at which the bed is half hidden"});
     table.real("look.turbidity", look.turbidity,
                {.range = {0, 1}, .help = "of the water: 0 clear and blue-green, 1 muddy"});
+    table.boolean("look.air", look.air,
+                  {.help = "draw the air over a profile, where the model has some (scenic)"});
     table.choice("look.mark", look.mark,
                  {{"none", "the bed alone"},
                   {"last-avalanche",
