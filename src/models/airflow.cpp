@@ -129,19 +129,31 @@ Snapshot Airflow::snapshot() const {
     section->dz = plane_.spacing;
     const AirFields air = flow_->fields();
     const Grid empty(plane_.nx, plane_.nz);
-    section->fields = {
-        {"velocity_x", "velocity of the air along x", "m/s", empty},
-        {"velocity_z", "velocity of the air upward", "m/s", empty},
-        {"pressure", "pressure of the air, 0 at the first column's bed", "Pa", empty},
-        {"vorticity", "du/dz - dw/dx of the air", "1/s", empty}};
-    for (int i = 0; i < plane_.nx; ++i) {
-        for (int k = plane_.under_bed[static_cast<std::size_t>(i)] + 1; k < plane_.nz; ++k) {
-            section->fields[0].values(i, k) = air.u[plane_.at(i, k)];
-            section->fields[1].values(i, k) = air.w[plane_.at(i, k)];
-            section->fields[2].values(i, k) = air.pressure[plane_.at(i, k)];
-            section->fields[3].values(i, k) = vorticity(plane_, air.u, air.w, i, k);
+    section->fields = {{"velocity_x", "velocity of the air along x", "m/s", empty},
+                       {"velocity_z", "velocity of the air upward", "m/s", empty},
+                       {"pressure", "pressure of the air, 0 in its mean", "Pa", empty},
+                       {"vorticity", "du/dz - dw/dx of the air", "1/s", empty}};
+    const auto for_each_air_node = [&](auto body) {
+        for (int i = 0; i < plane_.nx; ++i) {
+            for (int k = plane_.under_bed[static_cast<std::size_t>(i)] + 1; k < plane_.nz; ++k)
+                body(i, k);
         }
-    }
+    };
+    for_each_air_node([&](int i, int k) {
+        section->fields[0].values(i, k) = air.u[plane_.at(i, k)];
+        section->fields[1].values(i, k) = air.w[plane_.at(i, k)];
+        section->fields[2].values(i, k) = air.pressure[plane_.at(i, k)];
+        section->fields[3].values(i, k) = vorticity(plane_, air.u, air.w, i, k);
+    });
+    // Known up to a constant only.
+    double sum = 0.0;
+    std::int64_t nodes = 0;
+    for_each_air_node([&](int i, int k) {
+        sum += section->fields[2].values(i, k);
+        ++nodes;
+    });
+    for_each_air_node(
+        [&](int i, int k) { section->fields[2].values(i, k) -= sum / static_cast<double>(nodes); });
     section->curves = {{"bed_shear_stress", "shear stress on the bed", "Pa", flow_->bed_stress()},
                        {"bed_height", "height of the bed", "m", plane_.height}};
     const StressFit fit = fitted_stress();
