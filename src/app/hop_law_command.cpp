@@ -39,22 +39,22 @@ HopForm form_of(const std::string& name) {
     throw InputError(fmt::format("--form {}: it takes exponential, linear, table or slope", name));
 }
 
-void keep_inputs(const HopLawOptions& options) {
-    const auto is_output = [&](const std::string& output, const std::string& input) {
-        std::error_code fault;
-        return !output.empty() && !input.empty() &&
-               (output == input || fs::equivalent(output, input, fault));
+bool same_file(const std::string& one, const std::string& other) {
+    if (one.empty() || other.empty()) return false;
+    std::error_code fault;
+    const auto whole = [&](const std::string& file) {
+        return fs::weakly_canonical(fs::absolute(file, fault), fault);
     };
+    return whole(one) == whole(other);
+}
+
+void check_outputs(const HopLawOptions& options) {
     for (const std::string& output : {options.output, options.flights}) {
-        for (const std::string& input : {options.scene, options.into}) {
-            if (is_output(output, input))
-                throw InputError(
-                    fmt::format("{} is read, and would be replaced; write to another "
-                                "file",
-                                output));
-        }
+        if (!same_file(output, options.scene) && !same_file(output, options.into)) continue;
+        throw InputError(
+            fmt::format("{} is read, and would be replaced; write to another file", output));
     }
-    if (is_output(options.flights, options.output)) {
+    if (same_file(options.output, options.flights)) {
         throw InputError(
             fmt::format("-o and --flights both name {}; give each its own file", options.output));
     }
@@ -197,7 +197,7 @@ std::string sand_text(const SandSource& source, const MeasuredHops& hops,
 int hop_law_command(const HopLawOptions& options) {
     const InterruptGuard guard;
     constexpr int status_of_signal = 128;
-    keep_inputs(options);
+    check_outputs(options);
     const SandSource sand = sand_source(options.into);
     Workshop workshop =
         set_up(read_scene(options.scene, options.work.settings), options.work.threads);
