@@ -6,11 +6,13 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "app/hop_law_scene.h"
 #include "models/sand_parameters.h"
 #include "scene/read.h"
 #include "support/program.h"
@@ -212,6 +214,45 @@ TEST_F(HopLawTest, LinesTablesAndSlopesAreCheckedScenesToo) {
             EXPECT_GE(sand.hop_slope_factor, 0.0);
         }
     }
+}
+
+/// Flights of 1 mm per 1 mm of height and 0.1 mm from the trough, over a bed of 0.4 mm.
+std::vector<Flight> straight_flights() {
+    std::vector<Flight> flights;
+    for (int n = 0; n <= 40; ++n) {
+        Flight flight;
+        flight.height = 0.003 + 1e-5 * n;
+        flight.length = 1e-4 + 1e-5 * n;
+        flight.angle = 30.0;
+        flights.push_back(flight);
+    }
+    return flights;
+}
+
+double value_of(const std::vector<Override>& settings, const std::string& key) {
+    for (const Override& one : settings) {
+        if (one.path == key) return std::stod(one.value);
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+TEST(HopLawScale, LinesAndSlopesAreInSitesAndModelHeights) {
+    std::vector<Flight> flights = straight_flights();
+    const std::vector<double> angles{30.0};
+    const MeasuredHops straight = measure_hops(flights, angles);
+    EXPECT_NEAR(straight.height, 0.4, 1e-12);
+    const auto line = law_settings(straight, HopForm::linear);
+    EXPECT_NEAR(value_of(line, "model.hop_base"), 0.1 / straight.site, 1e-9);
+    EXPECT_NEAR(value_of(line, "model.hop_per_height"), 0.4 / straight.site, 1e-9);
+
+    // the same flights from where the dune rule has them: L = 6 - 8 tanh(dh/dx), in model units
+    for (Flight& flight : flights) {
+        const double sites = 1e3 * flight.length / straight.site;
+        flight.slope = std::atanh((6.0 - sites) / 8.0) * straight.height / straight.site;
+    }
+    const auto dunes = law_settings(measure_hops(flights, angles), HopForm::slope);
+    EXPECT_NEAR(value_of(dunes, "model.hop_base"), 6.0, 1e-9);
+    EXPECT_NEAR(value_of(dunes, "model.hop_slope_factor"), 8.0, 1e-9);
 }
 
 TEST_F(HopLawTest, AHopBaseBelowNothingIsALawOfTheSandModel) {
