@@ -154,6 +154,7 @@ std::string head(const Workshop& workshop, const Airflow& air, const MeasuredHop
         "(Terada 2025, sections 4 and 5).");
     text += comment("Written by fumon " FUMON_VERSION " hop-law: " + air_line(workshop, air) + ";");
     text += comment(grain_line(air, hops, options.hops) + ".");
+    for (const std::string& setting : options.work.settings) text += comment("--set " + setting);
     text += comment("Fits, heights above the bed's lowest point: l = a^h - 1 and a straight line.");
     text += comment("");
     for (const std::string& line : fit_lines(hops)) text += comment(line);

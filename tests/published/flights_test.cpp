@@ -83,10 +83,10 @@ TEST(PublishedFlights, OverTheFlatBedOfAppendixB) {
 /// wavelength at step 300 is 7.23 sites.
 TEST(PublishedFlights, TheMeasuredLawMakesRipples) {
     const ScratchFolder folder;
+    const std::string scene = std::string(FUMON_SCENES_FOLDER) + "/terada-hop-law.toml";
     const std::string law = (folder / "law.toml").string();
-    const Ended measured = fumon({"hop-law", FUMON_SCENES_FOLDER "/terada-hop-law.toml", "-o", law,
-                                  "-q", "--set", "model.flights=false"},
-                                 folder.path());
+    const Ended measured =
+        fumon({"hop-law", scene, "-o", law, "-q", "--set", "model.flights=false"}, folder.path());
     ASSERT_EQ(measured.status, 0) << measured.errors;
     const SweepTable table({law, {}, {"output.fields_at=[]", "frames.at=[300]"}});
     expect_within(table.mean("wavelength_spectrum"), 7.23, 0.04, "wavelength of the ripples");
