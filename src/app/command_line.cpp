@@ -73,6 +73,7 @@ struct CommandLine {
     RunOptions run;
     SweepOptions sweep;
     StillOptions still;
+    HopLawOptions hop_law;
     AgainOptions again;
     MeasureOptions measure;
     std::vector<std::string> checked;
@@ -90,6 +91,7 @@ struct CommandLine {
         add_run();
         add_sweep();
         add_still();
+        add_hop_law();
         add_again();
         add_measure();
         add_check();
@@ -181,6 +183,40 @@ struct CommandLine {
             "A look of your own: --set camera.azimuth=160 --set sun.elevation=15 --set "
             "image.width=3840 …\n"
             "(`fumon describe scene` lists every key).");
+    }
+
+    void add_hop_law() {
+        CLI::App& command = add("hop-law",
+                                "fly grains in computed air, fit how far they hop, and write the "
+                                "sand scene that hops so",
+                                [this] { return hop_law_command(hop_law); });
+        command.add_option("SCENE", hop_law.scene, "a scene of the model airflow")->required();
+        command.add_option("-o,--output", hop_law.output, "the sand scene to write")
+            ->type_name("LAW.toml")
+            ->required();
+        command
+            .add_option("--form", hop_law.form,
+                        "of the law: exponential (default), linear, table or slope")
+            ->type_name("NAME")
+            ->check(CLI::IsMember({"exponential", "linear", "table", "slope"}).description(""));
+        command
+            .add_option("--hops", hop_law.hops, "hops in succession that count as one (default 1)")
+            ->type_name("N")
+            ->check(CLI::Range(1, 10000).description(""));
+        command
+            .add_option("--into", hop_law.into,
+                        "a sand scene of your own that gets the law (default: the ripples of "
+                        "Terada 2025, section 5)")
+            ->type_name("SAND.toml");
+        command.add_option("--flights", hop_law.flights, "write every flight into a table")
+            ->type_name("FILE.csv");
+        add_work_options(command, hop_law.work);
+        command.footer(
+            "  fumon hop-law scenes/terada-hop-law.toml -o out/law.toml\n"
+            "  fumon run out/law.toml -o out/ripples\n"
+            "\n"
+            "The air runs to the scene's last step; then a grain leaves every column at each of "
+            "model.launch_angles.");
     }
 
     void add_again() {

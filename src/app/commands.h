@@ -43,6 +43,16 @@ struct StillOptions {
     WorkOptions work;
 };
 
+struct HopLawOptions {
+    std::string scene;   ///< of the model airflow
+    std::string output;  ///< the sand scene to write
+    std::string form = "exponential";
+    std::int64_t hops = 1;  ///< in succession
+    std::string into;       ///< the sand scene that gets the law; empty: Terada's ripples
+    std::string flights;    ///< a CSV file of all flights; empty: none
+    WorkOptions work;
+};
+
 struct AgainOptions {
     std::string picture;
     std::string output;  ///< empty: NAME-again.png in the working folder
@@ -67,6 +77,7 @@ struct MeasureOptions {
 int run_command(const RunOptions& options);
 int sweep_command(const SweepOptions& options);
 int still_command(const StillOptions& options);
+int hop_law_command(const HopLawOptions& options);
 int again_command(const AgainOptions& options);
 int measure_command(const MeasureOptions& options);
 int measure_avalanches(const MeasureOptions& options);  ///< of avalanches.csv

@@ -116,18 +116,11 @@ StressFit Airflow::fitted_stress() const {
     return fit_stress(flow_->bed_stress(), static_cast<int>(parameters_.bed_waves));
 }
 
-Snapshot Airflow::snapshot() const {
-    Grid bed(plane_.nx, 1);
-    std::copy(plane_.height.begin(), plane_.height.end(), bed.values().begin());
-    Snapshot snapshot{steps_, time(), std::string(time_unit()), std::move(bed), {}, {}};
-    snapshot.scale = {plane_.spacing, plane_.spacing, 1.0, true};
-    snapshot.highest_expected = plane_.largest_height;
-    snapshot.periodic = true;
-
+std::shared_ptr<SnapshotSection> Airflow::flow_section() const {
     auto section = std::make_shared<SnapshotSection>();
     section->dx = plane_.spacing;
     section->dz = plane_.spacing;
-    const AirFields air = flow_->fields();
+    const AirFields now = flow_->fields();
     const Grid empty(plane_.nx, plane_.nz);
     section->fields = {{"velocity_x", "velocity of the air along x", "m/s", empty},
                        {"velocity_z", "velocity of the air upward", "m/s", empty},
@@ -140,10 +133,10 @@ Snapshot Airflow::snapshot() const {
         }
     };
     for_each_air_node([&](int i, int k) {
-        section->fields[0].values(i, k) = air.u[plane_.at(i, k)];
-        section->fields[1].values(i, k) = air.w[plane_.at(i, k)];
-        section->fields[2].values(i, k) = air.pressure[plane_.at(i, k)];
-        section->fields[3].values(i, k) = vorticity(plane_, air.u, air.w, i, k);
+        section->fields[0].values(i, k) = now.u[plane_.at(i, k)];
+        section->fields[1].values(i, k) = now.w[plane_.at(i, k)];
+        section->fields[2].values(i, k) = now.pressure[plane_.at(i, k)];
+        section->fields[3].values(i, k) = vorticity(plane_, now.u, now.w, i, k);
     });
     // Known up to a constant only.
     double sum = 0.0;
@@ -156,6 +149,22 @@ Snapshot Airflow::snapshot() const {
         [&](int i, int k) { section->fields[2].values(i, k) -= sum / static_cast<double>(nodes); });
     section->curves = {{"bed_shear_stress", "shear stress on the bed", "Pa", flow_->bed_stress()},
                        {"bed_height", "height of the bed", "m", plane_.height}};
+    return section;
+}
+
+std::vector<Flight> Airflow::fly_grains(int hops) const {
+    const GrainFlights grains(*flow_section(), parameters_.flight, air(), *pool_);
+    return grains.in_succession(grains.every_column(parameters_.flight.launch_angles), hops);
+}
+
+Snapshot Airflow::snapshot() const {
+    Grid bed(plane_.nx, 1);
+    std::copy(plane_.height.begin(), plane_.height.end(), bed.values().begin());
+    Snapshot snapshot{steps_, time(), std::string(time_unit()), std::move(bed), {}, {}};
+    snapshot.scale = {plane_.spacing, plane_.spacing, 1.0, true};
+    snapshot.highest_expected = plane_.largest_height;
+    snapshot.periodic = true;
+
     const StressFit fit = fitted_stress();
     const double width = plane_.nx * plane_.spacing;
     snapshot.numbers = {{"lid_speed", "m/s", parameters_.lid_speed},
@@ -168,12 +177,12 @@ Snapshot Airflow::snapshot() const {
                         {"stress_change", "1", stress_change_},
                         {"steady", "1", steady_ ? 1.0 : 0.0},
                         {"steady_time", "s", steady_time_}};
+    const auto section = flow_section();
     if (parameters_.flight.flights) {
-        const auto flown = add_flights(*section, parameters_.flight,
-                                       {parameters_.density, parameters_.viscosity}, *pool_);
+        const auto flown = add_flights(*section, parameters_.flight, air(), *pool_);
         snapshot.numbers.insert(snapshot.numbers.end(), flown.begin(), flown.end());
     }
-    snapshot.section = std::move(section);
+    snapshot.section = section;
     return snapshot;
 }
 

@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "measure/stress_fit.h"
 #include "models/air_bed.h"
 #include "models/air_scheme.h"
 #include "models/airflow_parameters.h"
+#include "models/grain_flight.h"
 #include "models/model.h"
 
 namespace fumon {
@@ -50,12 +52,25 @@ class Airflow : public Model {
     /// "steady_time", when it became so. With flights (model.flights) also what add_flights adds.
     [[nodiscard]] Snapshot snapshot() const override;
 
+    /// When the flow became steady (model.steady_tolerance), s; nothing before.
+    [[nodiscard]] std::optional<double> steady_since() const {
+        return steady_ ? std::optional(steady_time_) : std::nullopt;
+    }
+
+    [[nodiscard]] const AirflowParameters& parameters() const { return parameters_; }
+
+    /// Flies a grain from every column at each of model.launch_angles, angle by angle, through the
+    /// air as it is now; `hops` flights in succession each. Throws as GrainFlights does.
+    [[nodiscard]] std::vector<Flight> fly_grains(int hops) const;
+
     /// The scheme's fields, column by column. The spans hold until the next step.
     [[nodiscard]] std::vector<StateField> state() const override;
 
   private:
     void watch_stress();
     [[nodiscard]] StressFit fitted_stress() const;
+    [[nodiscard]] std::shared_ptr<SnapshotSection> flow_section() const;
+    [[nodiscard]] Air air() const { return {parameters_.density, parameters_.viscosity}; }
 
     AirflowParameters parameters_;
     WorkerPool* pool_;

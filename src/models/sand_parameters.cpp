@@ -6,6 +6,7 @@ namespace fumon {
 
 void list_keys(SandParameters& sand, KeyTable& table) {
     constexpr double longest_hop = 1e6;
+    constexpr double largest_base = 1e30;  // many hops from a low bed: a^(2 h0) is what counts
     constexpr std::size_t longest_table = 100000;
     table.choice("model.order", sand.order,
                  {{"synchronous",
@@ -20,10 +21,11 @@ void list_keys(SandParameters& sand, KeyTable& table) {
          {"exponential", "L = (N'x/10) (a^(2 h0 h) - 1) / (a^(2 h0) - 1) (Terada 2025, eq. 45)"},
          {"tabulated", "from a table of heights and lengths, linear between its points"}},
         {.help = "how far sand hops from height h"});
-    table.real("model.hop_base", sand.hop_base,
-               {.unit = "sites",
-                .range = {0, longest_hop},
-                .help = "L0 of the linear and slope laws: the wind's strength"});
+    table.real(
+        "model.hop_base", sand.hop_base,
+        {.unit = "sites",
+         .range = {-longest_hop, longest_hop},
+         .help = "L0 of the linear and slope laws: the wind's strength; no hop goes upwind"});
     table.real(
         "model.hop_per_height", sand.hop_per_height,
         {.unit = "sites per height", .range = {0, longest_hop}, .help = "b of the linear law"});
@@ -31,8 +33,9 @@ void list_keys(SandParameters& sand, KeyTable& table) {
                {.unit = "sites",
                 .range = {0, longest_hop},
                 .help = "alpha of the slope law; no hop goes upwind"});
-    table.real("model.exponential_base", sand.exponential_base,
-               {.unit = "per mm", .range = {1, 1000, true}, .help = "a of the exponential law"});
+    table.real(
+        "model.exponential_base", sand.exponential_base,
+        {.unit = "per mm", .range = {1, largest_base, true}, .help = "a of the exponential law"});
     table.real("model.exponential_height", sand.exponential_height,
                {.unit = "mm",
                 .range = {0, 1000, true},

@@ -4,23 +4,11 @@
 
 #include <algorithm>
 
-#include "measure/hop_law.h"
-
 namespace fumon {
 
 namespace {
 
 constexpr double millimetres_per_metre = 1e3;
-
-std::vector<HopPoint> in_millimetres(const std::vector<Flight>& flights, double lowest) {
-    std::vector<HopPoint> points;
-    points.reserve(flights.size());
-    for (const Flight& flight : flights) {
-        points.push_back({millimetres_per_metre * (flight.height - lowest), flight.slope,
-                          millimetres_per_metre * flight.length});
-    }
-    return points;
-}
 
 void add_curves(SnapshotSection& section, const std::vector<double>& angles,
                 const std::vector<Flight>& flights) {
@@ -36,7 +24,22 @@ void add_curves(SnapshotSection& section, const std::vector<double>& angles,
     }
 }
 
+bool by_height(const Flight& a, const Flight& b) {
+    return a.height < b.height;
+}
+
 }  // namespace
+
+std::vector<HopPoint> hop_points(std::span<const Flight> flights) {
+    std::vector<HopPoint> points;
+    points.reserve(flights.size());
+    const auto lowest = std::min_element(flights.begin(), flights.end(), by_height);
+    for (const Flight& flight : flights) {
+        points.push_back({millimetres_per_metre * (flight.height - lowest->height), flight.slope,
+                          millimetres_per_metre * flight.length});
+    }
+    return points;
+}
 
 std::vector<SnapshotNumber> add_flights(SnapshotSection& section,
                                         const FlightParameters& parameters, const Air& air,
@@ -52,11 +55,10 @@ std::vector<SnapshotNumber> add_flights(SnapshotSection& section,
             section.paths.push_back(grains.path({static_cast<double>(column) * section.dx, angle}));
         }
     }
-    const auto by_height = [](const Flight& a, const Flight& b) { return a.height < b.height; };
     const auto [low, high] = std::minmax_element(flights.begin(), flights.end(), by_height);
     std::vector<SnapshotNumber> numbers;
     if (high->height > low->height) {
-        const std::vector<HopPoint> points = in_millimetres(flights, low->height);
+        const std::vector<HopPoint> points = hop_points(flights);
         const ExponentialLaw law = fit_exponential(points);
         numbers.push_back({"hop_base", "per mm", law.base});
         numbers.push_back({"hop_r_squared", "1", law.r_squared});

@@ -1,10 +1,18 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
+#include "measure/hop_law.h"
 #include "models/flight_parameters.h"
 #include "models/grain_flight.h"
 #include "models/model.h"
 
 namespace fumon {
+
+/// Flights as hop laws see them (Terada 2025, section 4): lengths in mm, heights in mm above the
+/// lowest launch, slopes as they are.
+std::vector<HopPoint> hop_points(std::span<const Flight> flights);
 
 /// Flies the grains of `parameters` through a section and adds to it a curve of flight lengths
 /// (m) over the launch's column for each angle, "flight_length_10" …, and `shown_paths` paths of

@@ -50,15 +50,16 @@ std::vector<SweepTable::Row> read_table(const std::filesystem::path& file) {
 
 SweepTable::SweepTable(const Order& order) {
     const ScratchFolder folder;
-    std::vector<std::string> arguments{"sweep",
-                                       std::string(FUMON_SCENES_FOLDER) + "/" + order.scene,
-                                       "-o",
-                                       (folder / "sweep").string(),
-                                       "-q",
-                                       "--threads",
-                                       "2",
-                                       "--seeds",
-                                       std::to_string(order.seeds)};
+    std::vector<std::string> arguments{
+        "sweep",
+        (std::filesystem::path(FUMON_SCENES_FOLDER) / order.scene).string(),
+        "-o",
+        (folder / "sweep").string(),
+        "-q",
+        "--threads",
+        "2",
+        "--seeds",
+        std::to_string(order.seeds)};
     for (const std::string& over : order.over) {
         arguments.emplace_back("--over");
         arguments.push_back(over);
