@@ -31,7 +31,7 @@ constexpr std::array<PanelName, 6> panel_names{
 
 constexpr double room_of_heading = 2.0;  // font sizes
 constexpr double room_above = 1.9;
-constexpr double room_right = 1.2;
+constexpr double room_right = 2.0;  // half a tick label and a little
 
 bool gives(const Snapshot& snapshot, SectionPanel panel) {
     const SnapshotSection& section = *snapshot.section;
