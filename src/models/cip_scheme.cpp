@@ -52,12 +52,9 @@ void CipScheme::advance(Water& water, const Grid& bed, double dt, double rain) {
     if (as_published_) thin_as_published(step, rain);
     flux_.begin(dt, rain);
     pool_.for_ranges(ny_, [&](int begin, int end) {
-        for (int y = begin; y < end; ++y) {
-            turn_gradient(step, u_, y);
-            turn_gradient(step, v_, y);
-            copy_row(u_.next, water.velocity_x, y);
-            copy_row(v_.next, water.velocity_y, y);
-            if (!as_published_) continue;
+        turn_velocity_gradients(step, begin);
+        if (end - begin > 1) turn_velocity_gradients(step, end - 1);
+        for (int y = begin; as_published_ && y < end; ++y) {
             turn_gradient(step, depth_, y);
             copy_row(depth_.next, water.depth, y);
         }
@@ -101,8 +98,7 @@ void CipScheme::start_from(const Grid& values, Carried& carried) const {
     }
 }
 
-void CipScheme::advect_and_accelerate(const cip::SubStep& step, const Water& water,
-                                      const Grid& bed) {
+void CipScheme::advect_and_accelerate(const cip::SubStep& step, Water& water, const Grid& bed) {
     pool_.for_ranges(ny_, [&](int begin, int end) {
         std::vector<double> advected_u(static_cast<std::size_t>(nx_));
         std::vector<double> advected_v(static_cast<std::size_t>(nx_));
@@ -139,6 +135,10 @@ void CipScheme::advect_and_accelerate(const cip::SubStep& step, const Water& wat
                 carried->next.wrap(y);
                 carried->gained.wrap(y);
             }
+            copy_row(u_.next, water.velocity_x, y);
+            copy_row(v_.next, water.velocity_y, y);
+            // While the rows around it are at hand; the first and the last row wait for others'.
+            if (y - 1 > begin) turn_velocity_gradients(step, y - 1);
         }
     });
 }
@@ -154,6 +154,11 @@ void CipScheme::thin_as_published(const cip::SubStep& step, double rain) {
             depth_.next.wrap(y);
         }
     });
+}
+
+void CipScheme::turn_velocity_gradients(const cip::SubStep& step, int y) {
+    turn_gradient(step, u_, y);
+    turn_gradient(step, v_, y);
 }
 
 void CipScheme::turn_gradient(const cip::SubStep& step, Carried& carried, int y) const {

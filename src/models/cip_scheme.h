@@ -50,8 +50,9 @@ class CipScheme : public ShallowWaterScheme {
     };
 
     void start_from(const Grid& values, Carried& carried) const;
-    void advect_and_accelerate(const cip::SubStep& step, const Water& water, const Grid& bed);
+    void advect_and_accelerate(const cip::SubStep& step, Water& water, const Grid& bed);
     void thin_as_published(const cip::SubStep& step, double rain);
+    void turn_velocity_gradients(const cip::SubStep& step, int y);
     void turn_gradient(const cip::SubStep& step, Carried& carried, int y) const;
     [[nodiscard]] cip::Stencil around(const PaddedGrid& grid, int y) const;
 

@@ -120,6 +120,8 @@ struct SectionSettings {
     WordOrReal low{"auto", 0.0};                     ///< of the velocity's panel, m/s, or Pa
     WordOrReal high{"auto", 0.0};
     WordOrReal font_size{"auto", 0.0};  ///< points
+
+    friend bool operator==(const SectionSettings&, const SectionSettings&) = default;
 };
 
 /// All that decides how a snapshot looks.
