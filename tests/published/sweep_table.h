@@ -12,7 +12,8 @@ namespace fumon::test {
 /// sweep.csv of a sweep that the program ran: a row for each run and measured step.
 class SweepTable {
   public:
-    /// What `fumon sweep` is told: a scene of scenes/ or a path, --over lists, --set settings, seeds.
+    /// What `fumon sweep` is told: a scene of scenes/ or a path, --over lists, --set settings,
+    /// seeds.
     struct Order {
         std::string scene;
         std::vector<std::string> over{};
