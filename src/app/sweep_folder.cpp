@@ -184,7 +184,11 @@ void SweepFolder::write_table(const std::vector<RunRecord>& records) const {
     names.emplace_back("seed");
     std::vector<TablePart> parts;
     for (std::size_t number = 1; number <= records.size(); ++number) {
-        if (records[number - 1].status != RunStatus::done) continue;
+        const RunStatus status = records[number - 1].status;
+        const bool measured =
+            status == RunStatus::done ||
+            (status == RunStatus::failed && std::filesystem::exists(paths(number).measurements));
+        if (!measured) continue;
         std::vector<std::string> cells{fmt::format("{}", number)};
         for (std::string& value : values_of(plan_, run(number))) cells.push_back(std::move(value));
         cells.push_back(fmt::format("{}", run(number).seed));

@@ -131,7 +131,8 @@ class Work {
         return record;
     }
 
-    /// One run from its scene to its files. False when it was interrupted, with no file made.
+    /// One run from its scene to its files. False when it was interrupted, with no file made; one
+    /// that fails leaves what it has measured.
     bool simulate(std::size_t number, int threads, RunRecord& record) {
         Workshop workshop = set_up(scene_of(plan_, run(number)), threads);
         if (run_id(workshop.scene, workshop.initial) != run(number).id)
@@ -140,6 +141,20 @@ class Work {
         Recorder recorder(workshop.scene, model,
                           resolved_scene(workshop.scene, workshop.initial.inputs),
                           folder_.paths(number));
+        try {
+            if (!advance(workshop, recorder, record)) return false;
+        } catch (...) {
+            keep(recorder);
+            throw;
+        }
+        record.state = hex(state_hash(model));
+        recorder.commit();
+        return true;
+    }
+
+    /// Runs the model to its end. False when it was interrupted.
+    bool advance(Workshop& workshop, Recorder& recorder, RunRecord& record) {
+        Model& model = *workshop.model;
         const auto cells = static_cast<double>(workshop.initial.bed.size());
         for (;;) {
             record.steps = model.steps_done();
@@ -155,9 +170,16 @@ class Work {
             work_done_ += cells;
         }
         check_finite(model.snapshot());
-        record.state = hex(state_hash(model));
-        recorder.commit();
         return true;
+    }
+
+    /// What a failing run has measured before is kept where it can be.
+    static void keep(Recorder& recorder) {
+        try {
+            recorder.commit();
+        } catch (const std::exception&) {
+            return;  // the run's own fault is what is told
+        }
     }
 
     const SweepPlan& plan_;

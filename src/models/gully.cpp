@@ -71,11 +71,8 @@ void Gully::step() {
         sub_step(dt, elapsed);
         remaining = dt == remaining ? 0.0 : remaining - dt;
         if (++substeps_ > most_substeps) {
-            throw Error(fmt::format(
-                "the flow became so fast that a step takes more than {} sub-steps, t = {:.6g} s; "
-                "try a smaller model.time_step, more model.friction_coefficient or "
-                "model.bed_diffusion",
-                most_substeps, elapsed));
+            refuse_speed(water_, elapsed,
+                         fmt::format("a step takes more than {} sub-steps", most_substeps));
         }
     }
     ++steps_;
@@ -91,10 +88,7 @@ double Gully::sub_step_size(double remaining, double elapsed) const {
     if (pieces <= 1.0) return remaining;
     if (!(pieces <= most_substeps)) {
         check_water(water_, bed_, elapsed, pool_);
-        throw Error(fmt::format(
-            "the flow became so fast that a sub-step would be {:.3g} s, t = {:.6g} s; try a "
-            "smaller model.time_step, more model.friction_coefficient or model.bed_diffusion",
-            limit, elapsed));
+        refuse_speed(water_, elapsed, fmt::format("a sub-step would be {:.3g} s", limit));
     }
     return remaining / pieces;
 }

@@ -67,4 +67,26 @@ void check_water(const Water& water, const Grid& bed, double time, WorkerPool& p
     if (first != faulty.end()) report(water, bed, static_cast<int>(first - faulty.begin()), time);
 }
 
+void refuse_speed(const Water& water, double time, const std::string& reason) {
+    const auto speed = [&](int x, int y) {
+        const double u = water.velocity_x(x, y);
+        const double v = water.velocity_y(x, y);
+        return std::sqrt(u * u + v * v);
+    };
+    int fastest_x = 0;
+    int fastest_y = 0;
+    for (int y = 0; y < water.depth.ny(); ++y) {
+        for (int x = 0; x < water.depth.nx(); ++x) {
+            if (!(speed(x, y) > speed(fastest_x, fastest_y))) continue;
+            fastest_x = x;
+            fastest_y = y;
+        }
+    }
+    throw Error(
+        fmt::format("the speed became {:.4g} m/s at cell ({}, {}), t = {:.6g} s, so that {}; try a "
+                    "smaller model.time_step, more model.friction_coefficient or "
+                    "model.bed_diffusion",
+                    speed(fastest_x, fastest_y), fastest_x, fastest_y, time, reason));
+}
+
 }  // namespace fumon

@@ -210,8 +210,10 @@ TEST_F(SweepTest, AFailingCombinationIsToldAndTheOthersAreKept) {
               0U)
         << ended.errors;
     EXPECT_EQ(runs("status"), (std::vector<std::string>{"done", "failed", "done"}));
-    EXPECT_EQ(lines(table()).size(), 1U + 2 * 5);
-    EXPECT_FALSE(fs::exists(folder_ / "out/runs/0002.csv"));
+    const std::size_t before_its_fault = lines(read_text(folder_ / "out/runs/0002.csv")).size() - 1;
+    EXPECT_GT(before_its_fault, 0U);
+    EXPECT_LT(before_its_fault, 5U);
+    EXPECT_EQ(lines(table()).size(), 1U + 2 * 5 + before_its_fault);
     const Ended again = sweep(grid);
     EXPECT_EQ(again.status, 1) << "it is tried again";
     EXPECT_NE(again.errors.find("run 2 ("), std::string::npos) << again.errors;

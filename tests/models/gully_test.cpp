@@ -287,6 +287,7 @@ TEST(Gully, SaysWhereAndWhenAValueStoppedBeingOne) {
         FAIL() << "went on";
     } catch (const Error& error) {
         const std::string line = error.what();
+        EXPECT_NE(line.find(" at cell ("), std::string::npos) << line;
         EXPECT_NE(line.find("t = "), std::string::npos) << line;
         EXPECT_NE(line.find("try a smaller"), std::string::npos) << line;
         EXPECT_EQ(error.exit_status(), 1);
