@@ -100,8 +100,8 @@ class Tracer {
     template <class Wanted>
     void trace_lattice(Wanted wanted) {
         const double spacing = 0.5 * separation_;
-        const auto rows = static_cast<int>(size_.y / spacing + 0.5);
-        const auto columns = static_cast<int>(size_.x / spacing + 0.5);
+        const auto rows = static_cast<int>(std::lround(size_.y / spacing));
+        const auto columns = static_cast<int>(std::lround(size_.x / spacing));
         for (int row = 0; row < rows; ++row) {
             for (int column = 0; column < columns; ++column) {
                 const glm::dvec2 at = spacing * glm::dvec2(column + 0.5, row + 0.5);
