@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+
+#include "measure/snapshot_lookup.h"
 
 namespace fumon {
 
@@ -71,7 +74,24 @@ LinePanel stress_panel(const Snapshot& snapshot, double unit, const std::string&
                                    curves.front()->values[i]);
     }
     LinePanel panel;
+    const std::size_t columns = stress.points.size();
     panel.series.push_back(std::move(stress));
+    const auto mean = number_of(snapshot, "stress_mean");
+    const auto amplitude = number_of(snapshot, "stress_amplitude");
+    const auto phase = number_of(snapshot, "stress_phase");
+    const auto waves = number_of(snapshot, "bed_waves");
+    if (mean && amplitude && phase && waves) {
+        panel.series.front().label = "stress";
+        LineSeries fit{"cosine fit", black, {}, false};
+        for (std::size_t i = 0; i <= columns; ++i) {
+            const double place = static_cast<double>(i);
+            const double angle =
+                2.0 * std::numbers::pi * *waves * place / static_cast<double>(columns);
+            fit.points.emplace_back(place * snapshot.section->dx / unit,
+                                    *mean + *amplitude * std::cos(angle + *phase));
+        }
+        panel.series.push_back(std::move(fit));
+    }
     panel.x = {0.0, width_of(snapshot, unit), fmt::format("x ({})", symbol)};
     panel.y = range_of(panel.series, "τ (Pa)");
     return panel;
@@ -114,17 +134,15 @@ LinePanel flight_law_panel(const Snapshot& snapshot, double unit, const std::str
         panel.series.push_back(std::move(line));
     }
     if (!(highest > lowest)) highest = lowest + 1.0;
-    const auto base = std::find_if(snapshot.numbers.begin(), snapshot.numbers.end(),
-                                   [](const auto& number) { return number.name == "hop_base"; });
-    if (base != snapshot.numbers.end() && std::isfinite(base->value)) {
+    const auto base = number_of(snapshot, "hop_base");
+    if (base && std::isfinite(*base)) {
         constexpr double millimetre = 1e-3;
-        LineSeries law{fmt::format("{:.3g}^h − 1", base->value), black, {}, false};
+        LineSeries law{fmt::format("{:.3g}^h − 1", *base), black, {}, false};
         constexpr int pieces = 100;
         for (int i = 0; i <= pieces; ++i) {
             const double height = std::lerp(lowest, highest, static_cast<double>(i) / pieces);
             law.points.emplace_back(
-                height,
-                (std::pow(base->value, height * unit / millimetre) - 1.0) * millimetre / unit);
+                height, (std::pow(*base, height * unit / millimetre) - 1.0) * millimetre / unit);
         }
         panel.series.push_back(std::move(law));
     }

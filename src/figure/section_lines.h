@@ -24,7 +24,8 @@ struct LinePanel {
     std::vector<LineSeries> series;
 };
 
-/// The shear stress along the bed, in Pa. `unit` is what lengths are shown in, in metres, and
+/// The shear stress along the bed, in Pa, and the cosine fitted to it, where the snapshot has the
+/// numbers of the fit. `unit` is what lengths are shown in, in metres, and
 /// `symbol` its name.
 LinePanel stress_panel(const Snapshot& snapshot, double unit, const std::string& symbol);
 
