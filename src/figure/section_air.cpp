@@ -27,7 +27,8 @@ double SectionAir::between(double x, double z, Node node) const {
     const int nx = snapshot_.bed.nx();
     const double column = x / section_.dx - nx * std::floor(x / (nx * section_.dx));
     const double west_column = std::floor(column);
-    const int west = static_cast<int>(west_column) % nx;
+    // Rounding may leave a place just west of the section's start.
+    const int west = (static_cast<int>(west_column) % nx + nx) % nx;
     const double east_share = column - west_column;
     return (1.0 - east_share) * node(west, z / section_.dz) +
            east_share * node((west + 1) % nx, z / section_.dz);

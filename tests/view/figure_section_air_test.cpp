@@ -41,6 +41,19 @@ TEST(SectionAir, IsLinearBetweenNodesAndPeriodic) {
     EXPECT_DOUBLE_EQ(air.value(velocity, 1.0, 9.0), 3.0) << "above the top";
 }
 
+TEST(SectionAir, FindsItsStartAgainAfterManyPeriods) {
+    Snapshot snapshot;
+    snapshot.bed = Grid(3, 1, 5.0);
+    snapshot.scale = {0.1, 0.1, 1.0, true};
+    auto section = std::make_shared<SnapshotSection>();
+    section->dx = 0.1;
+    section->dz = 0.1;
+    snapshot.section = section;
+    const SectionAir air(snapshot);
+    for (int period = -2000; period <= 2000; ++period)  // rounding leaves places on either side
+        ASSERT_DOUBLE_EQ(air.bed(period * 0.3), 5.0) << period;
+}
+
 TEST(SectionAir, TakesNoPressureFromTheBed) {
     const Snapshot snapshot = stepped();
     const SectionAir air(snapshot);
