@@ -41,17 +41,17 @@ TEST(SectionAir, IsLinearBetweenNodesAndPeriodic) {
     EXPECT_DOUBLE_EQ(air.value(velocity, 1.0, 9.0), 3.0) << "above the top";
 }
 
-TEST(SectionAir, FindsItsStartAgainAfterManyPeriods) {
+/// 0.005 m round to five periods, but to a column just before their end: what is read outside the
+/// field is seen by AddressSanitizer.
+TEST(SectionAir, StaysInsideWhereRoundingLeavesItJustBeforeItsStart) {
     Snapshot snapshot;
-    snapshot.bed = Grid(3, 1, 5.0);
-    snapshot.scale = {0.1, 0.1, 1.0, true};
+    snapshot.bed = Grid(100, 1, 5.0);
+    snapshot.scale = {1e-5, 1e-5, 1.0, true};
     auto section = std::make_shared<SnapshotSection>();
-    section->dx = 0.1;
-    section->dz = 0.1;
+    section->dx = 1e-5;
+    section->dz = 1e-5;
     snapshot.section = section;
-    const SectionAir air(snapshot);
-    for (int period = -2000; period <= 2000; ++period)  // rounding leaves places on either side
-        ASSERT_DOUBLE_EQ(air.bed(period * 0.3), 5.0) << period;
+    EXPECT_DOUBLE_EQ(SectionAir(snapshot).bed(0.005), 5.0);
 }
 
 TEST(SectionAir, TakesNoPressureFromTheBed) {
