@@ -75,6 +75,7 @@ Scene scene_of(const SweepPlan& plan, std::size_t combination) {
 Scene without_looks(Scene scene) {
     const OutputSettings output = scene.output;
     scene.sweep = {};
+    scene.figure = {};
     scene.view = {};
     scene.output = {};
     scene.output.measure_every = output.measure_every;
@@ -87,7 +88,8 @@ Scene without_looks(Scene scene) {
 nlohmann::ordered_json base_of(const SweepPlan& plan, const Scene& scene) {
     nlohmann::ordered_json base = scene_json(without_looks(scene));
     base.erase("seed");
-    for (const char* section : {"sweep", "camera", "sun", "look", "image"}) base.erase(section);
+    for (const char* section : {"sweep", "camera", "sun", "look", "section", "image", "figure"})
+        base.erase(section);
     for (const char* key :
          {"frames", "movie", "movie_rate", "movie_quality", "bed_every", "bed_at"})
         base["output"].erase(key);

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "models/registry.h"
 #include "scene/keys.h"
@@ -16,20 +18,84 @@ namespace fumon {
 
 namespace {
 
-/// The keys of one model, or the common ones, with the values they are bound to.
+/// The keys that only figures and overlays have are many: they are told apart from those of every
+/// scene.
+struct Topic {
+    std::string_view name;
+    std::string_view prefix;  ///< of its keys' paths
+    std::string_view heading;
+};
+
+constexpr std::array<Topic, 2> topics{
+    {{"figure", "figure.",
+      "Keys of a paper's figure, for `fumon figure`. N counts the [[figure.panel]] of a scene, "
+      "and\n"
+      "the [[figure.panel.curve]] and [[figure.panel.box]] of a panel, from 0"},
+     {"overlay", "overlay.",
+      "Keys of what stands over the frames. N counts the [[overlay]] of a scene, from 0"}}};
+
+const Topic* topic_of(const std::string& path) {
+    for (const Topic& topic : topics) {
+        if (path.starts_with(topic.prefix)) return &topic;
+    }
+    return nullptr;
+}
+
+const Topic* find_topic(const std::string& name) {
+    for (const Topic& topic : topics) {
+        if (name == topic.name) return &topic;
+    }
+    return nullptr;
+}
+
+/// The keys of one model, or of scenes, with the values they are bound to.
 struct Section {
+    std::string heading;
     std::string model;  ///< empty: common to all scenes
+    const Topic* topic = nullptr;
     Scene scene;
     std::any parameters;
     KeyTable table;
+
+    [[nodiscard]] std::vector<const Key*> keys() const {
+        std::vector<const Key*> all;
+        for (const Key& key : table.keys()) {
+            if (!model.empty() || topic_of(key.path) == topic) all.push_back(&key);
+        }
+        return all;
+    }
 };
 
+/// A scene's keys with one item in each list of tables.
+void fill(Section& section) {
+    section.table = scene_keys(section.scene);
+    for (bool changed = true; std::exchange(changed, false);) {
+        for (const TableList& list : section.table.lists()) {
+            if (list.size() > 0) continue;
+            list.resize(1);
+            section.table = scene_keys(section.scene);
+            changed = true;
+            break;
+        }
+    }
+}
+
+/// "overlay.0.corner" as "overlay.N.corner".
+std::string general_path(std::string path) {
+    for (std::size_t at = 0; (at = path.find(".0.")) != std::string::npos;) path[at + 1] = 'N';
+    return path;
+}
+
 void check_name(const std::string& what) {
-    if (what.empty() || what == "scene" || find_model(what) != nullptr) return;
+    if (what.empty() || what == "scene" || find_topic(what) != nullptr ||
+        find_model(what) != nullptr)
+        return;
     std::vector<std::string> known{"scene"};
+    for (const Topic& topic : topics) known.emplace_back(topic.name);
     for (const ModelEntry& entry : models()) known.emplace_back(entry.name);
-    throw InputError(fmt::format("fumon describe: \"{}\" is neither \"scene\" nor a model; {}",
-                                 what, suggestion(what, known)));
+    throw InputError(fmt::format(
+        "fumon describe: \"{}\" is neither \"scene\", \"figure\", \"overlay\" nor a model; {}",
+        what, suggestion(what, known)));
 }
 
 std::vector<std::unique_ptr<Section>> sections(const std::string& what) {
@@ -37,13 +103,24 @@ std::vector<std::unique_ptr<Section>> sections(const std::string& what) {
     std::vector<std::unique_ptr<Section>> all;
     if (what.empty() || what == "scene") {
         auto section = std::make_unique<Section>();
-        section->table = scene_keys(section->scene);
+        section->heading =
+            "Keys of every scene (TOML: section.key, or key = value under [section])";
+        fill(*section);
+        all.push_back(std::move(section));
+    }
+    for (const Topic& topic : topics) {
+        if (!what.empty() && what != topic.name) continue;
+        auto section = std::make_unique<Section>();
+        section->heading = topic.heading;
+        section->topic = &topic;
+        fill(*section);
         all.push_back(std::move(section));
     }
     for (const ModelEntry& entry : models()) {
         if (!what.empty() && what != entry.name) continue;
         auto section = std::make_unique<Section>();
         section->model = entry.name;
+        section->heading = fmt::format("Keys of the model \"{}\": {}", entry.name, entry.help);
         section->parameters = entry.default_parameters();
         entry.list_keys(section->parameters, section->table);
         all.push_back(std::move(section));
@@ -90,8 +167,8 @@ std::string key_text(const Key& key) {
     if (takes_numbers(key) && key.notes.range.text() != "any")
         facts += ", " + key.notes.range.text();
     const std::string standard = required(key) ? "required" : "default " + value_text(key);
-    std::string text =
-        fmt::format("  {:<28} {} [{}]\n      {}\n", key.path, facts, standard, key.notes.help);
+    std::string text = fmt::format("  {:<28} {} [{}]\n      {}\n", general_path(key.path), facts,
+                                   standard, key.notes.help);
     for (const ChoiceName& word : words_of(key))
         text += fmt::format("        {:<18} {}\n", word.name, word.help);
     return text;
@@ -99,7 +176,7 @@ std::string key_text(const Key& key) {
 
 nlohmann::ordered_json key_json(const Key& key, const std::string& model) {
     nlohmann::ordered_json json;
-    json["key"] = key.path;
+    json["key"] = general_path(key.path);
     json["type"] = type_text(key);
     json["unit"] = key.notes.unit;
     json["default"] =
@@ -126,12 +203,9 @@ std::string describe_text(const std::string& what) {
     std::string text;
     for (const auto& section : sections(what)) {
         if (!text.empty()) text += "\n";
-        text += section->model.empty()
-                    ? "Keys of every scene (TOML: section.key, or key = value under [section])\n\n"
-                    : fmt::format("Keys of the model \"{}\": {}\n\n", section->model,
-                                  find_model(section->model)->help);
-        if (section->table.keys().empty()) text += "  none\n";
-        for (const Key& key : section->table.keys()) text += key_text(key);
+        text += section->heading + "\n\n";
+        if (section->keys().empty()) text += "  none\n";
+        for (const Key* key : section->keys()) text += key_text(*key);
     }
     return text;
 }
@@ -139,7 +213,7 @@ std::string describe_text(const std::string& what) {
 std::string describe_json(const std::string& what) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const auto& section : sections(what)) {
-        for (const Key& key : section->table.keys()) all.push_back(key_json(key, section->model));
+        for (const Key* key : section->keys()) all.push_back(key_json(*key, section->model));
     }
     return all.dump(2) + "\n";
 }

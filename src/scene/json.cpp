@@ -1,5 +1,6 @@
 #include "scene/json.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -27,6 +28,19 @@ struct ValueJson {
     Json operator()(const TextListTarget& target) const { return *target.values; }
 };
 
+/// Where the value of a path stands; numbers in it count the items of lists.
+Json& place(Json& json, const std::string& path) {
+    Json* at = &json;
+    for (std::size_t start = 0; start <= path.size();) {
+        const std::size_t end = std::min(path.find('.', start), path.size());
+        const std::string name = path.substr(start, end - start);
+        const bool number = name.find_first_not_of("0123456789") == std::string::npos;
+        at = number ? &(*at)[std::stoul(name)] : &(*at)[name];
+        start = end + 1;
+    }
+    return *at;
+}
+
 }  // namespace
 
 Json scene_json(const Scene& scene) {
@@ -34,13 +48,7 @@ Json scene_json(const Scene& scene) {
     Json json;
     const KeyTable table = scene_keys(copy);
     for (const Key& key : table.keys()) {
-        const std::size_t dot = key.path.find('.');
-        Json value = std::visit(ValueJson{}, key.target);
-        if (dot == std::string::npos) {
-            json[key.path] = std::move(value);
-        } else {
-            json[key.path.substr(0, dot)][key.path.substr(dot + 1)] = std::move(value);
-        }
+        place(json, key.path) = std::visit(ValueJson{}, key.target);
     }
     return json;
 }

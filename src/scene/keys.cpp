@@ -30,6 +30,18 @@ std::string Range::text() const {
     return "any";
 }
 
+std::string without_numbers(const std::string& path) {
+    std::string name;
+    for (std::size_t start = 0; start <= path.size();) {
+        const std::size_t end = std::min(path.find('.', start), path.size());
+        const std::string part = path.substr(start, end - start);
+        if (part.find_first_not_of("0123456789") != std::string::npos)
+            name += (name.empty() ? "" : ".") + part;
+        start = end + 1;
+    }
+    return name;
+}
+
 void KeyTable::boolean(std::string path, bool& value, KeyNotes notes) {
     add(std::move(path), std::move(notes), &value);
 }
@@ -68,6 +80,12 @@ const Key* KeyTable::find(std::string_view path) const {
     const auto found =
         std::find_if(keys_.begin(), keys_.end(), [&](const Key& key) { return key.path == path; });
     return found == keys_.end() ? nullptr : &*found;
+}
+
+const TableList* KeyTable::find_list(std::string_view path) const {
+    const auto found = std::find_if(lists_.begin(), lists_.end(),
+                                    [&](const TableList& list) { return list.path == path; });
+    return found == lists_.end() ? nullptr : &*found;
 }
 
 void KeyTable::add(std::string path, KeyNotes notes, KeyTarget target) {

@@ -73,6 +73,22 @@ struct Key {
     KeyTarget target;
 };
 
+/// A list of tables ([[overlay]]). The keys of its items stand in the key table with their number:
+/// "overlay.0.corner".
+struct TableList {
+    std::string path;
+    std::string help;  ///< one line: what an item is
+    std::function<std::size_t()> size;
+    std::function<void(std::size_t)> resize;
+};
+
+/// A path as it stands in a scene's file, without the numbers of items: "figure.panel.0.curve" is
+/// [[figure.panel.curve]].
+std::string without_numbers(const std::string& path);
+
+/// The most tables that a list may have.
+inline constexpr std::size_t most_tables = 1000;
+
 /// The one table from which scenes are read, checked, described and written back.
 class KeyTable {
   public:
@@ -96,6 +112,21 @@ class KeyTable {
                          std::move(names)});
     }
 
+    /// A list of tables whose items list their keys with `list_item(item, path, table)`, where the
+    /// path is the item's own: "overlay.0".
+    template <class Item>
+    void tables(const std::string& path, std::vector<Item>& items, std::string help,
+                void (*list_item)(Item&, const std::string&, KeyTable&)) {
+        lists_.push_back({path, std::move(help), [&items] { return items.size(); },
+                          [&items](std::size_t size) { items.resize(size); }});
+        for (std::size_t index = 0; index < items.size(); ++index)
+            list_item(items[index], path + "." + std::to_string(index), *this);
+    }
+
+    [[nodiscard]] const std::vector<TableList>& lists() const& { return lists_; }
+    const std::vector<TableList>& lists() && = delete;
+    [[nodiscard]] const TableList* find_list(std::string_view path) const;
+
     [[nodiscard]] const std::vector<Key>& keys() const& { return keys_; }
     const std::vector<Key>& keys() && = delete;  // a temporary's keys would be gone
     [[nodiscard]] const Key* find(std::string_view path) const;
@@ -104,6 +135,7 @@ class KeyTable {
     void add(std::string path, KeyNotes notes, KeyTarget target);
 
     std::vector<Key> keys_;
+    std::vector<TableList> lists_;
 };
 
 /// Every key of the scene, bound to it: the common ones, then those of its model.

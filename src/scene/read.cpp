@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "models/registry.h"
 #include "scene/assign.h"
@@ -57,6 +59,7 @@ class Reader {
 
     void read(const toml::table& root) {
         choose_model(root);
+        size_lists(root);
         read_section(root, "");
         for (const Setting& setting : settings_) apply(setting);
         check_scene(scene_);
@@ -83,6 +86,10 @@ class Reader {
         }
         std::vector<std::string> known;
         for (const ModelEntry& entry : models()) known.emplace_back(entry.name);
+        if (place.empty() && root["figure"]["panel"]) {  // a figure may do without a model
+            scene_.model.name = "static";
+            place = scene_.source;
+        }
         if (place.empty()) {
             throw InputError(fmt::format(
                 "{}:1:1: model.name is missing; write [model] and name = \"…\" (known: {})",
@@ -98,6 +105,68 @@ class Reader {
         table_ = scene_keys(scene_);
     }
 
+    /// Gives the lists of tables as many items as file and settings have, so that the items' keys
+    /// are in the table.
+    void size_lists(const toml::table& root) {
+        for (bool changed = true; std::exchange(changed, false);) {
+            for (const TableList& list : table_.lists()) {
+                const std::size_t size = size_of(list, root);
+                if (size == list.size()) continue;
+                list.resize(size);
+                table_ = scene_keys(scene_);
+                changed = true;
+                break;
+            }
+        }
+    }
+
+    [[nodiscard]] std::size_t size_of(const TableList& list, const toml::table& root) const {
+        std::size_t size = 0;
+        if (const auto node = root.at_path(indexed(list.path)); node && node.is_array()) {
+            size = node.as_array()->size();
+            check_size(list, size, locate(node.node()->source()));
+        }
+        for (const Setting& setting : settings_) {  // one may add an item behind the last
+            if (setting.given.path.starts_with(fmt::format("{}.{}.", list.path, size))) {
+                check_size(list, ++size, setting.locate_key());
+            }
+        }
+        return size;
+    }
+
+    static void check_size(const TableList& list, std::size_t size, const std::string& place) {
+        if (size <= most_tables) return;
+        throw InputError(fmt::format("{}: [[{}]] stands more than {} times", place,
+                                     without_numbers(list.path), most_tables));
+    }
+
+    /// "figure.panel.0.curve" as the TOML reader's paths have it: "figure.panel[0].curve".
+    static std::string indexed(const std::string& path) {
+        std::string text;
+        for (std::size_t start = 0; start <= path.size();) {
+            const std::size_t end = std::min(path.find('.', start), path.size());
+            const std::string part = path.substr(start, end - start);
+            const bool number = part.find_first_not_of("0123456789") == std::string::npos;
+            text += number ? "[" + part + "]" : (text.empty() ? "" : ".") + part;
+            start = end + 1;
+        }
+        return text;
+    }
+
+    /// The items of a list of tables.
+    void read_items(const toml::array& items, const std::string& path) {
+        std::size_t index = 0;
+        for (const toml::node& item : items) {
+            if (!item.is_table()) {
+                throw InputError(
+                    fmt::format("{}: {} is a list of sections; write [[{}]] and its "
+                                "keys below",
+                                locate(item.source()), path, without_numbers(path)));
+            }
+            read_section(*item.as_table(), fmt::format("{}.{}.", path, index++));
+        }
+    }
+
     void read_section(const toml::table& section, const std::string& prefix) {
         for (const auto& [name, value] : section) {
             const std::string path = prefix + std::string(name.str());
@@ -109,7 +178,9 @@ class Reader {
                 }
                 assign(*key, value, [this](const auto& region) { return locate(region); });
                 scene_.locations[path] = locate(value.source());
-            } else if (value.is_table() && is_section(path)) {
+            } else if (value.is_array() && table_.find_list(path) != nullptr) {
+                read_items(*value.as_array(), path);
+            } else if (value.is_table() && is_section(path) && table_.find_list(path) == nullptr) {
                 read_section(*value.as_table(), path + ".");
             } else {
                 refuse_unknown(path, place);
@@ -152,6 +223,12 @@ class Reader {
     }
 
     [[noreturn]] void refuse_unknown(const std::string& path, const std::string& place) const {
+        if (table_.find_list(path) != nullptr) {
+            throw InputError(
+                fmt::format("{}: {} is a list of sections; write [[{}]] and its keys "
+                            "below, as often as there are",
+                            place, path, without_numbers(path)));
+        }
         if (is_section(path)) {
             throw InputError(fmt::format("{}: {} is a section; write [{}] and its keys below",
                                          place, path, path));

@@ -8,15 +8,10 @@
 #include <string>
 #include <vector>
 
-namespace fumon {
+#include "scene/figure_settings.h"
+#include "scene/word_or_real.h"
 
-/// A key that takes either a number or one of a few words ("auto", "fit", "mask").
-struct WordOrReal {
-    std::string word;  ///< empty: `value` counts
-    double value = 0.0;
-    [[nodiscard]] bool is_word() const { return !word.empty(); }
-    friend bool operator==(const WordOrReal&, const WordOrReal&) = default;
-};
+namespace fumon {
 
 struct ModelChoice {
     std::string name;
@@ -131,6 +126,7 @@ struct View {
     LookSettings look;
     SectionSettings section;
     ImageSettings image;
+    std::vector<OverlaySettings> overlays;
 };
 
 struct OutputSettings {
@@ -165,6 +161,7 @@ struct Scene {
     View view;
     OutputSettings output;
     SweepSettings sweep;
+    FigureSettings figure;
 
     std::filesystem::path directory;               ///< where relative files are looked for
     std::string source;                            ///< the file's name, for messages

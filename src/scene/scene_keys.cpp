@@ -1,4 +1,5 @@
 #include "models/registry.h"
+#include "scene/figure_keys.h"
 #include "scene/keys.h"
 #include "scene/limits.h"
 
@@ -296,6 +297,8 @@ KeyTable scene_keys(Scene& scene) {
     list_section_keys(scene.view.section, table);
     list_output_keys(scene.output, table);
     list_sweep_keys(scene.sweep, table);
+    list_figure_keys(scene.figure, table);
+    list_overlay_keys(scene.view.overlays, table);
     return table;
 }
 

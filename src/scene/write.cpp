@@ -57,6 +57,13 @@ struct ValueText {
     }
 };
 
+/// "[camera]", or "[[overlay]]" for an item of a list of tables ("overlay.0").
+std::string header(const std::string& owner) {
+    const bool item = owner.find_last_not_of("0123456789") == owner.rfind('.');
+    const std::string name = without_numbers(owner);
+    return item ? fmt::format("\n[[{}]]\n", name) : fmt::format("\n[{}]\n", name);
+}
+
 }  // namespace
 
 std::string value_text(const Key& key) {
@@ -69,14 +76,13 @@ std::string to_toml(const Scene& scene) {
     std::string text;
     std::string section;
     for (const Key& key : table.keys()) {
-        const std::size_t dot = key.path.find('.');
+        const std::size_t dot = key.path.rfind('.');
         const std::string owner = dot == std::string::npos ? "" : key.path.substr(0, dot);
         if (owner != section) {
-            text += fmt::format("\n[{}]\n", owner);
+            text += header(owner);
             section = owner;
         }
-        const std::string name = dot == std::string::npos ? key.path : key.path.substr(dot + 1);
-        text += fmt::format("{} = {}\n", name, value_text(key));
+        text += fmt::format("{} = {}\n", key.path.substr(dot + 1), value_text(key));
     }
     return text;
 }

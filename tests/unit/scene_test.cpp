@@ -172,6 +172,50 @@ TEST(ResolvedScene, ReadsBackTheSame) {
     EXPECT_EQ(again.view.sun.diameter, 0.30000000000000004);
 }
 
+TEST(ListsOfTables, AreReadAndWrittenBackInOrder) {
+    const std::string text =
+        least +
+        "[[overlay]]\nkind = \"time\"\n[[overlay]]\ncorner = \"lower-right\"\n"
+        "[figure]\nwidth = 100\n[[figure.panel]]\nx_label = \"a\"\n[[figure.panel.curve]]\n"
+        "y = \"one\"\n[[figure.panel.curve]]\ny = \"two\"\n[[figure.panel]]\nkind = \"map\"\n";
+    const Scene scene = parse_scene(text, "scene.toml", "");
+    ASSERT_EQ(scene.view.overlays.size(), 2U);
+    EXPECT_EQ(scene.view.overlays[0].kind, OverlayKind::time);
+    EXPECT_EQ(scene.view.overlays[1].corner, Corner::lower_right);
+    ASSERT_EQ(scene.figure.panels.size(), 2U);
+    EXPECT_EQ(scene.figure.panels[1].kind, PanelKind::map);
+    ASSERT_EQ(scene.figure.panels[0].curves.size(), 2U);
+    EXPECT_EQ(scene.figure.panels[0].curves[1].y, "two");
+    EXPECT_EQ(scene.figure.width.value, 100.0);
+    const std::string written = to_toml(scene);
+    EXPECT_EQ(to_toml(parse_scene(written, "again.toml", "")), written);
+    EXPECT_NE(written.find("[[figure.panel.curve]]"), std::string::npos) << written;
+}
+
+TEST(ListsOfTables, TakeSettingsAndMoreItems) {
+    const Scene scene = parse_scene(least + "[[overlay]]\n", "scene.toml", "",
+                                    {"overlay.0.size=0.5", "overlay.1.kind=arrow"});
+    ASSERT_EQ(scene.view.overlays.size(), 2U);
+    EXPECT_EQ(scene.view.overlays[0].size, 0.5);
+    EXPECT_EQ(scene.view.overlays[1].kind, OverlayKind::arrow);
+    EXPECT_EQ(refusal(least, {"overlay.7.kind=arrow"}).substr(0, 38),
+              "--set 1:1: unknown key overlay.7.kind;");
+}
+
+TEST(ListsOfTables, WrongOnesAreLocated) {
+    EXPECT_EQ(
+        refusal(least + "[overlay]\nkind = \"time\"\n"),
+        "scene.toml:5:2: overlay is a list of sections; write [[overlay]] and its keys below, "
+        "as often as there are");
+    EXPECT_EQ(
+        refusal("overlay = [1]\n" + least),
+        "scene.toml:1:12: overlay is a list of sections; write [[overlay]] and its keys below");
+    EXPECT_EQ(refusal(least + "[[overlay]]\n[[overlay]]\ncolour = 1\n").substr(0, 46),
+              "scene.toml:7:1: unknown key overlay.1.colour; ");
+    EXPECT_EQ(refusal(least + "[[overlay]]\nkind = \"clock\"\n").substr(0, 43),
+              "scene.toml:6:8: overlay.0.kind is \"clock\"; ");
+}
+
 TEST(Describe, ListsEveryKeyWithTypeUnitDefaultAndRange) {
     const std::string text = describe_text("scene");
     EXPECT_NE(text.find("camera.azimuth"), std::string::npos);

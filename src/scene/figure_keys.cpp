@@ -1,0 +1,256 @@
+#include "scene/figure_keys.h"
+
+#include "scene/limits.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr double largest_step = 1e15;  // whole numbers stay exact in a double
+
+void list_curve_data_keys(CurveSettings& curve, const std::string& path, KeyTable& table) {
+    table.text(path + ".name", curve.name,
+               {.help = "in the legend; {column} stands for the value of what varies"});
+    table.choice(path + ".table", curve.table,
+                 {{"measurements", "measurements.csv of the run, or of every run of the sweep"},
+                  {"avalanches", "a row an avalanche"},
+                  {"avalanche-sizes", "how often each size came: size, avalanches, share"},
+                  {"profile", "heights along a row of the bed: x, height"},
+                  {"section", "along the profile under the air: x, bed and the section's curves"},
+                  {"flights", "a row a grain's flight"},
+                  {"file", "a CSV file"}},
+                 {.help = "which rows it is drawn from"});
+    table.text(path + ".scene", curve.scene,
+               {.help = "another scene's file, relative to this one; empty: this scene"});
+    table.text_list(path + ".set", curve.set, {.help = "\"key=value\": changes to the scene"});
+    table.text_list(
+        path + ".over", curve.over,
+        {.help = "what varies, as in sweep.over; empty: the scene's own; \"none\": nothing"});
+    table.integer(path + ".seeds", curve.seeds,
+                  {.unit = "seeds", .range = {0, 1e6}, .help = "0: the scene's own sweep.seeds"});
+    table.text(path + ".file", curve.file, {.help = "the CSV file, relative to the scene"});
+    table.integer(path + ".step", curve.step,
+                  {.unit = "steps",
+                   .range = {-1, largest_step},
+                   .help = "profile, section, flights: of this step; -1: the last"});
+    table.text(path + ".x", curve.x, {.help = "column along the plot"});
+    table.text(path + ".y", curve.y, {.help = "column up the plot"});
+    table.text_list(
+        path + ".where", curve.where,
+        {.help = "rows to draw: \"column=value\", \"column>=value\", \"column<value\" …"});
+    table.text(path + ".group_by", curve.group_by,
+               {.help = "a curve for each value of this column, such as a varied key"});
+    table.boolean(path + ".average", curve.average,
+                  {.help = "rows with the same x (of several seeds) become one point, their mean"});
+}
+
+void list_curve_keys(CurveSettings& curve, const std::string& path, KeyTable& table) {
+    list_curve_data_keys(curve, path, table);
+    table.choice(path + ".spread", curve.spread,
+                 {{"none", "no bars"},
+                  {"deviation", "standard deviation of what is averaged"},
+                  {"standard-error", "of the mean"}},
+                 {.help = "error bars"});
+    table.real(path + ".scale_x", curve.scale_x, {.help = "x times this, such as metres per site"});
+    table.real(path + ".scale_y", curve.scale_y, {.help = "y times this"});
+    table.choice(path + ".fit", curve.fit,
+                 {{"none", "no fit"},
+                  {"line", "y = a + b x"},
+                  {"power", "y = a x^b, a line in the logarithms"},
+                  {"exponential", "y = a exp(b x)"},
+                  {"cosine", "y = a + b cos(2 pi x / length + c), over the curve's length"}},
+                 {.help = "least squares; drawn, and written with its R² in the legend"});
+    table.word_or_real(path + ".fit_low", curve.fit_low, {{"auto", "from the first point"}},
+                       {.help = "lower end of the x that are fitted"});
+    table.word_or_real(path + ".fit_high", curve.fit_high, {{"auto", "to the last point"}},
+                       {.help = "upper end"});
+    table.choice(path + ".style", curve.style,
+                 {{"auto", "a line for many points, points with a line for few, points for a fit"},
+                  {"line", "a line"},
+                  {"points", "points"},
+                  {"line-and-points", "both"},
+                  {"steps", "steps"}},
+                 {.help = "how it is drawn"});
+    table.integer(path + ".colour", curve.colour,
+                  {.range = {0, 8}, .help = "number in the colour cycle; 0: the next"});
+}
+
+void list_box_keys(RangeBoxSettings& box, const std::string& path, KeyTable& table) {
+    table.text(path + ".label", box.label, {.help = "what lies in this range"});
+    table.text(path + ".source", box.source, {.help = "author and year, for the caption"});
+    table.real(path + ".x_low", box.x_low, {.help = "left end"});
+    table.real(path + ".x_high", box.x_high, {.help = "right end"});
+    table.real(path + ".y_low", box.y_low, {.help = "lower end"});
+    table.real(path + ".y_high", box.y_high, {.help = "upper end"});
+}
+
+void list_place_keys(PanelSettings& panel, const std::string& path, KeyTable& table) {
+    table.choice(path + ".kind", panel.kind,
+                 {{"plot", "curves over linear or logarithmic axes"},
+                  {"map", "a field from above, with axes and a colour bar"},
+                  {"view", "a shaded 3-D view"},
+                  {"profile", "height along a row, one above the other for several steps"},
+                  {"time-space", "a row's heights over time"},
+                  {"section", "the air over a profile"}},
+                 {.help = "what the panel shows"});
+    table.text(
+        path + ".title", panel.title,
+        {.help = "above it; {step}, {time}, {seed} and {model.creep_rate} stand for values"});
+    table.integer(path + ".row", panel.row,
+                  {.range = {0, 100}, .help = "in the grid of panels, from 1; 0: reading order"});
+    table.integer(path + ".column", panel.column,
+                  {.range = {0, 100}, .help = "in the grid of panels, from 1; 0: reading order"});
+    table.integer(path + ".rows", panel.rows, {.range = {1, 100}, .help = "rows that it spans"});
+    table.integer(path + ".columns", panel.columns,
+                  {.range = {1, 100}, .help = "columns that it spans"});
+    table.choice(path + ".inset", panel.inset,
+                 {{"none", "a panel of its own"},
+                  {"upper-left", "in the panel before it"},
+                  {"upper-right", "in the panel before it"},
+                  {"lower-left", "in the panel before it"},
+                  {"lower-right", "in the panel before it"}},
+                 {.help = "whether it stands within the panel before it"});
+    table.real(path + ".inset_size", panel.inset_size,
+               {.range = {0.1, 0.9}, .help = "share of that panel's frame, along both sides"});
+}
+
+void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& table) {
+    table.text(path + ".scene", panel.scene,
+               {.help = "another scene's file, relative to this one; empty: this scene"});
+    table.text_list(path + ".set", panel.set, {.help = "\"key=value\": changes to the scene"});
+    table.integer_list(path + ".steps", panel.steps,
+                       {.unit = "steps",
+                        .range = {0, largest_step},
+                        .help = "a picture for each; in one panel for a profile; empty: the last"});
+    table.integer(path + ".every", panel.every,
+                  {.unit = "steps",
+                   .range = {0, largest_step},
+                   .help = "between the lines of a time-space panel; 0: a 200th of the run"});
+    table.word_or_real(path + ".row_of_bed", panel.row_of_bed,
+                       {{"middle", "the row in the middle"}, {"mean", "the mean over the rows"}},
+                       {.unit = "cells",
+                        .range = {0, largest_grid_side},
+                        .help = "of a profile or time-space panel, counted from the south"});
+    table.text(path + ".field", panel.field,
+               {.help = "bed, change (since the start), or a field of the model: water_depth …"});
+    table.choice(path + ".range", panel.range,
+                 {{"shared", "one range for all steps"}, {"own", "each step its own"}},
+                 {.help = "of the colours, where low and high are auto"});
+    table.word_or_real(path + ".low", panel.low, {{"auto", "from the data"}},
+                       {.help = "value at the palette's start"});
+    table.word_or_real(path + ".high", panel.high, {{"auto", "from the data"}},
+                       {.help = "value at its end"});
+    table.text(path + ".palette", panel.palette, {.help = "empty: the scene's look.palette"});
+    table.boolean(path + ".palette_reversed", panel.palette_reversed,
+                  {.help = "begin with the palette's end"});
+    table.real(path + ".shading", panel.shading,
+               {.range = {0, 1}, .help = "hill shading of a map; 0: the colours alone"});
+    table.boolean(path + ".axes", panel.axes, {.help = "ticks and labels around a map"});
+    table.boolean(path + ".colour_bar", panel.colour_bar,
+                  {.help = "beside the last of the panel's pictures"});
+    table.boolean(path + ".scale_bar", panel.scale_bar, {.help = "in a map or view"});
+    table.boolean(path + ".vectors", panel.vectors,
+                  {.help = "arrows of the water's velocity on a map"});
+    table.choice(path + ".arrow", panel.arrow,
+                 {{"none", "none"}, {"wind", "along the wind, +x"}, {"flow", "down the slope, -y"}},
+                 {.help = "an arrow in the picture's corner"});
+    table.text(path + ".section", panel.section,
+               {.help = "velocity, pressure, stress, flights, flight-law or paths"});
+}
+
+void list_panel_keys(PanelSettings& panel, const std::string& path, KeyTable& table) {
+    list_place_keys(panel, path, table);
+    list_picture_keys(panel, path, table);
+    table.text(path + ".x_label", panel.x_label, {.help = "empty: the column and its unit"});
+    table.text(path + ".y_label", panel.y_label, {.help = "empty: the column and its unit"});
+    table.boolean(path + ".x_logarithmic", panel.x_logarithmic, {.help = "logarithmic x axis"});
+    table.boolean(path + ".y_logarithmic", panel.y_logarithmic, {.help = "logarithmic y axis"});
+    table.word_or_real(path + ".x_low", panel.x_low, {{"auto", "from the data"}},
+                       {.help = "start of the x axis"});
+    table.word_or_real(path + ".x_high", panel.x_high, {{"auto", "from the data"}},
+                       {.help = "end of the x axis"});
+    table.word_or_real(path + ".y_low", panel.y_low, {{"auto", "from the data"}},
+                       {.help = "start of the y axis"});
+    table.word_or_real(path + ".y_high", panel.y_high, {{"auto", "from the data"}},
+                       {.help = "end of the y axis"});
+    table.choice(path + ".legend", panel.legend,
+                 {{"auto", "in the emptiest corner"},
+                  {"none", "no legend"},
+                  {"outside", "right of the frame"},
+                  {"upper-left", "there"},
+                  {"upper-right", "there"},
+                  {"lower-left", "there"},
+                  {"lower-right", "there"}},
+                 {.help = "where the curves' names stand"});
+    table.tables(path + ".curve", panel.curves, "a curve of the plot", list_curve_keys);
+    table.tables(path + ".box", panel.boxes, "a labelled range in the plot", list_box_keys);
+}
+
+void list_one_overlay(OverlaySettings& overlay, const std::string& path, KeyTable& table) {
+    table.choice(path + ".kind", overlay.kind,
+                 {{"title", "the scene's title"},
+                  {"time", "time and step, with unit"},
+                  {"scale-bar", "a round length"},
+                  {"arrow", "the wind's direction, or the water's, with north"},
+                  {"colour-bar", "what the colours mean"},
+                  {"parameters", "a line of keys and their values"},
+                  {"plot", "a measurement over time, up to the frame"}},
+                 {.help = "what stands over the frames"});
+    table.boolean(path + ".show", overlay.show, {.help = "false switches it off"});
+    table.choice(path + ".corner", overlay.corner,
+                 {{"upper-left", "there"},
+                  {"upper-middle", "there"},
+                  {"upper-right", "there"},
+                  {"lower-left", "there"},
+                  {"lower-middle", "there"},
+                  {"lower-right", "there"}},
+                 {.help = "where it stands; several in one corner stand below one another"});
+    table.text(path + ".text", overlay.text,
+               {.help = "title, time: {title}, {step}, {time}, {seed} and {model.creep_rate} stand "
+                        "for values; empty: as usual"});
+    table.text_list(
+        path + ".keys", overlay.keys,
+        {.help = "parameters: the keys that are shown; empty: the written model.* keys"});
+    table.text(path + ".x", overlay.x, {.help = "plot: column of the measurements along it"});
+    table.text(path + ".y", overlay.y, {.help = "plot: column up it"});
+    table.real(path + ".size", overlay.size,
+               {.range = {0.05, 0.9}, .help = "plot, colour bar: share of the picture's width"});
+    table.word_or_real(path + ".font_size", overlay.font_size,
+                       {{"auto", "a 36th of the picture's shorter side"}},
+                       {.unit = "pixels", .range = {4, 1000}, .help = "of its text"});
+    table.real(path + ".opacity", overlay.opacity,
+               {.range = {0, 1}, .help = "of the plate behind it; 0: no plate"});
+}
+
+}  // namespace
+
+void list_figure_keys(FigureSettings& figure, KeyTable& table) {
+    table.word_or_real("figure.width", figure.width,
+                       {{"single", "85 mm, one column of a journal"},
+                        {"double", "175 mm, both columns"},
+                        {"slide", "254 mm; 142.9 mm high, 16:9"}},
+                       {.unit = "mm", .range = {20, 2000}, .help = "of the page"});
+    table.word_or_real("figure.height", figure.height,
+                       {{"auto", "as high as its panels; of a slide 142.9 mm"}},
+                       {.unit = "mm", .range = {20, 2000}, .help = "of the page"});
+    table.integer("figure.columns", figure.columns,
+                  {.range = {0, 100}, .help = "of the grid of panels; 0: by their number"});
+    table.real("figure.font_size", figure.font_size,
+               {.unit = "points", .range = {3, 100}, .help = "of labels; others follow"});
+    table.real("figure.line_width", figure.line_width,
+               {.unit = "points", .range = {0.05, 20}, .help = "of curves; others follow"});
+    table.boolean("figure.letters", figure.letters, {.help = "(a), (b) … before the titles"});
+    table.real("figure.dots_per_inch", figure.dots_per_inch,
+               {.range = {50, 1200}, .help = "of pictures in the page, and of its PNG"});
+    table.text_list("figure.formats", figure.formats, {.help = "pdf, svg, png"});
+    table.text("figure.caption", figure.caption,
+               {.help = "the caption's first sentences; parameters, seeds and version follow"});
+    table.tables("figure.panel", figure.panels, "a panel of the figure, for `fumon figure`",
+                 list_panel_keys);
+}
+
+void list_overlay_keys(std::vector<OverlaySettings>& overlays, KeyTable& table) {
+    table.tables("overlay", overlays, "something that stands over every frame", list_one_overlay);
+}
+
+}  // namespace fumon

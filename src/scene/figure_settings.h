@@ -1,0 +1,149 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/word_or_real.h"
+
+namespace fumon {
+
+/// Where something stands on a picture or in a panel.
+enum class Corner { upper_left, upper_middle, upper_right, lower_left, lower_middle, lower_right };
+
+/// Which rows of data a curve is drawn from.
+enum class CurveTable {
+    measurements,
+    avalanches,
+    avalanche_sizes,
+    profile,
+    section,
+    flights,
+    file
+};
+
+enum class CurveSpread { none, deviation, standard_error };
+enum class CurveFit { none, line, power, exponential, cosine };
+enum class CurveStyle { automatic, line, points, line_and_points, steps };
+
+/// One curve of a plot, or one for each value of a column.
+struct CurveSettings {
+    std::string name;  ///< in the legend, with {column} for values; empty: none
+    CurveTable table = CurveTable::measurements;
+    std::string scene;              ///< another scene's file; empty: this one
+    std::vector<std::string> set;   ///< "key=value": changes to it
+    std::vector<std::string> over;  ///< what varies; empty: the scene's own sweep.over
+    std::int64_t seeds = 0;         ///< 0: the scene's own sweep.seeds
+    std::string file;               ///< table "file": CSV
+    std::int64_t step = -1;         ///< profile, section, flights: of this step; -1: the last
+    std::string x = "step";         ///< columns
+    std::string y;
+    std::vector<std::string> where;  ///< "column=value", "column>=value" …
+    std::string group_by;            ///< a curve for each value of this column
+    bool average = true;             ///< rows with the same x become one point
+    CurveSpread spread = CurveSpread::none;
+    double scale_x = 1.0;
+    double scale_y = 1.0;
+    CurveFit fit = CurveFit::none;
+    WordOrReal fit_low{"auto", 0.0};  ///< range of x that is fitted
+    WordOrReal fit_high{"auto", 0.0};
+    CurveStyle style = CurveStyle::automatic;
+    std::int64_t colour = 0;  ///< number in the cycle; 0: the next
+};
+
+/// A labelled range in a plot: where data of others lie.
+struct RangeBoxSettings {
+    std::string label;
+    std::string source;  ///< author and year, for the caption
+    double x_low = 0.0, x_high = 1.0;
+    double y_low = 0.0, y_high = 1.0;
+};
+
+enum class PanelKind { plot, map, view, profile, time_space, section };
+enum class PanelArrow { none, wind, flow };
+enum class PanelRange { shared, own };
+enum class LegendPlace {
+    automatic,
+    none,
+    outside,
+    upper_left,
+    upper_right,
+    lower_left,
+    lower_right
+};
+enum class InsetPlace { none, upper_left, upper_right, lower_left, lower_right };
+
+/// One panel of a figure; one for each of its steps where it has several and is a picture.
+struct PanelSettings {
+    PanelKind kind = PanelKind::plot;
+    std::string title;     ///< with {step}, {time}, {seed} or {key} for values
+    std::int64_t row = 0;  ///< counted from 1; 0: in reading order
+    std::int64_t column = 0;
+    std::int64_t rows = 1;  ///< that it spans
+    std::int64_t columns = 1;
+    InsetPlace inset = InsetPlace::none;  ///< stands within the panel before it
+    double inset_size = 0.4;              ///< share of that panel's frame
+
+    // pictures
+    std::string scene;                ///< another scene's file; empty: this one
+    std::vector<std::string> set;     ///< "key=value": changes to it
+    std::vector<std::int64_t> steps;  ///< empty: the last
+    std::int64_t every = 0;  ///< time-space: steps between its lines; 0: a 200th of the run
+    WordOrReal row_of_bed{"middle", 0.0};  ///< profile and time-space
+    std::string field = "bed";
+    PanelRange range = PanelRange::shared;  ///< of colours, between the steps
+    WordOrReal low{"auto", 0.0};
+    WordOrReal high{"auto", 0.0};
+    std::string palette;  ///< empty: the scene's look.palette
+    bool palette_reversed = false;
+    double shading = 0.0;  ///< hill shading of a map
+    bool axes = true;
+    bool colour_bar = true;
+    bool scale_bar = false;
+    bool vectors = false;  ///< arrows of the water's velocity on a map
+    PanelArrow arrow = PanelArrow::none;
+    std::string section = "velocity";  ///< as in section.panels
+
+    // plots
+    std::string x_label;  ///< empty: the column's own name and unit
+    std::string y_label;
+    bool x_logarithmic = false;
+    bool y_logarithmic = false;
+    WordOrReal x_low{"auto", 0.0}, x_high{"auto", 0.0};
+    WordOrReal y_low{"auto", 0.0}, y_high{"auto", 0.0};
+    LegendPlace legend = LegendPlace::automatic;
+    std::vector<CurveSettings> curves;
+    std::vector<RangeBoxSettings> boxes;
+};
+
+/// A paper's figure: panels on a page.
+struct FigureSettings {
+    WordOrReal width{"double", 0.0};  ///< mm
+    WordOrReal height{"auto", 0.0};   ///< mm
+    std::int64_t columns = 0;         ///< of the grid of panels; 0: by their number
+    double font_size = 8.0;           ///< points
+    double line_width = 0.8;          ///< points
+    bool letters = true;
+    double dots_per_inch = 300.0;  ///< of pictures, and of the PNG
+    std::vector<std::string> formats{"pdf", "svg", "png"};
+    std::string caption;  ///< comes before the parameters
+    std::vector<PanelSettings> panels;
+};
+
+enum class OverlayKind { title, time, scale_bar, arrow, colour_bar, parameters, plot };
+
+/// Something written or drawn over the frames.
+struct OverlaySettings {
+    OverlayKind kind = OverlayKind::title;
+    bool show = true;
+    Corner corner = Corner::upper_left;
+    std::string text;  ///< title, time: with {title}, {step}, {time}, {key}; empty: usual
+    std::vector<std::string> keys;  ///< parameters: the keys whose values are shown
+    std::string x = "time";         ///< plot: columns of the measurements
+    std::string y = "wavelength";
+    double size = 0.25;                 ///< plot, colour bar: share of the picture's width
+    WordOrReal font_size{"auto", 0.0};  ///< pixels
+    double opacity = 0.6;               ///< of the plate behind it, 0 … 1
+};
+
+}  // namespace fumon
