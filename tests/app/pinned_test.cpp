@@ -118,7 +118,7 @@ TEST_F(PinnedTest, APinnedPictureIsMadeAgainPinned) {
 
 TEST_F(PinnedTest, TextInTheSystemsFontsIsNotPinnedAndThatIsSaid) {
     write_text(folder_ / "air.toml",
-               "[model]\nname = \"airflow\"\nnz = 12\n[grid]\nnx = 24\ncell_size = 5e-5\n[run]\n"
+               "[model]\nname = \"airflow\"\nnz = 20\n[grid]\nnx = 60\ncell_size = 5e-5\n[run]\n"
                "steps = 2\n[look]\nmode = \"figure\"\n[image]\nwidth = 640\nheight = 400\n");
     const Ended ended = fumon({"still", "air.toml", "-o", "air.png", "--pinned"}, folder_.path());
     ASSERT_EQ(ended.status, 0) << ended.errors;
