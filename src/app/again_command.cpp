@@ -43,6 +43,19 @@ fs::path find_input(const InputFile& input, const fs::path& picture) {
         picture.string(), input.path, input.hash.substr(0, 12)));
 }
 
+/// What may have changed the pixels, as far as the picture tells.
+std::string why_different(const PictureOrigin& origin, const RenderingEnvironment& here) {
+    const std::string versions =
+        origin.version == FUMON_VERSION
+            ? fmt::format("both by fumon {}", FUMON_VERSION)
+            : fmt::format("made by fumon {}, this is {}", origin.version, FUMON_VERSION);
+    if (!origin.environment)
+        return versions + "; another OpenGL driver or processor also changes pixels";
+    const std::string reason = why_pixels_may_differ(*origin.environment, here);
+    if (reason.empty()) return versions + "; what drew them is the same";
+    return versions + "; " + reason;
+}
+
 fs::path output_of(const AgainOptions& options) {
     if (!options.output.empty()) return options.output;
     return fs::path(options.picture).stem().string() + "-again.png";
@@ -53,6 +66,9 @@ fs::path output_of(const AgainOptions& options) {
 int again_command(const AgainOptions& options) {
     const InterruptGuard guard;
     const PictureOrigin origin = read_origin(options.picture);
+    WorkOptions work = options.work;
+    work.pinned = work.pinned || (origin.environment && origin.environment->pinned);
+    prepare_drawing(work);
     Scene scene = parse_scene(origin.scene, options.picture, "", options.work.settings);
     if (!origin.inputs.empty())
         scene.bed.file = find_input(origin.inputs.front(), options.picture).string();
@@ -65,17 +81,15 @@ int again_command(const AgainOptions& options) {
         return status_of_signal + signal;
 
     const fs::path output = output_of(options);
-    const std::string pixels =
-        hex(draw_still(workshop, first, output.string(), options.work, progress));
+    const DrawnStill still = draw_still(workshop, first, output.string(), work, progress);
+    const std::string pixels = hex(still.pixels);
     if (origin.pixels_hash.empty() || !options.work.settings.empty()) {
         progress.note(fmt::format("{}: made", output.string()));
     } else if (pixels == origin.pixels_hash) {
         progress.note(fmt::format("{}: the same pixels as {}", output.string(), options.picture));
     } else {
-        progress.note(fmt::format(
-            "{}: made, but its pixels differ from {} (made by fumon {}, this is {}; another "
-            "OpenGL driver or processor also changes pixels)",
-            output.string(), options.picture, origin.version, FUMON_VERSION));
+        progress.note(fmt::format("{}: made, but its pixels differ from {} ({})", output.string(),
+                                  options.picture, why_different(origin, still.environment)));
     }
     return 0;
 }

@@ -14,7 +14,8 @@ namespace fumon {
 struct WorkOptions {
     std::vector<std::string> settings;  ///< key.path=VALUE
     gl::Backend backend = gl::Backend::automatic;
-    int threads = 0;  ///< 0: one per processor
+    bool pinned = false;  ///< draw the same pixels on every processor, see gl/pinned.h
+    int threads = 0;      ///< 0: one per processor
     Verbosity verbosity = Verbosity::normal;
 };
 

@@ -19,6 +19,7 @@ constexpr const char* step_keyword = "fumon:step";
 constexpr const char* version_keyword = "fumon:version";
 constexpr const char* inputs_keyword = "fumon:inputs";
 constexpr const char* pixels_keyword = "fumon:pixels-sha256";
+constexpr const char* environment_keyword = "fumon:environment";
 
 std::string inputs_text(const std::vector<InputFile>& inputs) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -37,6 +38,15 @@ std::vector<InputFile> parse_inputs(const std::string& text, const std::string& 
                                      inputs_keyword));
     }
     return inputs;
+}
+
+RenderingEnvironment parse_drawn_by(const std::string& text, const std::string& picture) {
+    try {
+        return parse_environment(text);
+    } catch (const InputError&) {
+        throw InputError(fmt::format("{}: its {} text is damaged; take an untouched copy", picture,
+                                     environment_keyword));
+    }
 }
 
 std::int64_t parse_step(const std::string& text, const std::string& picture) {
@@ -59,7 +69,8 @@ std::string resolved_scene(const Scene& scene, const std::vector<InputFile>& inp
 }
 
 PictureText picture_text(const std::string& resolved, const Scene& scene, std::int64_t step,
-                         const std::vector<InputFile>& inputs, const Sha256& pixels) {
+                         const std::vector<InputFile>& inputs, const Sha256& pixels,
+                         const RenderingEnvironment& environment) {
     PictureText texts;
     if (!scene.title.empty()) texts.emplace_back("Title", scene.title);
     texts.emplace_back("Software", "fumon " FUMON_VERSION);
@@ -69,6 +80,7 @@ PictureText picture_text(const std::string& resolved, const Scene& scene, std::i
     texts.emplace_back(scene_keyword, resolved);
     texts.emplace_back(inputs_keyword, inputs_text(inputs));
     texts.emplace_back(pixels_keyword, hex(pixels));
+    texts.emplace_back(environment_keyword, environment_text(environment));
     return texts;
 }
 
@@ -89,6 +101,8 @@ PictureOrigin read_origin(const std::filesystem::path& picture) {
     origin.inputs = parse_inputs(texts[inputs_keyword], picture.string());
     origin.version = texts[version_keyword];
     origin.pixels_hash = texts[pixels_keyword];
+    if (texts.contains(environment_keyword))
+        origin.environment = parse_drawn_by(texts[environment_keyword], picture.string());
     return origin;
 }
 

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "files/hash.h"
+#include "output/environment.h"
 #include "output/png.h"
 #include "scene/initial_bed.h"
 #include "scene/scene.h"
@@ -17,8 +19,9 @@ struct PictureOrigin {
     std::string scene;  ///< resolved, as TOML; its bed.file as reached from the working folder
     std::int64_t step = 0;
     std::vector<InputFile> inputs;
-    std::string version;      ///< of the fumon that made it
-    std::string pixels_hash;  ///< SHA-256 of the raw pixels, hexadecimal
+    std::string version;                              ///< of the fumon that made it
+    std::string pixels_hash;                          ///< SHA-256 of the raw pixels, hexadecimal
+    std::optional<RenderingEnvironment> environment;  ///< none in pictures of older versions
 };
 
 /// The scene with every default written out and its input files named as reached from the working
@@ -26,9 +29,10 @@ struct PictureOrigin {
 std::string resolved_scene(const Scene& scene, const std::vector<InputFile>& inputs);
 
 /// The texts to write into a picture: Title, Software, and fumon's own (fumon:scene, fumon:seed,
-/// fumon:step, fumon:version, fumon:inputs, fumon:pixels).
+/// fumon:step, fumon:version, fumon:inputs, fumon:pixels-sha256, fumon:environment).
 PictureText picture_text(const std::string& resolved, const Scene& scene, std::int64_t step,
-                         const std::vector<InputFile>& inputs, const Sha256& pixels);
+                         const std::vector<InputFile>& inputs, const Sha256& pixels,
+                         const RenderingEnvironment& environment);
 
 /// Reads them back. Throws InputError when the file is no PNG or not a picture of fumon's.
 PictureOrigin read_origin(const std::filesystem::path& picture);

@@ -171,7 +171,8 @@ class Pipeline {
             const Sha256 pixels = pixel_hash(*picture->image);
             const Snapshot& snapshot = *picture->snapshot;
             if (scene_.output.frames) {
-                const auto texts = picture_text(resolved_, scene_, snapshot.step, inputs_, pixels);
+                const auto texts = picture_text(resolved_, scene_, snapshot.step, inputs_, pixels,
+                                                outcome_.drawing.environment);
                 write_file(folder_.frame(picture->number),
                            encode_png(*picture->image, scene_.view.image.dots_per_inch, texts));
             }

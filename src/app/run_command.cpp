@@ -41,6 +41,7 @@ void tell_the_end(const RunOutcome& outcome, const Workshop& workshop, const Run
 int run_command(const RunOptions& options) {
     const InterruptGuard guard;
     RunFolder folder(options.folder, options.force);
+    prepare_drawing(options.work);
     Workshop workshop =
         set_up(read_scene(options.scene, options.work.settings), options.work.threads);
     const Scene& scene = workshop.scene;
@@ -50,11 +51,9 @@ int run_command(const RunOptions& options) {
 
     const ManifestFacts facts{scene, workshop.initial, workshop.pool->size()};
     const auto started = [&](const DrawingRecord& drawing) {
-        if (!drawing.backend.empty()) {
-            progress.verbose(fmt::format("{}: {}, OpenGL {}; vertical exaggeration {:g}",
-                                         drawing.backend, drawing.renderer, drawing.version,
-                                         drawing.exaggeration));
-        }
+        tell_drawing(drawing, progress);
+        if (!drawing.environment.backend.empty())
+            progress.verbose(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));
         folder.create(scene.output.frames,
                       scene.output.bed_every > 0 || !scene.output.bed_at.empty());
         write_running_manifest(folder, facts, drawing);

@@ -58,6 +58,7 @@ int advance_to_time(Workshop& workshop, double time, Progress& progress) {
 
 int still_command(const StillOptions& options) {
     const InterruptGuard guard;
+    prepare_drawing(options.work);
     Workshop workshop = set_up(scene_of(options), options.work.threads);
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(workshop.initial.bed.size()));
