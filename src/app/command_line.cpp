@@ -78,6 +78,8 @@ struct CommandLine {
     HopLawOptions hop_law;
     AgainOptions again;
     MeasureOptions measure;
+    FingerprintOptions fingerprint;
+    CompareOptions compare;
     std::vector<std::string> checked;
     std::vector<std::string> check_settings;
     std::string described;
@@ -96,6 +98,8 @@ struct CommandLine {
         add_hop_law();
         add_again();
         add_measure();
+        add_fingerprint();
+        add_compare();
         add_check();
         add_listings();
     }
@@ -282,6 +286,44 @@ struct CommandLine {
             "has no "
             "meaning\nfor this bed. `fumon run` writes the same measures over time into "
             "measurements.csv.");
+    }
+
+    void add_fingerprint() {
+        CLI::App& command =
+            add("fingerprint", "what pictures are known by: pixel hash, thumbnail as text, dHash",
+                [this] { return fingerprint_command(fingerprint); });
+        command.add_option("IMAGE", fingerprint.images, "PNG files")->required();
+        command.add_flag("--json", fingerprint.as_json, "as JSON");
+        command.footer(
+            "size     width and height, pixels\n"
+            "pixels   SHA-256 of the pixels (8 bits a channel, without alpha), as run.json has it\n"
+            "dhash    64-bit difference hash: a label, blind to light and shading\n"
+            "red, green, blue   32 x 18 mean levels of boxes of the picture, to a tenth");
+    }
+
+    void add_compare() {
+        const std::map<std::string, Likeness> levels{
+            {"identical", Likeness::identical},
+            {"same", Likeness::same_to_the_eye},
+            {"close", Likeness::close}};
+        CLI::App& command = add("compare", "how far two pictures are apart, and a verdict",
+                                [this] { return compare_command(compare); });
+        command.add_option("A", compare.first, "a PNG file")->required();
+        command.add_option("B", compare.second, "another")->required();
+        command.add_option("--diff", compare.difference, "draw where they differ")
+            ->type_name("FILE.png");
+        command
+            .add_option("--level", compare.level,
+                        "the least alike that passes: identical, same (default) or close")
+            ->type_name("NAME")
+            ->transform(CLI::Transformer(levels).description(""))
+            ->check([](const std::string& text) -> std::string {
+                return text.size() == 1
+                           ? ""
+                           : fmt::format("it takes identical, same or close, not \"{}\"", text);
+            });
+        command.footer(likeness_help() +
+                       "\nExit status: 0 at least --level, 1 less (other sizes too), 2 wrong input.");
     }
 
     void add_check() {
