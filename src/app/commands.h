@@ -86,6 +86,16 @@ struct CompareOptions {
     std::string difference;                      ///< a PNG to write; empty: none
 };
 
+struct VerifyOptions {
+    std::vector<std::string> baselines;
+    std::string folder = "verify-out";  ///< made only when something does not pass
+    std::string junit;                  ///< a file of JUnit XML; empty: none
+    bool update = false;
+    WorkOptions work;
+
+    [[nodiscard]] bool quietly() const { return work.verbosity == Verbosity::quiet; }
+};
+
 // Each returns the exit status, and throws InputError (2) or Error (1).
 
 int run_command(const RunOptions& options);
@@ -97,6 +107,7 @@ int measure_command(const MeasureOptions& options);
 int measure_avalanches(const MeasureOptions& options);  ///< of avalanches.csv
 int fingerprint_command(const FingerprintOptions& options);
 int compare_command(const CompareOptions& options);
+int verify_command(const VerifyOptions& options);
 int check_command(const std::vector<std::string>& scenes, const std::vector<std::string>& settings);
 
 }  // namespace fumon

@@ -24,8 +24,8 @@ void print(const Comparison& comparison) {
         fmt::print(" (8 x 8 pixels at {}, {})", comparison.tiles.x, comparison.tiles.y);
     fmt::print("\nthumbnail difference  {:.3f}", comparison.thumbnail.largest);
     if (comparison.changed > 0)
-        fmt::print(" (column {}, row {} of {} x {})", comparison.thumbnail.x, comparison.thumbnail.y,
-                   Thumbnail::width, Thumbnail::height);
+        fmt::print(" (column {}, row {} of {} x {})", comparison.thumbnail.x,
+                   comparison.thumbnail.y, Thumbnail::width, Thumbnail::height);
     fmt::print("\n");
 }
 

@@ -20,8 +20,7 @@ Json thumbnail_json(const Thumbnail& thumbnail) {
     for (int y = 0; y < Thumbnail::height; ++y) {
         Json row = Json::array();
         for (int x = 0; x < Thumbnail::width; ++x) {
-            row.push_back(
-                {thumbnail.at(x, y, 0), thumbnail.at(x, y, 1), thumbnail.at(x, y, 2)});
+            row.push_back({thumbnail.at(x, y, 0), thumbnail.at(x, y, 1), thumbnail.at(x, y, 2)});
         }
         rows.push_back(std::move(row));
     }

@@ -49,7 +49,8 @@ BoxSums box_sums(const Image& image, int columns, int rows) {
             for (int x = first_pixel(box_x, image.width, columns); x < end_x; ++x) {
                 const auto weight =
                     static_cast<std::uint64_t>(overlap(x, box_x, image.width, columns));
-                const std::uint32_t* pixel = &column_sums[std::size_t{3} * static_cast<std::size_t>(x)];
+                const std::uint32_t* pixel =
+                    &column_sums[std::size_t{3} * static_cast<std::size_t>(x)];
                 for (std::size_t channel = 0; channel < 3; ++channel)
                     sum[channel] += weight * pixel[channel];
             }

@@ -35,7 +35,7 @@ struct LikenessLimits {
     double tile_ssim;  ///< of the least similar tile, at least
 };
 
-inline constexpr LikenessLimits same_to_the_eye_limits{0.5, 0.9};
+inline constexpr LikenessLimits same_to_the_eye_limits{0.5, 0.95};
 inline constexpr LikenessLimits close_limits{3.0, 0.5};
 
 Likeness likeness(const Comparison& comparison);

@@ -10,8 +10,7 @@ Thumbnail thumbnail_of(const Image& image) {
     const BoxSums boxes = box_sums(image, Thumbnail::width, Thumbnail::height);
     Thumbnail thumbnail;
     for (std::size_t i = 0; i < Thumbnail::count; ++i) {
-        thumbnail.levels[i] =
-            static_cast<double>(boxes.sums[i]) / static_cast<double>(boxes.area);
+        thumbnail.levels[i] = static_cast<double>(boxes.sums[i]) / static_cast<double>(boxes.area);
     }
     return thumbnail;
 }

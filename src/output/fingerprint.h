@@ -22,7 +22,9 @@ struct Thumbnail {
     /// Grey levels 0 … 255: red, green and blue of each pixel, top row first.
     std::array<double, count> levels{};
 
-    [[nodiscard]] double at(int x, int y, int channel) const { return levels[index(x, y, channel)]; }
+    [[nodiscard]] double at(int x, int y, int channel) const {
+        return levels[index(x, y, channel)];
+    }
     double& at(int x, int y, int channel) { return levels[index(x, y, channel)]; }
 
     friend bool operator==(const Thumbnail&, const Thumbnail&) = default;

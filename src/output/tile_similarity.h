@@ -13,7 +13,8 @@ struct TileSimilarity {
 
 /// Smallest structural similarity of two pictures of one size over tiles of 8 × 8 pixels side by
 /// side; where a side is no multiple of 8 the last tiles reach back over their neighbours, and a
-/// picture smaller than a tile is one tile. SSIM of Wang, Bovik, Sheikh & Simoncelli 2004, eq. (13),
+/// picture smaller than a tile is one tile. SSIM of Wang, Bovik, Sheikh & Simoncelli 2004, eq.
+/// (13),
 ///
 ///     (2 μ₁ μ₂ + C₁)(2 σ₁₂ + C₂) / ((μ₁² + μ₂² + C₁)(σ₁² + σ₂² + C₂)),
 ///     C₁ = (0.01 · 255)², C₂ = (0.03 · 255)²,
