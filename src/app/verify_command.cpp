@@ -85,6 +85,7 @@ class Verification {
         for (Suite& suite : suites_) {
             const std::string before = baseline_text(suite.baseline);
             for (const BaselineCase& one : suite.baseline.cases) {
+                page_.forget(suite.name, one.name);
                 const auto start = std::chrono::steady_clock::now();
                 const Verdict verdict = look_at(suite, one);
                 if (signal_ != 0) return stop();

@@ -15,6 +15,12 @@ namespace {
 
 constexpr double screen_dots_per_inch = 96.0;
 
+// What the pictures of a case are called.
+constexpr const char* expected_kind = "expected";
+constexpr const char* got_kind = "got";
+constexpr const char* thumbnail_kind = "got-thumbnail";
+constexpr const char* difference_kind = "difference";
+
 constexpr const char* head = R"html(<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -79,6 +85,13 @@ Image picture_of(const Thumbnail& thumbnail) {
     return image;
 }
 
+void remove_file(const std::filesystem::path& file) {
+    std::error_code fault;
+    std::filesystem::remove(file, fault);
+    if (fault && fault != std::errc::not_a_directory)
+        throw Error(fmt::format("cannot remove {}: {}", file.string(), fault.message()));
+}
+
 bool same_size(const Image& first, const Image& second) {
     return first.width == second.width && first.height == second.height;
 }
@@ -86,33 +99,41 @@ bool same_size(const Image& first, const Image& second) {
 }  // namespace
 
 VerifyPage::VerifyPage(std::filesystem::path folder) : folder_(std::move(folder)) {
-    std::error_code fault;
-    std::filesystem::remove(file(), fault);
-    if (fault) throw Error(fmt::format("cannot remove {}: {}", file().string(), fault.message()));
+    remove_file(file());
+}
+
+void VerifyPage::forget(const std::string& suite, const std::string& name) {
+    for (const char* kind : {expected_kind, got_kind, thumbnail_kind, difference_kind})
+        remove_file(picture(suite, name, kind));
+    std::error_code still_used;
+    std::filesystem::remove(folder_ / suite, still_used);
+}
+
+std::filesystem::path VerifyPage::picture(const std::string& suite, const std::string& name,
+                                          std::string_view kind) const {
+    return folder_ / suite / fmt::format("{}-{}.png", name, kind);
 }
 
 void VerifyPage::add(const std::string& suite, const std::string& name, const Verdict& verdict,
                      const Image& got, const BaselineRecord* record, const Image* expected) {
     begin();
-    const auto file = [&](const char* kind) {
-        return folder_ / suite / fmt::format("{}-{}.png", name, kind);
-    };
+    const auto file = [&](const char* kind) { return picture(suite, name, kind); };
     open_section(suite, name, verdict, record != nullptr);
     if (record == nullptr) {
-        show(got, file("got"), "got", "got");
+        show(got, file(got_kind), "got", "got");
     } else {
         const bool whole = expected != nullptr && same_size(*expected, got);
         const Image before = whole ? *expected : picture_of(record->fingerprint.thumbnail);
         const Image after = whole ? got : picture_of(thumbnail_of(got));
         const std::string of_what = whole ? "" : " (thumbnail)";
-        show(before, file("expected"), "expected", "expected" + of_what);
-        show(after, file(whole ? "got" : "got-thumbnail"), "got", "got" + of_what);
-        show(difference_picture(before, after), file("difference"), "difference",
+        show(before, file(expected_kind), "expected", "expected" + of_what);
+        show(after, file(whole ? got_kind : thumbnail_kind), "got", "got" + of_what);
+        show(difference_picture(before, after), file(difference_kind), "difference",
              "difference" + of_what);
         page_->write(
             "<figure><img class=\"blink\" alt=\"expected and got in turns\">"
             "<figcaption></figcaption></figure>\n");
-        if (!whole) show(got, file("got"), "whole", "got, whole");
+        if (!whole) show(got, file(got_kind), "whole", "got, whole");
     }
     page_->write("</div>\n</section>\n");
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "files/atomic_file.h"
 #include "output/baseline.h"
@@ -19,6 +20,9 @@ class VerifyPage {
     /// Deletes the page that an earlier run left there. Throws Error.
     explicit VerifyPage(std::filesystem::path folder);
 
+    /// Deletes the pictures that an earlier run left of a case. Throws Error.
+    void forget(const std::string& suite, const std::string& name);
+
     /// Writes DIR/SUITE/NAME-got.png and, where `record` is not null, -expected.png and
     /// -difference.png: of the kept picture, else of the thumbnails. Throws Error.
     void add(const std::string& suite, const std::string& name, const Verdict& verdict,
@@ -34,6 +38,8 @@ class VerifyPage {
     [[nodiscard]] std::filesystem::path file() const { return folder_ / "index.html"; }
 
   private:
+    [[nodiscard]] std::filesystem::path picture(const std::string& suite, const std::string& name,
+                                                std::string_view kind) const;
     void begin();
     void open_section(const std::string& suite, const std::string& name, const Verdict& verdict,
                       bool pair);

@@ -26,12 +26,12 @@ std::string pixels_text(const std::optional<Comparison>& comparison) {
 }
 
 std::string thumbnail_text(const ThumbnailDifference& difference, double limit) {
-    return fmt::format("thumbnail {:.1f} of {:g} at {}, {}", difference.largest, limit,
+    return fmt::format("thumbnail {:.1f} of {:g} at column {}, row {}", difference.largest, limit,
                        difference.x, difference.y);
 }
 
 std::string tiles_text(const TileSimilarity& tiles, double limit) {
-    return fmt::format("smallest tile SSIM {:.3f} of {:g} at {}, {}", tiles.smallest, limit,
+    return fmt::format("smallest tile SSIM {:.3f} of {:g} at pixel {}, {}", tiles.smallest, limit,
                        tiles.x, tiles.y);
 }
 
@@ -88,8 +88,9 @@ std::string changes(const BaselineRecord& before, const BaselineRecord& after) {
     } else if (before.fingerprint.pixels != after.fingerprint.pixels) {
         const auto thumbnail =
             thumbnail_difference(before.fingerprint.thumbnail, after.fingerprint.thumbnail);
-        what.push_back(fmt::format("the pixels change, their thumbnail by {:.1f} at {}, {}",
-                                   thumbnail.largest, thumbnail.x, thumbnail.y));
+        what.push_back(
+            fmt::format("the pixels change, their thumbnail by {:.1f} at column {}, row {}",
+                        thumbnail.largest, thumbnail.x, thumbnail.y));
     }
     if (const std::string drawn = difference(before.environment, after.environment); !drawn.empty())
         what.push_back(drawn);
