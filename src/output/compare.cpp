@@ -87,9 +87,14 @@ Likeness likeness(const Comparison& comparison) {
 std::string likeness_help() {
     return fmt::format(
         "identical        every pixel is the same\n"
-        "same to the eye  thumbnails within {} grey levels, every 8 x 8 tile's SSIM at least {}\n"
-        "close            within {} and at least {}\n"
-        "different        anything else\n",
+        "same to the eye  thumbnails within {} grey levels and every 8 x 8 tile's SSIM at least "
+        "{},\n"
+        "                 as on another processor (0.001, 0.999), the sun 0.1 degrees on (0.4, "
+        "0.997)\n"
+        "close            within {} and at least {}, as one sample a pixel for four (0.3, 0.50),\n"
+        "                 young dunes a step later (0.9, 0.62)\n"
+        "different        all else, as the sun 1 degree on (4.5, 0.92), dunes moved by 2 % of a\n"
+        "                 wavelength (6.9, -0.38)\n",
         same_to_the_eye_limits.thumbnail, same_to_the_eye_limits.tile_ssim, close_limits.thumbnail,
         close_limits.tile_ssim);
 }

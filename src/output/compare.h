@@ -29,14 +29,15 @@ enum class Likeness { different, close, same_to_the_eye, identical };
 /// "different", "close", "same to the eye", "identical".
 std::string_view name_of(Likeness likeness);
 
-/// What two pictures may differ by at a level: both must hold.
+/// What two pictures may differ by at a level: both must hold. The README says what each lets
+/// through, as measured.
 struct LikenessLimits {
     double thumbnail;  ///< grey levels, at most
     double tile_ssim;  ///< of the least similar tile, at least
 };
 
 inline constexpr LikenessLimits same_to_the_eye_limits{0.5, 0.95};
-inline constexpr LikenessLimits close_limits{3.0, 0.5};
+inline constexpr LikenessLimits close_limits{3.0, 0.4};
 
 Likeness likeness(const Comparison& comparison);
 
