@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "files/input_file.h"
 #include "output/compare.h"
 #include "output/markup.h"
 #include "output/png.h"
@@ -14,6 +15,8 @@ namespace fumon {
 namespace {
 
 constexpr double screen_dots_per_inch = 96.0;
+
+constexpr std::string_view generator = "content=\"fumon verify\"";
 
 // What the pictures of a case are called.
 constexpr const char* expected_kind = "expected";
@@ -99,6 +102,14 @@ bool same_size(const Image& first, const Image& second) {
 }  // namespace
 
 VerifyPage::VerifyPage(std::filesystem::path folder) : folder_(std::move(folder)) {
+    if (!std::filesystem::exists(file())) return;
+    constexpr std::size_t head_bytes = 200;
+    if (start_of_input_file(file(), head_bytes).find(generator) == std::string::npos) {
+        throw InputError(
+            fmt::format("{}: is not a page of fumon verify's and would be replaced; name another "
+                        "folder with -o",
+                        file().string()));
+    }
     remove_file(file());
 }
 

@@ -17,7 +17,8 @@ namespace fumon {
 /// does not grow with their number.
 class VerifyPage {
   public:
-    /// Deletes the page that an earlier run left there. Throws Error.
+    /// Deletes the page that an earlier run left there. Throws InputError where index.html is
+    /// something else.
     explicit VerifyPage(std::filesystem::path folder);
 
     /// Deletes the pictures that an earlier run left of a case. Throws Error.

@@ -126,6 +126,18 @@ TEST_F(Verify, AMovedSunShowsOnOnePage) {
     EXPECT_FALSE(fs::exists(folder_ / "out/b"));
 }
 
+TEST_F(Verify, LeavesAPageOfOthersAlone) {
+    fs::create_directories(folder_ / "site");
+    write_text(folder_ / "site/index.html", "<!DOCTYPE html>\nmine\n");
+    const Ended ended = verify({"-o", "site"});
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_EQ(
+        ended.errors,
+        "site/index.html: is not a page of fumon verify's and would be replaced; name another "
+        "folder with -o\n");
+    EXPECT_EQ(read_text(folder_ / "site/index.html"), "<!DOCTYPE html>\nmine\n");
+}
+
 TEST_F(Verify, OneStepMoreChangesState) {
     accept();
     write_text(folder_ / "b.toml", [&] {
