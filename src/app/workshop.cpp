@@ -111,6 +111,19 @@ int advance_to(Workshop& workshop, std::int64_t step, Progress& progress) {
     return 0;
 }
 
+int advance_to_time(Workshop& workshop, double time, const std::string& asked, Progress& progress) {
+    while (workshop.model->time() < time) {
+        const std::int64_t next = workshop.model->steps_done() + 1;
+        if (next > workshop.scene.run.steps) {
+            throw InputError(fmt::format("{} is after the run's end at {} {}; lengthen run.steps",
+                                         asked, workshop.model->time(),
+                                         workshop.model->time_unit()));
+        }
+        if (const int signal = advance_to(workshop, next, progress); signal != 0) return signal;
+    }
+    return 0;
+}
+
 void prepare_drawing(const WorkOptions& work) {
     if (work.pinned) gl::pin_rendering();
 }
@@ -128,14 +141,17 @@ void tell_drawing(const DrawingRecord& drawing, Progress& progress) {
     }
 }
 
+Drawing draw_present(const Workshop& workshop, const Snapshot& first, const WorkOptions& work) {
+    WorkerPool pool(work.threads, "fumon-render");
+    const auto painter = make_frame_painter(workshop.scene, first, work.backend, pool);
+    return {painter->paint(workshop.model->snapshot()), painter->record()};
+}
+
 DrawnStill draw_still(Workshop& workshop, const Snapshot& first, const std::string& file,
                       const WorkOptions& work, Progress& progress) {
     const Scene& scene = workshop.scene;
-    WorkerPool pool(work.threads, "fumon-render");
-    const auto painter = make_frame_painter(scene, first, work.backend, pool);
-    const DrawingRecord drawing = painter->record();
+    const auto [image, drawing] = draw_present(workshop, first, work);
     tell_drawing(drawing, progress);
-    const Image image = painter->paint(workshop.model->snapshot());
     const Sha256 pixels = pixel_hash(image);
     const auto texts = picture_text(resolved_scene(scene, workshop.initial.inputs), scene,
                                     workshop.model->steps_done(), workshop.initial.inputs, pixels,

@@ -28,6 +28,10 @@ Workshop set_up(Scene scene, int threads);
 /// Throws Error when the bed is not finite then.
 int advance_to(Workshop& workshop, std::int64_t step, Progress& progress);
 
+/// Advances until the model's time reaches the wanted one. Throws InputError where the run ends
+/// before, naming what was asked ("--time 5").
+int advance_to_time(Workshop& workshop, double time, const std::string& asked, Progress& progress);
+
 /// Pins what will be drawn where that is asked for: before any thread starts.
 void prepare_drawing(const WorkOptions& work);
 
@@ -41,8 +45,16 @@ struct DrawnStill {
     RenderingEnvironment environment;
 };
 
-/// Draws the model's present state, as the run's frame of that step, and writes it whole with its
-/// metadata.
+/// A picture of the model's present state, and what drew it.
+struct Drawing {
+    Image image;
+    DrawingRecord record;
+};
+
+/// Draws the model's present state as the run's frame of that step; `first` is the run's first.
+Drawing draw_present(const Workshop& workshop, const Snapshot& first, const WorkOptions& work);
+
+/// The same, written whole with its metadata.
 DrawnStill draw_still(Workshop& workshop, const Snapshot& first, const std::string& file,
                       const WorkOptions& work, Progress& progress);
 

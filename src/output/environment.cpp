@@ -74,8 +74,11 @@ std::string why_pixels_may_differ(const RenderingEnvironment& there,
     };
     const bool with_backend = !(on_llvmpipe(there) && on_llvmpipe(here));
     std::vector<std::string> reasons = differences(there, here, with_backend);
-    if (reasons.empty() && !there.pinned)
-        reasons.emplace_back("neither is pinned, so that pixels depend on the processor");
+    if (reasons.empty() && !there.pinned) {
+        reasons.emplace_back(there.backend == "cairo"
+                                 ? "text stands in the fonts of the machine"
+                                 : "neither is pinned, so that pixels depend on the processor");
+    }
     return joined(reasons);
 }
 
