@@ -30,6 +30,7 @@ constexpr std::array<Marker, 9> markers{
 void polygon(Canvas& canvas, const CanvasPoint& at, double size, const Ink& ink,
              const std::vector<CanvasPoint>& corners) {
     std::vector<CanvasPoint> placed;
+    placed.reserve(corners.size());
     for (const CanvasPoint& corner : corners)
         placed.push_back({at.x + size * corner.x, at.y + size * corner.y});
     canvas.fill(placed, ink);
