@@ -9,6 +9,7 @@
 #include "figure/page_grid.h"
 #include "figure/page_text.h"
 #include "support/error.h"
+#include "terrain/elementary.h"
 
 namespace fumon {
 
@@ -145,12 +146,12 @@ class Solver {
         for (std::size_t n = 0; n < places_.size(); ++n) {
             if (places_[n].columns > 1) continue;
             const auto column = static_cast<std::size_t>(places_[n].column);
-            logarithms[column] += std::log(aspect(n) > 0.0 ? aspect(n) : free_aspect);
+            logarithms[column] += elementary::log(aspect(n) > 0.0 ? aspect(n) : free_aspect);
             ++count[column];
         }
         Lengths weights(columns(), free_aspect);
         for (std::size_t i = 0; i < weights.size(); ++i) {
-            if (count[i] > 0) weights[i] = std::exp(logarithms[i] / count[i]);
+            if (count[i] > 0) weights[i] = elementary::exp(logarithms[i] / count[i]);
         }
         const double widest = *std::max_element(weights.begin(), weights.end());
         for (double& weight : weights) weight = std::max(weight, least_weight * widest);

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "figure/ticks.h"
+#include "terrain/elementary_power.h"
 
 namespace fumon {
 
@@ -46,10 +47,10 @@ ValueRange with_width(ValueRange values, bool logarithmic) {
 
 /// The power of ten beyond a value, or the next of 1, 2 and 5 of one where that is far.
 double logarithmic_end(double value, bool up) {
-    const double power = std::log10(value);
+    const double power = elementary::log10(value);
     const double whole = up ? std::ceil(power - rounding) : std::floor(power + rounding);
-    if (std::abs(whole - power) <= most_decade_waste) return std::pow(10.0, whole);
-    const double decade = std::pow(10.0, std::floor(power));
+    if (std::abs(whole - power) <= most_decade_waste) return elementary::pow(10.0, whole);
+    const double decade = elementary::pow(10.0, std::floor(power));
     double best = up ? 10.0 * decade : decade;
     for (const double leading : {2.0, 5.0}) {
         const double end = leading * decade;
@@ -60,7 +61,7 @@ double logarithmic_end(double value, bool up) {
 }
 
 PlotScale logarithmic_scale(const PlotAxis& axis, const ValueRange& values, double room) {
-    const double margin = std::pow(values.high / values.low, room);
+    const double margin = elementary::pow(values.high / values.low, room);
     return {axis.low.value_or(logarithmic_end(values.low / margin, false)),
             axis.high.value_or(logarithmic_end(values.high * margin, true)), true};
 }
@@ -77,10 +78,10 @@ PlotScale linear_scale(const PlotAxis& axis, ValueRange values, double room) {
 }
 
 std::string logarithmic_label(double value) {
-    const int power = static_cast<int>(std::floor(std::log10(value) + rounding));
+    const int power = static_cast<int>(std::floor(elementary::log10(value) + rounding));
     constexpr int most_digits = 4;
     if (std::abs(power) > most_digits) {
-        const int leading = static_cast<int>(std::lround(value / std::pow(10.0, power)));
+        const int leading = static_cast<int>(std::lround(value / elementary::pow(10.0, power)));
         return leading == 1 ? power_of_ten(power)
                             : fmt::format("{}×{}", leading, power_of_ten(power));
     }
@@ -90,11 +91,11 @@ std::string logarithmic_label(double value) {
 /// Marks within one decade or so: 1, 2 and 5 of each.
 PlotTicks narrow_logarithmic_ticks(const PlotScale& scale, int most) {
     PlotTicks ticks;
-    const int first = static_cast<int>(std::floor(std::log10(scale.low)));
-    const int last = static_cast<int>(std::floor(std::log10(scale.high)));
+    const int first = static_cast<int>(std::floor(elementary::log10(scale.low)));
+    const int last = static_cast<int>(std::floor(elementary::log10(scale.high)));
     for (int power = first; power <= last; ++power) {
         for (int leading = 1; leading < 10; ++leading) {
-            const double value = leading * std::pow(10.0, power);
+            const double value = leading * elementary::pow(10.0, power);
             if (value < scale.low * (1.0 - rounding) || value > scale.high * (1.0 + rounding))
                 continue;
             const bool labelled = leading == 1 || leading == 2 || leading == 5;
@@ -113,12 +114,12 @@ PlotTicks wide_logarithmic_ticks(const PlotScale& scale, int most) {
     const Ticks powers = logarithmic_ticks(scale.low, scale.high, most);
     ticks.values = powers.values;
     ticks.labels = powers.labels;
-    const int first = static_cast<int>(std::floor(std::log10(scale.low) + rounding));
-    const int last = static_cast<int>(std::floor(std::log10(scale.high) + rounding));
+    const int first = static_cast<int>(std::floor(elementary::log10(scale.low) + rounding));
+    const int last = static_cast<int>(std::floor(elementary::log10(scale.high) + rounding));
     constexpr int most_decades = 12;  // with minor marks in each
     const bool all = ticks.values.size() < 2 || ticks.values[1] < 11.0 * ticks.values[0];
     for (int power = first; power <= last; ++power) {
-        const double decade = std::pow(10.0, power);
+        const double decade = elementary::pow(10.0, power);
         const bool labelled = std::any_of(
             ticks.values.begin(), ticks.values.end(),
             [decade](double value) { return std::abs(value - decade) < rounding * decade; });
@@ -139,10 +140,10 @@ PlotTicks linear_plot_ticks(const PlotScale& scale, int most) {
     double largest = 0.0;
     for (const double value : ticks.values) largest = std::max(largest, std::abs(value));
     if (largest > 0.0 && (largest >= 1e5 || largest < 1e-2)) {
-        ticks.power = static_cast<int>(std::floor(std::log10(largest) + rounding));
+        ticks.power = static_cast<int>(std::floor(elementary::log10(largest) + rounding));
     }
     for (const double value : ticks.values)
-        ticks.labels.push_back(plain_number(value / std::pow(10.0, ticks.power),
+        ticks.labels.push_back(plain_number(value / elementary::pow(10.0, ticks.power),
                                             std::max(0, ticks.power - step.exponent)));
     const int parts = parts_of(step);
     for (const double value : multiples(step.value() / parts, scale.low, scale.high)) {
@@ -167,7 +168,7 @@ void add_with_error(ValueRange& range, const PlotAxis& axis, double value, doubl
 double PlotScale::share(double value) const {
     if (!logarithmic) return (value - low) / (high - low);
     if (!(value > 0.0)) return -INFINITY;
-    return std::log10(value / low) / std::log10(high / low);
+    return elementary::log10(value / low) / elementary::log10(high / low);
 }
 
 bool PlotScale::shows(double value) const {
@@ -186,7 +187,7 @@ PlotScale plot_scale(const PlotAxis& axis, const ValueRange& values, double room
 
 PlotScale stretched(const PlotScale& scale, double share) {
     if (scale.logarithmic)
-        return {scale.low, scale.high * std::pow(scale.high / scale.low, share), true};
+        return {scale.low, scale.high * elementary::pow(scale.high / scale.low, share), true};
     PlotAxis axis;
     axis.low = scale.low;
     return linear_scale(axis, {scale.low, scale.high + share * (scale.high - scale.low)}, 0.0);

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "figure/plot_drawing.h"
+#include "terrain/elementary_angle.h"
 
 namespace fumon {
 
@@ -51,7 +52,7 @@ std::vector<std::vector<CanvasPoint>> pieces_of(const PlotSeries& series, const 
         const CanvasPoint point = axes.at(series.x[i], series.y[i], series.on_right);
         std::vector<CanvasPoint>& piece = pieces.back();
         if (piece.size() > 1 && i + 1 < series.x.size() &&
-            std::hypot(point.x - piece.back().x, point.y - piece.back().y) < visible)
+            elementary::hypot(point.x - piece.back().x, point.y - piece.back().y) < visible)
             continue;
         if (series.kind == SeriesKind::step && !piece.empty())
             piece.push_back({point.x, piece.back().y});
