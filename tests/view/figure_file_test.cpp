@@ -129,6 +129,7 @@ TEST(FigureFile, AsPdfIsReadByPoppler) {
     EXPECT_NE(info.find("Title:           風紋 & (ripples) <1 mm>"), std::string::npos) << info;
     EXPECT_NE(info.find("Creator:         fumon 1"), std::string::npos);
     EXPECT_NE(info.find("Pages:           1"), std::string::npos);
+    EXPECT_NE(page.bytes.find("/CreationDate (20000101000000Z)"), std::string::npos) << info;
     EXPECT_NE(info.find("Page size:       400 x "), std::string::npos);
     std::string text = said_by("pdftotext -raw " + file + " -");
     std::replace(text.begin(), text.end(), '\n', ' ');  // as which upright words end
