@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <pango/pangocairo.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -104,6 +105,38 @@ void Canvas::stroke(std::span<const CanvasPoint> line, double width, const Ink& 
     cairo_stroke(parts_->drawing.get());
 }
 
+void Canvas::draw(const Image& image, const CanvasBox& box, std::span<const std::uint8_t> opacity) {
+    if (image.width < 1 || image.height < 1 || !(box.width > 0.0) || !(box.height > 0.0)) return;
+    const Surface pixels(
+        cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
+    unsigned char* data = cairo_image_surface_get_data(pixels.get());
+    const int stride = cairo_image_surface_get_stride(pixels.get());
+    std::size_t n = 0;
+    for (int y = 0; y < image.height; ++y) {
+        const std::uint8_t* in = image.row(y);
+        for (int x = 0; x < image.width; ++x, ++n) {
+            const std::uint32_t alpha = opacity.empty() ? 255U : opacity[n];
+            std::uint32_t pixel = alpha;
+            for (int c = 0; c < 3; ++c) pixel = (pixel << 8U) | ((*in++ * alpha + 127U) / 255U);
+            std::memcpy(data + std::ptrdiff_t{stride} * y + std::ptrdiff_t{4} * x, &pixel, 4);
+        }
+    }
+    cairo_surface_mark_dirty(pixels.get());
+    cairo_t* drawing = parts_->drawing.get();
+    cairo_save(drawing);
+    cairo_rectangle(drawing, box.x, box.y, box.width, box.height);
+    cairo_clip(drawing);
+    cairo_translate(drawing, box.x, box.y);
+    cairo_scale(drawing, box.width / image.width, box.height / image.height);
+    cairo_set_source_surface(drawing, pixels.get(), 0.0, 0.0);
+    const bool large = box.width >= image.width && box.height >= image.height;
+    cairo_pattern_set_filter(cairo_get_source(drawing),
+                             large ? CAIRO_FILTER_NEAREST : CAIRO_FILTER_GOOD);
+    if (!large) cairo_pattern_set_extend(cairo_get_source(drawing), CAIRO_EXTEND_PAD);
+    cairo_paint(drawing);
+    cairo_restore(drawing);
+}
+
 std::array<double, 2> Canvas::text_size(const std::string& text, double size) const {
     parts_->set_text(text, size);
     return parts_->size_of_text();
@@ -133,6 +166,10 @@ double Canvas::font_size() const {
     return parts_->font_size;
 }
 
+double Canvas::line_width() const {
+    return std::max(1.0, 0.06 * parts_->font_size);
+}
+
 const std::vector<PlacedText>& Canvas::texts() const {
     return parts_->texts;
 }
@@ -154,6 +191,17 @@ Image Canvas::image() const {
         }
     }
     return image;
+}
+
+CanvasClip::CanvasClip(Canvas& canvas, const CanvasBox& box) : canvas_(canvas) {
+    cairo_t* drawing = canvas.parts_->drawing.get();
+    cairo_save(drawing);
+    cairo_rectangle(drawing, box.x, box.y, box.width, box.height);
+    cairo_clip(drawing);
+}
+
+CanvasClip::~CanvasClip() {
+    cairo_restore(canvas_.parts_->drawing.get());
 }
 
 std::string figure_library() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -53,6 +54,11 @@ class Canvas {
     /// `width` in pixels; round ends and joints.
     void stroke(std::span<const CanvasPoint> line, double width, const Ink& ink);
 
+    /// Stretches an image over a box: each of its pixels one even patch, or averages of them where
+    /// the box has fewer. `opacity`: 0 … 255 a pixel, top row first; empty where the image covers
+    /// all.
+    void draw(const Image& image, const CanvasBox& box, std::span<const std::uint8_t> opacity = {});
+
     /// Width and height that a text takes, pixels, `size` times the canvas's font size.
     [[nodiscard]] std::array<double, 2> text_size(const std::string& text, double size = 1.0) const;
     /// Writes a text so that the share `anchor` of its box (0, 0: upper left; 1, 1: lower right)
@@ -61,13 +67,28 @@ class Canvas {
                const Ink& ink, double size = 1.0, bool upright = false);
 
     [[nodiscard]] double font_size() const;
+    /// The width of frames' and ticks' lines.
+    [[nodiscard]] double line_width() const;
     /// Every text written so far.
     [[nodiscard]] const std::vector<PlacedText>& texts() const;
     [[nodiscard]] Image image() const;
 
   private:
+    friend class CanvasClip;
     struct Parts;
     std::unique_ptr<Parts> parts_;
+};
+
+/// While it lives, what is drawn shows within a box only.
+class CanvasClip {
+  public:
+    CanvasClip(Canvas& canvas, const CanvasBox& box);
+    ~CanvasClip();
+    CanvasClip(const CanvasClip&) = delete;
+    CanvasClip& operator=(const CanvasClip&) = delete;
+
+  private:
+    Canvas& canvas_;
 };
 
 /// The libraries that draw figures, with their versions, for records.
