@@ -4,7 +4,7 @@
 
 #include "figure/canvas.h"
 #include "figure/panel.h"
-#include "figure/ticks.h"
+#include "figure/plot_axes.h"
 
 namespace fumon {
 
@@ -13,10 +13,11 @@ struct AxisRange {
     double low = 0.0;
     double high = 1.0;
     std::string label;        ///< the quantity and its unit; may be empty
-    bool tick_labels = true;  ///< whether numbers stand beside the ticks
+    bool tick_labels = true;  ///< false: neither they nor the label show
 };
 
-/// Linear axes in a frame on a canvas.
+/// Linear axes of a picture in a frame on a canvas: places and values, and the axes of a plot
+/// around it.
 class Axes {
   public:
     /// Neither range is empty.
@@ -36,8 +37,7 @@ class Axes {
     void draw(Canvas& canvas) const;
 
   private:
-    [[nodiscard]] Ticks across(const Canvas& canvas) const;
-    [[nodiscard]] Ticks upward(const Canvas& canvas) const;
+    [[nodiscard]] PlotAxes drawn(const Canvas& canvas) const;
 
     CanvasBox frame_;
     AxisRange x_;

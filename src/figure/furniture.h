@@ -24,10 +24,7 @@ inline CanvasBox corner_box(const CanvasBox& frame, Corner corner, const Furnitu
 /// A pale ground that keeps furniture legible over a picture: `box` and a little around it.
 inline void draw_plate(Canvas& canvas, const CanvasBox& box,
                        const Ink& ink = {1.0, 1.0, 1.0, 0.8}) {
-    const double room = 0.35 * canvas.font_size();
-    canvas.fill(
-        CanvasBox{box.x - room, box.y - room, box.width + 2.0 * room, box.height + 2.0 * room},
-        ink);
+    canvas.fill(grown(box, 0.35 * canvas.font_size()), ink);
 }
 
 }  // namespace fumon
