@@ -101,7 +101,10 @@ CompassShape compass_shape(const Canvas& canvas, const GroundAxes& axes, double 
     const std::array<glm::dvec2, 3> east{{{half, 0.0}, {-half, -wing}, {-0.55 * half, 0.0}}};
     CompassShape shape{lay(west, north, axes, font), lay(east, north, axes, font), {}};
     for (const auto* wings : {&shape.west, &shape.east}) {
-        for (const glm::dvec2& point : *wings) shape.letter.extent.take(point);
+        for (const glm::dvec2& point : *wings) {
+            shape.letter.extent.take(point - 0.5 * canvas.line_width());
+            shape.letter.extent.take(point + 0.5 * canvas.line_width());
+        }
     }
     const auto size = canvas.text_size("N", text_size);
     const glm::dvec2 tip = font * half * axes(north);

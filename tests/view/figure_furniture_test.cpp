@@ -226,10 +226,12 @@ TEST(StepText, SaysStepAndTime) {
     EXPECT_EQ(step_text(snapshot), "step 1200");
     EXPECT_EQ(time_text(snapshot), "step 1200");
     snapshot.time_unit = std::string("s");
-    EXPECT_EQ(step_text(snapshot), "step 1200, t = 1200 s");
+    EXPECT_EQ(step_text(snapshot), "step 1200, t = 20 min");
     EXPECT_EQ(time_text(snapshot), "t = 20 min");
     snapshot.time = 1000;
     EXPECT_EQ(time_text(snapshot), "t = 1000 s");
+    snapshot.time = 7.5e-5;
+    EXPECT_EQ(time_text(snapshot), "t = 75 µs");
     snapshot.time = 9000;
     EXPECT_EQ(time_text(snapshot), "t = 2.5 h");
 }
