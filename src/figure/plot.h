@@ -26,7 +26,7 @@ enum class SeriesKind {
     line_and_points,
     step,  ///< constant from each x to the next
     band,  ///< filled between y_low and y
-    fit,   ///< a thin line that is not counted among the colours
+    fit,   ///< a thin black line over all points
 };
 
 /// One quantity over another. Values that are not finite, or not above 0 on a logarithmic axis, are
@@ -71,7 +71,7 @@ struct PlotText {
 };
 
 enum class LegendPlace {
-    automatic,  ///< the emptiest corner; where all are taken, right of the frame
+    automatic,  ///< the emptiest corner; where all are taken, below the frame or right of it
     none,
     upper_left,
     upper_right,

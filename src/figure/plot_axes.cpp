@@ -17,7 +17,7 @@ constexpr double major_mark = 0.3;  // font sizes
 constexpr double minor_mark = 0.17;
 constexpr double gap = 0.2;  // between marks, their labels and the axis's label
 constexpr int most_labels = 8;
-constexpr double apart_across = 0.7;  // tick labels, font sizes
+constexpr double apart_across = 0.9;  // tick labels, font sizes
 constexpr double apart_upward = 0.6;
 
 double text_height(const Canvas& canvas, double size) {

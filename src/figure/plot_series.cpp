@@ -110,6 +110,25 @@ void draw_bars(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes, c
     }
 }
 
+void draw_curve(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes,
+                const SeriesLook& look) {
+    const double width = line_width_of(canvas, series);
+    for (const auto& piece : pieces_of(series, axes))
+        canvas.stroke(piece, width, look.ink, dash_lengths(look.dashes, width));
+}
+
+void draw_markers(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes,
+                  const SeriesLook& look) {
+    constexpr double rounding = 1e-6;  // units
+    const double size = marker_size(canvas, series);
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+        if (!axes.shows(series.x[i], series.y[i], series.on_right)) continue;
+        const CanvasPoint at = axes.at(series.x[i], series.y[i], series.on_right);
+        if (within(at, grown(axes.frame(), rounding)))
+            draw_marker(canvas, look.marker, at, size, look.ink);
+    }
+}
+
 }  // namespace
 
 std::vector<SeriesLook> series_looks(const Plot& plot) {
@@ -146,31 +165,27 @@ double marker_size(const Canvas& canvas, const PlotSeries& series) {
 
 void draw_series(Canvas& canvas, const Plot& plot, const PlotAxes& axes) {
     const std::vector<SeriesLook> looks = series_looks(plot);
+    const auto each = [&](const auto& draw) {
+        for (std::size_t n = 0; n < looks.size(); ++n) draw(plot.series[n], looks[n]);
+    };
     {
         const CanvasClip clip(canvas, axes.frame());
-        for (std::size_t n = 0; n < looks.size(); ++n) {
-            if (plot.series[n].kind == SeriesKind::band)
-                draw_band(canvas, plot.series[n], axes, looks[n].ink);
-        }
-        for (std::size_t n = 0; n < looks.size(); ++n) {
-            const PlotSeries& series = plot.series[n];
-            draw_bars(canvas, series, axes, looks[n].ink);
-            if (!has_line(series)) continue;
-            const double width = line_width_of(canvas, series);
-            for (const auto& piece : pieces_of(series, axes))
-                canvas.stroke(piece, width, looks[n].ink, dash_lengths(looks[n].dashes, width));
-        }
+        each([&](const PlotSeries& series, const SeriesLook& look) {
+            if (series.kind == SeriesKind::band) draw_band(canvas, series, axes, look.ink);
+        });
+        each([&](const PlotSeries& series, const SeriesLook& look) {
+            draw_bars(canvas, series, axes, look.ink);
+            if (has_line(series) && series.kind != SeriesKind::fit)
+                draw_curve(canvas, series, axes, look);
+        });
     }
-    for (std::size_t n = 0; n < looks.size(); ++n) {
-        const PlotSeries& series = plot.series[n];
-        if (!has_markers(series)) continue;
-        for (std::size_t i = 0; i < series.x.size(); ++i) {
-            if (!axes.shows(series.x[i], series.y[i], series.on_right)) continue;
-            const CanvasPoint at = axes.at(series.x[i], series.y[i], series.on_right);
-            if (within(at, grown(axes.frame(), 1e-6)))
-                draw_marker(canvas, looks[n].marker, at, marker_size(canvas, series), looks[n].ink);
-        }
-    }
+    each([&](const PlotSeries& series, const SeriesLook& look) {
+        if (has_markers(series)) draw_markers(canvas, series, axes, look);
+    });
+    const CanvasClip clip(canvas, axes.frame());
+    each([&](const PlotSeries& series, const SeriesLook& look) {
+        if (series.kind == SeriesKind::fit) draw_curve(canvas, series, axes, look);
+    });
 }
 
 void draw_sample(Canvas& canvas, const PlotSeries& series, const SeriesLook& look,
