@@ -17,7 +17,7 @@ namespace {
 using Lengths = std::vector<double>;
 
 constexpr double narrowest_frame = 3.5;  // font sizes
-constexpr double lowest_frame = 2.5;
+constexpr double lowest_frame = 3.0;
 constexpr double least_weight = 0.3;  // of a column's width, of the widest one's
 constexpr double inset_gap = 0.5;     // font sizes between an inset and its panel's frame
 
@@ -139,16 +139,16 @@ class Solver {
 
     /// How columns share the width: as the aspects of their panels at one height, in the mean of
     /// the rows.
-    [[nodiscard]] Lengths column_weights() const {
+    [[nodiscard]] Lengths column_weights(double free_aspect) const {
         Lengths logarithms(columns(), 0.0);
         std::vector<int> count(columns(), 0);
         for (std::size_t n = 0; n < places_.size(); ++n) {
             if (places_[n].columns > 1) continue;
             const auto column = static_cast<std::size_t>(places_[n].column);
-            logarithms[column] += std::log(aspect(n) > 0.0 ? aspect(n) : page_.panel_aspect);
+            logarithms[column] += std::log(aspect(n) > 0.0 ? aspect(n) : free_aspect);
             ++count[column];
         }
-        Lengths weights(columns(), page_.panel_aspect);
+        Lengths weights(columns(), free_aspect);
         for (std::size_t i = 0; i < weights.size(); ++i) {
             if (count[i] > 0) weights[i] = std::exp(logarithms[i] / count[i]);
         }
@@ -239,9 +239,21 @@ class Solver {
         const double top = page_.margin + title_height(page_);
         const double rest_down = top + page_.margin + gaps_down + sum(above_) + sum(below_);
         if (!(across > 0.0)) refuse(0, {0.0, 0.0, across / page_.columns, 0.0});
-        const Lengths weights = column_weights();
-        widths_ = shared(across, weights, Lengths(columns(), INFINITY));
-        set_natural_heights();
+        Lengths weights = column_weights(page_.panel_aspect);
+        const auto share_width = [&] {
+            widths_ = shared(across, weights, Lengths(columns(), INFINITY));
+            set_natural_heights();
+        };
+        share_width();
+        // On a high page, panels of any aspect leave width to those that get higher with it.
+        constexpr double least_aspect = 0.8;
+        constexpr double step = 0.95;
+        for (double free_aspect = page_.panel_aspect;
+             free_aspect > least_aspect && rest_down + sum(heights_) < page_.height;) {
+            free_aspect *= step;
+            weights = column_weights(free_aspect);
+            share_width();
+        }
         if (page_.height > 0.0) {
             if (!(page_.height > rest_down))
                 refuse(0, {0.0, 0.0, widths_[0], (page_.height - rest_down) / rows_});

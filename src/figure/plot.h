@@ -13,12 +13,12 @@ namespace fumon {
 
 /// One side's axis of a plot.
 struct PlotAxis {
-    std::string label;  ///< the quantity, with its unit in brackets
+    std::string label = {};  ///< the quantity, with its unit in brackets
     bool logarithmic = false;
-    std::optional<double> low;   ///< else from the data, at a round number
-    std::optional<double> high;  ///< likewise
-    bool tick_labels = true;     ///< false: neither they nor the label show (a shared axis)
-    bool ticks = true;           ///< false: no marks either
+    std::optional<double> low = {};   ///< else from the data, at a round number
+    std::optional<double> high = {};  ///< likewise
+    bool tick_labels = true;          ///< false: neither they nor the label show (a shared axis)
+    bool ticks = true;                ///< false: no marks either
 };
 
 enum class SeriesKind {
@@ -27,7 +27,7 @@ enum class SeriesKind {
     line_and_points,
     step,  ///< constant from each x to the next
     band,  ///< filled between y_low and y
-    fit,   ///< a thin line that is not counted among the colours
+    fit,   ///< a thin black line over all points
 };
 
 /// One quantity over another. Values that are not finite, or not above 0 on a logarithmic axis, are
@@ -72,7 +72,7 @@ struct PlotText {
 };
 
 enum class LegendPlace {
-    automatic,  ///< the emptiest corner; where all are taken, right of the frame
+    automatic,  ///< the emptiest corner; where all are taken, below the frame or right of it
     none,
     upper_left,
     upper_right,

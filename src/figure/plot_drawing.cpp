@@ -28,7 +28,8 @@ PlotLabel best_place(const Canvas& canvas, const std::string& text, const Canvas
     for (const LabelPlace& place : places) {
         const CanvasBox box = text_box(canvas, text, place);
         constexpr int outside = 1'000'000;
-        const int covers = clutter.within(box) + (within(box, frame) ? 0 : outside);
+        const int covers = clutter.within(box) + clutter.references_within(box) +
+                           (within(box, frame) ? 0 : outside);
         if (covers >= least) continue;
         least = covers;
         best = &place;
@@ -64,8 +65,10 @@ std::vector<LabelPlace> places_at(const CanvasBox& box, bool fits, double gap) {
         places.push_back({{x, box.y - gap}, {share, 1.0}});
         places.push_back({{x, box.bottom() + gap}, {share, 0.0}});
     }
-    places.push_back({{box.right() + gap, middle.y}, {0.0, 0.5}});
-    places.push_back({{box.x - gap, middle.y}, {1.0, 0.5}});
+    for (const auto& [y, share] : {std::pair{middle.y, 0.5}, {box.y, 0.0}, {box.bottom(), 1.0}}) {
+        places.push_back({{box.right() + gap, y}, {0.0, share}});
+        places.push_back({{box.x - gap, y}, {1.0, share}});
+    }
     return places;
 }
 
@@ -85,12 +88,25 @@ PlotDrawing::PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox
     for (const ReferenceLine& line : plot.lines) {
         const CanvasPoint at = line.upright ? CanvasPoint{axes.at(line.value, 1.0).x, frame.y}
                                             : CanvasPoint{frame.x, axes.at(1.0, line.value).y};
-        clutter.segments.emplace_back(at, line.upright ? CanvasPoint{at.x, frame.bottom()}
-                                                       : CanvasPoint{frame.right(), at.y});
+        clutter.references.emplace_back(at, line.upright ? CanvasPoint{at.x, frame.bottom()}
+                                                         : CanvasPoint{frame.right(), at.y});
     }
     for (const PlotText& text : plot.texts)
         labels.push_back(best_place(canvas, text.text, frame,
                                     {{axes.at(text.x, text.y), text.anchor}}, clutter));
+    for (const CanvasBox& share : plot.taken)
+        clutter.boxes.push_back({frame.x + share.x * frame.width, frame.y + share.y * frame.height,
+                                 share.width * frame.width, share.height * frame.height});
+    margins = axes.margins(canvas);
+    Clutter with_boxes = clutter;
+    with_boxes.boxes.insert(with_boxes.boxes.end(), stated.begin(), stated.end());
+    legend = place_legend(canvas, plot, axes, margins, with_boxes);
+    if (legend && legend->inside) clutter.boxes.push_back(legend->box);
+    if (legend && !legend->inside) {
+        margins.left = std::max(margins.left, frame.x - legend->box.x);
+        margins.right = std::max(margins.right, legend->box.right() - frame.right());
+        margins.below = std::max(margins.below, legend->box.bottom() - frame.bottom());
+    }
     for (std::size_t i = 0; i < stated.size(); ++i) {
         if (plot.boxes[i].label.empty()) continue;
         const auto [width, height] = canvas.text_size(plot.boxes[i].label, tick_text);
@@ -110,16 +126,6 @@ PlotDrawing::PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox
         labels.push_back(
             best_place(canvas, line.label, frame, places_at(line, frame, at, gap), clutter));
     }
-    for (const CanvasBox& box : stated) clutter.boxes.push_back(box);
-    for (const CanvasBox& share : plot.taken)
-        clutter.boxes.push_back({frame.x + share.x * frame.width, frame.y + share.y * frame.height,
-                                 share.width * frame.width, share.height * frame.height});
-    margins = axes.margins(canvas);
-    legend = place_legend(canvas, plot, axes, margins, clutter);
-    if (!legend || legend->inside) return;
-    margins.left = std::max(margins.left, frame.x - legend->box.x);
-    margins.right = std::max(margins.right, legend->box.right() - frame.right());
-    margins.below = std::max(margins.below, legend->box.bottom() - frame.bottom());
 }
 
 PlotDrawing plot_drawing(const Canvas& canvas, const Plot& plot, const CanvasBox& frame) {

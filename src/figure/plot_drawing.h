@@ -25,9 +25,13 @@ struct PlotLabel {
 struct Clutter {
     std::vector<std::pair<CanvasPoint, CanvasPoint>> segments;
     std::vector<CanvasBox> boxes;
+    /// Lines for reference, which a legend hides rather than values.
+    std::vector<std::pair<CanvasPoint, CanvasPoint>> references;
 
-    /// How much of it a box touches.
+    /// How much of it a box touches, without references.
     [[nodiscard]] int within(const CanvasBox& box) const;
+    /// How many references a box touches.
+    [[nodiscard]] int references_within(const CanvasBox& box) const;
 };
 
 /// One plot in one frame: all that has to be found before it is drawn.

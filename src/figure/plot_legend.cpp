@@ -10,14 +10,15 @@ namespace fumon {
 namespace {
 
 constexpr Ink black{0.0, 0.0, 0.0, 1.0};
-constexpr Ink paper{1.0, 1.0, 1.0, 0.85};
+constexpr Ink paper{1.0, 1.0, 1.0, 1.0};
 constexpr double sample = 2.2;      // its length, font sizes
 constexpr double sample_gap = 0.5;  // before its text
 constexpr double padding = 0.3;     // around all
 constexpr double apart = 0.5;       // from the frame
 constexpr double column_gap = 1.2;
-constexpr double row_height = 1.25;  // of the text's own
-constexpr double widest_beside = 9.0;
+constexpr double row_height = 1.25;    // of the text's own
+constexpr double widest_beside = 9.0;  // a legend right of the frame, font sizes
+constexpr int fewest_beside = 4;       // its entries; fewer stand in a row below
 
 /// The series with a label, and their texts in columns, each as wide as its widest.
 struct Entries {
@@ -85,6 +86,47 @@ std::optional<Place> named_corner(LegendPlace place) {
     }
 }
 
+/// Whether part of a segment lies in a box (Liang & Barsky 1984).
+bool touches(const std::pair<CanvasPoint, CanvasPoint>& segment, const CanvasBox& box) {
+    const auto& [from, to] = segment;
+    double start = 0.0;  // of that part, as a share of the segment
+    double end = 1.0;
+    const auto cut = [&](double begin, double step, double low, double high) {
+        if (step == 0.0) {
+            if (begin < low || begin > high) end = -1.0;
+            return;
+        }
+        const double a = (low - begin) / step;
+        const double b = (high - begin) / step;
+        start = std::max(start, std::min(a, b));
+        end = std::min(end, std::max(a, b));
+    };
+    cut(from.x, to.x - from.x, box.x, box.right());
+    cut(from.y, to.y - from.y, box.y, box.bottom());
+    return start <= end;
+}
+
+/// Within the frame, where it covers nothing; over references only if there is no other place.
+std::optional<LegendBox> free_place(const Entries& entries, const CanvasBox& frame, double font,
+                                    const Clutter& clutter) {
+    const double gap = apart * font;
+    std::optional<LegendBox> over_references;
+    for (int columns = 1; columns <= entries.count(); ++columns) {
+        const auto [across, down] = size_of(entries, columns, font);
+        if (across + 2.0 * gap > frame.width || down + 2.0 * gap > frame.height) continue;
+        for (const auto& places : {corners, sides}) {
+            for (const Place& place : places) {
+                const LegendBox legend{box_at(place, frame, across, down, gap), columns, true};
+                const CanvasBox room = grown(legend.box, 0.5 * gap);
+                if (clutter.within(room) > 0) continue;
+                if (clutter.references_within(room) == 0) return legend;
+                if (!over_references) over_references = legend;
+            }
+        }
+    }
+    return over_references;
+}
+
 LegendBox below(const Entries& entries, const CanvasBox& frame, const PanelMargins& margins,
                 double font) {
     int columns = 1;
@@ -101,27 +143,16 @@ LegendBox below(const Entries& entries, const CanvasBox& frame, const PanelMargi
 }  // namespace
 
 int Clutter::within(const CanvasBox& box) const {
-    int count = 0;
-    for (const CanvasBox& one : boxes) count += overlap(one, box) ? 1 : 0;
-    for (const auto& [from, to] : segments) {
-        // The part of the segment that lies in the box, as shares of it (Liang & Barsky 1984).
-        double start = 0.0;
-        double end = 1.0;
-        const auto cut = [&](double begin, double step, double low, double high) {
-            if (step == 0.0) {
-                if (begin < low || begin > high) end = -1.0;
-                return;
-            }
-            const double a = (low - begin) / step;
-            const double b = (high - begin) / step;
-            start = std::max(start, std::min(a, b));
-            end = std::min(end, std::max(a, b));
-        };
-        cut(from.x, to.x - from.x, box.x, box.right());
-        cut(from.y, to.y - from.y, box.y, box.bottom());
-        count += start <= end ? 1 : 0;
-    }
-    return count;
+    return static_cast<int>(
+        std::count_if(boxes.begin(), boxes.end(),
+                      [&box](const CanvasBox& one) { return overlap(one, box); }) +
+        std::count_if(segments.begin(), segments.end(),
+                      [&box](const auto& one) { return touches(one, box); }));
+}
+
+int Clutter::references_within(const CanvasBox& box) const {
+    return static_cast<int>(std::count_if(references.begin(), references.end(),
+                                          [&box](const auto& one) { return touches(one, box); }));
 }
 
 std::optional<LegendBox> place_legend(const Canvas& canvas, const Plot& plot, const PlotAxes& axes,
@@ -135,20 +166,11 @@ std::optional<LegendBox> place_legend(const Canvas& canvas, const Plot& plot, co
     if (const auto corner = named_corner(plot.legend))
         return LegendBox{box_at(*corner, frame, width, height, gap), 1, true};
     if (plot.legend == LegendPlace::automatic) {
-        for (int columns = 1; columns <= entries.count(); ++columns) {
-            const auto [across, down] = size_of(entries, columns, font);
-            if (across + 2.0 * gap > frame.width || down + 2.0 * gap > frame.height) continue;
-            for (const auto& places : {corners, sides}) {
-                for (const Place& place : places) {
-                    const CanvasBox box = box_at(place, frame, across, down, gap);
-                    if (clutter.within(grown(box, 0.5 * gap)) == 0)
-                        return LegendBox{box, columns, true};
-                }
-            }
-        }
+        if (const auto place = free_place(entries, frame, font, clutter)) return place;
     }
     const bool beside = plot.legend == LegendPlace::right ||
-                        (plot.legend == LegendPlace::automatic && width <= widest_beside * font);
+                        (plot.legend == LegendPlace::automatic &&
+                         entries.count() >= fewest_beside && width <= widest_beside * font);
     if (!beside) return below(entries, frame, margins, font);
     return LegendBox{{frame.right() + margins.right + gap, frame.y, width, height}, 1, false};
 }

@@ -33,6 +33,12 @@ std::vector<double> dash_lengths(const LineDashes& dashes, double width) {
     return lengths;
 }
 
+bool alike(const Ink& a, const Ink& b) {
+    constexpr double near = 0.1;
+    return std::abs(a.red - b.red) < near && std::abs(a.green - b.green) < near &&
+           std::abs(a.blue - b.blue) < near;
+}
+
 /// The unbroken pieces of a series's curve.
 std::vector<std::vector<CanvasPoint>> pieces_of(const PlotSeries& series, const PlotAxes& axes) {
     constexpr double visible = 0.02;  // units
@@ -104,13 +110,32 @@ void draw_bars(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes, c
     }
 }
 
+void draw_curve(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes,
+                const SeriesLook& look) {
+    const double width = line_width_of(canvas, series);
+    for (const auto& piece : pieces_of(series, axes))
+        canvas.stroke(piece, width, look.ink, dash_lengths(look.dashes, width));
+}
+
+void draw_markers(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes,
+                  const SeriesLook& look) {
+    constexpr double rounding = 1e-6;  // units
+    const double size = marker_size(canvas, series);
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+        if (!axes.shows(series.x[i], series.y[i], series.on_right)) continue;
+        const CanvasPoint at = axes.at(series.x[i], series.y[i], series.on_right);
+        if (within(at, grown(axes.frame(), rounding)))
+            draw_marker(canvas, look.marker, at, size, look.ink);
+    }
+}
+
 }  // namespace
 
 std::vector<SeriesLook> series_looks(const Plot& plot) {
     const auto is_given = [&plot](const Ink& ink) {
         return std::any_of(
             plot.series.begin(), plot.series.end(),
-            [&ink](const PlotSeries& series) { return series.ink && *series.ink == ink; });
+            [&ink](const PlotSeries& series) { return series.ink && alike(*series.ink, ink); });
     };
     std::vector<SeriesLook> looks;
     std::size_t next = 0;
@@ -140,31 +165,27 @@ double marker_size(const Canvas& canvas, const PlotSeries& series) {
 
 void draw_series(Canvas& canvas, const Plot& plot, const PlotAxes& axes) {
     const std::vector<SeriesLook> looks = series_looks(plot);
+    const auto each = [&](const auto& draw) {
+        for (std::size_t n = 0; n < looks.size(); ++n) draw(plot.series[n], looks[n]);
+    };
     {
         const CanvasClip clip(canvas, axes.frame());
-        for (std::size_t n = 0; n < looks.size(); ++n) {
-            if (plot.series[n].kind == SeriesKind::band)
-                draw_band(canvas, plot.series[n], axes, looks[n].ink);
-        }
-        for (std::size_t n = 0; n < looks.size(); ++n) {
-            const PlotSeries& series = plot.series[n];
-            draw_bars(canvas, series, axes, looks[n].ink);
-            if (!has_line(series)) continue;
-            const double width = line_width_of(canvas, series);
-            for (const auto& piece : pieces_of(series, axes))
-                canvas.stroke(piece, width, looks[n].ink, dash_lengths(looks[n].dashes, width));
-        }
+        each([&](const PlotSeries& series, const SeriesLook& look) {
+            if (series.kind == SeriesKind::band) draw_band(canvas, series, axes, look.ink);
+        });
+        each([&](const PlotSeries& series, const SeriesLook& look) {
+            draw_bars(canvas, series, axes, look.ink);
+            if (has_line(series) && series.kind != SeriesKind::fit)
+                draw_curve(canvas, series, axes, look);
+        });
     }
-    for (std::size_t n = 0; n < looks.size(); ++n) {
-        const PlotSeries& series = plot.series[n];
-        if (!has_markers(series)) continue;
-        for (std::size_t i = 0; i < series.x.size(); ++i) {
-            if (!axes.shows(series.x[i], series.y[i], series.on_right)) continue;
-            const CanvasPoint at = axes.at(series.x[i], series.y[i], series.on_right);
-            if (within(at, grown(axes.frame(), 1e-6)))
-                draw_marker(canvas, looks[n].marker, at, marker_size(canvas, series), looks[n].ink);
-        }
-    }
+    each([&](const PlotSeries& series, const SeriesLook& look) {
+        if (has_markers(series)) draw_markers(canvas, series, axes, look);
+    });
+    const CanvasClip clip(canvas, axes.frame());
+    each([&](const PlotSeries& series, const SeriesLook& look) {
+        if (series.kind == SeriesKind::fit) draw_curve(canvas, series, axes, look);
+    });
 }
 
 void draw_sample(Canvas& canvas, const PlotSeries& series, const SeriesLook& look,
