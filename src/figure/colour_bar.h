@@ -3,6 +3,7 @@
 #include <string>
 
 #include "figure/canvas.h"
+#include "figure/panel.h"
 #include "render/palette.h"
 
 namespace fumon {
@@ -14,13 +15,32 @@ struct ColourScale {
     double high = 1.0;
     std::string label;  ///< the quantity and its unit
 
+    /// The place of a value in the palette, 0 … 255.
+    [[nodiscard]] std::size_t place(double value) const;
     [[nodiscard]] Ink ink(double value) const;
 };
 
-/// Draws the bar of a colour scale right of a frame, as high as it, with its ticks and label.
-void draw_colour_bar(Canvas& canvas, const CanvasBox& frame, const ColourScale& scale);
+/// How a colour bar lies: upright with its ticks and label to the right, or level with them below.
+enum class BarDirection { upright, level };
 
-/// Font sizes that a colour bar takes to the right of a frame.
-constexpr double colour_bar_room = 7.2;
+/// What a colour bar's ticks and label take around the bar itself, of the size of `bar`.
+PanelMargins colour_bar_margins(const Canvas& canvas, const CanvasBox& bar,
+                                const ColourScale& scale, BarDirection direction);
+
+/// Draws a bar that fills `bar`, its ticks and its label.
+void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& scale,
+                     BarDirection direction, const Ink& ink = {});
+
+/// Where the colour bar of a picture stands.
+enum class BarPlace { none, right, below };
+
+/// The margins of a frame with the bar of its colours: right of the frame and as high as it, or
+/// as wide as it beneath all that stands below it. `margins` are those without the bar.
+PanelMargins with_colour_bar(const Canvas& canvas, const PanelMargins& margins, BarPlace place,
+                             const ColourScale& scale, double width, double height);
+
+/// Draws that bar.
+void draw_placed_bar(Canvas& canvas, const CanvasBox& frame, const PanelMargins& margins,
+                     BarPlace place, const ColourScale& scale);
 
 }  // namespace fumon

@@ -112,6 +112,7 @@ PlotAxes::Side PlotAxes::side(const Canvas& canvas, const PlotAxis& axis, const 
                               double length, std::size_t dimension, double apart) {
     Side side{scale, fitting_ticks(canvas, scale, length, dimension, apart), "", axis.tick_labels,
               0.0};
+    if (!axis.ticks) side.ticks = {};
     side.label = broken(canvas, with_power(axis.label, side.ticks.power), length);
     side.widest = widest_label(canvas, side.ticks);
     return side;
