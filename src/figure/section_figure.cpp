@@ -31,6 +31,7 @@ constexpr std::array<PanelName, 6> panel_names{
 
 constexpr double room_of_heading = 2.0;  // font sizes
 constexpr double room_above = 1.9;
+constexpr double room_of_bar = 7.2;
 constexpr double room_right = 2.0;  // half a tick label and a little
 
 bool gives(const Snapshot& snapshot, SectionPanel panel) {
@@ -97,8 +98,7 @@ Arrangement arrange(const ImageSettings& image, double font, double aspect,
         one.cell_width = static_cast<double>(image.width) / columns;
         one.cell_height = (static_cast<double>(image.height) - room_of_heading * font) / rows;
         one.frame_width =
-            one.cell_width -
-            (Axes::room_left + room_right + (maps > 0 ? colour_bar_room : 0.0)) * font;
+            one.cell_width - (Axes::room_left + room_right + (maps > 0 ? room_of_bar : 0.0)) * font;
         one.frame_height = one.cell_height - (room_above + Axes::room_below + 0.4) * font;
         if (one.frame_width < 6.0 * font || one.frame_height < 3.0 * font) continue;
         fit_map(one, aspect);
@@ -186,7 +186,7 @@ class Drawing {
             draw_section_bed(canvas_, axes, unit_, air_);
         }
         axes.draw(canvas_);
-        draw_colour_bar(canvas_, axes.frame(), scale);
+        draw_colour_bar_beside(canvas_, axes.frame(), scale);
         write_title(axes.frame(), title_of(panel), taken);
     }
 
