@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "figure/canvas.h"
+#include "figure/corner.h"
 #include "figure/panel.h"
 
 namespace fumon {
-
-enum class Corner { upper_left, upper_right, lower_left, lower_right };
 
 /// A small panel within the frame of another.
 struct PageInset {
