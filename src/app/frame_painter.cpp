@@ -1,8 +1,12 @@
 #include "app/frame_painter.h"
 
+#include <utility>
+
+#include "app/overlay_painter.h"
 #include "figure/canvas.h"
 #include "figure/section_figure.h"
 #include "render/renderer.h"
+#include "scene/overlay_keys.h"
 
 namespace fumon {
 
@@ -14,10 +18,15 @@ class BedPainter : public FramePainter {
         : context_(gl::Context::create(backend)),
           renderer_(*context_, scene.view, first, scene.run.steps, pool) {}
 
-    Image paint(const Snapshot& snapshot) override { return renderer_.render(snapshot); }
+    Image paint(const Snapshot& snapshot, const MeasuredRows& /*rows*/) override {
+        return renderer_.render(snapshot);
+    }
+    [[nodiscard]] std::pair<double, double> colour_range() const override {
+        return renderer_.colour_range();
+    }
     [[nodiscard]] DrawingRecord record() const override {
         return {context_->backend_name(), context_->renderer_name(), context_->version(),
-                renderer_.exaggeration()};
+                renderer_.exaggeration(), ""};
     }
 
   private:
@@ -30,11 +39,11 @@ class SectionPainter : public FramePainter {
     SectionPainter(const Scene& scene, const Snapshot& first)
         : view_(scene.view), exaggeration_(draw_section_figure(view_, first).exaggeration) {}
 
-    Image paint(const Snapshot& snapshot) override {
+    Image paint(const Snapshot& snapshot, const MeasuredRows& /*rows*/) override {
         return draw_section_figure(view_, snapshot).image;
     }
     [[nodiscard]] DrawingRecord record() const override {
-        return {"cairo", figure_library(), "", exaggeration_};
+        return {"cairo", figure_library(), "", exaggeration_, figure_library()};
     }
 
   private:
@@ -42,13 +51,20 @@ class SectionPainter : public FramePainter {
     double exaggeration_;
 };
 
+std::unique_ptr<FramePainter> make_bare_painter(const Scene& scene, const Snapshot& first,
+                                                gl::Backend backend, WorkerPool& pool) {
+    if (first.section && scene.view.look.mode == ViewMode::figure)
+        return std::make_unique<SectionPainter>(scene, first);
+    return std::make_unique<BedPainter>(scene, first, backend, pool);
+}
+
 }  // namespace
 
 std::unique_ptr<FramePainter> make_frame_painter(const Scene& scene, const Snapshot& first,
                                                  gl::Backend backend, WorkerPool& pool) {
-    if (first.section && scene.view.look.mode == ViewMode::figure)
-        return std::make_unique<SectionPainter>(scene, first);
-    return std::make_unique<BedPainter>(scene, first, backend, pool);
+    auto bare = make_bare_painter(scene, first, backend, pool);
+    if (!has_overlays(scene)) return bare;
+    return std::make_unique<OverlayPainter>(std::move(bare), scene, first);
 }
 
 }  // namespace fumon

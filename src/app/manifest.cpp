@@ -44,6 +44,7 @@ Json head(const ManifestFacts& facts, const std::string& status, const DrawingRe
     if (!drawing.backend.empty()) {
         json["drawing"] = {{"backend", drawing.backend}, {"renderer", drawing.renderer}};
         if (!drawing.version.empty()) json["drawing"]["opengl"] = drawing.version;
+        if (!drawing.text_library.empty()) json["drawing"]["text_library"] = drawing.text_library;
         json["drawing"]["vertical_exaggeration"] = drawing.exaggeration;
     }
     return json;
