@@ -92,13 +92,16 @@ class ArrowOverlay : public Overlay {
         const Sizes sizes = sizes_over_run(canvas);
         if (direction_) {
             const CanvasBox left{box.x, box.y, sizes.arrow.width, box.height};
-            draw_ground_arrow(canvas, *direction_, axes,
-                              centred(left, ground_arrow_size(canvas, *direction_, axes)));
+            draw_ground_arrow(
+                canvas, *direction_, axes,
+                centred(left, ground_arrow_size(canvas, *direction_, axes, arrow_length)), {},
+                arrow_length);
         }
         if (flat_) return;
         const CanvasBox right{box.right() - sizes.compass.width, box.y, sizes.compass.width,
                               box.height};
-        draw_compass(canvas, axes, centred(right, compass_size(canvas, axes)));
+        draw_compass(canvas, axes, centred(right, compass_size(canvas, axes, needle_length)), {},
+                     needle_length);
     }
 
   private:
@@ -108,7 +111,9 @@ class ArrowOverlay : public Overlay {
         FurnitureSize compass;
     };
 
-    static constexpr double apart = 0.9;  // font sizes
+    static constexpr double apart = 0.9;  // font sizes, as are the lengths
+    static constexpr double arrow_length = 3.4;
+    static constexpr double needle_length = 3.0;
 
     static CanvasBox centred(const CanvasBox& within, const FurnitureSize& size) {
         return {within.x + 0.5 * (within.width - size.width),
@@ -138,8 +143,9 @@ class ArrowOverlay : public Overlay {
                 static_cast<double>(i) / static_cast<double>(std::max<std::int64_t>(looks, 1));
             const GroundAxes axes =
                 axes_at(static_cast<std::int64_t>(share * static_cast<double>(last_step_)));
-            if (direction_) take(sizes.arrow, ground_arrow_size(canvas, *direction_, axes));
-            take(sizes.compass, compass_size(canvas, axes));
+            if (direction_)
+                take(sizes.arrow, ground_arrow_size(canvas, *direction_, axes, arrow_length));
+            take(sizes.compass, compass_size(canvas, axes, needle_length));
         }
         return sizes;
     }

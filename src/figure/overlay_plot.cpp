@@ -145,7 +145,7 @@ std::pair<double, double> growing_range(const std::vector<double>& values) {
     if (!(low <= high)) return {0.0, 1.0};
     const double largest = std::max(std::abs(low), std::abs(high));
     if (largest == 0.0) return {0.0, 1.0};
-    constexpr double narrow = 0.05;
+    constexpr double narrow = 0.005;
     const double spread = high - low;
     if (spread > 0.0 && spread < narrow * largest && low * high > 0.0) {
         const double step = round_up(spread);

@@ -184,7 +184,7 @@ std::array<double, 2> long_axis(const Image& image, const CanvasBox& box) {
 
 TEST(ArrowOverlay, PointsWhereTheCameraSeesTheWindBlowAlsoWhileItTurns) {
     const Snapshot first = bed_of(100, 100, 1.0);
-    for (const double elevation : {90.0, 50.0}) {
+    for (const double elevation : {88.0, 50.0}) {
         for (const double azimuth : {180.0, 200.0, 155.0, 20.0, 330.0}) {
             const std::string camera = fmt::format(
                 "[camera]\nprojection = \"orthographic\"\nazimuth = {}\nelevation = {}\n"
@@ -203,7 +203,7 @@ TEST(ArrowOverlay, PointsWhereTheCameraSeesTheWindBlowAlsoWhileItTurns) {
                 // The arrow lies in the lower left of its box, below the word and left of the
                 // compass.
                 const double text = 70.0;
-                const CanvasBox arrow{before.x, before.y + text, 2.9 * 60.0, before.height - text};
+                const CanvasBox arrow{before.x, before.y + text, 3.6 * 60.0, before.height - text};
                 const auto seen = long_axis(image, arrow);
                 const double angle =
                     (azimuth + 12.0 * static_cast<double>(step) / 1200.0) * pi / 180.0;
@@ -258,8 +258,9 @@ TEST(FrameOverlays, NameWhatDoesNotFit) {
     Scene flat = scene_of(overlay("scale-bar", "upper-left"), 640, 360);
     flat.view.look.mode = ViewMode::figure;
     EXPECT_TRUE(refusal(flat, eddy_section()).starts_with("overlay.0.kind: "));
-    EXPECT_THROW(scene_of(overlay("parameters", "upper-left", "keys = [\"model.creep\"]"), 64, 48),
-                 InputError);
+    EXPECT_THROW(
+        scene_of(overlay("parameters", "upper-left", "keys = [\"model.crep_rate\"]"), 64, 48),
+        InputError);
 }
 
 TEST(FrameOverlays, ParametersAreTheWrittenKeysOfTheModel) {
