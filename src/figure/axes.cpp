@@ -3,7 +3,6 @@
 #include <array>
 #include <utility>
 
-
 namespace fumon {
 
 namespace {
@@ -11,7 +10,7 @@ namespace {
 constexpr Ink black{0.0, 0.0, 0.0, 1.0};
 
 PlotAxis plot_axis(const AxisRange& range) {
-    return {range.label, false, range.low, range.high, range.tick_labels};
+    return {range.label, false, range.low, range.high, range.tick_labels, range.ticks};
 }
 
 }  // namespace
@@ -33,9 +32,7 @@ PlotAxes Axes::drawn(const Canvas& canvas) const {
     Plot plot;
     plot.x = plot_axis(x_);
     plot.y = plot_axis(y_);
-    PlotAxes axes(canvas, plot, frame_.width, frame_.height);
-    axes.move_to(frame_);
-    return axes;
+    return {canvas, plot, frame_};
 }
 
 PanelMargins Axes::margins(const Canvas& canvas) const {
