@@ -41,6 +41,15 @@ int decimals_of(double number, int most) {
     return most;
 }
 
+/// A key's value as one reads it: "60", where the scene's text says 60.0.
+std::optional<std::string> shown_value(const Scene& scene, const std::string& key) {
+    std::optional<std::string> text = key_text(scene, key);
+    if (!text || !text->ends_with(".0")) return text;
+    const bool number = text->find_first_not_of("-0123456789.") == std::string::npos;
+    if (number) text->resize(text->size() - 2);
+    return text;
+}
+
 class TextOverlay : public Overlay {
   public:
     TextOverlay(const OverlayScene& on, std::size_t number, std::string text, double text_size,
@@ -90,7 +99,7 @@ std::string chosen_text(const OverlayScene& on, std::size_t number, const std::s
 std::string parameter_text_of(const Scene& scene, const Key& key) {
     std::string name = key.path.substr(key.path.rfind('.') + 1);
     std::replace(name.begin(), name.end(), '_', ' ');
-    const std::string value = key_text(scene, key.path).value_or("");
+    const std::string value = shown_value(scene, key.path).value_or("");
     const std::string unit = key.notes.unit.empty() ? "" : " " + key.notes.unit;
     return fmt::format("{} = {}{}", name, value, unit);
 }
@@ -158,7 +167,7 @@ std::string filled_text(const std::string& text, const Scene& scene, const TimeT
         if (name == "step") return with_commas(step);
         if (name == "time") return times(time);
         if (name == "seed") return fmt::format("{}", scene.seed);
-        return key_text(scene, name);
+        return shown_value(scene, name);
     });
 }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "figure/canvas_box.h"
 #include "overlay_scenes.h"
@@ -156,27 +158,55 @@ TEST(ScaleBarOverlay, IsAsLongAsItsMetresInMapsAndOrthographicViews) {
     }
 }
 
-/// The middle of the dark pixels of a box, and the direction of their long axis.
-std::array<double, 2> long_axis(const Image& image, const CanvasBox& box) {
-    double n = 0.0, x1 = 0.0, y1 = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
-    for (int y = static_cast<int>(box.y); y < static_cast<int>(box.bottom()); ++y) {
-        for (int x = static_cast<int>(box.x); x < static_cast<int>(box.right()); ++x) {
-            if (image.row(y)[3 * x] > 60) continue;
-            n += 1.0, x1 += x, y1 += y, xx += 1.0 * x * x, xy += 1.0 * x * y, yy += 1.0 * y * y;
+/// The largest patch of dark pixels that touch one another.
+std::vector<CanvasPoint> largest_dark_patch(const Image& image) {
+    std::vector<char> dark(image.rgb.size() / 3);
+    for (std::size_t i = 0; i < dark.size(); ++i) dark[i] = image.rgb[3 * i] < 60 ? 1 : 0;
+    const auto width = static_cast<std::size_t>(image.width);
+    std::vector<CanvasPoint> largest;
+    for (std::size_t start = 0; start < dark.size(); ++start) {
+        std::vector<std::size_t> open;
+        std::vector<CanvasPoint> patch;
+        const auto take = [&](std::size_t i) {
+            if (i >= dark.size() || dark[i] == 0) return;
+            dark[i] = 0;
+            open.push_back(i);
+        };
+        take(start);
+        while (!open.empty()) {
+            const std::size_t i = open.back();
+            open.pop_back();
+            patch.push_back({static_cast<double>(i % width), static_cast<double>(i / width)});
+            for (const std::size_t next : {i - 1, i + 1, i - width, i + width}) take(next);
         }
+        if (patch.size() > largest.size()) largest = std::move(patch);
     }
-    const double u = xx / n - x1 * x1 / (n * n);
-    const double v = yy / n - y1 * y1 / (n * n);
-    const double w = xy / n - x1 * y1 / (n * n);
-    const double angle = 0.5 * std::atan2(2.0 * w, u - v);
-    // Towards the head, which is the heavier end: along it the third moment is positive.
+    return largest;
+}
+
+/// The direction of an arrow's long axis, towards its head: the other end reaches further from the
+/// middle of its pixels.
+std::array<double, 2> long_axis(const std::vector<CanvasPoint>& arrow) {
+    const auto n = static_cast<double>(arrow.size());
+    CanvasPoint middle;
+    for (const CanvasPoint& point : arrow) {
+        middle.x += point.x / n;
+        middle.y += point.y / n;
+    }
+    double xx = 0.0;
+    double yy = 0.0;
+    double xy = 0.0;
+    for (const CanvasPoint& point : arrow) {
+        xx += (point.x - middle.x) * (point.x - middle.x);
+        yy += (point.y - middle.y) * (point.y - middle.y);
+        xy += (point.x - middle.x) * (point.y - middle.y);
+    }
+    const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
     double skew = 0.0;
-    for (int y = static_cast<int>(box.y); y < static_cast<int>(box.bottom()); ++y) {
-        for (int x = static_cast<int>(box.x); x < static_cast<int>(box.right()); ++x) {
-            if (image.row(y)[3 * x] > 60) continue;
-            const double along = (x - x1 / n) * std::cos(angle) + (y - y1 / n) * std::sin(angle);
-            skew -= along * along * along;
-        }
+    for (const CanvasPoint& point : arrow) {
+        const double along =
+            (point.x - middle.x) * std::cos(angle) + (point.y - middle.y) * std::sin(angle);
+        skew -= along * along * along;
     }
     const double sign = skew > 0.0 ? 1.0 : -1.0;
     return {sign * std::cos(angle), sign * std::sin(angle)};
@@ -194,17 +224,12 @@ TEST(ArrowOverlay, PointsWhereTheCameraSeesTheWindBlowAlsoWhileItTurns) {
                 scene_of(overlay("arrow", "upper-right", "font_size = 60\nopacity = 0.0"), 1280,
                          720, camera);
             FrameOverlays over(scene, first);
-            const CanvasBox before = over.placed()[0].box;
             for (const std::int64_t step : {0, 1200}) {
                 Snapshot snapshot = first;
                 snapshot.step = step;
                 Image image = grey(1280, 720);
                 over.draw(image, {snapshot, {}, {}});
-                // The arrow lies in the lower left of its box, below the word and left of the
-                // compass.
-                const double text = 70.0;
-                const CanvasBox arrow{before.x, before.y + text, 3.6 * 60.0, before.height - text};
-                const auto seen = long_axis(image, arrow);
+                const auto seen = long_axis(largest_dark_patch(image));
                 const double angle =
                     (azimuth + 12.0 * static_cast<double>(step) / 1200.0) * pi / 180.0;
                 const double across = -std::cos(angle);

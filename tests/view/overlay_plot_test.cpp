@@ -82,6 +82,7 @@ TEST(TimeText, IsReadableAndAsFineAsTheSteps) {
     EXPECT_EQ(filled_text("step {step}", scene, steps, 1200, 1200.0), "step 1,200");
     EXPECT_EQ(filled_text("{title}: {model.creep_rate}, seed {seed}", scene, steps, 0, 0.0),
               "Dunes of a test: 0.2, seed 1");
+    EXPECT_EQ(filled_text("{model.hop_base} {camera.turn}", scene, steps, 0, 0.0), "5 0");
     EXPECT_THROW(filled_text("{speed}", scene, steps, 0, 0.0), InputError);
 
     scene = parse_scene("[model]\nname = \"gully\"\ntime_step = 0.25\n[run]\nsteps = 4000\n",
