@@ -114,6 +114,7 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first) {
     for (double font = usual;; font *= shrinking) {
         const double tried = std::max(font, least_font);
         std::vector<OverlayPiece> pieces;
+        pieces.reserve(placed_.size());
         for (std::size_t i = 0; i < placed_.size(); ++i) {
             const OverlaySettings& settings = overlays[placed_[i].number];
             placed_[i].font_size = settings.font_size.is_word() ? tried : settings.font_size.value;

@@ -35,6 +35,7 @@ std::vector<CanvasBox> stacked_boxes(std::span<const OverlayPiece> pieces, doubl
         next.at(corner) =
             is_lower(static_cast<OverlayCorner>(corner)) ? height - heights.at(corner) : edge;
     std::vector<CanvasBox> boxes;
+    boxes.reserve(pieces.size());
     for (const OverlayPiece& piece : pieces) {
         const double across = std::ceil(piece.size.width);
         const double down = std::ceil(piece.size.height);

@@ -62,6 +62,7 @@ class LivePlot : public Overlay {
         MeasureSuite suite(landform_of(on.first), on.first);
         const auto columns = measured_columns(suite.columns(), on.first);
         std::vector<std::string> names;
+        names.reserve(columns.size());
         for (const MeasureColumn& column : columns) names.push_back(column.name);
         const auto find = [&](const std::string& key, const std::string& name) {
             const auto found = std::find(names.begin(), names.end(), name);

@@ -31,6 +31,7 @@ void name_parameter_keys(Scene& scene) {
     Scene copy = scene;  // the table binds to writable values
     const KeyTable table = scene_keys(copy);
     std::vector<std::string> known;
+    known.reserve(table.keys().size());
     for (const Key& key : table.keys()) known.push_back(key.path);
     for (std::size_t i = 0; i < scene.view.overlays.size(); ++i) {
         OverlaySettings& overlay = scene.view.overlays[i];
