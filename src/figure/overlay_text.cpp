@@ -130,7 +130,7 @@ class ParameterLine : public Overlay {
         std::string text;
         std::string line;
         for (const std::string& part : parts_) {
-            const std::string longer = line.empty() ? part : line + ",  " + part;
+            const std::string longer = line.empty() ? part : fmt::format("{},  {}", line, part);
             if (!line.empty() && canvas.text_size(longer, parameter_text)[0] > widest_) {
                 text += line + ",\n";
                 line = part;
