@@ -46,6 +46,7 @@ Json head(const ManifestFacts& facts, const std::string& status, const DrawingRe
         json["drawing"] = Json::parse(environment_text(environment));
         if (!drawing.why_not_pinned.empty())
             json["drawing"]["why_not_pinned"] = drawing.why_not_pinned;
+        if (!drawing.text_library.empty()) json["drawing"]["text_library"] = drawing.text_library;
         json["drawing"]["vertical_exaggeration"] = drawing.exaggeration;
     }
     return json;

@@ -32,6 +32,12 @@ constexpr std::size_t frames_in_a_queue = 2;  // enough to overlap, few enough f
 
 using SharedSnapshot = std::shared_ptr<const Snapshot>;
 
+/// What is to be drawn: a step, and the measurements up to it that plots show.
+struct Frame {
+    SharedSnapshot snapshot;
+    MeasuredRows rows;
+};
+
 struct Picture {
     std::int64_t number;
     SharedSnapshot snapshot;
@@ -129,7 +135,7 @@ class Pipeline {
                 check_finite(*snapshot);
                 if (record) recorder.record(*snapshot);
                 if (beds.due(step) && !to_beds_.push(snapshot)) return;
-                if (frame && !to_draw_.push(snapshot)) return;
+                if (frame && !to_draw_.push({snapshot, recorder.rows()})) return;
             }
             if (step >= scene_.run.steps || interrupting_signal() != 0 || aborted()) return;
             const Stopwatch watch;
@@ -152,10 +158,11 @@ class Pipeline {
             return;
         }
         std::int64_t number = 0;
-        while (const auto snapshot = to_draw_.pop()) {
+        while (const auto frame = to_draw_.pop()) {
             const Stopwatch watch;
-            const Picture picture{number++, *snapshot,
-                                  std::make_shared<const Image>(painter->paint(**snapshot))};
+            const Picture picture{
+                number++, frame->snapshot,
+                std::make_shared<const Image>(painter->paint(*frame->snapshot, frame->rows))};
             outcome_.timing.rendering_wall += watch.seconds();
             if (!to_pictures_.push(picture)) break;
             if (scene_.output.movie && !to_movie_.push(picture)) break;
@@ -286,7 +293,7 @@ class Pipeline {
     double pictures_wall_ = 0.0;  // of two threads, added up at the end
     double movie_wall_ = 0.0;
 
-    BoundedQueue<SharedSnapshot> to_draw_{frames_in_a_queue};
+    BoundedQueue<Frame> to_draw_{frames_in_a_queue};
     BoundedQueue<SharedSnapshot> to_beds_{frames_in_a_queue};
     BoundedQueue<Picture> to_pictures_{frames_in_a_queue};
     BoundedQueue<Picture> to_movie_{frames_in_a_queue};

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/number_text.h"
+
 namespace fumon {
 
 void Progress::expect(std::int64_t steps, std::int64_t frames) {
@@ -35,17 +37,6 @@ std::string Progress::line() const {
                         1e-6 * static_cast<double>(steps) * static_cast<double>(cells_) / seconds);
     }
     if (share > 0.0) text += fmt::format("  {} left", clock_text(seconds * (1.0 - share) / share));
-    return text;
-}
-
-std::string with_commas(std::int64_t number) {
-    const std::string digits = fmt::format("{}", number);
-    std::string text;
-    for (std::size_t place = 0; place < digits.size(); ++place) {
-        const std::size_t left = digits.size() - place;
-        if (place > 0 && left % 3 == 0 && digits[place - 1] != '-') text += ',';
-        text += digits[place];
-    }
     return text;
 }
 

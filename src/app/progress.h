@@ -42,9 +42,6 @@ class Progress {
     Clock::time_point start_ = Clock::now();
 };
 
-/// "1,234,567".
-std::string with_commas(std::int64_t number);
-
 /// "0:07", "12:34", "3:05:10".
 std::string clock_text(double seconds);
 

@@ -7,10 +7,21 @@
 #include <utility>
 
 #include "files/avalanche_table.h"
+#include "scene/overlay_keys.h"
 
 namespace fumon {
 
 namespace {
+
+/// What plots show, where there are frames to show them.
+std::vector<std::string> kept_columns(const Scene& scene) {
+    if (!scene.output.frames && !scene.output.movie) return {};
+    return plotted_columns(scene);
+}
+
+bool measures(const Scene& scene) {
+    return scene.output.measurements || !kept_columns(scene).empty();
+}
 
 MeasureSuite suite_for(const Snapshot& first) {
     return MeasureSuite(landform_of(first), first);
@@ -22,9 +33,10 @@ Recorder::Recorder(const Scene& scene, const Model& model, std::string resolved,
     : scene_(scene),
       resolved_(std::move(resolved)),
       paths_(std::move(paths)),
-      measured_(scene.output.measurements ? measurement_schedule(scene) : Schedule{}),
+      measured_(measures(scene) ? measurement_schedule(scene) : Schedule{}),
       fielded_(fields_schedule(scene)),
-      suite_(suite_for(model.snapshot())) {
+      suite_(suite_for(model.snapshot())),
+      plotted_(kept_columns(scene), suite_.columns(), model.snapshot()) {
     if (!scene.output.measurements) return;
     measurements_.emplace(paths_.measurements);
     std::string header = "step,time";
@@ -43,16 +55,18 @@ void Recorder::record(const Snapshot& snapshot) {
 
 void Recorder::note(std::span<const Avalanche> avalanches) {
     if (avalanches.empty()) return;
-    if (scene_.output.measurements) suite_.note(avalanches);
+    if (measures(scene_)) suite_.note(avalanches);
     if (!scene_.output.avalanches) return;
     if (!avalanches_) avalanches_.emplace(paths_.avalanches);
     avalanches_->add(avalanches);
 }
 
 void Recorder::measure(const Snapshot& snapshot) {
+    const std::vector<double> row = suite_.row(snapshot);
+    plotted_.take(snapshot, row);
+    if (!measurements_) return;
     std::string line = fmt::format("{},{}", snapshot.step, snapshot.time);
-    for (const double value : suite_.row(snapshot))
-        line += std::isnan(value) ? "," : fmt::format(",{}", value);
+    for (const double value : row) line += std::isnan(value) ? "," : fmt::format(",{}", value);
     measurements_->write(line + "\n");
 }
 

@@ -9,6 +9,7 @@
 #include "files/atomic_file.h"
 #include "files/avalanche_table.h"
 #include "files/netcdf_fields.h"
+#include "measure/measured_rows.h"
 #include "measure/suite.h"
 #include "models/model.h"
 #include "scene/scene.h"
@@ -37,6 +38,7 @@ struct Recorded {
 ///     avalanches.csv     one row an avalanche; no file until there is one
 ///     fields.nc          every field of the snapshot, as NetCDF
 ///
+/// It also keeps the measurements that plots over the frames show (overlays).
 /// The files get their names by commit(); without it they vanish with the recorder.
 class Recorder {
   public:
@@ -55,6 +57,9 @@ class Recorder {
     /// Takes the last step's avalanches, after every step. Throws as record().
     void note(std::span<const Avalanche> avalanches);
 
+    /// The measurements so far that plots over the frames show.
+    [[nodiscard]] const MeasuredRows& rows() const { return plotted_.rows(); }
+
     /// Gives every file its name, even when one fails; then throws the first Error.
     void commit();
     [[nodiscard]] const Recorded& recorded() const { return recorded_; }
@@ -69,6 +74,7 @@ class Recorder {
     Schedule measured_;
     Schedule fielded_;
     MeasureSuite suite_;
+    RowGatherer plotted_;
     std::optional<AtomicFile> measurements_;
     std::optional<AvalancheFile> avalanches_;
     std::optional<FieldsFile> fields_;

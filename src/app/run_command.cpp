@@ -9,6 +9,7 @@
 #include "app/workshop.h"
 #include "scene/read.h"
 #include "support/error.h"
+#include "support/number_text.h"
 
 namespace fumon {
 

@@ -9,6 +9,7 @@
 #include "app/sweep_folder.h"
 #include "app/sweep_plan.h"
 #include "app/sweep_work.h"
+#include "support/number_text.h"
 
 namespace fumon {
 

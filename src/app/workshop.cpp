@@ -5,6 +5,7 @@
 #include "app/check_finite.h"
 #include "app/interrupt.h"
 #include "app/picture_text.h"
+#include "figure/frame_overlays.h"
 #include "figure/section_figure.h"
 #include "files/atomic_file.h"
 #include "gl/pinned.h"
@@ -13,6 +14,7 @@
 #include "render/colouring.h"
 #include "render/palette.h"
 #include "render/water.h"
+#include "scene/overlay_keys.h"
 #include "support/error.h"
 
 namespace fumon {
@@ -76,12 +78,48 @@ void check_section(const Scene& scene, const Model& model) {
     }
 }
 
+/// Overlays must fit the scene and the picture.
+void check_overlays(const Scene& scene, const Model& model) {
+    if (!has_overlays(scene)) return;
+    try {
+        const FrameOverlays fitting(scene, model.snapshot());
+    } catch (const KeyError& refusal) {
+        throw InputError(scene.at(refusal.key()) + refusal.what());
+    }
+}
+
+Scene without_files(Scene scene) {
+    scene.output.frames = true;
+    scene.output.measurements = false;
+    scene.output.avalanches = false;
+    scene.output.fields_every = 0;
+    scene.output.fields_at.clear();
+    return scene;
+}
+
+/// Measures the present step where plots show it.
+void measure_for_plots(Workshop& workshop) {
+    if (!workshop.plotted || !workshop.plotted->recorder.due(workshop.model->steps_done())) return;
+    workshop.plotted->recorder.record(workshop.model->snapshot());
+}
+
+/// Begins to measure, where there are plots.
+void begin_plots(Workshop& workshop) {
+    if (workshop.plotted || plotted_columns(workshop.scene).empty()) return;
+    workshop.plotted = std::make_unique<PlottedRows>(workshop.scene, *workshop.model);
+    measure_for_plots(workshop);
+}
+
 }  // namespace
+
+PlottedRows::PlottedRows(const Scene& scene_, const Model& model)
+    : scene(without_files(scene_)), recorder(scene, model, "", {}) {}
 
 Workshop set_up(Scene scene, int threads) {
     Workshop workshop;
     workshop.scene = std::move(scene);
     check_palette(workshop.scene);
+    name_parameter_keys(workshop.scene);
     workshop.initial = make_initial_bed(workshop.scene);
     workshop.scene.grid.nx =
         workshop.initial.bed.nx();  // resolved: a terrain file brings its own size
@@ -94,15 +132,19 @@ Workshop set_up(Scene scene, int threads) {
     check_marking(workshop.scene, *workshop.model);
     check_colouring(workshop.scene, *workshop.model);
     check_section(workshop.scene, *workshop.model);
+    check_overlays(workshop.scene, *workshop.model);
     return workshop;
 }
 
 int advance_to(Workshop& workshop, std::int64_t step, Progress& progress) {
     Model& model = *workshop.model;
+    begin_plots(workshop);
     progress.expect(step, 0);
     while (model.steps_done() < step) {
         if (const int signal = interrupting_signal(); signal != 0) return signal;
         model.step();
+        if (workshop.plotted) workshop.plotted->recorder.note(model.avalanches());
+        measure_for_plots(workshop);
         progress.steps_done = model.steps_done();
         progress.show();
     }
@@ -141,10 +183,12 @@ void tell_drawing(const DrawingRecord& drawing, Progress& progress) {
     }
 }
 
-Drawing draw_present(const Workshop& workshop, const Snapshot& first, const WorkOptions& work) {
+Drawing draw_present(Workshop& workshop, const Snapshot& first, const WorkOptions& work) {
     WorkerPool pool(work.threads, "fumon-render");
     const auto painter = make_frame_painter(workshop.scene, first, work.backend, pool);
-    return {painter->paint(workshop.model->snapshot()), painter->record()};
+    begin_plots(workshop);
+    const MeasuredRows rows = workshop.plotted ? workshop.plotted->recorder.rows() : MeasuredRows{};
+    return {painter->paint(workshop.model->snapshot(), rows), painter->record()};
 }
 
 DrawnStill draw_still(Workshop& workshop, const Snapshot& first, const std::string& file,

@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/frame_painter.h"
+#include "app/recorder.h"
 #include "files/hash.h"
 #include "models/model.h"
 #include "scene/initial_bed.h"
@@ -12,20 +13,30 @@
 
 namespace fumon {
 
+/// The measurements on the way to a still's step, taken as the run takes them.
+struct PlottedRows {
+    PlottedRows(const Scene& scene, const Model& model);
+
+    Scene scene;  ///< writes no file
+    Recorder recorder;
+};
+
 /// A scene made ready to run: its initial bed, the threads of its model, and the model.
 struct Workshop {
     Scene scene;
     InitialBed initial;
     std::unique_ptr<WorkerPool> pool;
     std::unique_ptr<Model> model;
+    /// Where plots stand over the frames: what they show of the steps so far, see advance_to().
+    std::unique_ptr<PlottedRows> plotted;
 };
 
-/// Builds bed and model of a scene and checks its palette. Throws InputError where they do not fit,
-/// located at the scene's model or key.
+/// Builds bed and model of a scene and checks its palette and overlays. Throws InputError where
+/// they do not fit, located at the scene's model or key.
 Workshop set_up(Scene scene, int threads);
 
-/// Advances the model to a step, showing progress. Returns the signal that stopped it early, or 0.
-/// Throws Error when the bed is not finite then.
+/// Advances the model to a step, showing progress, and measures what plots over the frames show.
+/// Returns the signal that stopped it early, or 0. Throws Error when the bed is not finite then.
 int advance_to(Workshop& workshop, std::int64_t step, Progress& progress);
 
 /// Advances until the model's time reaches the wanted one. Throws InputError where the run ends
@@ -52,7 +63,7 @@ struct Drawing {
 };
 
 /// Draws the model's present state as the run's frame of that step; `first` is the run's first.
-Drawing draw_present(const Workshop& workshop, const Snapshot& first, const WorkOptions& work);
+Drawing draw_present(Workshop& workshop, const Snapshot& first, const WorkOptions& work);
 
 /// The same, written whole with its metadata.
 DrawnStill draw_still(Workshop& workshop, const Snapshot& first, const std::string& file,

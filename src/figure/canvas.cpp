@@ -37,8 +37,9 @@ cairo_status_t append(void* bytes, const unsigned char* more, unsigned int count
 
 struct Canvas::Parts {
     Parts(std::optional<PageFormat> format_, double width_, double height_, double dots_per_inch_,
-          double font_size_)
+          double font_size_, CanvasGround ground_ = CanvasGround::white)
         : format(format_),
+          ground(ground_),
           width(width_),
           height(height_),
           dots_per_inch(dots_per_inch_),
@@ -56,8 +57,10 @@ struct Canvas::Parts {
         cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
         cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
         cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
-        cairo_set_source_rgb(drawing.get(), 1.0, 1.0, 1.0);
-        cairo_paint(drawing.get());
+        if (ground == CanvasGround::white) {
+            cairo_set_source_rgb(drawing.get(), 1.0, 1.0, 1.0);
+            cairo_paint(drawing.get());
+        }
         // Before the scale below, so that texts have the same sizes in all formats.
         layout.reset(pango_cairo_create_layout(drawing.get()));
         PangoContext* context = pango_layout_get_context(layout.get());
@@ -94,7 +97,9 @@ struct Canvas::Parts {
             constexpr double most = 1e6;       // more than Cairo takes
             return static_cast<int>(std::clamp(std::ceil(length * scale - rounding), 1.0, most));
         };
-        return cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels(width), pixels(height));
+        return cairo_image_surface_create(
+            ground == CanvasGround::white ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, pixels(width),
+            pixels(height));
     }
 
     void set_text(const std::string& text, double size, bool bold) const {
@@ -158,6 +163,7 @@ struct Canvas::Parts {
     }
 
     std::optional<PageFormat> format;  ///< none: an image
+    CanvasGround ground;
     double width;
     double height;
     double dots_per_inch;
@@ -172,8 +178,9 @@ struct Canvas::Parts {
     FigureMetadata metadata;
 };
 
-Canvas::Canvas(int width, int height, double font_size)
-    : parts_(std::make_unique<Parts>(std::nullopt, width, height, points_per_inch, font_size)) {}
+Canvas::Canvas(int width, int height, double font_size, CanvasGround ground)
+    : parts_(std::make_unique<Parts>(std::nullopt, width, height, points_per_inch, font_size,
+                                     ground)) {}
 
 Canvas::Canvas(PageFormat format, double width, double height, double dots_per_inch,
                double font_size)
@@ -303,6 +310,24 @@ Image Canvas::image() const {
     if (cairo_surface_get_type(surface) != CAIRO_SURFACE_TYPE_IMAGE)
         throw Error("a page of lines and letters has no pixels");
     return image_of_cairo(surface);
+}
+
+CanvasLayer Canvas::layer() const {
+    cairo_surface_t* surface = parts_->surface.get();
+    if (cairo_surface_get_type(surface) != CAIRO_SURFACE_TYPE_IMAGE)
+        throw Error("a page of lines and letters has no pixels");
+    cairo_surface_flush(surface);
+    CanvasLayer layer{
+        cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
+    const auto width = static_cast<std::size_t>(layer.width);
+    layer.pixels.resize(width * static_cast<std::size_t>(layer.height));
+    const unsigned char* pixels = cairo_image_surface_get_data(surface);
+    const int stride = cairo_image_surface_get_stride(surface);
+    for (int y = 0; y < layer.height; ++y) {
+        std::memcpy(layer.pixels.data() + static_cast<std::size_t>(y) * width,
+                    pixels + std::ptrdiff_t{stride} * y, 4 * width);
+    }
+    return layer;
 }
 
 void Canvas::set_metadata(FigureMetadata metadata) {

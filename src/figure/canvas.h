@@ -27,6 +27,17 @@ struct PlacedText {
     CanvasBox box;
 };
 
+/// What lies under a drawing.
+enum class CanvasGround { white, transparent };
+
+/// Pixels to lay over a picture, top row first: sRGB of 8 bits times the opacity, which is the
+/// highest byte.
+struct CanvasLayer {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint32_t> pixels;
+};
+
 /// What file a page becomes.
 enum class PageFormat { pdf, svg, png };
 
@@ -42,7 +53,7 @@ using FigureMetadata = std::vector<std::pair<std::string, std::string>>;
 class Canvas {
   public:
     /// An image. `font_size` in pixels. Throws Error where the size is more than Cairo can hold.
-    Canvas(int width, int height, double font_size);
+    Canvas(int width, int height, double font_size, CanvasGround ground = CanvasGround::white);
     /// A page. Sizes in points; `dots_per_inch` of a PNG's pixels. Throws Error where the size is
     /// more than Cairo can hold.
     Canvas(PageFormat format, double width, double height, double dots_per_inch, double font_size);
@@ -88,6 +99,8 @@ class Canvas {
 
     /// The pixels of an image or of a PNG page. Throws Error for other pages.
     [[nodiscard]] Image image() const;
+    /// The pixels of an image with their opacity. Throws Error for pages.
+    [[nodiscard]] CanvasLayer layer() const;
 
     /// What bytes() writes into the file beside the drawing. "Title" and "Software" are also what
     /// other programs show as title and creator.

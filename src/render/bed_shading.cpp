@@ -48,12 +48,6 @@ int shaded_size(int count, const DisplayBed& bed, int samples_across) {
                                         longer_shaded_side(bed, samples_across) / longer));
 }
 
-Palette chosen_palette(const LookSettings& look) {
-    Palette palette = read_palette(look.palette);
-    if (look.palette_reversed) std::reverse(palette.begin(), palette.end());
-    return palette;
-}
-
 const char* shader_of(const LookSettings& look, const Snapshot& first) {
     if (look.mode == ViewMode::figure) return "shade_figure.frag.glsl";
     return draws_water(look, first) ? "shade_water.frag.glsl" : "shade_scenic.frag.glsl";
@@ -140,12 +134,11 @@ void BedShading::shade(const Snapshot& snapshot, const Snapshot& first, const Di
                        WorkerPool& pool) {
     lighting_.upload(lighting_texels(bed, sun_direction(view_.sun), pool).data());
     const bool natural = view_.look.colour_by == Colouring::natural;
-    const auto range =
-        natural ? natural_range(snapshot, block_) : colour_range(view_.look, snapshot, first);
+    range_ = natural ? natural_range(snapshot, block_) : colour_range(view_.look, snapshot, first);
     Field<float> values = coloured_values(view_.look.colour_by, snapshot, first);
     const Mask without = uncoloured_cells(view_.look.colour_by, snapshot);
-    if (!without.empty()) continue_outward(values, without, static_cast<float>(range.first));
-    values_.upload(palette_places(refined(values, refinement_), range).data());
+    if (!without.empty()) continue_outward(values, without, static_cast<float>(range_.first));
+    values_.upload(palette_places(refined(values, refinement_), range_).data());
 
     marks_.upload(mark_texels(view_.look.mark, snapshot).data());
     uncoloured_.upload(uncoloured_texels(view_.look.colour_by, snapshot).data());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "gl/program.h"
 #include "gl/texture.h"
@@ -35,6 +36,8 @@ class BedShading {
                const DisplayWater* water, const Light& light, const Camera& camera,
                WorkerPool& pool);
 
+    /// The values at the palette's ends in what was shaded last.
+    [[nodiscard]] std::pair<double, double> range() const { return range_; }
     [[nodiscard]] const gl::Texture2D& colours() const { return target_.colour(); }
 
   private:
@@ -42,6 +45,7 @@ class BedShading {
     Block block_;
     int refinement_;
     bool mipmaps_;
+    std::pair<double, double> range_{0.0, 1.0};
     gl::Program program_;
     gl::Texture2D palette_;
     gl::Texture2D lighting_;

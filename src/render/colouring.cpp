@@ -102,6 +102,12 @@ std::pair<double, double> colour_range(const LookSettings& look, const Snapshot&
     return {low, high};
 }
 
+Palette chosen_palette(const LookSettings& look) {
+    Palette palette = read_palette(look.palette);
+    if (look.palette_reversed) std::reverse(palette.begin(), palette.end());
+    return palette;
+}
+
 Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double, double> range) {
     Field<std::uint16_t> places(values.nx(), values.ny());
     const auto low = static_cast<float>(range.first);

@@ -6,6 +6,7 @@
 
 #include "models/model.h"
 #include "render/display_bed.h"
+#include "render/palette.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -30,6 +31,9 @@ std::pair<double, double> colour_range(const LookSettings& look, const Snapshot&
 /// heights less the first ones, or a quantity of the water, 0 in dry cells. Throws InputError for
 /// the latter without water.
 Field<float> coloured_values(Colouring colour_by, const Snapshot& snapshot, const Snapshot& first);
+
+/// The look's palette, the way round that it wants. Throws as read_palette.
+Palette chosen_palette(const LookSettings& look);
 
 /// Values as places in the palette, 0 … 65535.
 Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double, double> range);

@@ -15,6 +15,7 @@
 #include "render/camera.h"
 #include "render/display_bed.h"
 #include "render/floor_map.h"
+#include "render/framing.h"
 #include "render/light.h"
 #include "render/shown_snapshot.h"
 #include "render/terrain_layer.h"
@@ -24,11 +25,6 @@
 namespace fumon {
 
 namespace {
-
-double chosen_exaggeration(const View& view, const Snapshot& first) {
-    return view.look.exaggeration.is_word() ? automatic_exaggeration(first)
-                                            : view.look.exaggeration.value;
-}
 
 Datum chosen_datum(const LookSettings& look, const Snapshot& first) {
     if (look.datum != Datum::automatic) return look.datum;
@@ -50,12 +46,6 @@ TilePlan plan_of(const View& view, const RenderLimits& limits) {
     return plan_tiles(static_cast<int>(view.image.width), static_cast<int>(view.image.height),
                       static_cast<int>(view.image.supersampling),
                       std::min(limits.tile_samples, static_cast<int>(largest)));
-}
-
-/// Pixels that one length of the block spans at its centre.
-double pixels_per_length(const Camera& camera, const View& view) {
-    const double depth = camera.perspective ? -glm::dot(camera.eye, camera.forward) : 1.0;
-    return 0.5 * static_cast<double>(view.image.height) / (camera.half.y * std::max(depth, 0.05));
 }
 
 gl::TextureLayout plain_layout() {
@@ -108,7 +98,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       first(shown_snapshot(first_, view_.look).value_or(first_)),
       last_step(last_step_),
       pool(pool_),
-      block(frame_block(first, chosen_exaggeration(view, first), view.look.room)),
+      block(framed_block(view, first)),
       datum(chosen_datum(view.look, first)),
       water(draws_water(view.look, first)),
       refinement(refinement_of(first.bed.nx(), first.bed.ny(),
@@ -132,11 +122,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
 }
 
 Camera Renderer::Parts::camera_at(std::int64_t step) const {
-    const double progress =
-        last_step > 0 ? static_cast<double>(step) / static_cast<double>(last_step) : 0.0;
-    const double aspect =
-        static_cast<double>(view.image.width) / static_cast<double>(view.image.height);
-    return place_camera(view.camera, block, aspect, std::clamp(progress, 0.0, 1.0));
+    return camera_at_step(view, block, step, last_step);
 }
 
 void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera) {
@@ -220,6 +206,10 @@ Renderer::~Renderer() = default;
 
 double Renderer::exaggeration() const {
     return parts_->block.exaggeration;
+}
+
+std::pair<double, double> Renderer::colour_range() const {
+    return parts_->shading.range();
 }
 
 Image Renderer::render(const Snapshot& whole) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "models/model.h"
 #include "render/image.h"
@@ -36,6 +37,8 @@ class Renderer {
 
     /// The vertical exaggeration in use.
     [[nodiscard]] double exaggeration() const;
+    /// The values at the two ends of the palette in the last picture, see colour_range().
+    [[nodiscard]] std::pair<double, double> colour_range() const;
 
   private:
     struct Parts;

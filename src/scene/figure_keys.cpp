@@ -208,18 +208,23 @@ void list_one_overlay(OverlaySettings& overlay, const std::string& path, KeyTabl
                   {"lower-right", "there"}},
                  {.help = "where it stands; several in one corner stand below one another"});
     table.text(path + ".text", overlay.text,
-               {.help = "title, time: {title}, {step}, {time}, {seed} and {model.creep_rate} stand "
-                        "for values; empty: as usual"});
+               {.help = "title, time; plot: its heading. {title}, {step}, {time}, {seed} and "
+                        "{model.creep_rate} stand for values; empty: as usual"});
     table.text_list(
         path + ".keys", overlay.keys,
-        {.help = "parameters: the keys that are shown; empty: the written model.* keys"});
+        {.help = "parameters: the keys that are shown; empty: the model's that are written"});
     table.text(path + ".x", overlay.x, {.help = "plot: column of the measurements along it"});
     table.text(path + ".y", overlay.y, {.help = "plot: column up it"});
+    table.word_or_real(path + ".low", overlay.low, {{"auto", "0, or below the values so far"}},
+                       {.help = "plot: lower end of its axis"});
+    table.word_or_real(path + ".high", overlay.high, {{"auto", "grows with them by round steps"}},
+                       {.help = "plot: upper end"});
     table.real(path + ".size", overlay.size,
                {.range = {0.05, 0.9}, .help = "plot, colour bar: share of the picture's width"});
-    table.word_or_real(path + ".font_size", overlay.font_size,
-                       {{"auto", "a 36th of the picture's shorter side"}},
-                       {.unit = "pixels", .range = {4, 1000}, .help = "of its text"});
+    table.word_or_real(
+        path + ".font_size", overlay.font_size,
+        {{"auto", "a 36th of the picture's shorter side, at least 10; smaller to fit"}},
+        {.unit = "pixels", .range = {4, 1000}, .help = "of its text"});
     table.real(path + ".opacity", overlay.opacity,
                {.range = {0, 1}, .help = "of the plate behind it; 0: no plate"});
 }

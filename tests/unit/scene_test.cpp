@@ -181,7 +181,7 @@ TEST(ListsOfTables, AreReadAndWrittenBackInOrder) {
     const Scene scene = parse_scene(text, "scene.toml", "");
     ASSERT_EQ(scene.view.overlays.size(), 2U);
     EXPECT_EQ(scene.view.overlays[0].kind, OverlayKind::time);
-    EXPECT_EQ(scene.view.overlays[1].corner, Corner::lower_right);
+    EXPECT_EQ(scene.view.overlays[1].corner, OverlayCorner::lower_right);
     ASSERT_EQ(scene.figure.panels.size(), 2U);
     EXPECT_EQ(scene.figure.panels[1].kind, PanelKind::map);
     ASSERT_EQ(scene.figure.panels[0].curves.size(), 2U);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// Names the keys that the parameter lines over the frames show where the scene does not: those of
+/// the model that are written, or its name where none is. Done before anything is made of the
+/// scene, so that the resolved scene names them too. Throws InputError, located, for a key that
+/// there is not.
+void name_parameter_keys(Scene& scene);
+
+/// Whether a scene has overlays that are shown.
+bool has_overlays(const Scene& scene);
+
+/// The columns of the measurements that the plots over a scene's frames show; none without plots.
+std::vector<std::string> plotted_columns(const Scene& scene);
+
+}  // namespace fumon
