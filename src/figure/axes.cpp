@@ -1,21 +1,17 @@
 #include "figure/axes.h"
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <utility>
 
-#include "figure/ticks.h"
 
 namespace fumon {
 
 namespace {
 
 constexpr Ink black{0.0, 0.0, 0.0, 1.0};
-constexpr double tick_text = 0.85;  // of the font size
 
-int ticks_along(double length, double apart) {
-    return std::max(2, static_cast<int>(length / apart));
+PlotAxis plot_axis(const AxisRange& range) {
+    return {range.label, false, range.low, range.high, range.tick_labels};
 }
 
 }  // namespace
@@ -33,35 +29,21 @@ CanvasPoint Axes::value(const CanvasPoint& place) const {
             y_.high - (y_.high - y_.low) * (place.y - frame_.y) / frame_.height};
 }
 
-void Axes::draw(Canvas& canvas) const {
-    const double font = canvas.font_size();
-    const double thin = std::max(1.0, 0.06 * font);
-    const double mark = 0.3 * font;
-    const double bottom = frame_.y + frame_.height;
-    outline(canvas, frame_, thin);
+PlotAxes Axes::drawn(const Canvas& canvas) const {
+    Plot plot;
+    plot.x = plot_axis(x_);
+    plot.y = plot_axis(y_);
+    PlotAxes axes(canvas, plot, frame_.width, frame_.height);
+    axes.move_to(frame_);
+    return axes;
+}
 
-    const Ticks across = linear_ticks(x_.low, x_.high, ticks_along(frame_.width, 3.6 * font));
-    for (std::size_t i = 0; i < across.values.size(); ++i) {
-        const double x = at(across.values[i], y_.low).x;
-        canvas.stroke(std::array<CanvasPoint, 2>{{{x, bottom}, {x, bottom + mark}}}, thin, black);
-        canvas.write(across.labels[i], {x, bottom + 0.5 * font}, {0.5, 0.0}, black, tick_text);
-    }
-    const Ticks upward = linear_ticks(y_.low, y_.high, ticks_along(frame_.height, 1.1 * font));
-    double widest = 0.0;
-    for (std::size_t i = 0; i < upward.values.size(); ++i) {
-        widest = std::max(widest, canvas.text_size(upward.labels[i], tick_text)[0]);
-        const double y = at(x_.low, upward.values[i]).y;
-        canvas.stroke(std::array<CanvasPoint, 2>{{{frame_.x - mark, y}, {frame_.x, y}}}, thin,
-                      black);
-        write_within(canvas, upward.labels[i], 3.6 * font, {frame_.x - 0.5 * font, y}, {1.0, 0.5},
-                     tick_text);
-    }
-    write_within(canvas, x_.label, frame_.width,
-                 {frame_.x + 0.5 * frame_.width, bottom + room_below * font}, {0.5, 1.0}, 0.95);
-    write_within(
-        canvas, y_.label, frame_.height + 2.0 * font,
-        {frame_.x - 0.8 * font - std::min(widest, 3.6 * font), frame_.y + 0.5 * frame_.height},
-        {1.0, 0.5}, 0.95, true);
+PanelMargins Axes::margins(const Canvas& canvas) const {
+    return drawn(canvas).margins(canvas);
+}
+
+void Axes::draw(Canvas& canvas) const {
+    drawn(canvas).draw(canvas);
 }
 
 void outline(Canvas& canvas, const CanvasBox& box, double width) {

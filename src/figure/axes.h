@@ -3,6 +3,8 @@
 #include <string>
 
 #include "figure/canvas.h"
+#include "figure/panel.h"
+#include "figure/plot_axes.h"
 
 namespace fumon {
 
@@ -10,13 +12,15 @@ namespace fumon {
 struct AxisRange {
     double low = 0.0;
     double high = 1.0;
-    std::string label;
+    std::string label;        ///< the quantity and its unit; may be empty
+    bool tick_labels = true;  ///< false: neither they nor the label show
 };
 
-/// Linear axes in a frame on a canvas.
+/// Linear axes of a picture in a frame on a canvas: places and values, and the axes of a plot
+/// around it.
 class Axes {
   public:
-    /// `frame` in whole pixels, neither range empty.
+    /// Neither range is empty.
     Axes(const CanvasBox& frame, AxisRange x, AxisRange y);
 
     [[nodiscard]] const CanvasBox& frame() const { return frame_; }
@@ -27,23 +31,23 @@ class Axes {
     /// The values at a place.
     [[nodiscard]] CanvasPoint value(const CanvasPoint& place) const;
 
+    /// The room that ticks and labels take around the frame.
+    [[nodiscard]] PanelMargins margins(const Canvas& canvas) const;
     /// The frame, its ticks and their labels, and the labels of both axes.
     void draw(Canvas& canvas) const;
 
-    /// Font sizes that ticks and labels take to the left of a frame, and below it.
-    static constexpr double room_left = 5.6;
-    static constexpr double room_below = 2.7;
-
   private:
+    [[nodiscard]] PlotAxes drawn(const Canvas& canvas) const;
+
     CanvasBox frame_;
     AxisRange x_;
     AxisRange y_;
 };
 
-/// The outline of a box, `width` pixels wide.
+/// The outline of a box, `width` units wide.
 void outline(Canvas& canvas, const CanvasBox& box, double width);
 
-/// Writes a text smaller where it would be longer than `longest` pixels.
+/// Writes a text smaller where it would be longer than `longest` units.
 void write_within(Canvas& canvas, const std::string& text, double longest, const CanvasPoint& at,
                   const CanvasPoint& anchor, double size, bool upright = false);
 

@@ -5,45 +5,147 @@
 #include <cmath>
 #include <cstddef>
 
-#include "figure/axes.h"
 #include "figure/ticks.h"
 
 namespace fumon {
 
-Ink ColourScale::ink(double value) const {
+namespace {
+
+constexpr double tick_text = 0.85;  // of the font size, as are those below
+constexpr double label_text = 0.95;
+constexpr double mark = 0.25;
+constexpr double to_tick_text = 0.4;
+constexpr double to_label = 0.25;
+constexpr double beyond_ends = 0.2;  // by which a label may be longer than its bar
+constexpr double bar_width = 0.9;
+constexpr double from_frame = 0.8;
+
+/// A bar's ticks, the room that their texts take, and how large its label is written.
+struct Layout {
+    Ticks ticks;
+    double widest = 0.0;
+    double highest = 0.0;
+    double label_size = label_text;
+    double label_height = 0.0;
+};
+
+Layout lay_out(const Canvas& canvas, double length, const ColourScale& scale,
+               BarDirection direction) {
+    const double font = canvas.font_size();
+    const bool upright = direction == BarDirection::upright;
+    Layout layout;
+    int most = std::max(2, static_cast<int>(length / ((upright ? 1.4 : 2.2) * font)));
+    for (;; --most) {
+        layout.ticks = linear_ticks(scale.low, scale.high, most);
+        layout.widest = 0.0;
+        for (const std::string& label : layout.ticks.labels) {
+            const auto [width, height] = canvas.text_size(label, tick_text);
+            layout.widest = std::max(layout.widest, width);
+            layout.highest = std::max(layout.highest, height);
+        }
+        const auto count = static_cast<double>(layout.ticks.labels.size());
+        if (upright || most <= 2 || count * (layout.widest + 0.6 * font) <= length) break;
+    }
+    if (scale.label.empty()) return layout;
+    const auto [width, height] = canvas.text_size(scale.label, label_text);
+    const double shrink = std::min(1.0, (length + 2.0 * beyond_ends * font) / width);
+    layout.label_size = label_text * shrink;
+    layout.label_height = height * shrink + to_label * font;
+    return layout;
+}
+
+/// The palette from one end to the other: two pixels a colour, one at the ends, as place() rounds.
+Image gradient(const ColourScale& scale, BarDirection direction) {
+    constexpr int pixels = 510;
+    const bool upright = direction == BarDirection::upright;
+    Image image(upright ? 1 : pixels, upright ? pixels : 1);
+    for (int i = 0; i < pixels; ++i) {
+        const auto& colour = scale.palette[static_cast<std::size_t>((i + 1) / 2)];
+        const int at = upright ? pixels - 1 - i : i;
+        std::copy(colour.begin(), colour.end(), image.rgb.begin() + std::ptrdiff_t{3} * at);
+    }
+    return image;
+}
+
+CanvasBox bar_beside(const Canvas& canvas, const CanvasBox& frame) {
+    const double font = canvas.font_size();
+    return {frame.x + frame.width + from_frame * font, frame.y, bar_width * font, frame.height};
+}
+
+}  // namespace
+
+std::size_t ColourScale::place(double value) const {
     const double last = static_cast<double>(palette.size()) - 1.0;
-    const double place = std::clamp((value - low) / (high - low), 0.0, 1.0) * last;
-    const auto& colour = palette[static_cast<std::size_t>(std::lround(place))];
+    return static_cast<std::size_t>(
+        std::lround(std::clamp((value - low) / (high - low), 0.0, 1.0) * last));
+}
+
+Ink ColourScale::ink(double value) const {
+    const auto& colour = palette[place(value)];
     constexpr double full = 255.0;
     return {colour[0] / full, colour[1] / full, colour[2] / full, 1.0};
 }
 
-void draw_colour_bar(Canvas& canvas, const CanvasBox& frame, const ColourScale& scale) {
+PanelMargins colour_bar_margins(const Canvas& canvas, const CanvasBox& bar,
+                                const ColourScale& scale, BarDirection direction) {
     const double font = canvas.font_size();
-    const double thin = std::max(1.0, 0.06 * font);
-    const CanvasBox bar{std::round(frame.x + frame.width + 0.8 * font), frame.y,
-                        std::max(1.0, std::round(0.9 * font)), frame.height};
+    const double thin = 0.5 * canvas.line_width();
+    if (direction == BarDirection::upright) {
+        const Layout layout = lay_out(canvas, bar.height, scale, direction);
+        const double half = std::max({thin, beyond_ends * font, 0.5 * layout.highest});
+        return {thin, to_tick_text * font + layout.widest + layout.label_height, half, half};
+    }
+    const Layout layout = lay_out(canvas, bar.width, scale, direction);
+    const double half = std::max({thin, beyond_ends * font, 0.5 * layout.widest});
+    return {half, half, thin, to_tick_text * font + layout.highest + layout.label_height};
+}
+
+void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& scale,
+                     BarDirection direction, const Ink& ink) {
+    const double font = canvas.font_size();
+    const double thin = canvas.line_width();
+    const bool upright = direction == BarDirection::upright;
+    const Layout layout = lay_out(canvas, upright ? bar.height : bar.width, scale, direction);
     const double right = bar.x + bar.width;
-    for (int row = 0; row < static_cast<int>(bar.height); ++row) {
-        const double share = 1.0 - (row + 0.5) / bar.height;
-        canvas.fill(CanvasBox{bar.x, bar.y + row, bar.width, 1.0},
-                    scale.ink(std::lerp(scale.low, scale.high, share)));
+    const double bottom = bar.y + bar.height;
+    canvas.draw(gradient(scale, direction), bar);
+    canvas.stroke(
+        std::array<CanvasPoint, 5>{
+            {{bar.x, bar.y}, {right, bar.y}, {right, bottom}, {bar.x, bottom}, {bar.x, bar.y}}},
+        thin, ink);
+    for (std::size_t i = 0; i < layout.ticks.values.size(); ++i) {
+        const double share = (layout.ticks.values[i] - scale.low) / (scale.high - scale.low);
+        const double x = upright ? right : bar.x + bar.width * share;
+        const double y = upright ? bottom - bar.height * share : bottom;
+        const double dx = upright ? font : 0.0;
+        const double dy = upright ? 0.0 : font;
+        canvas.stroke(std::array<CanvasPoint, 2>{{{x, y}, {x + mark * dx, y + mark * dy}}}, thin,
+                      ink);
+        canvas.write(layout.ticks.labels[i], {x + to_tick_text * dx, y + to_tick_text * dy},
+                     upright ? CanvasPoint{0.0, 0.5} : CanvasPoint{0.5, 0.0}, ink, tick_text);
     }
-    outline(canvas, bar, thin);
-    const Ticks ticks = linear_ticks(scale.low, scale.high,
-                                     std::max(2, static_cast<int>(bar.height / (1.1 * font))));
-    double widest = 0.0;
-    for (std::size_t i = 0; i < ticks.values.size(); ++i) {
-        widest = std::max(widest, canvas.text_size(ticks.labels[i], 0.85)[0]);
-        const double share = (ticks.values[i] - scale.low) / (scale.high - scale.low);
-        const double y = bar.y + bar.height * (1.0 - share);
-        canvas.stroke(std::array<CanvasPoint, 2>{{{right, y}, {right + 0.25 * font, y}}}, thin, {});
-        write_within(canvas, ticks.labels[i], 3.6 * font, {right + 0.4 * font, y}, {0.0, 0.5},
-                     0.85);
+    if (scale.label.empty()) return;
+    const double away =
+        (to_tick_text + to_label) * font + (upright ? layout.widest : layout.highest);
+    if (upright) {
+        canvas.write(scale.label, {right + away, bar.y + 0.5 * bar.height}, {0.0, 0.5}, ink,
+                     layout.label_size, true);
+    } else {
+        canvas.write(scale.label, {bar.x + 0.5 * bar.width, bottom + away}, {0.5, 0.0}, ink,
+                     layout.label_size);
     }
-    write_within(canvas, scale.label, frame.height + 0.4 * font,
-                 {right + 0.7 * font + std::min(widest, 3.6 * font), frame.y + 0.5 * frame.height},
-                 {0.0, 0.5}, 0.95, true);
+}
+
+double colour_bar_room(const Canvas& canvas, const ColourScale& scale, double height) {
+    const double font = canvas.font_size();
+    return (from_frame + bar_width) * font +
+           colour_bar_margins(canvas, {0.0, 0.0, bar_width * font, height}, scale,
+                              BarDirection::upright)
+               .right;
+}
+
+void draw_colour_bar_beside(Canvas& canvas, const CanvasBox& frame, const ColourScale& scale) {
+    draw_colour_bar(canvas, bar_beside(canvas, frame), scale, BarDirection::upright);
 }
 
 }  // namespace fumon

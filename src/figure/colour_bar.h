@@ -3,6 +3,7 @@
 #include <string>
 
 #include "figure/canvas.h"
+#include "figure/panel.h"
 #include "render/palette.h"
 
 namespace fumon {
@@ -14,13 +15,26 @@ struct ColourScale {
     double high = 1.0;
     std::string label;  ///< the quantity and its unit
 
+    /// The place of a value in the palette, 0 … 255.
+    [[nodiscard]] std::size_t place(double value) const;
     [[nodiscard]] Ink ink(double value) const;
 };
 
-/// Draws the bar of a colour scale right of a frame, as high as it, with its ticks and label.
-void draw_colour_bar(Canvas& canvas, const CanvasBox& frame, const ColourScale& scale);
+/// How a colour bar lies: upright with its ticks and label to the right, or level with them below.
+enum class BarDirection { upright, level };
 
-/// Font sizes that a colour bar takes to the right of a frame.
-constexpr double colour_bar_room = 7.2;
+/// What a colour bar's ticks and label take around the bar itself, of the size of `bar`.
+PanelMargins colour_bar_margins(const Canvas& canvas, const CanvasBox& bar,
+                                const ColourScale& scale, BarDirection direction);
+
+/// Draws a bar that fills `bar`, its ticks and its label.
+void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& scale,
+                     BarDirection direction, const Ink& ink = {});
+
+/// The room right of a frame of that height that the bar beside it takes with its ticks and label.
+double colour_bar_room(const Canvas& canvas, const ColourScale& scale, double height);
+
+/// Draws the bar of a colour scale right of a frame, as high as it.
+void draw_colour_bar_beside(Canvas& canvas, const CanvasBox& frame, const ColourScale& scale);
 
 }  // namespace fumon

@@ -31,6 +31,9 @@ constexpr std::array<PanelName, 6> panel_names{
 
 constexpr double room_of_heading = 2.0;  // font sizes
 constexpr double room_above = 1.9;
+constexpr double room_left = 5.6;
+constexpr double room_below = 2.7;
+constexpr double room_of_bar = 7.2;
 constexpr double room_right = 2.0;  // half a tick label and a little
 
 bool gives(const Snapshot& snapshot, SectionPanel panel) {
@@ -97,9 +100,8 @@ Arrangement arrange(const ImageSettings& image, double font, double aspect,
         one.cell_width = static_cast<double>(image.width) / columns;
         one.cell_height = (static_cast<double>(image.height) - room_of_heading * font) / rows;
         one.frame_width =
-            one.cell_width -
-            (Axes::room_left + room_right + (maps > 0 ? colour_bar_room : 0.0)) * font;
-        one.frame_height = one.cell_height - (room_above + Axes::room_below + 0.4) * font;
+            one.cell_width - (room_left + room_right + (maps > 0 ? room_of_bar : 0.0)) * font;
+        one.frame_height = one.cell_height - (room_above + room_below + 0.4) * font;
         if (one.frame_width < 6.0 * font || one.frame_height < 3.0 * font) continue;
         fit_map(one, aspect);
         if (maps > 0 && one.map_width < 6.0 * font) continue;
@@ -148,7 +150,7 @@ class Drawing {
         const double font = canvas_.font_size();
         const int column = place % arrangement_.columns;
         const int row = place / arrangement_.columns;
-        const double x = column * arrangement_.cell_width + Axes::room_left * font + 0.4 * font +
+        const double x = column * arrangement_.cell_width + room_left * font + 0.4 * font +
                          0.5 * (arrangement_.frame_width - width);
         const double y = (room_of_heading + room_above) * font + row * arrangement_.cell_height +
                          0.5 * (arrangement_.frame_height - height);
@@ -186,7 +188,7 @@ class Drawing {
             draw_section_bed(canvas_, axes, unit_, air_);
         }
         axes.draw(canvas_);
-        draw_colour_bar(canvas_, axes.frame(), scale);
+        draw_colour_bar_beside(canvas_, axes.frame(), scale);
         write_title(axes.frame(), title_of(panel), taken);
     }
 

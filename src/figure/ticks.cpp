@@ -30,26 +30,47 @@ std::string superscript(int number) {
 
 }  // namespace
 
-Ticks linear_ticks(double low, double high, int most) {
-    Ticks ticks;
-    if (!std::isfinite(low) || !std::isfinite(high) || !(low < high)) return ticks;
+double RoundStep::value() const {
+    return leading * std::pow(10.0, exponent);
+}
+
+RoundStep round_step(double low, double high, int most) {
     const double finest = (high - low) / std::max(most, 2);
     int exponent = static_cast<int>(std::floor(std::log10(finest))) - 1;
     for (;; ++exponent) {
         for (const int leading : {1, 2, 5}) {
-            const double step = leading * std::pow(10.0, exponent);
-            const auto first = static_cast<std::int64_t>(std::ceil(low / step - rounding));
-            const auto last = static_cast<std::int64_t>(std::floor(high / step + rounding));
-            if (last - first + 1 > std::max(most, 2)) continue;
-            const int decimals = std::max(0, -exponent);
-            for (std::int64_t i = first; i <= last; ++i) {
-                const double value = static_cast<double>(i) * step;
-                ticks.values.push_back(value);
-                ticks.labels.push_back(with_minus_sign(fmt::format("{:.{}f}", value, decimals)));
-            }
-            return ticks;
+            const RoundStep step{leading, exponent};
+            const auto first = static_cast<std::int64_t>(std::ceil(low / step.value() - rounding));
+            const auto last = static_cast<std::int64_t>(std::floor(high / step.value() + rounding));
+            if (last - first + 1 <= std::max(most, 2)) return step;
         }
     }
+}
+
+std::vector<double> multiples(double step, double low, double high) {
+    std::vector<double> values;
+    const auto first = static_cast<std::int64_t>(std::ceil(low / step - rounding));
+    const auto last = static_cast<std::int64_t>(std::floor(high / step + rounding));
+    for (std::int64_t i = first; i <= last; ++i) values.push_back(static_cast<double>(i) * step);
+    return values;
+}
+
+std::string plain_number(double value, int decimals) {
+    return with_minus_sign(fmt::format("{:.{}f}", value, decimals));
+}
+
+std::string power_of_ten(int exponent) {
+    return "10" + superscript(exponent);
+}
+
+Ticks linear_ticks(double low, double high, int most) {
+    Ticks ticks;
+    if (!std::isfinite(low) || !std::isfinite(high) || !(low < high)) return ticks;
+    const RoundStep step = round_step(low, high, most);
+    ticks.values = multiples(step.value(), low, high);
+    for (const double value : ticks.values)
+        ticks.labels.push_back(plain_number(value, std::max(0, -step.exponent)));
+    return ticks;
 }
 
 Ticks logarithmic_ticks(double low, double high, int most) {
@@ -60,7 +81,7 @@ Ticks logarithmic_ticks(double low, double high, int most) {
     const int every = std::max(1, (last - first + std::max(most, 1)) / std::max(most, 1));
     for (int power = first; power <= last; power += every) {
         ticks.values.push_back(std::pow(10.0, power));
-        ticks.labels.push_back("10" + superscript(power));
+        ticks.labels.push_back(power_of_ten(power));
     }
     return ticks;
 }

@@ -1,0 +1,216 @@
+#include "figure/plot_axes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "figure/axes.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr Ink black{0.0, 0.0, 0.0, 1.0};
+constexpr double major_mark = 0.3;  // font sizes
+constexpr double minor_mark = 0.17;
+constexpr double gap = 0.2;  // between marks, their labels and the axis's label
+constexpr int most_labels = 8;
+
+double text_height(const Canvas& canvas, double size) {
+    return canvas.text_size("0", size)[1];
+}
+
+double widest_label(const Canvas& canvas, const PlotTicks& ticks) {
+    double widest = 0.0;
+    for (const std::string& label : ticks.labels)
+        widest = std::max(widest, canvas.text_size(label, tick_text)[0]);
+    return widest;
+}
+
+/// Whether labels side by side keep apart along a frame of that width.
+bool keep_apart(const Canvas& canvas, const PlotScale& scale, const PlotTicks& ticks,
+                double width) {
+    const double apart = 0.7 * canvas.font_size();
+    double end = -INFINITY;
+    for (std::size_t i = 0; i < ticks.values.size(); ++i) {
+        const double half = 0.5 * canvas.text_size(ticks.labels[i], tick_text)[0];
+        const double middle = scale.share(ticks.values[i]) * width;
+        if (middle - half < end + apart) return false;
+        end = middle + half;
+    }
+    return true;
+}
+
+/// A label in two lines where it is longer than the room.
+std::string broken(const Canvas& canvas, const std::string& label, double longest) {
+    const double size = label_text;
+    if (canvas.text_size(label, size)[0] <= longest) return label;
+    std::string best = label;
+    double shortest = canvas.text_size(label, size)[0];
+    for (std::size_t i = label.find(' '); i != std::string::npos; i = label.find(' ', i + 1)) {
+        std::string two = label;
+        two[i] = '\n';
+        const double length = canvas.text_size(two, size)[0];
+        if (length >= shortest) continue;
+        shortest = length;
+        best = two;
+    }
+    return best;
+}
+
+}  // namespace
+
+PlotAxes::PlotAxes(const Canvas& canvas, const Plot& plot, double width, double height)
+    : frame_{0.0, 0.0, width, height} {
+    const PlotRanges ranges = plot_ranges(plot);
+    x_ = across(canvas, plot.x, plot_scale(plot.x, ranges.x, room_along_x(plot)));
+    y_ = upward(canvas, plot.y, plot_scale(plot.y, ranges.y, room_along_y));
+    if (plot.right)
+        right_ = upward(canvas, *plot.right, plot_scale(*plot.right, ranges.right, room_along_y));
+}
+
+PlotAxes::Side PlotAxes::across(const Canvas& canvas, const PlotAxis& axis, PlotScale scale) const {
+    Side side{scale, {}, broken(canvas, axis.label, frame_.width), axis.tick_labels, 0.0};
+    for (int most = most_labels; most >= 2; --most) {
+        side.ticks = plot_ticks(scale, most);
+        if (keep_apart(canvas, scale, side.ticks, frame_.width)) break;
+    }
+    side.widest = widest_label(canvas, side.ticks);
+    return side;
+}
+
+PlotAxes::Side PlotAxes::upward(const Canvas& canvas, const PlotAxis& axis, PlotScale scale) const {
+    const int room = static_cast<int>(frame_.height / (1.8 * text_height(canvas, tick_text)));
+    Side side{scale, plot_ticks(scale, std::clamp(room, 2, most_labels)),
+              broken(canvas, axis.label, frame_.height), axis.tick_labels, 0.0};
+    side.widest = widest_label(canvas, side.ticks);
+    return side;
+}
+
+CanvasPoint PlotAxes::at(double x, double y, bool on_right) const {
+    const PlotScale& upright = on_right && right_ ? right_->scale : y_.scale;
+    constexpr double far = 100.0;  // frames
+    return {frame_.x + frame_.width * std::clamp(x_.scale.share(x), -far, far),
+            frame_.y + frame_.height * (1.0 - std::clamp(upright.share(y), -far, far))};
+}
+
+bool PlotAxes::shows(double x, double y, bool on_right) const {
+    return x_.scale.shows(x) && (on_right && right_ ? right_->scale : y_.scale).shows(y);
+}
+
+double PlotAxes::room_beside(const Canvas& canvas, const Side& side) const {
+    const double font = canvas.font_size();
+    if (!side.labelled) return major_mark * font;
+    const double label =
+        side.label.empty() ? 0.0 : canvas.text_size(side.label, label_text)[1] + gap * font;
+    return (major_mark + gap) * font + side.widest + label;
+}
+
+PanelMargins PlotAxes::margins(const Canvas& canvas) const {
+    const double font = canvas.font_size();
+    PanelMargins margins{room_beside(canvas, y_), right_ ? room_beside(canvas, *right_) : 0.0, 0.0,
+                         major_mark * font};
+    if (x_.labelled) {
+        margins.below += gap * font + text_height(canvas, tick_text);
+        if (!x_.label.empty() || !x_.ticks.factor.empty())
+            margins.below +=
+                gap * font + canvas.text_size(x_.label.empty() ? "0" : x_.label, label_text)[1];
+        for (std::size_t i = 0; i < x_.ticks.values.size(); ++i) {
+            const double half = 0.5 * canvas.text_size(x_.ticks.labels[i], tick_text)[0];
+            const double middle = x_.scale.share(x_.ticks.values[i]) * frame_.width;
+            margins.left = std::max(margins.left, half - middle);
+            margins.right = std::max(margins.right, middle + half - frame_.width);
+        }
+    }
+    const double half = 0.5 * text_height(canvas, tick_text);
+    const auto raise_for = [&](const Side& side) {
+        if (!side.labelled) return;
+        for (const double value : side.ticks.values) {
+            const double up = side.scale.share(value) * frame_.height;
+            margins.above = std::max(margins.above, up + half - frame_.height);
+            margins.below = std::max(margins.below, half - up);
+        }
+        if (!side.ticks.factor.empty()) margins.above = std::max(margins.above, 3.2 * half);
+        if (side.label.empty()) return;
+        const double beyond = 0.5 * (canvas.text_size(side.label, label_text)[0] - frame_.height);
+        margins.above = std::max(margins.above, beyond);
+        margins.below = std::max(margins.below, beyond);
+    };
+    raise_for(y_);
+    if (right_) raise_for(*right_);
+    const double line = 0.5 * canvas.line_width();
+    return {std::max(margins.left, line), std::max(margins.right, line),
+            std::max(margins.above, line), std::max(margins.below, line)};
+}
+
+void PlotAxes::draw(Canvas& canvas) const {
+    outline(canvas, frame_, canvas.line_width());
+    draw_across(canvas);
+    draw_upward(canvas, y_, false);
+    if (right_) draw_upward(canvas, *right_, true);
+}
+
+void PlotAxes::draw_across(Canvas& canvas) const {
+    const double font = canvas.font_size();
+    const double line = canvas.line_width();
+    const double bottom = frame_.bottom();
+    const auto mark = [&](double value, double length) {
+        const double x = frame_.x + frame_.width * x_.scale.share(value);
+        canvas.stroke(std::array<CanvasPoint, 2>{{{x, bottom}, {x, bottom + length * font}}}, line,
+                      black);
+        return x;
+    };
+    for (const double value : x_.ticks.minor) mark(value, minor_mark);
+    const double labels = bottom + (major_mark + gap) * font;
+    for (std::size_t i = 0; i < x_.ticks.values.size(); ++i) {
+        const double x = mark(x_.ticks.values[i], major_mark);
+        if (x_.labelled)
+            canvas.write(x_.ticks.labels[i], {x, labels}, {0.5, 0.0}, black, tick_text);
+    }
+    if (!x_.labelled) return;
+    const double below = labels + text_height(canvas, tick_text) + gap * font;
+    double right = frame_.right();
+    if (!x_.ticks.factor.empty()) {
+        canvas.write(x_.ticks.factor, {right, below}, {1.0, 0.0}, black, tick_text);
+        right -= canvas.text_size(x_.ticks.factor, tick_text)[0] + 0.5 * font;
+    }
+    if (x_.label.empty()) return;
+    const double half = 0.5 * canvas.text_size(x_.label, label_text)[0];
+    const double middle =
+        std::max(frame_.x + half, std::min(frame_.x + 0.5 * frame_.width, right - half));
+    write_within(canvas, x_.label, right - frame_.x,
+                 {std::min(middle, 0.5 * (frame_.x + right)), below}, {0.5, 0.0}, label_text);
+}
+
+void PlotAxes::draw_upward(Canvas& canvas, const Side& side, bool on_right) const {
+    const double font = canvas.font_size();
+    const double line = canvas.line_width();
+    const double outward = on_right ? 1.0 : -1.0;
+    const double edge = on_right ? frame_.right() : frame_.x;
+    const double anchor = on_right ? 0.0 : 1.0;
+    const auto mark = [&](double value, double length) {
+        const double y = frame_.bottom() - frame_.height * side.scale.share(value);
+        canvas.stroke(std::array<CanvasPoint, 2>{{{edge, y}, {edge + outward * length * font, y}}},
+                      line, black);
+        return y;
+    };
+    for (const double value : side.ticks.minor) mark(value, minor_mark);
+    const double labels = edge + outward * (major_mark + gap) * font;
+    for (std::size_t i = 0; i < side.ticks.values.size(); ++i) {
+        const double y = mark(side.ticks.values[i], major_mark);
+        if (!side.labelled) continue;
+        // Flush with the digits of all others.
+        const double x = on_right ? labels + side.widest : labels;
+        canvas.write(side.ticks.labels[i], {x, y}, {1.0, 0.5}, black, tick_text);
+    }
+    if (!side.labelled) return;
+    if (!side.ticks.factor.empty())
+        canvas.write(side.ticks.factor, {edge, frame_.y - 0.55 * text_height(canvas, tick_text)},
+                     {on_right ? 1.0 : 0.0, 1.0}, black, tick_text);
+    if (side.label.empty()) return;
+    canvas.write(side.label, {labels + outward * (side.widest + gap * font), frame_.middle().y},
+                 {anchor, 0.5}, black, label_text, true);
+}
+
+}  // namespace fumon

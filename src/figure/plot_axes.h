@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "figure/plot_scale.h"
+
+namespace fumon {
+
+/// The axes of a plot around a frame, and the places of values in it.
+class PlotAxes {
+  public:
+    /// `width` and `height` of the frame, units; its upper left corner lies at (0, 0) until
+    /// move_to().
+    PlotAxes(const Canvas& canvas, const Plot& plot, double width, double height);
+
+    void move_to(const CanvasBox& frame) { frame_ = frame; }
+    [[nodiscard]] const CanvasBox& frame() const { return frame_; }
+
+    /// The place of a pair of values, left or right axis; far outside the frame it is brought
+    /// nearer, since Cairo takes no large numbers.
+    [[nodiscard]] CanvasPoint at(double x, double y, bool on_right = false) const;
+    /// Whether the axes can show a pair of values at all.
+    [[nodiscard]] bool shows(double x, double y, bool on_right = false) const;
+
+    /// The room for ticks and labels.
+    [[nodiscard]] PanelMargins margins(const Canvas& canvas) const;
+    void draw(Canvas& canvas) const;
+
+  private:
+    struct Side {
+        PlotScale scale;
+        PlotTicks ticks;
+        std::string label;
+        bool labelled = true;
+        double widest = 0.0;  ///< of its tick labels, units
+    };
+
+    [[nodiscard]] Side across(const Canvas& canvas, const PlotAxis& axis, PlotScale scale) const;
+    [[nodiscard]] Side upward(const Canvas& canvas, const PlotAxis& axis, PlotScale scale) const;
+    [[nodiscard]] double room_beside(const Canvas& canvas, const Side& side) const;
+    void draw_across(Canvas& canvas) const;
+    void draw_upward(Canvas& canvas, const Side& side, bool on_right) const;
+
+    CanvasBox frame_;
+    Side x_;
+    Side y_;
+    std::optional<Side> right_;
+};
+
+/// Sizes of texts, of the canvas's font size.
+constexpr double tick_text = 0.85;
+constexpr double label_text = 0.95;
+
+}  // namespace fumon

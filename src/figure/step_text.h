@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "models/model.h"
+
+namespace fumon {
+
+/// "step 1200", and with its time where the model has one: "step 40, t = 0.8 s".
+std::string step_text(const Snapshot& snapshot);
+
+/// The time alone: "t = 12.5 s", "t = 20 min" for whole minutes from ten on, "t = 2.5 h" from two
+/// hours on; "step 1200" where the model counts steps only.
+std::string time_text(const Snapshot& snapshot);
+
+}  // namespace fumon
