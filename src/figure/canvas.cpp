@@ -37,6 +37,7 @@ using Drawing = std::unique_ptr<cairo_t, Destroy<cairo_destroy>>;
 using Pattern = std::unique_ptr<cairo_pattern_t, Destroy<cairo_pattern_destroy>>;
 using Layout = std::unique_ptr<PangoLayout, Destroy<g_object_unref>>;
 using Font = std::unique_ptr<PangoFontDescription, Destroy<pango_font_description_free>>;
+using Attributes = std::unique_ptr<PangoAttrList, Destroy<pango_attr_list_unref>>;
 using FontOptions = std::unique_ptr<cairo_font_options_t, Destroy<cairo_font_options_destroy>>;
 
 cairo_status_t append(void* bytes, const unsigned char* more, unsigned int count) {
@@ -102,6 +103,13 @@ struct Canvas::Parts {
         layout.reset(pango_cairo_create_layout(drawing.get()));
         PangoContext* context = pango_layout_get_context(layout.get());
         pango_cairo_context_set_font_options(context, options.get());
+        if (format) {
+            // Letters that run into one are another letter to whoever searches a page.
+            const Attributes attributes(pango_attr_list_new());
+            pango_attr_list_insert(attributes.get(),
+                                   pango_attr_font_features_new("liga=0, clig=0"));
+            pango_layout_set_attributes(layout.get(), attributes.get());
+        }
         pango_layout_set_alignment(layout.get(), PANGO_ALIGN_CENTER);
         pango_context_set_language(context, pango_language_from_string("ja"));
         if (format == PageFormat::png)

@@ -19,6 +19,8 @@ struct Ink {
     double green = 0.0;
     double blue = 0.0;
     double opacity = 1.0;
+
+    friend bool operator==(const Ink&, const Ink&) = default;
 };
 
 /// A text that stands on a canvas, and the box around it.

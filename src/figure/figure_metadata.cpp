@@ -15,7 +15,7 @@ namespace fumon {
 
 namespace {
 
-constexpr std::string_view pdf_entry = "/Keywords (";
+constexpr std::string_view pdf_entry = "/Keywords ";
 constexpr std::string_view svg_open = "<metadata><texts xmlns=\"urn:fumon:figure\">";
 constexpr std::string_view svg_close = "</texts></metadata>";
 
@@ -94,12 +94,26 @@ FigureMetadata svg_texts(std::string_view svg, const std::string& name) {
     return metadata;
 }
 
-/// The string of a PDF file that starts after its "(".
+/// The ASCII string that a PDF file's bytes start with: "(…)", or "<FEFF…>", which is UTF-16 in
+/// hexadecimal and what Cairo writes where brackets or backslashes are in it. Empty if it is
+/// neither.
 std::string pdf_string(std::string_view bytes) {
+    constexpr std::string_view utf16 = "<FEFF";
     std::string text;
-    for (std::size_t i = 0; i < bytes.size() && bytes[i] != ')'; ++i) {
-        if (bytes[i] == '\\' && i + 1 < bytes.size()) ++i;
-        text += bytes[i];
+    if (bytes.starts_with('(')) {
+        for (std::size_t i = 1; i < bytes.size() && bytes[i] != ')'; ++i) {
+            if (bytes[i] == '\\' && i + 1 < bytes.size()) ++i;
+            text += bytes[i];
+        }
+    } else if (bytes.starts_with(utf16)) {
+        bytes.remove_prefix(utf16.size());
+        constexpr int hexadecimal = 16;
+        for (; bytes.size() >= 4 && bytes.front() != '>'; bytes.remove_prefix(4)) {
+            int code = 0;
+            const auto read = std::from_chars(bytes.data(), bytes.data() + 4, code, hexadecimal);
+            if (read.ptr != bytes.data() + 4 || code > 127) return "";
+            text += static_cast<char>(code);
+        }
     }
     return text;
 }

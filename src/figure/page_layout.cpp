@@ -137,14 +137,15 @@ class Solver {
         return spanned(heights_, above_, below_, page_.row_gap, place.row, place.last_row());
     }
 
-    /// How columns share the width: as the aspects of their panels at one height.
+    /// How columns share the width: as the aspects of their panels at one height, in the mean of
+    /// the rows.
     [[nodiscard]] Lengths column_weights() const {
         Lengths logarithms(columns(), 0.0);
         std::vector<int> count(columns(), 0);
         for (std::size_t n = 0; n < places_.size(); ++n) {
-            if (!(aspect(n) > 0.0) || places_[n].columns > 1) continue;
+            if (places_[n].columns > 1) continue;
             const auto column = static_cast<std::size_t>(places_[n].column);
-            logarithms[column] += std::log(aspect(n));
+            logarithms[column] += std::log(aspect(n) > 0.0 ? aspect(n) : page_.panel_aspect);
             ++count[column];
         }
         Lengths weights(columns(), page_.panel_aspect);

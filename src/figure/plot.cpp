@@ -90,11 +90,11 @@ PlotPanel::PlotPanel(Plot plot) : plot_(std::move(plot)) {
 PlotPanel::~PlotPanel() = default;
 
 PanelMargins PlotPanel::margins(const Canvas& canvas, double width, double height) const {
-    return PlotDrawing(canvas, plot_, {0.0, 0.0, width, height}).margins;
+    return plot_drawing(canvas, plot_, {0.0, 0.0, width, height}).margins;
 }
 
 void PlotPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
-    const PlotDrawing drawing(canvas, plot_, frame);
+    const PlotDrawing drawing = plot_drawing(canvas, plot_, frame);
     {
         const CanvasClip clip(canvas, frame);
         draw_boxes(canvas, plot_, drawing.axes);

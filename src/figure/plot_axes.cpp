@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "figure/axes.h"
+#include "figure/ticks.h"
 
 namespace fumon {
 
@@ -42,6 +43,15 @@ bool keep_apart(const Canvas& canvas, const PlotScale& scale, const PlotTicks& t
     return true;
 }
 
+/// A label with the power of ten that its tick labels are to be taken times: "height (10⁻³ m)".
+std::string with_power(const std::string& label, int power) {
+    if (power == 0) return label;
+    const std::size_t unit = label.rfind('(');
+    if (unit != std::string::npos && label.ends_with(')'))
+        return label.substr(0, unit + 1) + power_of_ten(power) + ' ' + label.substr(unit + 1);
+    return label + (label.empty() ? "(×" : " (×") + power_of_ten(power) + ')';
+}
+
 /// A label in two lines where it is longer than the room.
 std::string broken(const Canvas& canvas, const std::string& label, double longest) {
     const double size = label_text;
@@ -61,29 +71,35 @@ std::string broken(const Canvas& canvas, const std::string& label, double longes
 
 }  // namespace
 
-PlotAxes::PlotAxes(const Canvas& canvas, const Plot& plot, double width, double height)
-    : frame_{0.0, 0.0, width, height} {
+PlotAxes::PlotAxes(const Canvas& canvas, const Plot& plot, const CanvasBox& frame, double stretch)
+    : frame_(frame) {
     const PlotRanges ranges = plot_ranges(plot);
+    const auto upright = [&](const PlotAxis& axis, const ValueRange& range) {
+        const PlotScale scale = plot_scale(axis, range, room_along_y);
+        return upward(canvas, axis,
+                      stretch > 0.0 && !axis.high ? stretched(scale, stretch) : scale);
+    };
     x_ = across(canvas, plot.x, plot_scale(plot.x, ranges.x, room_along_x(plot)));
-    y_ = upward(canvas, plot.y, plot_scale(plot.y, ranges.y, room_along_y));
-    if (plot.right)
-        right_ = upward(canvas, *plot.right, plot_scale(*plot.right, ranges.right, room_along_y));
+    y_ = upright(plot.y, ranges.y);
+    if (plot.right) right_ = upright(*plot.right, ranges.right);
 }
 
 PlotAxes::Side PlotAxes::across(const Canvas& canvas, const PlotAxis& axis, PlotScale scale) const {
-    Side side{scale, {}, broken(canvas, axis.label, frame_.width), axis.tick_labels, 0.0};
+    Side side{scale, {}, "", axis.tick_labels, 0.0};
     for (int most = most_labels; most >= 2; --most) {
         side.ticks = plot_ticks(scale, most);
         if (keep_apart(canvas, scale, side.ticks, frame_.width)) break;
     }
+    side.label = broken(canvas, with_power(axis.label, side.ticks.power), frame_.width);
     side.widest = widest_label(canvas, side.ticks);
     return side;
 }
 
 PlotAxes::Side PlotAxes::upward(const Canvas& canvas, const PlotAxis& axis, PlotScale scale) const {
     const int room = static_cast<int>(frame_.height / (1.8 * text_height(canvas, tick_text)));
-    Side side{scale, plot_ticks(scale, std::clamp(room, 2, most_labels)),
-              broken(canvas, axis.label, frame_.height), axis.tick_labels, 0.0};
+    Side side{scale, plot_ticks(scale, std::clamp(room, 2, most_labels)), "", axis.tick_labels,
+              0.0};
+    side.label = broken(canvas, with_power(axis.label, side.ticks.power), frame_.height);
     side.widest = widest_label(canvas, side.ticks);
     return side;
 }
@@ -113,14 +129,18 @@ PanelMargins PlotAxes::margins(const Canvas& canvas) const {
                          major_mark * font};
     if (x_.labelled) {
         margins.below += gap * font + text_height(canvas, tick_text);
-        if (!x_.label.empty() || !x_.ticks.factor.empty())
-            margins.below +=
-                gap * font + canvas.text_size(x_.label.empty() ? "0" : x_.label, label_text)[1];
+        if (!x_.label.empty())
+            margins.below += gap * font + canvas.text_size(x_.label, label_text)[1];
         for (std::size_t i = 0; i < x_.ticks.values.size(); ++i) {
             const double half = 0.5 * canvas.text_size(x_.ticks.labels[i], tick_text)[0];
             const double middle = x_.scale.share(x_.ticks.values[i]) * frame_.width;
             margins.left = std::max(margins.left, half - middle);
             margins.right = std::max(margins.right, middle + half - frame_.width);
+        }
+        if (!x_.label.empty()) {
+            const double beyond = 0.5 * (canvas.text_size(x_.label, label_text)[0] - frame_.width);
+            margins.left = std::max(margins.left, beyond);
+            margins.right = std::max(margins.right, beyond);
         }
     }
     const double half = 0.5 * text_height(canvas, tick_text);
@@ -131,7 +151,6 @@ PanelMargins PlotAxes::margins(const Canvas& canvas) const {
             margins.above = std::max(margins.above, up + half - frame_.height);
             margins.below = std::max(margins.below, half - up);
         }
-        if (!side.ticks.factor.empty()) margins.above = std::max(margins.above, 3.2 * half);
         if (side.label.empty()) return;
         const double beyond = 0.5 * (canvas.text_size(side.label, label_text)[0] - frame_.height);
         margins.above = std::max(margins.above, beyond);
@@ -170,17 +189,8 @@ void PlotAxes::draw_across(Canvas& canvas) const {
     }
     if (!x_.labelled) return;
     const double below = labels + text_height(canvas, tick_text) + gap * font;
-    double right = frame_.right();
-    if (!x_.ticks.factor.empty()) {
-        canvas.write(x_.ticks.factor, {right, below}, {1.0, 0.0}, black, tick_text);
-        right -= canvas.text_size(x_.ticks.factor, tick_text)[0] + 0.5 * font;
-    }
-    if (x_.label.empty()) return;
-    const double half = 0.5 * canvas.text_size(x_.label, label_text)[0];
-    const double middle =
-        std::max(frame_.x + half, std::min(frame_.x + 0.5 * frame_.width, right - half));
-    write_within(canvas, x_.label, right - frame_.x,
-                 {std::min(middle, 0.5 * (frame_.x + right)), below}, {0.5, 0.0}, label_text);
+    if (!x_.label.empty())
+        canvas.write(x_.label, {frame_.middle().x, below}, {0.5, 0.0}, black, label_text);
 }
 
 void PlotAxes::draw_upward(Canvas& canvas, const Side& side, bool on_right) const {
@@ -205,9 +215,6 @@ void PlotAxes::draw_upward(Canvas& canvas, const Side& side, bool on_right) cons
         canvas.write(side.ticks.labels[i], {x, y}, {1.0, 0.5}, black, tick_text);
     }
     if (!side.labelled) return;
-    if (!side.ticks.factor.empty())
-        canvas.write(side.ticks.factor, {edge, frame_.y - 0.55 * text_height(canvas, tick_text)},
-                     {on_right ? 1.0 : 0.0, 1.0}, black, tick_text);
     if (side.label.empty()) return;
     canvas.write(side.label, {labels + outward * (side.widest + gap * font), frame_.middle().y},
                  {anchor, 0.5}, black, label_text, true);

@@ -10,11 +10,10 @@ namespace fumon {
 /// The axes of a plot around a frame, and the places of values in it.
 class PlotAxes {
   public:
-    /// `width` and `height` of the frame, units; its upper left corner lies at (0, 0) until
-    /// move_to().
-    PlotAxes(const Canvas& canvas, const Plot& plot, double width, double height);
+    /// Where the plot leaves the high ends of the upright axes open, they lie that share of
+    /// `stretch` further up.
+    PlotAxes(const Canvas& canvas, const Plot& plot, const CanvasBox& frame, double stretch = 0.0);
 
-    void move_to(const CanvasBox& frame) { frame_ = frame; }
     [[nodiscard]] const CanvasBox& frame() const { return frame_; }
 
     /// The place of a pair of values, left or right axis; far outside the frame it is brought

@@ -60,8 +60,10 @@ std::vector<LabelPlace> places_at(const CanvasBox& box, bool fits, double gap) {
     if (fits) places.push_back({middle, {0.5, 0.5}});
     if (fits) places.push_back({{box.x + gap, box.y + gap}, {0.0, 0.0}});
     if (fits) places.push_back({{box.right() - gap, box.bottom() - gap}, {1.0, 1.0}});
-    places.push_back({{middle.x, box.y - gap}, {0.5, 1.0}});
-    places.push_back({{middle.x, box.bottom() + gap}, {0.5, 0.0}});
+    for (const auto& [x, share] : {std::pair{middle.x, 0.5}, {box.x, 0.0}, {box.right(), 1.0}}) {
+        places.push_back({{x, box.y - gap}, {share, 1.0}});
+        places.push_back({{x, box.bottom() + gap}, {share, 0.0}});
+    }
     places.push_back({{box.right() + gap, middle.y}, {0.0, 0.5}});
     places.push_back({{box.x - gap, middle.y}, {1.0, 0.5}});
     return places;
@@ -69,9 +71,9 @@ std::vector<LabelPlace> places_at(const CanvasBox& box, bool fits, double gap) {
 
 }  // namespace
 
-PlotDrawing::PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox& frame)
-    : axes(canvas, plot, frame.width, frame.height) {
-    axes.move_to(frame);
+PlotDrawing::PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox& frame,
+                         double stretch)
+    : axes(canvas, plot, frame, stretch) {
     const double gap = 0.4 * canvas.font_size();
     Clutter clutter = clutter_of_series(canvas, plot, axes);
     std::vector<CanvasBox> stated;
@@ -93,8 +95,13 @@ PlotDrawing::PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox
         if (plot.boxes[i].label.empty()) continue;
         const auto [width, height] = canvas.text_size(plot.boxes[i].label, tick_text);
         const bool fits = width <= stated[i].width - gap && height <= stated[i].height;
+        Clutter others = clutter;
+        for (std::size_t j = 0; j < stated.size(); ++j) {
+            if (j != i) others.boxes.push_back(stated[j]);
+        }
         labels.push_back(best_place(canvas, plot.boxes[i].label, frame,
-                                    places_at(stated[i], fits, 0.4 * gap), clutter));
+                                    places_at(stated[i], fits, 0.4 * gap), others));
+        clutter.boxes.push_back(others.boxes.back());
     }
     for (const ReferenceLine& line : plot.lines) {
         if (line.label.empty()) continue;
@@ -113,6 +120,18 @@ PlotDrawing::PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox
     margins.left = std::max(margins.left, frame.x - legend->box.x);
     margins.right = std::max(margins.right, legend->box.right() - frame.right());
     margins.below = std::max(margins.below, legend->box.bottom() - frame.bottom());
+}
+
+PlotDrawing plot_drawing(const Canvas& canvas, const Plot& plot, const CanvasBox& frame) {
+    PlotDrawing first(canvas, plot, frame, 0.0);
+    if (!first.legend || first.legend->inside || plot.legend != LegendPlace::automatic ||
+        plot.y.high)
+        return first;
+    for (const double stretch : {0.15, 0.3, 0.45}) {
+        PlotDrawing drawing(canvas, plot, frame, stretch);
+        if (drawing.legend->inside) return drawing;
+    }
+    return first;
 }
 
 }  // namespace fumon

@@ -32,13 +32,18 @@ struct Clutter {
 
 /// One plot in one frame: all that has to be found before it is drawn.
 struct PlotDrawing {
-    PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox& frame);
+    /// `stretch` of PlotAxes.
+    PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox& frame, double stretch);
 
     PlotAxes axes;
     std::vector<PlotLabel> labels;
     std::optional<LegendBox> legend;
     PanelMargins margins;
 };
+
+/// With the legend within the frame if the plot leaves that open and there is room for it, or is
+/// where the upright axes reach a little further up.
+PlotDrawing plot_drawing(const Canvas& canvas, const Plot& plot, const CanvasBox& frame);
 
 /// The series of a plot in their looks: those that are given, else the next of the cycle.
 std::vector<SeriesLook> series_looks(const Plot& plot);

@@ -19,10 +19,21 @@ constexpr double column_gap = 1.2;
 constexpr double row_height = 1.25;  // of the text's own
 constexpr double widest_beside = 9.0;
 
+/// The series with a label, and their texts in columns, each as wide as its widest.
 struct Entries {
     std::vector<std::size_t> series;
-    double width = 0.0;   ///< of the widest, with its sample
-    double height = 0.0;  ///< of each
+    std::vector<double> widths;  ///< of each, with its sample
+    double height = 0.0;         ///< of each row
+
+    [[nodiscard]] int count() const { return static_cast<int>(series.size()); }
+    [[nodiscard]] int rows(int columns) const { return (count() + columns - 1) / columns; }
+    [[nodiscard]] double column_width(int column, int columns) const {
+        double width = 0.0;
+        for (int i = column * rows(columns); i < std::min((column + 1) * rows(columns), count());
+             ++i)
+            width = std::max(width, widths[static_cast<std::size_t>(i)]);
+        return width;
+    }
 };
 
 Entries entries_of(const Canvas& canvas, const Plot& plot) {
@@ -32,7 +43,7 @@ Entries entries_of(const Canvas& canvas, const Plot& plot) {
         if (plot.series[n].label.empty()) continue;
         const auto [width, height] = canvas.text_size(plot.series[n].label, tick_text);
         entries.series.push_back(n);
-        entries.width = std::max(entries.width, width + (sample + sample_gap) * font);
+        entries.widths.push_back(width + (sample + sample_gap) * font);
         entries.height = std::max(entries.height, row_height * height);
     }
     return entries;
@@ -40,10 +51,9 @@ Entries entries_of(const Canvas& canvas, const Plot& plot) {
 
 /// Width and height in so many columns.
 std::array<double, 2> size_of(const Entries& entries, int columns, double font) {
-    const int count = static_cast<int>(entries.series.size());
-    const int rows = (count + columns - 1) / columns;
-    return {columns * entries.width + (columns - 1) * column_gap * font + 2.0 * padding * font,
-            rows * entries.height + 2.0 * padding * font};
+    double width = (2.0 * padding + (columns - 1) * column_gap) * font;
+    for (int column = 0; column < columns; ++column) width += entries.column_width(column, columns);
+    return {width, entries.rows(columns) * entries.height + 2.0 * padding * font};
 }
 
 struct Place {
@@ -77,9 +87,10 @@ std::optional<Place> named_corner(LegendPlace place) {
 
 LegendBox below(const Entries& entries, const CanvasBox& frame, const PanelMargins& margins,
                 double font) {
-    const int count = static_cast<int>(entries.series.size());
     int columns = 1;
-    while (columns < count && size_of(entries, columns + 1, font)[0] <= frame.width) ++columns;
+    for (int more = 2; more <= entries.count(); ++more) {
+        if (size_of(entries, more, font)[0] <= frame.width) columns = more;
+    }
     const auto [width, height] = size_of(entries, columns, font);
     return {{frame.x + 0.5 * (frame.width - width), frame.bottom() + margins.below + padding * font,
              width, height},
@@ -123,12 +134,16 @@ std::optional<LegendBox> place_legend(const Canvas& canvas, const Plot& plot, co
     const double gap = apart * font;
     if (const auto corner = named_corner(plot.legend))
         return LegendBox{box_at(*corner, frame, width, height, gap), 1, true};
-    if (plot.legend == LegendPlace::automatic && width + 2.0 * gap <= frame.width &&
-        height + 2.0 * gap <= frame.height) {
-        for (const auto& places : {corners, sides}) {
-            for (const Place& place : places) {
-                const CanvasBox box = box_at(place, frame, width, height, gap);
-                if (clutter.within(grown(box, 0.5 * gap)) == 0) return LegendBox{box, 1, true};
+    if (plot.legend == LegendPlace::automatic) {
+        for (int columns = 1; columns <= entries.count(); ++columns) {
+            const auto [across, down] = size_of(entries, columns, font);
+            if (across + 2.0 * gap > frame.width || down + 2.0 * gap > frame.height) continue;
+            for (const auto& places : {corners, sides}) {
+                for (const Place& place : places) {
+                    const CanvasBox box = box_at(place, frame, across, down, gap);
+                    if (clutter.within(grown(box, 0.5 * gap)) == 0)
+                        return LegendBox{box, columns, true};
+                }
             }
         }
     }
@@ -143,13 +158,13 @@ void draw_legend(Canvas& canvas, const Plot& plot, const LegendBox& legend) {
     const std::vector<SeriesLook> looks = series_looks(plot);
     const double font = canvas.font_size();
     if (legend.inside) canvas.fill(legend.box, paper);
-    const int count = static_cast<int>(entries.series.size());
-    const int rows = (count + legend.columns - 1) / legend.columns;
-    for (int i = 0; i < count; ++i) {
+    const int rows = entries.rows(legend.columns);
+    double x = legend.box.x + padding * font;
+    for (int i = 0; i < entries.count(); ++i) {
+        if (i > 0 && i % rows == 0)
+            x += entries.column_width(i / rows - 1, legend.columns) + column_gap * font;
         const std::size_t n = entries.series[static_cast<std::size_t>(i)];
-        const CanvasPoint at{
-            legend.box.x + padding * font + i / rows * (entries.width + column_gap * font),
-            legend.box.y + padding * font + (i % rows + 0.5) * entries.height};
+        const CanvasPoint at{x, legend.box.y + padding * font + (i % rows + 0.5) * entries.height};
         draw_sample(canvas, plot.series[n], looks[n], at, sample * font);
         canvas.write(plot.series[n].label, {at.x + (sample + sample_gap) * font, at.y}, {0.0, 0.5},
                      black, tick_text);

@@ -107,7 +107,7 @@ PlotTicks narrow_logarithmic_ticks(const PlotScale& scale, int most) {
     if (ticks.values.size() >= 2 && ticks.values.size() <= static_cast<std::size_t>(most))
         return ticks;
     const Ticks linear = linear_ticks(scale.low, scale.high, most);
-    return {linear.values, linear.labels, {}, ""};
+    return {linear.values, linear.labels, {}, 0};
 }
 
 PlotTicks wide_logarithmic_ticks(const PlotScale& scale, int most) {
@@ -140,14 +140,12 @@ PlotTicks linear_plot_ticks(const PlotScale& scale, int most) {
     ticks.values = multiples(step.value(), scale.low, scale.high);
     double largest = 0.0;
     for (const double value : ticks.values) largest = std::max(largest, std::abs(value));
-    int power = 0;
     if (largest > 0.0 && (largest >= 1e5 || largest < 1e-2)) {
-        power = static_cast<int>(std::floor(std::log10(largest) + rounding));
-        ticks.factor = "×" + power_of_ten(power);
+        ticks.power = static_cast<int>(std::floor(std::log10(largest) + rounding));
     }
     for (const double value : ticks.values)
-        ticks.labels.push_back(
-            plain_number(value / std::pow(10.0, power), std::max(0, power - step.exponent)));
+        ticks.labels.push_back(plain_number(value / std::pow(10.0, ticks.power),
+                                            std::max(0, ticks.power - step.exponent)));
     const int parts = parts_of(step);
     for (const double value : multiples(step.value() / parts, scale.low, scale.high)) {
         const double steps = value / step.value();
@@ -188,6 +186,14 @@ PlotScale plot_scale(const PlotAxis& axis, const ValueRange& values, double room
     range = with_width(range, axis.logarithmic);
     return axis.logarithmic ? logarithmic_scale(axis, range, room)
                             : linear_scale(axis, range, room);
+}
+
+PlotScale stretched(const PlotScale& scale, double share) {
+    if (scale.logarithmic)
+        return {scale.low, scale.high * std::pow(scale.high / scale.low, share), true};
+    PlotAxis axis;
+    axis.low = scale.low;
+    return linear_scale(axis, {scale.low, scale.high + share * (scale.high - scale.low)}, 0.0);
 }
 
 PlotRanges plot_ranges(const Plot& plot) {

@@ -36,6 +36,9 @@ struct PlotScale {
 /// where it is near. `room`: the share of the range to keep between the values and the ends.
 PlotScale plot_scale(const PlotAxis& axis, const ValueRange& values, double room);
 
+/// A scale whose high end lies that share of its length further up, at a round number.
+PlotScale stretched(const PlotScale& scale, double share);
+
 /// The ranges of the values that a plot shows along its axes.
 struct PlotRanges {
     ValueRange x;
@@ -54,7 +57,7 @@ struct PlotTicks {
     std::vector<double> values;
     std::vector<std::string> labels;  ///< as many
     std::vector<double> minor;        ///< without labels
-    std::string factor;  ///< "×10⁵": what all labels are to be taken times; often empty
+    int power = 0;                    ///< of ten, which all labels are to be taken times
 };
 
 /// Marks with no more than `most` labels (at least 2).

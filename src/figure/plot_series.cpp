@@ -107,19 +107,26 @@ void draw_bars(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes, c
 }  // namespace
 
 std::vector<SeriesLook> series_looks(const Plot& plot) {
+    const auto is_given = [&plot](const Ink& ink) {
+        return std::any_of(
+            plot.series.begin(), plot.series.end(),
+            [&ink](const PlotSeries& series) { return series.ink && *series.ink == ink; });
+    };
     std::vector<SeriesLook> looks;
     std::size_t next = 0;
     for (const PlotSeries& series : plot.series) {
-        SeriesLook look =
-            series.kind == SeriesKind::fit ? SeriesLook{black, Marker::dot, {}} : series_look(next);
-        if (series.kind != SeriesKind::fit && !series.ink) ++next;
+        if (series.kind == SeriesKind::fit || series.ink) {
+            looks.push_back({black, Marker::circle, {}});
+        } else {
+            constexpr std::size_t cycle = 7;
+            while (next < cycle && is_given(series_look(next).ink)) ++next;
+            looks.push_back(series_look(next++));
+        }
+        SeriesLook& look = looks.back();
+        if (has_markers(series)) look.dashes.clear();
         if (series.ink) look.ink = *series.ink;
         if (series.marker) look.marker = *series.marker;
-        if (series.dashes)
-            look.dashes = *series.dashes;
-        else if (has_markers(series))
-            look.dashes.clear();
-        looks.push_back(std::move(look));
+        if (series.dashes) look.dashes = *series.dashes;
     }
     return looks;
 }
