@@ -9,7 +9,7 @@
 namespace fumon {
 
 /// Where something stands on a picture or in a panel.
-enum class Corner { upper_left, upper_middle, upper_right, lower_left, lower_middle, lower_right };
+enum class OverlayCorner { upper_left, upper_middle, upper_right, lower_left, lower_middle, lower_right };
 
 /// Which rows of data a curve is drawn from.
 enum class CurveTable {
@@ -62,7 +62,7 @@ struct RangeBoxSettings {
 enum class PanelKind { plot, map, view, profile, time_space, section };
 enum class PanelArrow { none, wind, flow };
 enum class PanelRange { shared, own };
-enum class LegendPlace {
+enum class PanelLegend {
     automatic,
     none,
     outside,
@@ -111,7 +111,7 @@ struct PanelSettings {
     bool y_logarithmic = false;
     WordOrReal x_low{"auto", 0.0}, x_high{"auto", 0.0};
     WordOrReal y_low{"auto", 0.0}, y_high{"auto", 0.0};
-    LegendPlace legend = LegendPlace::automatic;
+    PanelLegend legend = PanelLegend::automatic;
     std::vector<CurveSettings> curves;
     std::vector<RangeBoxSettings> boxes;
 };
@@ -136,7 +136,7 @@ enum class OverlayKind { title, time, scale_bar, arrow, colour_bar, parameters, 
 struct OverlaySettings {
     OverlayKind kind = OverlayKind::title;
     bool show = true;
-    Corner corner = Corner::upper_left;
+    OverlayCorner corner = OverlayCorner::upper_left;
     std::string text;  ///< title, time: with {title}, {step}, {time}, {key}; empty: usual
     std::vector<std::string> keys;  ///< parameters: the keys whose values are shown
     std::string x = "time";         ///< plot: columns of the measurements
