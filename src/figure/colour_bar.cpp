@@ -19,6 +19,7 @@ constexpr double to_label = 0.25;
 constexpr double beyond_ends = 0.2;  // by which a label may be longer than its bar
 constexpr double bar_width = 0.9;
 constexpr double from_frame = 0.8;
+constexpr double to_bar_below = 0.5;
 
 /// A bar's ticks, the room that their texts take, and how large its label is written.
 struct Layout {
@@ -67,9 +68,12 @@ Image gradient(const ColourScale& scale, BarDirection direction) {
     return image;
 }
 
-CanvasBox bar_beside(const Canvas& canvas, const CanvasBox& frame) {
+CanvasBox placed_bar(const Canvas& canvas, const CanvasBox& frame, double below, BarPlace place) {
     const double font = canvas.font_size();
-    return {frame.x + frame.width + from_frame * font, frame.y, bar_width * font, frame.height};
+    if (place == BarPlace::below)
+        return {frame.x, frame.bottom() + below + to_bar_below * font, frame.width,
+                bar_width * font};
+    return {frame.right() + from_frame * font, frame.y, bar_width * font, frame.height};
 }
 
 }  // namespace
@@ -136,16 +140,24 @@ void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& sc
     }
 }
 
-double colour_bar_room(const Canvas& canvas, const ColourScale& scale, double height) {
-    const double font = canvas.font_size();
-    return (from_frame + bar_width) * font +
-           colour_bar_margins(canvas, {0.0, 0.0, bar_width * font, height}, scale,
-                              BarDirection::upright)
-               .right;
+PanelMargins with_colour_bar(const Canvas& canvas, const PanelMargins& margins, BarPlace place,
+                             const ColourScale& scale, double width, double height) {
+    if (place == BarPlace::none) return margins;
+    const CanvasBox bar = placed_bar(canvas, {0.0, 0.0, width, height}, margins.below, place);
+    const bool below = place == BarPlace::below;
+    const PanelMargins room =
+        colour_bar_margins(canvas, bar, scale, below ? BarDirection::level : BarDirection::upright);
+    return {std::max(margins.left, room.left - bar.x),
+            std::max(margins.right, bar.right() + room.right - width),
+            std::max(margins.above, room.above - bar.y),
+            std::max(margins.below, bar.bottom() + room.below - height)};
 }
 
-void draw_colour_bar_beside(Canvas& canvas, const CanvasBox& frame, const ColourScale& scale) {
-    draw_colour_bar(canvas, bar_beside(canvas, frame), scale, BarDirection::upright);
+void draw_placed_bar(Canvas& canvas, const CanvasBox& frame, const PanelMargins& margins,
+                     BarPlace place, const ColourScale& scale) {
+    if (place == BarPlace::none) return;
+    draw_colour_bar(canvas, placed_bar(canvas, frame, margins.below, place), scale,
+                    place == BarPlace::below ? BarDirection::level : BarDirection::upright);
 }
 
 }  // namespace fumon

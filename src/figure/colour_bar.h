@@ -31,10 +31,16 @@ PanelMargins colour_bar_margins(const Canvas& canvas, const CanvasBox& bar,
 void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& scale,
                      BarDirection direction, const Ink& ink = {});
 
-/// The room right of a frame of that height that the bar beside it takes with its ticks and label.
-double colour_bar_room(const Canvas& canvas, const ColourScale& scale, double height);
+/// Where the colour bar of a picture stands.
+enum class BarPlace { none, right, below };
 
-/// Draws the bar of a colour scale right of a frame, as high as it.
-void draw_colour_bar_beside(Canvas& canvas, const CanvasBox& frame, const ColourScale& scale);
+/// The margins of a frame with the bar of its colours: right of the frame and as high as it, or
+/// as wide as it beneath all that stands below it. `margins` are those without the bar.
+PanelMargins with_colour_bar(const Canvas& canvas, const PanelMargins& margins, BarPlace place,
+                             const ColourScale& scale, double width, double height);
+
+/// Draws that bar.
+void draw_placed_bar(Canvas& canvas, const CanvasBox& frame, const PanelMargins& margins,
+                     BarPlace place, const ColourScale& scale);
 
 }  // namespace fumon

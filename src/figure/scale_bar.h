@@ -7,6 +7,9 @@
 
 namespace fumon {
 
+/// The greatest of 1, 2 and 5 times a power of ten up to a length above 0.
+double round_length(double longest);
+
 /// A bar of a round length.
 struct ScaleBar {
     double length = 0.0;  ///< of the ground, metres or sites
@@ -39,6 +42,9 @@ struct GroundBar {
 /// sites. `base` is the height at which it lies, in z of the block.
 GroundBar ground_scale_bar(const ViewProjection& view, bool in_metres, const glm::dvec2& place,
                            const glm::dvec2& direction, double longest, double base);
+
+/// The box around such a bar and its text.
+CanvasBox ground_bar_box(const Canvas& canvas, const GroundBar& bar);
 
 /// Draws such a bar, with its text on the side of it that lies lower on the canvas.
 void draw_ground_bar(Canvas& canvas, const GroundBar& bar, const Ink& ink = {});

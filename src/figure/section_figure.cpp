@@ -184,11 +184,17 @@ class Drawing {
         draw_section_map(canvas_, axes, unit_, air_, quantity, scale);
         double taken = 0.0;
         if (velocity) {
-            taken = draw_section_flow(canvas_, axes, unit_, air_, view_.section.arrows);
+            if (view_.section.arrows == SectionArrows::streamlines)
+                draw_section_streamlines(canvas_, axes, unit_, air_);
+            if (view_.section.arrows == SectionArrows::arrows) {
+                const ArrowField arrows = section_arrows(air_, unit_);
+                draw_arrow_field(canvas_, axes, arrows);
+                taken = draw_reference_arrow(canvas_, axes, arrows);
+            }
             draw_section_bed(canvas_, axes, unit_, air_);
         }
         axes.draw(canvas_);
-        draw_colour_bar_beside(canvas_, axes.frame(), scale);
+        draw_placed_bar(canvas_, axes.frame(), {}, BarPlace::right, scale);
         write_title(axes.frame(), title_of(panel), taken);
     }
 

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
+#include "figure/arrow_field.h"
 #include "figure/streamlines.h"
 
 namespace fumon {
@@ -63,100 +65,6 @@ std::array<double, 2> extremes(const SectionAir& air, MapQuantity quantity) {
     return found;
 }
 
-void draw_arrow(Canvas& canvas, const CanvasPoint& tail, double dx, double dy, double font) {
-    const double length = std::hypot(dx, dy);
-    if (length < 0.08 * font) return;
-    const double head = std::min(0.35 * font, 0.45 * length) / length;
-    const CanvasPoint tip{tail.x + dx, tail.y + dy};
-    const std::array<CanvasPoint, 2> shaft{tail, tip};
-    const std::array<CanvasPoint, 3> barbs{
-        {{tip.x - head * (dx - 0.45 * dy), tip.y - head * (dy + 0.45 * dx)},
-         tip,
-         {tip.x - head * (dx + 0.45 * dy), tip.y - head * (dy - 0.45 * dx)}}};
-    const double thin = std::max(0.8, 0.07 * font);
-    for (const auto& [width, ink] : {std::pair{2.4 * thin, halo}, std::pair{thin, dark}}) {
-        canvas.stroke(shaft, width, ink);
-        canvas.stroke(barbs, width, ink);
-    }
-}
-
-/// The greatest of 1, 2 and 5 times a power of ten up to a value above 0.
-double round_below(double value) {
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double step : {5.0, 2.0}) {
-        if (step * power <= value) return step * power;
-    }
-    return power;
-}
-
-double draw_arrows(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air) {
-    const double font = canvas.font_size();
-    const CanvasBox& frame = axes.frame();
-    const double fastest = extremes(air, MapQuantity::speed)[1];
-    if (!(fastest > 0.0)) return 0.0;
-    const int columns = std::max(4, static_cast<int>(frame.width / (1.8 * font)));
-    const int rows = std::max(2, static_cast<int>(frame.height / (0.8 * font)));
-    const double apart = frame.width / columns;
-    const double pixels = 0.9 * apart / fastest;  // a metre per second
-    const double stretch = (frame.height / (axes.y().high - axes.y().low)) /
-                           (frame.width / (axes.x().high - axes.x().low));
-    for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column) {
-            const CanvasPoint middle{frame.x + (column + 0.5) * apart,
-                                     frame.y + (row + 0.5) * frame.height / rows};
-            const auto [x, z] = axes.value(middle);
-            if (z * unit <= air.bed(x * unit)) continue;
-            const double u = air.value(*air.find("velocity_x"), x * unit, z * unit);
-            const double w = air.value(*air.find("velocity_z"), x * unit, z * unit);
-            const double shown = std::hypot(u, stretch * w);
-            if (!(shown > 0.0)) continue;
-            const double length = pixels * std::hypot(u, w) / shown;
-            const double dx = length * u;
-            const double dy = -length * stretch * w;
-            draw_arrow(canvas, {middle.x - 0.5 * dx, middle.y - 0.5 * dy}, dx, dy, font);
-        }
-    }
-    const double reference = round_below(fastest);
-    const std::string text = fmt::format("{:g} m/s", reference);
-    const double right = frame.x + frame.width;
-    const double above = frame.y - 0.8 * font;
-    const double wanted = canvas.text_size(text, 0.85)[0];
-    const double width = std::min(wanted, 0.3 * frame.width);
-    write_within(canvas, text, width, {right, above}, {1.0, 0.5}, 0.85);
-    const double length = pixels * reference;
-    draw_arrow(canvas, {right - width - 0.4 * font - length, above}, length, 0.0, font);
-    return width + 0.8 * font + length;
-}
-
-void draw_streamlines(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air) {
-    const double font = canvas.font_size();
-    StreamlineSettings settings;
-    settings.pixels_per_metre_x = axes.frame().width / (axes.x().high - axes.x().low) / unit;
-    settings.pixels_per_metre_z = axes.frame().height / (axes.y().high - axes.y().low) / unit;
-    settings.separation = std::max(3.0, 0.9 * font);
-    for (const Streamline& line : streamlines(air, settings)) {
-        std::vector<CanvasPoint> points;
-        points.reserve(line.size());
-        for (const auto& place : line) points.push_back(axes.at(place.x / unit, place.y / unit));
-        const double thin = std::max(0.8, 0.06 * font);
-        canvas.stroke(points, 2.4 * thin, halo);
-        canvas.stroke(points, thin, dark);
-        const std::size_t middle = points.size() / 2;
-        if (middle == 0) continue;
-        const double dx = points[middle].x - points[middle - 1].x;
-        const double dy = points[middle].y - points[middle - 1].y;
-        const double length = std::hypot(dx, dy);
-        if (!(length > 0.0)) continue;
-        const double head = 0.55 * font / length;
-        const std::array<CanvasPoint, 3> tip{{points[middle],
-                                              {points[middle].x - head * (dx - 0.35 * dy),
-                                               points[middle].y - head * (dy + 0.35 * dx)},
-                                              {points[middle].x - head * (dx + 0.35 * dy),
-                                               points[middle].y - head * (dy - 0.35 * dx)}}};
-        canvas.fill(tip, dark);
-    }
-}
-
 }  // namespace
 
 ColourScale map_scale(const SectionAir& air, MapQuantity quantity, const LookSettings& look,
@@ -183,37 +91,82 @@ ColourScale map_scale(const SectionAir& air, MapQuantity quantity, const LookSet
 }
 
 void draw_section_bed(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air) {
+    constexpr int pieces = 600;
     const CanvasBox& frame = axes.frame();
+    const CanvasClip clip(canvas, frame);
     std::vector<CanvasPoint> surface;
-    for (int column = 0; column <= static_cast<int>(frame.width); ++column) {
-        const double x = axes.value({frame.x + column, frame.y}).x;
+    for (int i = 0; i <= pieces; ++i) {
+        const double x = std::lerp(axes.x().low, axes.x().high, static_cast<double>(i) / pieces);
         surface.push_back(axes.at(x, air.bed(x * unit) / unit));
     }
     std::vector<CanvasPoint> body = surface;
-    body.push_back({frame.x + frame.width, frame.y + frame.height});
-    body.push_back({frame.x, frame.y + frame.height});
+    body.push_back({frame.right(), frame.bottom()});
+    body.push_back({frame.x, frame.bottom()});
     canvas.fill(body, ground);
-    canvas.stroke(surface, std::max(1.0, 0.09 * canvas.font_size()), dark);
+    canvas.stroke(surface, 0.09 * canvas.font_size(), dark);
 }
 
 void draw_section_map(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air,
                       MapQuantity quantity, const ColourScale& scale) {
+    constexpr int columns = 1000;
     const CanvasBox& frame = axes.frame();
-    for (int row = 0; row < static_cast<int>(frame.height); ++row) {
-        for (int column = 0; column < static_cast<int>(frame.width); ++column) {
-            const CanvasBox pixel{frame.x + column, frame.y + row, 1.0, 1.0};
-            const auto [x, z] = axes.value({pixel.x + 0.5, pixel.y + 0.5});
-            canvas.fill(pixel, scale.ink(value_at(air, quantity, x * unit, z * unit)));
+    Image image(columns,
+                std::clamp(static_cast<int>(std::lround(columns * frame.height / frame.width)), 2,
+                           2 * columns));
+    for (int row = 0; row < image.height; ++row) {
+        std::uint8_t* pixel = image.row(row);
+        for (int column = 0; column < columns; ++column, pixel += 3) {
+            const auto [x, z] = axes.value({frame.x + (column + 0.5) * frame.width / columns,
+                                            frame.y + (row + 0.5) * frame.height / image.height});
+            const auto& colour =
+                scale.palette[scale.place(value_at(air, quantity, x * unit, z * unit))];
+            std::copy(colour.begin(), colour.end(), pixel);
         }
     }
+    canvas.draw(image, frame);
     draw_section_bed(canvas, axes, unit, air);
 }
 
-double draw_section_flow(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air,
-                         SectionArrows arrows) {
-    if (arrows == SectionArrows::arrows) return draw_arrows(canvas, axes, unit, air);
-    if (arrows == SectionArrows::streamlines) draw_streamlines(canvas, axes, unit, air);
-    return 0.0;
+void draw_section_streamlines(Canvas& canvas, const Axes& axes, double unit,
+                              const SectionAir& air) {
+    const double font = canvas.font_size();
+    StreamlineSettings settings;
+    settings.pixels_per_metre_x = axes.frame().width / (axes.x().high - axes.x().low) / unit;
+    settings.pixels_per_metre_z = axes.frame().height / (axes.y().high - axes.y().low) / unit;
+    settings.separation = std::max(3.0, 0.9 * font);
+    for (const Streamline& line : streamlines(air, settings)) {
+        std::vector<CanvasPoint> points;
+        points.reserve(line.size());
+        for (const auto& place : line) points.push_back(axes.at(place.x / unit, place.y / unit));
+        const double thin = 0.06 * font;
+        canvas.stroke(points, 2.4 * thin, halo);
+        canvas.stroke(points, thin, dark);
+        const std::size_t middle = points.size() / 2;
+        if (middle == 0) continue;
+        const double dx = points[middle].x - points[middle - 1].x;
+        const double dy = points[middle].y - points[middle - 1].y;
+        const double length = std::hypot(dx, dy);
+        if (!(length > 0.0)) continue;
+        const double head = 0.55 * font / length;
+        const std::array<CanvasPoint, 3> tip{{points[middle],
+                                              {points[middle].x - head * (dx - 0.35 * dy),
+                                               points[middle].y - head * (dy + 0.35 * dx)},
+                                              {points[middle].x - head * (dx + 0.35 * dy),
+                                               points[middle].y - head * (dy - 0.35 * dx)}}};
+        canvas.fill(tip, dark);
+    }
+}
+
+ArrowField section_arrows(const SectionAir& air, double unit) {
+    ArrowField field;
+    field.fastest = extremes(air, MapQuantity::speed)[1];
+    const SnapshotField& u = *air.find("velocity_x");
+    const SnapshotField& w = *air.find("velocity_z");
+    field.velocity = [&air, &u, &w, unit](double x, double z) -> std::optional<glm::dvec2> {
+        if (z * unit <= air.bed(x * unit)) return std::nullopt;
+        return glm::dvec2(air.value(u, x * unit, z * unit), air.value(w, x * unit, z * unit));
+    };
+    return field;
 }
 
 }  // namespace fumon

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "figure/arrow_field.h"
 #include "figure/axes.h"
 #include "figure/colour_bar.h"
 #include "figure/section_air.h"
@@ -16,15 +17,17 @@ enum class MapQuantity { speed, velocity_x, velocity_z, pressure };
 ColourScale map_scale(const SectionAir& air, MapQuantity quantity, const LookSettings& look,
                       const WordOrReal& low, const WordOrReal& high);
 
-/// Colours every pixel of a frame by the quantity at its middle, with the bed in front. `axes` in
-/// units of `unit` metres. The air has the quantity's fields.
+/// Colours a frame by the quantity, with the bed in front. `axes` in units of `unit` metres. The
+/// air has the quantity's fields.
 void draw_section_map(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air,
                       MapQuantity quantity, const ColourScale& scale);
 
-/// The velocity over a map: arrows with a reference arrow above the frame's right end, or
-/// streamlines. Returns the pixels of width that the reference takes above the frame.
-double draw_section_flow(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air,
-                         SectionArrows arrows);
+/// The velocity as arrows over axes in units of `unit` metres. Refers to the air, which must
+/// outlive it.
+ArrowField section_arrows(const SectionAir& air, double unit);
+
+/// The velocity as streamlines over a map.
+void draw_section_streamlines(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air);
 
 /// The bed's ground from the frame's lower side up to its surface.
 void draw_section_bed(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air);

@@ -48,12 +48,6 @@ View figure_view(int width, int height) {
     return view;
 }
 
-bool overlap(const CanvasBox& a, const CanvasBox& b) {
-    const double slack = 0.5;  // pixels
-    return a.x + a.width > b.x + slack && b.x + b.width > a.x + slack &&
-           a.y + a.height > b.y + slack && b.y + b.height > a.y + slack;
-}
-
 TEST(SectionFigure, CutsNoTextAndLaysNoneOverAnother) {
     for (const double aspect : {0.3, 0.117, 1.0}) {  // as Terada 2025's tables 2 and 3, and higher
         const Snapshot snapshot = section_of_aspect(aspect);
@@ -72,7 +66,7 @@ TEST(SectionFigure, CutsNoTextAndLaysNoneOverAnother) {
                                 box.y + box.height <= height)
                         << texts[i].text << " in " << width << " x " << height << ", " << aspect;
                     for (std::size_t j = 0; j < i; ++j) {
-                        EXPECT_FALSE(overlap(box, texts[j].box))
+                        EXPECT_FALSE(overlap(box, texts[j].box, 0.5))
                             << texts[i].text << " over " << texts[j].text << " in " << width
                             << " x " << height << ", " << aspect;
                     }
