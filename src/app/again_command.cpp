@@ -53,8 +53,7 @@ int figure_again(const AgainOptions& options, const FigureOrigin& origin) {
         throw Error(missing);
     const FigurePage made =
         figure_page(*plan, runs, store, {options.work.backend, options.work.threads});
-    const DrawnPage drawn = draw_page(made.page, format, plan->scene.figure.dots_per_inch,
-                                      figure_metadata(*plan, sources));
+    const DrawnPage drawn = draw_figure(*plan, made, format, figure_metadata(*plan, sources));
     write_file(output, drawn.bytes);
     if (!drawn.missing_letters.empty()) status.note(drawn.missing_letters);
     const bool other_format = output.extension() != fs::path(options.picture).extension();

@@ -177,10 +177,12 @@ struct CommandLine {
         command.footer(
             "  fumon figure scenes/figures/*.toml -o out/figures\n"
             "\n"
-            "DIR/NAME.pdf, .svg and .png are the figure, DIR/NAME.caption.txt says how it was made, "
+            "DIR/NAME.pdf, .svg and .png are the figure, DIR/NAME.caption.txt says how it was "
+            "made, "
             "DIR/NAME-a-1.csv is\nthe data of panel (a), curve 1. Runs that are there already are "
             "not made again.\n"
-            "Exit status: 0 done, 1 some runs or figures failed, 2 wrong input, 130/143 interrupted "
+            "Exit status: 0 done, 1 some runs or figures failed, 2 wrong input, 130/143 "
+            "interrupted "
             "(finished runs are kept).");
     }
 
@@ -248,8 +250,9 @@ struct CommandLine {
     }
 
     void add_again() {
-        CLI::App& command = add("again", "make a picture or figure again from what it says of itself",
-                                [this] { return again_command(again); });
+        CLI::App& command =
+            add("again", "make a picture or figure again from what it says of itself",
+                [this] { return again_command(again); });
         command.add_option("PICTURE", again.picture, "a PNG, PDF or SVG that fumon made")
             ->required();
         command

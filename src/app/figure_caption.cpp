@@ -32,14 +32,14 @@ std::string parameters_of(const Scene& scene, const std::vector<std::string>& va
     const KeyTable defaults = scene_keys(usual);
     std::vector<std::string> parts;
     for (const Key& key : keys.keys()) {
-        if (!decides(key.path) ||
-            std::find(varied.begin(), varied.end(), key.path) != varied.end())
+        if (!decides(key.path) || std::find(varied.begin(), varied.end(), key.path) != varied.end())
             continue;
         const std::string value = value_text(key);
         const bool always = key.path == "grid.nx" || key.path == "grid.ny";
         if (!always && value == value_text(*defaults.find(key.path))) continue;
-        parts.push_back(fmt::format("{} = {}{}", key.path, value,
-                                    key.notes.unit.empty() ? "" : fmt::format(" {}", key.notes.unit)));
+        parts.push_back(
+            fmt::format("{} = {}{}", key.path, value,
+                        key.notes.unit.empty() ? "" : fmt::format(" {}", key.notes.unit)));
     }
     return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -104,9 +104,9 @@ std::string figure_caption(const FigurePlan& plan) {
     std::size_t letter = 0;
     for (const PanelFeed& panel : plan.panels) {
         const bool inset = panel.settings.inset != InsetPlace::none;
-        const bool one_each =
-            panel.settings.kind == PanelKind::map || panel.settings.kind == PanelKind::view ||
-            panel.settings.kind == PanelKind::section;
+        const bool one_each = panel.settings.kind == PanelKind::map ||
+                              panel.settings.kind == PanelKind::view ||
+                              panel.settings.kind == PanelKind::section;
         const std::size_t panels = one_each && !inset ? panel.picture->steps.size() : 1;
         if (inset) {
             text += fmt::format("\n{} inset: ", panel_letter(letter - 1));
@@ -120,8 +120,7 @@ std::string figure_caption(const FigurePlan& plan) {
         if (panel.picture) text += picture_sentence(panel) + "\n";
         if (!panel.curves.empty()) text += "\n";
         std::size_t number = 0;
-        for (const CurveFeed& curve : panel.curves)
-            text += curve_sentence(curve, ++number) + "\n";
+        for (const CurveFeed& curve : panel.curves) text += curve_sentence(curve, ++number) + "\n";
         for (const RangeBoxSettings& box : panel.settings.boxes)
             text += fmt::format("  {}: {}.\n", box.label, box.source);
     }

@@ -26,8 +26,7 @@ struct PlannedFigure {
 };
 
 /// False when interrupted.
-bool plan_all(const FigureOptions& options, std::vector<PlannedFigure>& figures,
-              FigureRuns& runs) {
+bool plan_all(const FigureOptions& options, std::vector<PlannedFigure>& figures, FigureRuns& runs) {
     std::map<std::string, std::string> files;  // of names
     for (const std::string& file : options.scenes) {
         PlannedFigure figure;

@@ -86,8 +86,16 @@ PageFormat page_format(const fs::path& file) {
     if (end == ".pdf") return PageFormat::pdf;
     if (end == ".svg") return PageFormat::svg;
     if (end == ".png") return PageFormat::png;
-    throw InputError(
-        fmt::format("{}: a figure's name ends in .pdf, .svg or .png", file.string()));
+    throw InputError(fmt::format("{}: a figure's name ends in .pdf, .svg or .png", file.string()));
+}
+
+DrawnPage draw_figure(const FigurePlan& plan, const FigurePage& made, PageFormat format,
+                      const FigureMetadata& metadata) {
+    try {
+        return draw_page(made.page, format, plan.scene.figure.dots_per_inch, metadata);
+    } catch (const InputError& refusal) {
+        throw InputError(plan.scene.at("figure.width") + refusal.what());
+    }
 }
 
 std::vector<WholeFile> figure_files(const FigurePlan& plan, const FigureSources& sources,
@@ -97,8 +105,8 @@ std::vector<WholeFile> figure_files(const FigurePlan& plan, const FigureSources&
     std::vector<WholeFile> files;
     for (const std::string& format : plan.scene.figure.formats) {
         const fs::path path = folder / (plan.name + "." + format);
-        DrawnPage drawn = draw_page(made.page, page_format(path), plan.scene.figure.dots_per_inch,
-                                    metadata);
+        DrawnPage drawn =
+            draw_page(made.page, page_format(path), plan.scene.figure.dots_per_inch, metadata);
         const std::string& missing = drawn.missing_letters;
         if (!missing.empty() && std::find(notes.begin(), notes.end(), missing) == notes.end())
             notes.push_back(missing);

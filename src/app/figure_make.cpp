@@ -48,13 +48,13 @@ std::string missing_run(const FigurePlan& plan, const FigureRuns& runs,
 
 int tell_interrupted(StatusLine& status, const std::vector<RunRecord>& records) {
     constexpr int status_of_signal = 128;
-    const auto done =
-        std::count_if(records.begin(), records.end(),
-                      [](const RunRecord& record) { return record.status == RunStatus::done; });
-    status.note(fmt::format(
-        "stopped by {}: {} of {} runs are done; the same command goes on from here",
-        interrupting_signal() == SIGINT ? "an interrupt" : "a request to terminate", done,
-        records.size()));
+    const auto done = std::count_if(records.begin(), records.end(), [](const RunRecord& record) {
+        return record.status == RunStatus::done;
+    });
+    status.note(
+        fmt::format("stopped by {}: {} of {} runs are done; the same command goes on from here",
+                    interrupting_signal() == SIGINT ? "an interrupt" : "a request to terminate",
+                    done, records.size()));
     return status_of_signal + interrupting_signal();
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/figure_curve.h"
+#include "app/figure_pictures.h"
 #include "app/figure_plot.h"
 #include "app/figure_tables.h"
 #include "figure/page_grid.h"
@@ -21,9 +22,9 @@ std::size_t pictures_of(const FigurePlan& plan) {
     std::size_t count = 0;
     for (const PanelFeed& panel : plan.panels) {
         if (panel.settings.inset != InsetPlace::none) continue;
-        const bool one_each =
-            panel.settings.kind == PanelKind::map || panel.settings.kind == PanelKind::view ||
-            panel.settings.kind == PanelKind::section;
+        const bool one_each = panel.settings.kind == PanelKind::map ||
+                              panel.settings.kind == PanelKind::view ||
+                              panel.settings.kind == PanelKind::section;
         count += one_each ? panel.picture->steps.size() : 1;
     }
     return count;
@@ -75,8 +76,9 @@ Corner corner_of(InsetPlace inset) {
 
 class Assembly {
   public:
-    Assembly(const FigurePlan& plan, const FigureRuns& runs, const RunStore& store)
-        : plan_(plan), runs_(runs), store_(store) {
+    Assembly(const FigurePlan& plan, const FigureRuns& runs, const RunStore& store,
+             const FigureDrawing& drawing)
+        : plan_(plan), runs_(runs), store_(store), pictures_(plan, runs, store, drawing) {
         made_.page = empty_page(plan);
     }
 
@@ -90,7 +92,7 @@ class Assembly {
         if (panel.settings.kind == PanelKind::plot) {
             add_plot(panel);
         } else {
-            throw Error("pictures are not there yet");
+            add_pictures(panel);
         }
     }
 
@@ -114,6 +116,19 @@ class Assembly {
         }
         place(panel, std::make_unique<PlotPanel>(figure_plot(panel.settings, curves)),
               panel_title(panel.settings, plan_.scene, nullptr));
+    }
+
+    void add_pictures(const PanelFeed& panel) {
+        const PanelSettings& settings = panel.settings;
+        const bool inset = settings.inset != InsetPlace::none;
+        const double share = inset ? settings.inset_size : static_cast<double>(settings.columns);
+        const double width = made_.page.width / made_.page.columns * share;
+        for (ShownPicture& picture : pictures_.make(panel, width)) {
+            if (!picture.data_end.empty())
+                made_.data.push_back(
+                    {letter_of_next(panel) + picture.data_end, std::move(picture.data)});
+            place(panel, std::move(picture.content), std::move(picture.title));
+        }
     }
 
     [[nodiscard]] std::vector<CurvePoints> points_of(const CurveFeed& feed) const {
@@ -148,14 +163,15 @@ class Assembly {
     const FigurePlan& plan_;
     const FigureRuns& runs_;
     const RunStore& store_;
+    FigurePictures pictures_;
     FigurePage made_;
 };
 
 }  // namespace
 
 FigurePage figure_page(const FigurePlan& plan, const FigureRuns& runs, const RunStore& store,
-                       const FigureDrawing& /*drawing*/) {
-    return Assembly(plan, runs, store).assemble();
+                       const FigureDrawing& drawing) {
+    return Assembly(plan, runs, store, drawing).assemble();
 }
 
 }  // namespace fumon

@@ -127,12 +127,16 @@ class Planner {
                              {},
                              settings.seeds > 0 ? fmt::format("{}", settings.seeds) : ""};
         const std::string place = without_colon(plan_.scene.at(path));
-        const auto set = [&](const char* key, const char* value) {
+        const auto set = [&](const char* key, const std::string& value) {
             request.settings.push_back({key, value, place, 0});
         };
         set("output.measurements", "true");
         set("output.bed_every", "0");
         set("output.bed_at", "[]");
+        Scene found = parse_scene(request.scene, request.settings);
+        const std::string written = found.bed.file;
+        sources_.find_bed(found);
+        if (found.bed.file != written) set("bed.file", found.bed.file);
         const bool of_one_step = settings.table == CurveTable::profile ||
                                  settings.table == CurveTable::section ||
                                  settings.table == CurveTable::flights;
@@ -318,18 +322,15 @@ std::vector<std::size_t> runs_of(const FigurePlan& plan) {
 
 std::string panel_title(const PanelSettings& settings, const Scene& scene,
                         const Snapshot* snapshot) {
-    return fill_placeholders(settings.title,
-                             [&](const std::string& name) -> std::optional<std::string> {
-                                 if (snapshot != nullptr && name == "step")
-                                     return fmt::format("{}", snapshot->step);
-                                 if (snapshot != nullptr && name == "time") {
-                                     if (snapshot->time_unit == "steps")
-                                         return fmt::format("{}", snapshot->step);
-                                     return fmt::format("{:.6g} {}", snapshot->time,
-                                                        snapshot->time_unit);
-                                 }
-                                 return key_text(scene, name);
-                             });
+    return fill_placeholders(
+        settings.title, [&](const std::string& name) -> std::optional<std::string> {
+            if (snapshot != nullptr && name == "step") return fmt::format("{}", snapshot->step);
+            if (snapshot != nullptr && name == "time") {
+                if (snapshot->time_unit == "steps") return fmt::format("{}", snapshot->step);
+                return fmt::format("{:.6g} {}", snapshot->time, snapshot->time_unit);
+            }
+            return key_text(scene, name);
+        });
 }
 
 }  // namespace fumon

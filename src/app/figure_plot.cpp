@@ -61,8 +61,7 @@ PlotSeries fit_series(const CurvePoints& points, const SeriesLook& look, bool lo
     return series;
 }
 
-std::string axis_label(const std::string& given, const std::string& name,
-                       const std::string& unit) {
+std::string axis_label(const std::string& given, const std::string& name, const std::string& unit) {
     if (!given.empty()) return given;
     std::string text = name.substr(name.rfind('.') + 1);  // a key's last name
     std::replace(text.begin(), text.end(), '_', ' ');
@@ -109,12 +108,10 @@ Plot figure_plot(const PanelSettings& panel, const std::vector<std::vector<Curve
         const CurveSettings& settings = panel.curves[c];
         for (const CurvePoints& points : curves[c]) {
             if (first == nullptr) first = &points;
-            const SeriesLook look =
-                series_look(settings.colour > 0 ? static_cast<std::size_t>(settings.colour - 1)
-                                                : next_look++);
+            const SeriesLook look = series_look(
+                settings.colour > 0 ? static_cast<std::size_t>(settings.colour - 1) : next_look++);
             plot.series.push_back(series_of(settings, points, look));
-            if (points.law)
-                plot.series.push_back(fit_series(points, look, panel.x_logarithmic));
+            if (points.law) plot.series.push_back(fit_series(points, look, panel.x_logarithmic));
         }
     }
     for (const RangeBoxSettings& box : panel.boxes)

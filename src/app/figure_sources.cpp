@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
+#include "files/hash.h"
 #include "files/input_file.h"
 #include "support/error.h"
 
@@ -52,13 +54,20 @@ std::vector<SourceText> FigureSources::all() const {
 
 void FigureSources::find_bed(Scene& scene) const {
     if (!again_ || bed_kind(scene) != BedKind::file) return;
-    const std::string name = name_of(scene.directory / scene.bed.file);
+    const bool as_it_stands = scene.set_on_command_line("bed.file");
+    const std::string name =
+        name_of(as_it_stands ? fs::path(scene.bed.file) : scene.directory / scene.bed.file);
     for (const InputFile& input : inputs_) {
         if (name_of(input.path) == name) {
             scene.bed.file = fs::absolute(find_(input)).string();
             return;
         }
     }
+    const bool found_before =
+        fs::exists(name) &&
+        std::any_of(inputs_.begin(), inputs_.end(),
+                    [&](const InputFile& input) { return input.hash == hex(file_hash(name)); });
+    if (found_before) return;
     throw InputError(fmt::format("{}: is not among the files that the figure was made from", name));
 }
 

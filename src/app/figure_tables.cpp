@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
 #include "app/workshop.h"
 #include "files/avalanche_table.h"
@@ -102,10 +104,14 @@ Table flight_rows(const Snapshot& snapshot, const Model& model, Table table) {
     WorkerPool pool(1);
     const GrainFlights grains(*snapshot.section, parameters.flight,
                               {parameters.density, parameters.viscosity}, pool);
-    for (const Flight& flight : grains.fly(grains.every_column(parameters.flight.launch_angles))) {
-        const std::array<double, 7> cells{flight.x,       flight.height, flight.slope,
-                                          flight.angle,   flight.length, flight.time,
-                                          flight.reynolds};
+    const std::vector<Flight> flights =
+        grains.fly(grains.every_column(parameters.flight.launch_angles));
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Flight& flight : flights) lowest = std::min(lowest, flight.height);
+    for (const Flight& flight : flights) {
+        const std::array<double, 8> cells{flight.x,     flight.height,  flight.height - lowest,
+                                          flight.slope, flight.angle,   flight.length,
+                                          flight.time,  flight.reynolds};
         for (std::size_t k = 0; k < cells.size(); ++k) table.columns[k].values.push_back(cells[k]);
     }
     return table;
@@ -168,6 +174,7 @@ Table curve_columns(CurveTable table, const Snapshot& first) {
             section_columns(first);
             return columns({{"x", "m"},
                             {"height", "m"},
+                            {"height_above_lowest", "m"},
                             {"slope", ""},
                             {"angle", "degrees"},
                             {"length", "m"},

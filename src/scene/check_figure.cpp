@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "support/error.h"
 #include "support/nearest_name.h"
@@ -23,7 +25,8 @@ class FigureCheck {
         for (std::size_t p = 0; p < panels.size(); ++p) {
             const std::string path = fmt::format("figure.panel.{}", p);
             if (p == 0 && panels[p].inset != InsetPlace::none)
-                refuse(path + ".inset", "an inset stands in the panel before it; this is the first");
+                refuse(path + ".inset",
+                       "an inset stands in the panel before it; this is the first");
             check_place(panels[p], path);
             if (panels[p].kind == PanelKind::plot) {
                 check_plot(panels[p], path);
@@ -69,8 +72,8 @@ class FigureCheck {
                    fmt::format("a place in the grid has a row and a column; give {}{} too", path,
                                missing));
         }
-        if (panel.inset != InsetPlace::none && (panel.row > 0 || panel.rows > 1 ||
-                                                panel.columns > 1)) {
+        if (panel.inset != InsetPlace::none &&
+            (panel.row > 0 || panel.rows > 1 || panel.columns > 1)) {
             refuse(path + ".inset",
                    "an inset has no place in the grid; drop row, column, rows and columns");
         }
@@ -79,39 +82,26 @@ class FigureCheck {
     void check_plot(const PanelSettings& panel, const std::string& path) const {
         if (panel.curves.empty() && panel.boxes.empty())
             refuse(path + ".kind", "the plot shows nothing; add [[figure.panel.curve]]");
-        for (const char* key : {"scene", "set", "steps", "every", "field", "row_of_bed", "section"})
-            refuse_key(path, key, "belongs to pictures; a plot's curves have keys of their own");
+        const PanelSettings usual;
+        const std::array<std::pair<const char*, bool>, 6> of_pictures{
+            {{"scene", !panel.scene.empty()},
+             {"set", !panel.set.empty()},
+             {"steps", !panel.steps.empty()},
+             {"every", panel.every > 0},
+             {"field", panel.field != usual.field},
+             {"section", panel.section != usual.section}}};
+        for (const auto& [key, given] : of_pictures) {
+            if (given) {
+                refuse(fmt::format("{}.{}", path, key),
+                       "belongs to pictures; a plot's curves have keys of their own");
+            }
+        }
         check_range(panel.x_low, panel.x_high, path, "x", panel.x_logarithmic);
         check_range(panel.y_low, panel.y_high, path, "y", panel.y_logarithmic);
         for (std::size_t c = 0; c < panel.curves.size(); ++c)
             check_curve(panel, panel.curves[c], fmt::format("{}.curve.{}", path, c));
         for (std::size_t b = 0; b < panel.boxes.size(); ++b)
             check_box(panel, panel.boxes[b], fmt::format("{}.box.{}", path, b));
-    }
-
-    void refuse_key(const std::string& path, const std::string& key, const std::string& why) const {
-        if (scene_.figure.panels.empty()) return;
-        const std::string full = path + "." + key;
-        if (is_written(full)) refuse(full, why);
-    }
-
-    /// Written with another value than the one it has by itself, as resolved scenes list all keys.
-    [[nodiscard]] bool is_written(const std::string& key) const {
-        if (!scene_.locations.contains(key)) return false;
-        const auto panel = static_cast<std::size_t>(
-            std::stoul(key.substr(std::string("figure.panel.").size())));
-        const PanelSettings& now = scene_.figure.panels[panel];
-        const PanelSettings usual;
-        const std::string name = key.substr(key.rfind('.') + 1);
-        if (name == "scene") return now.scene != usual.scene;
-        if (name == "set") return now.set != usual.set;
-        if (name == "steps") return now.steps != usual.steps;
-        if (name == "every") return now.every != usual.every;
-        if (name == "field") return now.field != usual.field;
-        if (name == "row_of_bed")
-            return !now.row_of_bed.is_word() || now.row_of_bed.word != usual.row_of_bed.word;
-        if (name == "section") return now.section != usual.section;
-        return true;
     }
 
     void check_range(const WordOrReal& low, const WordOrReal& high, const std::string& path,
@@ -134,7 +124,8 @@ class FigureCheck {
         if (curve.y.empty()) refuse(path + ".y", "is missing; name the column to draw");
         if (curve.x.empty()) refuse(path + ".x", "is empty; name a column");
         const bool from_file = curve.table == CurveTable::file;
-        if (from_file && curve.file.empty()) refuse(path + ".file", "is missing; name the CSV file");
+        if (from_file && curve.file.empty())
+            refuse(path + ".file", "is missing; name the CSV file");
         if (!from_file && !curve.file.empty())
             refuse(path + ".file", "is given but not read; write table = \"file\"");
         if (from_file && (!curve.scene.empty() || !curve.set.empty() || !curve.over.empty() ||
