@@ -38,8 +38,8 @@ AirFlow air_flow(const Grid& velocity_x, const Grid& velocity_z, const AirBed& b
     return flow;
 }
 
-BedPressure bed_pressure(const Grid& pressure, const AirBed& bed, double dx) {
-    BedPressure found;
+BedPressureExtremes bed_pressure(const Grid& pressure, const AirBed& bed, double dx) {
+    BedPressureExtremes found;
     for (int i = 0; i < pressure.nx(); ++i) {
         const int k = bed.lowest_air[static_cast<std::size_t>(i)];
         if (k >= pressure.ny()) continue;

@@ -20,7 +20,7 @@ AirFlow air_flow(const Grid& velocity_x, const Grid& velocity_z, const AirBed& b
                  double dz);
 
 /// The extremes of the pressure on the bed, at the first node above it in each column.
-struct BedPressure {
+struct BedPressureExtremes {
     static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
     double highest = none;  ///< Pa
@@ -31,6 +31,6 @@ struct BedPressure {
     double lowest_from_crest = none;
 };
 
-BedPressure bed_pressure(const Grid& pressure, const AirBed& bed, double dx);
+BedPressureExtremes bed_pressure(const Grid& pressure, const AirBed& bed, double dx);
 
 }  // namespace fumon

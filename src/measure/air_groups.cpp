@@ -85,7 +85,7 @@ MeasureGroup air_group() {
                 const AirBed bed = air_bed(snapshot, u->ny());
                 const AirFlow flow = air_flow(*u, *w, bed, section.dx, section.dz);
                 const Eddy eddy = largest_eddy(*u, bed, section.dx, section.dz);
-                const BedPressure on_bed = bed_pressure(*pressure, bed, section.dx);
+                const BedPressureExtremes on_bed = bed_pressure(*pressure, bed, section.dx);
                 return {flow.largest_speed, flow.largest_divergence, eddy.length,
                         eddy.height,        on_bed.highest,          on_bed.highest_from_crest,
                         on_bed.lowest,      on_bed.lowest_from_crest};

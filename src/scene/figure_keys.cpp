@@ -52,6 +52,8 @@ void list_curve_keys(CurveSettings& curve, const std::string& path, KeyTable& ta
                   {"deviation", "standard deviation of what is averaged"},
                   {"standard-error", "of the mean"}},
                  {.help = "error bars"});
+    table.real(path + ".offset_y", curve.offset_y,
+               {.help = "added to y, before scale_y; such as minus the mean height"});
     table.real(path + ".scale_x", curve.scale_x, {.help = "x times this, such as metres per site"});
     table.real(path + ".scale_y", curve.scale_y, {.help = "y times this"});
     table.choice(path + ".fit", curve.fit,

@@ -42,6 +42,7 @@ struct CurveSettings {
     std::string group_by;            ///< a curve for each value of this column
     bool average = true;             ///< rows with the same x become one point
     CurveSpread spread = CurveSpread::none;
+    double offset_y = 0.0;  ///< added to y, before the scale
     double scale_x = 1.0;
     double scale_y = 1.0;
     CurveFit fit = CurveFit::none;

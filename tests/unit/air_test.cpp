@@ -134,14 +134,14 @@ TEST(AirFlow, DivergenceIsThatOfALinearFlow) {
         << "0.5 m/s over two columns of 0.5 m";
 }
 
-TEST(BedPressure, IsToldWithItsSideOfTheCrest) {
+TEST(BedPressureExtremes, IsToldWithItsSideOfTheCrest) {
     const Snapshot snapshot = wavy(1, 20.0);
     const AirBed bed = air_bed(snapshot, 20);
     Grid pressure = bed_of(80, 20, [&](int i, int k) {
         return k == bed.lowest_air[static_cast<std::size_t>(i)] ? std::cos(turn * (i - 12) / 80)
                                                                 : 100.0 * (k % 2 == 0 ? 1.0 : -1.0);
     });
-    const BedPressure found = bed_pressure(pressure, bed, dx);
+    const BedPressureExtremes found = bed_pressure(pressure, bed, dx);
     EXPECT_NEAR(found.highest, 1.0, 1e-12);
     EXPECT_NEAR(found.highest_from_crest, -4.0, 1e-9) << "eight columns upwind: stoss";
     EXPECT_NEAR(found.lowest, -1.0, 1e-12);
