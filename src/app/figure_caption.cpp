@@ -73,6 +73,7 @@ std::string curve_sentence(const CurveFeed& feed, std::size_t number) {
     if (!settings.where.empty())
         text += fmt::format(", where {}", fmt::join(settings.where, " and "));
     if (settings.scale_x != 1.0) text += fmt::format(", x times {}", settings.scale_x);
+    if (settings.offset_y != 0.0) text += fmt::format(", y plus {}", settings.offset_y);
     if (settings.scale_y != 1.0) text += fmt::format(", y times {}", settings.scale_y);
     if (settings.spread == CurveSpread::deviation) text += "; bars are standard deviations";
     if (settings.spread == CurveSpread::standard_error)

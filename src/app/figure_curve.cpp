@@ -108,16 +108,16 @@ void add_points(CurvePoints& points, const CurveSettings& settings, const Table&
                 const Rows& rows) {
     const TableColumn& x = *table.find(settings.x);
     const TableColumn& y = *table.find(settings.y);
+    const auto shown = [&](double value) { return (value + settings.offset_y) * settings.scale_y; };
     if (!settings.average) {
         for (const std::size_t row : rows) {
             points.x.push_back(x.values[row] * settings.scale_x);
-            points.y.push_back(y.values[row] * settings.scale_y);
+            points.y.push_back(shown(y.values[row]));
         }
         return;
     }
     std::map<double, std::vector<double>> by_x;
-    for (const std::size_t row : rows)
-        by_x[x.values[row]].push_back(y.values[row] * settings.scale_y);
+    for (const std::size_t row : rows) by_x[x.values[row]].push_back(shown(y.values[row]));
     for (const auto& [place, values] : by_x) {
         points.x.push_back(place * settings.scale_x);
         points.y.push_back(mean_of(values));

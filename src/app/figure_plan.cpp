@@ -121,13 +121,14 @@ class Planner {
     }
 
     SweepRequest request(const CurveSettings& settings, const std::string& path) {
-        SweepRequest request{scene_text(settings.scene, path + ".scene"),
-                             changes(settings.scene, settings.set, path + ".set"),
-                             settings.over,
-                             {},
-                             settings.seeds > 0 ? fmt::format("{}", settings.seeds) : ""};
+        const bool of_one_step = needs_fields(settings.table);
+        const std::int64_t seeds = settings.seeds == 0 && of_one_step ? 1 : settings.seeds;
+        SweepRequest request;
+        request.scene = scene_text(settings.scene, path + ".scene");
+        request.settings = changes(settings.scene, settings.set, path + ".set");
+        if (seeds > 0) request.seeds = fmt::format("{}", seeds);
         const std::string place = without_colon(plan_.scene.at(path));
-        const auto set = [&](const char* key, const std::string& value) {
+        const auto set = [&](const std::string& key, const std::string& value) {
             request.settings.push_back({key, value, place, 0});
         };
         set("output.measurements", "true");
@@ -137,17 +138,13 @@ class Planner {
         const std::string written = found.bed.file;
         sources_.find_bed(found);
         if (found.bed.file != written) set("bed.file", found.bed.file);
-        const bool of_one_step = settings.table == CurveTable::profile ||
-                                 settings.table == CurveTable::section ||
-                                 settings.table == CurveTable::flights;
         const bool varies_nothing = settings.over == std::vector<std::string>{"none"};
         if (varies_nothing || (of_one_step && settings.over.empty())) {
-            request.over.clear();
             set("sweep.over", "[]");
-        }
-        if (of_one_step && settings.seeds == 0) request.seeds = "1";
-        if (!request.over.empty())
+        } else if (!settings.over.empty()) {
+            request.over = settings.over;
             request.over_place = without_colon(plan_.scene.at(path + ".over"));
+        }
         return request;
     }
 

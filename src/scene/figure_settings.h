@@ -9,7 +9,14 @@
 namespace fumon {
 
 /// Where something stands on a picture or in a panel.
-enum class OverlayCorner { upper_left, upper_middle, upper_right, lower_left, lower_middle, lower_right };
+enum class OverlayCorner {
+    upper_left,
+    upper_middle,
+    upper_right,
+    lower_left,
+    lower_middle,
+    lower_right
+};
 
 /// Which rows of data a curve is drawn from.
 enum class CurveTable {
