@@ -105,8 +105,7 @@ std::vector<WholeFile> figure_files(const FigurePlan& plan, const FigureSources&
     std::vector<WholeFile> files;
     for (const std::string& format : plan.scene.figure.formats) {
         const fs::path path = folder / (plan.name + "." + format);
-        DrawnPage drawn =
-            draw_page(made.page, page_format(path), plan.scene.figure.dots_per_inch, metadata);
+        DrawnPage drawn = draw_figure(plan, made, page_format(path), metadata);
         const std::string& missing = drawn.missing_letters;
         if (!missing.empty() && std::find(notes.begin(), notes.end(), missing) == notes.end())
             notes.push_back(missing);
