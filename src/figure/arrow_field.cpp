@@ -7,13 +7,13 @@
 #include <cmath>
 #include <utility>
 
+#include "figure/picture_inks.h"
 #include "figure/scale_bar.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr Ink dark{0.05, 0.05, 0.05, 1.0};
 constexpr Ink halo{1.0, 1.0, 1.0, 0.55};
 constexpr double text_size = 0.85;
 constexpr double longest = 0.9;  // of the distance of neighbouring arrows
@@ -31,7 +31,7 @@ void draw_arrow(Canvas& canvas, const CanvasPoint& tail, double dx, double dy) {
          tip,
          {tip.x - head * (dx + 0.45 * dy), tip.y - head * (dy - 0.45 * dx)}}};
     const double thin = 0.07 * font;
-    for (const auto& [width, ink] : {std::pair{2.4 * thin, halo}, std::pair{thin, dark}}) {
+    for (const auto& [width, ink] : {std::pair{2.4 * thin, halo}, std::pair{thin, dark_ink}}) {
         canvas.stroke(shaft, width, ink);
         canvas.stroke(barbs, width, ink);
     }

@@ -32,9 +32,7 @@ PlotAxes Axes::drawn(const Canvas& canvas) const {
     Plot plot;
     plot.x = plot_axis(x_);
     plot.y = plot_axis(y_);
-    PlotAxes axes(canvas, plot, frame_.width, frame_.height);
-    axes.move_to(frame_);
-    return axes;
+    return {canvas, plot, frame_};
 }
 
 PanelMargins Axes::margins(const Canvas& canvas) const {

@@ -12,4 +12,12 @@ LengthUnit length_unit(bool in_metres, double length) {
     return {1.0, "m"};
 }
 
+LengthUnit height_unit(bool in_metres, double largest) {
+    constexpr double small = 0.5;
+    constexpr double millimetre = 1e-3;
+    if (!in_metres) return {1.0, "model heights"};
+    if (largest < small) return {millimetre, "mm"};
+    return {1.0, "m"};
+}
+
 }  // namespace fumon

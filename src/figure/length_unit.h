@@ -16,6 +16,10 @@ struct LengthUnit {
 /// 1 m, km from 10 km on, sites where the bed has no metres.
 LengthUnit length_unit(bool in_metres, double length);
 
+/// The unit that shows heights or depths of up to `largest` metres: mm below half a metre, else m;
+/// model heights where the bed has no metres. Its length is in metres, or model heights.
+LengthUnit height_unit(bool in_metres, double largest);
+
 /// The extents of a bed of cells, in metres or sites.
 struct BedExtent {
     double width = 0.0;   ///< along x

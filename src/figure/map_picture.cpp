@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "figure/length_unit.h"
 #include "render/colouring.h"
 #include "render/water.h"
 #include "support/error.h"
@@ -24,20 +25,13 @@ struct Quantity {
     const char* palette = "viridis";
 };
 
-/// A length of up to `largest` metres: in millimetres below half a metre.
-std::pair<const char*, double> height_unit(double largest) {
-    constexpr double small = 0.5;
-    return largest < small ? std::pair{"mm", 1e3} : std::pair{"m", 1.0};
-}
-
 Quantity quantity_of(Colouring colour_by, const WorldScale& scale,
                      std::pair<double, double> range) {
     const double largest = std::max(std::abs(range.first), std::abs(range.second));
     const auto height = [&](const char* name, const char* palette) {
-        if (!scale.in_metres)
-            return Quantity{fmt::format("{} (model heights)", name), 1.0, palette};
-        const auto [unit, factor] = height_unit(largest * scale.height_unit);
-        return Quantity{fmt::format("{} ({})", name, unit), factor * scale.height_unit, palette};
+        const LengthUnit unit = height_unit(scale.in_metres, largest * scale.height_unit);
+        return Quantity{fmt::format("{} ({})", name, unit.symbol), scale.height_unit / unit.length,
+                        palette};
     };
     switch (colour_by) {
         case Colouring::slope:
@@ -45,8 +39,8 @@ Quantity quantity_of(Colouring colour_by, const WorldScale& scale,
         case Colouring::change:
             return height("change of height", "vik");
         case Colouring::water_depth: {
-            const auto [unit, factor] = height_unit(largest);
-            return {fmt::format("depth ({})", unit), factor, "cividis"};
+            const LengthUnit unit = height_unit(true, largest);
+            return {fmt::format("depth ({})", unit.symbol), 1.0 / unit.length, "cividis"};
         }
         case Colouring::speed:
             return {"speed (m/s)", 1.0, "viridis"};
@@ -106,19 +100,34 @@ std::uint8_t level(double display_share) {
 
 }  // namespace
 
+std::vector<MapPicture> map_pictures(const LookSettings& look, std::span<const Snapshot> snapshots,
+                                     const Snapshot& first) {
+    std::pair<double, double> range{std::numeric_limits<double>::max(),
+                                    std::numeric_limits<double>::lowest()};
+    for (const Snapshot& snapshot : snapshots) {
+        const auto [low, high] = colour_range(look, snapshot, first);
+        range = {std::min(range.first, low), std::max(range.second, high)};
+    }
+    std::vector<MapPicture> pictures;
+    for (const Snapshot& snapshot : snapshots) {
+        const Field<float> values = coloured_values(look.colour_by, snapshot, first);
+        const Quantity quantity = quantity_of(look.colour_by, snapshot.scale, range);
+        MapPicture picture;
+        picture.values = Grid(values.nx(), values.ny());
+        std::transform(values.values().begin(), values.values().end(),
+                       picture.values.values().begin(),
+                       [&](float value) { return quantity.factor * static_cast<double>(value); });
+        picture.blank = uncoloured_cells(look.colour_by, snapshot);
+        picture.scale = snapshot.scale;
+        picture.colours = {palette_of(look, quantity.palette), quantity.factor * range.first,
+                           quantity.factor * range.second, quantity.label};
+        pictures.push_back(std::move(picture));
+    }
+    return pictures;
+}
+
 MapPicture map_picture(const LookSettings& look, const Snapshot& snapshot, const Snapshot& first) {
-    const Field<float> values = coloured_values(look.colour_by, snapshot, first);
-    const auto range = colour_range(look, snapshot, first);
-    const Quantity quantity = quantity_of(look.colour_by, snapshot.scale, range);
-    MapPicture picture;
-    picture.values = Grid(values.nx(), values.ny());
-    std::transform(values.values().begin(), values.values().end(), picture.values.values().begin(),
-                   [&](float value) { return quantity.factor * static_cast<double>(value); });
-    picture.blank = uncoloured_cells(look.colour_by, snapshot);
-    picture.scale = snapshot.scale;
-    picture.colours = {palette_of(look, quantity.palette), quantity.factor * range.first,
-                       quantity.factor * range.second, quantity.label};
-    return picture;
+    return std::move(map_pictures(look, {&snapshot, 1}, first).front());
 }
 
 MapPicture field_picture(const LookSettings& look, const Snapshot& snapshot,
@@ -146,20 +155,6 @@ MapPicture field_picture(const LookSettings& look, const Snapshot& snapshot,
                            ? what
                            : fmt::format("{} ({})", what, field->unit)};
     return picture;
-}
-
-void share_colours(std::span<MapPicture> pictures) {
-    if (pictures.empty()) return;
-    double low = pictures.front().colours.low;
-    double high = pictures.front().colours.high;
-    for (const MapPicture& picture : pictures) {
-        low = std::min(low, picture.colours.low);
-        high = std::max(high, picture.colours.high);
-    }
-    for (MapPicture& picture : pictures) {
-        picture.colours.low = low;
-        picture.colours.high = high;
-    }
 }
 
 Image map_image(const MapPicture& picture, const Ink& blank, int most) {

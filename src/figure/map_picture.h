@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "figure/colour_bar.h"
 #include "models/model.h"
@@ -26,13 +27,14 @@ struct MapPicture {
 /// such palette.
 MapPicture map_picture(const LookSettings& look, const Snapshot& snapshot, const Snapshot& first);
 
+/// The same for several snapshots, of one run or of several, that are seen side by side: one unit,
+/// and one range that holds the ranges of all.
+std::vector<MapPicture> map_pictures(const LookSettings& look, std::span<const Snapshot> snapshots,
+                                     const Snapshot& first);
+
 /// A picture of the model's field of that name, between its least and greatest value where look
 /// does not say. Throws InputError where the model has no such field.
 MapPicture field_picture(const LookSettings& look, const Snapshot& snapshot, std::string_view name);
-
-/// Gives pictures the same range: from the least of their low ends to the greatest of their high
-/// ones.
-void share_colours(std::span<MapPicture> pictures);
 
 /// The picture's cells as pixels, north up; blank ones take `blank`. Where a side has more than
 /// `most` cells, k × k of them are averaged first, the smallest k that will do. Light multiplies

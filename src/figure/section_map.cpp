@@ -9,15 +9,14 @@
 #include <vector>
 
 #include "figure/arrow_field.h"
+#include "figure/picture_inks.h"
 #include "figure/streamlines.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr Ink dark{0.05, 0.05, 0.05, 1.0};
 constexpr Ink halo{1.0, 1.0, 1.0, 0.55};
-constexpr Ink ground{0.80, 0.74, 0.64, 1.0};
 
 double value_at(const SectionAir& air, MapQuantity quantity, double x, double z) {
     switch (quantity) {
@@ -102,8 +101,8 @@ void draw_section_bed(Canvas& canvas, const Axes& axes, double unit, const Secti
     std::vector<CanvasPoint> body = surface;
     body.push_back({frame.right(), frame.bottom()});
     body.push_back({frame.x, frame.bottom()});
-    canvas.fill(body, ground);
-    canvas.stroke(surface, 0.09 * canvas.font_size(), dark);
+    canvas.fill(body, ground_ink);
+    canvas.stroke(surface, 0.09 * canvas.font_size(), dark_ink);
 }
 
 void draw_section_map(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air,
@@ -140,7 +139,7 @@ void draw_section_streamlines(Canvas& canvas, const Axes& axes, double unit,
         for (const auto& place : line) points.push_back(axes.at(place.x / unit, place.y / unit));
         const double thin = 0.06 * font;
         canvas.stroke(points, 2.4 * thin, halo);
-        canvas.stroke(points, thin, dark);
+        canvas.stroke(points, thin, dark_ink);
         const std::size_t middle = points.size() / 2;
         if (middle == 0) continue;
         const double dx = points[middle].x - points[middle - 1].x;
@@ -153,7 +152,7 @@ void draw_section_streamlines(Canvas& canvas, const Axes& axes, double unit,
                                                points[middle].y - head * (dy + 0.35 * dx)},
                                               {points[middle].x - head * (dx + 0.35 * dy),
                                                points[middle].y - head * (dy - 0.35 * dx)}}};
-        canvas.fill(tip, dark);
+        canvas.fill(tip, dark_ink);
     }
 }
 
