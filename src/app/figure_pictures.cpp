@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "app/figure_picture_data.h"
 #include "app/workshop.h"
 #include "figure/hill_shading.h"
 #include "figure/map_panel.h"
@@ -13,6 +15,7 @@
 #include "files/terrain_file.h"
 #include "gl/context.h"
 #include "render/renderer.h"
+#include "support/error.h"
 #include "support/worker_pool.h"
 
 namespace fumon {
@@ -44,13 +47,49 @@ std::optional<Colouring> colouring_of(const std::string& field) {
     return std::nullopt;
 }
 
-MapPicture picture_of(const PanelSettings& panel, const Scene& scene, const Snapshot& snapshot,
-                      const Snapshot& first) {
-    LookSettings look = look_of(panel, scene);
+/// The look that shows a panel's field, where it is one of the renderer's.
+std::optional<LookSettings> look_of_field(const PanelSettings& panel, const Scene& scene) {
     const auto colouring = colouring_of(panel.field);
-    if (!colouring) return field_picture(look, snapshot, panel.field);
+    if (!colouring) return std::nullopt;
+    LookSettings look = look_of(panel, scene);
     look.colour_by = *colouring;
-    return map_picture(look, snapshot, first);
+    return look;
+}
+
+void share_range(std::vector<MapPicture>& pictures) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const MapPicture& picture : pictures) {
+        low = std::min(low, picture.colours.low);
+        high = std::max(high, picture.colours.high);
+    }
+    for (MapPicture& picture : pictures) {
+        picture.colours.low = low;
+        picture.colours.high = high;
+    }
+}
+
+std::vector<MapPicture> map_pictures_of(const PanelFeed& panel, const Snapshot& first,
+                                        const std::vector<Snapshot>& snapshots) {
+    const Scene& scene = panel.picture->scene;
+    const bool shared = panel.settings.range == PanelRange::shared;
+    const auto look = look_of_field(panel.settings, scene);
+    if (look && shared) return map_pictures(*look, snapshots, first);
+    std::vector<MapPicture> pictures;
+    for (const Snapshot& snapshot : snapshots) {
+        pictures.push_back(
+            look ? map_picture(*look, snapshot, first)
+                 : field_picture(look_of(panel.settings, scene), snapshot, panel.settings.field));
+    }
+    if (shared) share_range(pictures);
+    return pictures;
+}
+
+/// The row that a profile or time-space panel shows; none: the mean over all.
+std::optional<int> row_of(const PanelSettings& panel, const Grid& bed) {
+    if (!panel.row_of_bed.is_word()) return static_cast<int>(panel.row_of_bed.value);
+    if (panel.row_of_bed.word == "mean") return std::nullopt;
+    return bed.ny() / 2;
 }
 
 }  // namespace
@@ -70,30 +109,72 @@ class FigurePictures::Parts {
         const Snapshot first = at(0);
         std::vector<Snapshot> snapshots;
         for (const std::int64_t step : panel.picture->steps) snapshots.push_back(at(step));
-        std::vector<ShownPicture> made = panel.settings.kind == PanelKind::view
-                                             ? views(panel, first, snapshots, width)
-                                             : maps(panel, first, snapshots);
+        std::vector<ShownPicture> made = draw(panel, first, snapshots, width);
         for (std::size_t k = 0; k < made.size(); ++k)
             made[k].title = panel_title(panel.settings, panel.picture->scene, &snapshots[k]);
         return made;
     }
 
   private:
+    std::vector<ShownPicture> draw(const PanelFeed& panel, const Snapshot& first,
+                                   const std::vector<Snapshot>& snapshots, double width) {
+        switch (panel.settings.kind) {
+            case PanelKind::view:
+                return views(panel, first, snapshots, width);
+            case PanelKind::profile:
+                return profile(panel, snapshots);
+            case PanelKind::time_space:
+                return time_space(panel, snapshots);
+            case PanelKind::section:
+                return sections(panel, snapshots);
+            default:
+                return maps(panel, first, snapshots);
+        }
+    }
+
+    static std::vector<ShownPicture> profile(const PanelFeed& panel,
+                                             const std::vector<Snapshot>& snapshots) {
+        ProfilePicture picture =
+            profile_picture(snapshots, row_of(panel.settings, snapshots.front().bed));
+        picture.wind = panel.settings.arrow == PanelArrow::wind;
+        std::vector<ShownPicture> made(1);
+        made[0].data_end = ".csv";
+        made[0].data = profile_csv(picture);
+        made[0].content = std::make_unique<ProfilePanel>(std::move(picture));
+        return made;
+    }
+
+    static std::vector<ShownPicture> time_space(const PanelFeed& panel,
+                                                const std::vector<Snapshot>& snapshots) {
+        const PanelSettings& settings = panel.settings;
+        LookSettings look = look_of(settings, panel.picture->scene);
+        look.colour_by = colouring_of(settings.field).value_or(Colouring::height);
+        TimeSpacePicture picture =
+            time_space_picture(look, snapshots, row_of(settings, snapshots.front().bed));
+        std::vector<ShownPicture> made(1);
+        made[0].data_end = ".csv";
+        made[0].data = time_space_csv(picture);
+        made[0].content = std::make_unique<TimeSpacePanel>(
+            std::move(picture), settings.colour_bar ? BarPlace::right : BarPlace::none);
+        return made;
+    }
+
+    static std::vector<ShownPicture> sections(const PanelFeed& panel,
+                                              const std::vector<Snapshot>& /*snapshots*/) {
+        throw Error(panel.path + ": sections are not drawn yet");
+    }
+
     std::vector<ShownPicture> maps(const PanelFeed& panel, const Snapshot& first,
                                    const std::vector<Snapshot>& snapshots) {
         const PanelSettings& settings = panel.settings;
-        const Scene& scene = panel.picture->scene;
-        std::vector<MapPicture> pictures;
-        for (const Snapshot& snapshot : snapshots) {
-            pictures.push_back(picture_of(settings, scene, snapshot, first));
-            if (settings.shading > 0.0) {
-                HillShading shading;
-                shading.strength = settings.shading;
-                pictures.back().light = hill_light(snapshot, shading, pool_);
-            }
+        std::vector<MapPicture> pictures = map_pictures_of(panel, first, snapshots);
+        if (settings.shading > 0.0) {
+            HillShading shading;
+            shading.strength = settings.shading;
+            for (std::size_t k = 0; k < pictures.size(); ++k)
+                pictures[k].light = hill_light(snapshots[k], shading, pool_);
         }
         const bool shared = settings.range == PanelRange::shared;
-        if (shared) share_colours(pictures);
         std::vector<ShownPicture> made;
         for (std::size_t k = 0; k < pictures.size(); ++k) {
             MapPicture& picture = pictures[k];
