@@ -10,7 +10,7 @@ namespace {
 constexpr Ink black{0.0, 0.0, 0.0, 1.0};
 
 PlotAxis plot_axis(const AxisRange& range) {
-    return {range.label, false, range.low, range.high, range.tick_labels};
+    return {range.label, false, range.low, range.high, range.tick_labels, range.ticks};
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ struct AxisRange {
     double high = 1.0;
     std::string label;        ///< the quantity and its unit; may be empty
     bool tick_labels = true;  ///< false: neither they nor the label show
+    bool ticks = true;        ///< false: no marks either
 };
 
 /// Linear axes of a picture in a frame on a canvas: places and values, and the axes of a plot

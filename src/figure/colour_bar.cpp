@@ -17,6 +17,7 @@ constexpr double mark = 0.25;
 constexpr double to_tick_text = 0.4;
 constexpr double to_label = 0.25;
 constexpr double beyond_ends = 0.2;  // by which a label may be longer than its bar
+constexpr int most_ticks = 8;
 constexpr double bar_width = 0.9;
 constexpr double from_frame = 0.8;
 constexpr double to_bar_below = 0.5;
@@ -35,7 +36,7 @@ Layout lay_out(const Canvas& canvas, double length, const ColourScale& scale,
     const double font = canvas.font_size();
     const bool upright = direction == BarDirection::upright;
     Layout layout;
-    int most = std::max(2, static_cast<int>(length / ((upright ? 1.4 : 2.2) * font)));
+    int most = std::clamp(static_cast<int>(length / ((upright ? 1.5 : 2.2) * font)), 2, most_ticks);
     for (;; --most) {
         layout.ticks = linear_ticks(scale.low, scale.high, most);
         layout.widest = 0.0;

@@ -10,15 +10,17 @@
 #include "figure/furniture.h"
 #include "figure/length_unit.h"
 #include "figure/scale_bar.h"
+#include "render/percentile.h"
 #include "render/water.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr double inset = 0.7;         // of furniture from the frame's edges, font sizes
-constexpr double longest_bar = 0.35;  // of the frame's width
-constexpr double arrows_apart = 1.7;  // font sizes
+constexpr double inset = 0.7;          // of furniture from the frame's edges, font sizes
+constexpr double longest_bar = 0.35;   // of the frame's width
+constexpr double usual_speeds = 0.95;  // share of cells
+constexpr double arrows_apart = 1.7;   // font sizes
 
 }  // namespace
 
@@ -37,11 +39,13 @@ std::optional<MapFlow> water_flow_of(const Snapshot& snapshot) {
 MapPanel::MapPanel(MapPicture picture, MapSettings settings)
     : picture_(std::move(picture)), settings_(std::move(settings)) {
     if (!settings_.flow || settings_.flow->fastest > 0.0) return;
-    for (std::size_t i = 0; i < settings_.flow->velocity_x.size(); ++i) {
-        settings_.flow->fastest =
-            std::max(settings_.flow->fastest, std::hypot(settings_.flow->velocity_x.values()[i],
-                                                         settings_.flow->velocity_y.values()[i]));
+    MapFlow& flow = *settings_.flow;
+    std::vector<float> speeds;
+    for (std::size_t i = 0; i < flow.velocity_x.size(); ++i) {
+        const double speed = std::hypot(flow.velocity_x.values()[i], flow.velocity_y.values()[i]);
+        if (speed > 0.0) speeds.push_back(static_cast<float>(speed));
     }
+    flow.fastest = percentile(speeds, usual_speeds);
 }
 
 double MapPanel::aspect() const {

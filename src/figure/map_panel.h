@@ -14,9 +14,11 @@ namespace fumon {
 
 /// Velocities over a map, drawn as arrows with one of a round speed above the frame.
 struct MapFlow {
-    Grid velocity_x;       ///< eastward, of the map's cells
-    Grid velocity_y;       ///< northward
-    double fastest = 0.0;  ///< whose arrow is the longest; 0: the fastest of them
+    Grid velocity_x;  ///< eastward, of the map's cells
+    Grid velocity_y;  ///< northward
+    /// Whose arrow is as long as arrows are apart; 0: that which a twentieth of the moving cells
+    /// exceeds.
+    double fastest = 0.0;
     std::string unit = "m/s";
 };
 

@@ -18,6 +18,7 @@ struct PlotAxis {
     std::optional<double> low;   ///< else from the data, at a round number
     std::optional<double> high;  ///< likewise
     bool tick_labels = true;     ///< false: neither they nor the label show (a shared axis)
+    bool ticks = true;           ///< false: no marks either
 };
 
 enum class SeriesKind {

@@ -90,6 +90,7 @@ PlotAxes::Side PlotAxes::across(const Canvas& canvas, const PlotAxis& axis, Plot
         side.ticks = plot_ticks(scale, most);
         if (keep_apart(canvas, scale, side.ticks, frame_.width)) break;
     }
+    if (!axis.ticks) side.ticks = {};
     side.label = broken(canvas, with_power(axis.label, side.ticks.power), frame_.width);
     side.widest = widest_label(canvas, side.ticks);
     return side;
@@ -99,6 +100,7 @@ PlotAxes::Side PlotAxes::upward(const Canvas& canvas, const PlotAxis& axis, Plot
     const int room = static_cast<int>(frame_.height / (1.8 * text_height(canvas, tick_text)));
     Side side{scale, plot_ticks(scale, std::clamp(room, 2, most_labels)), "", axis.tick_labels,
               0.0};
+    if (!axis.ticks) side.ticks = {};
     side.label = broken(canvas, with_power(axis.label, side.ticks.power), frame_.height);
     side.widest = widest_label(canvas, side.ticks);
     return side;

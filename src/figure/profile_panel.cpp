@@ -120,7 +120,7 @@ Axes ProfilePanel::axes_in(const CanvasBox& frame) const {
     return {frame,
             {0.0, picture_.length / unit.length, fmt::format("x ({})", unit.symbol)},
             {low / heights.length, (low + shown) / heights.length,
-             fmt::format("z ({})", heights.symbol), !stacked()}};
+             fmt::format("z ({})", heights.symbol), !stacked(), !stacked()}};
 }
 
 PanelMargins ProfilePanel::margins(const Canvas& canvas, double width, double height) const {

@@ -3,38 +3,46 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <set>
+#include <utility>
+
+#include "figure/section_lines.h"
 
 namespace fumon {
 
-LinePanel paths_panel(const Snapshot& snapshot, double unit, const std::string& symbol) {
+Plot paths_plot(const Snapshot& snapshot, const LengthUnit& unit) {
     const SnapshotSection& section = *snapshot.section;
     std::set<double> angles;
     for (const GrainPath& path : section.paths) angles.insert(path.launch_angle);
-    const auto& heights = snapshot.bed.values();
-    double highest =
-        *std::max_element(heights.begin(), heights.end()) * snapshot.scale.height_unit / unit;
-    double east = snapshot.bed.nx() * section.dx / unit;
-    LinePanel panel;
+    double highest = highest_bed(snapshot) / unit.length;
+    double east = snapshot.bed.nx() * section.dx / unit.length;
+    Plot plot;
     std::set<double> named;
     for (const GrainPath& path : section.paths) {
         const auto place = std::distance(angles.begin(), angles.find(path.launch_angle));
-        const bool first = named.insert(path.launch_angle).second;
-        LineSeries line{first ? fmt::format("{:g}°", path.launch_angle) : "",
-                        series_ink(static_cast<std::size_t>(place), angles.size()),
-                        {},
-                        false};
+        const SeriesLook look = series_look(static_cast<std::size_t>(place));
+        PlotSeries series;
+        if (named.insert(path.launch_angle).second)
+            series.label = fmt::format("{:g}°", path.launch_angle);
+        series.ink = look.ink;
+        series.dashes = LineDashes{};
         for (std::size_t i = 0; i < path.x.size(); ++i) {
-            line.points.emplace_back(path.x[i] / unit, path.z[i] / unit);
-            east = std::max(east, path.x[i] / unit);
-            highest = std::max(highest, path.z[i] / unit);
+            series.x.push_back(path.x[i] / unit.length);
+            series.y.push_back(path.z[i] / unit.length);
+            east = std::max(east, series.x.back());
+            highest = std::max(highest, series.y.back());
         }
-        panel.series.push_back(std::move(line));
+        plot.series.push_back(std::move(series));
     }
-    panel.x = {0.0, east, fmt::format("x ({})", symbol)};
-    panel.y = {0.0, highest > 0.0 ? 1.1 * highest : 1.0, fmt::format("z ({})", symbol)};
-    return panel;
+    plot.x.label = fmt::format("x ({})", unit.symbol);
+    plot.x.low = 0.0;
+    plot.x.high = east;
+    plot.y.label = fmt::format("z ({})", unit.symbol);
+    plot.y.low = 0.0;
+    plot.y.high = highest > 0.0 ? 1.1 * highest : 1.0;
+    return plot;
 }
 
 }  // namespace fumon

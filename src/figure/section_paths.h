@@ -1,10 +1,13 @@
 #pragma once
 
-#include "figure/section_lines.h"
+#include "figure/length_unit.h"
+#include "figure/plot.h"
+#include "models/model.h"
 
 namespace fumon {
 
-/// The grains' paths, coloured by launch angle; a panel that reaches as far as they do.
-LinePanel paths_panel(const Snapshot& snapshot, double unit, const std::string& symbol);
+/// The shown paths of grains, in one colour per launch angle, over the height above the profile's
+/// zero, to be drawn over the bed. `unit` is what lengths are shown in.
+Plot paths_plot(const Snapshot& snapshot, const LengthUnit& unit);
 
 }  // namespace fumon
