@@ -12,7 +12,57 @@ const char* x_column(bool in_metres) {
     return in_metres ? "x (m)" : "x (sites)";
 }
 
+std::string node_csv(const SnapshotSection& section) {
+    std::vector<std::string> header{"x (m)", "z (m)"};
+    for (const SnapshotField& field : section.fields)
+        header.push_back(fmt::format("{} ({})", field.name, field.unit));
+    std::string text = csv_line(header);
+    const Grid& first = section.fields.front().values;
+    for (int k = 0; k < first.ny(); ++k) {
+        for (int i = 0; i < first.nx(); ++i) {
+            text += fmt::format("{},{}", i * section.dx, k * section.dz);
+            for (const SnapshotField& field : section.fields)
+                text += fmt::format(",{}", field.values(i, k));
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+std::string line_csv(const SnapshotSection& section) {
+    std::vector<std::string> header{"x (m)"};
+    for (const SectionCurve& curve : section.curves)
+        header.push_back(fmt::format("{} ({})", curve.name, curve.unit));
+    std::string text = csv_line(header);
+    const std::size_t columns = section.curves.front().values.size();
+    for (std::size_t i = 0; i < columns; ++i) {
+        text += fmt::format("{}", static_cast<double>(i) * section.dx);
+        for (const SectionCurve& curve : section.curves)
+            text += fmt::format(",{}", curve.values[i]);
+        text += '\n';
+    }
+    return text;
+}
+
+std::string path_csv(const SnapshotSection& section) {
+    std::string text = csv_line({"path", "launch_angle (degrees)", "x (m)", "z (m)"});
+    for (std::size_t path = 0; path < section.paths.size(); ++path) {
+        const GrainPath& grain = section.paths[path];
+        for (std::size_t i = 0; i < grain.x.size(); ++i) {
+            text +=
+                fmt::format("{},{},{},{}\n", path + 1, grain.launch_angle, grain.x[i], grain.z[i]);
+        }
+    }
+    return text;
+}
+
 }  // namespace
+
+std::string section_csv(const SnapshotSection& section, SectionPanel panel) {
+    if (panel == SectionPanel::paths) return path_csv(section);
+    const bool map = panel == SectionPanel::velocity || panel == SectionPanel::pressure;
+    return map ? node_csv(section) : line_csv(section);
+}
 
 std::string profile_csv(const ProfilePicture& picture) {
     std::vector<std::string> header{x_column(picture.in_metres)};

@@ -15,7 +15,6 @@
 #include "files/terrain_file.h"
 #include "gl/context.h"
 #include "render/renderer.h"
-#include "support/error.h"
 #include "support/worker_pool.h"
 
 namespace fumon {
@@ -160,8 +159,24 @@ class FigurePictures::Parts {
     }
 
     static std::vector<ShownPicture> sections(const PanelFeed& panel,
-                                              const std::vector<Snapshot>& /*snapshots*/) {
-        throw Error(panel.path + ": sections are not drawn yet");
+                                              const std::vector<Snapshot>& snapshots) {
+        const PanelSettings& settings = panel.settings;
+        View view = panel.picture->scene.view;
+        view.look = look_of(settings, panel.picture->scene);
+        view.section.panels = {settings.section};
+        if (!settings.low.is_word()) view.section.low = settings.low;
+        if (!settings.high.is_word()) view.section.high = settings.high;
+        std::vector<ShownPicture> made;
+        for (const Snapshot& snapshot : snapshots) {
+            const SectionPanel shown = section_panels(view.section, snapshot).front();
+            ShownPicture one;
+            one.data_end = ".csv";
+            one.data = section_csv(*snapshot.section, shown);
+            one.content = make_section_panel(
+                view, snapshot, shown, settings.colour_bar ? BarPlace::right : BarPlace::none);
+            made.push_back(std::move(one));
+        }
+        return made;
     }
 
     std::vector<ShownPicture> maps(const PanelFeed& panel, const Snapshot& first,

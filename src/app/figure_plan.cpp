@@ -9,6 +9,7 @@
 #include "app/figure_tables.h"
 #include "app/placeholders.h"
 #include "app/workshop.h"
+#include "figure/section_panel.h"
 #include "scene/schedule.h"
 #include "support/error.h"
 #include "support/nearest_name.h"
@@ -265,11 +266,7 @@ class Planner {
     void check_picture(const PanelFeed& panel, const Workshop& workshop) const {
         const Snapshot first = workshop.model->snapshot();
         const PanelSettings& settings = panel.settings;
-        if (settings.kind == PanelKind::section && !first.section) {
-            refuse(panel.path + ".kind",
-                   fmt::format("a section needs a model with one (airflow), not {}",
-                               workshop.scene.model.name));
-        }
+        if (settings.kind == PanelKind::section) check_section(panel, workshop, first);
         std::vector<std::string> fields{"bed", "change"};
         for (const SnapshotField& field : first.fields) fields.push_back(field.name);
         if (std::find(fields.begin(), fields.end(), settings.field) == fields.end()) {
@@ -282,6 +279,18 @@ class Planner {
                    fmt::format("the bed has {} rows; count them from 0", first.bed.ny()));
         }
         check_title(panel, workshop.scene, &first);
+    }
+
+    void check_section(const PanelFeed& panel, const Workshop& workshop,
+                       const Snapshot& first) const {
+        if (!first.section) {
+            refuse(panel.path + ".kind",
+                   fmt::format("a section needs a model with one (airflow), not {}",
+                               workshop.scene.model.name));
+        }
+        SectionSettings wanted;
+        wanted.panels = {panel.settings.section};
+        at(panel.path + ".section", [&] { return section_panels(wanted, first); });
     }
 
     void check_title(const PanelFeed& panel, const Scene& scene, const Snapshot* first) const {

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <numbers>
 #include <optional>
 
+#include "figure/cairo_image.h"
 #include "figure/figure_metadata.h"
 #include "figure/svg_ids.h"
 #include "output/png.h"
@@ -24,22 +24,6 @@ namespace {
 constexpr double points_per_inch = 72.0;
 constexpr const char* letters_package = "fonts-ipaexfont-gothic";
 
-template <auto destroy>
-struct Destroy {
-    template <class Object>
-    void operator()(Object* object) const {
-        destroy(object);
-    }
-};
-
-using Surface = std::unique_ptr<cairo_surface_t, Destroy<cairo_surface_destroy>>;
-using Drawing = std::unique_ptr<cairo_t, Destroy<cairo_destroy>>;
-using Pattern = std::unique_ptr<cairo_pattern_t, Destroy<cairo_pattern_destroy>>;
-using Layout = std::unique_ptr<PangoLayout, Destroy<g_object_unref>>;
-using Font = std::unique_ptr<PangoFontDescription, Destroy<pango_font_description_free>>;
-using Attributes = std::unique_ptr<PangoAttrList, Destroy<pango_attr_list_unref>>;
-using FontOptions = std::unique_ptr<cairo_font_options_t, Destroy<cairo_font_options_destroy>>;
-
 cairo_status_t append(void* bytes, const unsigned char* more, unsigned int count) {
     try {
         static_cast<std::string*>(bytes)->append(more, more + count);
@@ -47,31 +31,6 @@ cairo_status_t append(void* bytes, const unsigned char* more, unsigned int count
         return CAIRO_STATUS_NO_MEMORY;
     }
     return CAIRO_STATUS_SUCCESS;
-}
-
-/// Pixels as Cairo keeps them: 32 bits each, premultiplied by the opacity.
-Surface pixels_of(const Image& image, std::span<const std::uint8_t> opacity) {
-    const bool opaque = opacity.empty();
-    Surface surface(cairo_image_surface_create(opaque ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32,
-                                               image.width, image.height));
-    if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
-        throw Error(fmt::format("cannot draw an image of {} x {} pixels into a figure: {}",
-                                image.width, image.height,
-                                cairo_status_to_string(cairo_surface_status(surface.get()))));
-    unsigned char* pixels = cairo_image_surface_get_data(surface.get());
-    const int stride = cairo_image_surface_get_stride(surface.get());
-    std::size_t n = 0;
-    for (int y = 0; y < image.height; ++y) {
-        const std::uint8_t* in = image.row(y);
-        for (int x = 0; x < image.width; ++x, ++n) {
-            const std::uint32_t alpha = opaque ? 255U : opacity[n];
-            std::uint32_t pixel = alpha;
-            for (int c = 0; c < 3; ++c) pixel = (pixel << 8U) | ((*in++ * alpha + 127U) / 255U);
-            std::memcpy(pixels + std::ptrdiff_t{stride} * y + std::ptrdiff_t{4} * x, &pixel, 4);
-        }
-    }
-    cairo_surface_mark_dirty(surface.get());
-    return surface;
 }
 
 }  // namespace
@@ -169,9 +128,23 @@ struct Canvas::Parts {
         cairo_close_path(drawing.get());
     }
 
-    /// How an image of so many pixels across is shown in a box.
+    [[nodiscard]] bool has_pixels() const {
+        return format != PageFormat::pdf && format != PageFormat::svg;
+    }
+
+    /// How often a file holds each pixel of an image across and down.
+    [[nodiscard]] int copies_of(const Image& image, const CanvasBox& box) const {
+        constexpr double finest = 300.0;  // pixels an inch
+        constexpr double most = 64.0;
+        if (has_pixels()) return 1;
+        const double needed =
+            std::max(box.width / image.width, box.height / image.height) * finest / points_per_inch;
+        return static_cast<int>(std::ceil(std::clamp(needed - 1e-6, 1.0, most)));
+    }
+
+    /// Whether an image in a box is shown with no fewer pixels than it has.
     [[nodiscard]] bool has_room_for(const Image& image, const CanvasBox& box) const {
-        if (format == PageFormat::pdf || format == PageFormat::svg) return true;
+        if (!has_pixels()) return true;
         const double scale = format ? dots_per_inch / points_per_inch : 1.0;
         return scale * box.width >= image.width && scale * box.height >= image.height;
     }
@@ -250,7 +223,8 @@ void Canvas::stroke_circle(const CanvasPoint& middle, double radius, double widt
 
 void Canvas::draw(const Image& image, const CanvasBox& box, std::span<const std::uint8_t> opacity) {
     if (image.width < 1 || image.height < 1 || !(box.width > 0.0) || !(box.height > 0.0)) return;
-    const Surface pixels = pixels_of(image, opacity);
+    const int copies = parts_->copies_of(image, box);
+    const Surface pixels = cairo_image(image, opacity, copies);
     const Pattern pattern(cairo_pattern_create_for_surface(pixels.get()));
     const bool large = parts_->has_room_for(image, box);
     cairo_pattern_set_filter(pattern.get(), large ? CAIRO_FILTER_NEAREST : CAIRO_FILTER_GOOD);
@@ -260,7 +234,7 @@ void Canvas::draw(const Image& image, const CanvasBox& box, std::span<const std:
     cairo_rectangle(drawing, box.x, box.y, box.width, box.height);
     cairo_clip(drawing);
     cairo_translate(drawing, box.x, box.y);
-    cairo_scale(drawing, box.width / image.width, box.height / image.height);
+    cairo_scale(drawing, box.width / (copies * image.width), box.height / (copies * image.height));
     cairo_set_source(drawing, pattern.get());
     cairo_paint(drawing);
     cairo_restore(drawing);
@@ -328,21 +302,7 @@ Image Canvas::image() const {
     cairo_surface_t* surface = parts_->surface.get();
     if (cairo_surface_get_type(surface) != CAIRO_SURFACE_TYPE_IMAGE)
         throw Error("a page of lines and letters has no pixels");
-    cairo_surface_flush(surface);
-    Image image(cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface));
-    const unsigned char* pixels = cairo_image_surface_get_data(surface);
-    const int stride = cairo_image_surface_get_stride(surface);
-    for (int y = 0; y < image.height; ++y) {
-        std::uint8_t* out = image.row(y);
-        for (int x = 0; x < image.width; ++x) {
-            std::uint32_t pixel = 0;
-            std::memcpy(&pixel, pixels + std::ptrdiff_t{stride} * y + std::ptrdiff_t{4} * x, 4);
-            *out++ = static_cast<std::uint8_t>(pixel >> 16U);
-            *out++ = static_cast<std::uint8_t>(pixel >> 8U);
-            *out++ = static_cast<std::uint8_t>(pixel);
-        }
-    }
-    return image;
+    return image_of_cairo(surface);
 }
 
 void Canvas::set_metadata(FigureMetadata metadata) {

@@ -19,8 +19,6 @@ struct Ink {
     double green = 0.0;
     double blue = 0.0;
     double opacity = 1.0;
-
-    friend bool operator==(const Ink&, const Ink&) = default;
 };
 
 /// A text that stands on a canvas, and the box around it.
@@ -60,9 +58,11 @@ class Canvas {
     void stroke(std::span<const CanvasPoint> line, double width, const Ink& ink,
                 std::span<const double> dashes = {});
     void stroke_circle(const CanvasPoint& middle, double radius, double width, const Ink& ink);
-    /// Stretches an image over a box. Pages keep it at its own resolution, each of its pixels one
-    /// even patch; where a PNG or an image has fewer pixels than it, they are averages. `opacity`:
-    /// 0 … 255 a pixel, top row first; empty where the image covers all.
+    /// Stretches an image over a box, each of its pixels one even patch: PDF and SVG pages hold it
+    /// with its own pixels, or a whole number of copies of each if they would be coarser than 300
+    /// an inch, since readers blur coarse ones; where a PNG or an image has fewer pixels than it,
+    /// they are averages. `opacity`: 0 … 255 a pixel, top row first; empty where the image covers
+    /// all.
     void draw(const Image& image, const CanvasBox& box, std::span<const std::uint8_t> opacity = {});
 
     /// Width and height that a text takes, units, `size` times the canvas's font size.

@@ -17,7 +17,7 @@ namespace {
 using Lengths = std::vector<double>;
 
 constexpr double narrowest_frame = 3.5;  // font sizes
-constexpr double lowest_frame = 2.5;
+constexpr double lowest_frame = 3.0;
 constexpr double least_weight = 0.3;  // of a column's width, of the widest one's
 constexpr double inset_gap = 0.5;     // font sizes between an inset and its panel's frame
 

@@ -13,12 +13,12 @@ namespace fumon {
 
 /// One side's axis of a plot.
 struct PlotAxis {
-    std::string label;  ///< the quantity, with its unit in brackets
+    std::string label = {};  ///< the quantity, with its unit in brackets
     bool logarithmic = false;
-    std::optional<double> low;   ///< else from the data, at a round number
-    std::optional<double> high;  ///< likewise
-    bool tick_labels = true;     ///< false: neither they nor the label show (a shared axis)
-    bool ticks = true;           ///< false: no marks either
+    std::optional<double> low = {};   ///< else from the data, at a round number
+    std::optional<double> high = {};  ///< likewise
+    bool tick_labels = true;          ///< false: neither they nor the label show (a shared axis)
+    bool ticks = true;                ///< false: no marks either
 };
 
 enum class SeriesKind {

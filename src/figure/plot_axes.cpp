@@ -17,6 +17,8 @@ constexpr double major_mark = 0.3;  // font sizes
 constexpr double minor_mark = 0.17;
 constexpr double gap = 0.2;  // between marks, their labels and the axis's label
 constexpr int most_labels = 8;
+constexpr double apart_across = 0.7;  // tick labels, font sizes
+constexpr double apart_upward = 0.6;
 
 double text_height(const Canvas& canvas, double size) {
     return canvas.text_size("0", size)[1];
@@ -29,18 +31,39 @@ double widest_label(const Canvas& canvas, const PlotTicks& ticks) {
     return widest;
 }
 
-/// Whether labels side by side keep apart along a frame of that width.
-bool keep_apart(const Canvas& canvas, const PlotScale& scale, const PlotTicks& ticks,
-                double width) {
-    const double apart = 0.7 * canvas.font_size();
+/// The marks whose labels stand `apart` font sizes from the one before, along an axis that is
+/// `length` long; `dimension` 0 of the labels, their width, lies along it, or 1, their height.
+std::vector<std::size_t> kept_apart(const Canvas& canvas, const PlotScale& scale,
+                                    const PlotTicks& ticks, double length, std::size_t dimension,
+                                    double apart) {
+    std::vector<std::size_t> kept;
     double end = -INFINITY;
     for (std::size_t i = 0; i < ticks.values.size(); ++i) {
-        const double half = 0.5 * canvas.text_size(ticks.labels[i], tick_text)[0];
-        const double middle = scale.share(ticks.values[i]) * width;
-        if (middle - half < end + apart) return false;
+        const double half = 0.5 * canvas.text_size(ticks.labels[i], tick_text).at(dimension);
+        const double middle = scale.share(ticks.values[i]) * length;
+        if (middle - half < end + apart * canvas.font_size()) continue;
         end = middle + half;
+        kept.push_back(i);
     }
-    return true;
+    return kept;
+}
+
+/// As many marks as there is room for the labels of.
+PlotTicks fitting_ticks(const Canvas& canvas, const PlotScale& scale, double length,
+                        std::size_t dimension, double apart) {
+    PlotTicks ticks;
+    std::vector<std::size_t> kept;
+    for (int most = most_labels; most >= 2; --most) {
+        ticks = plot_ticks(scale, most);
+        kept = kept_apart(canvas, scale, ticks, length, dimension, apart);
+        if (kept.size() == ticks.values.size()) return ticks;
+    }
+    PlotTicks fewer{{}, {}, ticks.minor, ticks.power};
+    for (const std::size_t i : kept) {
+        fewer.values.push_back(ticks.values[i]);
+        fewer.labels.push_back(ticks.labels[i]);
+    }
+    return fewer;
 }
 
 /// A label with the power of ten that its tick labels are to be taken times: "height (10⁻³ m)".
@@ -76,32 +99,21 @@ PlotAxes::PlotAxes(const Canvas& canvas, const Plot& plot, const CanvasBox& fram
     const PlotRanges ranges = plot_ranges(plot);
     const auto upright = [&](const PlotAxis& axis, const ValueRange& range) {
         const PlotScale scale = plot_scale(axis, range, room_along_y);
-        return upward(canvas, axis,
-                      stretch > 0.0 && !axis.high ? stretched(scale, stretch) : scale);
+        return side(canvas, axis, stretch > 0.0 && !axis.high ? stretched(scale, stretch) : scale,
+                    frame_.height, 1, apart_upward);
     };
-    x_ = across(canvas, plot.x, plot_scale(plot.x, ranges.x, room_along_x(plot)));
+    x_ = side(canvas, plot.x, plot_scale(plot.x, ranges.x, room_along_x(plot)), frame_.width, 0,
+              apart_across);
     y_ = upright(plot.y, ranges.y);
     if (plot.right) right_ = upright(*plot.right, ranges.right);
 }
 
-PlotAxes::Side PlotAxes::across(const Canvas& canvas, const PlotAxis& axis, PlotScale scale) const {
-    Side side{scale, {}, "", axis.tick_labels, 0.0};
-    for (int most = most_labels; most >= 2; --most) {
-        side.ticks = plot_ticks(scale, most);
-        if (keep_apart(canvas, scale, side.ticks, frame_.width)) break;
-    }
-    if (!axis.ticks) side.ticks = {};
-    side.label = broken(canvas, with_power(axis.label, side.ticks.power), frame_.width);
-    side.widest = widest_label(canvas, side.ticks);
-    return side;
-}
-
-PlotAxes::Side PlotAxes::upward(const Canvas& canvas, const PlotAxis& axis, PlotScale scale) const {
-    const int room = static_cast<int>(frame_.height / (1.8 * text_height(canvas, tick_text)));
-    Side side{scale, plot_ticks(scale, std::clamp(room, 2, most_labels)), "", axis.tick_labels,
+PlotAxes::Side PlotAxes::side(const Canvas& canvas, const PlotAxis& axis, const PlotScale& scale,
+                              double length, std::size_t dimension, double apart) {
+    Side side{scale, fitting_ticks(canvas, scale, length, dimension, apart), "", axis.tick_labels,
               0.0};
     if (!axis.ticks) side.ticks = {};
-    side.label = broken(canvas, with_power(axis.label, side.ticks.power), frame_.height);
+    side.label = broken(canvas, with_power(axis.label, side.ticks.power), length);
     side.widest = widest_label(canvas, side.ticks);
     return side;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -35,8 +36,8 @@ class PlotAxes {
         double widest = 0.0;  ///< of its tick labels, units
     };
 
-    [[nodiscard]] Side across(const Canvas& canvas, const PlotAxis& axis, PlotScale scale) const;
-    [[nodiscard]] Side upward(const Canvas& canvas, const PlotAxis& axis, PlotScale scale) const;
+    static Side side(const Canvas& canvas, const PlotAxis& axis, const PlotScale& scale,
+                     double length, std::size_t dimension, double apart);
     [[nodiscard]] double room_beside(const Canvas& canvas, const Side& side) const;
     void draw_across(Canvas& canvas) const;
     void draw_upward(Canvas& canvas, const Side& side, bool on_right) const;

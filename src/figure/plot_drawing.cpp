@@ -64,8 +64,10 @@ std::vector<LabelPlace> places_at(const CanvasBox& box, bool fits, double gap) {
         places.push_back({{x, box.y - gap}, {share, 1.0}});
         places.push_back({{x, box.bottom() + gap}, {share, 0.0}});
     }
-    places.push_back({{box.right() + gap, middle.y}, {0.0, 0.5}});
-    places.push_back({{box.x - gap, middle.y}, {1.0, 0.5}});
+    for (const auto& [y, share] : {std::pair{middle.y, 0.5}, {box.y, 0.0}, {box.bottom(), 1.0}}) {
+        places.push_back({{box.right() + gap, y}, {0.0, share}});
+        places.push_back({{box.x - gap, y}, {1.0, share}});
+    }
     return places;
 }
 

@@ -67,10 +67,8 @@ PlotScale logarithmic_scale(const PlotAxis& axis, const ValueRange& values, doub
 
 PlotScale linear_scale(const PlotAxis& axis, ValueRange values, double room) {
     const double margin = room * (values.high - values.low);
-    if (!axis.low && !axis.high) {
-        if (values.low > 0.0 && values.low < near_zero * values.high) values.low = 0.0;
-        if (values.high < 0.0 && values.high > near_zero * values.low) values.high = 0.0;
-    }
+    if (values.low > 0.0 && values.low < near_zero * values.high) values.low = 0.0;
+    if (values.high < 0.0 && values.high > near_zero * values.low) values.high = 0.0;
     const double low = axis.low.value_or(values.low == 0.0 ? 0.0 : values.low - margin);
     const double high = axis.high.value_or(values.high == 0.0 ? 0.0 : values.high + margin);
     const RoundStep step = round_step(low, high, ticks_to_round_by);
@@ -179,10 +177,8 @@ bool PlotScale::shows(double value) const {
 PlotScale plot_scale(const PlotAxis& axis, const ValueRange& values, double room) {
     ValueRange range = values;
     if (axis.low && axis.high) return {*axis.low, *axis.high, axis.logarithmic};
-    if (axis.low) range.low = std::min(*axis.low, range.low);
-    if (axis.low) range.high = std::max(range.high, *axis.low);
-    if (axis.high) range.high = std::max(*axis.high, range.high);
-    if (axis.high) range.low = std::min(range.low, *axis.high);
+    if (axis.low) range = {*axis.low, std::max(range.high, *axis.low)};
+    if (axis.high) range = {std::min(range.low, *axis.high), *axis.high};
     range = with_width(range, axis.logarithmic);
     return axis.logarithmic ? logarithmic_scale(axis, range, room)
                             : linear_scale(axis, range, room);

@@ -33,6 +33,12 @@ std::vector<double> dash_lengths(const LineDashes& dashes, double width) {
     return lengths;
 }
 
+bool alike(const Ink& a, const Ink& b) {
+    constexpr double near = 0.1;
+    return std::abs(a.red - b.red) < near && std::abs(a.green - b.green) < near &&
+           std::abs(a.blue - b.blue) < near;
+}
+
 /// The unbroken pieces of a series's curve.
 std::vector<std::vector<CanvasPoint>> pieces_of(const PlotSeries& series, const PlotAxes& axes) {
     constexpr double visible = 0.02;  // units
@@ -110,7 +116,7 @@ std::vector<SeriesLook> series_looks(const Plot& plot) {
     const auto is_given = [&plot](const Ink& ink) {
         return std::any_of(
             plot.series.begin(), plot.series.end(),
-            [&ink](const PlotSeries& series) { return series.ink && *series.ink == ink; });
+            [&ink](const PlotSeries& series) { return series.ink && alike(*series.ink, ink); });
     };
     std::vector<SeriesLook> looks;
     std::size_t next = 0;

@@ -168,12 +168,6 @@ class FigureCheck {
         if (!panel.boxes.empty())
             refuse(path + ".kind", "boxes belong to plots; write kind = \"plot\"");
         check_range(panel.low, panel.high, path, "", false);
-        const std::vector<std::string> sections{"velocity", "pressure",   "stress",
-                                                "flights",  "flight-law", "paths"};
-        if (std::find(sections.begin(), sections.end(), panel.section) == sections.end()) {
-            refuse(path + ".section", fmt::format("unknown panel \"{}\"; {}", panel.section,
-                                                  suggestion(panel.section, sections)));
-        }
         if (panel.inset != InsetPlace::none && panel.steps.size() > 1)
             refuse(path + ".steps", "an inset shows one step");
         const bool places = panel.kind == PanelKind::map || panel.kind == PanelKind::view ||

@@ -60,13 +60,14 @@ TEST(SectionFigure, CutsNoTextAndLaysNoneOverAnother) {
                 }
                 const auto texts = draw_section_figure(view, snapshot).texts;
                 ASSERT_GT(texts.size(), 20U);
+                const double slack = 0.5;  // pixels
                 for (std::size_t i = 0; i < texts.size(); ++i) {
                     const CanvasBox& box = texts[i].box;
                     EXPECT_TRUE(box.x >= 0.0 && box.y >= 0.0 && box.x + box.width <= width &&
                                 box.y + box.height <= height)
                         << texts[i].text << " in " << width << " x " << height << ", " << aspect;
                     for (std::size_t j = 0; j < i; ++j) {
-                        EXPECT_FALSE(overlap(box, texts[j].box, 0.5))
+                        EXPECT_FALSE(overlap(box, texts[j].box, slack))
                             << texts[i].text << " over " << texts[j].text << " in " << width
                             << " x " << height << ", " << aspect;
                     }
