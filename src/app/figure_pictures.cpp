@@ -84,6 +84,13 @@ std::vector<MapPicture> map_pictures_of(const PanelFeed& panel, const Snapshot& 
     return pictures;
 }
 
+/// Metres where the snapshot has them, else model heights.
+Grid heights_of(const Snapshot& snapshot) {
+    Grid heights = snapshot.bed;
+    for (double& height : heights.values()) height *= snapshot.scale.height_unit;
+    return heights;
+}
+
 /// The row that a profile or time-space panel shows; none: the mean over all.
 std::optional<int> row_of(const PanelSettings& panel, const Grid& bed) {
     if (!panel.row_of_bed.is_word()) return static_cast<int>(panel.row_of_bed.value);
@@ -241,8 +248,8 @@ class FigurePictures::Parts {
                                                          renderer.exaggeration(), progress),
                                             std::move(shown));
             one.data_end = ".asc";
-            one.data =
-                esri_ascii(snapshot.bed, snapshot.nodata, snapshot.scale.dx, snapshot.scale.dy);
+            one.data = esri_ascii(heights_of(snapshot), snapshot.nodata, snapshot.scale.dx,
+                                  snapshot.scale.dy);
             made.push_back(std::move(one));
         }
         return made;

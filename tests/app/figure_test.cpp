@@ -305,7 +305,7 @@ TEST_F(FigureTest, WhatIsWrongIsOneLocatedLine) {
         {plot + "[[figure.panel.curve]]\nx = \"step\"\n", ".y: is missing"},
         {"[figure]\nformats = [\"pdf\", \"gif\"]\n" + curve, "unknown format \"gif\""},
         {plot + "x_low = 2.0\nx_high = 1.0\n" + curve.substr(plot.size()),
-         "bad.toml:14:10: figure.panel.0.x_high: 1 must be above the low end 2"},
+         "bad.toml:17:10: figure.panel.0.x_high: 1 must be above the low end 2"},
         {plot + "y_logarithmic = true\ny_low = 0.0\n" + curve.substr(plot.size()),
          "a logarithmic axis lies above 0"},
         {plot + "inset = \"upper-left\"\n" + curve.substr(plot.size()), "this is the first"},
