@@ -96,6 +96,14 @@ std::string picture_sentence(const PanelFeed& panel) {
                        run_sentence(picture.scene, {}));
 }
 
+/// "(a): ", "(b) to (d): "; nothing where the figure has one panel only, which has no letter.
+std::string heading(const FigurePlan& plan, std::size_t letter, std::size_t panels, bool inset) {
+    if (inset) return letter == 0 ? "" : panel_letter(letter - 1) + ", inset: ";
+    if (plan.panels.size() == 1 && panels == 1) return {};
+    if (panels == 1) return panel_letter(letter) + ": ";
+    return fmt::format("{} to {}: ", panel_letter(letter), panel_letter(letter + panels - 1));
+}
+
 }  // namespace
 
 std::string figure_caption(const FigurePlan& plan) {
@@ -109,21 +117,14 @@ std::string figure_caption(const FigurePlan& plan) {
                               panel.settings.kind == PanelKind::view ||
                               panel.settings.kind == PanelKind::section;
         const std::size_t panels = one_each && !inset ? panel.picture->steps.size() : 1;
-        if (inset) {
-            text += fmt::format("\n{} inset: ", panel_letter(letter - 1));
-        } else if (panels > 1) {
-            text += fmt::format("\n{} to {}: ", panel_letter(letter),
-                                panel_letter(letter + panels - 1));
-        } else {
-            text += fmt::format("\n{}: ", panel_letter(letter));
-        }
+        text += '\n';
+        text += heading(plan, letter, panels, inset);
         if (!inset) letter += panels;
         if (panel.picture) text += picture_sentence(panel) + "\n";
-        if (!panel.curves.empty()) text += "\n";
         std::size_t number = 0;
         for (const CurveFeed& curve : panel.curves) text += curve_sentence(curve, ++number) + "\n";
         for (const RangeBoxSettings& box : panel.settings.boxes)
-            text += fmt::format("  {}: {}.\n", box.label, box.source);
+            text += fmt::format("{}: {}.\n", box.label, box.source);
     }
     for (const InputFile& input : plan.inputs)
         text += fmt::format("\n{}: SHA-256 {}.", input.path, input.hash);

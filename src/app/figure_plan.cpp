@@ -10,7 +10,7 @@
 #include "app/placeholders.h"
 #include "app/workshop.h"
 #include "figure/section_panel.h"
-#include "scene/schedule.h"
+#include "scene/keys.h"
 #include "support/error.h"
 #include "support/nearest_name.h"
 
@@ -196,7 +196,11 @@ class Planner {
     void describe(CurveFeed& feed, const Scene& scene) {
         const Workshop workshop = set_up(scene, 1);
         feed.scene = workshop.scene;
-        for (const std::string& key : varied_keys(*feed.plan)) feed.table.columns.push_back({key});
+        const KeyTable keys = scene_keys(feed.scene);
+        for (const std::string& key : varied_keys(*feed.plan)) {
+            const Key* known = keys.find(key);  // none of a list's item
+            feed.table.columns.push_back({key, known != nullptr ? known->notes.unit : ""});
+        }
         feed.table.columns.push_back({"seed"});
         const Table own = at(feed.path + ".table", [&] {
             try {

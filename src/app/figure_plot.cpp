@@ -50,6 +50,7 @@ PlotSeries fit_series(const CurvePoints& points, const SeriesLook& look, bool lo
     series.label = points.law->text();
     series.kind = SeriesKind::fit;
     series.ink = look.ink;
+    series.dashes = {4.0, 2.5};
     for (int i = 0; i <= samples; ++i) {
         const double share = static_cast<double>(i) / samples;
         const double x = logarithmic && points.law_low > 0.0

@@ -202,6 +202,8 @@ Table curve_table(const CurveFeed& feed, const FigureRuns& runs, const RunStore&
             part.columns.push_back(even_column(keys[key], values[key], rows.rows()));
         part.columns.push_back(
             even_column("seed", fmt::format("{}", plan.runs[k].seed), rows.rows()));
+        for (std::size_t key = 0; key < keys.size(); ++key)
+            part.columns[key].unit = feed.table.columns[key].unit;
         part.columns.insert(part.columns.end(), rows.columns.begin(), rows.columns.end());
         all.append(part);
     }

@@ -39,7 +39,7 @@ over = ["model.hop_base=1,2,3"]
 seeds = 2
 [figure]
 width = "single"
-columns = 2
+columns = 1
 dots_per_inch = 60
 caption = "What is tested."
 [[figure.panel]]
@@ -171,7 +171,8 @@ TEST_F(FigureTest, TheSecondTimeNothingIsSimulatedAndTheBytesAreTheSame) {
         EXPECT_EQ(fs::last_write_time(folder_ / "out/runs" / run), times[k++]);
     for (const auto& entry : fs::directory_iterator(folder_ / "out")) {
         const std::string name = entry.path().filename().string();
-        if (entry.is_regular_file()) EXPECT_EQ(text("second/" + name), text("out/" + name)) << name;
+        if (entry.is_directory()) continue;
+        EXPECT_EQ(text("second/" + name), text("out/" + name)) << name;
     }
 }
 
@@ -244,7 +245,7 @@ TEST_F(FigureTest, KilledOrInterruptedItGoesOn) {
         const auto finished = [&] {
             std::size_t count = 0;
             if (!fs::exists(folder_ / "out/runs")) return count;
-            for (const std::string& name : runs()) count += name.size() == 16 ? 1 : 0;
+            for (const std::string& name : runs()) count += name.size() == 16 ? 1U : 0U;
             return count;
         };
         const std::size_t before = finished();
