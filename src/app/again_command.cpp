@@ -1,9 +1,16 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "app/figure_files.h"
+#include "app/figure_make.h"
+#include "app/figure_page.h"
+#include "app/find_input.h"
 #include "app/interrupt.h"
 #include "app/picture_text.h"
 #include "app/workshop.h"
+#include "figure/figure_metadata.h"
+#include "files/atomic_file.h"
+#include "files/input_file.h"
 #include "scene/read.h"
 #include "support/error.h"
 
@@ -12,36 +19,6 @@ namespace fumon {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Where an input of the picture lies now: from the working folder as recorded, else below the
-/// picture's own folder or one of its parents. Its content must be what the picture was made from.
-fs::path find_input(const InputFile& input, const fs::path& picture) {
-    std::vector<fs::path> candidates{input.path};
-    if (fs::path(input.path).is_relative()) {
-        for (fs::path folder = fs::absolute(picture).parent_path();;
-             folder = folder.parent_path()) {
-            candidates.push_back(folder / input.path);
-            if (folder == folder.parent_path()) break;
-        }
-    }
-    fs::path changed;
-    for (const fs::path& candidate : candidates) {
-        std::error_code fault;
-        if (!fs::is_regular_file(candidate, fault)) continue;
-        if (hex(file_hash(candidate)) == input.hash) return candidate;
-        if (changed.empty()) changed = candidate;
-    }
-    if (!changed.empty()) {
-        throw InputError(fmt::format(
-            "{}: {} has changed since the picture was made (SHA-256 then {}…); bring the old "
-            "file back",
-            picture.string(), changed.string(), input.hash.substr(0, 12)));
-    }
-    throw InputError(fmt::format(
-        "{}: {} (SHA-256 {}…), which the picture was made from, is not there; run fumon again "
-        "in the folder from which the path leads to it",
-        picture.string(), input.path, input.hash.substr(0, 12)));
-}
 
 /// What may have changed the pixels, as far as the picture tells.
 std::string why_different(const PictureOrigin& origin, const RenderingEnvironment& here) {
@@ -58,13 +35,60 @@ std::string why_different(const PictureOrigin& origin, const RenderingEnvironmen
 
 fs::path output_of(const AgainOptions& options) {
     if (!options.output.empty()) return options.output;
-    return fs::path(options.picture).stem().string() + "-again.png";
+    const fs::path picture = options.picture;
+    return picture.stem().string() + "-again" + picture.extension().string();
+}
+
+/// The texts of a figure's file; none where it is another picture.
+FigureMetadata figure_texts(const fs::path& picture) {
+    const std::string end = picture.extension().string();
+    if (end != ".pdf" && end != ".svg" && end != ".png") return {};
+    return read_figure_metadata(read_input_file(picture), picture.string());
+}
+
+int figure_again(const AgainOptions& options, const FigureOrigin& origin) {
+    const fs::path output = output_of(options);
+    const PageFormat format = page_format(output);
+    StatusLine status(options.work.verbosity);
+    FigureSources sources(origin.texts, origin.inputs, [&](const InputFile& input) {
+        return find_input(input, options.picture);
+    });
+    std::vector<std::string> settings = origin.settings;
+    settings.insert(settings.end(), options.work.settings.begin(), options.work.settings.end());
+    FigureRuns runs;
+    const auto plan = plan_figure(origin.scene, settings, sources, runs);
+    if (!plan) return tell_interrupted(status, {});
+    const RunStore store(options.runs.empty() ? fs::path(options.picture).parent_path() / "runs"
+                                              : fs::path(options.runs));
+    const std::vector<RunRecord> records = make_runs(runs, store, options.work, status);
+    if (interrupting_signal() != 0) return tell_interrupted(status, records);
+    if (const std::string missing = missing_run(*plan, runs, records); !missing.empty())
+        throw Error(missing);
+    const FigurePage made =
+        figure_page(*plan, runs, store, {options.work.backend, options.work.threads});
+    const DrawnPage drawn = draw_figure(*plan, made, format, figure_metadata(*plan, sources));
+    write_file(output, drawn.bytes);
+    if (!drawn.missing_letters.empty()) status.note(drawn.missing_letters);
+    const bool other_format = output.extension() != fs::path(options.picture).extension();
+    if (other_format || !options.work.settings.empty()) {
+        status.note(fmt::format("{}: made", output.string()));
+    } else if (drawn.bytes == read_input_file(options.picture)) {
+        status.note(fmt::format("{}: the same bytes as {}", output.string(), options.picture));
+    } else {
+        status.note(fmt::format(
+            "{}: made, but its bytes differ from {} (made by fumon {}, this is {}; other fonts and "
+            "text libraries, and for 3-D views another OpenGL driver, also change them)",
+            output.string(), options.picture, origin.version, FUMON_VERSION));
+    }
+    return 0;
 }
 
 }  // namespace
 
 int again_command(const AgainOptions& options) {
     const InterruptGuard guard;
+    if (const FigureMetadata texts = figure_texts(options.picture); is_figure(texts))
+        return figure_again(options, read_figure_origin(texts, options.picture));
     const PictureOrigin origin = read_origin(options.picture);
     WorkOptions work = options.work;
     work.pinned = work.pinned || (origin.environment && origin.environment->pinned);

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/commands.h"
+#include "app/figure_plan.h"
 #include "app/workshop.h"
 #include "scene/read.h"
 #include "scene/schedule.h"
@@ -13,9 +14,14 @@ namespace fumon {
 int check_command(const std::vector<std::string>& scenes,
                   const std::vector<std::string>& settings) {
     int status = 0;
+    FigureRuns runs;
     for (const std::string& file : scenes) {
         try {
             const Workshop workshop = set_up(read_scene(file, settings), 1);
+            if (!workshop.scene.figure.panels.empty()) {
+                FigureSources sources;
+                plan_figure(file, settings, sources, runs);
+            }
             fmt::print("{}: fine ({}, {} x {} cells, {} steps, {} frames)\n", file,
                        workshop.scene.model.name, workshop.initial.bed.nx(),
                        workshop.initial.bed.ny(), workshop.scene.run.steps,

@@ -26,6 +26,7 @@ constexpr const char* examples =
     "  fumon run SCENE -o DIR --set model.creep_rate=0.2         change one number\n"
     "  fumon sweep SCENE --over model.creep_rate=0.1:0.5:5 --seeds 10 -o DIR   many runs, one "
     "table\n"
+    "  fumon figure scenes/figures/sudo-2002-06.toml -o out/figures   a paper's figure\n"
     "  fumon still SCENE --step 500 -o dunes.png                 one picture of a run\n"
     "  fumon still terrain.asc -o terrain.png                    a terrain file of your own\n"
     "  fumon again dunes.png                                     the same picture from itself\n"
@@ -78,6 +79,7 @@ struct CommandLine {
     CLI::App app{opening, "fumon"};
     RunOptions run;
     SweepOptions sweep;
+    FigureOptions figure;
     StillOptions still;
     HopLawOptions hop_law;
     AgainOptions again;
@@ -99,6 +101,7 @@ struct CommandLine {
         app.get_formatter()->column_width(34);
         add_run();
         add_sweep();
+        add_figure();
         add_still();
         add_hop_law();
         add_again();
@@ -168,6 +171,33 @@ struct CommandLine {
             "runs are kept).");
     }
 
+    void add_figure() {
+        CLI::App& command =
+            add("figure", "make a paper's figures: all their runs, pages, captions and data",
+                [this] { return figure_command(figure); });
+        command.add_option("SCENE", figure.scenes, "scene files with [[figure.panel]] sections")
+            ->required();
+        command.add_option("-o,--output", figure.folder, "the folder for the figures")
+            ->type_name("DIR")
+            ->required();
+        command
+            .add_option("--runs", figure.runs,
+                        "where finished runs are kept and looked for (default: DIR/runs)")
+            ->type_name("FOLDER");
+        add_work_options(command, figure.work);
+        add_drawing_options(command, figure.work);
+        command.footer(
+            "  fumon figure scenes/figures/*.toml -o out/figures\n"
+            "\n"
+            "DIR/NAME.pdf, .svg and .png are the figure, DIR/NAME.caption.txt says how it was "
+            "made, "
+            "DIR/NAME-a-1.csv is\nthe data of panel (a), curve 1. Runs that are there already are "
+            "not made again.\n"
+            "Exit status: 0 done, 1 some runs or figures failed, 2 wrong input, 130/143 "
+            "interrupted "
+            "(finished runs are kept).");
+    }
+
     void add_still() {
         CLI::App& command = add("still", "one picture: of a step of a scene, or of a terrain file",
                                 [this] { return still_command(still); });
@@ -232,13 +262,19 @@ struct CommandLine {
     }
 
     void add_again() {
-        CLI::App& command = add("again", "make a picture again from what it says of itself",
-                                [this] { return again_command(again); });
-        command.add_option("PICTURE", again.picture, "a PNG that fumon made")->required();
+        CLI::App& command =
+            add("again", "make a picture or figure again from what it says of itself",
+                [this] { return again_command(again); });
+        command.add_option("PICTURE", again.picture, "a PNG, PDF or SVG that fumon made")
+            ->required();
         command
             .add_option("-o,--output", again.output,
                         "the new picture (default: NAME-again.png here)")
-            ->type_name("FILE.png");
+            ->type_name("FILE");
+        command
+            .add_option("--runs", again.runs,
+                        "of a figure: where finished runs are kept (default: runs beside it)")
+            ->type_name("FOLDER");
         add_work_options(command, again.work);
         add_drawing_options(command, again.work);
     }

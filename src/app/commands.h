@@ -36,6 +36,13 @@ struct SweepOptions {
     WorkOptions work;
 };
 
+struct FigureOptions {
+    std::vector<std::string> scenes;
+    std::string folder;
+    std::string runs;  ///< the folder of finished runs; empty: "runs" in the figures' folder
+    WorkOptions work;
+};
+
 struct StillOptions {
     std::string input;   ///< a scene (.toml) or a terrain file
     std::string output;  ///< a PNG
@@ -57,7 +64,8 @@ struct HopLawOptions {
 
 struct AgainOptions {
     std::string picture;
-    std::string output;  ///< empty: NAME-again.png in the working folder
+    std::string output;  ///< empty: NAME-again.png (or .pdf, .svg) in the working folder
+    std::string runs;    ///< of a figure: the folder of finished runs; empty: "runs" beside it
     WorkOptions work;
 };
 
@@ -100,6 +108,7 @@ struct VerifyOptions {
 
 int run_command(const RunOptions& options);
 int sweep_command(const SweepOptions& options);
+int figure_command(const FigureOptions& options);
 int still_command(const StillOptions& options);
 int hop_law_command(const HopLawOptions& options);
 int again_command(const AgainOptions& options);

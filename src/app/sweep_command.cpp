@@ -9,6 +9,7 @@
 #include "app/sweep_folder.h"
 #include "app/sweep_plan.h"
 #include "app/sweep_work.h"
+#include "support/error.h"
 #include "support/number_text.h"
 
 namespace fumon {
@@ -33,10 +34,15 @@ int sweep_command(const SweepOptions& options) {
     constexpr int status_of_signal = 128;
     StatusLine status(options.work.verbosity);
     const auto plan =
-        make_plan({options.scene, options.work.settings, options.over, options.seeds});
+        make_plan({read_scene_text(options.scene), read_settings(options.work.settings),
+                   options.over, "", options.seeds});
     if (!plan) {
         status.note("stopped while the runs were being checked; nothing is written");
         return status_of_signal + interrupting_signal();
+    }
+    if (plan->axes.empty() && plan->runs.size() == 1 && options.seeds.empty()) {
+        throw InputError(
+            fmt::format("{}: nothing to vary; give --over key=v1,v2 or --seeds 10", options.scene));
     }
     const SweepFolder folder(options.folder, *plan, options.force);
     for (const std::string& note : plan->notes) status.note(note);
@@ -47,7 +53,7 @@ int sweep_command(const SweepOptions& options) {
     if (const std::size_t kept = count(records, RunStatus::done); kept > 0)
         status.note(of_runs(kept, records.size()) + " were there already");
     folder.write_runs(records);
-    do_runs(*plan, folder, options.work.threads, status, records);
+    do_runs(sweep_tasks(*plan, folder, records), options.work.threads, status, records);
     folder.write_runs(records);
     folder.write_table(records);
 

@@ -14,6 +14,7 @@
 #include "app/sweep_manifest.h"
 #include "app/sweep_table.h"
 #include "files/atomic_file.h"
+#include "files/csv_table.h"
 #include "files/input_file.h"
 #include "support/error.h"
 

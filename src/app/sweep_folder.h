@@ -6,20 +6,10 @@
 #include <vector>
 
 #include "app/recorder.h"
+#include "app/run_crew.h"
 #include "app/sweep_plan.h"
 
 namespace fumon {
-
-enum class RunStatus { pending, done, failed };
-
-/// What became of a run.
-struct RunRecord {
-    RunStatus status = RunStatus::pending;
-    std::int64_t steps = 0;
-    double wall_seconds = 0.0;
-    std::string state;    ///< SHA-256 of the final state, hexadecimal
-    std::string message;  ///< why it failed, on one line
-};
 
 /// The folder of a sweep:
 ///

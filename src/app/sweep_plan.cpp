@@ -183,18 +183,14 @@ void add_combination(SweepPlan& plan, std::size_t combination, std::map<Sha256, 
 
 std::optional<SweepPlan> make_plan(const SweepRequest& request) {
     SweepPlan plan;
-    plan.scene = read_scene_text(request.scene);
-    plan.settings = read_settings(request.settings);
+    plan.scene = request.scene;
+    plan.settings = request.settings;
     if (request.over.empty()) {
         const Scene scene = parse_scene(plan.scene, plan.settings);
         const std::string place = scene.at("sweep.over");
         plan.axes = read_axes(scene.sweep.over, place.substr(0, place.rfind(": ")));
-        if (plan.axes.empty() && request.seeds.empty() && scene.sweep.seeds == 1) {
-            throw InputError(fmt::format("{}: nothing to vary; give --over key=v1,v2 or --seeds 10",
-                                         request.scene));
-        }
     } else {
-        plan.axes = read_axes(request.over, "");
+        plan.axes = read_axes(request.over, request.over_place);
     }
     const Scene first = scene_of(plan, 0);
     plan.seeds = read_seeds(

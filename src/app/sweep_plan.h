@@ -36,12 +36,13 @@ struct SweepPlan {
     std::vector<std::string> notes;  ///< what the user should hear before the start
 };
 
-/// What the command line says of a sweep.
+/// What is wanted of a sweep.
 struct SweepRequest {
-    std::string scene;                  ///< a file
-    std::vector<std::string> settings;  ///< --set
-    std::vector<std::string> over;      ///< --over; empty: the scene's own sweep.over
-    std::string seeds;                  ///< --seeds; empty: the scene's own sweep.seeds
+    SceneText scene;
+    std::vector<Override> settings;
+    std::vector<std::string> over;  ///< empty: the scene's own sweep.over
+    std::string over_place;         ///< where it stands, for messages; empty: "--over N"
+    std::string seeds;              ///< as read_seeds takes them; empty: the scene's sweep.seeds
 };
 
 /// Reads the scene, and builds bed and model of every combination once, with the first seed. Throws

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "files/atomic_file.h"
+#include "files/csv_table.h"
 #include "support/error.h"
 
 namespace fumon {
@@ -84,26 +85,7 @@ std::string rearranged(const std::string& line, const std::vector<std::size_t>& 
     return csv_line(all);
 }
 
-std::string csv_cells(const std::vector<std::string>& cells) {
-    std::string line;
-    for (const std::string& cell : cells) {
-        if (&cell != &cells.front()) line += ',';
-        if (cell.find_first_of(",\"\r\n") == std::string::npos) {
-            line += cell;
-            continue;
-        }
-        line += '"';
-        for (const char letter : cell) line += letter == '"' ? "\"\"" : std::string(1, letter);
-        line += '"';
-    }
-    return line;
-}
-
 }  // namespace
-
-std::string csv_line(const std::vector<std::string>& cells) {
-    return csv_cells(cells) + "\n";
-}
 
 void write_table(const std::filesystem::path& table, const std::vector<std::string>& names,
                  const std::vector<TablePart>& parts) {
@@ -116,7 +98,8 @@ void write_table(const std::filesystem::path& table, const std::vector<std::stri
     std::string line;
     for (const TablePart& part : parts) {
         MeasurementReader reader(part.file);
-        const std::string before = csv_cells(part.cells) + ",";
+        std::string before = csv_line(part.cells);
+        before.back() = ',';  // was the line's end
         const auto place = places(reader.header(), columns);
         const bool as_it_stands =
             place.size() == columns.size() && std::is_sorted(place.begin(), place.end());

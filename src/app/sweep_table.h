@@ -6,9 +6,6 @@
 
 namespace fumon {
 
-/// One line of CSV (RFC 4180, but ended by LF): cells with a comma, quote or line break are quoted.
-std::string csv_line(const std::vector<std::string>& cells);
-
 /// The rows of one run's measurements.csv and what stands before each of them.
 struct TablePart {
     std::vector<std::string> cells;

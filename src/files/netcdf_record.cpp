@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "files/netcdf_bed.h"
 #include "files/netcdf_input.h"
@@ -66,17 +68,79 @@ std::optional<FieldsRecord> read_record(const NetcdfInput& input) {
     return found;
 }
 
-}  // namespace
+std::vector<std::int64_t> steps_in(const NetcdfInput& input) {
+    const auto variable = input.find_variable("step");
+    if (!variable || input.dimensions(*variable).size() != 1)
+        input.refuse("is not a fields file of fumon's", "delete it");
+    std::vector<long long> steps(input.dimension_length(input.dimensions(*variable).front()));
+    if (!steps.empty()) check_netcdf(nc_get_var_longlong(input.id(), *variable, steps.data()));
+    return {steps.begin(), steps.end()};
+}
 
-std::optional<FieldsRecord> read_fields_record(const std::filesystem::path& file) {
-    if (!is_netcdf_file(file)) return std::nullopt;
+int variable_of(const NetcdfInput& input, const std::string& name) {
+    const auto variable = input.find_variable(name);
+    if (!variable) input.refuse(fmt::format("has no {}", name), "it is of another run: delete it");
+    return *variable;
+}
+
+double number_at(const NetcdfInput& input, const std::string& name, std::size_t record) {
+    double value = 0.0;
+    check_netcdf(nc_get_var1_double(input.id(), variable_of(input, name), &record, &value));
+    return value;
+}
+
+Grid field_at(const NetcdfInput& input, const std::string& name, const Grid& like,
+              std::size_t record) {
+    Grid values = field_values(input, variable_of(input, name), record);
+    if (values.nx() != like.nx() || values.ny() != like.ny())
+        input.refuse("has another size", "it is of another run: delete it");
+    return values;
+}
+
+Snapshot snapshot_at(const NetcdfInput& input, std::int64_t step, Snapshot snapshot) {
+    const std::vector<std::int64_t> steps = steps_in(input);
+    const auto found = std::find(steps.begin(), steps.end(), step);
+    if (found == steps.end())
+        input.refuse(fmt::format("has no record of step {}", step), "delete it");
+    const auto record = static_cast<std::size_t>(found - steps.begin());
+    snapshot.step = step;
+    snapshot.time = number_at(input, "time", record);
+    const Grid heights = field_at(input, "bed_height", snapshot.bed, record);
+    for (std::size_t cell = 0; cell < heights.size(); ++cell) {
+        const bool outside = !snapshot.nodata.empty() && snapshot.nodata.values()[cell] != 0;
+        if (!outside)
+            snapshot.bed.values()[cell] = heights.values()[cell] / snapshot.scale.height_unit;
+    }
+    for (SnapshotField& field : snapshot.fields)
+        field.values = field_at(input, field.name, field.values, record);
+    for (SnapshotNumber& number : snapshot.numbers)
+        number.value = number_at(input, number.name, record);
+    if (snapshot.section) snapshot.section = read_section(input, record);
+    return snapshot;
+}
+
+/// Reads with the library's lock held.
+template <class Reading>
+auto locked(const std::filesystem::path& file, const Reading& reading) {
     const NetcdfLock lock;
     try {
-        return read_record(NetcdfInput(file));
+        return reading(NetcdfInput(file));
     } catch (const NetcdfFault& fault) {
         throw InputError(fmt::format("{}: cannot be read as NetCDF: {}; copy it again",
                                      file.string(), fault.what()));
     }
+}
+
+}  // namespace
+
+Snapshot read_fields_snapshot(const std::filesystem::path& file, std::int64_t step, Snapshot like) {
+    return locked(
+        file, [&](const NetcdfInput& input) { return snapshot_at(input, step, std::move(like)); });
+}
+
+std::optional<FieldsRecord> read_fields_record(const std::filesystem::path& file) {
+    if (!is_netcdf_file(file)) return std::nullopt;
+    return locked(file, [](const NetcdfInput& input) { return read_record(input); });
 }
 
 }  // namespace fumon

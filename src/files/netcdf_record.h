@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -21,5 +22,10 @@ struct FieldsRecord {
 /// tell; nothing from any other file. The units are those in the file ("1" for sites and the like).
 /// Throws InputError "FILE: what; remedy" for a damaged one, and for one without a record.
 std::optional<FieldsRecord> read_fields_record(const std::filesystem::path& file);
+
+/// The snapshot of a step from such a file: the bed, fields, numbers, section, step and time are
+/// the record's, all else (units, scale, mask) is that of `like`, a snapshot of the same run.
+/// Throws InputError where the file is damaged or of another run, or has no record of that step.
+Snapshot read_fields_snapshot(const std::filesystem::path& file, std::int64_t step, Snapshot like);
 
 }  // namespace fumon

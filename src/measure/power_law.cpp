@@ -7,52 +7,11 @@
 #include <vector>
 
 #include "support/error.h"
-#include "terrain/elementary.h"
 #include "terrain/random.h"
 
 namespace fumon {
 
 namespace {
-
-constexpr double ln10 = 2.302585092994046;
-
-struct Point {
-    double x, y;
-};
-
-Point in_logarithms(double size, double share) {
-    return {elementary::log(size) / ln10, elementary::log(share) / ln10};
-}
-
-LineFit line_through(const std::vector<Point>& points) {
-    LineFit fit;
-    fit.points = static_cast<std::int64_t>(points.size());
-    if (points.size() < 2) return fit;
-    const auto count = static_cast<double>(points.size());
-    Point mean{0.0, 0.0};
-    for (const Point& point : points) {
-        mean.x += point.x / count;
-        mean.y += point.y / count;
-    }
-    double xx = 0.0;
-    double xy = 0.0;
-    double yy = 0.0;
-    for (const Point& point : points) {
-        xx += (point.x - mean.x) * (point.x - mean.x);
-        xy += (point.x - mean.x) * (point.y - mean.y);
-        yy += (point.y - mean.y) * (point.y - mean.y);
-    }
-    fit.slope = xy / xx;
-    fit.intercept = mean.y - fit.slope * mean.x;
-    double residual = 0.0;
-    for (const Point& point : points) {
-        const double off = point.y - (fit.intercept + fit.slope * point.x);
-        residual += off * off;
-    }
-    if (yy > 0.0) fit.r_squared = 1.0 - residual / yy;
-    if (points.size() > 2) fit.standard_error = std::sqrt(residual / (count - 2.0) / xx);
-    return fit;
-}
 
 /// One count a size of the window.
 std::vector<std::int64_t> counts_in(const AvalancheSizes& sizes, SizeWindow window) {
@@ -80,22 +39,26 @@ LikelihoodFit fit_counts(const DiscretePowerLaw& law, const std::vector<std::int
 
 LineFit fit_raw_bins(const AvalancheSizes& sizes, SizeWindow window) {
     check_window(window);
-    std::vector<Point> points;
+    std::vector<double> size;
+    std::vector<double> share;
     for (const SizeBin& bin : sizes.bins()) {
-        if (bin.size >= window.low && bin.size <= window.high)
-            points.push_back(in_logarithms(static_cast<double>(bin.size), bin.share));
+        if (bin.size < window.low || bin.size > window.high) continue;
+        size.push_back(static_cast<double>(bin.size));
+        share.push_back(bin.share);
     }
-    return line_through(points);
+    return fit_line_in_logarithms(size, share);
 }
 
 LineFit fit_logarithmic_bins(const AvalancheSizes& sizes, SizeWindow window, int bins_per_decade) {
     check_window(window);
-    std::vector<Point> points;
+    std::vector<double> size;
+    std::vector<double> density;
     for (const LogarithmicBin& bin : sizes.logarithmic_bins(bins_per_decade)) {
-        if (bin.low >= window.low && bin.high <= window.high && bin.count > 0)
-            points.push_back(in_logarithms(bin.size, bin.density));
+        if (bin.low < window.low || bin.high > window.high || bin.count == 0) continue;
+        size.push_back(bin.size);
+        density.push_back(bin.density);
     }
-    return line_through(points);
+    return fit_line_in_logarithms(size, density);
 }
 
 LikelihoodFit fit_likelihood(const AvalancheSizes& sizes, SizeWindow window) {

@@ -5,6 +5,7 @@
 
 #include "measure/avalanche_sizes.h"
 #include "measure/discrete_power_law.h"
+#include "measure/line_fit.h"
 
 namespace fumon {
 
@@ -14,20 +15,8 @@ namespace fumon {
 /// avalanches). None of them knows that avalanches follow one another: where these are correlated
 /// in time, standard errors are too small and so are probabilities.
 
-/// A straight line log10 y = intercept + slope · log10 size. Not a number where there are fewer
-/// than two points; the standard error fewer than three.
-struct LineFit {
-    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-    double slope = none;           ///< −a
-    double standard_error = none;  ///< of the slope, from the scatter about the line
-    double intercept = none;       ///< decimal logarithm of y at size 1
-    double r_squared = none;       ///< not a number where all y are the same
-    std::int64_t points = 0;
-};
-
-/// Least squares of log A_p over log A_s, one point for every size that came (Higashi & Takamori
-/// 2003, section 4.3.3 and figure 15, whose window is 10 … 100).
+/// Least squares of log A_p over log A_s, whose slope is −a, one point for every size that came
+/// (Higashi & Takamori 2003, section 4.3.3 and figure 15, whose window is 10 … 100).
 ///
 /// Biased where counts are small: sizes that never came have no logarithm and are left out, and a
 /// size that came once weighs as much as one that came a thousand times, so the tail bends up and

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "scene/check_figure.h"
 #include "scene/initial_bed.h"
 #include "scene/limits.h"
 #include "support/error.h"
@@ -106,6 +107,7 @@ void check_scene(const Scene& scene) {
     check_bed(scene);
     check_frames(scene);
     check_look(scene);
+    check_figure(scene);
 }
 
 }  // namespace fumon

@@ -10,7 +10,8 @@ constexpr double largest_step = 1e15;  // whole numbers stay exact in a double
 
 void list_curve_data_keys(CurveSettings& curve, const std::string& path, KeyTable& table) {
     table.text(path + ".name", curve.name,
-               {.help = "in the legend; {column} stands for the value of what varies"});
+               {.help = "in the legend; {column} or {key} stands for a value; empty: none, or with "
+                        "group_by the value"});
     table.choice(path + ".table", curve.table,
                  {{"measurements", "measurements.csv of the run, or of every run of the sweep"},
                   {"avalanches", "a row an avalanche"},
@@ -59,7 +60,8 @@ void list_curve_keys(CurveSettings& curve, const std::string& path, KeyTable& ta
                  {{"none", "no fit"},
                   {"line", "y = a + b x"},
                   {"power", "y = a x^b, a line in the logarithms"},
-                  {"exponential", "y = a exp(b x)"},
+                  {"exponential", "y = a exp(b x), a line in ln y"},
+                  {"hop", "y = a^x - 1, the hop law, lengths in mm"},
                   {"cosine", "y = a + b cos(2 pi x / length + c), over the curve's length"}},
                  {.help = "least squares; drawn, and written with its R² in the legend"});
     table.word_or_real(path + ".fit_low", curve.fit_low, {{"auto", "from the first point"}},

@@ -30,7 +30,7 @@ enum class CurveTable {
 };
 
 enum class CurveSpread { none, deviation, standard_error };
-enum class CurveFit { none, line, power, exponential, cosine };
+enum class CurveFit { none, line, power, exponential, hop, cosine };
 enum class CurveStyle { automatic, line, points, line_and_points, steps };
 
 /// One curve of a plot, or one for each value of a column.

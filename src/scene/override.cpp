@@ -7,18 +7,22 @@
 
 namespace fumon {
 
-std::vector<Override> read_settings(const std::vector<std::string>& settings) {
+std::vector<Override> read_settings(const std::vector<std::string>& settings,
+                                    const std::string& scene_place) {
     std::vector<Override> overrides;
     overrides.reserve(settings.size());
     for (const std::string& text : settings) {
-        const std::string place = fmt::format("--set {}", overrides.size() + 1);
+        const bool in_scene = !scene_place.empty();
+        const std::string place =
+            in_scene ? scene_place : fmt::format("--set {}", overrides.size() + 1);
         const std::size_t equals = text.find('=');
         if (equals == std::string::npos || equals == 0) {
             throw InputError(fmt::format(
-                "{}:1: \"{}\" sets nothing; write key.path=VALUE, for example model.creep_rate=0.2",
-                place, text));
+                "{}: \"{}\" sets nothing; write key.path=VALUE, for example model.creep_rate=0.2",
+                in_scene ? place : place + ":1", text));
         }
-        overrides.push_back({text.substr(0, equals), text.substr(equals + 1), place, equals + 2});
+        overrides.push_back(
+            {text.substr(0, equals), text.substr(equals + 1), place, in_scene ? 0 : equals + 2});
     }
     return overrides;
 }

@@ -14,9 +14,10 @@ struct Override {
     std::size_t column = 0;  ///< of the value in there, counted from 1; 0: the place alone
 };
 
-/// The overrides of "key.path=VALUE" texts, placed as "--set N". Throws InputError for a text
-/// without a key.
-std::vector<Override> read_settings(const std::vector<std::string>& settings);
+/// The overrides of "key.path=VALUE" texts, placed as "--set N", or where they stand in a scene.
+/// Throws InputError for a text without a key.
+std::vector<Override> read_settings(const std::vector<std::string>& settings,
+                                    const std::string& scene_place = {});
 
 /// The value as plain text: a quoted string without its quotes, all else as written.
 std::string plain_text(const Override& override);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "files/csv_table.h"
 #include "support/error.h"
 #include "support/temporary_folder.h"
 

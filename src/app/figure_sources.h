@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scene/initial_bed.h"
+#include "scene/read.h"
+
+namespace fumon {
+
+/// A text that a figure is made from: a scene's or a CSV file's.
+struct SourceText {
+    std::string path;  ///< as reached from the working folder
+    std::string text;
+};
+
+/// The files that figures are made from, read once each: from disk, or, where a figure is made
+/// again, out of the figure itself.
+class FigureSources {
+  public:
+    /// Finds where an input lies now; throws InputError where it is not there or has changed.
+    using FindInput = std::function<std::filesystem::path(const InputFile&)>;
+
+    FigureSources() = default;
+    /// Of a figure that is made again.
+    FigureSources(std::vector<SourceText> texts, std::vector<InputFile> inputs, FindInput find);
+
+    /// The text of a scene or CSV file. Throws InputError where it cannot be read, or is not among
+    /// the texts of the figure.
+    const SourceText& text(const std::filesystem::path& file);
+    SceneText scene(const std::filesystem::path& file);
+    /// Every text read so far, by path.
+    [[nodiscard]] std::vector<SourceText> all() const;
+
+    /// Makes a scene's bed file the one that lies there now, where a figure is made again.
+    void find_bed(Scene& scene) const;
+    /// The name that a bed file had when the figure was first made.
+    [[nodiscard]] InputFile as_first_named(const InputFile& input) const;
+
+  private:
+    bool again_ = false;
+    std::map<std::string, SourceText> texts_;
+    std::vector<InputFile> inputs_;
+    FindInput find_;
+};
+
+}  // namespace fumon
