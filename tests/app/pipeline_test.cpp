@@ -13,6 +13,7 @@
 #include "scene/read.h"
 #include "support/error.h"
 #include "support/program.h"
+#include "support/state_carrier.h"
 
 namespace fumon::test {
 namespace {
@@ -31,6 +32,10 @@ class SpoiledModel : public Model {
     }
     [[nodiscard]] std::vector<StateField> state() const override {
         return {{"bed", bed_.values()}};
+    }
+    void carry(StateCarrier& carrier) override {
+        carrier.count("steps", steps_);
+        carrier.values("bed", bed_.values());
     }
 
   private:
