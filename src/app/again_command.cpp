@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "app/commands.h"
+#include "app/find_input.h"
 #include "app/interrupt.h"
 #include "app/picture_text.h"
+#include "app/pipeline.h"
+#include "app/run_folder.h"
 #include "app/workshop.h"
 #include "scene/read.h"
-#include "support/error.h"
 
 namespace fumon {
 
@@ -13,58 +17,83 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where an input of the picture lies now: from the working folder as recorded, else below the
-/// picture's own folder or one of its parents. Its content must be what the picture was made from.
-fs::path find_input(const InputFile& input, const fs::path& picture) {
-    std::vector<fs::path> candidates{input.path};
-    if (fs::path(input.path).is_relative()) {
-        for (fs::path folder = fs::absolute(picture).parent_path();;
-             folder = folder.parent_path()) {
-            candidates.push_back(folder / input.path);
-            if (folder == folder.parent_path()) break;
-        }
-    }
-    fs::path changed;
-    for (const fs::path& candidate : candidates) {
-        std::error_code fault;
-        if (!fs::is_regular_file(candidate, fault)) continue;
-        if (hex(file_hash(candidate)) == input.hash) return candidate;
-        if (changed.empty()) changed = candidate;
-    }
-    if (!changed.empty()) {
-        throw InputError(fmt::format(
-            "{}: {} has changed since the picture was made (SHA-256 then {}…); bring the old "
-            "file back",
-            picture.string(), changed.string(), input.hash.substr(0, 12)));
-    }
-    throw InputError(fmt::format(
-        "{}: {} (SHA-256 {}…), which the picture was made from, is not there; run fumon again "
-        "in the folder from which the path leads to it",
-        picture.string(), input.path, input.hash.substr(0, 12)));
-}
+constexpr int status_of_signal = 128;
 
-fs::path output_of(const AgainOptions& options) {
+fs::path output_of(const AgainOptions& options, bool movie) {
     if (!options.output.empty()) return options.output;
-    return fs::path(options.picture).stem().string() + "-again.png";
+    return fs::path(options.picture).stem().string() + (movie ? "-again.mp4" : "-again.png");
 }
 
-}  // namespace
+/// What may have changed the pixels of a movie, or the bytes alone.
+std::string differences(const PictureOrigin& origin, const PictureOrigin& made) {
+    std::string text;
+    const auto add = [&text](const char* what, const std::string& then, const std::string& now) {
+        if (then != now) text += fmt::format("; {} was {}, is {}", what, then, now);
+    };
+    add("fumon", origin.version, made.version);
+    add("drawing", origin.drawing, made.drawing);
+    add("encoder", origin.encoder, made.encoder);
+    return text.empty() ? "; nothing that the movie tells of its making differs" : text;
+}
 
-int again_command(const AgainOptions& options) {
-    const InterruptGuard guard;
-    const PictureOrigin origin = read_origin(options.picture);
-    Scene scene = parse_scene(origin.scene, options.picture, "", options.work.settings);
-    if (!origin.inputs.empty())
-        scene.bed.file = find_input(origin.inputs.front(), options.picture).string();
+void compare_movies(const std::string& file, const Sha256& before, const AgainOptions& options,
+                    const PictureOrigin& origin, Progress& progress) {
+    if (!options.work.settings.empty()) {
+        progress.note(fmt::format("{}: made", file));
+        return;
+    }
+    const PictureOrigin made = read_origin(file);
+    if (file_hash(file) == before) {
+        progress.note(fmt::format("{}: the same bytes as {}", file, options.picture));
+    } else if (made.pixels_hash == origin.pixels_hash) {
+        progress.note(fmt::format("{}: the same frames as {}, encoded otherwise{}", file,
+                                  options.picture, differences(origin, made)));
+    } else {
+        progress.note(fmt::format("{}: made, but its frames differ from those of {}{}", file,
+                                  options.picture, differences(origin, made)));
+    }
+}
+
+/// The movie alone, up to the frame with which the first one ended.
+int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& origin) {
+    Workshop workshop = set_up(std::move(scene), options.work.threads);
+    if (!origin.inputs.empty()) workshop.initial.inputs = origin.inputs;
+    PipelineOptions how{options.work.backend, options.work.threads};
+    how.movie = output_of(options, true);
+    how.last_step = origin.step;
+    how.resolved = resolved_scene(workshop.scene, workshop.initial.inputs);
+    OutputSettings& output = workshop.scene.output;
+    const OutputSettings recorded = std::exchange(output, {});
+    output.frames = false;
+    output.movie = true;
+    output.movie_rate = recorded.movie_rate;
+    output.movie_quality = recorded.movie_quality;
+    output.measurements = false;
+    output.avalanches = false;
+
+    Progress progress(options.work.verbosity,
+                      static_cast<std::int64_t>(workshop.initial.bed.size()));
+    RunFolder nowhere({}, true);
+    const Sha256 before = file_hash(options.picture);
+    const RunOutcome outcome =
+        run_pipeline(*workshop.model, workshop.scene, workshop.initial.inputs, nowhere, how,
+                     progress, [](const DrawingRecord&) {});
+    progress.clear();
+    if (outcome.error) std::rethrow_exception(outcome.error);
+    if (outcome.signal != 0) return status_of_signal + outcome.signal;
+    compare_movies(how.movie->string(), before, options, origin, progress);
+    return 0;
+}
+
+int picture_again(Scene scene, const AgainOptions& options, const PictureOrigin& origin) {
     Workshop workshop = set_up(std::move(scene), options.work.threads);
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(workshop.initial.bed.size()));
     const Snapshot first = workshop.model->snapshot();
-    constexpr int status_of_signal = 128;
     if (const int signal = advance_to(workshop, origin.step, progress); signal != 0)
         return status_of_signal + signal;
 
-    const fs::path output = output_of(options);
+    const fs::path output = output_of(options, false);
     const std::string pixels =
         hex(draw_still(workshop, first, output.string(), options.work, progress));
     if (origin.pixels_hash.empty() || !options.work.settings.empty()) {
@@ -78,6 +107,21 @@ int again_command(const AgainOptions& options) {
             output.string(), options.picture, origin.version, FUMON_VERSION));
     }
     return 0;
+}
+
+}  // namespace
+
+int again_command(const AgainOptions& options) {
+    const InterruptGuard guard;
+    const PictureOrigin origin = read_origin(options.picture);
+    Scene scene = parse_scene(origin.scene, options.picture, "", options.work.settings);
+    if (!origin.inputs.empty()) {
+        scene.bed.file = find_input(origin.inputs.front(), options.picture,
+                                    origin.is_movie ? "movie" : "picture")
+                             .string();
+    }
+    return origin.is_movie ? movie_again(std::move(scene), options, origin)
+                           : picture_again(std::move(scene), options, origin);
 }
 
 }  // namespace fumon

@@ -22,6 +22,8 @@ struct RunOptions {
     std::string scene;
     std::string folder;
     bool force = false;
+    std::string resume;              ///< the folder of a run to go on with; empty: a new run
+    double checkpoint_every = 10.0;  ///< minutes; 0: no checkpoints
     WorkOptions work;
 };
 
@@ -55,7 +57,7 @@ struct HopLawOptions {
 
 struct AgainOptions {
     std::string picture;
-    std::string output;  ///< empty: NAME-again.png in the working folder
+    std::string output;  ///< empty: NAME-again.png (or .mp4) in the working folder
     WorkOptions work;
 };
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "output/movie.h"
 #include "scene/write.h"
 #include "support/error.h"
 
@@ -19,6 +20,8 @@ constexpr const char* step_keyword = "fumon:step";
 constexpr const char* version_keyword = "fumon:version";
 constexpr const char* inputs_keyword = "fumon:inputs";
 constexpr const char* pixels_keyword = "fumon:pixels-sha256";
+constexpr const char* drawing_keyword = "fumon:drawing";
+constexpr const char* encoder_keyword = "fumon:encoder";
 
 std::string inputs_text(const std::vector<InputFile>& inputs) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -72,9 +75,28 @@ PictureText picture_text(const std::string& resolved, const Scene& scene, std::i
     return texts;
 }
 
+PictureText movie_text(const std::string& resolved, const Scene& scene,
+                       const std::vector<InputFile>& inputs, std::span<const FrameRecord> frames,
+                       const std::string& drawing) {
+    Sha256Stream all;
+    for (const FrameRecord& frame : frames) all.add(frame.pixels.data(), frame.pixels.size());
+    PictureText texts = picture_text(resolved, scene, frames.empty() ? 0 : frames.back().step,
+                                     inputs, all.finish());
+    texts.emplace_back(drawing_keyword, drawing);
+    texts.emplace_back(encoder_keyword, movie_encoder());
+    return texts;
+}
+
+std::string drawing_text(const DrawingRecord& drawing) {
+    return fmt::format("{}: {}{}{}", drawing.backend, drawing.renderer,
+                       drawing.version.empty() ? "" : ", OpenGL ", drawing.version);
+}
+
 PictureOrigin read_origin(const std::filesystem::path& picture) {
     std::map<std::string, std::string> texts;
-    for (auto& [keyword, text] : read_png_texts(picture)) texts[keyword] = std::move(text);
+    const bool movie = is_movie(picture);
+    for (auto& [keyword, text] : movie ? read_movie_texts(picture) : read_png_texts(picture))
+        texts[keyword] = std::move(text);
     for (const char* keyword : {scene_keyword, step_keyword, inputs_keyword}) {
         if (!texts.contains(keyword)) {
             throw InputError(fmt::format(
@@ -89,6 +111,9 @@ PictureOrigin read_origin(const std::filesystem::path& picture) {
     origin.inputs = parse_inputs(texts[inputs_keyword], picture.string());
     origin.version = texts[version_keyword];
     origin.pixels_hash = texts[pixels_keyword];
+    origin.is_movie = movie;
+    origin.drawing = texts[drawing_keyword];
+    origin.encoder = texts[encoder_keyword];
     return origin;
 }
 

@@ -2,9 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "app/frame_painter.h"
+#include "app/frame_record.h"
 #include "files/hash.h"
 #include "output/png.h"
 #include "scene/initial_bed.h"
@@ -19,6 +22,9 @@ struct PictureOrigin {
     std::vector<InputFile> inputs;
     std::string version;      ///< of the fumon that made it
     std::string pixels_hash;  ///< SHA-256 of the raw pixels, hexadecimal
+    bool is_movie = false;
+    std::string drawing;  ///< of a movie: what drew its frames …
+    std::string encoder;  ///< … and what encoded them
 };
 
 /// The scene with every default written out and its input files named as reached from the working
@@ -30,7 +36,17 @@ std::string resolved_scene(const Scene& scene, const std::vector<InputFile>& inp
 PictureText picture_text(const std::string& resolved, const Scene& scene, std::int64_t step,
                          const std::vector<InputFile>& inputs, const Sha256& pixels);
 
-/// Reads them back. Throws InputError when the file is no PNG or not a picture of fumon's.
+/// The texts of a movie: those of its last frame, but fumon:pixels-sha256 is the SHA-256 over the
+/// pixel hashes of all frames, and fumon:drawing and fumon:encoder say what drew and encoded them.
+PictureText movie_text(const std::string& resolved, const Scene& scene,
+                       const std::vector<InputFile>& inputs, std::span<const FrameRecord> frames,
+                       const std::string& drawing);
+
+/// What drew, in words: "OSMesa: llvmpipe …, OpenGL 4.5 …".
+std::string drawing_text(const DrawingRecord& drawing);
+
+/// Reads them back. Throws InputError when the file is neither PNG nor MP4 or not of fumon's
+/// making.
 PictureOrigin read_origin(const std::filesystem::path& picture);
 
 }  // namespace fumon

@@ -138,7 +138,7 @@ class Work {
         if (run_id(workshop.scene, workshop.initial) != run(number).id)
             throw Error("a file that it reads has changed since the sweep began");
         Model& model = *workshop.model;
-        Recorder recorder(workshop.scene, model,
+        Recorder recorder(workshop.scene, model.snapshot(),
                           resolved_scene(workshop.scene, workshop.initial.inputs),
                           folder_.paths(number));
         try {

@@ -18,7 +18,9 @@
 #include "files/atomic_file.h"
 #include "files/disk_space.h"
 #include "files/netcdf_calls.h"
+#include "files/netcdf_input.h"
 #include "files/netcdf_layout.h"
+#include "files/netcdf_section_record.h"
 
 namespace fumon {
 
@@ -82,8 +84,9 @@ class FieldsFile::Parts {
     Parts(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text)
         : file_(resolved_link(file)),
           part_(std::filesystem::absolute(file_)),  // which is never taken for a network address
-          form_(form_of(first)) {
-        part_ += ".part";
+          form_(form_of(first)),
+          record_room_(record_room(first)) {
+        part_ = temporary_name(part_);
         if (!takes_a_rename(file_))
             throw Error(fmt::format(
                 "cannot write {}: it is a pipe or a device; NetCDF needs a file on disk",
@@ -99,6 +102,48 @@ class FieldsFile::Parts {
 
     ~Parts() { discard(); }
     Parts(const Parts&) = delete;
+
+    /// Where the records of a former run lie from now on.
+    static std::filesystem::path set_aside(const std::filesystem::path& file) {
+        const std::filesystem::path target = resolved_link(file);
+        std::filesystem::path former = target;
+        former += ".former";
+        std::error_code fault;
+        if (std::filesystem::exists(former, fault)) return former;  // a copy of it was broken off
+        for (const std::filesystem::path& left : {temporary_name(target), target}) {
+            if (!std::filesystem::exists(left, fault)) continue;
+            std::filesystem::rename(left, former, fault);
+            if (fault) refuse_to_write(former, fault.value());
+            return former;
+        }
+        throw InputError(fmt::format("{}: is not there; run the scene from its start with --force",
+                                     file.string()));
+    }
+
+    void copy(const std::filesystem::path& former, std::int64_t records) {
+        const NetcdfLock lock;
+        try {
+            const NetcdfInput input(former);
+            const auto there = input.dimension_length(input.dimensions(layout_.time).front());
+            if (std::cmp_less(there, records))
+                throw NetcdfFault(fmt::format("it has {} records of {}", there, records));
+            while (records_ < records) copy_record(input);
+        } catch (const NetcdfFault& fault) {
+            throw InputError(
+                fmt::format("{}: cannot go on with it: {}; run the scene from its start with "
+                            "--force",
+                            former.string(), fault.what()));
+        }
+        std::error_code fault;
+        sync();
+        std::filesystem::remove(former, fault);
+        keep_ = true;
+    }
+
+    void sync() const {
+        if (::fsync(descriptor_) != 0) refuse_to_write(file_, errno);
+    }
+
     Parts& operator=(const Parts&) = delete;
 
     void add(const Snapshot& snapshot) {
@@ -159,7 +204,7 @@ class FieldsFile::Parts {
         const NetcdfLock lock;
         if (netcdf_ != closed) nc_close(std::exchange(netcdf_, closed));
         if (descriptor_ >= 0) ::close(std::exchange(descriptor_, closed));
-        if (!part_.empty()) ::unlink(part_.c_str());
+        if (!part_.empty() && !keep_) ::unlink(part_.c_str());
     }
 
     [[noreturn]] void fail(const NetcdfFault& fault) const {
@@ -249,6 +294,47 @@ class FieldsFile::Parts {
         check_netcdf(nc_sync(netcdf_));
     }
 
+    /// In the order of write(), so that the bytes come out the same.
+    void copy_record(const NetcdfInput& input) {
+        reserve(record_room_);
+        const std::size_t record = static_cast<std::size_t>(records_);
+        copy_field(input, layout_.bed);
+        for (const int field : layout_.fields) copy_field(input, field);
+        const auto number = [&](int variable) {
+            double value = 0.0;
+            check_netcdf(nc_get_var1_double(input.id(), variable, &record, &value));
+            return value;
+        };
+        for (const int variable : layout_.numbers) write_number(variable, number(variable));
+        if (layout_.section) {
+            const auto section = read_section(input, record);
+            if (!section || form_of(section.get()) != form_.section)
+                throw NetcdfFault("it has another section");
+            write_section(netcdf_, *layout_.section, record, *section);
+        }
+        long long step = 0;
+        check_netcdf(nc_get_var1_longlong(input.id(), layout_.step, &record, &step));
+        check_netcdf(nc_put_var1_longlong(netcdf_, layout_.step, &record, &step));
+        write_number(layout_.time, number(layout_.time));
+        check_netcdf(nc_sync(netcdf_));
+        ++records_;
+    }
+
+    void copy_field(const NetcdfInput& input, int variable) {
+        for (int y = 0; y < form_.ny; y += layout_.rows) {
+            const auto rows = static_cast<std::size_t>(std::min(layout_.rows, form_.ny - y));
+            const auto nx = static_cast<std::size_t>(form_.nx);
+            const std::array<std::size_t, 3> start{static_cast<std::size_t>(records_),
+                                                   static_cast<std::size_t>(y), 0};
+            const std::array<std::size_t, 3> count{1, rows, nx};
+            block_.resize(rows * nx);
+            check_netcdf(nc_get_vara_double(input.id(), variable, start.data(), count.data(),
+                                            block_.data()));
+            check_netcdf(
+                nc_put_vara_double(netcdf_, variable, start.data(), count.data(), block_.data()));
+        }
+    }
+
     void write_number(int variable, double value) const {
         const std::size_t record = static_cast<std::size_t>(records_);
         check_netcdf(nc_put_var1_double(netcdf_, variable, &record, &value));
@@ -280,7 +366,9 @@ class FieldsFile::Parts {
     std::filesystem::path file_;
     std::filesystem::path part_;
     RecordForm form_;
-    int descriptor_ = closed;  ///< of the .part, for setting space aside
+    std::int64_t record_room_;  ///< of a record like the first, bytes
+    bool keep_ = false;         ///< even if it is not committed
+    int descriptor_ = closed;   ///< of the .part, for setting space aside
     int netcdf_ = closed;
     FieldsLayout layout_;
     std::vector<double> block_;
@@ -292,6 +380,13 @@ FieldsFile::FieldsFile(const std::filesystem::path& file, const Snapshot& first,
                        const FieldsText& text)
     : parts_(std::make_unique<Parts>(file, first, text)) {}
 
+FieldsFile::FieldsFile(const std::filesystem::path& file, const Snapshot& first,
+                       const FieldsText& text, std::int64_t records) {
+    const std::filesystem::path former = Parts::set_aside(file);
+    parts_ = std::make_unique<Parts>(file, first, text);
+    parts_->copy(former, records);
+}
+
 FieldsFile::~FieldsFile() = default;
 
 void FieldsFile::add(const Snapshot& snapshot) {
@@ -300,6 +395,10 @@ void FieldsFile::add(const Snapshot& snapshot) {
 
 std::int64_t FieldsFile::records() const {
     return parts_->records();
+}
+
+void FieldsFile::sync() {
+    parts_->sync();
 }
 
 void FieldsFile::commit() {

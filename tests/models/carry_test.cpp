@@ -154,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(
               "scheme = \"finite-volume\"\nedges_x = \"open\"\nedges_y = \"wall\"\nrain = "
               "500\nrain_until = 0.65\ninitial_water = \"dry\"\ntime_step = 0.15\n"),
         gully("SubSteps", "time_step = 0.9\ndepth = 0.05\n"),
-        air("Staircase", "flights = true\nshown_paths = 2\nlid_speed = 0.3\n"),
+        air("Staircase", "flights = true\nshown_paths = 2\nlid_speed = 0.2\n"),
         air("SecondOrder", "advection = \"second-order\"\n"),
         air("Fitted", "scheme = \"boundary-fitted\"\ntime_step = 1e-6\n"),
         air("HeldSteady", "until_steady = true\nsteady_tolerance = 0.5\nviscosity = 1e-4\n")),
