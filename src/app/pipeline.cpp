@@ -170,9 +170,9 @@ class Pipeline {
 
     /// A disk that is full for a checkpoint does not end the run: the former one stays.
     void save_checkpoint(Recorder& recorder) {
+        if (!wait_until_written(frames_taken_, beds_taken_)) return;
         clock_.begin();
         try {
-            if (!wait_until_written(frames_taken_, beds_taken_)) return;
             RunCheckpoint now;
             {
                 const std::lock_guard lock(mutex_);

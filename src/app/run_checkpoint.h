@@ -39,8 +39,8 @@ struct RunCheckpoint {
 void write_checkpoint(const RunFolder& folder, RunCheckpoint checkpoint, Model& model,
                       Recorder& recorder);
 
-/// When the next checkpoint is due: so many minutes after the last one, but late enough that all of
-/// them together take at most a fiftieth of the run.
+/// When the next checkpoint is due: so many minutes after the last one, but late enough that writing
+/// them takes at most a fiftieth of the run.
 class CheckpointClock {
   public:
     /// No minutes: never.
