@@ -124,9 +124,9 @@ class ResumedModel : public ResumeTest, public ::testing::WithParamInterface<int
 TEST_P(ResumedModel, KilledAndStoppedItEndsAsIfItHadNotBeen) {
     const std::string output = std::string(no_pictures) + "fields_every = 30\nbed_every = 90\n";
     const std::string scenes[] = {
-        sand_scene(6000),
+        sand_scene(2500),
         scene_of("name = \"sand\"\norder = \"random-sequential\"\ncreep = \"profile\"\n", 9000, 1,
-                 1500, output),
+                 800, output),
         scene_of("name = \"sandpile\"\norder = \"first-in-first-out\"\ndrop_direction = "
                  "\"cycling\"\ngrains_per_step = 25\n",
                  30, 30, 1200, output),
@@ -227,7 +227,7 @@ TEST_F(ResumeTest, FromAnotherFolderTheTerrainIsFoundAndAChangeNoticed) {
     write_text(folder_ / "data/bed.asc", grid);
     scene(
         "[model]\nname = \"sand\"\n[bed]\nkind = \"file\"\nfile = \"data/bed.asc\"\n[run]\nsteps "
-        "= 60000\n" +
+        "= 6000\n" +
         std::string(no_pictures));
     uninterrupted();
     ASSERT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
@@ -258,8 +258,6 @@ TEST_F(ResumeTest, AFullDiskForACheckpointDoesNotEndTheRun) {
 TEST_F(ResumeTest, AFrameThatIsGoneOrChangedIsNoticed) {
     scene(scene_of("name = \"static\"\n", 12, 12, 100000, "[frames]\nevery = 10\n"));
     ASSERT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
-    ASSERT_TRUE(fs::exists(out() / "frames/frame_000001.png"));
-    const std::string frame = read_text(out() / "frames/frame_000000.png");
     fs::remove(out() / "frames/frame_000000.png");
     expect_refusal({"run", "--resume", "out"}, "out/frames/frame_000000.png: is not there");
     ASSERT_EQ(run({"still", "scene.toml", "--step", "0", "--set", "sun.elevation=9", "-o",
@@ -278,15 +276,13 @@ TEST(CheckpointClock, CheckpointsTakeAFiftiethAtMost) {
     EXPECT_FALSE(never.on());
     EXPECT_FALSE(never.due());
     CheckpointClock clock(1e-6);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    EXPECT_TRUE(clock.due());
+    wait_for([&] { return clock.due(); });
     clock.begin();
     std::this_thread::sleep_for(std::chrono::milliseconds(4));
     clock.end();
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    EXPECT_FALSE(clock.due());
-    std::this_thread::sleep_for(std::chrono::milliseconds(400));
-    EXPECT_TRUE(clock.due());
+    const auto ended = std::chrono::steady_clock::now();
+    wait_for([&] { return clock.due(); });
+    EXPECT_GE(std::chrono::steady_clock::now() - ended, std::chrono::milliseconds(50 * 4));
 }
 
 TEST_F(ResumeTest, AMovieIsMadeAgainFromItself) {
@@ -309,7 +305,7 @@ TEST_F(ResumeTest, AMovieIsMadeAgainFromItself) {
     const Ended differing = run({"again", "other.mp4"});
     EXPECT_EQ(differing.status, 0);
     EXPECT_EQ(differing.errors.rfind("other-again.mp4: the same frames as other.mp4, encoded "
-                                     "otherwise; drawing was OSMesa: softpipe",
+                                     "otherwise; drawing was osmesa: softpipe",
                                      0),
               0U)
         << differing.errors;
