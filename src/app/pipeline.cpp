@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <future>
@@ -23,6 +22,7 @@
 #include "output/png.h"
 #include "scene/schedule.h"
 #include "support/error.h"
+#include "support/stopwatch.h"
 #include "support/thread_clock.h"
 #include "support/worker_pool.h"
 
@@ -40,16 +40,6 @@ struct Picture {
     std::shared_ptr<const Image> image;
 };
 
-class Stopwatch {
-  public:
-    [[nodiscard]] double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 /// One run under way: the queues, and a method for each stage.
 class Pipeline {
   public:
@@ -61,11 +51,11 @@ class Pipeline {
           folder_(folder),
           options_(options),
           progress_(progress),
-          parts_(run_parts(scene, options)),
+          parts_(run_parts(scene, options.checkpoint_minutes)),
           last_step_(options.last_step.value_or(scene.run.steps)),
           resolved_(options.resolved.empty() ? resolved_scene(scene, inputs) : options.resolved),
           first_(options.former != nullptr ? options.former->first : model.snapshot()),
-          clock_(options.checkpoint_minutes) {
+          checkpoints_(folder, parts_, options.checkpoint_minutes) {
         if (options.former == nullptr) return;
         const RunCheckpoint& former = options.former->checkpoint;
         outcome_.frames = former.frames;
@@ -74,8 +64,9 @@ class Pipeline {
         outcome_.resumed_at = former.resumed_at;
         outcome_.resumed_at.push_back(former.step);
         outcome_.checkpoint = former.step;
-        frames_taken_ = frames_synced_ = outcome_.frames.size();
-        beds_taken_ = beds_synced_ = outcome_.bed_steps.size();
+        frames_taken_ = outcome_.frames.size();
+        beds_taken_ = outcome_.bed_steps.size();
+        checkpoints_.skip(frames_taken_, beds_taken_);
         progress.steps_done = former.step;
         progress.frames_done = std::ssize(former.frames);
     }
@@ -158,7 +149,7 @@ class Pipeline {
             }
             if (step >= last_step_ || aborted()) return;
             const bool stop = interrupting_signal() != 0;
-            if (clock_.on() && (stop || clock_.due())) save_checkpoint(recorder);
+            if (checkpoints_.on() && (stop || checkpoints_.due())) save_checkpoint(recorder);
             if (stop) return;
             const Stopwatch watch;
             model_.step();
@@ -171,33 +162,23 @@ class Pipeline {
     /// A disk that is full for a checkpoint does not end the run: the former one stays.
     void save_checkpoint(Recorder& recorder) {
         if (!wait_until_written(frames_taken_, beds_taken_)) return;
-        clock_.begin();
+        RunCheckpoint now;
+        now.scene = resolved_;
+        now.inputs = inputs_;
+        now.drawing = drawing_text(outcome_.drawing);
+        now.resumed_at = outcome_.resumed_at;
+        {
+            const std::lock_guard lock(mutex_);
+            now.frames = outcome_.frames;
+            now.bed_steps = outcome_.bed_steps;
+        }
         try {
-            RunCheckpoint now;
-            {
-                const std::lock_guard lock(mutex_);
-                now.frames = outcome_.frames;
-                now.bed_steps = outcome_.bed_steps;
-            }
-            for (; frames_synced_ < frames_taken_; ++frames_synced_) sync_frame(frames_synced_);
-            for (; beds_synced_ < beds_taken_; ++beds_synced_)
-                sync_file(folder_.bed(now.bed_steps[beds_synced_]));
-            now.scene = resolved_;
-            now.inputs = inputs_;
-            now.drawing = drawing_text(outcome_.drawing);
-            now.resumed_at = outcome_.resumed_at;
-            write_checkpoint(folder_, std::move(now), model_, recorder);
+            checkpoints_.write(std::move(now), model_, recorder);
             outcome_.checkpoint = model_.steps_done();
         } catch (const Error& fault) {
             tell(fmt::format("no checkpoint of step {}: {}; the run goes on", model_.steps_done(),
                              fault.what()));
         }
-        clock_.end();
-    }
-
-    void sync_frame(std::size_t number) const {
-        if (parts_.frames) sync_file(folder_.frame(static_cast<std::int64_t>(number)));
-        if (parts_.kept_frames) sync_file(folder_.kept_frame(static_cast<std::int64_t>(number)));
     }
 
     void draw(std::promise<void> ready) {
@@ -255,8 +236,7 @@ class Pipeline {
                     static_cast<int>(output.movie_quality));
         std::int64_t frames = 0;
         for (; std::cmp_less(frames, frames_before()); ++frames)
-            movie.add(read_frame(
-                options_.former->checkpoint.frames.at(static_cast<std::size_t>(frames))));
+            movie.add(read_frame(folder_, parts_, options_.former->checkpoint, frames));
         while (const auto picture = to_movie_.pop()) {
             const Stopwatch watch;
             movie.add(*picture->image);
@@ -271,18 +251,6 @@ class Pipeline {
         movie.finish(texts);
         movie_wall_ += watch.seconds();
         outcome_.movie = {frames, movie.padded_width(), movie.padded_height()};
-    }
-
-    /// A frame that the run wrote before it was gone on with. Throws Error where it is another.
-    [[nodiscard]] Image read_frame(const FrameRecord& frame) const {
-        const std::filesystem::path file =
-            parts_.frames ? folder_.frame(frame.number) : folder_.kept_frame(frame.number);
-        Image image = read_png(file);
-        if (pixel_hash(image) == frame.pixels) return image;
-        throw Error(
-            fmt::format("{}: its pixels are not those that the run wrote, so the movie "
-                        "cannot be begun again; bring the old file back",
-                        file.string()));
     }
 
     void write_beds() {
@@ -396,12 +364,10 @@ class Pipeline {
     std::int64_t last_step_;
     std::string resolved_;
     Snapshot first_;
-    CheckpointClock clock_;
+    Checkpointer checkpoints_;
     RunOutcome outcome_;
-    std::size_t frames_taken_ = 0;   ///< by the simulation, of all steps so far …
-    std::size_t frames_synced_ = 0;  ///< … and of those that a checkpoint has put on disk
+    std::size_t frames_taken_ = 0;  ///< by the simulation, of all steps so far
     std::size_t beds_taken_ = 0;
-    std::size_t beds_synced_ = 0;
     double pictures_wall_ = 0.0;  // of two threads, added up at the end
     double movie_wall_ = 0.0;
 
@@ -422,12 +388,6 @@ class Pipeline {
 };
 
 }  // namespace
-
-RunParts run_parts(const Scene& scene, const PipelineOptions& options) {
-    const OutputSettings& output = scene.output;
-    const bool kept = options.checkpoint_minutes > 0.0 && output.movie && !output.frames;
-    return {output.frames, kept, output.bed_every > 0 || !output.bed_at.empty()};
-}
 
 RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs,
                         RunFolder& folder, const PipelineOptions& options, Progress& progress,

@@ -77,9 +77,6 @@ struct PipelineOptions {
     std::string resolved{};
 };
 
-/// Which folders a run of the scene needs.
-RunParts run_parts(const Scene& scene, const PipelineOptions& options);
-
 /// Runs a scene: simulation thread → bounded queue → drawing thread → bounded queues → encoder
 /// threads → files in order. Memory does not grow with the number of frames. The first error stops
 /// every stage; an interrupt lets what is in flight finish, and leaves a checkpoint. `started` is

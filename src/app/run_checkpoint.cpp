@@ -1,10 +1,15 @@
 #include "app/run_checkpoint.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <tuple>
 
-#include "app/run_folder.h"
+#include "files/atomic_file.h"
 #include "files/checkpoint.h"
+#include "files/hash.h"
+#include "output/png.h"
+#include "support/error.h"
 
 namespace fumon {
 
@@ -64,16 +69,47 @@ void RunCheckpoint::carry(StateCarrier& carrier) {
     carrier.list("resumed_at", resumed_at);
 }
 
-void write_checkpoint(const RunFolder& folder, RunCheckpoint checkpoint, Model& model,
-                      Recorder& recorder) {
-    checkpoint.version = FUMON_VERSION;
-    checkpoint.step = model.steps_done();
-    checkpoint.records = recorder.sync();
-    CheckpointWriter writer(folder.checkpoint());
-    checkpoint.carry(writer);
+void Checkpointer::write(RunCheckpoint now, Model& model, Recorder& recorder) {
+    clock_.begin();
+    const struct Ended {
+        CheckpointClock& clock;
+        ~Ended() { clock.end(); }
+    } ended{clock_};
+    put_on_disk(now);
+    now.version = FUMON_VERSION;
+    now.step = model.steps_done();
+    now.records = recorder.sync();
+    CheckpointWriter writer(folder_.checkpoint());
+    now.carry(writer);
     model.carry(writer);
     recorder.carry(writer);
     writer.commit();
+}
+
+void Checkpointer::put_on_disk(const RunCheckpoint& now) {
+    for (; frames_on_disk_ < now.frames.size(); ++frames_on_disk_) {
+        const std::int64_t number = now.frames[frames_on_disk_].number;
+        if (parts_.frames) sync_file(folder_.frame(number));
+        if (parts_.kept_frames) sync_file(folder_.kept_frame(number));
+    }
+    for (; beds_on_disk_ < now.bed_steps.size(); ++beds_on_disk_)
+        sync_file(folder_.bed(now.bed_steps[beds_on_disk_]));
+    if (parts_.frames) sync_folder_of(folder_.frame(0));
+    if (parts_.kept_frames) sync_folder_of(folder_.kept_frame(0));
+    if (parts_.beds) sync_folder_of(folder_.bed(0));
+}
+
+Image read_frame(const RunFolder& folder, const RunParts& parts, const RunCheckpoint& checkpoint,
+                 std::int64_t number) {
+    const std::filesystem::path file =
+        parts.frames ? folder.frame(number) : folder.kept_frame(number);
+    Image image = read_png(file);
+    if (pixel_hash(image) == checkpoint.frames.at(static_cast<std::size_t>(number)).pixels)
+        return image;
+    throw Error(
+        fmt::format("{}: its pixels are not those that the run wrote, so the movie cannot "
+                    "be begun again; bring the old file back",
+                    file.string()));
 }
 
 void CheckpointClock::end() {

@@ -8,13 +8,13 @@
 
 #include "app/frame_record.h"
 #include "app/recorder.h"
+#include "app/run_folder.h"
 #include "models/model.h"
+#include "render/image.h"
 #include "scene/initial_bed.h"
 #include "support/state_carrier.h"
 
 namespace fumon {
-
-class RunFolder;
 
 /// What a run has done so far, between two steps: all outputs of the steps up to `step` are on
 /// disk, and nothing else counts. In the file the model's state and what its measures remember
@@ -35,12 +35,8 @@ struct RunCheckpoint {
     void carry(StateCarrier& carrier);
 };
 
-/// Writes DIR/checkpoint.fumon whole or not at all. Throws Error, and leaves the former one.
-void write_checkpoint(const RunFolder& folder, RunCheckpoint checkpoint, Model& model,
-                      Recorder& recorder);
-
-/// When the next checkpoint is due: so many minutes after the last one, but late enough that writing
-/// them takes at most a fiftieth of the run.
+/// When the next checkpoint is due: so many minutes after the last one, but late enough that
+/// writing them takes at most a fiftieth of the run.
 class CheckpointClock {
   public:
     /// No minutes: never.
@@ -62,5 +58,39 @@ class CheckpointClock {
     Clock::time_point begun_ = Clock::now();
     Clock::time_point last_ = begun_;
 };
+
+/// Writes a run's checkpoints into DIR/checkpoint.fumon. Lives on the simulation's thread.
+class Checkpointer {
+  public:
+    /// `minutes` between checkpoints; 0: none.
+    Checkpointer(const RunFolder& folder, const RunParts& parts, double minutes)
+        : folder_(folder), parts_(parts), clock_(minutes) {}
+
+    [[nodiscard]] bool on() const { return clock_.on(); }
+    [[nodiscard]] bool due() const { return clock_.due(); }
+
+    /// As many frames and beds are on disk since an earlier checkpoint.
+    void skip(std::size_t frames, std::size_t beds) {
+        frames_on_disk_ = frames;
+        beds_on_disk_ = beds;
+    }
+
+    /// Puts all outputs that it counts on disk, then the checkpoint, whole or not at all; fills in
+    /// version, step and positions. Throws Error, and leaves the former one.
+    void write(RunCheckpoint now, Model& model, Recorder& recorder);
+
+  private:
+    void put_on_disk(const RunCheckpoint& now);
+
+    const RunFolder& folder_;
+    RunParts parts_;
+    CheckpointClock clock_;
+    std::size_t frames_on_disk_ = 0;
+    std::size_t beds_on_disk_ = 0;
+};
+
+/// A frame that the run wrote before its checkpoint. Throws Error where it is no longer the same.
+Image read_frame(const RunFolder& folder, const RunParts& parts, const RunCheckpoint& checkpoint,
+                 std::int64_t number);
 
 }  // namespace fumon

@@ -72,10 +72,10 @@ int work(Workshop& workshop, RunFolder& folder, const RunOptions& options,
                                          drawing.exaggeration));
         }
         if (former == nullptr) {
-            folder.create(run_parts(scene, how));
+            folder.create(run_parts(scene, how.checkpoint_minutes));
         } else {
             tell_of_drawing(drawing, former->checkpoint, progress);
-            folder.go_on(run_parts(scene, how), former->checkpoint);
+            folder.go_on(run_parts(scene, how.checkpoint_minutes), former->checkpoint);
         }
         write_running_manifest(folder, facts, drawing);
     };

@@ -50,6 +50,12 @@ void make_folder(const fs::path& folder) {
     }
 }
 
+RunParts run_parts(const Scene& scene, double checkpoint_minutes) {
+    const OutputSettings& output = scene.output;
+    const bool kept = checkpoint_minutes > 0.0 && output.movie && !output.frames;
+    return {output.frames, kept, output.bed_every > 0 || !output.bed_at.empty()};
+}
+
 RunFolder::RunFolder(fs::path folder, bool force) : folder_(std::move(folder)) {
     std::error_code fault;
     if (fs::exists(folder_, fault) && !fs::is_directory(folder_, fault)) {

@@ -19,6 +19,9 @@ struct RunParts {
     bool beds = false;
 };
 
+/// `checkpoint_minutes`: between checkpoints; 0: none, so that nothing is kept for them.
+RunParts run_parts(const Scene& scene, double checkpoint_minutes);
+
 /// Makes a folder and its parents, if they are not there yet. Throws Error.
 void make_folder(const std::filesystem::path& folder);
 

@@ -18,9 +18,9 @@
 #include "files/atomic_file.h"
 #include "files/disk_space.h"
 #include "files/netcdf_calls.h"
+#include "files/netcdf_copy.h"
 #include "files/netcdf_input.h"
 #include "files/netcdf_layout.h"
-#include "files/netcdf_section_record.h"
 
 namespace fumon {
 
@@ -84,14 +84,14 @@ class FieldsFile::Parts {
     Parts(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text)
         : file_(resolved_link(file)),
           part_(std::filesystem::absolute(file_)),  // which is never taken for a network address
-          form_(form_of(first)),
-          record_room_(record_room(first)) {
+          form_(form_of(first)) {
         part_ = temporary_name(part_);
         if (!takes_a_rename(file_))
             throw Error(fmt::format(
                 "cannot write {}: it is a pipe or a device; NetCDF needs a file on disk",
                 file_.string()));
         check_whole(first);
+        record_room_ = record_room(first);
         try {
             make(first, text);
         } catch (...) {
@@ -127,7 +127,12 @@ class FieldsFile::Parts {
             const auto there = input.dimension_length(input.dimensions(layout_.time).front());
             if (std::cmp_less(there, records))
                 throw NetcdfFault(fmt::format("it has {} records of {}", there, records));
-            while (records_ < records) copy_record(input);
+            for (; records_ < records; ++records_) {
+                reserve(record_room_);
+                copy_record(input, netcdf_, layout_, form_.nx, form_.ny,
+                            static_cast<std::size_t>(records_));
+                check_netcdf(nc_sync(netcdf_));
+            }
         } catch (const NetcdfFault& fault) {
             throw InputError(
                 fmt::format("{}: cannot go on with it: {}; run the scene from its start with "
@@ -294,47 +299,6 @@ class FieldsFile::Parts {
         check_netcdf(nc_sync(netcdf_));
     }
 
-    /// In the order of write(), so that the bytes come out the same.
-    void copy_record(const NetcdfInput& input) {
-        reserve(record_room_);
-        const std::size_t record = static_cast<std::size_t>(records_);
-        copy_field(input, layout_.bed);
-        for (const int field : layout_.fields) copy_field(input, field);
-        const auto number = [&](int variable) {
-            double value = 0.0;
-            check_netcdf(nc_get_var1_double(input.id(), variable, &record, &value));
-            return value;
-        };
-        for (const int variable : layout_.numbers) write_number(variable, number(variable));
-        if (layout_.section) {
-            const auto section = read_section(input, record);
-            if (!section || form_of(section.get()) != form_.section)
-                throw NetcdfFault("it has another section");
-            write_section(netcdf_, *layout_.section, record, *section);
-        }
-        long long step = 0;
-        check_netcdf(nc_get_var1_longlong(input.id(), layout_.step, &record, &step));
-        check_netcdf(nc_put_var1_longlong(netcdf_, layout_.step, &record, &step));
-        write_number(layout_.time, number(layout_.time));
-        check_netcdf(nc_sync(netcdf_));
-        ++records_;
-    }
-
-    void copy_field(const NetcdfInput& input, int variable) {
-        for (int y = 0; y < form_.ny; y += layout_.rows) {
-            const auto rows = static_cast<std::size_t>(std::min(layout_.rows, form_.ny - y));
-            const auto nx = static_cast<std::size_t>(form_.nx);
-            const std::array<std::size_t, 3> start{static_cast<std::size_t>(records_),
-                                                   static_cast<std::size_t>(y), 0};
-            const std::array<std::size_t, 3> count{1, rows, nx};
-            block_.resize(rows * nx);
-            check_netcdf(nc_get_vara_double(input.id(), variable, start.data(), count.data(),
-                                            block_.data()));
-            check_netcdf(
-                nc_put_vara_double(netcdf_, variable, start.data(), count.data(), block_.data()));
-        }
-    }
-
     void write_number(int variable, double value) const {
         const std::size_t record = static_cast<std::size_t>(records_);
         check_netcdf(nc_put_var1_double(netcdf_, variable, &record, &value));
@@ -366,9 +330,9 @@ class FieldsFile::Parts {
     std::filesystem::path file_;
     std::filesystem::path part_;
     RecordForm form_;
-    std::int64_t record_room_;  ///< of a record like the first, bytes
-    bool keep_ = false;         ///< even if it is not committed
-    int descriptor_ = closed;   ///< of the .part, for setting space aside
+    std::int64_t record_room_ = 0;  ///< of a record like the first, bytes
+    bool keep_ = false;             ///< even if it is not committed
+    int descriptor_ = closed;       ///< of the .part, for setting space aside
     int netcdf_ = closed;
     FieldsLayout layout_;
     std::vector<double> block_;
