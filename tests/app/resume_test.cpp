@@ -124,12 +124,12 @@ class ResumedModel : public ResumeTest, public ::testing::WithParamInterface<int
 TEST_P(ResumedModel, KilledAndStoppedItEndsAsIfItHadNotBeen) {
     const std::string output = std::string(no_pictures) + "fields_every = 30\nbed_every = 90\n";
     const std::string scenes[] = {
-        sand_scene(2500),
+        sand_scene(4000),
         scene_of("name = \"sand\"\norder = \"random-sequential\"\ncreep = \"profile\"\n", 9000, 1,
-                 800, output),
+                 1500, output),
         scene_of("name = \"sandpile\"\norder = \"first-in-first-out\"\ndrop_direction = "
                  "\"cycling\"\ngrains_per_step = 25\n",
-                 30, 30, 1200, output),
+                 30, 30, 5000, output),
         scene_of("name = \"gully\"\ntransport = \"as-printed\"\n", 40, 40, 600,
                  output + "[bed]\nhigh = 0.01\n"),
         scene_of("name = \"airflow\"\nnz = 20\nflights = true\nshown_paths = 3\nbed_amplitude = "
@@ -227,7 +227,7 @@ TEST_F(ResumeTest, FromAnotherFolderTheTerrainIsFoundAndAChangeNoticed) {
     write_text(folder_ / "data/bed.asc", grid);
     scene(
         "[model]\nname = \"sand\"\n[bed]\nkind = \"file\"\nfile = \"data/bed.asc\"\n[run]\nsteps "
-        "= 6000\n" +
+        "= 10000\n" +
         std::string(no_pictures));
     uninterrupted();
     ASSERT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
