@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "app/commands.h"
 #include "app/figure_files.h"
 #include "app/figure_make.h"
@@ -7,6 +9,8 @@
 #include "app/find_input.h"
 #include "app/interrupt.h"
 #include "app/picture_text.h"
+#include "app/pipeline.h"
+#include "app/run_folder.h"
 #include "app/workshop.h"
 #include "figure/figure_metadata.h"
 #include "files/atomic_file.h"
@@ -19,6 +23,8 @@ namespace fumon {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int status_of_signal = 128;
 
 /// What may have changed the pixels, as far as the picture tells.
 std::string why_different(const PictureOrigin& origin, const RenderingEnvironment& here) {
@@ -51,7 +57,7 @@ int figure_again(const AgainOptions& options, const FigureOrigin& origin) {
     const PageFormat format = page_format(output);
     StatusLine status(options.work.verbosity);
     FigureSources sources(origin.texts, origin.inputs, [&](const InputFile& input) {
-        return find_input(input, options.picture);
+        return find_input(input, options.picture, "figure");
     });
     std::vector<std::string> settings = origin.settings;
     settings.insert(settings.end(), options.work.settings.begin(), options.work.settings.end());
@@ -83,24 +89,76 @@ int figure_again(const AgainOptions& options, const FigureOrigin& origin) {
     return 0;
 }
 
-}  // namespace
+/// What may have changed the pixels of a movie, or the bytes alone.
+std::string differences(const PictureOrigin& origin, const PictureOrigin& made) {
+    std::string text;
+    const auto add = [&text](const char* what, const std::string& then, const std::string& now) {
+        if (then != now) text += fmt::format("; {} was {}, is {}", what, then, now);
+    };
+    add("fumon", origin.version, made.version);
+    add("encoder", origin.encoder, made.encoder);
+    if (origin.environment && made.environment) {
+        const std::string reason = why_pixels_may_differ(*origin.environment, *made.environment);
+        if (!reason.empty()) text += "; " + reason;
+    }
+    return text.empty() ? "; nothing that the movie tells of its making differs" : text;
+}
 
-int again_command(const AgainOptions& options) {
-    const InterruptGuard guard;
-    if (const FigureMetadata texts = figure_texts(options.picture); is_figure(texts))
-        return figure_again(options, read_figure_origin(texts, options.picture));
-    const PictureOrigin origin = read_origin(options.picture);
-    WorkOptions work = options.work;
-    work.pinned = work.pinned || (origin.environment && origin.environment->pinned);
-    prepare_drawing(work);
-    Scene scene = parse_scene(origin.scene, options.picture, "", options.work.settings);
-    if (!origin.inputs.empty())
-        scene.bed.file = find_input(origin.inputs.front(), options.picture).string();
+void compare_movies(const std::string& file, const Sha256& before, const AgainOptions& options,
+                    const PictureOrigin& origin, Progress& progress) {
+    if (!options.work.settings.empty()) {
+        progress.note(fmt::format("{}: made", file));
+        return;
+    }
+    const PictureOrigin made = read_origin(file);
+    if (file_hash(file) == before) {
+        progress.note(fmt::format("{}: the same bytes as {}", file, options.picture));
+    } else if (made.pixels_hash == origin.pixels_hash) {
+        progress.note(fmt::format("{}: the same frames as {}, encoded otherwise{}", file,
+                                  options.picture, differences(origin, made)));
+    } else {
+        progress.note(fmt::format("{}: made, but its frames differ from those of {}{}", file,
+                                  options.picture, differences(origin, made)));
+    }
+}
+
+/// The movie alone, up to the frame with which the first one ended.
+int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& origin) {
     Workshop workshop = set_up(std::move(scene), options.work.threads);
+    if (!origin.inputs.empty()) workshop.initial.inputs = origin.inputs;
+    PipelineOptions how{options.work.backend, options.work.threads};
+    how.movie = output_of(options);
+    how.last_step = origin.step;
+    how.resolved = resolved_scene(workshop.scene, workshop.initial.inputs);
+    OutputSettings& output = workshop.scene.output;
+    const OutputSettings recorded = std::exchange(output, {});
+    output.frames = false;
+    output.movie = true;
+    output.movie_rate = recorded.movie_rate;
+    output.movie_quality = recorded.movie_quality;
+    output.measure_every = recorded.measure_every;
+    output.measurements = false;
+    output.avalanches = false;
+
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(workshop.initial.bed.size()));
+    RunFolder nowhere({}, true);
+    const Sha256 before = file_hash(options.picture);
+    const RunOutcome outcome =
+        run_pipeline(*workshop.model, workshop.scene, workshop.initial.inputs, nowhere, how,
+                     progress, [](const DrawingRecord&) {});
+    progress.clear();
+    if (outcome.error) std::rethrow_exception(outcome.error);
+    if (outcome.signal != 0) return status_of_signal + outcome.signal;
+    compare_movies(how.movie->string(), before, options, origin, progress);
+    return 0;
+}
+
+int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& work,
+                  const PictureOrigin& origin) {
+    Workshop workshop = set_up(std::move(scene), work.threads);
+    Progress progress(work.verbosity, static_cast<std::int64_t>(workshop.initial.bed.size()));
     const Snapshot first = workshop.model->snapshot();
-    constexpr int status_of_signal = 128;
     if (const int signal = advance_to(workshop, origin.step, progress); signal != 0)
         return status_of_signal + signal;
 
@@ -116,6 +174,26 @@ int again_command(const AgainOptions& options) {
                                   options.picture, why_different(origin, still.environment)));
     }
     return 0;
+}
+
+}  // namespace
+
+int again_command(const AgainOptions& options) {
+    const InterruptGuard guard;
+    if (const FigureMetadata texts = figure_texts(options.picture); is_figure(texts))
+        return figure_again(options, read_figure_origin(texts, options.picture));
+    const PictureOrigin origin = read_origin(options.picture);
+    WorkOptions work = options.work;
+    work.pinned = work.pinned || (origin.environment && origin.environment->pinned);
+    prepare_drawing(work);
+    Scene scene = parse_scene(origin.scene, options.picture, "", options.work.settings);
+    if (!origin.inputs.empty()) {
+        scene.bed.file = find_input(origin.inputs.front(), options.picture,
+                                    origin.is_movie ? "movie" : "picture")
+                             .string();
+    }
+    return origin.is_movie ? movie_again(std::move(scene), options, origin)
+                           : picture_again(std::move(scene), options, work, origin);
 }
 
 }  // namespace fumon

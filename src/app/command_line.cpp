@@ -124,11 +124,22 @@ struct CommandLine {
         CLI::App& command =
             add("run", "run a scene: frames, movie, measurements and manifest into a folder",
                 [this] { return run_command(run); });
-        command.add_option("SCENE", run.scene, "a scene file (TOML)")->required();
-        command.add_option("-o,--output", run.folder, "the folder for the run")
+        command.add_option("SCENE", run.scene, "a scene file (TOML)");
+        auto* folder = command.add_option("-o,--output", run.folder, "the folder for the run")
+                           ->type_name("DIR");
+        auto* force =
+            command.add_flag("--force", run.force, "replace the run that the folder holds");
+        command
+            .add_option("--resume", run.resume,
+                        "go on with the run in this folder from its checkpoint (no SCENE needed)")
             ->type_name("DIR")
-            ->required();
-        command.add_flag("--force", run.force, "replace the run that the folder holds");
+            ->excludes(folder)
+            ->excludes(force);
+        command
+            .add_option("--checkpoint-every", run.checkpoint_every,
+                        "minutes between checkpoints (default 10; 0: none)")
+            ->type_name("MINUTES")
+            ->check(CLI::Range(0.0, 1e6).description(""));
         add_work_options(command, run.work);
         add_drawing_options(command, run.work);
         command.footer(
@@ -263,13 +274,13 @@ struct CommandLine {
 
     void add_again() {
         CLI::App& command =
-            add("again", "make a picture or figure again from what it says of itself",
+            add("again", "make a picture, movie or figure again from what it says of itself",
                 [this] { return again_command(again); });
-        command.add_option("PICTURE", again.picture, "a PNG, PDF or SVG that fumon made")
+        command.add_option("PICTURE", again.picture, "a PNG, MP4, PDF or SVG that fumon made")
             ->required();
         command
             .add_option("-o,--output", again.output,
-                        "the new picture (default: NAME-again.png here)")
+                        "what is made (default: NAME-again.png, .mp4, .pdf or .svg here)")
             ->type_name("FILE");
         command
             .add_option("--runs", again.runs,

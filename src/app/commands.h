@@ -24,6 +24,8 @@ struct RunOptions {
     std::string scene;
     std::string folder;
     bool force = false;
+    std::string resume;              ///< the folder of a run to go on with; empty: a new run
+    double checkpoint_every = 10.0;  ///< minutes; 0: no checkpoints
     WorkOptions work;
 };
 
@@ -64,7 +66,7 @@ struct HopLawOptions {
 
 struct AgainOptions {
     std::string picture;
-    std::string output;  ///< empty: NAME-again.png (or .pdf, .svg) in the working folder
+    std::string output;  ///< empty: NAME-again.png (or .mp4, .pdf, .svg) in the working folder
     std::string runs;    ///< of a figure: the folder of finished runs; empty: "runs" beside it
     WorkOptions work;
 };

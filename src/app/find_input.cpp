@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
 #include <vector>
 
 #include "files/hash.h"
@@ -11,11 +12,10 @@ namespace fumon {
 
 namespace fs = std::filesystem;
 
-fs::path find_input(const InputFile& input, const fs::path& picture) {
+fs::path find_input(const InputFile& input, const fs::path& place, std::string_view what) {
     std::vector<fs::path> candidates{input.path};
     if (fs::path(input.path).is_relative()) {
-        for (fs::path folder = fs::absolute(picture).parent_path();;
-             folder = folder.parent_path()) {
+        for (fs::path folder = fs::absolute(place).parent_path();; folder = folder.parent_path()) {
             candidates.push_back(folder / input.path);
             if (folder == folder.parent_path()) break;
         }
@@ -29,14 +29,14 @@ fs::path find_input(const InputFile& input, const fs::path& picture) {
     }
     if (!changed.empty()) {
         throw InputError(fmt::format(
-            "{}: {} has changed since the picture was made (SHA-256 then {}…); bring the old "
+            "{}: {} has changed since the {} was made (SHA-256 then {}…); bring the old "
             "file back",
-            picture.string(), changed.string(), input.hash.substr(0, 12)));
+            place.string(), changed.string(), what, input.hash.substr(0, 12)));
     }
-    throw InputError(fmt::format(
-        "{}: {} (SHA-256 {}…), which the picture was made from, is not there; run fumon again "
-        "in the folder from which the path leads to it",
-        picture.string(), input.path, input.hash.substr(0, 12)));
+    throw InputError(
+        fmt::format("{}: {} (SHA-256 {}…), which the {} was made from, is not there; run this "
+                    "in the folder from which the path leads to it",
+                    place.string(), input.path, input.hash.substr(0, 12), what));
 }
 
 }  // namespace fumon

@@ -1,14 +1,16 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "scene/initial_bed.h"
 
 namespace fumon {
 
-/// Where an input of a picture lies now: from the working folder as recorded, else below the
-/// picture's own folder or one of its parents. Its content must be what the picture was made from;
-/// throws InputError where it is not there or has changed.
-std::filesystem::path find_input(const InputFile& input, const std::filesystem::path& picture);
+/// Where an input of a picture, movie or run (`what`, at `place`) lies now: from the working folder
+/// as recorded, else below the place's own folder or one of its parents. Throws InputError where it
+/// is not there or is no longer what it was then.
+std::filesystem::path find_input(const InputFile& input, const std::filesystem::path& place,
+                                 std::string_view what);
 
 }  // namespace fumon

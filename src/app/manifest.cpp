@@ -65,7 +65,8 @@ Json performance(const ManifestFacts& facts, const RunOutcome& outcome) {
     json["encoding_cpu_seconds"] = timing.encoding_cpu;
     json["cell_steps_per_second"] =
         timing.simulation_wall > 0.0
-            ? cells * static_cast<double>(outcome.steps_done) / timing.simulation_wall
+            ? cells * static_cast<double>(outcome.steps_done - outcome.steps_before) /
+                  timing.simulation_wall
             : 0.0;
     json["peak_memory_bytes"] = peak_memory_bytes();
     json["threads"] = facts.threads;
@@ -104,6 +105,11 @@ void write_final_manifest(const RunFolder& folder, const ManifestFacts& facts,
     json["steps_done"] = outcome.steps_done;
     json["time"] = outcome.time;
     if (!outcome.error) json["state_sha256"] = hex(outcome.state);
+    if (!outcome.resumed_at.empty()) json["resumed_at_steps"] = outcome.resumed_at;
+    if (outcome.checkpoint && status_of(outcome) != "complete") {
+        json["checkpoint"] = {{"step", *outcome.checkpoint},
+                              {"file", folder.checkpoint().filename().string()}};
+    }
     const RecordPaths records = folder.records();
     if (outcome.recorded.measurements)
         json["measurements"] = records.measurements.filename().string();

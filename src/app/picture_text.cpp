@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "output/movie.h"
 #include "scene/write.h"
 #include "support/error.h"
 
@@ -20,6 +21,7 @@ constexpr const char* version_keyword = "fumon:version";
 constexpr const char* inputs_keyword = "fumon:inputs";
 constexpr const char* pixels_keyword = "fumon:pixels-sha256";
 constexpr const char* environment_keyword = "fumon:environment";
+constexpr const char* encoder_keyword = "fumon:encoder";
 
 std::string inputs_text(const std::vector<InputFile>& inputs) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -84,9 +86,29 @@ PictureText picture_text(const std::string& resolved, const Scene& scene, std::i
     return texts;
 }
 
+PictureText movie_text(const std::string& resolved, const Scene& scene,
+                       const std::vector<InputFile>& inputs, std::span<const FrameRecord> frames,
+                       const RenderingEnvironment& environment) {
+    Sha256Stream all;
+    for (const FrameRecord& frame : frames) all.add(frame.pixels.data(), frame.pixels.size());
+    PictureText texts = picture_text(resolved, scene, frames.empty() ? 0 : frames.back().step,
+                                     inputs, all.finish(), environment);
+    texts.emplace_back(encoder_keyword, movie_encoder());
+    return texts;
+}
+
+std::string drawing_text(const DrawingRecord& drawing) {
+    const RenderingEnvironment& by = drawing.environment;
+    return fmt::format("{}: {}{}{}{}", by.backend, by.renderer,
+                       by.gl_version.empty() ? "" : ", OpenGL ", by.gl_version,
+                       by.pinned ? ", pinned" : "");
+}
+
 PictureOrigin read_origin(const std::filesystem::path& picture) {
     std::map<std::string, std::string> texts;
-    for (auto& [keyword, text] : read_png_texts(picture)) texts[keyword] = std::move(text);
+    const bool movie = is_movie(picture);
+    for (auto& [keyword, text] : movie ? read_movie_texts(picture) : read_png_texts(picture))
+        texts[keyword] = std::move(text);
     for (const char* keyword : {scene_keyword, step_keyword, inputs_keyword}) {
         if (!texts.contains(keyword)) {
             throw InputError(fmt::format(
@@ -103,6 +125,8 @@ PictureOrigin read_origin(const std::filesystem::path& picture) {
     origin.pixels_hash = texts[pixels_keyword];
     if (texts.contains(environment_keyword))
         origin.environment = parse_drawn_by(texts[environment_keyword], picture.string());
+    origin.is_movie = movie;
+    origin.encoder = texts[encoder_keyword];
     return origin;
 }
 

@@ -3,9 +3,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "app/frame_painter.h"
+#include "app/frame_record.h"
 #include "files/hash.h"
 #include "output/environment.h"
 #include "output/png.h"
@@ -22,6 +25,8 @@ struct PictureOrigin {
     std::string version;                              ///< of the fumon that made it
     std::string pixels_hash;                          ///< SHA-256 of the raw pixels, hexadecimal
     std::optional<RenderingEnvironment> environment;  ///< none in pictures of older versions
+    bool is_movie = false;
+    std::string encoder;  ///< of a movie: what encoded its frames
 };
 
 /// The scene with every default written out and its input files named as reached from the working
@@ -34,7 +39,17 @@ PictureText picture_text(const std::string& resolved, const Scene& scene, std::i
                          const std::vector<InputFile>& inputs, const Sha256& pixels,
                          const RenderingEnvironment& environment);
 
-/// Reads them back. Throws InputError when the file is no PNG or not a picture of fumon's.
+/// The texts of a movie: those of its last frame, but fumon:pixels-sha256 is the SHA-256 over the
+/// pixel hashes of all frames, and fumon:encoder says what encoded them.
+PictureText movie_text(const std::string& resolved, const Scene& scene,
+                       const std::vector<InputFile>& inputs, std::span<const FrameRecord> frames,
+                       const RenderingEnvironment& environment);
+
+/// What drew, in words: "OSMesa: llvmpipe …, OpenGL 4.5 …".
+std::string drawing_text(const DrawingRecord& drawing);
+
+/// Reads them back. Throws InputError when the file is neither PNG nor MP4 or not of fumon's
+/// making.
 PictureOrigin read_origin(const std::filesystem::path& picture);
 
 }  // namespace fumon

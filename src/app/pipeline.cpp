@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <future>
@@ -10,17 +9,20 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "app/bounded_queue.h"
 #include "app/check_finite.h"
 #include "app/interrupt.h"
 #include "app/picture_text.h"
 #include "app/recorder.h"
+#include "files/atomic_file.h"
 #include "files/terrain_file.h"
 #include "output/movie.h"
 #include "output/png.h"
 #include "scene/schedule.h"
 #include "support/error.h"
+#include "support/stopwatch.h"
 #include "support/thread_clock.h"
 #include "support/worker_pool.h"
 
@@ -44,16 +46,6 @@ struct Picture {
     std::shared_ptr<const Image> image;
 };
 
-class Stopwatch {
-  public:
-    [[nodiscard]] double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 /// One run under way: the queues, and a method for each stage.
 class Pipeline {
   public:
@@ -65,7 +57,25 @@ class Pipeline {
           folder_(folder),
           options_(options),
           progress_(progress),
-          resolved_(resolved_scene(scene, inputs)) {}
+          parts_(run_parts(scene, options.checkpoint_minutes)),
+          last_step_(options.last_step.value_or(scene.run.steps)),
+          resolved_(options.resolved.empty() ? resolved_scene(scene, inputs) : options.resolved),
+          first_(options.former != nullptr ? options.former->first : model.snapshot()),
+          checkpoints_(folder, parts_, options.checkpoint_minutes) {
+        if (options.former == nullptr) return;
+        const RunCheckpoint& former = options.former->checkpoint;
+        outcome_.frames = former.frames;
+        outcome_.bed_steps = former.bed_steps;
+        outcome_.steps_before = former.step;
+        outcome_.resumed_at = former.resumed_at;
+        outcome_.resumed_at.push_back(former.step);
+        outcome_.checkpoint = former.step;
+        frames_taken_ = outcome_.frames.size();
+        beds_taken_ = outcome_.bed_steps.size();
+        checkpoints_.skip(frames_taken_, beds_taken_);
+        progress.steps_done = former.step;
+        progress.frames_done = std::ssize(former.frames);
+    }
 
     RunOutcome run(const std::function<void(const DrawingRecord&)>& started) {
         const Stopwatch wall;
@@ -78,14 +88,14 @@ class Pipeline {
             abort();
             throw;
         }
-        progress_.expect(scene_.run.steps, pictures ? frame_schedule(scene_).count() : 0);
+        progress_.expect(last_step_, pictures ? frame_schedule(scene_).count() : 0);
         start("fumon-simulate", [this] { simulate(); });
         if (pictures) start("fumon-encode", [this] { write_pictures(); });
         if (scene_.output.movie) start("fumon-movie", [this] { write_movie(); });
         if (bed_schedule(scene_).count() > 0) start("fumon-beds", [this] { write_beds(); });
         wait_for_all();
 
-        if (outcome_.steps_done < scene_.run.steps) outcome_.signal = interrupting_signal();
+        if (outcome_.steps_done < last_step_) outcome_.signal = interrupting_signal();
         outcome_.error = error_;
         outcome_.timing.wall = wall.seconds();
         outcome_.timing.encoding_wall = pictures_wall_ + movie_wall_;
@@ -101,7 +111,10 @@ class Pipeline {
     void simulate() {
         std::optional<Recorder> recorder;
         try {
-            recorder.emplace(scene_, model_, resolved_, folder_.records());
+            std::optional<RecordPositions> former;
+            if (options_.former != nullptr) former = options_.former->checkpoint.records;
+            recorder.emplace(scene_, first_, resolved_, folder_.records(), former);
+            if (former) recorder->carry(options_.former->measured);
             advance(*recorder);
             check_finite(model_.snapshot());
             outcome_.state = state_hash(model_);
@@ -126,18 +139,24 @@ class Pipeline {
         const Schedule frames = frame_schedule(scene_);
         const Schedule beds = bed_schedule(scene_);
         const bool pictures = scene_.output.frames || scene_.output.movie;
-        for (;;) {
+        for (bool told = options_.former != nullptr;; told = false) {
             const std::int64_t step = model_.steps_done();
-            const bool frame = pictures && frames.due(step);
-            const bool record = recorder.due(step);
-            if (frame || record || beds.due(step)) {
+            const bool frame = !told && pictures && frames.due(step);
+            const bool bed = !told && beds.due(step);
+            const bool record = !told && recorder.due(step);
+            if (frame || record || bed) {
                 const auto snapshot = std::make_shared<const Snapshot>(model_.snapshot());
                 check_finite(*snapshot);
                 if (record) recorder.record(*snapshot);
-                if (beds.due(step) && !to_beds_.push(snapshot)) return;
+                if (bed && !to_beds_.push(snapshot)) return;
                 if (frame && !to_draw_.push({snapshot, recorder.rows()})) return;
+                frames_taken_ += frame ? 1 : 0;
+                beds_taken_ += bed ? 1 : 0;
             }
-            if (step >= scene_.run.steps || interrupting_signal() != 0 || aborted()) return;
+            if (step >= last_step_ || aborted()) return;
+            const bool stop = interrupting_signal() != 0;
+            if (checkpoints_.on() && (stop || checkpoints_.due())) save_checkpoint(recorder);
+            if (stop) return;
             const Stopwatch watch;
             model_.step();
             outcome_.timing.simulation_wall += watch.seconds();
@@ -146,18 +165,40 @@ class Pipeline {
         }
     }
 
+    /// A disk that is full for a checkpoint does not end the run: the former one stays.
+    void save_checkpoint(Recorder& recorder) {
+        if (!wait_until_written(frames_taken_, beds_taken_)) return;
+        RunCheckpoint now;
+        now.scene = resolved_;
+        now.inputs = inputs_;
+        now.drawing = drawing_text(outcome_.drawing);
+        now.resumed_at = outcome_.resumed_at;
+        {
+            const std::lock_guard lock(mutex_);
+            now.frames = outcome_.frames;
+            now.bed_steps = outcome_.bed_steps;
+        }
+        try {
+            checkpoints_.write(std::move(now), model_, recorder);
+            outcome_.checkpoint = model_.steps_done();
+        } catch (const Error& fault) {
+            tell(fmt::format("no checkpoint of step {}: {}; the run goes on", model_.steps_done(),
+                             fault.what()));
+        }
+    }
+
     void draw(std::promise<void> ready) {
         WorkerPool pool(options_.threads, "fumon-render");
         std::unique_ptr<FramePainter> painter;
         try {
-            painter = make_frame_painter(scene_, model_.snapshot(), options_.backend, pool);
+            painter = make_frame_painter(scene_, first_, options_.backend, pool);
             outcome_.drawing = painter->record();
             ready.set_value();
         } catch (...) {
             ready.set_exception(std::current_exception());
             return;
         }
-        std::int64_t number = 0;
+        auto number = static_cast<std::int64_t>(frames_before());
         while (const auto frame = to_draw_.pop()) {
             const Stopwatch watch;
             const Picture picture{
@@ -177,32 +218,45 @@ class Pipeline {
             const Stopwatch watch;
             const Sha256 pixels = pixel_hash(*picture->image);
             const Snapshot& snapshot = *picture->snapshot;
-            if (scene_.output.frames) {
-                const auto texts = picture_text(resolved_, scene_, snapshot.step, inputs_, pixels,
-                                                outcome_.drawing.environment);
-                write_file(folder_.frame(picture->number),
+            const auto write = [&](const std::filesystem::path& file, const PictureText& texts) {
+                write_file(file,
                            encode_png(*picture->image, scene_.view.image.dots_per_inch, texts));
+            };
+            if (parts_.frames) {
+                write(folder_.frame(picture->number),
+                      picture_text(resolved_, scene_, snapshot.step, inputs_, pixels,
+                                   outcome_.drawing.environment));
             }
-            outcome_.frames.push_back({picture->number, snapshot.step, snapshot.time, pixels});
+            if (parts_.kept_frames) write(folder_.kept_frame(picture->number), {});
             ++progress_.frames_done;
             pictures_wall_ += watch.seconds();
+            const std::lock_guard lock(mutex_);
+            outcome_.frames.push_back({picture->number, snapshot.step, snapshot.time, pixels});
+            written_.notify_all();
         }
     }
 
     void write_movie() {
         const OutputSettings& output = scene_.output;
-        Movie movie(folder_.movie(), static_cast<int>(scene_.view.image.width),
+        Movie movie(options_.movie.value_or(folder_.movie()),
+                    static_cast<int>(scene_.view.image.width),
                     static_cast<int>(scene_.view.image.height), output.movie_rate,
                     static_cast<int>(output.movie_quality));
         std::int64_t frames = 0;
+        for (; std::cmp_less(frames, frames_before()); ++frames)
+            movie.add(read_frame(folder_, parts_, options_.former->checkpoint, frames));
         while (const auto picture = to_movie_.pop()) {
             const Stopwatch watch;
             movie.add(*picture->image);
             ++frames;
             movie_wall_ += watch.seconds();
         }
+        PictureText texts;  // none where the run broke off
+        if (wait_until_written(static_cast<std::size_t>(frames), 0))
+            texts = movie_text(resolved_, scene_, inputs_, outcome_.frames,
+                               outcome_.drawing.environment);
         const Stopwatch watch;
-        movie.finish();
+        movie.finish(texts);
         movie_wall_ += watch.seconds();
         outcome_.movie = {frames, movie.padded_width(), movie.padded_height()};
     }
@@ -215,7 +269,9 @@ class Pipeline {
             for (double& height : heights.values()) height *= snapshot.scale.height_unit;
             write_file(folder_.bed(snapshot.step),
                        esri_ascii(heights, snapshot.nodata, snapshot.scale.dx, snapshot.scale.dy));
+            const std::lock_guard lock(mutex_);
             outcome_.bed_steps.push_back(snapshot.step);
+            written_.notify_all();
         }
     }
 
@@ -258,6 +314,7 @@ class Pipeline {
         {
             const std::lock_guard lock(mutex_);
             aborted_ = true;
+            written_.notify_all();
         }
         to_draw_.abort();
         to_beds_.abort();
@@ -270,14 +327,37 @@ class Pipeline {
         return aborted_;
     }
 
+    /// Waits until as many frames and beds are written. False when the run was aborted.
+    bool wait_until_written(std::size_t frames, std::size_t beds) {
+        std::unique_lock lock(mutex_);
+        written_.wait(lock, [&] {
+            return aborted_ ||
+                   (outcome_.frames.size() >= frames && outcome_.bed_steps.size() >= beds);
+        });
+        return !aborted_;
+    }
+
+    [[nodiscard]] std::size_t frames_before() const {
+        return options_.former == nullptr ? 0 : options_.former->checkpoint.frames.size();
+    }
+
+    /// Has the thread that shows the progress say something lasting, the same thing once.
+    void tell(const std::string& line) {
+        const std::lock_guard lock(mutex_);
+        if (line != told_) to_tell_ = told_ = line;
+    }
+
     void wait_for_all() {
         constexpr std::chrono::milliseconds between_looks{50};
         std::unique_lock lock(mutex_);
         while (!all_done_.wait_for(lock, between_looks, [this] { return running_ == 0; })) {
+            const std::string line = std::exchange(to_tell_, {});
             lock.unlock();
+            if (!line.empty()) progress_.note(line);
             progress_.show();
             lock.lock();
         }
+        if (!to_tell_.empty()) progress_.note(to_tell_);
         lock.unlock();
         threads_.clear();
     }
@@ -288,8 +368,14 @@ class Pipeline {
     RunFolder& folder_;
     PipelineOptions options_;
     Progress& progress_;
+    RunParts parts_;
+    std::int64_t last_step_;
     std::string resolved_;
+    Snapshot first_;
+    Checkpointer checkpoints_;
     RunOutcome outcome_;
+    std::size_t frames_taken_ = 0;  ///< by the simulation, of all steps so far
+    std::size_t beds_taken_ = 0;
     double pictures_wall_ = 0.0;  // of two threads, added up at the end
     double movie_wall_ = 0.0;
 
@@ -300,6 +386,9 @@ class Pipeline {
 
     std::mutex mutex_;
     std::condition_variable all_done_;
+    std::condition_variable written_;
+    std::string to_tell_;
+    std::string told_;
     int running_ = 0;
     bool aborted_ = false;
     std::exception_ptr error_;

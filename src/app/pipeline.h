@@ -2,13 +2,17 @@
 
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/frame_painter.h"
+#include "app/frame_record.h"
 #include "app/progress.h"
 #include "app/recorder.h"
+#include "app/run_checkpoint.h"
 #include "app/run_folder.h"
 #include "files/hash.h"
 #include "gl/context.h"
@@ -18,21 +22,13 @@
 
 namespace fumon {
 
-/// A frame that stands on disk (or went into the movie alone).
-struct FrameRecord {
-    std::int64_t number = 0;
-    std::int64_t step = 0;
-    double time = 0.0;
-    Sha256 pixels{};
-};
-
 struct MovieRecord {
     std::int64_t frames = 0;  ///< 0: there is no movie
     int width = 0;
     int height = 0;
 };
 
-/// Where a run's seconds went.
+/// Where a run's seconds went, since it was started or gone on with.
 struct Timing {
     double wall = 0.0;
     double simulation_wall = 0.0;  ///< inside the model's steps
@@ -55,21 +51,38 @@ struct RunOutcome {
     DrawingRecord drawing;
     Sha256 state{};
     Timing timing;
-    int signal = 0;            ///< that stopped the run early, or 0
-    std::exception_ptr error;  ///< the first, or none
+    std::int64_t steps_before = 0;           ///< done before it was gone on with
+    std::vector<std::int64_t> resumed_at;    ///< steps from which it was gone on with
+    std::optional<std::int64_t> checkpoint;  ///< the step of the last one that was written
+    int signal = 0;                          ///< that stopped the run early, or 0
+    std::exception_ptr error;                ///< the first, or none
+};
+
+/// A run to go on with from its checkpoint.
+struct FormerRun {
+    const RunCheckpoint& checkpoint;
+    const Snapshot& first;   ///< the run's, before its first step
+    StateCarrier& measured;  ///< brings back what the measures remember (Recorder::carry)
 };
 
 struct PipelineOptions {
     gl::Backend backend = gl::Backend::automatic;
-    int threads = 0;  ///< of the renderer's own loops; 0: one per processor
+    int threads = 0;                    ///< of the renderer's own loops; 0: one per processor
+    double checkpoint_minutes = 0.0;    ///< between checkpoints, of wall time; 0: none
+    const FormerRun* former = nullptr;  ///< its model has its state already
+    /// Where the movie goes, and the last step; else as folder and scene have them.
+    std::optional<std::filesystem::path> movie{};
+    std::optional<std::int64_t> last_step{};
+    /// The scene as pictures and movie tell it, where `scene` is not all of it.
+    std::string resolved{};
 };
 
 /// Runs a scene: simulation thread → bounded queue → drawing thread → bounded queues → encoder
 /// threads → files in order. Memory does not grow with the number of frames. The first error stops
-/// every stage; an interrupt lets what is in flight finish. `started` is called once when the
-/// painter and the view are ready and before the first file is written; nothing is written when it
-/// throws or is never reached. Throws only what happens before that; later errors are in the
-/// outcome.
+/// every stage; an interrupt lets what is in flight finish, and leaves a checkpoint. `started` is
+/// called once when the painter and the view are ready and before the first file is written;
+/// nothing is written when it throws or is never reached. Throws only what happens before that;
+/// later errors are in the outcome.
 RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs,
                         RunFolder& folder, const PipelineOptions& options, Progress& progress,
                         const std::function<void(const DrawingRecord&)>& started);

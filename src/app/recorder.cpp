@@ -29,14 +29,22 @@ MeasureSuite suite_for(const Snapshot& first) {
 
 }  // namespace
 
-Recorder::Recorder(const Scene& scene, const Model& model, std::string resolved, RecordPaths paths)
+Recorder::Recorder(const Scene& scene, const Snapshot& first, std::string resolved,
+                   RecordPaths paths, const std::optional<RecordPositions>& former)
     : scene_(scene),
       resolved_(std::move(resolved)),
       paths_(std::move(paths)),
       measured_(measures(scene) ? measurement_schedule(scene) : Schedule{}),
       fielded_(fields_schedule(scene)),
-      suite_(suite_for(model.snapshot())),
-      plotted_(kept_columns(scene), suite_.columns(), model.snapshot()) {
+      suite_(suite_for(first)),
+      plotted_(kept_columns(scene), suite_.columns(), first) {
+    if (former) {
+        const RecordPositions& at = *former;
+        if (at.avalanches >= 0) avalanches_.emplace(paths_.avalanches, at.avalanches);
+        if (at.measurements >= 0) measurements_.emplace(paths_.measurements, at.measurements);
+        if (at.fields >= 0) fields_.emplace(paths_.fields, first, fields_text(), at.fields);
+        return;
+    }
     if (!scene.output.measurements) return;
     measurements_.emplace(paths_.measurements);
     std::string header = "step,time";
@@ -72,9 +80,23 @@ void Recorder::measure(const Snapshot& snapshot) {
 
 void Recorder::record_fields(const Snapshot& snapshot) {
     if (!fields_) {
-        fields_.emplace(paths_.fields, snapshot, FieldsText{scene_.title, resolved_, scene_.seed});
+        fields_.emplace(paths_.fields, snapshot, fields_text());
     }
     fields_->add(snapshot);
+}
+
+RecordPositions Recorder::sync() {
+    RecordPositions at;
+    if (measurements_) {
+        measurements_->sync();
+        at.measurements = measurements_->length();
+    }
+    if (avalanches_) at.avalanches = avalanches_->sync();
+    if (fields_) {
+        fields_->sync();
+        at.fields = fields_->records();
+    }
+    return at;
 }
 
 void Recorder::commit() {

@@ -24,6 +24,13 @@ struct RecordPaths {
     std::filesystem::path fields;
 };
 
+/// How far a recorder's files had come when a checkpoint was made; −1 where there was none.
+struct RecordPositions {
+    std::int64_t measurements = -1;  ///< bytes
+    std::int64_t avalanches = -1;    ///< bytes
+    std::int64_t fields = -1;        ///< records
+};
+
 /// What a recorder has written: the files that exist under their final names.
 struct Recorded {
     bool measurements = false;
@@ -42,8 +49,11 @@ struct Recorded {
 /// The files get their names by commit(); without it they vanish with the recorder.
 class Recorder {
   public:
-    /// `resolved` is the scene as TOML, for fields.nc. Throws Error when a file cannot be made.
-    Recorder(const Scene& scene, const Model& model, std::string resolved, RecordPaths paths);
+    /// `first` is the run's first snapshot, `resolved` the scene as TOML, for fields.nc. With
+    /// positions of a former run, goes on with its files. Throws Error when a file cannot be made,
+    /// InputError where one cannot be gone on with.
+    Recorder(const Scene& scene, const Snapshot& first, std::string resolved, RecordPaths paths,
+             const std::optional<RecordPositions>& former = std::nullopt);
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
 
@@ -60,6 +70,14 @@ class Recorder {
     /// The measurements so far that plots over the frames show.
     [[nodiscard]] const MeasuredRows& rows() const { return plotted_.rows(); }
 
+    /// Puts all that was recorded on disk, and tells how far the files have come.
+    [[nodiscard]] RecordPositions sync();
+    /// Carries what later rows and plots draw on of earlier rows. Throws as StateCarrier.
+    void carry(StateCarrier& carrier) {
+        suite_.carry(carrier);
+        plotted_.carry(carrier);
+    }
+
     /// Gives every file its name, even when one fails; then throws the first Error.
     void commit();
     [[nodiscard]] const Recorded& recorded() const { return recorded_; }
@@ -67,6 +85,7 @@ class Recorder {
   private:
     void measure(const Snapshot& snapshot);
     void record_fields(const Snapshot& snapshot);
+    [[nodiscard]] FieldsText fields_text() const { return {scene_.title, resolved_, scene_.seed}; }
 
     const Scene& scene_;
     std::string resolved_;

@@ -137,7 +137,7 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
         Workshop workshop = set_up(wanted.scene, threads);
         if (stored_run(workshop.scene, workshop.initial).id != run.id)
             throw Error("a file that it reads has changed since the start");
-        Recorder recorder(workshop.scene, *workshop.model,
+        Recorder recorder(workshop.scene, workshop.model->snapshot(),
                           resolved_scene(workshop.scene, workshop.initial.inputs),
                           {made / "measurements.csv", made / "avalanches.csv", made / "fields.nc"});
         if (!simulate(workshop, recorder, record.steps, cell_steps)) {

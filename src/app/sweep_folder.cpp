@@ -1,11 +1,7 @@
 #include "app/sweep_folder.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -55,34 +51,15 @@ SweepFolder::SweepFolder(fs::path folder, const SweepPlan& plan, bool force)
         throw InputError(
             fmt::format("{} is a file; name a folder for the sweep with -o", folder_.string()));
     }
-    try {
-        if (there) lock();
-        if (there && !force) number_runs();
-        make_folder(folder_ / "runs");
-        if (!there) lock();
-        if (force) clear();
-        if (order_.empty()) {
-            for (std::size_t k = 0; k < plan_.runs.size(); ++k) order_.push_back(k);
-        }
-        write_manifest();
-    } catch (...) {
-        if (descriptor_ >= 0) ::close(descriptor_);
-        throw;
+    if (there) lock_.emplace(folder_);
+    if (there && !force) number_runs();
+    make_folder(folder_ / "runs");
+    if (!there) lock_.emplace(folder_);
+    if (force) clear();
+    if (order_.empty()) {
+        for (std::size_t k = 0; k < plan_.runs.size(); ++k) order_.push_back(k);
     }
-}
-
-SweepFolder::~SweepFolder() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-}
-
-void SweepFolder::lock() {
-    descriptor_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    // Some network file systems have no locks for folders; there one goes without.
-    if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-        throw InputError(
-            fmt::format("another fumon sweep is at work in {}; wait for it or name another folder",
-                        folder_.string()));
-    }
+    write_manifest();
 }
 
 /// Runs that the folder's sweep knows keep their numbers; others follow in the plan's order.

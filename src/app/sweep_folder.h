@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/folder_lock.h"
 #include "app/recorder.h"
 #include "app/run_crew.h"
 #include "app/sweep_plan.h"
@@ -28,7 +30,6 @@ class SweepFolder {
     /// has not (unless `force`, which takes that sweep away) or when another program is at work
     /// there.
     SweepFolder(std::filesystem::path folder, const SweepPlan& plan, bool force);
-    ~SweepFolder();
     SweepFolder(const SweepFolder&) = delete;
     SweepFolder& operator=(const SweepFolder&) = delete;
 
@@ -56,7 +57,6 @@ class SweepFolder {
     [[nodiscard]] const SweepRun& run(std::size_t number) const {
         return plan_.runs[order_[number - 1]];
     }
-    void lock();
     void number_runs();
     void clear() const;
     void write_manifest() const;
@@ -64,7 +64,7 @@ class SweepFolder {
     std::filesystem::path folder_;
     const SweepPlan& plan_;
     std::vector<std::size_t> order_;
-    int descriptor_ = -1;
+    std::optional<FolderLock> lock_;
 };
 
 }  // namespace fumon

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "scene/json.h"
+
 namespace fumon {
 
 namespace {
@@ -32,26 +34,6 @@ std::string axis_keys(const Json& axes) {
         names.push_back(fmt::format("{}", fmt::join(keys, "+")));
     }
     return names.empty() ? "no key" : fmt::format("{}", fmt::join(names, ", "));
-}
-
-/// The first key of two scenes that differs, or nothing.
-std::string scene_difference(const Json& former, const Json& now, const std::string& prefix) {
-    for (const auto& [name, value] : former.items()) {
-        const std::string path = prefix + name;
-        if (!now.contains(name)) return fmt::format("its scene has {}, now it has none", path);
-        if (value.is_object()) {
-            std::string inside = scene_difference(value, now[name], path + ".");
-            if (!inside.empty()) return inside;
-        } else if (value != now[name] && path != "bed.file") {
-            return fmt::format("its scene has {} = {}, now {}", path, text_of(value),
-                               text_of(now[name]));
-        }
-    }
-    for (const auto& [name, value] : now.items()) {
-        if (!former.contains(name))
-            return fmt::format("its scene has no {}{}, now it has one", prefix, name);
-    }
-    return {};
 }
 
 std::string input_difference(const Json& former, const SweepPlan& plan) {
@@ -107,7 +89,7 @@ std::string difference(const Json& manifest, const SweepPlan& plan) {
     const Json& former = manifest.at("over");
     if (axis_keys(former) != axis_keys(axes))
         return fmt::format("it varies {}, now {}", axis_keys(former), axis_keys(axes));
-    std::string found = scene_difference(manifest.at("scene"), plan.base, "");
+    std::string found = scene_difference(manifest.at("scene"), plan.base);
     if (found.empty()) found = input_difference(manifest.at("inputs"), plan);
     if (found.empty()) found = value_difference(former, axes);
     const auto first = manifest.at("seeds").at("first").get<std::int64_t>();

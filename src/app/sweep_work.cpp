@@ -22,7 +22,7 @@ Attempt do_run(const SweepPlan& plan, const SweepFolder& folder, const RunTask& 
     Workshop workshop = set_up(scene_of(plan, run), threads);
     if (run_id(workshop.scene, workshop.initial) != run.id)
         throw Error("a file that it reads has changed since the sweep began");
-    Recorder recorder(workshop.scene, *workshop.model,
+    Recorder recorder(workshop.scene, workshop.model->snapshot(),
                       resolved_scene(workshop.scene, workshop.initial.inputs),
                       folder.paths(task.number));
     if (!simulate(workshop, recorder, record.steps, cell_steps)) return Attempt::interrupted;

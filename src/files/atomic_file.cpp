@@ -50,8 +50,7 @@ bool takes_a_rename(const std::filesystem::path& file) {
 
 AtomicFile::AtomicFile(std::filesystem::path file) : file_(resolved_link(std::move(file))) {
     if (takes_a_rename(file_)) {
-        temporary_ = file_;
-        temporary_ += ".part";
+        temporary_ = temporary_name(file_);
         ::unlink(temporary_.c_str());  // what an interrupted run may have left
         descriptor_ = open_retrying(temporary_, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC);
     } else {
@@ -60,9 +59,39 @@ AtomicFile::AtomicFile(std::filesystem::path file) : file_(resolved_link(std::mo
     if (descriptor_ < 0) refuse_to_write(file_, errno);
 }
 
+AtomicFile::AtomicFile(std::filesystem::path file, std::int64_t length)
+    : file_(resolved_link(std::move(file))), temporary_(temporary_name(file_)), keep_(true) {
+    std::error_code fault;
+    if (!std::filesystem::exists(temporary_, fault))
+        std::filesystem::rename(file_, temporary_, fault);
+    descriptor_ = open_retrying(temporary_, O_WRONLY | O_CLOEXEC);
+    struct stat status {};
+    if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0 || status.st_size < length) {
+        const std::string reason =
+            descriptor_ < 0 ? std::generic_category().message(errno)
+                            : fmt::format("it has {} bytes of {}", status.st_size, length);
+        if (descriptor_ >= 0) ::close(descriptor_);
+        throw InputError(fmt::format("{}: cannot go on with it: {}", temporary_.string(), reason));
+    }
+    if (::ftruncate(descriptor_, length) == 0 && ::lseek(descriptor_, 0, SEEK_END) == length)
+        return;
+    const int reason = errno;
+    ::close(descriptor_);
+    refuse_to_write(file_, reason);
+}
+
 AtomicFile::~AtomicFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    if (!temporary_.empty() && !keep_) ::unlink(temporary_.c_str());
+}
+
+std::int64_t AtomicFile::length() const {
+    return ::lseek(descriptor_, 0, SEEK_CUR);
+}
+
+void AtomicFile::sync() {
+    // Pipes and some file systems cannot, and say EINVAL.
+    if (::fsync(descriptor_) != 0 && errno != EINVAL) refuse_to_write(file_, errno);
 }
 
 void AtomicFile::write(std::string_view text) {
@@ -94,6 +123,27 @@ void AtomicFile::commit() {
     if (temporary_.empty()) return;
     if (::rename(temporary_.c_str(), file_.c_str()) != 0) refuse_to_write(file_, errno);
     temporary_.clear();
+}
+
+std::filesystem::path temporary_name(std::filesystem::path file) {
+    file += ".part";
+    return file;
+}
+
+void sync_folder_of(const std::filesystem::path& file) {
+    const int folder = open_retrying(std::filesystem::absolute(file).parent_path(),
+                                     O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0) return;
+    ::fsync(folder);
+    ::close(folder);
+}
+
+void sync_file(const std::filesystem::path& file) {
+    const int descriptor = open_retrying(file, O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) refuse_to_write(file, errno);
+    const int reason = ::fsync(descriptor) == 0 ? 0 : errno;
+    ::close(descriptor);
+    if (reason != 0 && reason != EINVAL) refuse_to_write(file, reason);
 }
 
 void write_file(const std::filesystem::path& file, std::string_view text) {

@@ -8,11 +8,16 @@
 namespace fumon {
 
 /// A file that appears whole or not at all: written under a temporary name ("NAME.part") in the
-/// same folder and renamed by commit(). An uncommitted file is deleted.
+/// same folder and renamed by commit(). An uncommitted file is deleted, but one that goes on with a
+/// former program's is kept.
 class AtomicFile {
   public:
     /// Throws Error when the temporary file cannot be made.
     explicit AtomicFile(std::filesystem::path file);
+    /// Goes on with a file that a former program left, whether under its temporary name or its own:
+    /// after its first `length` bytes, what comes behind them is cut off. Throws InputError where
+    /// it is shorter or not there, Error where it cannot be written.
+    AtomicFile(std::filesystem::path file, std::int64_t length);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
@@ -20,13 +25,27 @@ class AtomicFile {
     /// Throws Error on a full disk or any failed write; the file then ends where it did before.
     void write(std::string_view text);
     void write(std::span<const std::uint8_t> bytes);  ///< likewise
+    /// Bytes written so far.
+    [[nodiscard]] std::int64_t length() const;
+    void sync();    ///< puts what was written on disk (fsync); throws Error on failure
     void commit();  ///< flushes, closes, renames; throws Error on failure
 
   private:
     std::filesystem::path file_;
     std::filesystem::path temporary_;
     int descriptor_ = -1;
+    bool keep_ = false;
 };
+
+/// The temporary name under which a file is written.
+std::filesystem::path temporary_name(std::filesystem::path file);
+
+/// Puts the entries of the folder that holds a file on disk, so that its name outlasts a power
+/// failure; where the file system cannot do so, it is trusted.
+void sync_folder_of(const std::filesystem::path& file);
+
+/// Puts a whole file that was written before on disk. Throws Error on failure.
+void sync_file(const std::filesystem::path& file);
 
 /// What a path leads to: a link stays a link, and what it points to is written.
 std::filesystem::path resolved_link(std::filesystem::path file);

@@ -123,6 +123,9 @@ AvalancheFile::AvalancheFile(const std::filesystem::path& file) : file_(file) {
     rows_.append(avalanche_table_header).push_back('\n');
 }
 
+AvalancheFile::AvalancheFile(const std::filesystem::path& file, std::int64_t length)
+    : file_(file, length) {}
+
 void AvalancheFile::add(std::span<const Avalanche> avalanches) {
     constexpr std::size_t enough = 1 << 16;  // bytes; spares a system call for every grain
     for (const Avalanche& avalanche : avalanches) {
@@ -132,6 +135,13 @@ void AvalancheFile::add(std::span<const Avalanche> avalanches) {
         file_.write(rows_);
         rows_.clear();
     }
+}
+
+std::int64_t AvalancheFile::sync() {
+    file_.write(rows_);
+    rows_.clear();
+    file_.sync();
+    return file_.length();
 }
 
 void AvalancheFile::commit() {

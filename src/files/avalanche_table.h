@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -22,8 +23,12 @@ class AvalancheFile {
   public:
     /// Throws Error when it cannot be made.
     explicit AvalancheFile(const std::filesystem::path& file);
+    /// Goes on with a former one after its first `length` bytes, as AtomicFile does.
+    AvalancheFile(const std::filesystem::path& file, std::int64_t length);
     void add(std::span<const Avalanche> avalanches);  ///< throws Error on a full disk
-    void commit();                                    ///< likewise
+    /// Puts all rows on disk; returns the file's length, bytes. Throws Error on failure.
+    std::int64_t sync();
+    void commit();  ///< throws Error on failure
 
   private:
     AtomicFile file_;

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "files/sha256.h"
 #include "models/model.h"
 #include "render/image.h"
 
 namespace fumon {
-
-using Sha256 = std::array<std::uint8_t, 32>;
 
 /// SHA-256 over width and height (32-bit little-endian) and RGB8 rows, top row first.
 Sha256 pixel_hash(const Image& image);

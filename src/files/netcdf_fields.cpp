@@ -18,6 +18,8 @@
 #include "files/atomic_file.h"
 #include "files/disk_space.h"
 #include "files/netcdf_calls.h"
+#include "files/netcdf_copy.h"
+#include "files/netcdf_input.h"
 #include "files/netcdf_layout.h"
 
 namespace fumon {
@@ -83,12 +85,13 @@ class FieldsFile::Parts {
         : file_(resolved_link(file)),
           part_(std::filesystem::absolute(file_)),  // which is never taken for a network address
           form_(form_of(first)) {
-        part_ += ".part";
+        part_ = temporary_name(part_);
         if (!takes_a_rename(file_))
             throw Error(fmt::format(
                 "cannot write {}: it is a pipe or a device; NetCDF needs a file on disk",
                 file_.string()));
         check_whole(first);
+        record_room_ = record_room(first);
         try {
             make(first, text);
         } catch (...) {
@@ -99,6 +102,53 @@ class FieldsFile::Parts {
 
     ~Parts() { discard(); }
     Parts(const Parts&) = delete;
+
+    /// Where the records of a former run lie from now on.
+    static std::filesystem::path set_aside(const std::filesystem::path& file) {
+        const std::filesystem::path target = resolved_link(file);
+        std::filesystem::path former = target;
+        former += ".former";
+        std::error_code fault;
+        if (std::filesystem::exists(former, fault)) return former;  // a copy of it was broken off
+        for (const std::filesystem::path& left : {temporary_name(target), target}) {
+            if (!std::filesystem::exists(left, fault)) continue;
+            std::filesystem::rename(left, former, fault);
+            if (fault) refuse_to_write(former, fault.value());
+            return former;
+        }
+        throw InputError(fmt::format("{}: is not there; run the scene from its start with --force",
+                                     file.string()));
+    }
+
+    void copy(const std::filesystem::path& former, std::int64_t records) {
+        const NetcdfLock lock;
+        try {
+            const NetcdfInput input(former);
+            const auto there = input.dimension_length(input.dimensions(layout_.time).front());
+            if (std::cmp_less(there, records))
+                throw NetcdfFault(fmt::format("it has {} records of {}", there, records));
+            for (; records_ < records; ++records_) {
+                reserve(record_room_);
+                copy_record(input, netcdf_, layout_, form_.nx, form_.ny,
+                            static_cast<std::size_t>(records_));
+                check_netcdf(nc_sync(netcdf_));
+            }
+        } catch (const NetcdfFault& fault) {
+            throw InputError(
+                fmt::format("{}: cannot go on with it: {}; run the scene from its start with "
+                            "--force",
+                            former.string(), fault.what()));
+        }
+        std::error_code fault;
+        sync();
+        std::filesystem::remove(former, fault);
+        keep_ = true;
+    }
+
+    void sync() const {
+        if (::fsync(descriptor_) != 0) refuse_to_write(file_, errno);
+    }
+
     Parts& operator=(const Parts&) = delete;
 
     void add(const Snapshot& snapshot) {
@@ -159,7 +209,7 @@ class FieldsFile::Parts {
         const NetcdfLock lock;
         if (netcdf_ != closed) nc_close(std::exchange(netcdf_, closed));
         if (descriptor_ >= 0) ::close(std::exchange(descriptor_, closed));
-        if (!part_.empty()) ::unlink(part_.c_str());
+        if (!part_.empty() && !keep_) ::unlink(part_.c_str());
     }
 
     [[noreturn]] void fail(const NetcdfFault& fault) const {
@@ -280,7 +330,9 @@ class FieldsFile::Parts {
     std::filesystem::path file_;
     std::filesystem::path part_;
     RecordForm form_;
-    int descriptor_ = closed;  ///< of the .part, for setting space aside
+    std::int64_t record_room_ = 0;  ///< of a record like the first, bytes
+    bool keep_ = false;             ///< even if it is not committed
+    int descriptor_ = closed;       ///< of the .part, for setting space aside
     int netcdf_ = closed;
     FieldsLayout layout_;
     std::vector<double> block_;
@@ -292,6 +344,13 @@ FieldsFile::FieldsFile(const std::filesystem::path& file, const Snapshot& first,
                        const FieldsText& text)
     : parts_(std::make_unique<Parts>(file, first, text)) {}
 
+FieldsFile::FieldsFile(const std::filesystem::path& file, const Snapshot& first,
+                       const FieldsText& text, std::int64_t records) {
+    const std::filesystem::path former = Parts::set_aside(file);
+    parts_ = std::make_unique<Parts>(file, first, text);
+    parts_->copy(former, records);
+}
+
 FieldsFile::~FieldsFile() = default;
 
 void FieldsFile::add(const Snapshot& snapshot) {
@@ -300,6 +359,10 @@ void FieldsFile::add(const Snapshot& snapshot) {
 
 std::int64_t FieldsFile::records() const {
     return parts_->records();
+}
+
+void FieldsFile::sync() {
+    parts_->sync();
 }
 
 void FieldsFile::commit() {

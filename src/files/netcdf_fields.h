@@ -39,6 +39,13 @@ class FieldsFile {
     /// or curve whose name is no NetCDF name or is there twice, and for a section below 2 x 2 nodes
     /// or over a bed of several rows.
     FieldsFile(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text);
+    /// Goes on with the file that a run of the same first snapshot and text left, whether under its
+    /// temporary name or its own: makes it anew with copies of its first `records` records, so that
+    /// it gets the bytes of a file that was written in one go. The former one stays as NAME.former
+    /// until then, and an uncommitted file is kept. Throws InputError where the former one is not
+    /// there, cannot be read or has fewer records.
+    FieldsFile(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text,
+               std::int64_t records);
     ~FieldsFile();
     FieldsFile(const FieldsFile&) = delete;
     FieldsFile& operator=(const FieldsFile&) = delete;
@@ -49,6 +56,9 @@ class FieldsFile {
     void add(const Snapshot& snapshot);
 
     [[nodiscard]] std::int64_t records() const;
+
+    /// Puts all records on disk (fsync). Throws Error on failure.
+    void sync();
 
     /// Closes the file and gives it its name. Throws Error on failure.
     void commit();

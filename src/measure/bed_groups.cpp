@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "measure/bed_statistics.h"
 #include "measure/celerity.h"
@@ -68,8 +70,9 @@ MeasureGroup celerity_group() {
         Grid bed;
         std::int64_t step = 0;
     };
+    const auto before = std::make_shared<Before>();
     return {std::move(columns),
-            [count, before = std::make_shared<Before>()](const Snapshot& snapshot) {
+            [count, before](const Snapshot& snapshot) {
                 return of_whole_beds(snapshot, count, [&]() -> std::vector<double> {
                     Celerity celerity;
                     const std::int64_t steps = snapshot.step - before->step;
@@ -78,6 +81,21 @@ MeasureGroup celerity_group() {
                     *before = {snapshot.bed, snapshot.step};
                     return {celerity.sites_per_step, celerity.correlation};
                 });
+            },
+            {},
+            [before](StateCarrier& carrier) {
+                std::vector<std::int64_t> size{before->bed.nx(), before->bed.ny()};
+                carrier.count("step_measured_before", before->step);
+                carrier.values("size_measured_before", std::span(size));
+                std::vector<double> heights(before->bed.values().begin(),
+                                            before->bed.values().end());
+                carrier.list("bed_measured_before", heights);
+                constexpr std::int64_t longest = std::int64_t{1} << 30;
+                if (size[0] < 0 || size[1] < 0 || size[0] > longest || size[1] > longest ||
+                    !std::cmp_equal(size[0] * size[1], heights.size()))
+                    carrier.refuse("its bed_measured_before has another size");
+                before->bed = Grid(static_cast<int>(size[0]), static_cast<int>(size[1]));
+                std::ranges::copy(heights, before->bed.values().begin());
             }};
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "support/state_carrier.h"
+
 namespace fumon {
 
 const MeasuredColumn* MeasuredRows::find(std::string_view name) const {
@@ -34,6 +36,11 @@ void RowGatherer::take(const Snapshot& snapshot, const std::vector<double>& row)
             values.push_back(factors_[i] * row[static_cast<std::size_t>(places_[i])]);
         }
     }
+}
+
+void RowGatherer::carry(StateCarrier& carrier) {
+    for (MeasuredColumn& one : rows_.columns)
+        carrier.list("plotted " + one.column.name, one.values);
 }
 
 std::vector<MeasureColumn> measured_columns(const std::vector<MeasureColumn>& suite,

@@ -8,6 +8,8 @@
 
 namespace fumon {
 
+class StateCarrier;
+
 /// One column of measurements, up to some step of a run.
 struct MeasuredColumn {
     MeasureColumn column;
@@ -34,6 +36,8 @@ class RowGatherer {
     /// Takes a row of the suite, measured of that snapshot.
     void take(const Snapshot& snapshot, const std::vector<double>& row);
     [[nodiscard]] const MeasuredRows& rows() const { return rows_; }
+    /// Carries the rows so far. Throws as StateCarrier.
+    void carry(StateCarrier& carrier);
 
   private:
     static constexpr int step_column = -1;

@@ -23,6 +23,32 @@ struct Counted {
     std::optional<Avalanche> last;
 };
 
+void carry_counted(Counted& counted, StateCarrier& carrier) {
+    std::vector<std::int64_t> sizes;
+    std::vector<std::int64_t> counts;
+    for (const SizeBin& bin : counted.sizes.bins()) {
+        sizes.push_back(bin.size);
+        counts.push_back(bin.count);
+    }
+    std::vector<std::int64_t> last;
+    if (counted.last)
+        last = {counted.last->grain, counted.last->size, counted.last->duration,
+                counted.last->topplings, counted.last->lost};
+    carrier.list("avalanche_sizes", sizes);
+    carrier.list("avalanche_counts", counts);
+    carrier.list("last_avalanche", last);
+    constexpr std::size_t numbers_of_avalanche = 5;
+    if (counts.size() != sizes.size() || (!last.empty() && last.size() != numbers_of_avalanche))
+        carrier.refuse("its avalanches do not fit each other");
+    counted = {};
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        if (sizes[i] < 1 || sizes[i] > largest_avalanche || counts[i] < 0)
+            carrier.refuse("it holds an avalanche of no possible size");
+        counted.sizes.add(sizes[i], counts[i]);
+    }
+    if (!last.empty()) counted.last = Avalanche{last[0], last[1], last[2], last[3], last[4]};
+}
+
 }  // namespace
 
 MeasureGroup pile_group() {
@@ -85,7 +111,8 @@ MeasureGroup avalanche_group() {
                 if (avalanches.empty()) return;
                 counted->sizes.add(avalanches);
                 counted->last = avalanches.back();
-            }};
+            },
+            [counted](StateCarrier& carrier) { carry_counted(*counted, carrier); }};
 }
 
 }  // namespace fumon

@@ -117,6 +117,12 @@ void MeasureSuite::note(std::span<const Avalanche> avalanches) {
     }
 }
 
+void MeasureSuite::carry(StateCarrier& carrier) {
+    for (const MeasureGroup& group : parts_->groups) {
+        if (group.carry) group.carry(carrier);
+    }
+}
+
 std::vector<double> MeasureSuite::row(const Snapshot& snapshot) {
     std::vector<double> values;
     values.reserve(parts_->columns.size());

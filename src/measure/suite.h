@@ -52,6 +52,9 @@ class MeasureSuite {
     /// One value a column; NaN where a measure has no meaning for this bed.
     [[nodiscard]] std::vector<double> row(const Snapshot& snapshot);
 
+    /// Carries what later rows draw on. Throws as StateCarrier.
+    void carry(StateCarrier& carrier);
+
   private:
     class Parts;
     std::unique_ptr<Parts> parts_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "measure/suite.h"
+#include "support/state_carrier.h"
 
 namespace fumon {
 
@@ -13,6 +14,7 @@ struct MeasureGroup {
     std::vector<MeasureColumn> columns;
     std::function<std::vector<double>(const Snapshot&)> values;
     std::function<void(std::span<const Avalanche>)> note{};  ///< where avalanches count
+    std::function<void(StateCarrier&)> carry{};              ///< what rows draw on of earlier ones
 };
 
 /// Mean, spread and extremes of the heights, and their sum.

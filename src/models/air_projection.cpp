@@ -10,6 +10,7 @@
 #include "models/wall_stress.h"
 #include "support/error.h"
 #include "support/multiversion.h"
+#include "support/state_carrier.h"
 
 namespace fumon {
 
@@ -190,6 +191,13 @@ std::vector<double> AirProjection::bed_stress() const {
 
 std::vector<StateField> AirProjection::state() const {
     return {{"velocity_x", u_}, {"velocity_z", w_}, {"pressure", p_}};
+}
+
+void AirProjection::carry(StateCarrier& carrier) {
+    carrier.count("flow_steps", steps_);
+    carrier.values("velocity_x", u_);
+    carrier.values("velocity_z", w_);
+    carrier.values("pressure", p_);
 }
 
 double AirProjection::largest_divergence() const {

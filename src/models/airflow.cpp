@@ -14,6 +14,7 @@
 #include "models/fitted_airflow.h"
 #include "models/section_flights.h"
 #include "support/error.h"
+#include "support/state_carrier.h"
 
 namespace fumon {
 
@@ -188,6 +189,17 @@ Snapshot Airflow::snapshot() const {
 
 std::vector<StateField> Airflow::state() const {
     return flow_->state();
+}
+
+void Airflow::carry(StateCarrier& carrier) {
+    carrier.count("steps", steps_);
+    carrier.count("aged_steps", flow_steps_);
+    flow_->carry(carrier);
+    carrier.value("last_stress_mean", last_fit_.mean);
+    carrier.value("last_stress_amplitude", last_fit_.amplitude);
+    carrier.value("stress_change", stress_change_);
+    carrier.value("steady", steady_);
+    carrier.value("steady_time", steady_time_);
 }
 
 }  // namespace fumon

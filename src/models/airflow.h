@@ -66,6 +66,8 @@ class Airflow : public Model {
     /// The scheme's fields, column by column. The spans hold until the next step.
     [[nodiscard]] std::vector<StateField> state() const override;
 
+    void carry(StateCarrier& carrier) override;
+
   private:
     void watch_stress();
     [[nodiscard]] StressFit fitted_stress() const;

@@ -1,9 +1,11 @@
 #include "models/cip_scheme.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "models/courant.h"
+#include "support/state_carrier.h"
 #include "support/worker_pool.h"
 
 namespace fumon {
@@ -78,6 +80,17 @@ std::vector<StateField> CipScheme::state() const {
         fields.push_back({"depth_gradient_y", depth_.gradient_y.values()});
     }
     return fields;
+}
+
+void CipScheme::carry(StateCarrier& carrier) {
+    const auto carry_one = [&carrier](const std::string& name, Carried& carried) {
+        carrier.values(name, carried.value.all_values());
+        carrier.values(name + "_gradient_x", carried.gradient_x.all_values());
+        carrier.values(name + "_gradient_y", carried.gradient_y.all_values());
+    };
+    carry_one("carried_velocity_x", u_);
+    carry_one("carried_velocity_y", v_);
+    if (as_published_) carry_one("carried_depth", depth_);
 }
 
 cip::Stencil CipScheme::around(const PaddedGrid& grid, int y) const {

@@ -30,6 +30,7 @@ class CipScheme : public ShallowWaterScheme {
     /// `water` must be what the last call left, or what the scheme was built on.
     void advance(Water& water, const Grid& bed, double dt, double rain) override;
     [[nodiscard]] std::vector<StateField> state() const override;
+    void carry(StateCarrier& carrier) override;
 
   private:
     /// A carried quantity: value and per-cell gradient before and after a sub-step, and what the

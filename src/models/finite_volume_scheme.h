@@ -4,6 +4,7 @@
 
 #include "models/finite_volume_strip.h"
 #include "models/shallow_water.h"
+#include "support/state_carrier.h"
 
 namespace fumon {
 
@@ -32,6 +33,7 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     [[nodiscard]] double step_at_courant_one(const Water& water) const override;
     void advance(Water& water, const Grid& bed, double dt, double rain) override;
     [[nodiscard]] double left() const override { return left_; }
+    void carry(StateCarrier& carrier) override { carrier.value("left_volume", left_); }
 
   private:
     struct Stage;

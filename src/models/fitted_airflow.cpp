@@ -9,6 +9,7 @@
 
 #include "models/eigen_blocks.h"
 #include "support/error.h"
+#include "support/state_carrier.h"
 
 namespace fumon {
 
@@ -294,6 +295,13 @@ std::vector<double> FittedAirflow::bed_stress() const {
 
 std::vector<StateField> FittedAirflow::state() const {
     return {{"stream_function", stream_}, {"vorticity", vorticity_}};
+}
+
+void FittedAirflow::carry(StateCarrier& carrier) {
+    carrier.count("flow_steps", steps_);
+    carrier.values("stream_function", stream_);
+    carrier.values("last_stream_function", last_stream_);
+    carrier.values("vorticity", vorticity_);
 }
 
 }  // namespace fumon

@@ -8,6 +8,7 @@
 
 #include "models/water_check.h"
 #include "support/error.h"
+#include "support/state_carrier.h"
 #include "support/worker_pool.h"
 
 namespace fumon {
@@ -153,6 +154,19 @@ std::vector<StateField> Gully::state() const {
     fields.insert(fields.end(), own.begin(), own.end());
     fields.push_back({"counters", counters_});
     return fields;
+}
+
+void Gully::carry(StateCarrier& carrier) {
+    carrier.count("steps", steps_);
+    carrier.count("substeps", substeps_);
+    carrier.values("bed", bed_.values());
+    carrier.values("water_depth", water_.depth.values());
+    carrier.values("velocity_x", water_.velocity_x.values());
+    carrier.values("velocity_y", water_.velocity_y.values());
+    scheme_->carry(carrier);
+    sediment_.carry(carrier);
+    rain_.carry("rain_volume", carrier);
+    carrier.values("counters", counters_);
 }
 
 }  // namespace fumon

@@ -42,6 +42,7 @@ class Gully : public Model {
     [[nodiscard]] std::string_view time_unit() const override { return "s"; }
     [[nodiscard]] Snapshot snapshot() const override;
     [[nodiscard]] std::vector<StateField> state() const override;
+    void carry(StateCarrier& carrier) override;
 
   private:
     Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool);

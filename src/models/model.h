@@ -11,6 +11,7 @@
 
 namespace fumon {
 
+class StateCarrier;
 class WorkerPool;
 
 /// A field beside the bed that a model shows: the cells of the last avalanche, water depth …
@@ -124,6 +125,12 @@ class Model {
 
     /// Every field that the next step depends on, in declared order.
     [[nodiscard]] virtual std::vector<StateField> state() const = 0;
+
+    /// Carries, between two steps, everything beside scene and bed that the next steps, snapshots
+    /// and times depend on, counters and sums included. A model that was just built on the same
+    /// setup and gets it goes on with the same bytes as the one it was taken from. Throws as
+    /// StateCarrier; the model is of no use then.
+    virtual void carry(StateCarrier& carrier) = 0;
 };
 
 }  // namespace fumon

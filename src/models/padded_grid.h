@@ -28,6 +28,8 @@ class PaddedGrid {
 
     [[nodiscard]] std::span<const double> values() const& { return values_.values(); }
     std::span<const double> values() && = delete;
+    /// What lies past the rows' ends too.
+    std::span<double> all_values() { return values_.values(); }
 
   private:
     int nx_ = 0;

@@ -5,6 +5,7 @@
 
 #include "models/loop_watch.h"
 #include "models/toppling.h"
+#include "support/state_carrier.h"
 
 namespace fumon {
 
@@ -94,6 +95,26 @@ Grid Pile::directions() const {
 
 Grid Pile::changes() const {
     return grid_of([this](std::size_t cell) { return changes_[cell]; });
+}
+
+void Pile::carry(StateCarrier& carrier) {
+    std::vector<std::int64_t> cells(cells_.begin(), cells_.end());
+    std::vector<std::int64_t> changes(changes_.begin(), changes_.end());
+    carrier.values("pile_cells", cells);
+    carrier.values("pile_changes", changes);
+    carrier.count("lost_grains", lost_);
+    forget_changes();
+    for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+        constexpr std::int64_t highest = std::int64_t{height_1} << 26;
+        const bool edge = cells_[cell] == outside;
+        const std::int64_t direction = cells[cell] & direction_bits;
+        if (cells[cell] < 0 || cells[cell] > highest || edge != (cells[cell] == outside) ||
+            (!edge && direction >= outside) || changes[cell] < 0 || changes[cell] > UINT32_MAX)
+            carrier.refuse("a cell of the pile holds no height and direction");
+        cells_[cell] = static_cast<std::int32_t>(cells[cell]);
+        changes_[cell] = static_cast<std::uint32_t>(changes[cell]);
+        if (changes_[cell] != 0) changed_.push_back(cell);
+    }
 }
 
 bool Pile::any_neighbour_at_most(std::size_t cell, std::int32_t limit) const {

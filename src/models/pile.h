@@ -12,6 +12,8 @@
 
 namespace fumon {
 
+class StateCarrier;
+
 /// A cell of the grid: x eastward, y northward, from 0.
 struct Site {
     int x = 0;
@@ -58,6 +60,10 @@ class Pile {
     /// What the last avalanche did to each cell: 0 nothing, 1 it received grains,
     /// 1 + n it toppled n times. nx × ny.
     [[nodiscard]] Grid changes() const;
+
+    /// Carries a pile at rest (or as it was given, before it settles): heights, directions and what
+    /// the last avalanche touched.
+    void carry(StateCarrier& carrier);
 
   private:
     struct Receiver {

@@ -7,6 +7,7 @@
 #include "models/model.h"
 #include "models/row_hops.h"
 #include "models/sand_parameters.h"
+#include "support/state_carrier.h"
 
 namespace fumon {
 
@@ -34,6 +35,10 @@ class Sand : public Model {
     [[nodiscard]] Snapshot snapshot() const override;
     [[nodiscard]] std::vector<StateField> state() const override {
         return {{"bed", bed_.values()}};
+    }
+    void carry(StateCarrier& carrier) override {
+        carrier.count("steps", steps_);
+        carrier.values("bed", bed_.values());
     }
 
   private:

@@ -7,6 +7,7 @@
 
 #include "models/toppling.h"
 #include "support/error.h"
+#include "support/state_carrier.h"
 #include "terrain/random.h"
 
 namespace fumon {
@@ -143,6 +144,14 @@ std::vector<StateField> Sandpile::state() const {
     return {{"bed", state_bed_.values()},
             {"direction", state_direction_.values()},
             {"counts", state_counts_}};
+}
+
+void Sandpile::carry(StateCarrier& carrier) {
+    carrier.count("steps", steps_);
+    carrier.count("dropped_grains", dropped_);
+    carrier.count("avalanches", avalanche_count_);
+    draws_.carry(carrier);
+    pile_.carry(carrier);
 }
 
 }  // namespace fumon

@@ -67,6 +67,8 @@ class Sandpile : public Model {
     /// dropped, grains lost, avalanches, directions drawn. The spans hold until the next call.
     [[nodiscard]] std::vector<StateField> state() const override;
 
+    void carry(StateCarrier& carrier) override;
+
   private:
     void drop_grain();
     [[nodiscard]] const Site& site_of_next_grain() const;

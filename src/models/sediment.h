@@ -41,6 +41,8 @@ class Sediment {
     /// What the transport has taken from the domain since the start, m³.
     [[nodiscard]] double removed() const { return -changed_.value() * domain_.dx * domain_.dy; }
 
+    void carry(StateCarrier& carrier) { changed_.carry("sediment_changed", carrier); }
+
   private:
     void find_fluxes(const Grid& bed, const Water& water);
     void transport_row(const Grid& bed, const Water& water, double dt, int y, RowSides& sides_x,

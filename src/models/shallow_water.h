@@ -52,6 +52,9 @@ class ShallowWaterScheme {
 
     /// What the next sub-step depends on beside the water and the bed, in a fixed order.
     [[nodiscard]] virtual std::vector<StateField> state() const { return {}; }
+
+    /// Carries that, and what has left.
+    virtual void carry(StateCarrier& carrier) = 0;
 };
 
 }  // namespace fumon

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "models/model.h"
+#include "support/state_carrier.h"
 
 namespace fumon {
 
@@ -25,6 +26,7 @@ class StaticBed : public Model {
     [[nodiscard]] std::vector<StateField> state() const override {
         return {{"bed", bed_.values()}};
     }
+    void carry(StateCarrier& carrier) override { carrier.count("steps", steps_); }
 
   private:
     Grid bed_;

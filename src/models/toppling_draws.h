@@ -4,6 +4,7 @@
 
 #include "models/sandpile_parameters.h"
 #include "models/toppling.h"
+#include "support/state_carrier.h"
 #include "terrain/random.h"
 
 namespace fumon {
@@ -39,6 +40,9 @@ class TopplingDraws {
 
     /// How many have been drawn so far.
     [[nodiscard]] std::int64_t drawn() const { return drawn_; }
+
+    /// Between two grains.
+    void carry(StateCarrier& carrier) { carrier.count("drawn_directions", drawn_); }
 
   private:
     [[nodiscard]] RandomStream of_grain(std::int64_t grain) const {

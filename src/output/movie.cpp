@@ -19,6 +19,7 @@ extern "C" {
 #include <system_error>
 #include <utility>
 
+#include "files/input_file.h"
 #include "output/frame_rate.h"
 #include "support/error.h"
 
@@ -195,7 +196,7 @@ void Movie::Parts::open_container(AVRational rate) {
     ::unlink(temporary.c_str());  // what an interrupted run may have left
     check(avio_open(&container->pb, url.c_str(), AVIO_FLAG_WRITE));
     AVDictionary* options = nullptr;
-    av_dict_set(&options, "movflags", "+faststart", 0);
+    av_dict_set(&options, "movflags", "+faststart+use_metadata_tags", 0);
     const int written = avformat_write_header(container.get(), &options);
     av_dict_free(&options);
     check(written);
@@ -278,7 +279,7 @@ void Movie::add(const Image& image) {
     parts.encode(parts.yuv.get());
 }
 
-void Movie::finish() {
+void Movie::finish(const PictureText& texts) {
     Parts& parts = *parts_;
     if (parts.finished) return;
     if (parts.failed) parts.fail("an earlier write failed");
@@ -288,6 +289,8 @@ void Movie::finish() {
         return;
     }
     parts.encode(nullptr);
+    for (const auto& [keyword, text] : texts)
+        parts.check(av_dict_set(&parts.container->metadata, keyword.c_str(), text.c_str(), 0));
     parts.check(av_write_trailer(parts.container.get()));
     parts.check_file();
     parts.check(avio_closep(&parts.container->pb));
@@ -295,6 +298,40 @@ void Movie::finish() {
     std::filesystem::rename(parts.temporary, parts.file, error);
     if (error) parts.fail(error.message());
     parts.finished = true;
+}
+
+std::string movie_encoder() {
+    const auto version = [](unsigned number) {
+        return fmt::format("{}.{}.{}", AV_VERSION_MAJOR(number), AV_VERSION_MINOR(number),
+                           AV_VERSION_MICRO(number));
+    };
+    return fmt::format("libavcodec {}, libavformat {}, libswscale {}", version(avcodec_version()),
+                       version(avformat_version()), version(swscale_version()));
+}
+
+bool is_movie(const std::filesystem::path& file) {
+    constexpr std::size_t size_of_box = 4;  // bytes, before its type
+    constexpr std::string_view type = "ftyp";
+    return start_of_input_file(file, size_of_box + type.size()).ends_with(type);
+}
+
+PictureText read_movie_texts(const std::filesystem::path& file) {
+    av_log_set_level(AV_LOG_QUIET);
+    AVFormatContext* opened = nullptr;
+    const std::string url = "file:" + file.string();
+    const int code =
+        avformat_open_input(&opened, url.c_str(), av_find_input_format("mp4"), nullptr);
+    if (code < 0) {
+        throw InputError(
+            fmt::format("{}: is no MP4 movie or is damaged ({}); take an untouched copy",
+                        file.string(), reason(code)));
+    }
+    PictureText texts;
+    const AVDictionaryEntry* entry = nullptr;
+    while ((entry = av_dict_get(opened->metadata, "", entry, AV_DICT_IGNORE_SUFFIX)) != nullptr)
+        texts.emplace_back(entry->key, entry->value);
+    avformat_close_input(&opened);
+    return texts;
 }
 
 }  // namespace fumon

@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 
+#include "output/png.h"
 #include "render/image.h"
 
 namespace fumon {
@@ -21,7 +23,9 @@ class Movie {
     Movie& operator=(const Movie&) = delete;
 
     void add(const Image& image);  ///< throws Error on a failed write or an image of another size
-    void finish();  ///< completes the file and renames it; without frames nothing is left
+    /// Completes the file with these texts in its metadata and renames it; without frames nothing
+    /// is left.
+    void finish(const PictureText& texts = {});
 
     [[nodiscard]] int padded_width() const;
     [[nodiscard]] int padded_height() const;
@@ -30,5 +34,15 @@ class Movie {
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };
+
+/// The encoder's libraries and their versions.
+std::string movie_encoder();
+
+/// Whether a file begins as an MP4 movie. Throws InputError when it cannot be read.
+bool is_movie(const std::filesystem::path& file);
+
+/// The texts of a movie's metadata, in its order. Throws InputError when it is no MP4 movie or is
+/// damaged.
+PictureText read_movie_texts(const std::filesystem::path& file);
 
 }  // namespace fumon

@@ -1,5 +1,7 @@
 #include "scene/json.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -41,6 +43,29 @@ Json& place(Json& json, const std::string& path) {
     return *at;
 }
 
+std::string text_of(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string difference_below(const Json& former, const Json& now, const std::string& prefix) {
+    for (const auto& [name, value] : former.items()) {
+        const std::string path = prefix + name;
+        if (!now.contains(name)) return fmt::format("its scene has {}, now it has none", path);
+        if (value.is_object()) {
+            std::string inside = difference_below(value, now[name], path + ".");
+            if (!inside.empty()) return inside;
+        } else if (value != now[name] && path != "bed.file") {
+            return fmt::format("its scene has {} = {}, now {}", path, text_of(value),
+                               text_of(now[name]));
+        }
+    }
+    for (const auto& [name, value] : now.items()) {
+        if (!former.contains(name))
+            return fmt::format("its scene has no {}{}, now it has one", prefix, name);
+    }
+    return {};
+}
+
 }  // namespace
 
 Json scene_json(const Scene& scene) {
@@ -51,6 +76,10 @@ Json scene_json(const Scene& scene) {
         place(json, key.path) = std::visit(ValueJson{}, key.target);
     }
     return json;
+}
+
+std::string scene_difference(const Json& former, const Json& now) {
+    return difference_below(former, now, "");
 }
 
 }  // namespace fumon

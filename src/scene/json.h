@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "scene/scene.h"
 
@@ -8,5 +9,10 @@ namespace fumon {
 
 /// The resolved scene as nested JSON: every key with its value, defaults included.
 nlohmann::ordered_json scene_json(const Scene& scene);
+
+/// The first key at which two such scenes differ, in words ("its scene has run.steps = 100, now
+/// 200"); empty where they agree. bed.file is passed over: what a file holds counts, not its path.
+std::string scene_difference(const nlohmann::ordered_json& former,
+                             const nlohmann::ordered_json& now);
 
 }  // namespace fumon

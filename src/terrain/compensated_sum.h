@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <string_view>
+
+#include "support/state_carrier.h"
 
 namespace fumon {
 
@@ -14,6 +18,13 @@ class CompensatedSum {
         sum_ = sum;
     }
     [[nodiscard]] double value() const { return sum_ + lost_; }
+
+    void carry(std::string_view name, StateCarrier& carrier) {
+        std::array both{sum_, lost_};
+        carrier.values(name, both);
+        sum_ = both[0];
+        lost_ = both[1];
+    }
 
   private:
     double sum_ = 0.0;

@@ -13,6 +13,7 @@
 #include "scene/read.h"
 #include "support/error.h"
 #include "support/program.h"
+#include "support/state_carrier.h"
 
 namespace fumon::test {
 namespace {
@@ -32,6 +33,10 @@ class SpoiledModel : public Model {
     [[nodiscard]] std::vector<StateField> state() const override {
         return {{"bed", bed_.values()}};
     }
+    void carry(StateCarrier& carrier) override {
+        carrier.count("steps", steps_);
+        carrier.values("bed", bed_.values());
+    }
 
   private:
     std::int64_t spoiled_at_;
@@ -46,7 +51,7 @@ TEST(Pipeline, AFieldThatTurnsNaNIsReportedAndEarlierFramesAreKept) {
     RunFolder run(folder / "out", false);
     Progress progress(Verbosity::quiet, 0);
     const RunOutcome outcome = run_pipeline(model, scene, {}, run, {}, progress,
-                                            [&](const DrawingRecord&) { run.create(true, false); });
+                                            [&](const DrawingRecord&) { run.create({true, false, false}); });
     ASSERT_TRUE(outcome.error);
     EXPECT_EQ(error_text(outcome.error),
               "the bed height became nan at cell (3, 4), step 15; try smaller rates (`fumon "
@@ -101,7 +106,7 @@ TEST(Pipeline, WhatFailsBeforeTheStartWritesNothing) {
         Error);
     scene.view.look.palette = "no such palette";
     EXPECT_THROW(run_pipeline(model, scene, {}, run, {}, progress,
-                              [&](const DrawingRecord&) { run.create(true, true); }),
+                              [&](const DrawingRecord&) { run.create({true, false, true}); }),
                  InputError);
     EXPECT_FALSE(std::filesystem::exists(run.path()));
 }

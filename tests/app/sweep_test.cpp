@@ -341,7 +341,7 @@ TEST_F(SweepTest, OneProgramAtATimeWorksInAFolder) {
     const Ended second = sweep({"--seeds", "40", "--set", "run.steps=100000"});
     EXPECT_EQ(second.status, 2);
     EXPECT_EQ(second.errors,
-              "another fumon sweep is at work in out; wait for it or name another folder\n");
+              "another fumon is at work in out; wait for it or name another folder\n");
     first.send(SIGINT);
     EXPECT_EQ(first.wait().status, 130);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "support/error.h"
@@ -111,6 +112,39 @@ TEST(AtomicFile, LeavesNothingOnAFullDisk) {
     EXPECT_EQ(message_of<Error>([&] { write_file(folder / "x.png", std::string(200'000, 'x')); }),
               "cannot write " + (folder / "x.png").string() + ": No space left on device");
     EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(AtomicFile, GoesOnWithWhatAKilledOrStoppedRunLeft) {
+    const TemporaryFolder folder;
+    for (const char* left : {"a.csv.part", "a.csv"}) {
+        folder.file(left, "1\n2\n3\nhalf a li");
+        AtomicFile file(folder / "a.csv", 6);
+        EXPECT_FALSE(std::filesystem::exists(folder / "a.csv"));
+        EXPECT_EQ(file.length(), 6);
+        file.write("4\n");
+        file.sync();
+        EXPECT_EQ(bytes_of(folder / "a.csv.part"), "1\n2\n3\n4\n");
+        file.commit();
+        EXPECT_EQ(bytes_of(folder / "a.csv"), "1\n2\n3\n4\n");
+        EXPECT_EQ(folder.entries(), 1);
+        std::filesystem::remove(folder / "a.csv");
+    }
+}
+
+TEST(AtomicFile, OneThatGoesOnIsKeptAndRefusedWhereItIsTooShort) {
+    const TemporaryFolder folder;
+    folder.file("a.csv.part", "1\n2\n");
+    { const AtomicFile uncommitted(folder / "a.csv", 2); }
+    EXPECT_EQ(bytes_of(folder / "a.csv.part"), "1\n");
+    EXPECT_NE(message_of<InputError>([&] {
+                  AtomicFile(folder / "a.csv", 3);
+              }).find("a.csv.part: cannot go on with it: it has 2 bytes of 3"),
+              std::string::npos);
+    EXPECT_NE(message_of<InputError>([&] {
+                  AtomicFile(folder / "b.csv", 0);
+              }).find("No such file or directory"),
+              std::string::npos);
+    EXPECT_EQ(folder.entries(), 1);
 }
 
 }  // namespace

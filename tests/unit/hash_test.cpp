@@ -24,6 +24,7 @@ class FakeModel : public Model {
     [[nodiscard]] std::vector<StateField> state() const override {
         return {{"bed", bed}, {"water", water}};
     }
+    void carry(StateCarrier&) override {}
 };
 
 // FIPS 180-2, appendix B.1: the message "abc".

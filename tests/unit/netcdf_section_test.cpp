@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 
 #include "files/netcdf_fields.h"
@@ -382,6 +383,59 @@ print("all is well")
                                              (folder / "fields.nc").string());
     EXPECT_EQ(spoken.status, 0);
     EXPECT_EQ(spoken.words, "all is well\n");
+}
+
+/// A file of six records that was left after `stopped` and gone on with after `kept` of them.
+std::string gone_on_with(const TemporaryFolder& folder, std::int64_t stopped, std::int64_t kept,
+                         const char* left) {
+    const auto record = [](std::int64_t step) { return snapshot(step, section(step)); };
+    {
+        FieldsFile file(folder / "first.nc", record(0), text);
+        for (std::int64_t step = 0; step < stopped; ++step) file.add(record(step));
+        file.sync();
+        std::filesystem::copy_file(folder / "first.nc.part", folder / left);
+    }
+    FieldsFile file(folder / "on.nc", record(0), text, kept);
+    EXPECT_EQ(file.records(), kept);
+    EXPECT_FALSE(std::filesystem::exists(folder / "on.nc.former"));
+    for (std::int64_t step = kept; step < 6; ++step) file.add(record(step));
+    file.commit();
+    return bytes_of(folder / "on.nc");
+}
+
+TEST(NetcdfSection, AFileThatIsGoneOnWithGetsTheBytesOfOneInOneGo) {
+    const TemporaryFolder whole;
+    FieldsFile file(whole / "whole.nc", snapshot(0, section(0)), text);
+    for (std::int64_t step = 0; step < 6; ++step) file.add(snapshot(step, section(step)));
+    file.commit();
+    const std::string bytes = bytes_of(whole / "whole.nc");
+    for (const char* left : {"on.nc.part", "on.nc", "on.nc.former"}) {
+        for (const std::int64_t kept : {0, 1, 4, 6}) {
+            for (const std::int64_t stopped : {kept, std::int64_t{6}}) {
+                const TemporaryFolder folder;
+                EXPECT_TRUE(gone_on_with(folder, stopped, kept, left) == bytes)
+                    << left << " " << kept << " of " << stopped;
+                EXPECT_EQ(folder.entries(), 1);
+            }
+        }
+    }
+}
+
+TEST(NetcdfSection, WhatCannotBeGoneOnWithIsRefusedAndStays) {
+    const TemporaryFolder folder;
+    const auto refusal = [&](std::int64_t records) {
+        return message_of<InputError>(
+            [&] { FieldsFile(folder / "on.nc", snapshot(0, section(0)), text, records); });
+    };
+    EXPECT_NE(refusal(0).find("on.nc: is not there"), std::string::npos);
+    EXPECT_NE(message_of<InputError>([&] {
+                  gone_on_with(folder, 2, 3, "on.nc.part");
+              }).find("on.nc.former: cannot go on with it: it has 2 records of 3"),
+              std::string::npos);
+    EXPECT_EQ(folder.entries(), 1);
+    folder.file("on.nc.former", "no NetCDF");
+    EXPECT_NE(refusal(1).find("on.nc.former: cannot go on with it: "), std::string::npos);
+    EXPECT_EQ(bytes_of(folder / "on.nc.former"), "no NetCDF");
 }
 
 }  // namespace

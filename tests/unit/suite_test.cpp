@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
+
+#include "files/checkpoint.h"
+#include "support/temporary_folder.h"
 
 namespace fumon {
 namespace {
@@ -140,6 +144,37 @@ TEST(MeasureSuite, AvalanchesCountWhetherOrNotTheirStepIsMeasured) {
     EXPECT_EQ(value_of(suite, row, "avalanches"), 3.0);
     EXPECT_EQ(value_of(suite, row, "last_avalanche_size"), 7.0);
     EXPECT_EQ(value_of(suite, row, "largest_avalanche_size"), 40.0);
+}
+
+TEST(MeasureSuite, WhatRowsDrawOnGoesOverACheckpoint) {
+    const testing::TemporaryFolder folder;
+    const auto carried = [&](MeasureSuite& from, MeasureSuite& to) {
+        CheckpointWriter writer(folder / "suite");
+        from.carry(writer);
+        writer.commit();
+        to.carry(*open_checkpoint(folder / "suite"));
+    };
+    const auto same = [](const std::vector<double>& one, const std::vector<double>& other) {
+        return std::equal(
+            one.begin(), one.end(), other.begin(), other.end(),
+            [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
+    };
+    MeasureSuite beds(Landform::bed);
+    MeasureSuite beds_later(Landform::bed);
+    static_cast<void>(beds.row(bed_of(40, 8, 2)));
+    carried(beds, beds_later);
+    const std::vector<double> row = beds.row(bed_of(40, 8, 4, 1.0));
+    EXPECT_TRUE(same(row, beds_later.row(bed_of(40, 8, 4, 1.0))));
+    MeasureSuite forgetful(Landform::bed);
+    EXPECT_FALSE(same(row, forgetful.row(bed_of(40, 8, 4, 1.0))))
+        << "the celerity needs the row before";
+
+    MeasureSuite piles(Landform::pile);
+    MeasureSuite piles_later(Landform::pile);
+    const std::vector<Avalanche> avalanches{{3, 12, 2, 5, 0}, {4, 30, 3, 9, 1}, {9, 12, 1, 2, 0}};
+    piles.note(avalanches);
+    carried(piles, piles_later);
+    EXPECT_TRUE(same(piles.row(bed_of(10, 10)), piles_later.row(bed_of(10, 10))));
 }
 
 TEST(MeasureSuite, LandformsAreToldApart) {

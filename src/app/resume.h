@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+
+#include "app/commands.h"
+#include "app/run_checkpoint.h"
+#include "app/run_folder.h"
+#include "app/workshop.h"
+#include "files/checkpoint.h"
+
+namespace fumon {
+
+/// A run taken up from its checkpoint: its model stands at the checkpoint's step.
+struct ResumedRun {
+    Workshop workshop;
+    RunCheckpoint checkpoint;
+    Snapshot first;  ///< before the run's first step
+    /// What is left of the checkpoint: what the measures remember.
+    std::unique_ptr<CheckpointReader> rest;
+};
+
+/// Takes up the run of a folder that was entered. Throws InputError, with nothing changed, for a
+/// checkpoint that is damaged or of another version of fumon, where options.scene (or settings)
+/// say another scene than the run's, where a file that the scene reads has changed, and where
+/// frames that the checkpoint counts are gone.
+ResumedRun resume_run(const RunFolder& folder, const RunOptions& options);
+
+}  // namespace fumon
