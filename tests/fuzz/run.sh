@@ -19,6 +19,7 @@ targets=("$@")
 if [ ${#targets[@]} -eq 0 ]; then
     for folder in tests/fuzz/corpus/*/; do targets+=("$(basename "$folder")"); done
 fi
+export LSAN_OPTIONS="suppressions=$PWD/tests/sanitizers/leaks.txt:print_suppressions=0"  # NetCDF keeps some of damaged files
 mkdir -p "$found"
 
 # The names of all keys, models and choices, for whatever reads scenes.
