@@ -78,6 +78,7 @@ std::uint64_t times(std::uint64_t a, std::uint64_t b) {
 
 struct Variable {
     bool has_records = false;
+    bool sound = true;        ///< its dimensions are there, and only the first may be the records'
     std::uint64_t bytes = 0;  ///< all of it, or one record of it
     std::uint64_t begin = 0;
 };
@@ -101,6 +102,7 @@ Variable read_variable(HeaderReader& header, int width, int offset_width,
     for (std::uint64_t i = 0; i < rank && header.good(); ++i) {
         const std::uint64_t dimension = header.number(width);
         const std::uint64_t length = dimension < lengths.size() ? lengths[dimension] : 0;
+        if (dimension >= lengths.size() || (i > 0 && length == 0)) variable.sound = false;
         if (i == 0 && length == 0) {
             variable.has_records = true;
         } else {
@@ -141,6 +143,13 @@ std::optional<std::uint64_t> needed_length(const std::filesystem::path& file) {
         variables.push_back(read_variable(header, width, offset_width, lengths));
     if (!header.good()) return UINT64_MAX;  // it ends within its header
 
+    // The library divides by such a length.
+    if (!std::ranges::all_of(variables, &Variable::sound))
+        throw InputError(fmt::format(
+            "{}: a variable has a dimension that is not there or of no length; it is damaged: "
+            "copy it again",
+            file.string()));
+
     std::uint64_t record_bytes = 0;
     std::uint64_t with_records = 0;
     for (const Variable& variable : variables) {
@@ -161,7 +170,7 @@ std::optional<std::uint64_t> needed_length(const std::filesystem::path& file) {
 
 }  // namespace
 
-void refuse_short_classic_file(const std::filesystem::path& file) {
+void refuse_damaged_classic_file(const std::filesystem::path& file) {
     const auto needed = needed_length(file);
     std::error_code fault;
     const std::uintmax_t length = std::filesystem::file_size(file, fault);

@@ -38,7 +38,7 @@ std::string without_padding(std::string text) {
 }  // namespace
 
 NetcdfInput::NetcdfInput(const std::filesystem::path& file) : name_(file.string()) {
-    refuse_short_classic_file(file);
+    refuse_damaged_classic_file(file);
     // An absolute path is never taken for an address on the network.
     check_netcdf(nc_open(std::filesystem::absolute(file).c_str(), NC_NOWRITE, &id_));
 }
