@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -311,8 +311,15 @@ SceneText read_scene_text(const std::filesystem::path& file) {
         throw InputError(fmt::format("{}: cannot be read ({}); check the path", file.string(),
                                      std::generic_category().message(errno)));
     }
-    std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    constexpr std::size_t largest_scene = std::size_t{1} << 24;  // bytes; a device may have no end
+    std::string text(largest_scene + 1, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (stream.bad()) throw InputError(fmt::format("{}: cannot be read to its end", file.string()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > largest_scene) {
+        throw InputError(fmt::format("{}: has more than {} bytes; a scene is a TOML file",
+                                     file.string(), largest_scene));
+    }
     return {std::move(text), file.string(), file.parent_path()};
 }
 

@@ -134,6 +134,16 @@ INSTANTIATE_TEST_SUITE_P(
                "(steps)"}),
     [](const auto& test) { return test.param.name; });
 
+TEST(SceneFile, WithoutAnEndIsRefused) {
+    try {
+        static_cast<void>(read_scene("/dev/zero"));
+        FAIL() << "it was taken";
+    } catch (const InputError& fault) {
+        EXPECT_STREQ(fault.what(),
+                     "/dev/zero: has more than 16777216 bytes; a scene is a TOML file");
+    }
+}
+
 TEST(Settings, OverrideTheFileInOrder) {
     const Scene scene =
         parse_scene(least + "[frames]\nat = [1, 2]\n", "scene.toml", "",
