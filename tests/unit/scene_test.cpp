@@ -104,6 +104,9 @@ INSTANTIATE_TEST_SUITE_P(
                "scene.toml:1:7: Error while parsing table header: expected ']', saw '\\n'; a scene "
                "is TOML: [section] lines and "
                "key = value lines"},
+        Broken{"key_that_is_none", least + "[:x]\na = 1\n",
+               "scene.toml:5:2: Error while parsing key: expected bare key starting character or "
+               "string delimiter, saw ':'; a scene is TOML: [section] lines and key = value lines"},
         Broken{"control_characters", "\"two\\nlines\\u001b\" = 1\n" + least,
                "scene.toml:1:1: unknown key two lines?; `fumon describe sand` lists the known "
                "ones"},
