@@ -13,7 +13,7 @@ at_once=2
 slowest=10        # seconds of one input
 most_memory=1024  # MB in all
 most_at_once=512  # MB of one allocation
-longest=8192      # bytes of an input
+longest=16384     # bytes of an input
 
 targets=("$@")
 if [ ${#targets[@]} -eq 0 ]; then
