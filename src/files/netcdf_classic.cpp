@@ -78,7 +78,8 @@ std::uint64_t times(std::uint64_t a, std::uint64_t b) {
 
 struct Variable {
     bool has_records = false;
-    bool sound = true;        ///< its dimensions are there, and only the first may be the records'
+    bool sound =
+        true;  ///< its type and dimensions are known, and only the first may be the records'
     std::uint64_t bytes = 0;  ///< all of it, or one record of it
     std::uint64_t begin = 0;
 };
@@ -110,7 +111,9 @@ Variable read_variable(HeaderReader& header, int width, int offset_width,
         }
     }
     skip_attributes(header, width);
-    variable.bytes = times(variable.bytes, bytes_of_type(header.number(4)));
+    const std::uint64_t type = header.number(4);
+    if (type < NC_BYTE || type > NC_UINT64) variable.sound = false;
+    variable.bytes = times(variable.bytes, bytes_of_type(type));
     header.number(width);  // its size, which large variables cannot tell
     variable.begin = header.number(offset_width);
     return variable;
@@ -143,11 +146,11 @@ std::optional<std::uint64_t> needed_length(const std::filesystem::path& file) {
         variables.push_back(read_variable(header, width, offset_width, lengths));
     if (!header.good()) return UINT64_MAX;  // it ends within its header
 
-    // The library divides by such a length.
+    // The library divides by such lengths and by the size of such types.
     if (!std::ranges::all_of(variables, &Variable::sound))
         throw InputError(fmt::format(
-            "{}: a variable has a dimension that is not there or of no length; it is damaged: "
-            "copy it again",
+            "{}: a variable is of no known type, or over a dimension that is not there or of no "
+            "length; it is damaged: copy it again",
             file.string()));
 
     std::uint64_t record_bytes = 0;

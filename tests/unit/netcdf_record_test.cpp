@@ -184,12 +184,12 @@ TEST(NetcdfRecord, AClassicFileWithANameLongerThanItselfIsRefusedBeforeMemoryIsA
                   "again");
 }
 
-TEST(NetcdfRecord, AClassicFileWithoutAVariablesDimensionIsRefused) {
+TEST(NetcdfRecord, AClassicFileWithoutAVariablesDimensionOrTypeIsRefused) {
     const TemporaryFolder folder;
     const auto number = [](int value) {
         return std::string{'\0', '\0', '\0', static_cast<char>(value)};
     };
-    const auto header = [&](int second_dimension) {
+    const auto header = [&](int second_dimension, int type) {
         std::string text = "CDF\1" + number(0);
         text += number(10) + number(2);                             // two dimensions
         text += number(1) + std::string("t\0\0\0", 4) + number(0);  // the records'
@@ -199,19 +199,20 @@ TEST(NetcdfRecord, AClassicFileWithoutAVariablesDimensionIsRefused) {
         text += number(1) + std::string("v\0\0\0", 4);
         text += number(2) + number(0) + number(second_dimension);
         text += number(0) + number(0);
-        return text + number(NC_DOUBLE) + number(24) + number(96);
+        return text + number(type) + number(24) + number(96);
     };
-    const auto refusal = [&](int second_dimension) {
-        std::ofstream(folder / "forged.nc") << header(second_dimension) << std::string(24, '\0');
+    const auto refusal = [&](int second_dimension, int type = NC_DOUBLE) {
+        std::ofstream(folder / "forged.nc")
+            << header(second_dimension, type) << std::string(24, '\0');
         return message_of<InputError>(
             [&] { static_cast<void>(read_fields_record(folder / "forged.nc")); });
     };
     EXPECT_EQ(refusal(1), "") << "a sound file, though none of ours";
-    for (const int wrong : {0, 2, 7})
-        EXPECT_EQ(refusal(wrong),
-                  (folder / "forged.nc").string() +
-                      ": a variable has a dimension that is not there or of no length; it is "
-                      "damaged: copy it again");
+    const std::string line = (folder / "forged.nc").string() +
+                             ": a variable is of no known type, or over a dimension that is not "
+                             "there or of no length; it is damaged: copy it again";
+    for (const int wrong : {0, 2, 7}) EXPECT_EQ(refusal(wrong), line) << wrong;
+    for (const int wrong : {0, 12, 99}) EXPECT_EQ(refusal(1, wrong), line) << wrong;
 }
 
 }  // namespace
