@@ -209,8 +209,8 @@ TEST(NetcdfRecord, AClassicFileWithoutAVariablesDimensionOrTypeIsRefused) {
     };
     EXPECT_EQ(refusal(1), "") << "a sound file, though none of ours";
     const std::string line = (folder / "forged.nc").string() +
-                             ": a variable is of no known type, or over a dimension that is not "
-                             "there or of no length; it is damaged: copy it again";
+                             ": something in it is of no known type, or over a dimension that is "
+                             "not there or of no length; it is damaged: copy it again";
     for (const int wrong : {0, 2, 7}) EXPECT_EQ(refusal(wrong), line) << wrong;
     for (const int wrong : {0, 12, 99}) EXPECT_EQ(refusal(1, wrong), line) << wrong;
 }
