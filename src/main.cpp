@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "support/crash.h"
 #include "support/error.h"
 
 int main(int count, char** values) {
+    fumon::explain_crashes();
     try {
         return fumon::run_command_line(std::vector<std::string>(values + 1, values + count));
     } catch (const fumon::Error& error) {

@@ -8,6 +8,7 @@
 #include "scene/read.h"
 #include "scene/schedule.h"
 #include "support/error.h"
+#include "support/tell.h"
 
 namespace fumon {
 
@@ -22,13 +23,14 @@ int check_command(const std::vector<std::string>& scenes,
                 FigureSources sources;
                 plan_figure(file, settings, sources, runs);
             }
-            fmt::print("{}: fine ({}, {} x {} cells, {} steps, {} frames)\n", file,
-                       workshop.scene.model.name, workshop.initial.bed.nx(),
-                       workshop.initial.bed.ny(), workshop.scene.run.steps,
-                       frame_schedule(workshop.scene).count());
+            const std::string line = fmt::format(
+                "{}: fine ({}, {} x {} cells, {} steps, {} frames)\n", file,
+                workshop.scene.model.name, workshop.initial.bed.nx(), workshop.initial.bed.ny(),
+                workshop.scene.run.steps, frame_schedule(workshop.scene).count());
+            std::fputs(line.c_str(), stdout);
         } catch (const InputError& fault) {
             std::fflush(stdout);
-            fmt::print(stderr, "{}\n", fault.what());
+            tell(std::string(fault.what()) + "\n");
             status = fault.exit_status();
         }
     }

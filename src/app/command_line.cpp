@@ -469,11 +469,7 @@ int run_command_line(const std::vector<std::string>& arguments) {
     } catch (const CLI::Success& help) {
         line.app.exit(help);
     } catch (const CLI::ParseError& fault) {
-        std::string what = fault.what();
-        for (char& letter : what) {
-            if (letter == '\n') letter = ' ';
-        }
-        refuse_usage(line, arguments, what);
+        refuse_usage(line, arguments, fault.what());
     }
     check_standard_output();
     return status;

@@ -15,6 +15,7 @@
 #include "measure/suite.h"
 #include "scene/initial_bed.h"
 #include "support/error.h"
+#include "support/tell.h"
 
 namespace fumon {
 
@@ -38,7 +39,7 @@ void add_record(const std::string& file, Snapshot& snapshot) {
 Snapshot read_bed(const MeasureOptions& options, const std::string& file) {
     const Scene scene = terrain_scene(file, options.heights, options.settings);
     const InitialBed initial = make_initial_bed(scene);
-    if (!initial.note.empty()) fmt::print(stderr, "{}\n", initial.note);
+    if (!initial.note.empty()) tell(initial.note + "\n");
     Snapshot snapshot;
     snapshot.time_unit = "steps";
     snapshot.bed = initial.bed;

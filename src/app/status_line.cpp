@@ -1,9 +1,10 @@
 #include "app/status_line.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
+
+#include "support/tell.h"
 
 namespace fumon {
 
@@ -30,10 +31,10 @@ bool StatusLine::due() const {
 void StatusLine::show(const std::string& text) {
     restart();
     if (live_) {
-        fmt::print(stderr, "\r\033[K{}", text);
+        tell("\r\033[K" + text);
         open_ = true;
     } else {
-        fmt::print(stderr, "{}\n", text);
+        tell(text + "\n");
     }
     std::fflush(stderr);
 }
@@ -52,12 +53,12 @@ void StatusLine::verbose(const std::string& text) {
 
 void StatusLine::error(const std::string& text) {
     clear();
-    fmt::print(stderr, "{}\n", text);
+    tell(text + "\n");
 }
 
 void StatusLine::clear() {
     if (!open_) return;
-    fmt::print(stderr, "\r\033[K");
+    tell("\r\033[K");
     std::fflush(stderr);
     open_ = false;
 }

@@ -12,7 +12,6 @@
 #include "files/geographic.h"
 #include "files/length_unit.h"
 #include "files/netcdf_axis.h"
-#include "files/netcdf_classic.h"
 #include "files/netcdf_variable.h"
 #include "files/terrain_limits.h"
 
@@ -240,7 +239,6 @@ bool is_netcdf(std::string_view start) {
 }
 
 Terrain read_netcdf_bed(const std::filesystem::path& file, const std::string& variable) {
-    refuse_short_classic_file(file);
     const NetcdfLock lock;
     try {
         return read_bed(NetcdfInput(file), variable);

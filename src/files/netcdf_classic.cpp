@@ -41,11 +41,21 @@ class HeaderReader {
         return good() ? value : 0;
     }
 
+    /// Of an attribute or variable: NC_BYTE …
+    std::uint64_t type() {
+        const std::uint64_t value = number(4);
+        if (good() && (value < NC_BYTE || value > NC_UINT64)) types_known_ = false;
+        return value;
+    }
+
+    [[nodiscard]] bool types_known() const { return types_known_; }
+
     void skip(std::uint64_t bytes) { in_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur); }
 
   private:
     std::ifstream in_;
     bool good_ = true;
+    bool types_known_ = true;
 };
 
 std::uint64_t bytes_of_type(std::uint64_t type) {
@@ -78,6 +88,7 @@ std::uint64_t times(std::uint64_t a, std::uint64_t b) {
 
 struct Variable {
     bool has_records = false;
+    bool sound = true;        ///< its dimensions are there, and only the first may be the records'
     std::uint64_t bytes = 0;  ///< all of it, or one record of it
     std::uint64_t begin = 0;
 };
@@ -87,7 +98,7 @@ void skip_attributes(HeaderReader& header, int width) {
     const std::uint64_t count = header.count(width);
     for (std::uint64_t i = 0; i < count && header.good(); ++i) {
         header.skip(padded(header.count(width)));  // its name
-        const std::uint64_t type = header.number(4);
+        const std::uint64_t type = header.type();
         header.skip(padded(header.count(width) * bytes_of_type(type)));
     }
 }
@@ -101,6 +112,8 @@ Variable read_variable(HeaderReader& header, int width, int offset_width,
     for (std::uint64_t i = 0; i < rank && header.good(); ++i) {
         const std::uint64_t dimension = header.number(width);
         const std::uint64_t length = dimension < lengths.size() ? lengths[dimension] : 0;
+        const bool wrong = dimension >= lengths.size() || (i > 0 && length == 0);
+        if (wrong && header.good()) variable.sound = false;
         if (i == 0 && length == 0) {
             variable.has_records = true;
         } else {
@@ -108,7 +121,7 @@ Variable read_variable(HeaderReader& header, int width, int offset_width,
         }
     }
     skip_attributes(header, width);
-    variable.bytes = times(variable.bytes, bytes_of_type(header.number(4)));
+    variable.bytes = times(variable.bytes, bytes_of_type(header.type()));
     header.number(width);  // its size, which large variables cannot tell
     variable.begin = header.number(offset_width);
     return variable;
@@ -139,6 +152,12 @@ std::optional<std::uint64_t> needed_length(const std::filesystem::path& file) {
     const std::uint64_t count = header.count(width);
     for (std::uint64_t i = 0; i < count && header.good(); ++i)
         variables.push_back(read_variable(header, width, offset_width, lengths));
+    // The library divides by such lengths, and by the size of such types.
+    if (!header.types_known() || !std::ranges::all_of(variables, &Variable::sound))
+        throw InputError(fmt::format(
+            "{}: something in it is of no known type, or over a dimension that is not there or of "
+            "no length; it is damaged: copy it again",
+            file.string()));
     if (!header.good()) return UINT64_MAX;  // it ends within its header
 
     std::uint64_t record_bytes = 0;
@@ -161,7 +180,7 @@ std::optional<std::uint64_t> needed_length(const std::filesystem::path& file) {
 
 }  // namespace
 
-void refuse_short_classic_file(const std::filesystem::path& file) {
+void refuse_damaged_classic_file(const std::filesystem::path& file) {
     const auto needed = needed_length(file);
     std::error_code fault;
     const std::uintmax_t length = std::filesystem::file_size(file, fault);

@@ -6,6 +6,9 @@
 #include <array>
 #include <cstddef>
 
+#include "files/netcdf_classic.h"
+#include "files/terrain_limits.h"
+
 namespace fumon {
 
 namespace {
@@ -35,6 +38,7 @@ std::string without_padding(std::string text) {
 }  // namespace
 
 NetcdfInput::NetcdfInput(const std::filesystem::path& file) : name_(file.string()) {
+    refuse_damaged_classic_file(file);
     // An absolute path is never taken for an address on the network.
     check_netcdf(nc_open(std::filesystem::absolute(file).c_str(), NC_NOWRITE, &id_));
 }
@@ -91,6 +95,19 @@ std::size_t NetcdfInput::dimension_length(int dimension) const {
     std::size_t length = 0;
     check_netcdf(nc_inq_dimlen(id_, dimension, &length));
     return length;
+}
+
+std::size_t NetcdfInput::values_over(std::span<const int> dimensions) const {
+    constexpr auto most = static_cast<std::size_t>(largest_terrain);
+    std::size_t count = 1;
+    for (const int dimension : dimensions) {
+        const std::size_t length = dimension_length(dimension);
+        if (length > 0 && count > most / length)
+            refuse(fmt::format("has more than {} values in one record", most),
+                   "cut out or coarsen the part you need");
+        count *= length;
+    }
+    return count;
 }
 
 std::optional<std::string> NetcdfInput::text(int variable, const char* attribute) const {

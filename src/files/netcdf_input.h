@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace fumon {
 /// one lives. All calls throw NetcdfFault where the library fails.
 class NetcdfInput {
   public:
+    /// Throws InputError for a classic file that is cut short (see netcdf_classic.h).
     explicit NetcdfInput(const std::filesystem::path& file);
     ~NetcdfInput();
     NetcdfInput(const NetcdfInput&) = delete;
@@ -29,6 +31,10 @@ class NetcdfInput {
     [[nodiscard]] std::vector<int> dimensions(int variable) const;
     [[nodiscard]] std::string dimension_name(int dimension) const;
     [[nodiscard]] std::size_t dimension_length(int dimension) const;
+
+    /// How many values there are over dimensions. Throws InputError for more than the largest
+    /// terrain has cells.
+    [[nodiscard]] std::size_t values_over(std::span<const int> dimensions) const;
 
     /// A text attribute; nothing where there is none of this name or it is not text.
     [[nodiscard]] std::optional<std::string> text(int variable, const char* attribute) const;

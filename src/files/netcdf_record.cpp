@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -28,6 +29,7 @@ bool is_netcdf_file(const std::filesystem::path& file) {
 
 Grid field_values(const NetcdfInput& input, int variable, std::size_t record) {
     const std::vector<int> over = input.dimensions(variable);
+    if (input.values_over(std::span(over).subspan(1)) == 0) return {};
     const std::size_t ny = input.dimension_length(over[1]);
     const std::size_t nx = input.dimension_length(over[2]);
     Grid values(static_cast<int>(nx), static_cast<int>(ny));
@@ -46,6 +48,8 @@ std::optional<FieldsRecord> read_record(const NetcdfInput& input) {
     const bool is_own = input.text(NC_GLOBAL, "source").value_or("").starts_with("fumon ");
     if (!is_own || !bed) return std::nullopt;
     const std::vector<int> over_bed = input.dimensions(*bed);
+    constexpr std::size_t time_y_and_x = 3;
+    if (over_bed.size() != time_y_and_x) return std::nullopt;
     const std::size_t records = input.dimension_length(over_bed.front());
     if (records == 0) input.refuse("has no record yet", "let the run write one first");
     FieldsRecord found;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,15 +25,12 @@ double spacing(const NetcdfInput& input, int coordinate) {
 /// One record's values, the last dimension fastest.
 std::vector<double> values_of(const NetcdfInput& input, int variable, std::size_t record) {
     const std::vector<int> over = input.dimensions(variable);
+    if (over.empty()) return {};
     std::vector<std::size_t> start(over.size(), 0);
     std::vector<std::size_t> count{1};
     start.front() = record;
-    std::size_t size = 1;
-    for (std::size_t i = 1; i < over.size(); ++i) {
-        count.push_back(input.dimension_length(over[i]));
-        size *= count.back();
-    }
-    std::vector<double> values(size);
+    for (std::size_t i = 1; i < over.size(); ++i) count.push_back(input.dimension_length(over[i]));
+    std::vector<double> values(input.values_over(std::span(over).subspan(1)));
     if (values.empty()) return values;
     check_netcdf(
         nc_get_vara_double(input.id(), variable, start.data(), count.data(), values.data()));
@@ -55,7 +53,7 @@ std::vector<GrainPath> read_paths(const NetcdfInput& input, std::size_t record) 
     std::vector<GrainPath> paths;
     for (const double angle : values_of(input, *launch_angle, record))
         paths.push_back({angle, {}, {}});
-    const std::size_t points = paths.empty() ? 0 : x.size() / paths.size();
+    const std::size_t points = paths.empty() ? 0 : std::min(x.size(), z.size()) / paths.size();
     for (std::size_t path = 0; path < paths.size(); ++path) {
         for (std::size_t i = path * points; i < (path + 1) * points && !std::isnan(x[i]); ++i) {
             paths[path].x.push_back(x[i]);

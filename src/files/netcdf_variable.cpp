@@ -41,13 +41,22 @@ std::set<std::string> helpers(const NetcdfInput& input) {
     return names;
 }
 
-std::vector<std::string> candidates(const NetcdfInput& input) {
+/// The variables that may be the bed. A file may bear names by which the library does not find
+/// them, so they are known by number.
+std::vector<int> candidates(const NetcdfInput& input) {
     const std::set<std::string> not_these = helpers(input);
-    std::vector<std::string> names;
+    std::vector<int> found;
     for (int variable = 0; variable < input.variables(); ++variable) {
-        const std::string name = input.variable_name(variable);
-        if (!not_these.contains(name) && obstacle(input, variable).empty()) names.push_back(name);
+        if (!not_these.contains(input.variable_name(variable)) && obstacle(input, variable).empty())
+            found.push_back(variable);
     }
+    return found;
+}
+
+std::vector<std::string> names_of(const NetcdfInput& input, const std::vector<int>& variables) {
+    std::vector<std::string> names;
+    names.reserve(variables.size());
+    for (const int variable : variables) names.push_back(input.variable_name(variable));
     return names;
 }
 
@@ -66,16 +75,17 @@ int choose(const NetcdfInput& input, const std::string& wanted) {
     if (!wanted.empty()) {
         if (const auto named = input.find_variable(wanted)) return *named;
         const auto known = candidates(input);
-        input.refuse(fmt::format("has no variable \"{}\"", wanted),
-                     known.empty() ? std::string(what_fits) : suggestion(wanted, known));
+        input.refuse(
+            fmt::format("has no variable \"{}\"", wanted),
+            known.empty() ? std::string(what_fits) : suggestion(wanted, names_of(input, known)));
     }
     if (const auto own = input.find_variable("bed_height")) return *own;
     const auto known = candidates(input);
     if (known.empty()) input.refuse("holds no bed", what_fits);
     if (known.size() > 1)
         input.refuse(fmt::format("holds {} variables that may be the bed", known.size()),
-                     fmt::format("name one by bed.variable: {}", listed(known)));
-    return *input.find_variable(known.front());
+                     fmt::format("name one by bed.variable: {}", listed(names_of(input, known))));
+    return known.front();
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace {
 
 constexpr png_uint_32 longest_side = 65535;                 // pixels
 constexpr std::size_t most_pixels = std::size_t{1} << 28;   // 805 MB as RGB
-constexpr std::size_t largest_text = std::size_t{1} << 24;  // bytes of one unpacked text chunk
-constexpr png_uint_32 most_chunks = 1000;       // texts and unknown chunks that are kept
+constexpr std::size_t largest_text = std::size_t{1} << 22;  // bytes of one unpacked text chunk
+constexpr png_uint_32 most_chunks = 100;        // texts and unknown chunks that are kept
 constexpr std::size_t best_compression = 1032;  // unpacked / packed bytes; the limit of deflate
 
 /// The part of the file that libpng has not asked for yet.
@@ -61,6 +61,23 @@ std::string utf8_of_latin1(std::string_view latin1) {
     return utf8;
 }
 
+/// Whether every chunk up to the last lies within the file. libpng asks for the memory of a chunk
+/// before it looks whether that much is there.
+bool chunks_fit(std::string_view bytes) {
+    constexpr std::size_t signature = 8;     // bytes
+    constexpr std::size_t around_data = 12;  // length, type and checksum of a chunk
+    for (std::string_view left = bytes.substr(signature); left.size() >= around_data;) {
+        const auto at = [left](std::size_t i) {
+            return std::size_t{static_cast<unsigned char>(left[i])};
+        };
+        const std::size_t length = at(0) << 24U | at(1) << 16U | at(2) << 8U | at(3);
+        if (length > left.size() - around_data) return false;
+        if (left.substr(4, 4) == "IEND") return true;
+        left.remove_prefix(length + around_data);
+    }
+    return false;
+}
+
 }  // namespace
 
 struct PngReader::Parts {
@@ -90,6 +107,9 @@ PngReader::PngReader(std::string_view bytes, std::string name) : parts_(std::mak
     parts.file_size = bytes.size();
     if (!is_png(bytes))
         throw InputError(fmt::format("{}: is not a PNG file; name one that is", parts.name));
+    if (!chunks_fit(bytes))
+        throw InputError(fmt::format(
+            "{}: is a damaged PNG file (the file ends early); make it again", parts.name));
     parts.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &parts.failure, remember_png_failure,
                                        ignore_png_warning);
     if (parts.png == nullptr) throw Error("libpng cannot be started: out of memory");

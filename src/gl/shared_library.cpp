@@ -8,9 +8,11 @@ SharedLibrary::SharedLibrary(std::initializer_list<const char*> names) {
     for (const char* name : names) {
         handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
         if (handle_ != nullptr) return;
-        const char* reason = dlerror();
+        const char* told = dlerror();
+        const std::string reason = told != nullptr ? told : name;
+        if (failure_.find(reason) != std::string::npos) continue;  // what they need is what fails
         if (!failure_.empty()) failure_ += "; ";
-        failure_ += reason != nullptr ? reason : name;
+        failure_ += reason;
     }
 }
 

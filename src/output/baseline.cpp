@@ -104,10 +104,8 @@ class Reader {
         try {
             return toml::parse(text_, name_);
         } catch (const toml::parse_error& fault) {
-            std::string what(fault.description());
-            std::replace(what.begin(), what.end(), '\n', ' ');
-            throw InputError(
-                fmt::format("{}: {}; a baseline is TOML", locate(fault.source()), what));
+            throw InputError(fmt::format("{}: {}; a baseline is TOML", locate(fault.source()),
+                                         fault.description()));
         }
     }
 

@@ -39,9 +39,6 @@ std::string as_written(const toml::node& value) {
     std::ostringstream text;
     text << toml::node_view<const toml::node>(value);
     std::string line = text.str();
-    for (char& letter : line) {
-        if (letter == '\n') letter = ' ';
-    }
     constexpr std::size_t longest = 60;
     if (line.size() > longest) line = line.substr(0, longest) + "…";
     return line;

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -16,6 +16,7 @@
 #include "scene/check.h"
 #include "support/error.h"
 #include "support/nearest_name.h"
+#include "support/utf8.h"
 
 namespace fumon {
 
@@ -41,6 +42,10 @@ struct Setting {
 
 Setting parse_setting(const Override& given) {
     Setting setting{given, {}};
+    if (!is_utf8(given.value)) {
+        throw InputError(fmt::format("{}: the value of {} is not UTF-8; write it in that encoding",
+                                     setting.locate({}), given.path));
+    }
     try {
         setting.holder = toml::parse("value = " + given.value);
         if (setting.holder.size() == 1) return setting;
@@ -269,14 +274,6 @@ class Reader {
     KeyTable table_;
 };
 
-std::string one_line(std::string_view text) {
-    std::string line(text);
-    for (char& letter : line) {
-        if (letter == '\n' || letter == '\r') letter = ' ';
-    }
-    return line;
-}
-
 }  // namespace
 
 Scene parse_scene(const SceneText& scene_text, const std::vector<Override>& overrides) {
@@ -292,7 +289,7 @@ Scene parse_scene(const SceneText& scene_text, const std::vector<Override>& over
     } catch (const toml::parse_error& fault) {
         throw InputError(fmt::format(
             "{}:{}:{}: {}; a scene is TOML: [section] lines and key = value lines", scene.source,
-            fault.source().begin.line, fault.source().begin.column, one_line(fault.description())));
+            fault.source().begin.line, fault.source().begin.column, fault.description()));
     }
     Reader(scene, std::move(settings)).read(root);
     return scene;
@@ -314,8 +311,15 @@ SceneText read_scene_text(const std::filesystem::path& file) {
         throw InputError(fmt::format("{}: cannot be read ({}); check the path", file.string(),
                                      std::generic_category().message(errno)));
     }
-    std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    constexpr std::size_t largest_scene = std::size_t{1} << 24;  // bytes; a device may have no end
+    std::string text(largest_scene + 1, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (stream.bad()) throw InputError(fmt::format("{}: cannot be read to its end", file.string()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > largest_scene) {
+        throw InputError(fmt::format("{}: has more than {} bytes; a scene is a TOML file",
+                                     file.string(), largest_scene));
+    }
     return {std::move(text), file.string(), file.parent_path()};
 }
 

@@ -15,11 +15,25 @@ class Error : public std::runtime_error {
     [[nodiscard]] virtual int exit_status() const { return 1; }
 };
 
+/// A text as one line can show it: line ends and tabs as spaces, other control characters as '?'.
+inline std::string one_line(std::string text) {
+    for (char& letter : text) {
+        const auto code = static_cast<unsigned char>(letter);
+        if (letter == '\n' || letter == '\r' || letter == '\t') {
+            letter = ' ';
+        } else if (code < 0x20 || code == 0x7F) {
+            letter = '?';
+        }
+    }
+    return text;
+}
+
 /// The user's input is wrong: a scene, a terrain file or the command line. Exit status 2; nothing
-/// has been written. The text is one line, located as `file:line:column: ` where there is a place.
+/// has been written. The text is one line (see one_line), located as `file:line:column: ` where
+/// there is a place.
 class InputError : public Error {
   public:
-    explicit InputError(const std::string& what) : Error(what) {}
+    explicit InputError(std::string what) : Error(one_line(std::move(what))) {}
     [[nodiscard]] int exit_status() const override { return 2; }
 };
 

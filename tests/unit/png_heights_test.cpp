@@ -8,6 +8,7 @@
 
 #include "files/terrain_file.h"
 #include "support/error.h"
+#include "support/peak_memory.h"
 #include "support/temporary_folder.h"
 
 namespace fumon {
@@ -170,6 +171,23 @@ TEST(PngHeights, RefusesAHugePictureInAFewBytes) {
     EXPECT_EQ(refusal(10000, 10000),
               ": is a damaged PNG file (10000 × 10000 pixels in 68 bytes); make it again");
     EXPECT_EQ(refusal(100000, 2), ": is a damaged PNG file (Invalid IHDR data); make it again");
+}
+
+TEST(PngHeights, RefusesAHugeChunkInAFewBytes) {
+#ifdef FUMON_SANITIZED
+    GTEST_SKIP() << "sanitizers have taken all address space beforehand";
+#endif
+    const TemporaryFolder folder;
+    std::string bytes = png_file(2, 2, 16, PNG_COLOR_TYPE_GRAY, {0, 0, 0, 0, 0, 0, 0, 0});
+    constexpr std::size_t behind_header = 33;
+    bytes.insert(behind_header, std::string("\x60\0\0\0iTXt", 8));
+    const auto file = folder.file("bed.png", bytes);
+    const std::size_t before = testing::peak_memory();
+    EXPECT_EQ(message_of<InputError>([&] {
+                  read_terrain(file, {0.0, 1.0});
+              }),
+              file.string() + ": is a damaged PNG file (the file ends early); make it again");
+    EXPECT_LT(testing::peak_memory() - before, std::size_t{64} << 20U);
 }
 
 }  // namespace

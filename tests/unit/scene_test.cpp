@@ -104,6 +104,12 @@ INSTANTIATE_TEST_SUITE_P(
                "scene.toml:1:7: Error while parsing table header: expected ']', saw '\\n'; a scene "
                "is TOML: [section] lines and "
                "key = value lines"},
+        Broken{"key_that_is_none", least + "[:x]\na = 1\n",
+               "scene.toml:5:2: Error while parsing key: expected bare key starting character or "
+               "string delimiter, saw ':'; a scene is TOML: [section] lines and key = value lines"},
+        Broken{"control_characters", "\"two\\nlines\\u001b\" = 1\n" + least,
+               "scene.toml:1:1: unknown key two lines?; `fumon describe sand` lists the known "
+               "ones"},
         Broken{"section_as_value", "camera = 3\n" + least,
                "scene.toml:1:1: camera is a section; write [camera] and its keys below"},
         Broken{"value_as_section", least + "[seed]\nx = 1\n",
@@ -131,6 +137,16 @@ INSTANTIATE_TEST_SUITE_P(
                "(steps)"}),
     [](const auto& test) { return test.param.name; });
 
+TEST(SceneFile, WithoutAnEndIsRefused) {
+    try {
+        static_cast<void>(read_scene("/dev/zero"));
+        FAIL() << "it was taken";
+    } catch (const InputError& fault) {
+        EXPECT_STREQ(fault.what(),
+                     "/dev/zero: has more than 16777216 bytes; a scene is a TOML file");
+    }
+}
+
 TEST(Settings, OverrideTheFileInOrder) {
     const Scene scene =
         parse_scene(least + "[frames]\nat = [1, 2]\n", "scene.toml", "",
@@ -153,6 +169,12 @@ TEST(Settings, AreLocatedByNumberAndColumn) {
               "--set 1:15: frames.at is -1; it takes a list of whole numbers 0 … 1e+15 (steps)");
     EXPECT_EQ(refusal(least + "[frames]\nat = [1]\n", {"frames.at.3=1"}),
               "--set 1:13: frames.at has no item 3; it has 1 (counted from 0)");
+}
+
+TEST(Settings, AreUtf8) {
+    EXPECT_EQ(refusal(least, {"title=d\xFCne"}),
+              "--set 1:7: the value of title is not UTF-8; write it in that encoding");
+    EXPECT_EQ(parse_scene(least, "scene.toml", "", {"title=d\xC3\xBCne"}).title, "d\xC3\xBCne");
 }
 
 TEST(Settings, ModelCanBeChosenThere) {

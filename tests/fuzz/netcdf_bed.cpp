@@ -1,0 +1,17 @@
+// NetCDF files: as a bed and as a run's fields.
+
+#include "files/netcdf_bed.h"
+
+#include "files/netcdf_record.h"
+#include "fuzz_input.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace fumon;
+    const std::string_view bytes = fuzz::as_text(data, size);
+    // Only the classic format: HDF5 has faults of its own on damaged files.
+    if (!is_netcdf(bytes) || !bytes.starts_with("CDF")) return -1;
+    const fuzz::MemoryFile file(bytes);
+    fuzz::taken([&] { read_netcdf_bed(file.path(), ""); });
+    fuzz::taken([&] { read_fields_record(file.path()); });
+    return 0;
+}
