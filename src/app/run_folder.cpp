@@ -56,23 +56,27 @@ RunParts run_parts(const Scene& scene, double checkpoint_minutes) {
     return {output.frames, kept, output.bed_every > 0 || !output.bed_at.empty()};
 }
 
-RunFolder::RunFolder(fs::path folder, bool force) : folder_(std::move(folder)) {
+RunFolder::RunFolder(fs::path folder, bool force) : folder_(std::move(folder)), force_(force) {
     std::error_code fault;
     if (fs::exists(folder_, fault) && !fs::is_directory(folder_, fault)) {
         throw InputError(
             fmt::format("{} is a file; name a folder for the run with -o", folder_.string()));
     }
-    if (!force && fs::exists(manifest(), fault)) {
-        throw InputError(
-            fmt::format("{} already holds a run; name another folder, or --force replaces it{}",
-                        folder_.string(),
-                        fs::exists(checkpoint(), fault) ? ", and --resume goes on with it" : ""));
-    }
+    refuse_former_run();
+}
+
+void RunFolder::refuse_former_run() const {
+    std::error_code fault;
+    if (force_ || !fs::exists(manifest(), fault)) return;
+    throw InputError(fmt::format(
+        "{} already holds a run; name another folder, or --force replaces it{}", folder_.string(),
+        fs::exists(checkpoint(), fault) ? ", and --resume goes on with it" : ""));
 }
 
 void RunFolder::create(const RunParts& parts) {
     make_folder(folder_);
     lock_.emplace(folder_);
+    refuse_former_run();  // one that began and ended while this one was being set up
     const RecordPaths written = records();
     for (const fs::path& file : {checkpoint(), manifest(), movie(), written.measurements,
                                  written.avalanches, written.fields})

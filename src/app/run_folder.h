@@ -36,7 +36,7 @@ class RunFolder {
     RunFolder(std::filesystem::path folder, bool force);
 
     /// Makes the folder (and its parents), locks it and takes a former run's files away. Throws
-    /// Error, and InputError where another program is at work in it.
+    /// Error, and InputError where another program is at work in it or has been since.
     void create(const RunParts& parts);
 
     /// Locks the folder of a run to go on with. Throws InputError where there is no such run, or
@@ -69,9 +69,11 @@ class RunFolder {
     [[nodiscard]] static std::string bed_name(std::int64_t step);
 
   private:
+    void refuse_former_run() const;
     void make_parts(const RunParts& parts) const;
 
     std::filesystem::path folder_;
+    bool force_;
     std::optional<FolderLock> lock_;
 };
 
