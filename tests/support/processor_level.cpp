@@ -1,6 +1,7 @@
 /// Linked into a copy of fumon, this stands before libgcc's look at the processor, so that every
 /// loop compiled for several levels (support/multiversion.h) takes the version for a lesser one:
 /// FUMON_PROCESSOR_FEATURES has libgcc's bits (2^10: AVX2), 0 being plain x86-64.
+// NOLINTBEGIN(bugprone-reserved-identifier): libgcc's own names
 extern "C" {
 
 struct ProcessorModel {
@@ -18,3 +19,4 @@ int __cpu_indicator_init() {
     return 0;
 }
 }
+// NOLINTEND(bugprone-reserved-identifier)
