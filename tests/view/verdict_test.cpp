@@ -118,6 +118,10 @@ TEST(Verdict, AnotherStateOrSizeNeverPasses) {
         EXPECT_EQ(verdict.outcome, Outcome::differs);
         EXPECT_NE(verdict.finding.find("the state differs; pixels as recorded"), std::string::npos);
     }
+    const Image near = by_one_level(expected);
+    moved.fingerprint = fingerprint_of(near);
+    EXPECT_EQ(judge({}, &record, drawn_elsewhere(moved), near, nullptr).outcome, Outcome::differs)
+        << "though its pixels are the same to the eye";
     const Image small = some_picture(160, 90);
     const Verdict verdict = judge({}, &record, record_of(small), small, &expected);
     EXPECT_EQ(verdict.outcome, Outcome::differs);
