@@ -110,7 +110,7 @@ class Verification {
             return options_.update ? accept(suite, one, drawn) : check(suite, one, drawn);
         } catch (const Error& fault) {
             const bool wrong = dynamic_cast<const InputError*>(&fault) != nullptr;
-            const Verdict verdict{wrong ? Outcome::wrong_input : Outcome::failed, fault.what()};
+            Verdict verdict{wrong ? Outcome::wrong_input : Outcome::failed, fault.what()};
             tell(word_of(verdict.outcome), suite, one, verdict.finding);
             if (!options_.update) page_.add(suite.name, one.name, verdict);
             return verdict;
@@ -124,7 +124,7 @@ class Verification {
         std::optional<Image> expected;
         if (record != nullptr) expected = kept_picture(suite.baseline, one, *record);
         const Image* kept = expected ? &*expected : nullptr;
-        const Verdict verdict = judge(one, record, drawn.record, drawn.image, kept);
+        Verdict verdict = judge(one, record, drawn.record, drawn.image, kept);
         if (verdict.outcome != Outcome::as_recorded || !options_.quietly())
             tell(word_of(verdict.outcome), suite, one, verdict.finding);
         if (verdict.outcome != Outcome::as_recorded)

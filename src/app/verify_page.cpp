@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "files/input_file.h"
@@ -84,7 +86,7 @@ std::string base64(std::span<const std::uint8_t> bytes) {
 Image picture_of(const Thumbnail& thumbnail) {
     Image image(Thumbnail::width, Thumbnail::height);
     for (std::size_t i = 0; i < Thumbnail::count; ++i)
-        image.rgb[i] = static_cast<std::uint8_t>(thumbnail.levels[i] + 0.5);
+        image.rgb[i] = static_cast<std::uint8_t>(std::lround(thumbnail.levels[i]));
     return image;
 }
 

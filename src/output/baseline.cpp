@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <string_view>
+#include <tuple>
 
 #include "files/input_file.h"
 #include "output/fingerprint_text.h"
@@ -93,7 +94,9 @@ class Reader {
         toml::source_index line;
         toml::source_index column;
         std::string name;
-        auto operator<=>(const Place&) const = default;
+        [[nodiscard]] bool operator<(const Place& other) const {
+            return std::tie(line, column) < std::tie(other.line, other.column);
+        }
     };
 
     [[nodiscard]] std::string locate(const toml::source_region& region) const {

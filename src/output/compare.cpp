@@ -36,10 +36,10 @@ struct RowDifference {
 RowDifference row_difference(const std::uint8_t* a, const std::uint8_t* b, int pixels) {
     RowDifference row;
     if (std::equal(a, a + std::ptrdiff_t{3} * pixels, b)) return row;
-    for (int x = 0; x < pixels; ++x) {
-        const int red = std::abs(a[3 * x] - b[3 * x]);
-        const int green = std::abs(a[3 * x + 1] - b[3 * x + 1]);
-        const int blue = std::abs(a[3 * x + 2] - b[3 * x + 2]);
+    for (int x = 0; x < pixels; ++x, a += 3, b += 3) {
+        const int red = std::abs(a[0] - b[0]);
+        const int green = std::abs(a[1] - b[1]);
+        const int blue = std::abs(a[2] - b[2]);
         row.largest = std::max({row.largest, red, green, blue});
         row.changed += static_cast<int>((red | green | blue) != 0);
         row.sum += red + green + blue;

@@ -27,7 +27,9 @@ std::uint64_t difference_hash(const Image& image) {
     constexpr int rows = 8;
     const BoxSums boxes = box_sums(image, columns, rows);
     const auto luminance = [&](int x, int y) {
-        const std::uint64_t* box = &boxes.sums[static_cast<std::size_t>(3 * (y * columns + x))];
+        const int box_number = y * columns + x;
+        const std::uint64_t* box =
+            &boxes.sums[std::size_t{3} * static_cast<std::size_t>(box_number)];
         return 299 * box[0] + 587 * box[1] + 114 * box[2];  // ITU-R BT.601, in thousandths
     };
     std::uint64_t hash = 0;

@@ -31,7 +31,8 @@ struct Thumbnail {
 
   private:
     static std::size_t index(int x, int y, int channel) {
-        return static_cast<std::size_t>(3 * (y * width + x) + channel);
+        const int pixel = y * width + x;
+        return std::size_t{3} * static_cast<std::size_t>(pixel) + static_cast<std::size_t>(channel);
     }
 };
 

@@ -22,9 +22,8 @@ struct TileSums {
 
 /// 256 times the luminance of a row of `count` pixels.
 void luminance(const std::uint8_t* pixels, int count, std::int32_t* values) {
-    for (int x = 0; x < count; ++x) {
-        values[x] = 77 * pixels[3 * x] + 150 * pixels[3 * x + 1] + 29 * pixels[3 * x + 2];
-    }
+    for (int x = 0; x < count; ++x, pixels += 3)
+        values[x] = 77 * pixels[0] + 150 * pixels[1] + 29 * pixels[2];
 }
 
 double structural_similarity(const TileSums& sums, int pixels) {
