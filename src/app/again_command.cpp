@@ -19,6 +19,19 @@ namespace fs = std::filesystem;
 
 constexpr int status_of_signal = 128;
 
+/// What may have changed the pixels, as far as the picture tells.
+std::string why_different(const PictureOrigin& origin, const RenderingEnvironment& here) {
+    const std::string versions =
+        origin.version == FUMON_VERSION
+            ? fmt::format("both by fumon {}", FUMON_VERSION)
+            : fmt::format("made by fumon {}, this is {}", origin.version, FUMON_VERSION);
+    if (!origin.environment)
+        return versions + "; another OpenGL driver or processor also changes pixels";
+    const std::string reason = why_pixels_may_differ(*origin.environment, here);
+    if (reason.empty()) return versions + "; what drew them is the same";
+    return versions + "; " + reason;
+}
+
 fs::path output_of(const AgainOptions& options, bool movie) {
     if (!options.output.empty()) return options.output;
     return fs::path(options.picture).stem().string() + (movie ? "-again.mp4" : "-again.png");
@@ -31,7 +44,10 @@ std::string differences(const PictureOrigin& origin, const PictureOrigin& made) 
         if (then != now) text += fmt::format("; {} was {}, is {}", what, then, now);
     };
     add("fumon", origin.version, made.version);
-    add("drawing", origin.drawing, made.drawing);
+    if (origin.environment && made.environment) {
+        const std::string drawing = difference(*origin.environment, *made.environment);
+        if (!drawing.empty()) text += "; " + drawing;
+    }
     add("encoder", origin.encoder, made.encoder);
     return text.empty() ? "; nothing that the movie tells of its making differs" : text;
 }
@@ -94,26 +110,27 @@ int picture_again(Scene scene, const AgainOptions& options, const PictureOrigin&
         return status_of_signal + signal;
 
     const fs::path output = output_of(options, false);
-    const std::string pixels =
-        hex(draw_still(workshop, first, output.string(), options.work, progress));
+    const DrawnStill still = draw_still(workshop, first, output.string(), options.work, progress);
+    const std::string pixels = hex(still.pixels);
     if (origin.pixels_hash.empty() || !options.work.settings.empty()) {
         progress.note(fmt::format("{}: made", output.string()));
     } else if (pixels == origin.pixels_hash) {
         progress.note(fmt::format("{}: the same pixels as {}", output.string(), options.picture));
     } else {
-        progress.note(fmt::format(
-            "{}: made, but its pixels differ from {} (made by fumon {}, this is {}; another "
-            "OpenGL driver or processor also changes pixels)",
-            output.string(), options.picture, origin.version, FUMON_VERSION));
+        progress.note(fmt::format("{}: made, but its pixels differ from {} ({})", output.string(),
+                                  options.picture, why_different(origin, still.environment)));
     }
     return 0;
 }
 
 }  // namespace
 
-int again_command(const AgainOptions& options) {
+int again_command(const AgainOptions& asked) {
     const InterruptGuard guard;
-    const PictureOrigin origin = read_origin(options.picture);
+    const PictureOrigin origin = read_origin(asked.picture);
+    AgainOptions options = asked;
+    options.work.pinned = options.work.pinned || (origin.environment && origin.environment->pinned);
+    prepare_drawing(options.work);
     Scene scene = parse_scene(origin.scene, options.picture, "", options.work.settings);
     if (!origin.inputs.empty()) {
         scene.bed.file = find_input(origin.inputs.front(), options.picture,

@@ -46,14 +46,11 @@ void add_drawing_options(CLI::App& command, WorkOptions& work) {
             return text.size() == 1 ? ""
                                     : fmt::format("it takes auto, osmesa or egl, not \"{}\"", text);
         });
+    command.add_flag("--pinned", work.pinned,
+                     "draw the same pixels on every x86-64 processor (about a fifth slower)");
 }
 
-void add_work_options(CLI::App& command, WorkOptions& work) {
-    command
-        .add_option("--set", work.settings,
-                    "override a scene key: --set key.path=VALUE (repeatable)")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
+void add_thread_options(CLI::App& command, WorkOptions& work) {
     command
         .add_option("--threads", work.threads,
                     "threads to compute with (default: one per processor)")
@@ -67,6 +64,15 @@ void add_work_options(CLI::App& command, WorkOptions& work) {
         ->excludes(quiet);
 }
 
+void add_work_options(CLI::App& command, WorkOptions& work) {
+    command
+        .add_option("--set", work.settings,
+                    "override a scene key: --set key.path=VALUE (repeatable)")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    add_thread_options(command, work);
+}
+
 /// All commands with the variables that their options fill.
 struct CommandLine {
     CLI::App app{opening, "fumon"};
@@ -76,6 +82,9 @@ struct CommandLine {
     HopLawOptions hop_law;
     AgainOptions again;
     MeasureOptions measure;
+    FingerprintOptions fingerprint;
+    CompareOptions compare;
+    VerifyOptions verify;
     std::vector<std::string> checked;
     std::vector<std::string> check_settings;
     std::string described;
@@ -94,6 +103,9 @@ struct CommandLine {
         add_hop_law();
         add_again();
         add_measure();
+        add_fingerprint();
+        add_compare();
+        add_verify();
         add_check();
         add_listings();
     }
@@ -292,6 +304,74 @@ struct CommandLine {
             "has no "
             "meaning\nfor this bed. `fumon run` writes the same measures over time into "
             "measurements.csv.");
+    }
+
+    void add_fingerprint() {
+        CLI::App& command =
+            add("fingerprint", "what pictures are known by: pixel hash, thumbnail as text, dHash",
+                [this] { return fingerprint_command(fingerprint); });
+        command.add_option("IMAGE", fingerprint.images, "PNG files")->required();
+        command.add_flag("--json", fingerprint.as_json, "as JSON");
+        command.footer(
+            "size     width and height, pixels\n"
+            "pixels   SHA-256 of the pixels (8 bits a channel, without alpha), as run.json has it\n"
+            "dhash    64-bit difference hash: a label, blind to light and shading\n"
+            "red, green, blue   32 x 18 mean levels of boxes of the picture, to a tenth");
+    }
+
+    void add_compare() {
+        const std::map<std::string, Likeness> levels{{"identical", Likeness::identical},
+                                                     {"same", Likeness::same_to_the_eye},
+                                                     {"close", Likeness::close}};
+        CLI::App& command = add("compare", "how far two pictures are apart, and a verdict",
+                                [this] { return compare_command(compare); });
+        command.add_option("A", compare.first, "a PNG file")->required();
+        command.add_option("B", compare.second, "another")->required();
+        command.add_option("--diff", compare.difference, "draw where they differ")
+            ->type_name("FILE.png");
+        command
+            .add_option("--level", compare.level,
+                        "the least alike that passes: identical, same (default) or close")
+            ->type_name("NAME")
+            ->transform(CLI::Transformer(levels).description(""))
+            ->check([](const std::string& text) -> std::string {
+                return text.size() == 1
+                           ? ""
+                           : fmt::format("it takes identical, same or close, not \"{}\"", text);
+            });
+        command.footer(
+            likeness_help() +
+            "\nExit status: 0 at least --level, 1 less (other sizes too), 2 wrong input.");
+    }
+
+    void add_verify() {
+        CLI::App& command =
+            add("verify", "are pictures still what their baselines say? with a page of what is not",
+                [this] { return verify_command(verify); });
+        command.add_option("BASELINE", verify.baselines, "baseline files (TOML)")->required();
+        command
+            .add_option("-o,--output", verify.folder,
+                        "folder for pictures and index.html of what does not pass (default "
+                        "verify-out; not made when all does)")
+            ->type_name("DIR");
+        command.add_option("--junit", verify.junit, "write JUnit XML")->type_name("FILE.xml");
+        command.add_flag("--update", verify.update,
+                         "record what is drawn now, and say what changed");
+        add_thread_options(command, verify.work);
+        add_drawing_options(command, verify.work);
+        command.footer(
+            "  [cases]                                  # baseline.toml: a line a picture\n"
+            "  map = {scene = \"dunes.toml\", step = 500, settings = "
+            "[\"camera.projection=map\"]}\n"
+            "\n"
+            "  fumon verify --update --pinned baseline.toml   records; commit the file\n"
+            "  fumon verify baseline.toml                     compares, pinned as it was recorded\n"
+            "\n"
+            "The state's hash must be the recorded one. Where what draws is pinned and the same, "
+            "so must the\npixels (strict); elsewhere (portable) the thumbnail must be within "
+            "thumbnail_difference (0.5 grey\nlevels) and, with picture = true, every 8 x 8 "
+            "tile's SSIM at least tile_ssim (0.95).\n"
+            "Exit status: 0 all as recorded, 1 something is not, 2 wrong input.");
     }
 
     void add_check() {

@@ -7,6 +7,7 @@
 
 #include "app/progress.h"
 #include "gl/context.h"
+#include "output/compare.h"
 
 namespace fumon {
 
@@ -14,7 +15,8 @@ namespace fumon {
 struct WorkOptions {
     std::vector<std::string> settings;  ///< key.path=VALUE
     gl::Backend backend = gl::Backend::automatic;
-    int threads = 0;  ///< 0: one per processor
+    bool pinned = false;  ///< draw the same pixels on every processor, see gl/pinned.h
+    int threads = 0;      ///< 0: one per processor
     Verbosity verbosity = Verbosity::normal;
 };
 
@@ -74,6 +76,28 @@ struct MeasureOptions {
     std::vector<std::string> settings;
 };
 
+struct FingerprintOptions {
+    std::vector<std::string> images;
+    bool as_json = false;
+};
+
+struct CompareOptions {
+    std::string first;
+    std::string second;
+    Likeness level = Likeness::same_to_the_eye;  ///< that passes
+    std::string difference;                      ///< a PNG to write; empty: none
+};
+
+struct VerifyOptions {
+    std::vector<std::string> baselines;
+    std::string folder = "verify-out";  ///< made only when something does not pass
+    std::string junit;                  ///< a file of JUnit XML; empty: none
+    bool update = false;
+    WorkOptions work;
+
+    [[nodiscard]] bool quietly() const { return work.verbosity == Verbosity::quiet; }
+};
+
 // Each returns the exit status, and throws InputError (2) or Error (1).
 
 int run_command(const RunOptions& options);
@@ -83,6 +107,9 @@ int hop_law_command(const HopLawOptions& options);
 int again_command(const AgainOptions& options);
 int measure_command(const MeasureOptions& options);
 int measure_avalanches(const MeasureOptions& options);  ///< of avalanches.csv
+int fingerprint_command(const FingerprintOptions& options);
+int compare_command(const CompareOptions& options);
+int verify_command(const VerifyOptions& options);
 int check_command(const std::vector<std::string>& scenes, const std::vector<std::string>& settings);
 
 }  // namespace fumon

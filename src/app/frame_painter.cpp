@@ -2,6 +2,7 @@
 
 #include "figure/canvas.h"
 #include "figure/section_figure.h"
+#include "gl/pinned.h"
 #include "render/renderer.h"
 
 namespace fumon {
@@ -16,8 +17,11 @@ class BedPainter : public FramePainter {
 
     Image paint(const Snapshot& snapshot) override { return renderer_.render(snapshot); }
     [[nodiscard]] DrawingRecord record() const override {
-        return {context_->backend_name(), context_->renderer_name(), context_->version(),
-                renderer_.exaggeration()};
+        const std::string name = context_->renderer_name();
+        const std::string obstacle = gl::rendering_is_pinned() ? gl::why_not_pinned(name) : "";
+        return {opengl_environment(context_->backend_name(), name, context_->version(),
+                                   gl::rendering_is_pinned() && obstacle.empty()),
+                obstacle, renderer_.exaggeration()};
     }
 
   private:
@@ -34,7 +38,12 @@ class SectionPainter : public FramePainter {
         return draw_section_figure(view_, snapshot).image;
     }
     [[nodiscard]] DrawingRecord record() const override {
-        return {"cairo", figure_library(), "", exaggeration_};
+        RenderingEnvironment environment;
+        environment.backend = "cairo";
+        environment.renderer = figure_library();
+        return {environment,
+                gl::rendering_is_pinned() ? "its text is set in the system's fonts" : "",
+                exaggeration_};
     }
 
   private:

@@ -5,6 +5,7 @@
 
 #include "gl/context.h"
 #include "models/model.h"
+#include "output/environment.h"
 #include "render/image.h"
 #include "scene/scene.h"
 
@@ -12,11 +13,10 @@ namespace fumon {
 
 class WorkerPool;
 
-/// What drew, for the manifest: OpenGL, or the library of flat figures ("cairo").
+/// What drew, for the manifest and the pictures.
 struct DrawingRecord {
-    std::string backend;
-    std::string renderer;
-    std::string version;  ///< of OpenGL; empty without it
+    RenderingEnvironment environment;  ///< its backend is empty where nothing was drawn
+    std::string why_not_pinned;        ///< empty where it is, or where that was not asked for
     double exaggeration = 1.0;
 };
 

@@ -41,9 +41,11 @@ Json head(const ManifestFacts& facts, const std::string& status, const DrawingRe
     }
     if (!initial.note.empty()) json["note"] = initial.note;
     json["scene"] = scene_json(facts.scene);
-    if (!drawing.backend.empty()) {
-        json["drawing"] = {{"backend", drawing.backend}, {"renderer", drawing.renderer}};
-        if (!drawing.version.empty()) json["drawing"]["opengl"] = drawing.version;
+    const RenderingEnvironment& environment = drawing.environment;
+    if (!environment.backend.empty()) {
+        json["drawing"] = Json::parse(environment_text(environment));
+        if (!drawing.why_not_pinned.empty())
+            json["drawing"]["why_not_pinned"] = drawing.why_not_pinned;
         json["drawing"]["vertical_exaggeration"] = drawing.exaggeration;
     }
     return json;

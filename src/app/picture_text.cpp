@@ -20,8 +20,8 @@ constexpr const char* step_keyword = "fumon:step";
 constexpr const char* version_keyword = "fumon:version";
 constexpr const char* inputs_keyword = "fumon:inputs";
 constexpr const char* pixels_keyword = "fumon:pixels-sha256";
-constexpr const char* drawing_keyword = "fumon:drawing";
 constexpr const char* encoder_keyword = "fumon:encoder";
+constexpr const char* environment_keyword = "fumon:environment";
 
 std::string inputs_text(const std::vector<InputFile>& inputs) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -40,6 +40,15 @@ std::vector<InputFile> parse_inputs(const std::string& text, const std::string& 
                                      inputs_keyword));
     }
     return inputs;
+}
+
+RenderingEnvironment parse_drawn_by(const std::string& text, const std::string& picture) {
+    try {
+        return parse_environment(text);
+    } catch (const InputError&) {
+        throw InputError(fmt::format("{}: its {} text is damaged; take an untouched copy", picture,
+                                     environment_keyword));
+    }
 }
 
 std::int64_t parse_step(const std::string& text, const std::string& picture) {
@@ -62,7 +71,8 @@ std::string resolved_scene(const Scene& scene, const std::vector<InputFile>& inp
 }
 
 PictureText picture_text(const std::string& resolved, const Scene& scene, std::int64_t step,
-                         const std::vector<InputFile>& inputs, const Sha256& pixels) {
+                         const std::vector<InputFile>& inputs, const Sha256& pixels,
+                         const RenderingEnvironment& environment) {
     PictureText texts;
     if (!scene.title.empty()) texts.emplace_back("Title", scene.title);
     texts.emplace_back("Software", "fumon " FUMON_VERSION);
@@ -72,24 +82,19 @@ PictureText picture_text(const std::string& resolved, const Scene& scene, std::i
     texts.emplace_back(scene_keyword, resolved);
     texts.emplace_back(inputs_keyword, inputs_text(inputs));
     texts.emplace_back(pixels_keyword, hex(pixels));
+    texts.emplace_back(environment_keyword, environment_text(environment));
     return texts;
 }
 
 PictureText movie_text(const std::string& resolved, const Scene& scene,
                        const std::vector<InputFile>& inputs, std::span<const FrameRecord> frames,
-                       const std::string& drawing) {
+                       const RenderingEnvironment& environment) {
     Sha256Stream all;
     for (const FrameRecord& frame : frames) all.add(frame.pixels.data(), frame.pixels.size());
-    PictureText texts = picture_text(resolved, scene, frames.empty() ? 0 : frames.back().step,
-                                     inputs, all.finish());
-    texts.emplace_back(drawing_keyword, drawing);
+    const std::int64_t last = frames.empty() ? 0 : frames.back().step;
+    PictureText texts = picture_text(resolved, scene, last, inputs, all.finish(), environment);
     texts.emplace_back(encoder_keyword, movie_encoder());
     return texts;
-}
-
-std::string drawing_text(const DrawingRecord& drawing) {
-    return fmt::format("{}: {}{}{}", drawing.backend, drawing.renderer,
-                       drawing.version.empty() ? "" : ", OpenGL ", drawing.version);
 }
 
 PictureOrigin read_origin(const std::filesystem::path& picture) {
@@ -112,8 +117,9 @@ PictureOrigin read_origin(const std::filesystem::path& picture) {
     origin.version = texts[version_keyword];
     origin.pixels_hash = texts[pixels_keyword];
     origin.is_movie = movie;
-    origin.drawing = texts[drawing_keyword];
     origin.encoder = texts[encoder_keyword];
+    if (texts.contains(environment_keyword))
+        origin.environment = parse_drawn_by(texts[environment_keyword], picture.string());
     return origin;
 }
 

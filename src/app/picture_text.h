@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "app/frame_painter.h"
 #include "app/frame_record.h"
 #include "files/hash.h"
+#include "output/environment.h"
 #include "output/png.h"
 #include "scene/initial_bed.h"
 #include "scene/scene.h"
@@ -20,11 +22,11 @@ struct PictureOrigin {
     std::string scene;  ///< resolved, as TOML; its bed.file as reached from the working folder
     std::int64_t step = 0;
     std::vector<InputFile> inputs;
-    std::string version;      ///< of the fumon that made it
-    std::string pixels_hash;  ///< SHA-256 of the raw pixels, hexadecimal
+    std::string version;                              ///< of the fumon that made it
+    std::string pixels_hash;                          ///< SHA-256 of the raw pixels, hexadecimal
+    std::optional<RenderingEnvironment> environment;  ///< none in pictures of older versions
     bool is_movie = false;
-    std::string drawing;  ///< of a movie: what drew its frames …
-    std::string encoder;  ///< … and what encoded them
+    std::string encoder;  ///< of a movie: what encoded its frames
 };
 
 /// The scene with every default written out and its input files named as reached from the working
@@ -32,18 +34,16 @@ struct PictureOrigin {
 std::string resolved_scene(const Scene& scene, const std::vector<InputFile>& inputs);
 
 /// The texts to write into a picture: Title, Software, and fumon's own (fumon:scene, fumon:seed,
-/// fumon:step, fumon:version, fumon:inputs, fumon:pixels).
+/// fumon:step, fumon:version, fumon:inputs, fumon:pixels-sha256, fumon:environment).
 PictureText picture_text(const std::string& resolved, const Scene& scene, std::int64_t step,
-                         const std::vector<InputFile>& inputs, const Sha256& pixels);
+                         const std::vector<InputFile>& inputs, const Sha256& pixels,
+                         const RenderingEnvironment& environment);
 
 /// The texts of a movie: those of its last frame, but fumon:pixels-sha256 is the SHA-256 over the
-/// pixel hashes of all frames, and fumon:drawing and fumon:encoder say what drew and encoded them.
+/// pixel hashes of all frames, and fumon:encoder says what encoded them.
 PictureText movie_text(const std::string& resolved, const Scene& scene,
                        const std::vector<InputFile>& inputs, std::span<const FrameRecord> frames,
-                       const std::string& drawing);
-
-/// What drew, in words: "OSMesa: llvmpipe …, OpenGL 4.5 …".
-std::string drawing_text(const DrawingRecord& drawing);
+                       const RenderingEnvironment& environment);
 
 /// Reads them back. Throws InputError when the file is neither PNG nor MP4 or not of fumon's
 /// making.

@@ -165,7 +165,7 @@ class Pipeline {
         RunCheckpoint now;
         now.scene = resolved_;
         now.inputs = inputs_;
-        now.drawing = drawing_text(outcome_.drawing);
+        now.drawing = environment_text(outcome_.drawing.environment);
         now.resumed_at = outcome_.resumed_at;
         {
             const std::lock_guard lock(mutex_);
@@ -217,7 +217,8 @@ class Pipeline {
             };
             if (parts_.frames) {
                 write(folder_.frame(picture->number),
-                      picture_text(resolved_, scene_, snapshot.step, inputs_, pixels));
+                      picture_text(resolved_, scene_, snapshot.step, inputs_, pixels,
+                                   outcome_.drawing.environment));
             }
             if (parts_.kept_frames) write(folder_.kept_frame(picture->number), {});
             ++progress_.frames_done;
@@ -246,7 +247,7 @@ class Pipeline {
         PictureText texts;  // none where the run broke off
         if (wait_until_written(static_cast<std::size_t>(frames), 0))
             texts = movie_text(resolved_, scene_, inputs_, outcome_.frames,
-                               drawing_text(outcome_.drawing));
+                               outcome_.drawing.environment);
         const Stopwatch watch;
         movie.finish(texts);
         movie_wall_ += watch.seconds();

@@ -6,7 +6,6 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/manifest.h"
-#include "app/picture_text.h"
 #include "app/pipeline.h"
 #include "app/resume.h"
 #include "app/workshop.h"
@@ -40,11 +39,13 @@ void tell_the_end(const RunOutcome& outcome, const Workshop& workshop, const Run
 }
 
 void tell_of_drawing(const DrawingRecord& now, const RunCheckpoint& former, Progress& progress) {
-    const std::string drawing = drawing_text(now);
-    if (former.frames.empty() || drawing == former.drawing) return;
+    if (former.frames.empty()) return;
+    const std::string differs = difference(parse_environment(former.drawing), now.environment);
+    if (differs.empty()) return;
     progress.note(
-        fmt::format("frames so far were drawn by {}, now by {}: they may differ in single pixels",
-                    former.drawing, drawing));
+        fmt::format("frames so far were drawn otherwise ({}): they may differ in single "
+                    "pixels",
+                    differs));
 }
 
 /// Runs what stands in the workshop, into the folder; returns the exit status.
@@ -66,11 +67,9 @@ int work(Workshop& workshop, RunFolder& folder, const RunOptions& options,
     }
     const ManifestFacts facts{scene, workshop.initial, workshop.pool->size()};
     const auto started = [&](const DrawingRecord& drawing) {
-        if (!drawing.backend.empty()) {
-            progress.verbose(fmt::format("{}: {}, OpenGL {}; vertical exaggeration {:g}",
-                                         drawing.backend, drawing.renderer, drawing.version,
-                                         drawing.exaggeration));
-        }
+        tell_drawing(drawing, progress);
+        if (!drawing.environment.backend.empty())
+            progress.verbose(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));
         if (former == nullptr) {
             folder.create(run_parts(scene, how.checkpoint_minutes));
         } else {
@@ -127,6 +126,7 @@ int run_command(const RunOptions& options) {
     if (options.scene.empty()) throw InputError("fumon run: name a scene, or --resume DIR");
     if (options.folder.empty()) throw InputError("fumon run: name a folder for the run with -o");
     RunFolder folder(options.folder, options.force);
+    prepare_drawing(options.work);
     Workshop workshop =
         set_up(read_scene(options.scene, options.work.settings), options.work.threads);
     return work(workshop, folder, options, nullptr);

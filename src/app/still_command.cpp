@@ -40,31 +40,19 @@ std::int64_t step_of(const StillOptions& options, const Scene& scene) {
     return *options.step;
 }
 
-/// Steps until the model's time reaches the wanted one.
-int advance_to_time(Workshop& workshop, double time, Progress& progress) {
-    while (workshop.model->time() < time) {
-        const std::int64_t next = workshop.model->steps_done() + 1;
-        if (next > workshop.scene.run.steps) {
-            throw InputError(
-                fmt::format("--time {} is after the run's end at {} {}; lengthen run.steps", time,
-                            workshop.model->time(), workshop.model->time_unit()));
-        }
-        if (const int signal = advance_to(workshop, next, progress); signal != 0) return signal;
-    }
-    return 0;
-}
-
 }  // namespace
 
 int still_command(const StillOptions& options) {
     const InterruptGuard guard;
+    prepare_drawing(options.work);
     Workshop workshop = set_up(scene_of(options), options.work.threads);
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(workshop.initial.bed.size()));
     if (!workshop.initial.note.empty()) progress.note(workshop.initial.note);
     const Snapshot first = workshop.model->snapshot();
     const int signal = options.time
-                           ? advance_to_time(workshop, *options.time, progress)
+                           ? advance_to_time(workshop, *options.time,
+                                             fmt::format("--time {}", *options.time), progress)
                            : advance_to(workshop, step_of(options, workshop.scene), progress);
     constexpr int status_of_signal = 128;
     if (signal != 0) return status_of_signal + signal;

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include "app/check_finite.h"
-#include "app/frame_painter.h"
 #include "app/interrupt.h"
 #include "app/picture_text.h"
 #include "figure/section_figure.h"
 #include "files/atomic_file.h"
+#include "gl/pinned.h"
 #include "models/registry.h"
 #include "output/png.h"
 #include "render/colouring.h"
@@ -111,23 +111,56 @@ int advance_to(Workshop& workshop, std::int64_t step, Progress& progress) {
     return 0;
 }
 
-Sha256 draw_still(Workshop& workshop, const Snapshot& first, const std::string& file,
-                  const WorkOptions& work, Progress& progress) {
-    const Scene& scene = workshop.scene;
+int advance_to_time(Workshop& workshop, double time, const std::string& asked, Progress& progress) {
+    while (workshop.model->time() < time) {
+        const std::int64_t next = workshop.model->steps_done() + 1;
+        if (next > workshop.scene.run.steps) {
+            throw InputError(fmt::format("{} is after the run's end at {} {}; lengthen run.steps",
+                                         asked, workshop.model->time(),
+                                         workshop.model->time_unit()));
+        }
+        if (const int signal = advance_to(workshop, next, progress); signal != 0) return signal;
+    }
+    return 0;
+}
+
+void prepare_drawing(const WorkOptions& work) {
+    if (work.pinned) gl::pin_rendering();
+}
+
+void tell_drawing(const DrawingRecord& drawing, Progress& progress) {
+    const RenderingEnvironment& environment = drawing.environment;
+    if (environment.backend.empty()) return;
+    progress.verbose(fmt::format("{}: {}{}{}{}", environment.backend, environment.renderer,
+                                 environment.gl_version.empty() ? "" : ", OpenGL ",
+                                 environment.gl_version, environment.pinned ? ", pinned" : ""));
+    for (const std::string& line : gl::overridden_by_pinning())
+        progress.verbose("--pinned: " + line);
+    if (!drawing.why_not_pinned.empty()) {
+        progress.note(fmt::format("not pinned, and recorded so: {}", drawing.why_not_pinned));
+    }
+}
+
+Drawing draw_present(const Workshop& workshop, const Snapshot& first, const WorkOptions& work) {
     WorkerPool pool(work.threads, "fumon-render");
-    const auto painter = make_frame_painter(scene, first, work.backend, pool);
-    const DrawingRecord drawing = painter->record();
-    progress.verbose(fmt::format("{}: {}{}{}", drawing.backend, drawing.renderer,
-                                 drawing.version.empty() ? "" : ", OpenGL ", drawing.version));
-    const Image image = painter->paint(workshop.model->snapshot());
+    const auto painter = make_frame_painter(workshop.scene, first, work.backend, pool);
+    return {painter->paint(workshop.model->snapshot()), painter->record()};
+}
+
+DrawnStill draw_still(Workshop& workshop, const Snapshot& first, const std::string& file,
+                      const WorkOptions& work, Progress& progress) {
+    const Scene& scene = workshop.scene;
+    const auto [image, drawing] = draw_present(workshop, first, work);
+    tell_drawing(drawing, progress);
     const Sha256 pixels = pixel_hash(image);
     const auto texts = picture_text(resolved_scene(scene, workshop.initial.inputs), scene,
-                                    workshop.model->steps_done(), workshop.initial.inputs, pixels);
+                                    workshop.model->steps_done(), workshop.initial.inputs, pixels,
+                                    drawing.environment);
     write_file(file, encode_png(image, scene.view.image.dots_per_inch, texts));
     if (drawing.exaggeration != 1.0) {
         progress.note(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));
     }
-    return pixels;
+    return {pixels, drawing.environment};
 }
 
 }  // namespace fumon

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/frame_painter.h"
 #include "files/hash.h"
 #include "models/model.h"
 #include "scene/initial_bed.h"
@@ -27,9 +28,34 @@ Workshop set_up(Scene scene, int threads);
 /// Throws Error when the bed is not finite then.
 int advance_to(Workshop& workshop, std::int64_t step, Progress& progress);
 
-/// Draws the model's present state, as the run's frame of that step, and writes it whole with its
-/// metadata. Returns the picture's pixel hash.
-Sha256 draw_still(Workshop& workshop, const Snapshot& first, const std::string& file,
-                  const WorkOptions& work, Progress& progress);
+/// Advances until the model's time reaches the wanted one. Throws InputError where the run ends
+/// before, naming what was asked ("--time 5").
+int advance_to_time(Workshop& workshop, double time, const std::string& asked, Progress& progress);
+
+/// Pins what will be drawn where that is asked for: before any thread starts.
+void prepare_drawing(const WorkOptions& work);
+
+/// Says what draws, what of the user's settings was overridden for it, and why it is not pinned
+/// though that was asked for.
+void tell_drawing(const DrawingRecord& drawing, Progress& progress);
+
+/// A picture's pixel hash, and what drew it.
+struct DrawnStill {
+    Sha256 pixels{};
+    RenderingEnvironment environment;
+};
+
+/// A picture of the model's present state, and what drew it.
+struct Drawing {
+    Image image;
+    DrawingRecord record;
+};
+
+/// Draws the model's present state as the run's frame of that step; `first` is the run's first.
+Drawing draw_present(const Workshop& workshop, const Snapshot& first, const WorkOptions& work);
+
+/// The same, written whole with its metadata.
+DrawnStill draw_still(Workshop& workshop, const Snapshot& first, const std::string& file,
+                      const WorkOptions& work, Progress& progress);
 
 }  // namespace fumon

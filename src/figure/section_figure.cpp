@@ -10,6 +10,7 @@
 #include "figure/section_map.h"
 #include "figure/section_paths.h"
 #include "support/error.h"
+#include "terrain/elementary_power.h"
 
 namespace fumon {
 
@@ -77,7 +78,7 @@ void fit_map(Arrangement& arrangement, double aspect) {
     }
     if (2.0 * equal_height >= arrangement.frame_height) return;
     const double largest = arrangement.frame_height / equal_height;
-    const double power = std::pow(10.0, std::floor(std::log10(largest)));
+    const double power = elementary::pow(10.0, std::floor(elementary::log10(largest)));
     const double step = largest >= 5.0 * power ? 5.0 : largest >= 2.0 * power ? 2.0 : 1.0;
     const double exaggeration = step * power;
     arrangement.exaggeration = exaggeration;

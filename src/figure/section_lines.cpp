@@ -8,6 +8,8 @@
 #include <numbers>
 
 #include "measure/snapshot_lookup.h"
+#include "terrain/elementary.h"
+#include "terrain/elementary_power.h"
 
 namespace fumon {
 
@@ -88,7 +90,7 @@ LinePanel stress_panel(const Snapshot& snapshot, double unit, const std::string&
             const double angle =
                 2.0 * std::numbers::pi * *waves * place / static_cast<double>(columns);
             fit.points.emplace_back(place * snapshot.section->dx / unit,
-                                    *mean + *amplitude * std::cos(angle + *phase));
+                                    *mean + *amplitude * elementary::cos(angle + *phase));
         }
         panel.series.push_back(std::move(fit));
     }
@@ -142,7 +144,8 @@ LinePanel flight_law_panel(const Snapshot& snapshot, double unit, const std::str
         for (int i = 0; i <= pieces; ++i) {
             const double height = std::lerp(lowest, highest, static_cast<double>(i) / pieces);
             law.points.emplace_back(
-                height, (std::pow(*base, height * unit / millimetre) - 1.0) * millimetre / unit);
+                height,
+                (elementary::pow(*base, height * unit / millimetre) - 1.0) * millimetre / unit);
         }
         panel.series.push_back(std::move(law));
     }

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "figure/streamlines.h"
+#include "terrain/elementary_angle.h"
+#include "terrain/elementary_power.h"
 
 namespace fumon {
 
@@ -28,8 +30,8 @@ double value_at(const SectionAir& air, MapQuantity quantity, double x, double z)
         case MapQuantity::speed:
             break;
     }
-    return std::hypot(air.value(*air.find("velocity_x"), x, z),
-                      air.value(*air.find("velocity_z"), x, z));
+    return elementary::hypot(air.value(*air.find("velocity_x"), x, z),
+                             air.value(*air.find("velocity_z"), x, z));
 }
 
 const char* label_of(MapQuantity quantity) {
@@ -64,7 +66,7 @@ std::array<double, 2> extremes(const SectionAir& air, MapQuantity quantity) {
 }
 
 void draw_arrow(Canvas& canvas, const CanvasPoint& tail, double dx, double dy, double font) {
-    const double length = std::hypot(dx, dy);
+    const double length = elementary::hypot(dx, dy);
     if (length < 0.08 * font) return;
     const double head = std::min(0.35 * font, 0.45 * length) / length;
     const CanvasPoint tip{tail.x + dx, tail.y + dy};
@@ -82,7 +84,7 @@ void draw_arrow(Canvas& canvas, const CanvasPoint& tail, double dx, double dy, d
 
 /// The greatest of 1, 2 and 5 times a power of ten up to a value above 0.
 double round_below(double value) {
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    const double power = elementary::pow(10.0, std::floor(elementary::log10(value)));
     for (const double step : {5.0, 2.0}) {
         if (step * power <= value) return step * power;
     }
@@ -108,9 +110,9 @@ double draw_arrows(Canvas& canvas, const Axes& axes, double unit, const SectionA
             if (z * unit <= air.bed(x * unit)) continue;
             const double u = air.value(*air.find("velocity_x"), x * unit, z * unit);
             const double w = air.value(*air.find("velocity_z"), x * unit, z * unit);
-            const double shown = std::hypot(u, stretch * w);
+            const double shown = elementary::hypot(u, stretch * w);
             if (!(shown > 0.0)) continue;
-            const double length = pixels * std::hypot(u, w) / shown;
+            const double length = pixels * elementary::hypot(u, w) / shown;
             const double dx = length * u;
             const double dy = -length * stretch * w;
             draw_arrow(canvas, {middle.x - 0.5 * dx, middle.y - 0.5 * dy}, dx, dy, font);
@@ -145,7 +147,7 @@ void draw_streamlines(Canvas& canvas, const Axes& axes, double unit, const Secti
         if (middle == 0) continue;
         const double dx = points[middle].x - points[middle - 1].x;
         const double dy = points[middle].y - points[middle - 1].y;
-        const double length = std::hypot(dx, dy);
+        const double length = elementary::hypot(dx, dy);
         if (!(length > 0.0)) continue;
         const double head = 0.55 * font / length;
         const std::array<CanvasPoint, 3> tip{{points[middle],

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "support/error.h"
+#include "terrain/elementary_angle.h"
 
 namespace fumon {
 
@@ -85,7 +86,8 @@ class Tracer {
           places_(size_.x, size_.y, separation_) {
         double fastest = 0.0;
         for (std::size_t i = 0; i < u.values.values().size(); ++i)
-            fastest = std::max(fastest, std::hypot(u.values.values()[i], w.values.values()[i]));
+            fastest =
+                std::max(fastest, elementary::hypot(u.values.values()[i], w.values.values()[i]));
         slowest_ = still_air * fastest;
     }
 

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "terrain/elementary_power.h"
+
 namespace fumon {
 
 namespace {
@@ -34,10 +36,10 @@ Ticks linear_ticks(double low, double high, int most) {
     Ticks ticks;
     if (!std::isfinite(low) || !std::isfinite(high) || !(low < high)) return ticks;
     const double finest = (high - low) / std::max(most, 2);
-    int exponent = static_cast<int>(std::floor(std::log10(finest))) - 1;
+    int exponent = static_cast<int>(std::floor(elementary::log10(finest))) - 1;
     for (;; ++exponent) {
         for (const int leading : {1, 2, 5}) {
-            const double step = leading * std::pow(10.0, exponent);
+            const double step = leading * elementary::pow(10.0, exponent);
             const auto first = static_cast<std::int64_t>(std::ceil(low / step - rounding));
             const auto last = static_cast<std::int64_t>(std::floor(high / step + rounding));
             if (last - first + 1 > std::max(most, 2)) continue;
@@ -55,11 +57,11 @@ Ticks linear_ticks(double low, double high, int most) {
 Ticks logarithmic_ticks(double low, double high, int most) {
     Ticks ticks;
     if (!(low > 0.0) || !std::isfinite(high) || !(low < high)) return ticks;
-    const int first = static_cast<int>(std::ceil(std::log10(low) - rounding));
-    const int last = static_cast<int>(std::floor(std::log10(high) + rounding));
+    const int first = static_cast<int>(std::ceil(elementary::log10(low) - rounding));
+    const int last = static_cast<int>(std::floor(elementary::log10(high) + rounding));
     const int every = std::max(1, (last - first + std::max(most, 1)) / std::max(most, 1));
     for (int power = first; power <= last; power += every) {
-        ticks.values.push_back(std::pow(10.0, power));
+        ticks.values.push_back(elementary::pow(10.0, power));
         ticks.labels.push_back("10" + superscript(power));
     }
     return ticks;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
+
 #include "gl/backends.h"
 #include "gl/functions.h"
 #include "support/error.h"
@@ -9,6 +11,8 @@
 namespace fumon::gl {
 
 namespace {
+
+std::atomic<bool> asked_for = false;
 
 std::string text_of(GLenum name) {
     const GLubyte* text = functions().GetString(name);
@@ -18,6 +22,7 @@ std::string text_of(GLenum name) {
 }  // namespace
 
 std::unique_ptr<Context> Context::create(Backend backend) {
+    asked_for = true;
     std::string failures;
     if (backend != Backend::egl) {
         Attempt attempt = try_osmesa();
@@ -31,6 +36,10 @@ std::unique_ptr<Context> Context::create(Backend backend) {
         failures += attempt.failure;
     }
     throw Error(fmt::format("no OpenGL 3.3 without a display: {}", failures));
+}
+
+bool Context::any_created() {
+    return asked_for;
 }
 
 std::string Context::renderer_name() const {

@@ -15,6 +15,8 @@ class Context {
     /// EGL (surfaceless, then a device). Throws Error naming what was tried and the package that
     /// would help.
     static std::unique_ptr<Context> create(Backend backend);
+    /// Whether create() was ever called in this process.
+    [[nodiscard]] static bool any_created();
 
     Context() = default;
     Context(const Context&) = delete;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "support/error.h"
-#include "terrain/elementary.h"
+#include "terrain/elementary_power.h"
 
 namespace fumon {
 

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "terrain/elementary_angle.h"
+
 namespace fumon {
 
 namespace {
@@ -80,7 +82,7 @@ Line best_line(const std::vector<CoveredCell>& cells, BedPoint apex) {
 }
 
 ConeFit cone_of(BedPoint apex, const Line& line, double squares) {
-    return {apex, line.height, line.slope, degrees_per_radian * std::atan(line.slope),
+    return {apex, line.height, line.slope, degrees_per_radian * elementary::atan(line.slope),
             1.0 - line.residual / squares};
 }
 

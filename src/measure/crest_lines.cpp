@@ -7,6 +7,7 @@
 #include "measure/row_crests.h"
 #include "measure/row_departures.h"
 #include "measure/smoothed_bed.h"
+#include "terrain/elementary_angle.h"
 
 namespace fumon {
 
@@ -121,10 +122,10 @@ CrestLine line_from(const CrestGraph& graph, int start, double period, std::vect
 double length_of(const CrestLine& line, double period) {
     double length = 0.0;
     for (std::size_t i = 1; i < line.x.size(); ++i) {
-        length += std::hypot(1.0, line.x[i] - line.x[i - 1]);
+        length += elementary::hypot(1.0, line.x[i] - line.x[i - 1]);
     }
     if (line.closed) {
-        length += std::hypot(1.0, step_along_x(line.x.back(), line.x.front(), period));
+        length += elementary::hypot(1.0, step_along_x(line.x.back(), line.x.front(), period));
     }
     return length;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "terrain/elementary_angle.h"
+
 namespace fumon {
 
 namespace {
@@ -70,9 +72,9 @@ CrestOrientation crest_orientation(const Grid& bed, bool periodic) {
     const double trace = sum.xx + sum.yy;
     if (!(trace > rounding * highest * highest * static_cast<double>(bed.size()))) return {};
     CrestOrientation result;
-    result.degrees = 0.5 * degrees_per_radian * std::atan2(2.0 * sum.xy, sum.xx - sum.yy);
+    result.degrees = 0.5 * degrees_per_radian * elementary::atan2(2.0 * sum.xy, sum.xx - sum.yy);
     if (result.degrees <= -90.0) result.degrees = 90.0;
-    result.coherence = std::hypot(sum.xx - sum.yy, 2.0 * sum.xy) / trace;
+    result.coherence = elementary::hypot(sum.xx - sum.yy, 2.0 * sum.xy) / trace;
     return result;
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "terrain/elementary.h"
+
 namespace fumon {
 
 namespace {
@@ -12,7 +14,7 @@ std::vector<double> kernel_of(double sigma) {
     std::vector<double> weights;
     double sum = 0.0;
     for (int i = -radius; i <= radius; ++i) {
-        weights.push_back(std::exp(-0.5 * i * i / (sigma * sigma)));
+        weights.push_back(elementary::exp(-0.5 * i * i / (sigma * sigma)));
         sum += weights.back();
     }
     for (double& weight : weights) weight /= sum;

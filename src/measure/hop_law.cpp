@@ -9,6 +9,7 @@
 
 #include "support/error.h"
 #include "terrain/elementary.h"
+#include "terrain/elementary_power.h"
 
 namespace fumon {
 

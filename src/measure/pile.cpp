@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "terrain/elementary_angle.h"
+
 namespace fumon {
 
 namespace {
@@ -10,7 +12,7 @@ namespace {
 double azimuth(double east, double north) {
     constexpr double degrees_per_radian = 57.29577951308232;
     if (east == 0.0 && north == 0.0) return ConeFit::none;
-    const double degrees = degrees_per_radian * std::atan2(east, north);
+    const double degrees = degrees_per_radian * elementary::atan2(east, north);
     const double positive = degrees < 0.0 ? degrees + 360.0 : degrees;
     return positive < 360.0 ? positive : 0.0;  // a hair west of north rounds to a full turn
 }

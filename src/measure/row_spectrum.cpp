@@ -9,6 +9,7 @@
 #include "measure/fourier_transform.h"
 #include "measure/row_departures.h"
 #include "support/error.h"
+#include "terrain/elementary.h"
 
 namespace fumon {
 
@@ -21,8 +22,8 @@ constexpr double turn = 6.283185307179586;
 std::vector<double> hann_window(std::size_t length) {
     std::vector<double> window(length);
     for (std::size_t x = 0; x < length; ++x) {
-        window[x] = 0.5 - 0.5 * std::cos(turn * (static_cast<double>(x) + 0.5) /
-                                         static_cast<double>(length));
+        window[x] = 0.5 - 0.5 * elementary::cos(turn * (static_cast<double>(x) + 0.5) /
+                                                static_cast<double>(length));
     }
     return window;
 }

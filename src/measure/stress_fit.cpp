@@ -3,6 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "terrain/elementary.h"
+#include "terrain/elementary_angle.h"
+
 namespace fumon {
 
 StressFit fit_stress(std::span<const double> stress, int waves) {
@@ -19,17 +22,17 @@ StressFit fit_stress(std::span<const double> stress, int waves) {
     double squares = 0.0;
     for (int i = 0; i < count; ++i) {
         const double departure = stress[static_cast<std::size_t>(i)] - mean;
-        cosine += departure * std::cos(angle * i);
-        sine += departure * std::sin(angle * i);
+        cosine += departure * elementary::cos(angle * i);
+        sine += departure * elementary::sin(angle * i);
         squares += departure * departure;
     }
     cosine *= 2.0 / count;
     sine *= 2.0 / count;
     fit.mean = mean;
-    fit.amplitude = std::hypot(cosine, sine);
+    fit.amplitude = elementary::hypot(cosine, sine);
     constexpr double rounding = 1e-9;
     if (!(fit.amplitude > rounding * std::abs(mean))) return fit;
-    fit.phase = std::atan2(-sine, cosine);
+    fit.phase = elementary::atan2(-sine, cosine);
     fit.r_squared = 0.5 * count * fit.amplitude * fit.amplitude / squares;
     return fit;
 }

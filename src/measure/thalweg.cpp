@@ -7,6 +7,7 @@
 
 #include "measure/gaussian_line.h"
 #include "measure/peak_offset.h"
+#include "terrain/elementary_angle.h"
 
 namespace fumon {
 
@@ -152,9 +153,9 @@ double mean_sinuosity(const Grid& depth, std::span<const int> sites, double dx, 
         const std::vector<double> way = thalweg(smooth, window, periodic);
         double length = 0.0;
         for (std::size_t y = 1; y < way.size(); ++y)
-            length += std::hypot((way[y] - way[y - 1]) * dx, dy);
-        sum += length / std::hypot((way.back() - way.front()) * dx,
-                                   dy * static_cast<double>(way.size() - 1));
+            length += elementary::hypot((way[y] - way[y - 1]) * dx, dy);
+        sum += length / elementary::hypot((way.back() - way.front()) * dx,
+                                          dy * static_cast<double>(way.size() - 1));
     }
     return sum / static_cast<double>(sites.size());
 }

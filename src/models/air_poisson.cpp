@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 
+#include "models/eigen_blocks.h"
 #include "models/plane_loop.h"
 #include "support/multiversion.h"
 
@@ -98,6 +99,7 @@ void AirPoisson::invert_departures() {
             }
         }
     }
+    same_eigen_blocks_everywhere();
     const Eigen::MatrixXd inverse = capacitance.partialPivLu().inverse();
     inverse_.assign(inverse.data(), inverse.data() + inverse.size());
     std::fill(b_.begin(), b_.end(), 0.0);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "models/eigen_blocks.h"
 #include "support/error.h"
 #include "support/state_carrier.h"
 
@@ -34,6 +35,7 @@ class FittedAirflow::Factors {
         Eigen::SparseMatrix<double> matrix(flux() + 1, flux() + 1);
         matrix.setFromTriplets(entries_.begin(), entries_.end());
         entries_ = {};
+        same_eigen_blocks_everywhere();
         lu_.compute(matrix);
         if (lu_.info() != Eigen::Success) throw Error("airflow: the fitted grid has no solution");
     }

@@ -146,9 +146,6 @@ Image read_png(const std::filesystem::path& file) {
     const std::string bytes = read_input_file(file);
     PngReader reader(bytes, file.string());
     const PngInfo& info = reader.info();
-    if (info.bit_depth > 8)
-        throw InputError(fmt::format("{}: has {} bits a channel; save it with 8", file.string(),
-                                     info.bit_depth));
     Image image;
     image.width = info.width;
     image.height = info.height;

@@ -5,6 +5,7 @@
 
 #include "figure/streamlines.h"
 #include "support/worker_pool.h"
+#include "terrain/elementary_angle.h"
 #include "terrain/grid.h"
 
 namespace fumon {
@@ -101,7 +102,8 @@ double fastest_air(const SectionAir& air) {
     double fastest = 0.0;
     if (u == nullptr || w == nullptr) return fastest;
     for (std::size_t i = 0; i < u->values.values().size(); ++i)
-        fastest = std::max(fastest, std::hypot(u->values.values()[i], w->values.values()[i]));
+        fastest =
+            std::max(fastest, elementary::hypot(u->values.values()[i], w->values.values()[i]));
     return fastest;
 }
 
@@ -126,7 +128,7 @@ AirSheet paint_air_sheet(const SectionAir& air, const Palette& palette, int widt
         const double z = std::lerp(low, sheet.high, share);
         for (int column = 0; column < width; ++column) {
             const double x = (column + 0.5) / width * air.length() - half_cell;
-            const double speed = std::hypot(air.value(*u, x, z), air.value(*w, x, z));
+            const double speed = elementary::hypot(air.value(*u, x, z), air.value(*w, x, z));
             const auto& colour =
                 palette[static_cast<std::size_t>(255.0 * air_palette_share(speed, fastest))];
             const double line = line_strength * static_cast<double>(lines(column, row));

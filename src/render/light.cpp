@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "terrain/elementary.h"
+#include "terrain/elementary_power.h"
 
 namespace fumon {
 

@@ -9,6 +9,7 @@
 
 #include "support/multiversion.h"
 #include "support/worker_pool.h"
+#include "terrain/elementary_angle.h"
 
 namespace fumon {
 
@@ -194,7 +195,7 @@ Field<float> sky_visibility(const Field<float>& heights, float dx, float dy, Wor
     const int ny = heights.ny();
     Field<float> sum(nx, ny, 0.0F);
     // Each direction stands for the azimuths nearer to it than to its neighbours.
-    const float diagonal_angle = std::atan2(dy, dx);
+    const auto diagonal_angle = static_cast<float>(elementary::atan2(dy, dx));
     constexpr float circle = 2.0F * std::numbers::pi_v<float>;
     const float weight_x = diagonal_angle / circle;
     const float weight_y = (0.25F * circle - diagonal_angle) / circle;

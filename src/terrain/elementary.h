@@ -178,12 +178,6 @@ inline double log(double x) {
     return log_of_normal(x * 0x1p54) - shift * 0x1.62e42fefa39efp-1;
 }
 
-/// base^exponent for base > 0, as exp(exponent · log base): its relative error grows to 2^-53 (2 +
-/// 2 |exponent · log base|).
-inline double pow(double base, double exponent) {
-    return exp(exponent * log(base));
-}
-
 /// Sine of an angle in radians, |x| ≤ 10^6; not a number beyond.
 inline double sin(double x) {
     return detail::sine(x, 0);

@@ -66,11 +66,12 @@ TEST(CommandLine, HelpTeaches) {
     const ScratchFolder folder;
     const Ended ended = fumon({"--help"}, folder.path());
     EXPECT_EQ(ended.status, 0);
-    for (const char* word : {"run", "sweep", "still", "again", "check", "models", "describe",
-                             "--set", "terrain.asc"}) {
+    for (const char* word : {"run", "sweep", "still", "again", "fingerprint", "compare", "verify",
+                             "check", "models", "describe", "--set", "terrain.asc"}) {
         EXPECT_NE(ended.output.find(word), std::string::npos) << word;
     }
-    for (const char* command : {"run", "sweep", "still", "again", "check", "describe"}) {
+    for (const char* command : {"run", "sweep", "still", "again", "fingerprint", "compare",
+                                "verify", "check", "describe"}) {
         EXPECT_EQ(fumon({command, "--help"}, folder.path()).status, 0) << command;
     }
 }

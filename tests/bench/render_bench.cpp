@@ -7,7 +7,6 @@
 #include <sys/resource.h>
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "gl/context.h"
@@ -19,10 +18,13 @@
 #include "render/renderer.h"
 #include "render/sky_visibility.h"
 #include "render/sun_sweep.h"
+#include "support/dune_field.h"
 #include "support/worker_pool.h"
 
 namespace fumon {
 namespace {
+
+using testing::dune_field;
 
 double cpu_milliseconds() {
     rusage usage{};
@@ -31,32 +33,6 @@ double cpu_milliseconds() {
         return 1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec);
     };
     return of(usage.ru_utime) + of(usage.ru_stime);
-}
-
-/// Transverse dunes that carry ripples, moved downwind by `shift` of a wavelength.
-Snapshot dune_field(int cells, double shift) {
-    Snapshot snapshot;
-    snapshot.bed = Grid(cells, cells);
-    const double wavelength = cells / 7.0;
-    const double ripple = cells / 85.0;
-    for (int y = 0; y < cells; ++y) {
-        for (int x = 0; x < cells; ++x) {
-            const double u = static_cast<double>(x) / cells;
-            const double v = static_cast<double>(y) / cells;
-            const double bend =
-                0.5 * std::sin(5.0 * v + 2.0 * u) + 0.2 * std::sin(13.0 * v - 3.0 * u);
-            const double phase = x / wavelength + bend - shift;
-            const double share = phase - std::floor(phase);
-            const double dune = share < 0.72
-                                    ? std::pow(std::sin(1.5708 * share / 0.72), 1.5)
-                                    : 0.5 + 0.5 * std::cos(3.14159 * (share - 0.72) / 0.28);
-            const double small =
-                std::sin(6.28319 * (x / ripple + 0.8 * std::sin(9.0 * v + 4.0 * u)));
-            snapshot.bed(x, y) =
-                cells * (0.025 * dune * (1.0 + 0.4 * std::sin(7.0 * v)) + 0.0006 * small);
-        }
-    }
-    return snapshot;
 }
 
 void picture(benchmark::State& state) {

@@ -105,5 +105,14 @@ TEST(AirPoisson, SolvesAManufacturedField) {
     }
 }
 
+/// Rounding follows the blocks into which Eigen cuts a matrix, and they would follow the
+/// processor's caches.
+TEST(AirPoisson, DoesNotDependOnTheProcessorsCaches) {
+    WorkerPool pool(1);
+    const AirPoisson poisson(ripples(8, 5, 0.5), BedPressure::one_sided, pool);
+    EXPECT_EQ(Eigen::l1CacheSize(), 32 * 1024);
+    EXPECT_EQ(Eigen::l2CacheSize(), 256 * 1024);
+}
+
 }  // namespace
 }  // namespace fumon

@@ -29,7 +29,7 @@ void redirect(int descriptor, const fs::path& file) {
 }  // namespace
 
 Program::Program(const std::vector<std::string>& arguments, const fs::path& folder,
-                 const std::vector<std::string>& environment)
+                 const std::vector<std::string>& environment, const std::string& program)
     : output_(unique_path("fumon-stdout-")), errors_(unique_path("fumon-stderr-")) {
     process_ = fork();
     if (process_ < 0) throw std::runtime_error("cannot fork");
@@ -43,10 +43,10 @@ Program::Program(const std::vector<std::string>& arguments, const fs::path& fold
     // The tests inside this process still look for leaks.
     setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
 #endif
-    std::vector<char*> words{strdup(FUMON_PROGRAM)};
+    std::vector<char*> words{strdup(program.c_str())};
     for (const std::string& argument : arguments) words.push_back(strdup(argument.c_str()));
     words.push_back(nullptr);
-    execv(FUMON_PROGRAM, words.data());
+    execv(program.c_str(), words.data());
     _exit(127);
 }
 
@@ -76,8 +76,8 @@ Ended Program::wait() {
 }
 
 Ended fumon(const std::vector<std::string>& arguments, const fs::path& folder,
-            const std::vector<std::string>& environment) {
-    return Program(arguments, folder, environment).wait();
+            const std::vector<std::string>& environment, const std::string& program) {
+    return Program(arguments, folder, environment, program).wait();
 }
 
 ScratchFolder::ScratchFolder() : path_(unique_path("fumon-test-")) {

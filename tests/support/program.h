@@ -21,7 +21,8 @@ class Program {
   public:
     /// Starts fumon with these arguments in a folder; `environment` is added to the test's own.
     Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-            const std::vector<std::string>& environment = {});
+            const std::vector<std::string>& environment = {},
+            const std::string& program = FUMON_PROGRAM);
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
@@ -36,7 +37,8 @@ class Program {
 };
 
 Ended fumon(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-            const std::vector<std::string>& environment = {});
+            const std::vector<std::string>& environment = {},
+            const std::string& program = FUMON_PROGRAM);
 
 /// A folder of the test's own, empty, deleted at the end.
 class ScratchFolder {
