@@ -20,8 +20,8 @@ constexpr const char* step_keyword = "fumon:step";
 constexpr const char* version_keyword = "fumon:version";
 constexpr const char* inputs_keyword = "fumon:inputs";
 constexpr const char* pixels_keyword = "fumon:pixels-sha256";
-constexpr const char* environment_keyword = "fumon:environment";
 constexpr const char* encoder_keyword = "fumon:encoder";
+constexpr const char* environment_keyword = "fumon:environment";
 
 std::string inputs_text(const std::vector<InputFile>& inputs) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -91,17 +91,10 @@ PictureText movie_text(const std::string& resolved, const Scene& scene,
                        const RenderingEnvironment& environment) {
     Sha256Stream all;
     for (const FrameRecord& frame : frames) all.add(frame.pixels.data(), frame.pixels.size());
-    PictureText texts = picture_text(resolved, scene, frames.empty() ? 0 : frames.back().step,
-                                     inputs, all.finish(), environment);
+    const std::int64_t last = frames.empty() ? 0 : frames.back().step;
+    PictureText texts = picture_text(resolved, scene, last, inputs, all.finish(), environment);
     texts.emplace_back(encoder_keyword, movie_encoder());
     return texts;
-}
-
-std::string drawing_text(const DrawingRecord& drawing) {
-    const RenderingEnvironment& by = drawing.environment;
-    return fmt::format("{}: {}{}{}{}", by.backend, by.renderer,
-                       by.gl_version.empty() ? "" : ", OpenGL ", by.gl_version,
-                       by.pinned ? ", pinned" : "");
 }
 
 PictureOrigin read_origin(const std::filesystem::path& picture) {
@@ -123,10 +116,10 @@ PictureOrigin read_origin(const std::filesystem::path& picture) {
     origin.inputs = parse_inputs(texts[inputs_keyword], picture.string());
     origin.version = texts[version_keyword];
     origin.pixels_hash = texts[pixels_keyword];
-    if (texts.contains(environment_keyword))
-        origin.environment = parse_drawn_by(texts[environment_keyword], picture.string());
     origin.is_movie = movie;
     origin.encoder = texts[encoder_keyword];
+    if (texts.contains(environment_keyword))
+        origin.environment = parse_drawn_by(texts[environment_keyword], picture.string());
     return origin;
 }
 

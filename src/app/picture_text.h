@@ -45,9 +45,6 @@ PictureText movie_text(const std::string& resolved, const Scene& scene,
                        const std::vector<InputFile>& inputs, std::span<const FrameRecord> frames,
                        const RenderingEnvironment& environment);
 
-/// What drew, in words: "OSMesa: llvmpipe …, OpenGL 4.5 …".
-std::string drawing_text(const DrawingRecord& drawing);
-
 /// Reads them back. Throws InputError when the file is neither PNG nor MP4 or not of fumon's
 /// making.
 PictureOrigin read_origin(const std::filesystem::path& picture);

@@ -171,7 +171,7 @@ class Pipeline {
         RunCheckpoint now;
         now.scene = resolved_;
         now.inputs = inputs_;
-        now.drawing = drawing_text(outcome_.drawing);
+        now.drawing = environment_text(outcome_.drawing.environment);
         now.resumed_at = outcome_.resumed_at;
         {
             const std::lock_guard lock(mutex_);

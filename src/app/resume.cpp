@@ -7,6 +7,7 @@
 
 #include "app/find_input.h"
 #include "app/pipeline.h"
+#include "output/environment.h"
 #include "scene/json.h"
 #include "scene/read.h"
 #include "support/error.h"
@@ -67,6 +68,9 @@ ResumedRun resume_run(const RunFolder& folder, const RunOptions& options) {
     RunCheckpoint& checkpoint = resumed.checkpoint;
     checkpoint.carry(*resumed.rest);
     check_version(checkpoint, file);
+    WorkOptions work = options.work;
+    work.pinned = work.pinned || parse_environment(checkpoint.drawing).pinned;
+    prepare_drawing(work);
 
     Scene scene = options.scene.empty()
                       ? parse_scene(checkpoint.scene, file, "", options.work.settings)

@@ -6,7 +6,6 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/manifest.h"
-#include "app/picture_text.h"
 #include "app/pipeline.h"
 #include "app/resume.h"
 #include "app/workshop.h"
@@ -41,11 +40,13 @@ void tell_the_end(const RunOutcome& outcome, const Workshop& workshop, const Run
 }
 
 void tell_of_drawing(const DrawingRecord& now, const RunCheckpoint& former, Progress& progress) {
-    const std::string drawing = drawing_text(now);
-    if (former.frames.empty() || drawing == former.drawing) return;
+    if (former.frames.empty()) return;
+    const std::string differs = difference(parse_environment(former.drawing), now.environment);
+    if (differs.empty()) return;
     progress.note(
-        fmt::format("frames so far were drawn by {}, now by {}: they may differ in single pixels",
-                    former.drawing, drawing));
+        fmt::format("frames so far were drawn otherwise ({}): they may differ in single "
+                    "pixels",
+                    differs));
 }
 
 /// Runs what stands in the workshop, into the folder; returns the exit status.

@@ -50,8 +50,10 @@ TEST(Pipeline, AFieldThatTurnsNaNIsReportedAndEarlierFramesAreKept) {
     SpoiledModel model(12);
     RunFolder run(folder / "out", false);
     Progress progress(Verbosity::quiet, 0);
-    const RunOutcome outcome = run_pipeline(model, scene, {}, run, {}, progress,
-                                            [&](const DrawingRecord&) { run.create({true, false, false}); });
+    const RunOutcome outcome =
+        run_pipeline(model, scene, {}, run, {}, progress, [&](const DrawingRecord&) {
+            run.create({true, false, false});
+        });
     ASSERT_TRUE(outcome.error);
     EXPECT_EQ(error_text(outcome.error),
               "the bed height became nan at cell (3, 4), step 15; try smaller rates (`fumon "
@@ -106,7 +108,9 @@ TEST(Pipeline, WhatFailsBeforeTheStartWritesNothing) {
         Error);
     scene.view.look.palette = "no such palette";
     EXPECT_THROW(run_pipeline(model, scene, {}, run, {}, progress,
-                              [&](const DrawingRecord&) { run.create({true, false, true}); }),
+                              [&](const DrawingRecord&) {
+                                  run.create({true, false, true});
+                              }),
                  InputError);
     EXPECT_FALSE(std::filesystem::exists(run.path()));
 }
