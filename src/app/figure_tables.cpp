@@ -71,9 +71,7 @@ Table avalanche_rows(const std::vector<Avalanche>& avalanches, Table table) {
     return table;
 }
 
-Table size_rows(const std::vector<Avalanche>& avalanches, Table table) {
-    AvalancheSizes sizes;
-    sizes.add(avalanches);
+Table size_rows(const AvalancheSizes& sizes, Table table) {
     for (const SizeBin& bin : sizes.bins()) {
         table.columns[0].values.push_back(static_cast<double>(bin.size));
         table.columns[1].values.push_back(static_cast<double>(bin.count));
@@ -152,11 +150,13 @@ Table rows_of(const CurveFeed& feed, const StoredRun& run, const RunStore& store
             return measurement_rows(store.measurements(run), known);
         case CurveTable::avalanches:
             return avalanche_rows(avalanches_of(store, run), known);
-        case CurveTable::avalanche_sizes:
-            return size_rows(avalanches_of(store, run), known);
         default:
             return snapshot_rows(feed, run, store, known);
     }
+}
+
+bool is_of_combination(const SweepPlan& plan, std::size_t run, std::size_t first) {
+    return run < plan.runs.size() && plan.runs[run].combination == plan.runs[first].combination;
 }
 
 }  // namespace
@@ -193,17 +193,30 @@ Table curve_table(const CurveFeed& feed, const FigureRuns& runs, const RunStore&
     Table known = feed.table;  // without the columns that stand before a run's own
     known.columns.erase(known.columns.begin(),
                         known.columns.begin() + static_cast<std::ptrdiff_t>(keys.size() + 1));
+    const bool pools = feed.settings.table == CurveTable::avalanche_sizes;
     Table all;
     for (std::size_t k = 0; k < plan.runs.size(); ++k) {
-        const Table rows = rows_of(feed, runs[feed.runs[k]], store, known);
+        const std::size_t first = k;
+        Table rows;
+        if (pools) {
+            AvalancheSizes sizes;
+            for (k = first; is_of_combination(plan, k, first); ++k)
+                sizes.add(avalanches_of(store, runs[feed.runs[k]]));
+            rows = size_rows(sizes, known);
+            --k;
+        } else {
+            rows = rows_of(feed, runs[feed.runs[k]], store, known);
+        }
         const std::vector<std::string> values = values_of(plan, plan.runs[k]);
         Table part;
-        for (std::size_t key = 0; key < keys.size(); ++key)
+        for (std::size_t key = 0; key < keys.size(); ++key) {
             part.columns.push_back(even_column(keys[key], values[key], rows.rows()));
-        part.columns.push_back(
-            even_column("seed", fmt::format("{}", plan.runs[k].seed), rows.rows()));
-        for (std::size_t key = 0; key < keys.size(); ++key)
-            part.columns[key].unit = feed.table.columns[key].unit;
+            part.columns.back().unit = feed.table.columns[key].unit;
+        }
+        const std::string seeds =
+            k == first ? fmt::format("{}", plan.runs[k].seed)
+                       : fmt::format("{}:{}", plan.runs[first].seed, plan.runs[k].seed);
+        part.columns.push_back(even_column("seed", seeds, rows.rows()));
         part.columns.insert(part.columns.end(), rows.columns.begin(), rows.columns.end());
         all.append(part);
     }

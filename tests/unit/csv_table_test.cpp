@@ -51,7 +51,7 @@ TEST(CsvTable, SaysWhatIsWrong) {
     };
     EXPECT_EQ(refusal("\n# nothing\n"),
               "points.csv:2: there is no header line; begin with the columns' names");
-    EXPECT_EQ(refusal("x,x\n"), "points.csv:1: column \"x\" is there twice; rename one");
+    EXPECT_EQ(refusal("x,x\n"), "points.csv:1: column 'x' is there twice; rename one");
     EXPECT_EQ(refusal("x,y\n1,2\n1\n"), "points.csv:3: 1 cells; the header has 2 columns");
     EXPECT_EQ(refusal("x\n\"1\n"), "points.csv:2: a quote has no end; close it");
 }
