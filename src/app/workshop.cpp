@@ -113,7 +113,7 @@ void begin_plots(Workshop& workshop) {
 }  // namespace
 
 PlottedRows::PlottedRows(const Scene& scene_, const Model& model)
-    : scene(without_files(scene_)), recorder(scene, model, "", {}) {}
+    : scene(without_files(scene_)), recorder(scene, model.snapshot(), "", {}) {}
 
 Workshop set_up(Scene scene, int threads) {
     Workshop workshop;
