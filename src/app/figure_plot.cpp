@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "terrain/elementary_power.h"
+
 namespace fumon {
 
 namespace {
@@ -53,9 +55,10 @@ PlotSeries fit_series(const CurvePoints& points, const SeriesLook& look, bool lo
     series.dashes = {4.0, 2.5};
     for (int i = 0; i <= samples; ++i) {
         const double share = static_cast<double>(i) / samples;
-        const double x = logarithmic && points.law_low > 0.0
-                             ? points.law_low * std::pow(points.law_high / points.law_low, share)
-                             : std::lerp(points.law_low, points.law_high, share);
+        const double x =
+            logarithmic && points.law_low > 0.0
+                ? points.law_low * elementary::pow(points.law_high / points.law_low, share)
+                : std::lerp(points.law_low, points.law_high, share);
         series.x.push_back(x);
         series.y.push_back(points.law->at(x));
     }

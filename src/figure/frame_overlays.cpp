@@ -15,6 +15,7 @@
 #include "figure/overlay_text.h"
 #include "render/shown_snapshot.h"
 #include "support/error.h"
+#include "terrain/elementary.h"
 
 namespace fumon {
 
@@ -64,8 +65,8 @@ void draw_rounded(Canvas& canvas, double width, double height, double radius, co
         for (int i = 0; i <= points; ++i) {
             const double angle = 0.5 * std::numbers::pi *
                                  (static_cast<double>(corner) + static_cast<double>(i) / points);
-            outline.push_back({middles.at(corner).x + radius * std::cos(angle),
-                               middles.at(corner).y + radius * std::sin(angle)});
+            outline.push_back({middles.at(corner).x + radius * elementary::cos(angle),
+                               middles.at(corner).y + radius * elementary::sin(angle)});
         }
     }
     canvas.fill(outline, ink);

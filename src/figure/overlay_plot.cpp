@@ -9,6 +9,7 @@
 #include "figure/overlay_text.h"
 #include "support/error.h"
 #include "support/nearest_name.h"
+#include "terrain/elementary_power.h"
 
 namespace fumon {
 
@@ -23,7 +24,7 @@ constexpr Ink curve{0.0, 0.28, 0.55, 1.0};
 double round_up(double value) {
     constexpr std::array<double, 9> leading{1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0};
     constexpr double rounding = 1.0 + 1e-9;
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    const double power = elementary::pow(10.0, std::floor(elementary::log10(value)));
     for (const double one : leading) {
         if (value <= one * power * rounding) return one * power;
     }

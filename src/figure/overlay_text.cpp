@@ -12,6 +12,7 @@
 #include "scene/placeholders.h"
 #include "support/error.h"
 #include "support/number_text.h"
+#include "terrain/elementary_power.h"
 
 namespace fumon {
 
@@ -34,7 +35,7 @@ std::optional<double> seconds_of_step(const Scene& scene) {
 int decimals_of(double number, int most) {
     constexpr double rounding = 1e-6;
     for (int decimals = 0; decimals < most; ++decimals) {
-        const double scaled = number * std::pow(10.0, decimals);
+        const double scaled = number * elementary::pow(10.0, decimals);
         if (std::abs(scaled - std::round(scaled)) < rounding * std::max(1.0, scaled))
             return decimals;
     }

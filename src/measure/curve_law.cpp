@@ -10,6 +10,8 @@
 #include "measure/line_fit.h"
 #include "measure/stress_fit.h"
 #include "support/error.h"
+#include "terrain/elementary.h"
+#include "terrain/elementary_power.h"
 
 namespace fumon {
 
@@ -36,7 +38,7 @@ CurveLaw power_law(std::span<const double> x, std::span<const double> y) {
     check_above_zero(y, "y");
     const LineFit fit = fit_line_in_logarithms(x, y);
     return {CurveFit::power,
-            {{"a", std::pow(10.0, fit.intercept)},
+            {{"a", elementary::pow(10.0, fit.intercept)},
              {"b", fit.slope},
              {"b_standard_error", fit.standard_error},
              {"r_squared", fit.r_squared}}};
@@ -45,10 +47,10 @@ CurveLaw power_law(std::span<const double> x, std::span<const double> y) {
 CurveLaw exponential_law(std::span<const double> x, std::span<const double> y) {
     check_above_zero(y, "y");
     std::vector<double> logarithms;
-    for (const double value : y) logarithms.push_back(std::log(value));
+    for (const double value : y) logarithms.push_back(elementary::log(value));
     const LineFit fit = fit_line(x, logarithms);
     return {CurveFit::exponential,
-            {{"a", std::exp(fit.intercept)},
+            {{"a", elementary::exp(fit.intercept)},
              {"b", fit.slope},
              {"b_standard_error", fit.standard_error},
              {"r_squared", fit.r_squared}}};
@@ -121,15 +123,15 @@ double CurveLaw::at(double x) const {
         case CurveFit::line:
             return value("a") + value("b") * x;
         case CurveFit::power:
-            return value("a") * std::pow(x, value("b"));
+            return value("a") * elementary::pow(x, value("b"));
         case CurveFit::exponential:
-            return value("a") * std::exp(value("b") * x);
+            return value("a") * elementary::exp(value("b") * x);
         case CurveFit::hop:
-            return std::pow(value("a"), x) - 1.0;
+            return elementary::pow(value("a"), x) - 1.0;
         case CurveFit::cosine:
             return value("a") +
                    value("b") *
-                       std::cos(2.0 * std::numbers::pi * (x - start) / length + value("c"));
+                       elementary::cos(2.0 * std::numbers::pi * (x - start) / length + value("c"));
         case CurveFit::none:
             break;
     }

@@ -35,11 +35,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Wrong{"nothing", {}, "fumon: a command is missing; try `fumon --help`"},
         Wrong{"unknown_command", {"rum"}, "fumon: unknown command \"rum\"; did you mean \"run\"?"},
-        Wrong{
-            "no_scene", {"run", "-o", "x"}, "fumon run: SCENE is required; try `fumon run --help`"},
-        Wrong{"no_output",
-              {"run", "scene.toml"},
-              "fumon run: --output is required; try `fumon run --help`"},
+        Wrong{"no_scene", {"run", "-o", "x"}, "fumon run: name a scene, or --resume DIR"},
+        Wrong{"no_output", {"run", "scene.toml"}, "fumon run: name a folder for the run with -o"},
         Wrong{"unknown_option",
               {"models", "--loud"},
               "fumon models: The following argument was not expected: --loud; try `fumon models "
@@ -52,7 +49,8 @@ INSTANTIATE_TEST_SUITE_P(
               "no.asc: is not there; check the path"},
         Wrong{"unknown_model",
               {"describe", "sant"},
-              "fumon describe: \"sant\" is neither \"scene\" nor a model; did you mean \"sand\"?"},
+              "fumon describe: \"sant\" is neither \"scene\", \"figure\", \"overlay\" nor a model; "
+              "did you mean \"sand\"?"},
         Wrong{"unknown_backend",
               {"still", "a.toml", "-o", "x.png", "--gl", "vulkan"},
               "fumon still: --gl: it takes auto, osmesa or egl, not \"vulkan\"; try `fumon still "
