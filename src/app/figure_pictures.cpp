@@ -75,6 +75,7 @@ std::vector<MapPicture> map_pictures_of(const PanelFeed& panel, const Snapshot& 
     const auto look = look_of_field(panel.settings, scene);
     if (look && shared) return map_pictures(*look, snapshots, first);
     std::vector<MapPicture> pictures;
+    pictures.reserve(snapshots.size());
     for (const Snapshot& snapshot : snapshots) {
         pictures.push_back(
             look ? map_picture(*look, snapshot, first)
