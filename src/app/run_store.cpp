@@ -96,7 +96,7 @@ std::set<std::int64_t> RunStore::steps_there(const StoredRun& run, bool& whole) 
     if (!fs::exists(manifest)) return {};
     try {
         const auto json = nlohmann::json::parse(read_input_file(manifest));
-        const auto steps = json.at("fields_at").get<std::set<std::int64_t>>();
+        auto steps = json.at("fields_at").get<std::set<std::int64_t>>();
         whole = json.at("id") == hex(run.id) && fs::exists(measurements(run)) &&
                 (steps.empty() || fs::exists(fields(run)));
         return steps;
