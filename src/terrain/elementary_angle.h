@@ -39,8 +39,8 @@ inline constexpr double pi_low = 0x1.1a62633145c07p-53;
 /// The angle of (x, y) for 0 ≤ y ≤ x, x > 0, both finite: from the nearest i/8 of y/x on, by the
 /// Taylor polynomial of degree 15 in what is left (at most 1/15).
 inline double angle_below_diagonal(double y, double x) {
-    // NOLINTNEXTLINE(bugprone-incorrect-roundings): not negative, and a neighbouring i serves as
-    // well
+    // Not negative, and a neighbouring i serves as well.
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings)
     const int i = static_cast<int>(8.0 * (y / x) + 0.5);
     const double eighths = 0.125 * i;
     const double t = (y - eighths * x) / (x + eighths * y);
