@@ -167,12 +167,26 @@ std::string head(const Workshop& workshop, const Airflow& air, const MeasuredHop
     return text;
 }
 
-/// bed.file as the written scene reaches it.
-std::string bed_file_from(const fs::path& output, const Workshop& sand) {
-    const fs::path given = sand.scene.bed.file;
-    if (given.is_absolute() || sand.initial.inputs.empty()) return given.string();
+/// The files that a scene names, from its own folder, as the written scene reaches them.
+void move_files(const fs::path& output, Workshop& sand) {
     const fs::path folder = fs::absolute(output).parent_path();
-    return fs::proximate(fs::absolute(sand.initial.inputs.front().path), folder).string();
+    const auto from_folder = [&](const fs::path& file) {
+        return fs::proximate(fs::absolute(file), folder).string();
+    };
+    const auto move = [&](std::string& file) {
+        if (!file.empty() && fs::path(file).is_relative())
+            file = from_folder(sand.scene.directory / file);
+    };
+    Scene& scene = sand.scene;
+    if (!sand.initial.inputs.empty() && fs::path(scene.bed.file).is_relative())
+        scene.bed.file = from_folder(sand.initial.inputs.front().path);
+    for (PanelSettings& panel : scene.figure.panels) {
+        move(panel.scene);
+        for (CurveSettings& curve : panel.curves) {
+            move(curve.scene);
+            move(curve.file);
+        }
+    }
 }
 
 /// The sand's keys with the law among them, checked as `fumon check` does.
@@ -189,7 +203,8 @@ std::string sand_text(const SandSource& source, const MeasuredHops& hops,
     }
     if (!source.own) set("title", "Ripples by a hop law measured on computed flights");
     Workshop sand = set_up(parse_scene(source.text, settings), 1);
-    sand.scene.bed.file = bed_file_from(options.output, sand);
+    if (!source.own) sand.scene.figure = {};  // it tells of the paper's law
+    move_files(options.output, sand);
     return to_toml(sand.scene);
 }
 

@@ -74,6 +74,8 @@ TEST_F(HopLawTest, TheSceneItWritesRuns) {
         folder_.path());
     ASSERT_EQ(run.status, 0) << run.errors;
     EXPECT_EQ(read_manifest(folder_ / "out")["steps_done"], 5);
+    EXPECT_TRUE(read_scene(folder_ / "law.toml").figure.panels.empty())
+        << "the paper's figure is not the measured law's";
 }
 
 TEST_F(HopLawTest, WritesTheSandOfSection5OnTheScaleOfEquation45) {
@@ -213,6 +215,36 @@ TEST_F(HopLawTest, IntoFindsABedFileFromWhereTheLawIs) {
                "\"bed.asc\"\n[run]\nsteps = 3\n");
     ASSERT_EQ(measure({"-q", "--into", "sands/sand.toml"}, "laws/law.toml").status, 0);
     EXPECT_EQ(read_scene(folder_ / "laws" / "law.toml").bed.file, "../sands/bed.asc");
+    const Ended check = fumon({"check", "laws/law.toml"}, folder_.path());
+    EXPECT_EQ(check.status, 0) << check.errors;
+}
+
+TEST_F(HopLawTest, IntoFindsTheFilesOfAFigureFromWhereTheLawIs) {
+    fs::create_directories(folder_ / "sands");
+    fs::create_directories(folder_ / "laws");
+    write_text(folder_ / "sands" / "other.toml", small_scene());
+    write_text(folder_ / "sands" / "points.csv", "x,y\n1,2\n");
+    write_text(folder_ / "sands" / "sand.toml", R"([model]
+name = "sand"
+hop_base = 1
+[run]
+steps = 3
+[[figure.panel]]
+kind = "map"
+scene = "other.toml"
+[[figure.panel]]
+kind = "plot"
+[[figure.panel.curve]]
+table = "file"
+file = "points.csv"
+x = "x"
+y = "y"
+)");
+    ASSERT_EQ(measure({"-q", "--into", "sands/sand.toml"}, "laws/law.toml").status, 0);
+    const Scene law = read_scene(folder_ / "laws" / "law.toml");
+    ASSERT_EQ(law.figure.panels.size(), 2U);
+    EXPECT_EQ(law.figure.panels[0].scene, "../sands/other.toml");
+    EXPECT_EQ(law.figure.panels[1].curves[0].file, "../sands/points.csv");
     const Ended check = fumon({"check", "laws/law.toml"}, folder_.path());
     EXPECT_EQ(check.status, 0) << check.errors;
 }
