@@ -11,8 +11,6 @@ namespace fumon {
 
 namespace {
 
-constexpr double screen_dots_per_inch = 96.0;
-
 void print(const Comparison& comparison) {
     fmt::print(
         "largest difference    {} of 255\n"

@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* figure_keyword = "fumon:figure";
-constexpr const char* version_keyword = "fumon:version";
 
 const std::string* text_of(const FigureMetadata& metadata, const std::string& keyword) {
     for (const auto& [known, text] : metadata) {

@@ -7,6 +7,7 @@
 #include "output/fingerprint.h"
 #include "output/fingerprint_text.h"
 #include "output/png.h"
+#include "scene/json.h"
 #include "scene/write.h"
 
 namespace fumon {
@@ -53,7 +54,7 @@ int fingerprint_command(const FingerprintOptions& options) {
         const Key name{"", {}, &file};
         text += fmt::format("[{}]\n", value_text(name)) + fingerprint_text(fingerprint);
     }
-    if (options.as_json) text = all.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    if (options.as_json) text = json_text(all) + "\n";
     std::fputs(text.c_str(), stdout);
     return 0;
 }

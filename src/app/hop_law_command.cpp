@@ -17,6 +17,7 @@
 #include "scene/write.h"
 #include "support/data_files.h"
 #include "support/error.h"
+#include "support/units.h"
 
 namespace fumon {
 
@@ -147,8 +148,8 @@ std::string comment(std::string line) {
     return line.empty() ? "#\n" : "# " + line + "\n";
 }
 
-std::string head(const Workshop& workshop, const Airflow& air, const MeasuredHops& hops,
-                 const HopLawOptions& options, bool scaled) {
+std::string law_head(const Workshop& workshop, const Airflow& air, const MeasuredHops& hops,
+                     const HopLawOptions& options, bool scaled) {
     std::string text = comment(
         "Sand that hops by a law measured on grains flown in computed air "
         "(Terada 2025, sections 4 and 5).");
@@ -193,7 +194,6 @@ void move_files(const fs::path& output, Workshop& sand) {
 std::string sand_text(const SandSource& source, const MeasuredHops& hops,
                       const HopLawOptions& options) {
     std::vector<Override> settings = law_settings(hops, form_of(options.form));
-    constexpr double metres_per_millimetre = 1e-3;
     const auto set = [&](const char* key, const std::string& value) {
         settings.push_back({key, value, "the measured law", 0});
     };
@@ -230,7 +230,7 @@ int hop_law_command(const HopLawOptions& options) {
 
     const std::vector<Flight> flights = air.fly_grains(static_cast<int>(options.hops));
     const MeasuredHops hops = measure_hops(flights, air.parameters().flight.launch_angles);
-    law_file.write(head(workshop, air, hops, options, takes_scale(sand.scene)) +
+    law_file.write(law_head(workshop, air, hops, options, takes_scale(sand.scene)) +
                    sand_text(sand, hops, options));
     if (flight_file) {
         flight_file->write(flight_table(flights));

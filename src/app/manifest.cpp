@@ -15,12 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// File names need not be UTF-8: what is not is replaced.
-std::string text_of(const Json& json, int indent) {
-    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
-Json head(const ManifestFacts& facts, const std::string& status, const DrawingRecord& drawing) {
+Json manifest_head(const ManifestFacts& facts, const std::string& status,
+                   const DrawingRecord& drawing) {
     const InitialBed& initial = facts.initial;
     Json json;
     json["fumon"] = FUMON_VERSION;
@@ -85,7 +81,7 @@ void write_frames(AtomicFile& file, const ManifestFacts& facts, const RunOutcome
         Json entry{{"number", frame.number}, {"step", frame.step}, {"time", frame.time}};
         if (facts.scene.output.frames) entry["file"] = RunFolder::frame_name(frame.number);
         entry["pixels_sha256"] = hex(frame.pixels);
-        file.write(fmt::format("{}\n    {}", first ? "" : ",", text_of(entry, -1)));
+        file.write(fmt::format("{}\n    {}", first ? "" : ",", json_text(entry, -1)));
         first = false;
     }
 }
@@ -94,12 +90,12 @@ void write_frames(AtomicFile& file, const ManifestFacts& facts, const RunOutcome
 
 void write_running_manifest(const RunFolder& folder, const ManifestFacts& facts,
                             const DrawingRecord& drawing) {
-    write_file(folder.manifest(), text_of(head(facts, "running", drawing), 2) + "\n");
+    write_file(folder.manifest(), json_text(manifest_head(facts, "running", drawing), 2) + "\n");
 }
 
 void write_final_manifest(const RunFolder& folder, const ManifestFacts& facts,
                           const RunOutcome& outcome) {
-    Json json = head(facts, status_of(outcome), outcome.drawing);
+    Json json = manifest_head(facts, status_of(outcome), outcome.drawing);
     if (outcome.signal != 0) json["signal"] = outcome.signal == SIGINT ? "SIGINT" : "SIGTERM";
     if (outcome.error) json["error"] = error_text(outcome.error);
     json["steps_done"] = outcome.steps_done;
@@ -128,7 +124,7 @@ void write_final_manifest(const RunFolder& folder, const ManifestFacts& facts,
     }
     json["performance"] = performance(facts, outcome);
 
-    std::string text = text_of(json, 2);
+    std::string text = json_text(json, 2);
     text.resize(text.rfind('\n'));  // the closing brace comes after the frames
     AtomicFile file(folder.manifest());
     file.write(text + ",\n  \"frames\": [");

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output/movie.h"
+#include "scene/json.h"
 #include "scene/write.h"
 #include "support/error.h"
 
@@ -17,7 +18,6 @@ namespace {
 constexpr const char* scene_keyword = "fumon:scene";
 constexpr const char* seed_keyword = "fumon:seed";
 constexpr const char* step_keyword = "fumon:step";
-constexpr const char* version_keyword = "fumon:version";
 constexpr const char* inputs_keyword = "fumon:inputs";
 constexpr const char* pixels_keyword = "fumon:pixels-sha256";
 constexpr const char* encoder_keyword = "fumon:encoder";
@@ -27,7 +27,7 @@ std::string inputs_text(const std::vector<InputFile>& inputs) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const InputFile& input : inputs)
         list.push_back({{"path", input.path}, {"sha256", input.hash}});
-    return list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    return json_text(list);
 }
 
 std::vector<InputFile> parse_inputs(const std::string& text, const std::string& picture) {

@@ -17,6 +17,9 @@
 
 namespace fumon {
 
+/// The keyword of a text that holds the version of the fumon that wrote it.
+inline constexpr const char* version_keyword = "fumon:version";
+
 /// What a picture says of its own making.
 struct PictureOrigin {
     std::string scene;  ///< resolved, as TOML; its bed.file as reached from the working folder

@@ -16,6 +16,7 @@
 #include "app/workshop.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
+#include "scene/json.h"
 #include "support/error.h"
 
 namespace fumon {
@@ -46,8 +47,7 @@ void write_manifest(const fs::path& folder, const StoredRun& run, const RunRecor
     json["fields_at"] = run.steps;
     json["wall_seconds"] = record.wall_seconds;
     json["state_sha256"] = record.state;
-    write_file(folder / manifest_name,
-               json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    write_file(folder / manifest_name, json_text(json, 2) + "\n");
 }
 
 }  // namespace

@@ -13,10 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string text_of(const Json& json, int indent = -1) {
-    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
 Json axes_json(const SweepPlan& plan) {
     Json axes = Json::array();
     for (const SweepAxis& axis : plan.axes) {
@@ -74,7 +70,7 @@ std::string sweep_manifest(const SweepPlan& plan, const std::vector<std::size_t>
         json["inputs"].push_back({{"path", input.path}, {"sha256", input.hash}});
     json["runs"] = Json::array();
     for (const std::size_t run : order) json["runs"].push_back(hex(plan.runs[run].id));
-    return text_of(json, 2) + "\n";
+    return json_text(json, 2) + "\n";
 }
 
 std::vector<std::string> run_ids(const Json& manifest) {

@@ -150,7 +150,6 @@ class Verification {
 
     static void keep_picture(const Baseline& baseline, const BaselineCase& one,
                              const DrawnCase& drawn) {
-        constexpr double screen_dots_per_inch = 96.0;
         const fs::path file = baseline.picture_of(one);
         const auto bytes = encode_png(drawn.image, screen_dots_per_inch, {});
         std::error_code fault;

@@ -16,8 +16,6 @@ namespace fumon {
 
 namespace {
 
-constexpr double screen_dots_per_inch = 96.0;
-
 constexpr std::string_view generator = "content=\"fumon verify\"";
 
 // What the pictures of a case are called.
@@ -26,7 +24,7 @@ constexpr const char* got_kind = "got";
 constexpr const char* thumbnail_kind = "got-thumbnail";
 constexpr const char* difference_kind = "difference";
 
-constexpr const char* head = R"html(<!DOCTYPE html>
+constexpr const char* page_head = R"html(<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
@@ -169,7 +167,7 @@ void VerifyPage::begin() {
     std::filesystem::create_directories(folder_, fault);
     if (fault) throw Error(fmt::format("cannot make {}: {}", folder_.string(), fault.message()));
     page_ = std::make_unique<AtomicFile>(file());
-    page_->write(head);
+    page_->write(page_head);
 }
 
 void VerifyPage::open_section(const std::string& suite, const std::string& name,

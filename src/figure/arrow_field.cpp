@@ -15,8 +15,7 @@ namespace fumon {
 
 namespace {
 
-constexpr Ink halo{1.0, 1.0, 1.0, 0.55};
-constexpr double text_size = 0.85;
+constexpr double arrow_key_text = 0.85;
 constexpr double longest = 0.9;  // of the distance of neighbouring arrows
 constexpr double above = 0.8;    // the reference's middle over the frame, font sizes
 
@@ -86,8 +85,8 @@ double draw_reference_arrow(Canvas& canvas, const Axes& axes, const ArrowField& 
     const double speed = round_length(field.fastest);
     const std::string text = fmt::format("{:g} {}", speed, field.unit);
     const double y = frame.y - above * font;
-    const double width = std::min(canvas.text_size(text, text_size)[0], 0.3 * frame.width);
-    write_within(canvas, text, width, {frame.right(), y}, {1.0, 0.5}, text_size);
+    const double width = std::min(canvas.text_size(text, arrow_key_text)[0], 0.3 * frame.width);
+    write_within(canvas, text, width, {frame.right(), y}, {1.0, 0.5}, arrow_key_text);
     const double length = arrow_grid(canvas, frame, field).units_per_speed * speed;
     draw_arrow(canvas, {frame.right() - width - 0.4 * font - length, y}, length, 0.0);
     return width + 0.8 * font + length;

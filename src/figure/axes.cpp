@@ -7,8 +7,6 @@ namespace fumon {
 
 namespace {
 
-constexpr Ink black{0.0, 0.0, 0.0, 1.0};
-
 PlotAxis plot_axis(const AxisRange& range) {
     return {range.label, false, range.low, range.high, range.tick_labels, range.ticks};
 }
@@ -49,14 +47,14 @@ void outline(Canvas& canvas, const CanvasBox& box, double width) {
     canvas.stroke(
         std::array<CanvasPoint, 5>{
             {{box.x, box.y}, {right, box.y}, {right, bottom}, {box.x, bottom}, {box.x, box.y}}},
-        width, black);
+        width, black_ink);
 }
 
 void write_within(Canvas& canvas, const std::string& text, double longest, const CanvasPoint& at,
                   const CanvasPoint& anchor, double size, bool upright) {
     const double length = canvas.text_size(text, size)[0];
     const double fitting = length > longest ? size * longest / length : size;
-    canvas.write(text, at, anchor, black, fitting, upright);
+    canvas.write(text, at, anchor, black_ink, fitting, upright);
 }
 
 }  // namespace fumon

@@ -21,6 +21,9 @@ struct Ink {
     double opacity = 1.0;
 };
 
+inline constexpr Ink black_ink{0.0, 0.0, 0.0, 1.0};
+inline constexpr Ink white_ink{1.0, 1.0, 1.0, 1.0};
+
 /// A text that stands on a canvas, and the box around it.
 struct PlacedText {
     std::string text;

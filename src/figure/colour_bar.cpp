@@ -11,9 +11,9 @@ namespace fumon {
 
 namespace {
 
-constexpr double tick_text = 0.85;  // of the font size, as are those below
-constexpr double label_text = 0.95;
-constexpr double mark = 0.25;
+constexpr double bar_tick_text = 0.85;  // of the font size, as are those below
+constexpr double bar_label_text = 0.95;
+constexpr double tick_mark = 0.25;
 constexpr double to_tick_text = 0.4;
 constexpr double to_label = 0.25;
 constexpr double beyond_ends = 0.2;  // by which a label may be longer than its bar
@@ -23,25 +23,25 @@ constexpr double from_frame = 0.8;
 constexpr double to_bar_below = 0.5;
 
 /// A bar's ticks, the room that their texts take, and how large its label is written.
-struct Layout {
+struct BarLayout {
     Ticks ticks;
     double widest = 0.0;
     double highest = 0.0;
-    double label_size = label_text;
+    double label_size = bar_label_text;
     double label_height = 0.0;
 };
 
-Layout lay_out(const Canvas& canvas, double length, const ColourScale& scale,
-               BarDirection direction) {
+BarLayout lay_out_bar(const Canvas& canvas, double length, const ColourScale& scale,
+                      BarDirection direction) {
     const double font = canvas.font_size();
     const bool upright = direction == BarDirection::upright;
-    Layout layout;
+    BarLayout layout;
     int most = std::clamp(static_cast<int>(length / ((upright ? 1.5 : 2.2) * font)), 2, most_ticks);
     for (;; --most) {
         layout.ticks = linear_ticks(scale.low, scale.high, most);
         layout.widest = 0.0;
         for (const std::string& label : layout.ticks.labels) {
-            const auto [width, height] = canvas.text_size(label, tick_text);
+            const auto [width, height] = canvas.text_size(label, bar_tick_text);
             layout.widest = std::max(layout.widest, width);
             layout.highest = std::max(layout.highest, height);
         }
@@ -49,9 +49,9 @@ Layout lay_out(const Canvas& canvas, double length, const ColourScale& scale,
         if (upright || most <= 2 || count * (layout.widest + 0.6 * font) <= length) break;
     }
     if (scale.label.empty()) return layout;
-    const auto [width, height] = canvas.text_size(scale.label, label_text);
+    const auto [width, height] = canvas.text_size(scale.label, bar_label_text);
     const double shrink = std::min(1.0, (length + 2.0 * beyond_ends * font) / width);
-    layout.label_size = label_text * shrink;
+    layout.label_size = bar_label_text * shrink;
     layout.label_height = height * shrink + to_label * font;
     return layout;
 }
@@ -96,11 +96,11 @@ PanelMargins colour_bar_margins(const Canvas& canvas, const CanvasBox& bar,
     const double font = canvas.font_size();
     const double thin = 0.5 * canvas.line_width();
     if (direction == BarDirection::upright) {
-        const Layout layout = lay_out(canvas, bar.height, scale, direction);
+        const BarLayout layout = lay_out_bar(canvas, bar.height, scale, direction);
         const double half = std::max({thin, beyond_ends * font, 0.5 * layout.highest});
         return {thin, to_tick_text * font + layout.widest + layout.label_height, half, half};
     }
-    const Layout layout = lay_out(canvas, bar.width, scale, direction);
+    const BarLayout layout = lay_out_bar(canvas, bar.width, scale, direction);
     const double half = std::max({thin, beyond_ends * font, 0.5 * layout.widest});
     return {half, half, thin, to_tick_text * font + layout.highest + layout.label_height};
 }
@@ -110,7 +110,8 @@ void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& sc
     const double font = canvas.font_size();
     const double thin = canvas.line_width();
     const bool upright = direction == BarDirection::upright;
-    const Layout layout = lay_out(canvas, upright ? bar.height : bar.width, scale, direction);
+    const BarLayout layout =
+        lay_out_bar(canvas, upright ? bar.height : bar.width, scale, direction);
     const double right = bar.x + bar.width;
     const double bottom = bar.y + bar.height;
     canvas.draw(gradient(scale, direction), bar);
@@ -124,10 +125,11 @@ void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& sc
         const double y = upright ? bottom - bar.height * share : bottom;
         const double dx = upright ? font : 0.0;
         const double dy = upright ? 0.0 : font;
-        canvas.stroke(std::array<CanvasPoint, 2>{{{x, y}, {x + mark * dx, y + mark * dy}}}, thin,
-                      ink);
+        canvas.stroke(
+            std::array<CanvasPoint, 2>{{{x, y}, {x + tick_mark * dx, y + tick_mark * dy}}}, thin,
+            ink);
         canvas.write(layout.ticks.labels[i], {x + to_tick_text * dx, y + to_tick_text * dy},
-                     upright ? CanvasPoint{0.0, 0.5} : CanvasPoint{0.5, 0.0}, ink, tick_text);
+                     upright ? CanvasPoint{0.0, 0.5} : CanvasPoint{0.5, 0.0}, ink, bar_tick_text);
     }
     if (scale.label.empty()) return;
     const double away =

@@ -21,9 +21,10 @@ namespace fumon {
 
 namespace {
 
-constexpr double padding = 0.45;  // of the plate around an overlay, font sizes
-constexpr double rounding = 0.3;  // radius of the plate's corners
-constexpr double gap = 0.55;      // between plates, and from the edges, of the usual font size
+constexpr double plate_padding = 0.45;     // of the plate around an overlay, font sizes
+constexpr double rounding_of_plate = 0.3;  // radius of the plate's corners
+constexpr double gap_of_plates =
+    0.55;  // between plates, and from the edges, of the usual font size
 constexpr double least_font = 6.0;
 constexpr double shrinking = 0.93;  // from one try to the next
 
@@ -121,10 +122,10 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first) {
             placed_[i].font_size = settings.font_size.is_word() ? tried : settings.font_size.value;
             const Canvas ruler(1, 1, placed_[i].font_size);
             const FurnitureSize size = kept_[i].overlay->size(ruler);
-            const double room = 2.0 * padding * placed_[i].font_size;
+            const double room = 2.0 * plate_padding * placed_[i].font_size;
             pieces.push_back({settings.corner, {size.width + room, size.height + room}});
         }
-        const auto boxes = stacked_boxes(pieces, width, height, gap * tried);
+        const auto boxes = stacked_boxes(pieces, width, height, gap_of_plates * tried);
         const std::size_t misfit = first_misfit(boxes, width, height);
         if (misfit == boxes.size()) {
             for (std::size_t i = 0; i < boxes.size(); ++i) placed_[i].box = boxes[i];
@@ -150,10 +151,10 @@ void FrameOverlays::draw(Image& image, const OverlayFrame& frame) {
             kept.look = std::move(look);
             Canvas canvas(static_cast<int>(place.box.width), static_cast<int>(place.box.height),
                           place.font_size, CanvasGround::transparent);
-            const double room = padding * place.font_size;
+            const double room = plate_padding * place.font_size;
             if (kept.opacity > 0.0) {
-                draw_rounded(canvas, place.box.width, place.box.height, rounding * place.font_size,
-                             {1.0, 1.0, 1.0, kept.opacity});
+                draw_rounded(canvas, place.box.width, place.box.height,
+                             rounding_of_plate * place.font_size, {1.0, 1.0, 1.0, kept.opacity});
             }
             kept.overlay->draw(
                 canvas, {room, room, place.box.width - 2.0 * room, place.box.height - 2.0 * room},

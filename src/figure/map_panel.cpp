@@ -18,10 +18,10 @@ namespace fumon {
 
 namespace {
 
-constexpr double inset = 0.7;          // of furniture from the frame's edges, font sizes
-constexpr double longest_bar = 0.35;   // of the frame's width
-constexpr double usual_speeds = 0.95;  // share of cells
-constexpr double arrows_apart = 1.7;   // font sizes
+constexpr double inset = 0.7;                  // of furniture from the frame's edges, font sizes
+constexpr double longest_bar_of_frame = 0.35;  // of the frame's width
+constexpr double usual_speeds = 0.95;          // share of cells
+constexpr double arrows_apart = 1.7;           // font sizes
 
 }  // namespace
 
@@ -103,7 +103,7 @@ void MapPanel::draw_furniture(Canvas& canvas, const CanvasBox& frame) const {
     if (settings_.scale_bar) {
         const BedExtent extent = bed_extent(picture_.values, picture_.scale);
         const ScaleBar bar = round_scale_bar(picture_.scale.in_metres, frame.width / extent.width,
-                                             longest_bar * frame.width);
+                                             longest_bar_of_frame * frame.width);
         draw_scale_bar(canvas, bar, plate(settings_.scale_bar_corner, scale_bar_size(canvas, bar)));
     }
     if (!settings_.label.empty()) {

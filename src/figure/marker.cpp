@@ -50,7 +50,6 @@ SeriesLook series_look(std::size_t n) {
 
 void draw_marker(Canvas& canvas, Marker marker, const CanvasPoint& at, double size,
                  const Ink& ink) {
-    constexpr Ink white{1.0, 1.0, 1.0, 1.0};
     const double line = 0.16 * size;
     const CanvasBox square{at.x - 0.44 * size, at.y - 0.44 * size, 0.88 * size, 0.88 * size};
     switch (marker) {
@@ -68,10 +67,10 @@ void draw_marker(Canvas& canvas, Marker marker, const CanvasPoint& at, double si
             return polygon(canvas, at, size, ink,
                            {{0.0, -0.64}, {0.64, 0.0}, {0.0, 0.64}, {-0.64, 0.0}});
         case Marker::circle_open:
-            canvas.fill_circle(at, 0.5 * size, white);
+            canvas.fill_circle(at, 0.5 * size, white_ink);
             return canvas.stroke_circle(at, 0.5 * (size - line), line, ink);
         case Marker::square_open: {
-            canvas.fill(square, white);
+            canvas.fill(square, white_ink);
             const CanvasBox edge = grown(square, -0.5 * line);
             return canvas.stroke(std::array<CanvasPoint, 5>{{{edge.x, edge.y},
                                                              {edge.right(), edge.y},

@@ -18,7 +18,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double longest_bar = 0.2;  // of the picture's width
+constexpr double longest_bar_of_picture = 0.2;  // of the picture's width
 
 class ScaleBarOverlay : public Overlay {
   public:
@@ -28,7 +28,7 @@ class ScaleBarOverlay : public Overlay {
         const Camera camera = camera_at_step(view, block, 0, on.scene.run.steps);
         bar_ =
             round_scale_bar(on.shown.scale.in_metres, pixels_per_length(camera, view) / block.side,
-                            longest_bar * static_cast<double>(view.image.width));
+                            longest_bar_of_picture * static_cast<double>(view.image.width));
         if (camera.perspective) bar_.text += " at the middle";
     }
 

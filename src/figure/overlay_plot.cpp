@@ -15,9 +15,8 @@ namespace fumon {
 
 namespace {
 
-constexpr double text_size = 0.8;       // of the overlays' font size
+constexpr double plot_text = 0.8;       // of the overlays' font size
 constexpr double height_of_plot = 0.6;  // of its width
-constexpr Ink black{0.0, 0.0, 0.0, 1.0};
 constexpr Ink curve{0.0, 0.28, 0.55, 1.0};
 
 /// The smallest round number not below a positive one.
@@ -91,7 +90,7 @@ class LivePlot : public Overlay {
 
     [[nodiscard]] FurnitureSize size(const Canvas& canvas) const override {
         // Where a small picture leaves no room for the axes, the plot cannot be smaller.
-        const double font = text_size * canvas.font_size();
+        const double font = plot_text * canvas.font_size();
         return {std::max(width_, least_width * font),
                 std::max(height_of_plot * width_, least_height * font)};
     }
@@ -101,11 +100,11 @@ class LivePlot : public Overlay {
     }
     void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const override {
         const double outer_font = canvas.font_size();
-        canvas.set_font_size(text_size * outer_font);
+        canvas.set_font_size(plot_text * outer_font);
         canvas.set_line_width(std::max(1.0, 0.06 * canvas.font_size()));
         const double font = canvas.font_size();
         const auto [length, height] = canvas.text_size(heading_);
-        canvas.write(heading_, {box.x, box.y}, {0.0, 0.0}, black,
+        canvas.write(heading_, {box.x, box.y}, {0.0, 0.0}, black_ink,
                      std::min(1.0, box.width / std::max(length, 1.0)));
         const bool steps = settings_.x == "step";
         const PlotPanel panel(live_plot(settings_, frame.rows,

@@ -18,7 +18,6 @@ namespace fumon {
 
 namespace {
 
-constexpr Ink black{0.0, 0.0, 0.0, 1.0};
 constexpr double parameter_text = 0.85;  // of the font size
 constexpr double title_text = 1.15;
 
@@ -77,7 +76,7 @@ class TextOverlay : public Overlay {
         return filled_text(text_, scene_, times_, frame.snapshot.step, frame.snapshot.time);
     }
     void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const override {
-        canvas.write(look_in(frame), {box.x, box.y + 0.5 * box.height}, {0.0, 0.5}, black,
+        canvas.write(look_in(frame), {box.x, box.y + 0.5 * box.height}, {0.0, 0.5}, black_ink,
                      text_size_, false, bold_);
     }
 
@@ -123,7 +122,7 @@ class ParameterLine : public Overlay {
     }
     [[nodiscard]] std::string look_in(const OverlayFrame& /*frame*/) const override { return ""; }
     void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& /*frame*/) const override {
-        canvas.write(broken(canvas), {box.x, box.y}, {0.0, 0.0}, black, parameter_text);
+        canvas.write(broken(canvas), {box.x, box.y}, {0.0, 0.0}, black_ink, parameter_text);
     }
 
   private:

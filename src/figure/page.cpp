@@ -16,8 +16,6 @@ namespace fumon {
 
 namespace {
 
-constexpr Ink black{0.0, 0.0, 0.0, 1.0};
-constexpr Ink white{1.0, 1.0, 1.0, 1.0};
 constexpr double title_size = 1.2;     // font sizes
 constexpr double title_line = 2.2;     // with the gap below it
 constexpr double heading_line = 1.6;   // likewise
@@ -100,7 +98,8 @@ void draw_page(const Page& page, const PageLayout& layout, Canvas& canvas) {
         const CanvasPoint at{layout.headings[n].x,
                              layout.headings[n].y - heading_gap * page.font_size};
         const double letter = letter_length(page, canvas, n);
-        if (letter > 0.0) canvas.write(panel_letter(n), at, {0.0, 1.0}, black, 1.0, false, true);
+        if (letter > 0.0)
+            canvas.write(panel_letter(n), at, {0.0, 1.0}, black_ink, 1.0, false, true);
         if (!panel.title.empty())
             write_within(canvas, panel.title, layout.heading_widths[n] - letter,
                          {at.x + letter, at.y}, {0.0, 1.0}, 1.0);
@@ -112,7 +111,7 @@ void draw_page(const Page& page, const PageLayout& layout, Canvas& canvas) {
             canvas.fill(CanvasBox{frame.x - room.left, frame.y - room.above,
                                   frame.width + room.left + room.right,
                                   frame.height + room.above + room.below},
-                        white);
+                        white_ink);
             content.draw(canvas, frame);
         }
         canvas.set_font_size(page.font_size);

@@ -16,7 +16,6 @@ namespace fumon {
 
 namespace {
 
-constexpr Ink black{0.0, 0.0, 0.0, 1.0};
 constexpr Ink grey{0.45, 0.45, 0.45, 1.0};
 constexpr double box_tint = 0.14;
 
@@ -103,7 +102,7 @@ void PlotPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
     draw_series(canvas, plot_, drawing.axes);
     drawing.axes.draw(canvas);
     for (const PlotLabel& label : drawing.labels)
-        canvas.write(label.text, label.at, label.anchor, black, tick_text);
+        canvas.write(label.text, label.at, label.anchor, black_ink, tick_text);
     if (drawing.legend) draw_legend(canvas, plot_, *drawing.legend);
 }
 

@@ -12,10 +12,9 @@ namespace fumon {
 
 namespace {
 
-constexpr Ink black{0.0, 0.0, 0.0, 1.0};
 constexpr double major_mark = 0.3;  // font sizes
 constexpr double minor_mark = 0.17;
-constexpr double gap = 0.2;  // between marks, their labels and the axis's label
+constexpr double gap_of_labels = 0.2;  // between marks, their labels and the axis's label
 constexpr int most_labels = 8;
 constexpr double apart_across = 0.9;  // tick labels, font sizes
 constexpr double apart_upward = 0.6;
@@ -132,9 +131,10 @@ bool PlotAxes::shows(double x, double y, bool on_right) const {
 double PlotAxes::room_beside(const Canvas& canvas, const Side& side) const {
     const double font = canvas.font_size();
     if (!side.labelled) return major_mark * font;
-    const double label =
-        side.label.empty() ? 0.0 : canvas.text_size(side.label, label_text)[1] + gap * font;
-    return (major_mark + gap) * font + side.widest + label;
+    const double label = side.label.empty()
+                             ? 0.0
+                             : canvas.text_size(side.label, label_text)[1] + gap_of_labels * font;
+    return (major_mark + gap_of_labels) * font + side.widest + label;
 }
 
 PanelMargins PlotAxes::margins(const Canvas& canvas) const {
@@ -142,9 +142,9 @@ PanelMargins PlotAxes::margins(const Canvas& canvas) const {
     PanelMargins margins{room_beside(canvas, y_), right_ ? room_beside(canvas, *right_) : 0.0, 0.0,
                          major_mark * font};
     if (x_.labelled) {
-        margins.below += gap * font + text_height(canvas, tick_text);
+        margins.below += gap_of_labels * font + text_height(canvas, tick_text);
         if (!x_.label.empty())
-            margins.below += gap * font + canvas.text_size(x_.label, label_text)[1];
+            margins.below += gap_of_labels * font + canvas.text_size(x_.label, label_text)[1];
         for (std::size_t i = 0; i < x_.ticks.values.size(); ++i) {
             const double half = 0.5 * canvas.text_size(x_.ticks.labels[i], tick_text)[0];
             const double middle = x_.scale.share(x_.ticks.values[i]) * frame_.width;
@@ -191,20 +191,20 @@ void PlotAxes::draw_across(Canvas& canvas) const {
     const auto mark = [&](double value, double length) {
         const double x = frame_.x + frame_.width * x_.scale.share(value);
         canvas.stroke(std::array<CanvasPoint, 2>{{{x, bottom}, {x, bottom + length * font}}}, line,
-                      black);
+                      black_ink);
         return x;
     };
     for (const double value : x_.ticks.minor) mark(value, minor_mark);
-    const double labels = bottom + (major_mark + gap) * font;
+    const double labels = bottom + (major_mark + gap_of_labels) * font;
     for (std::size_t i = 0; i < x_.ticks.values.size(); ++i) {
         const double x = mark(x_.ticks.values[i], major_mark);
         if (x_.labelled)
-            canvas.write(x_.ticks.labels[i], {x, labels}, {0.5, 0.0}, black, tick_text);
+            canvas.write(x_.ticks.labels[i], {x, labels}, {0.5, 0.0}, black_ink, tick_text);
     }
     if (!x_.labelled) return;
-    const double below = labels + text_height(canvas, tick_text) + gap * font;
+    const double below = labels + text_height(canvas, tick_text) + gap_of_labels * font;
     if (!x_.label.empty())
-        canvas.write(x_.label, {frame_.middle().x, below}, {0.5, 0.0}, black, label_text);
+        canvas.write(x_.label, {frame_.middle().x, below}, {0.5, 0.0}, black_ink, label_text);
 }
 
 void PlotAxes::draw_upward(Canvas& canvas, const Side& side, bool on_right) const {
@@ -216,22 +216,23 @@ void PlotAxes::draw_upward(Canvas& canvas, const Side& side, bool on_right) cons
     const auto mark = [&](double value, double length) {
         const double y = frame_.bottom() - frame_.height * side.scale.share(value);
         canvas.stroke(std::array<CanvasPoint, 2>{{{edge, y}, {edge + outward * length * font, y}}},
-                      line, black);
+                      line, black_ink);
         return y;
     };
     for (const double value : side.ticks.minor) mark(value, minor_mark);
-    const double labels = edge + outward * (major_mark + gap) * font;
+    const double labels = edge + outward * (major_mark + gap_of_labels) * font;
     for (std::size_t i = 0; i < side.ticks.values.size(); ++i) {
         const double y = mark(side.ticks.values[i], major_mark);
         if (!side.labelled) continue;
         // Flush with the digits of all others.
         const double x = on_right ? labels + side.widest : labels;
-        canvas.write(side.ticks.labels[i], {x, y}, {1.0, 0.5}, black, tick_text);
+        canvas.write(side.ticks.labels[i], {x, y}, {1.0, 0.5}, black_ink, tick_text);
     }
     if (!side.labelled) return;
     if (side.label.empty()) return;
-    canvas.write(side.label, {labels + outward * (side.widest + gap * font), frame_.middle().y},
-                 {anchor, 0.5}, black, label_text, true);
+    canvas.write(side.label,
+                 {labels + outward * (side.widest + gap_of_labels * font), frame_.middle().y},
+                 {anchor, 0.5}, black_ink, label_text, true);
 }
 
 }  // namespace fumon

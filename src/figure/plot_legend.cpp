@@ -9,12 +9,10 @@ namespace fumon {
 
 namespace {
 
-constexpr Ink black{0.0, 0.0, 0.0, 1.0};
-constexpr Ink paper{1.0, 1.0, 1.0, 1.0};
-constexpr double sample = 2.2;      // its length, font sizes
-constexpr double sample_gap = 0.5;  // before its text
-constexpr double padding = 0.3;     // around all
-constexpr double apart = 0.5;       // from the frame
+constexpr double sample = 2.2;          // its length, font sizes
+constexpr double sample_gap = 0.5;      // before its text
+constexpr double legend_padding = 0.3;  // around all
+constexpr double apart = 0.5;           // from the frame
 constexpr double column_gap = 1.2;
 constexpr double row_height = 1.25;    // of the text's own
 constexpr double widest_beside = 9.0;  // a legend right of the frame, font sizes
@@ -52,9 +50,9 @@ Entries entries_of(const Canvas& canvas, const Plot& plot) {
 
 /// Width and height in so many columns.
 std::array<double, 2> size_of(const Entries& entries, int columns, double font) {
-    double width = (2.0 * padding + (columns - 1) * column_gap) * font;
+    double width = (2.0 * legend_padding + (columns - 1) * column_gap) * font;
     for (int column = 0; column < columns; ++column) width += entries.column_width(column, columns);
-    return {width, entries.rows(columns) * entries.height + 2.0 * padding * font};
+    return {width, entries.rows(columns) * entries.height + 2.0 * legend_padding * font};
 }
 
 struct Place {
@@ -62,7 +60,7 @@ struct Place {
     double down;
 };
 
-constexpr std::array<Place, 4> corners{{{1.0, 0.0}, {0.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}};
+constexpr std::array<Place, 4> legend_corners{{{1.0, 0.0}, {0.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}};
 constexpr std::array<Place, 4> sides{{{0.5, 0.0}, {0.5, 1.0}, {1.0, 0.5}, {0.0, 0.5}}};
 
 CanvasBox box_at(const Place& place, const CanvasBox& frame, double width, double height,
@@ -74,13 +72,13 @@ CanvasBox box_at(const Place& place, const CanvasBox& frame, double width, doubl
 std::optional<Place> named_corner(LegendPlace place) {
     switch (place) {
         case LegendPlace::upper_right:
-            return corners[0];
+            return legend_corners[0];
         case LegendPlace::upper_left:
-            return corners[1];
+            return legend_corners[1];
         case LegendPlace::lower_right:
-            return corners[2];
+            return legend_corners[2];
         case LegendPlace::lower_left:
-            return corners[3];
+            return legend_corners[3];
         default:
             return std::nullopt;
     }
@@ -114,7 +112,7 @@ std::optional<LegendBox> free_place(const Entries& entries, const CanvasBox& fra
     for (int columns = 1; columns <= entries.count(); ++columns) {
         const auto [across, down] = size_of(entries, columns, font);
         if (across + 2.0 * gap > frame.width || down + 2.0 * gap > frame.height) continue;
-        for (const auto& places : {corners, sides}) {
+        for (const auto& places : {legend_corners, sides}) {
             for (const Place& place : places) {
                 const LegendBox legend{box_at(place, frame, across, down, gap), columns, true};
                 const CanvasBox room = grown(legend.box, 0.5 * gap);
@@ -134,8 +132,8 @@ LegendBox below(const Entries& entries, const CanvasBox& frame, const PanelMargi
         if (size_of(entries, more, font)[0] <= frame.width) columns = more;
     }
     const auto [width, height] = size_of(entries, columns, font);
-    return {{frame.x + 0.5 * (frame.width - width), frame.bottom() + margins.below + padding * font,
-             width, height},
+    return {{frame.x + 0.5 * (frame.width - width),
+             frame.bottom() + margins.below + legend_padding * font, width, height},
             columns,
             false};
 }
@@ -179,17 +177,18 @@ void draw_legend(Canvas& canvas, const Plot& plot, const LegendBox& legend) {
     const Entries entries = entries_of(canvas, plot);
     const std::vector<SeriesLook> looks = series_looks(plot);
     const double font = canvas.font_size();
-    if (legend.inside) canvas.fill(legend.box, paper);
+    if (legend.inside) canvas.fill(legend.box, white_ink);
     const int rows = entries.rows(legend.columns);
-    double x = legend.box.x + padding * font;
+    double x = legend.box.x + legend_padding * font;
     for (int i = 0; i < entries.count(); ++i) {
         if (i > 0 && i % rows == 0)
             x += entries.column_width(i / rows - 1, legend.columns) + column_gap * font;
         const std::size_t n = entries.series[static_cast<std::size_t>(i)];
-        const CanvasPoint at{x, legend.box.y + padding * font + (i % rows + 0.5) * entries.height};
+        const CanvasPoint at{
+            x, legend.box.y + legend_padding * font + (i % rows + 0.5) * entries.height};
         draw_sample(canvas, plot.series[n], looks[n], at, sample * font);
         canvas.write(plot.series[n].label, {at.x + (sample + sample_gap) * font, at.y}, {0.0, 0.5},
-                     black, tick_text);
+                     black_ink, tick_text);
     }
 }
 

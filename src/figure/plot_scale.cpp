@@ -15,9 +15,9 @@ namespace fumon {
 namespace {
 
 constexpr int ticks_to_round_by = 6;
-constexpr double rounding = 1e-9;    // of a step
-constexpr double most_waste = 0.12;  // of the range, for an end at a labelled number
-constexpr double near_zero = 0.35;   // of the far end: then 0 is shown
+constexpr double rounding_of_step = 1e-9;  // of a step
+constexpr double most_waste = 0.12;        // of the range, for an end at a labelled number
+constexpr double near_zero = 0.35;         // of the far end: then 0 is shown
 constexpr double most_decade_waste = 0.31;
 
 /// What a step is divided into by minor ticks.
@@ -28,7 +28,7 @@ int parts_of(const RoundStep& step) {
 /// The nearest multiple of a step that is not above, or not below, a value.
 double rounded(double value, double step, bool up) {
     const double steps = value / step;
-    return step * (up ? std::ceil(steps - rounding) : std::floor(steps + rounding));
+    return step * (up ? std::ceil(steps - rounding_of_step) : std::floor(steps + rounding_of_step));
 }
 
 double rounded_end(double value, const RoundStep& step, double range, bool up) {
@@ -48,14 +48,15 @@ ValueRange with_width(ValueRange values, bool logarithmic) {
 /// The power of ten beyond a value, or the next of 1, 2 and 5 of one where that is far.
 double logarithmic_end(double value, bool up) {
     const double power = elementary::log10(value);
-    const double whole = up ? std::ceil(power - rounding) : std::floor(power + rounding);
+    const double whole =
+        up ? std::ceil(power - rounding_of_step) : std::floor(power + rounding_of_step);
     if (std::abs(whole - power) <= most_decade_waste) return elementary::pow(10.0, whole);
     const double decade = elementary::pow(10.0, std::floor(power));
     double best = up ? 10.0 * decade : decade;
     for (const double leading : {2.0, 5.0}) {
         const double end = leading * decade;
-        if (up && end >= value * (1.0 - rounding)) best = std::min(best, end);
-        if (!up && end <= value * (1.0 + rounding)) best = std::max(best, end);
+        if (up && end >= value * (1.0 - rounding_of_step)) best = std::min(best, end);
+        if (!up && end <= value * (1.0 + rounding_of_step)) best = std::max(best, end);
     }
     return best;
 }
@@ -78,7 +79,7 @@ PlotScale linear_scale(const PlotAxis& axis, ValueRange values, double room) {
 }
 
 std::string logarithmic_label(double value) {
-    const int power = static_cast<int>(std::floor(elementary::log10(value) + rounding));
+    const int power = static_cast<int>(std::floor(elementary::log10(value) + rounding_of_step));
     constexpr int most_digits = 4;
     if (std::abs(power) > most_digits) {
         const int leading = static_cast<int>(std::lround(value / elementary::pow(10.0, power)));
@@ -96,7 +97,8 @@ PlotTicks narrow_logarithmic_ticks(const PlotScale& scale, int most) {
     for (int power = first; power <= last; ++power) {
         for (int leading = 1; leading < 10; ++leading) {
             const double value = leading * elementary::pow(10.0, power);
-            if (value < scale.low * (1.0 - rounding) || value > scale.high * (1.0 + rounding))
+            if (value < scale.low * (1.0 - rounding_of_step) ||
+                value > scale.high * (1.0 + rounding_of_step))
                 continue;
             const bool labelled = leading == 1 || leading == 2 || leading == 5;
             (labelled ? ticks.values : ticks.minor).push_back(value);
@@ -114,19 +116,21 @@ PlotTicks wide_logarithmic_ticks(const PlotScale& scale, int most) {
     const Ticks powers = logarithmic_ticks(scale.low, scale.high, most);
     ticks.values = powers.values;
     ticks.labels = powers.labels;
-    const int first = static_cast<int>(std::floor(elementary::log10(scale.low) + rounding));
-    const int last = static_cast<int>(std::floor(elementary::log10(scale.high) + rounding));
+    const int first = static_cast<int>(std::floor(elementary::log10(scale.low) + rounding_of_step));
+    const int last = static_cast<int>(std::floor(elementary::log10(scale.high) + rounding_of_step));
     constexpr int most_decades = 12;  // with minor marks in each
     const bool all = ticks.values.size() < 2 || ticks.values[1] < 11.0 * ticks.values[0];
     for (int power = first; power <= last; ++power) {
         const double decade = elementary::pow(10.0, power);
-        const bool labelled = std::any_of(
-            ticks.values.begin(), ticks.values.end(),
-            [decade](double value) { return std::abs(value - decade) < rounding * decade; });
+        const bool labelled =
+            std::any_of(ticks.values.begin(), ticks.values.end(), [decade](double value) {
+                return std::abs(value - decade) < rounding_of_step * decade;
+            });
         for (int leading = labelled ? 2 : 1; leading < 10; ++leading) {
             const double value = leading * decade;
             if (leading > 1 && (!all || last - first > most_decades)) break;
-            if (value >= scale.low * (1.0 - rounding) && value <= scale.high * (1.0 + rounding))
+            if (value >= scale.low * (1.0 - rounding_of_step) &&
+                value <= scale.high * (1.0 + rounding_of_step))
                 ticks.minor.push_back(value);
         }
     }
@@ -140,7 +144,7 @@ PlotTicks linear_plot_ticks(const PlotScale& scale, int most) {
     double largest = 0.0;
     for (const double value : ticks.values) largest = std::max(largest, std::abs(value));
     if (largest > 0.0 && (largest >= 1e5 || largest < 1e-2)) {
-        ticks.power = static_cast<int>(std::floor(elementary::log10(largest) + rounding));
+        ticks.power = static_cast<int>(std::floor(elementary::log10(largest) + rounding_of_step));
     }
     for (const double value : ticks.values)
         ticks.labels.push_back(plain_number(value / elementary::pow(10.0, ticks.power),

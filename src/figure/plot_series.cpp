@@ -13,7 +13,6 @@ namespace {
 constexpr double curve_width = 2.0;  // of the frame's line
 constexpr double band_opacity = 0.25;
 constexpr double cap = 0.2;  // half the cap of an error bar, font sizes
-constexpr Ink black{0.0, 0.0, 0.0, 1.0};
 
 double line_width_of(const Canvas& canvas, const PlotSeries& series) {
     if (series.width > 0.0) return series.width;
@@ -142,7 +141,7 @@ std::vector<SeriesLook> series_looks(const Plot& plot) {
     std::size_t next = 0;
     for (const PlotSeries& series : plot.series) {
         if (series.kind == SeriesKind::fit || series.ink) {
-            looks.push_back({black, Marker::circle, {}});
+            looks.push_back({black_ink, Marker::circle, {}});
         } else {
             constexpr std::size_t cycle = 7;
             while (next < cycle && is_given(series_look(next).ink)) ++next;

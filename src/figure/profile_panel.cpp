@@ -25,8 +25,8 @@ namespace {
 constexpr double room_below_line = 0.12;  // of the relief, filled with sand
 constexpr double room_above = 0.12;       // of the relief
 constexpr double between_lines = 1.25;    // of the relief, from one profile to the next
-constexpr double room_of_heading = 1.6;   // font sizes
-constexpr double to_label = 0.5;          // font sizes
+constexpr double room_of_name = 1.6;      // font sizes
+constexpr double to_name = 0.5;           // font sizes
 constexpr double to_bar = 0.7;            // font sizes
 
 double rounded_exaggeration(double largest) {
@@ -127,12 +127,12 @@ Axes ProfilePanel::axes_in(const CanvasBox& frame) const {
 PanelMargins ProfilePanel::margins(const Canvas& canvas, double width, double height) const {
     const double font = canvas.font_size();
     PanelMargins room = axes_in({0.0, 0.0, width, height}).margins(canvas);
-    room.above = std::max(room.above, room_of_heading * font);
+    room.above = std::max(room.above, room_of_name * font);
     if (!stacked()) return room;
     room.left = std::max(room.left, (to_bar + 0.5) * font + canvas.text_size("0", tick_text)[1]);
     for (const ProfileLine& line : picture_.lines) {
         room.right =
-            std::max(room.right, to_label * font + canvas.text_size(line.label, tick_text)[0]);
+            std::max(room.right, to_name * font + canvas.text_size(line.label, tick_text)[0]);
     }
     return room;
 }
@@ -204,12 +204,12 @@ void ProfilePanel::draw(Canvas& canvas, const CanvasBox& frame) const {
         draw_line(canvas, axes, line, offset);
         if (!stacked()) continue;
         const double middle = axes.at(0.0, (low_ + 0.5 * relief_ + offset) / unit).y;
-        canvas.write(line.label, {frame.right() + to_label * font, middle}, {0.0, 0.5}, {},
+        canvas.write(line.label, {frame.right() + to_name * font, middle}, {0.0, 0.5}, {},
                      tick_text);
     }
     axes.draw(canvas);
     if (stacked()) draw_height_bar(canvas, axes);
-    const double above = frame.y - 0.5 * room_of_heading * font;
+    const double above = frame.y - 0.5 * room_of_name * font;
     canvas.write(fmt::format("heights × {:g}", exaggeration(frame.width, frame.height)),
                  {frame.right(), above}, {1.0, 0.5}, {}, tick_text);
     if (!picture_.wind) return;

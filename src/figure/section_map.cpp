@@ -17,8 +17,6 @@ namespace fumon {
 
 namespace {
 
-constexpr Ink halo{1.0, 1.0, 1.0, 0.55};
-
 double value_at(const SectionAir& air, MapQuantity quantity, double x, double z) {
     switch (quantity) {
         case MapQuantity::velocity_x:

@@ -14,7 +14,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // of a step, by which an end may miss a multiple of it
+constexpr double rounding_of_end = 1e-9;  // of a step, by which an end may miss a multiple of it
 
 std::string with_minus_sign(std::string text) {
     if (!text.empty() && text.front() == '-') text.replace(0, 1, "\u2212");
@@ -42,8 +42,10 @@ RoundStep round_step(double low, double high, int most) {
     for (;; ++exponent) {
         for (const int leading : {1, 2, 5}) {
             const RoundStep step{leading, exponent};
-            const auto first = static_cast<std::int64_t>(std::ceil(low / step.value() - rounding));
-            const auto last = static_cast<std::int64_t>(std::floor(high / step.value() + rounding));
+            const auto first =
+                static_cast<std::int64_t>(std::ceil(low / step.value() - rounding_of_end));
+            const auto last =
+                static_cast<std::int64_t>(std::floor(high / step.value() + rounding_of_end));
             if (last - first + 1 <= std::max(most, 2)) return step;
         }
     }
@@ -51,8 +53,8 @@ RoundStep round_step(double low, double high, int most) {
 
 std::vector<double> multiples(double step, double low, double high) {
     std::vector<double> values;
-    const auto first = static_cast<std::int64_t>(std::ceil(low / step - rounding));
-    const auto last = static_cast<std::int64_t>(std::floor(high / step + rounding));
+    const auto first = static_cast<std::int64_t>(std::ceil(low / step - rounding_of_end));
+    const auto last = static_cast<std::int64_t>(std::floor(high / step + rounding_of_end));
     for (std::int64_t i = first; i <= last; ++i) values.push_back(static_cast<double>(i) * step);
     return values;
 }
@@ -78,8 +80,8 @@ Ticks linear_ticks(double low, double high, int most) {
 Ticks logarithmic_ticks(double low, double high, int most) {
     Ticks ticks;
     if (!(low > 0.0) || !std::isfinite(high) || !(low < high)) return ticks;
-    const int first = static_cast<int>(std::ceil(elementary::log10(low) - rounding));
-    const int last = static_cast<int>(std::floor(elementary::log10(high) + rounding));
+    const int first = static_cast<int>(std::ceil(elementary::log10(low) - rounding_of_end));
+    const int last = static_cast<int>(std::floor(elementary::log10(high) + rounding_of_end));
     const int every = std::max(1, (last - first + std::max(most, 1)) / std::max(most, 1));
     for (int power = first; power <= last; power += every) {
         ticks.values.push_back(elementary::pow(10.0, power));

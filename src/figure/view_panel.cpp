@@ -15,10 +15,10 @@ namespace fumon {
 
 namespace {
 
-constexpr double label_text = 0.95;    // of the font size
-constexpr double apart = 0.4;          // pieces of furniture, font sizes
-constexpr double bar_off_edge = 0.04;  // of the block's longer side
-constexpr double longest_bar = 0.4;    // of the edge
+constexpr double corner_text = 0.95;         // of the font size
+constexpr double furniture_apart = 0.4;      // pieces of furniture, font sizes
+constexpr double bar_off_edge = 0.04;        // of the block's longer side
+constexpr double longest_bar_of_edge = 0.4;  // of the edge
 
 /// An edge of the block on the ground, in metres or sites, and which way is out.
 struct GroundEdge {
@@ -71,7 +71,7 @@ GroundBar ViewPanel::ground_bar(const CanvasBox& frame) const {
     const GroundEdge edge = facing_edge(picture_);
     const glm::dvec2 from = edge.from + bar_off_edge * picture_.block.side * edge.outward;
     return ground_scale_bar(picture_.in(frame), picture_.in_metres, from, edge.along,
-                            longest_bar * edge.length, picture_.block.base);
+                            longest_bar_of_edge * edge.length, picture_.block.base);
 }
 
 bool ViewPanel::empty(const CanvasBox& frame, const CanvasBox& box) const {
@@ -95,7 +95,7 @@ bool ViewPanel::empty(const CanvasBox& frame, const CanvasBox& box) const {
 }
 
 ViewPanel::Placement ViewPanel::place(const Canvas& canvas, const CanvasBox& frame) const {
-    const double gap = apart * canvas.font_size();
+    const double gap = furniture_apart * canvas.font_size();
     Placement placement;
     std::vector<CanvasBox> taken;
     if (settings_.scale_bar) {
@@ -125,7 +125,7 @@ ViewPanel::Placement ViewPanel::place(const Canvas& canvas, const CanvasBox& fra
         return box;
     };
     const auto text = [&](const std::string& words, std::initializer_list<Corner> corners) {
-        const auto [width, height] = canvas.text_size(words, label_text);
+        const auto [width, height] = canvas.text_size(words, corner_text);
         return put({width, height}, corners);
     };
     using enum Corner;
@@ -164,7 +164,7 @@ void ViewPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
     canvas.draw(picture_.image, frame);
     const GroundAxes axes = seen_axes(picture_.in(frame));
     const auto text = [&](const std::string& words, const CanvasBox& box) {
-        canvas.write(words, {box.x, box.y}, {0.0, 0.0}, {}, label_text);
+        canvas.write(words, {box.x, box.y}, {0.0, 0.0}, {}, corner_text);
     };
     if (settings_.scale_bar) draw_ground_bar(canvas, placement.bar);
     if (!settings_.label.empty()) text(settings_.label, placement.label);

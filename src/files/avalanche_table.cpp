@@ -50,9 +50,9 @@ class Lines {
     std::size_t offset_;
 };
 
-class Reader {
+class AvalancheReader {
   public:
-    explicit Reader(const TextSource& source) : source_(source) {}
+    explicit AvalancheReader(const TextSource& source) : source_(source) {}
 
     [[nodiscard]] std::vector<Avalanche> read() const {
         constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -151,7 +151,7 @@ void AvalancheFile::commit() {
 }
 
 std::vector<Avalanche> parse_avalanches(const TextSource& source) {
-    return Reader(source).read();
+    return AvalancheReader(source).read();
 }
 
 std::vector<Avalanche> read_avalanches(const std::filesystem::path& file) {

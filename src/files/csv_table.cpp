@@ -27,9 +27,9 @@ CellNumber number_of(std::string_view cell) {
     return {true, number.kind == NumberKind::finite ? number.value : nothing};
 }
 
-class Reader {
+class CsvReader {
   public:
-    explicit Reader(const TextSource& source) : source_(source) {
+    explicit CsvReader(const TextSource& source) : source_(source) {
         constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
         if (source_.text.starts_with(byte_order_mark)) place_ = byte_order_mark.size();
     }
@@ -152,7 +152,7 @@ TableColumn even_column(const std::string& name, const std::string& text, std::s
 }
 
 Table parse_csv_table(const TextSource& source) {
-    Reader reader(source);
+    CsvReader reader(source);
     Table table;
     for (const std::string& name : reader.next()) {
         if (table.find(name) != nullptr)

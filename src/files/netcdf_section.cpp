@@ -21,12 +21,12 @@ constexpr std::size_t chunk_paths = 256;   // so that a chunk has 1 MiB at most
 constexpr std::size_t path_index = 32;     // values' room for a chunk's place in the file
 constexpr std::size_t curve_values = 512;  // of a chunk, 4 KiB, where a curve has fewer
 
-std::size_t count_of(int nodes) {
+std::size_t as_count(int nodes) {
     return static_cast<std::size_t>(nodes);
 }
 
 std::size_t columns_of(const SnapshotSection& section) {
-    return count_of(section.fields.front().values.nx());
+    return as_count(section.fields.front().values.nx());
 }
 
 std::size_t longest_path(const SnapshotSection& section) {
@@ -150,7 +150,7 @@ SectionLayout define_section(int file, int time, const SnapshotSection& section)
     const std::size_t columns = columns_of(section);
     int x = 0;
     int z = 0;
-    check_netcdf(nc_def_dim(file, "z", count_of(section.fields.front().values.ny()), &z));
+    check_netcdf(nc_def_dim(file, "z", as_count(section.fields.front().values.ny()), &z));
     check_netcdf(nc_def_dim(file, "section_x", columns, &x));
     SectionLayout layout;
     layout.z = define_coordinate(file, "z", z, "height", "Z");
@@ -172,7 +172,7 @@ SectionLayout define_section(int file, int time, const SnapshotSection& section)
 
 void put_section_coordinates(int file, const SectionLayout& layout,
                              const SnapshotSection& section) {
-    put_nodes(file, layout.z, count_of(section.fields.front().values.ny()), section.dz);
+    put_nodes(file, layout.z, as_count(section.fields.front().values.ny()), section.dz);
     put_nodes(file, layout.x, columns_of(section), section.dx);
 }
 
@@ -181,7 +181,7 @@ void write_section(int file, const SectionLayout& layout, std::size_t record,
     for (std::size_t i = 0; i < layout.fields.size(); ++i) {
         const Grid& values = section.fields[i].values;
         const std::array<std::size_t, 3> start{record, 0, 0};
-        const std::array<std::size_t, 3> count{1, count_of(values.ny()), count_of(values.nx())};
+        const std::array<std::size_t, 3> count{1, as_count(values.ny()), as_count(values.nx())};
         check_netcdf(
             nc_put_vara_double(file, layout.fields[i], start.data(), count.data(), values.data()));
     }
@@ -194,7 +194,7 @@ std::int64_t section_record_bytes(const SnapshotSection& section) {
     const Grid& field = section.fields.front().values;
     const std::size_t columns = columns_of(section);
     const std::size_t nodes =
-        whole_chunks(count_of(field.ny()), count_of(rows_of_chunk(field))) * columns;
+        whole_chunks(as_count(field.ny()), as_count(rows_of_chunk(field))) * columns;
     const std::size_t paths = section.paths.size();
     std::size_t values = section.fields.size() * nodes;
     values += section.curves.size() * curve_records(columns) * columns;

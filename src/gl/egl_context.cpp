@@ -14,9 +14,9 @@ namespace fumon::gl {
 
 namespace {
 
-constexpr const char* advice = "install the Debian packages libegl1 and libgl1-mesa-dri";
+constexpr const char* egl_advice = "install the Debian packages libegl1 and libgl1-mesa-dri";
 
-struct Library {
+struct EglLibrary {
     SharedLibrary file{"libEGL.so.1"};
     PFNEGLGETPROCADDRESSPROC resolve = nullptr;
     PFNEGLGETPLATFORMDISPLAYPROC platform_display = nullptr;
@@ -28,7 +28,7 @@ struct Library {
     PFNEGLDESTROYCONTEXTPROC destroy_context = nullptr;
     PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;
 
-    Library() {
+    EglLibrary() {
         if (!file.loaded()) return;
         find(resolve, "eglGetProcAddress");
         find(initialize, "eglInitialize");
@@ -55,8 +55,8 @@ struct Library {
     }
 };
 
-const Library& library() {
-    static const Library loaded;
+const EglLibrary& egl_library() {
+    static const EglLibrary loaded;
     return loaded;
 }
 
@@ -68,17 +68,19 @@ class EglContext final : public Context {
             bind();
             functions_ = resolve_functions(
                 // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): complete() was asked before
-                [](const char* name) { return reinterpret_cast<void*>(library().resolve(name)); });
+                [](const char* name) {
+                    return reinterpret_cast<void*>(egl_library().resolve(name));
+                });
         } catch (...) {
-            library().destroy_context(display_, handle_);
+            egl_library().destroy_context(display_, handle_);
             throw;
         }
         set_functions(&functions_);
     }
     ~EglContext() override {
         set_functions(nullptr);
-        library().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        library().destroy_context(display_, handle_);
+        egl_library().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        egl_library().destroy_context(display_, handle_);
     }
     void make_current() override {
         bind();
@@ -89,7 +91,8 @@ class EglContext final : public Context {
   private:
     void bind() {
         // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): complete() was asked before
-        if (library().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, handle_) == EGL_FALSE)
+        if (egl_library().make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, handle_) ==
+            EGL_FALSE)
             throw Error("it refuses to make a context current without a surface");
     }
 
@@ -99,7 +102,7 @@ class EglContext final : public Context {
 };
 
 std::vector<EGLDisplay> displays() {
-    const Library& egl = library();
+    const EglLibrary& egl = egl_library();
     std::vector<EGLDisplay> found;
     if (!egl.complete()) return found;
     const auto add = [&](EGLDisplay display) {
@@ -121,7 +124,7 @@ std::vector<EGLDisplay> displays() {
 }
 
 EGLContext core_context(EGLDisplay display) {
-    const Library& egl = library();
+    const EglLibrary& egl = egl_library();
     if (egl.initialize(display, nullptr, nullptr) == EGL_FALSE) return EGL_NO_CONTEXT;
     if (egl.bind_api(EGL_OPENGL_API) == EGL_FALSE) return EGL_NO_CONTEXT;
     const std::array<EGLint, 5> wanted = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
@@ -143,11 +146,11 @@ EGLContext core_context(EGLDisplay display) {
 }  // namespace
 
 Attempt try_egl() {
-    const Library& egl = library();
+    const EglLibrary& egl = egl_library();
     if (!egl.file.loaded())
-        return {nullptr, fmt::format("EGL: {} ({})", egl.file.failure(), advice)};
+        return {nullptr, fmt::format("EGL: {} ({})", egl.file.failure(), egl_advice)};
     if (!egl.complete())
-        return {nullptr, fmt::format("EGL: the library is older than EGL 1.5 ({})", advice)};
+        return {nullptr, fmt::format("EGL: the library is older than EGL 1.5 ({})", egl_advice)};
     std::string failure = "no surfaceless platform and no device";
     for (EGLDisplay display : displays()) {
         EGLContext handle = core_context(display);
@@ -161,7 +164,7 @@ Attempt try_egl() {
             failure = error.what();
         }
     }
-    return {nullptr, fmt::format("EGL: {} ({})", failure, advice)};
+    return {nullptr, fmt::format("EGL: {} ({})", failure, egl_advice)};
 }
 
 }  // namespace fumon::gl

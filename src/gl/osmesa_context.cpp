@@ -26,16 +26,16 @@ constexpr int osmesa_core_profile = 0x34;
 constexpr int osmesa_major_version = 0x36;
 constexpr int osmesa_minor_version = 0x37;
 
-constexpr const char* advice = "install the Debian package libosmesa6";
+constexpr const char* osmesa_advice = "install the Debian package libosmesa6";
 
-struct Library {
+struct OsMesaLibrary {
     SharedLibrary file{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
     CreateContextAttribs create = nullptr;
     MakeCurrent make_current = nullptr;
     DestroyContext destroy = nullptr;
     GetProcAddress resolve = nullptr;
 
-    Library() {
+    OsMesaLibrary() {
         create = reinterpret_cast<decltype(create)>(file.symbol("OSMesaCreateContextAttribs"));
         make_current = reinterpret_cast<decltype(make_current)>(file.symbol("OSMesaMakeCurrent"));
         destroy = reinterpret_cast<decltype(destroy)>(file.symbol("OSMesaDestroyContext"));
@@ -47,8 +47,8 @@ struct Library {
     }
 };
 
-const Library& library() {
-    static const Library loaded;
+const OsMesaLibrary& osmesa_library() {
+    static const OsMesaLibrary loaded;
     return loaded;
 }
 
@@ -56,14 +56,15 @@ class OsmesaContext final : public Context {
   public:
     explicit OsmesaContext(OSMesaContext handle) : handle_(handle) {
         bind();
-        functions_ = resolve_functions(
-            [](const char* name) { return reinterpret_cast<void*>(library().resolve(name)); });
+        functions_ = resolve_functions([](const char* name) {
+            return reinterpret_cast<void*>(osmesa_library().resolve(name));
+        });
         set_functions(&functions_);
     }
     ~OsmesaContext() override {
         set_functions(nullptr);
-        library().make_current(nullptr, nullptr, 0, 0, 0);
-        library().destroy(handle_);
+        osmesa_library().make_current(nullptr, nullptr, 0, 0, 0);
+        osmesa_library().destroy(handle_);
     }
     void make_current() override {
         bind();
@@ -73,7 +74,7 @@ class OsmesaContext final : public Context {
 
   private:
     void bind() {
-        if (library().make_current(handle_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == 0) {
+        if (osmesa_library().make_current(handle_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == 0) {
             throw Error("OSMesa refuses to make its context current");
         }
     }
@@ -87,13 +88,13 @@ class OsmesaContext final : public Context {
 }  // namespace
 
 Attempt try_osmesa() {
-    const Library& mesa = library();
+    const OsMesaLibrary& mesa = osmesa_library();
     if (!mesa.file.loaded())
-        return {nullptr, fmt::format("OSMesa: {} ({})", mesa.file.failure(), advice)};
+        return {nullptr, fmt::format("OSMesa: {} ({})", mesa.file.failure(), osmesa_advice)};
     if (!mesa.complete()) {
         return {nullptr, fmt::format("OSMesa: the library lacks OSMesaCreateContextAttribs ({} "
                                      "12.0 or newer)",
-                                     advice)};
+                                     osmesa_advice)};
     }
     const std::array<int, 9> attributes = {osmesa_profile,
                                            osmesa_core_profile,

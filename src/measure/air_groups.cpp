@@ -10,15 +10,15 @@
 #include "measure/snapshot_lookup.h"
 #include "measure/stress_lead.h"
 #include "measure/suite_groups.h"
+#include "measure/undefined.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view flight_prefix = "flight_length_";
 
-const SectionCurve* curve_of(const SnapshotSection& section, std::string_view name) {
+const SectionCurve* curve_or_none(const SnapshotSection& section, std::string_view name) {
     const auto found = std::ranges::find(section.curves, name, &SectionCurve::name);
     return found == section.curves.end() ? nullptr : &*found;
 }
@@ -53,14 +53,15 @@ MeasureGroup stress_group() {
         {"stress_fit_r_squared", "", "of a cosine with the bed's waves"},
         {"stress_maximum_from_crest", "m", "the highest stress, downwind of the nearest crest"}};
     const std::size_t count = columns.size();
-    return {
-        std::move(columns), [count](const Snapshot& snapshot) -> std::vector<double> {
-            const auto& section = snapshot.section;
-            const SectionCurve* stress = section ? curve_of(*section, "bed_shear_stress") : nullptr;
-            if (stress == nullptr) return std::vector<double>(count, undefined);
-            const StressLead lead = stress_lead(stress->values, air_bed(snapshot, 0), section->dx);
-            return {lead.degrees, lead.length, lead.r_squared, lead.maximum_from_crest};
-        }};
+    return {std::move(columns), [count](const Snapshot& snapshot) -> std::vector<double> {
+                const auto& section = snapshot.section;
+                const SectionCurve* stress =
+                    section ? curve_or_none(*section, "bed_shear_stress") : nullptr;
+                if (stress == nullptr) return std::vector<double>(count, undefined);
+                const StressLead lead =
+                    stress_lead(stress->values, air_bed(snapshot, 0), section->dx);
+                return {lead.degrees, lead.length, lead.r_squared, lead.maximum_from_crest};
+            }};
 }
 
 MeasureGroup air_group() {
@@ -107,7 +108,7 @@ MeasureGroup flight_group(const Snapshot& first) {
                 std::vector<double> values;
                 for (const std::string& name : curves) {
                     const SectionCurve* curve =
-                        snapshot.section ? curve_of(*snapshot.section, name) : nullptr;
+                        snapshot.section ? curve_or_none(*snapshot.section, name) : nullptr;
                     const FlightLengths lengths =
                         curve == nullptr ? FlightLengths{} : flight_lengths(curve->values);
                     values.push_back(lengths.mean);

@@ -12,13 +12,12 @@
 #include "measure/dunes.h"
 #include "measure/slopes.h"
 #include "measure/suite_groups.h"
+#include "measure/undefined.h"
 #include "measure/wavelength.h"
 
 namespace fumon {
 
 namespace {
-
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// All but the statistics need a bed without holes.
 std::vector<double> of_whole_beds(const Snapshot& snapshot, std::size_t columns,

@@ -3,23 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "terrain/compensated_sum.h"
+
 namespace fumon {
 
 namespace {
-
-class CompensatedSum {
-  public:
-    void add(double value) {
-        const double next = sum_ + value;
-        lost_ += std::abs(sum_) >= std::abs(value) ? (sum_ - next) + value : (value - next) + sum_;
-        sum_ = next;
-    }
-    [[nodiscard]] double value() const { return sum_ + lost_; }
-
-  private:
-    double sum_ = 0.0;
-    double lost_ = 0.0;
-};
 
 template <class Body>
 void for_each_height(const Grid& bed, const Mask& nodata, Body body) {

@@ -13,7 +13,7 @@ namespace fumon {
 namespace {
 
 constexpr int fewest_columns = 8;
-constexpr double rounding = 1e-9;  // of the largest height
+constexpr double rounding_of_height = 1e-9;  // of the largest height
 
 double median(std::vector<double> values) {
     std::ranges::sort(values);
@@ -29,7 +29,8 @@ ChannelBed channel_bed(const Grid& bed, const Mask& nodata, double dx, bool peri
     if (nx < fewest_columns || std::ranges::any_of(line, [](double z) { return std::isnan(z); }))
         return {};
     const auto [lowest, highest] = std::ranges::minmax(line);
-    if (!(highest - lowest > rounding * std::max(std::abs(lowest), std::abs(highest)))) return {};
+    if (!(highest - lowest > rounding_of_height * std::max(std::abs(lowest), std::abs(highest))))
+        return {};
     const int channel = static_cast<int>(std::ranges::min_element(line) - line.begin());
     std::vector<double> far;
     double rim = lowest;

@@ -13,9 +13,9 @@ namespace fumon {
 
 namespace {
 
-constexpr double smoothing = 2.0;          // cells
-constexpr double least_prominence = 0.25;  // of the range
-constexpr double rounding = 1e-9;          // of the largest depth
+constexpr double smoothing = 2.0;           // cells
+constexpr double least_prominence = 0.25;   // of the range
+constexpr double rounding_of_depth = 1e-9;  // of the largest depth
 
 double refined(std::span<const double> line, int site, bool periodic) {
     const int count = static_cast<int>(line.size());
@@ -52,7 +52,8 @@ Channels find_channels(const Grid& depth, const Mask& nodata, double dx, bool pe
     const auto [lowest, highest] = std::ranges::minmax(line);
     const double range = highest - lowest;
     channels.count = 0.0;
-    if (!(range > rounding * std::max(std::abs(lowest), std::abs(highest)))) return channels;
+    if (!(range > rounding_of_depth * std::max(std::abs(lowest), std::abs(highest))))
+        return channels;
     for (const LineMaximum& maximum : prominent_maxima(line, periodic, least_prominence * range)) {
         channels.sites.push_back(maximum.site);
         channels.positions.push_back((refined(line, maximum.site, periodic) + 0.5) * dx);

@@ -6,19 +6,18 @@
 #include <cstddef>
 #include <vector>
 
+#include "support/units.h"
 #include "terrain/elementary_angle.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr double degrees_per_radian = 57.29577951308232;
-
 struct CoveredCell {
     double x, y, height;
 };
 
-struct Line {
+struct ConeProfile {
     double height = 0.0;  ///< at r = 0
     double slope = 0.0;   ///< downward
     double residual = 0.0;
@@ -55,7 +54,7 @@ double squares_about_mean(const std::vector<CoveredCell>& cells) {
 }
 
 /// Height and slope of the best cone with this apex.
-Line best_line(const std::vector<CoveredCell>& cells, BedPoint apex) {
+ConeProfile best_line(const std::vector<CoveredCell>& cells, BedPoint apex) {
     const double mean = mean_height(cells);
     double mean_distance = 0.0;
     for (const auto& cell : cells) mean_distance += distance(cell, apex);
@@ -69,7 +68,7 @@ Line best_line(const std::vector<CoveredCell>& cells, BedPoint apex) {
     }
     constexpr double rounding =
         1e-12;  // squared cells a cell: distances that differ by less do not
-    Line line;
+    ConeProfile line;
     line.exists = spread > rounding * static_cast<double>(cells.size());
     if (!line.exists) return line;
     line.slope = -together / spread;
@@ -81,13 +80,13 @@ Line best_line(const std::vector<CoveredCell>& cells, BedPoint apex) {
     return line;
 }
 
-ConeFit cone_of(BedPoint apex, const Line& line, double squares) {
+ConeFit cone_of(BedPoint apex, const ConeProfile& line, double squares) {
     return {apex, line.height, line.slope, degrees_per_radian * elementary::atan(line.slope),
             1.0 - line.residual / squares};
 }
 
 /// The damped Gauss–Newton step of the apex: the normal equations of (height, slope, x, y).
-BedPoint apex_step(const std::vector<CoveredCell>& cells, BedPoint apex, const Line& line,
+BedPoint apex_step(const std::vector<CoveredCell>& cells, BedPoint apex, const ConeProfile& line,
                    double damping) {
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
@@ -127,7 +126,7 @@ ConeFit cone_at(const Grid& bed, BedPoint apex) {
     const auto cells = covered_cells(bed);
     if (cells.size() < fewest) return {};
     const double squares = squares_about_mean(cells);
-    const Line line = best_line(cells, apex);
+    const ConeProfile line = best_line(cells, apex);
     if (!(squares > 0.0) || !line.exists) return {};
     return cone_of(apex, line, squares);
 }
@@ -143,14 +142,14 @@ ConeFit free_cone(const Grid& bed) {
     if (cells.size() < fewest) return {};
     const double squares = squares_about_mean(cells);
     BedPoint apex = centroid(cells);
-    Line line = best_line(cells, apex);
+    ConeProfile line = best_line(cells, apex);
     if (!(squares > 0.0) || !line.exists) return {};
     double damping = 1e-3;
     for (int i = 0; i < most_steps && damping < firmest; ++i) {
         const BedPoint step = apex_step(cells, apex, line, damping);
         const BedPoint next{apex.x + step.x, apex.y + step.y};
         const bool near = lies_on(bed, next, 2.0 * (bed.nx() + bed.ny()));
-        const Line tried = near ? best_line(cells, next) : Line{};
+        const ConeProfile tried = near ? best_line(cells, next) : ConeProfile{};
         if (tried.exists && tried.residual < line.residual) {
             apex = next;
             line = tried;

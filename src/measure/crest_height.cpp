@@ -9,12 +9,11 @@
 
 #include "measure/row_departures.h"
 #include "measure/row_waves.h"
+#include "measure/undefined.h"
 
 namespace fumon {
 
 namespace {
-
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// Highest minus lowest of the sites first … last − 1, going round the row's end.
 double relief(std::span<const double> heights, std::size_t first, std::size_t last) {

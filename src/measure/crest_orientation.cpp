@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "support/units.h"
 #include "terrain/elementary_angle.h"
 
 namespace fumon {
@@ -11,8 +12,7 @@ namespace fumon {
 namespace {
 
 constexpr int reach = 2;
-constexpr double degrees_per_radian = 57.29577951308232;
-constexpr double rounding = 1e-24;  // of squared slopes, against the highest h²
+constexpr double rounding_of_slopes = 1e-24;  // of squared slopes, against the highest h²
 
 /// h'(0) from the sites at −2, −1, 1, 2.
 double slope(double west2, double west, double east, double east2) {
@@ -70,7 +70,8 @@ CrestOrientation crest_orientation(const Grid& bed, bool periodic) {
     double highest = 0.0;
     for (const double height : bed.values()) highest = std::max(highest, std::abs(height));
     const double trace = sum.xx + sum.yy;
-    if (!(trace > rounding * highest * highest * static_cast<double>(bed.size()))) return {};
+    if (!(trace > rounding_of_slopes * highest * highest * static_cast<double>(bed.size())))
+        return {};
     CrestOrientation result;
     result.degrees = 0.5 * degrees_per_radian * elementary::atan2(2.0 * sum.xy, sum.xx - sum.yy);
     if (result.degrees <= -90.0) result.degrees = 90.0;

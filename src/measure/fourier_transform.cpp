@@ -33,7 +33,7 @@ struct Parts {
     explicit Parts(std::size_t count) : real(count), imaginary(count) {}
 };
 
-struct Stage {
+struct FourierStage {
     std::size_t radix;
     std::size_t part;
     std::size_t stride;
@@ -41,7 +41,8 @@ struct Stage {
 };
 
 FUMON_MULTIVERSION
-void butterflies_of_two(const Stage& stage, const Parts& turns, const Parts& from, Parts& to) {
+void butterflies_of_two(const FourierStage& stage, const Parts& turns, const Parts& from,
+                        Parts& to) {
     const std::size_t reach = stage.part * stage.stride;
     for (std::size_t p = 0; p < stage.part; ++p) {
         const double c = turns.real[p * stage.stride];
@@ -63,7 +64,8 @@ void butterflies_of_two(const Stage& stage, const Parts& turns, const Parts& fro
 }
 
 FUMON_MULTIVERSION
-void butterflies_of_four(const Stage& stage, const Parts& turns, const Parts& from, Parts& to) {
+void butterflies_of_four(const FourierStage& stage, const Parts& turns, const Parts& from,
+                         Parts& to) {
     const std::size_t reach = stage.part * stage.stride;
     const std::size_t stride = stage.stride;
     for (std::size_t p = 0; p < stage.part; ++p) {
@@ -109,7 +111,7 @@ constexpr std::size_t most_pairs = largest_factor / 2;
 
 /// Of an odd radix: points j and radix − j are turned to either side, so that their sum and
 /// difference serve two results.
-[[gnu::always_inline]] inline void odd_butterflies(const Stage& stage, std::size_t radix,
+[[gnu::always_inline]] inline void odd_butterflies(const FourierStage& stage, std::size_t radix,
                                                    const Parts& turns, const Parts& from,
                                                    Parts& to) {
     const std::size_t stride = stage.stride;
@@ -162,17 +164,19 @@ constexpr std::size_t most_pairs = largest_factor / 2;
 }
 
 FUMON_MULTIVERSION
-void butterflies_of_three(const Stage& stage, const Parts& turns, const Parts& from, Parts& to) {
+void butterflies_of_three(const FourierStage& stage, const Parts& turns, const Parts& from,
+                          Parts& to) {
     odd_butterflies(stage, 3, turns, from, to);
 }
 
 FUMON_MULTIVERSION
-void butterflies_of_five(const Stage& stage, const Parts& turns, const Parts& from, Parts& to) {
+void butterflies_of_five(const FourierStage& stage, const Parts& turns, const Parts& from,
+                         Parts& to) {
     odd_butterflies(stage, 5, turns, from, to);
 }
 
 FUMON_MULTIVERSION
-void butterflies(const Stage& stage, const Parts& turns, const Parts& from, Parts& to) {
+void butterflies(const FourierStage& stage, const Parts& turns, const Parts& from, Parts& to) {
     odd_butterflies(stage, stage.radix, turns, from, to);
 }
 
@@ -219,7 +223,7 @@ class FourierTransform::MixedRadix : public Method {
         std::size_t stride = 1;
         for (const std::size_t radix : radices_) {
             part /= radix;
-            const Stage stage{radix, part, stride, length_};
+            const FourierStage stage{radix, part, stride, length_};
             const auto pass = radix == 2   ? butterflies_of_two
                               : radix == 3 ? butterflies_of_three
                               : radix == 4 ? butterflies_of_four

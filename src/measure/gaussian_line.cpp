@@ -21,7 +21,7 @@ std::vector<double> kernel_of(double sigma) {
     return weights;
 }
 
-std::size_t site(int x, int count, bool periodic) {
+std::size_t site_or_mirrored(int x, int count, bool periodic) {
     const int period = periodic ? count : 2 * count;
     const int inside = ((x % period) + period) % period;
     return static_cast<std::size_t>(inside < count ? inside : period - 1 - inside);
@@ -36,7 +36,7 @@ std::vector<double> gaussian_smoothed(std::span<const double> line, double sigma
     std::vector<double> padded;
     padded.reserve(line.size() + weights.size());
     for (int x = -radius; x < count + radius && count > 0; ++x)
-        padded.push_back(line[site(x, count, periodic)]);
+        padded.push_back(line[site_or_mirrored(x, count, periodic)]);
     std::vector<double> smooth(line.size(), 0.0);
     for (std::size_t x = 0; x < line.size(); ++x) {
         for (std::size_t i = 0; i < weights.size(); ++i) smooth[x] += weights[i] * padded[x + i];

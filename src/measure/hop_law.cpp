@@ -15,12 +15,12 @@ namespace fumon {
 
 namespace {
 
-constexpr std::size_t fewest_points = 3;
+constexpr std::size_t fewest_flights = 3;
 
 void check_count(std::span<const HopPoint> points) {
-    if (points.size() >= fewest_points) return;
+    if (points.size() >= fewest_flights) return;
     throw Error(fmt::format("{} flights are too few for a hop law; it takes {}", points.size(),
-                            fewest_points));
+                            fewest_flights));
 }
 
 double sum(std::span<const HopPoint> points, const std::function<double(const HopPoint&)>& term) {
@@ -46,14 +46,14 @@ double r_squared(std::span<const HopPoint> points,
     return 1.0 - squared_misfit(points, law) / spread;
 }
 
-struct Line {
+struct FittedLine {
     double constant;
     double rise;
 };
 
 /// Least squares of the length over one of the point's numbers.
-Line fit_line(std::span<const HopPoint> points, const char* what,
-              const std::function<double(const HopPoint&)>& abscissa) {
+FittedLine fit_line(std::span<const HopPoint> points, const char* what,
+                    const std::function<double(const HopPoint&)>& abscissa) {
     check_count(points);
     const auto n = static_cast<double>(points.size());
     const double mean_x = sum(points, abscissa) / n;
@@ -124,7 +124,7 @@ ExponentialLaw fit_exponential(std::span<const HopPoint> points) {
 }
 
 LinearLaw fit_linear(std::span<const HopPoint> points) {
-    const Line line =
+    const FittedLine line =
         fit_line(points, "height", [](const HopPoint& point) { return point.height; });
     LinearLaw law{line.constant, line.rise, 0.0};
     law.r_squared =
@@ -134,7 +134,7 @@ LinearLaw fit_linear(std::span<const HopPoint> points) {
 
 SlopeLaw fit_slope(std::span<const HopPoint> points) {
     const auto steepness = [](const HopPoint& point) { return elementary::tanh(point.slope); };
-    const Line line = fit_line(points, "slope", steepness);
+    const FittedLine line = fit_line(points, "slope", steepness);
     SlopeLaw law{line.constant, -line.rise, 0.0};
     law.r_squared = r_squared(points, [&](const HopPoint& point) {
         return law.constant - law.factor * steepness(point);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/units.h"
 #include "terrain/elementary_angle.h"
 
 namespace fumon {
@@ -10,7 +11,6 @@ namespace fumon {
 namespace {
 
 double azimuth(double east, double north) {
-    constexpr double degrees_per_radian = 57.29577951308232;
     if (east == 0.0 && north == 0.0) return ConeFit::none;
     const double degrees = degrees_per_radian * elementary::atan2(east, north);
     const double positive = degrees < 0.0 ? degrees + 360.0 : degrees;

@@ -8,9 +8,9 @@ namespace fumon {
 
 namespace {
 
-class Line {
+class SampledLine {
   public:
-    Line(std::span<const double> values, bool periodic)
+    SampledLine(std::span<const double> values, bool periodic)
         : values_(values), count_(static_cast<int>(values.size())), periodic_(periodic) {}
 
     [[nodiscard]] int count() const { return count_; }
@@ -51,7 +51,7 @@ class Line {
 std::vector<LineMaximum> prominent_maxima(std::span<const double> line, bool periodic,
                                           double least) {
     std::vector<LineMaximum> maxima;
-    const Line values(line, periodic);
+    const SampledLine values(line, periodic);
     if (line.empty() || *std::ranges::max_element(line) == values.lowest()) return maxima;
     for (int first = 0; first < values.count(); ++first) {
         const double top = values.at(first);

@@ -8,7 +8,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double rounding = 1e-12;
+constexpr double rounding_of_departures = 1e-12;
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void row_departures(std::span<const double> row, bool periodic, std::span<double
         largest = std::max(largest, std::abs(row[x]));
         largest_departure = std::max(largest_departure, std::abs(departures[x]));
     }
-    if (largest_departure <= rounding * largest) {
+    if (largest_departure <= rounding_of_departures * largest) {
         std::fill(departures.begin(), departures.end(), 0.0);
     }
 }

@@ -6,11 +6,12 @@
 #include <span>
 #include <vector>
 
+#include "measure/undefined.h"
+
 namespace fumon {
 
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double level = 1e-12;
 
 std::vector<double> forward_differences(const Grid& bed, bool periodic) {

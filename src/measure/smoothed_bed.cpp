@@ -8,7 +8,7 @@ namespace fumon {
 
 namespace {
 
-std::size_t site(int x, int count, bool periodic) {
+std::size_t site_or_end(int x, int count, bool periodic) {
     if (periodic) return static_cast<std::size_t>((x + count) % count);
     return static_cast<std::size_t>(std::clamp(x, 0, count - 1));
 }
@@ -24,8 +24,8 @@ void mean_along_x(const Grid& from, Grid& to, bool periodic, int radius) {
         std::copy(row.begin(), row.end(), padded.begin() + radius);
         for (int beyond = 0; beyond <= radius; ++beyond) {
             const auto distance = static_cast<std::size_t>(beyond);
-            if (beyond < radius) padded[distance] = row[site(beyond - radius, nx, periodic)];
-            padded[row.size() + half + distance] = row[site(nx + beyond, nx, periodic)];
+            if (beyond < radius) padded[distance] = row[site_or_end(beyond - radius, nx, periodic)];
+            padded[row.size() + half + distance] = row[site_or_end(nx + beyond, nx, periodic)];
         }
         double sum = 0.0;
         for (std::size_t i = 0; i < width; ++i) sum += padded[i];
@@ -43,7 +43,9 @@ void mean_along_y(const Grid& from, Grid& to, bool periodic, int radius) {
     const int ny = from.ny();
     const double scale = 1.0 / (2 * radius + 1);
     std::vector<double> sum(nx);
-    const auto row = [&](int y) { return from.row(static_cast<int>(site(y, ny, periodic))); };
+    const auto row = [&](int y) {
+        return from.row(static_cast<int>(site_or_end(y, ny, periodic)));
+    };
     for (int y = -radius; y <= radius; ++y) {
         const auto added = row(y);
         for (std::size_t x = 0; x < nx; ++x) sum[x] += added[x];

@@ -13,7 +13,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double smoothing = 2.0;  // cells
+constexpr double smoothing_along = 2.0;  // cells
 
 /// The depth in a window's columns, row by row.
 class WindowedDepth {
@@ -85,7 +85,7 @@ void smooth_way(std::vector<double>& way) {
     longer.insert(longer.end(), way.begin(), way.end());
     for (std::size_t i = 1; i <= beyond; ++i)
         longer.push_back(2.0 * way.back() - way[way.size() - 1 - i]);
-    longer = gaussian_smoothed(longer, smoothing, false);
+    longer = gaussian_smoothed(longer, smoothing_along, false);
     std::copy_n(longer.begin() + static_cast<std::ptrdiff_t>(beyond), way.size(), way.begin());
 }
 
@@ -116,12 +116,12 @@ std::vector<ChannelWindow> channel_windows(std::span<const int> sites, int nx, b
 Grid smoothed_depth(const Grid& depth, bool periodic) {
     Grid smooth(depth.nx(), depth.ny());
     for (int y = 0; y < depth.ny(); ++y)
-        std::ranges::copy(gaussian_smoothed(depth.row(y), smoothing, periodic),
+        std::ranges::copy(gaussian_smoothed(depth.row(y), smoothing_along, periodic),
                           smooth.row(y).begin());
     std::vector<double> column(static_cast<std::size_t>(depth.ny()));
     for (int x = 0; x < depth.nx(); ++x) {
         for (int y = 0; y < depth.ny(); ++y) column[static_cast<std::size_t>(y)] = smooth(x, y);
-        column = gaussian_smoothed(column, smoothing, periodic);
+        column = gaussian_smoothed(column, smoothing_along, periodic);
         for (int y = 0; y < depth.ny(); ++y) smooth(x, y) = column[static_cast<std::size_t>(y)];
     }
     return smooth;

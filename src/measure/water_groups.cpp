@@ -5,6 +5,7 @@
 #include "measure/snapshot_lookup.h"
 #include "measure/suite_groups.h"
 #include "measure/thalweg.h"
+#include "measure/undefined.h"
 #include "measure/water_flow.h"
 #include "measure/water_relief.h"
 
@@ -12,7 +13,6 @@ namespace fumon {
 
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double usual_gravity = 9.8;  // m/s², where the model does not say
 
 /// Whether the map is a slope toward −y, along which channels run and means are taken.

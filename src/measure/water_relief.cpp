@@ -12,7 +12,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // of the mean
+constexpr double rounding_of_mean = 1e-9;  // of the mean
 
 bool has_data(const Mask& nodata, std::size_t cell) {
     return nodata.empty() || nodata.values()[cell] == 0;
@@ -39,7 +39,7 @@ Unevenness downslope_unevenness(const Grid& field, const Mask& nodata) {
 
 double downslope_invariant_share(const Grid& field, const Mask& nodata) {
     const Unevenness all = unevenness(field, nodata);
-    if (!(all.deviation > rounding * std::abs(all.mean)))
+    if (!(all.deviation > rounding_of_mean * std::abs(all.mean)))
         return std::numeric_limits<double>::quiet_NaN();
     const std::vector<double> line = downslope_mean(field, nodata);
     double explained = 0.0;

@@ -10,6 +10,7 @@
 #include "measure/row_departures.h"
 #include "measure/row_spectrum.h"
 #include "measure/row_waves.h"
+#include "measure/undefined.h"
 
 namespace fumon {
 
@@ -17,7 +18,6 @@ namespace {
 
 constexpr int bins_beside_peak = 2;
 constexpr int least_columns = 4;
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 

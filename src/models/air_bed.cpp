@@ -8,13 +8,12 @@
 #include <numbers>
 
 #include "support/error.h"
+#include "support/units.h"
 #include "terrain/elementary.h"
 
 namespace fumon {
 
 namespace {
-
-constexpr double metres_per_millimetre = 1e-3;
 
 bool is_level(const Grid& bed) {
     const auto heights = bed.values();

@@ -16,7 +16,7 @@ constexpr std::size_t rows = ColumnTransform::rows;  // of a point: 4 real parts
 
 struct Stage {
     std::size_t radix;
-    std::size_t parts;   ///< butterflies of one interleaved transform
+    std::size_t parts;   ///< column_butterflies of one interleaved transform
     std::size_t stride;  ///< interleaved transforms
     std::size_t length;  ///< of the whole
     const double* cosine;
@@ -33,7 +33,8 @@ inline void put_turned(const double* a, const double* b, double c, double s, dou
 
 /// A butterfly of `radix` points by the definition; of 2 and 4 without products.
 FUMON_MULTIVERSION
-void butterflies_of_four(const Stage& stage, const double* __restrict from, double* __restrict to) {
+void column_butterflies_of_four(const Stage& stage, const double* __restrict from,
+                                double* __restrict to) {
     const std::size_t reach = stage.parts * stage.stride * rows;
     for (std::size_t p = 0; p < stage.parts; ++p) {
         const std::size_t turn = p * stage.stride;
@@ -70,7 +71,8 @@ void butterflies_of_four(const Stage& stage, const double* __restrict from, doub
 }
 
 FUMON_MULTIVERSION
-void butterflies_of_five(const Stage& stage, const double* __restrict from, double* __restrict to) {
+void column_butterflies_of_five(const Stage& stage, const double* __restrict from,
+                                double* __restrict to) {
     const std::size_t reach = stage.parts * stage.stride * rows;
     const std::size_t fifth = stage.length / 5;
     const double c1 = stage.cosine[fifth], s1 = stage.sine[fifth];
@@ -119,7 +121,7 @@ void butterflies_of_five(const Stage& stage, const double* __restrict from, doub
 }
 
 FUMON_MULTIVERSION
-void butterflies(const Stage& stage, const double* __restrict from, double* __restrict to) {
+void column_butterflies(const Stage& stage, const double* __restrict from, double* __restrict to) {
     const std::size_t reach = stage.parts * stage.stride * rows;
     const std::size_t part = stage.length / stage.radix;
     for (std::size_t p = 0; p < stage.parts; ++p) {
@@ -173,11 +175,11 @@ void ColumnTransform::transform(Scratch& scratch) const {
         remaining /= radix;
         const Stage stage{radix, remaining, stride, length_, cosine_.data(), sine_.data()};
         if (radix == 4) {
-            butterflies_of_four(stage, scratch.from.data(), scratch.to.data());
+            column_butterflies_of_four(stage, scratch.from.data(), scratch.to.data());
         } else if (radix == 5) {
-            butterflies_of_five(stage, scratch.from.data(), scratch.to.data());
+            column_butterflies_of_five(stage, scratch.from.data(), scratch.to.data());
         } else {
-            butterflies(stage, scratch.from.data(), scratch.to.data());
+            column_butterflies(stage, scratch.from.data(), scratch.to.data());
         }
         std::swap(scratch.from, scratch.to);
         stride *= radix;

@@ -8,6 +8,7 @@
 
 #include "models/grain_drag.h"
 #include "support/error.h"
+#include "support/units.h"
 #include "support/worker_pool.h"
 #include "terrain/elementary.h"
 
@@ -15,8 +16,7 @@ namespace fumon {
 
 namespace {
 
-constexpr double gravity = 9.8;  // m/s² (Terada 2025)
-constexpr double metres_per_millimetre = 1e-3;
+constexpr double gravity = 9.8;          // m/s² (Terada 2025)
 constexpr int steps_between_looks = 16;  // for lanes that are done; results do not depend on it
 
 const Grid& field_of(const SnapshotSection& section, const char* name) {

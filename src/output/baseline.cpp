@@ -11,6 +11,7 @@
 #include "files/input_file.h"
 #include "output/fingerprint_text.h"
 #include "scene/assign.h"
+#include "scene/limits.h"
 #include "scene/write.h"
 #include "support/error.h"
 #include "support/nearest_name.h"
@@ -19,7 +20,7 @@ namespace fumon {
 
 namespace {
 
-constexpr std::string_view mark =
+constexpr std::string_view head_mark =
     "# Recorded by `fumon verify --update`, which writes anew all that follows.";
 
 /// A record as its keys are bound.
@@ -56,7 +57,7 @@ std::string people_part(std::string head) {
         while (head.ends_with('\n') || head.ends_with('\r')) head.pop_back();
     };
     trim();
-    if (head.ends_with(mark)) head.resize(head.size() - mark.size());
+    if (head.ends_with(head_mark)) head.resize(head.size() - head_mark.size());
     trim();
     return head;
 }
@@ -244,7 +245,6 @@ class Reader {
 }  // namespace
 
 void BaselineCase::list_keys(const std::string& prefix, KeyTable& table) {
-    constexpr double largest_step = 1e15;
     table.text(prefix + "scene", scene, {.help = "a scene file, relative to the baseline"});
     table.text_list(prefix + "settings", settings,
                     {.help = "key.path=VALUE each, after those that hold for all cases"});
@@ -275,7 +275,7 @@ std::string baseline_text(const Baseline& baseline) {
     for (const BaselineCase& one : baseline.cases) {
         const auto found = baseline.records.find(one.name);
         if (found == baseline.records.end()) continue;
-        if (first) text += fmt::format("\n{}\n", mark);
+        if (first) text += fmt::format("\n{}\n", head_mark);
         first = false;
         RecordText record{found->second.fumon, found->second.environment, found->second.state, {}};
         KeyTable table;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/json.h"
 #include "support/error.h"
 
 namespace fumon {
@@ -83,11 +84,12 @@ std::string why_pixels_may_differ(const RenderingEnvironment& there,
 }
 
 std::string environment_text(const RenderingEnvironment& environment) {
-    return Json{
-        {"backend", environment.backend},           {"renderer", environment.renderer},
-        {"gl_version", environment.gl_version},     {"mesa_version", environment.mesa_version},
-        {"llvm_version", environment.llvm_version}, {"pinned", environment.pinned}}
-        .dump(-1, ' ', false, Json::error_handler_t::replace);
+    return json_text({{"backend", environment.backend},
+                      {"renderer", environment.renderer},
+                      {"gl_version", environment.gl_version},
+                      {"mesa_version", environment.mesa_version},
+                      {"llvm_version", environment.llvm_version},
+                      {"pinned", environment.pinned}});
 }
 
 RenderingEnvironment parse_environment(const std::string& text) {

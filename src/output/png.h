@@ -14,6 +14,9 @@ namespace fumon {
 /// Keyword → UTF-8 text, written as iTXt in this order.
 using PictureText = std::vector<std::pair<std::string, std::string>>;
 
+/// Of pictures that are for looking at on a screen.
+inline constexpr double screen_dots_per_inch = 96.0;
+
 /// The PNG file of an image: level 1, sub filter, run-length strategy (39 ms at 1080p),
 /// the physical size as pHYs, the texts as iTXt. The same input gives the same bytes.
 std::vector<std::uint8_t> encode_png(const Image& image, double dots_per_inch,

@@ -6,13 +6,13 @@
 #include <numbers>
 #include <vector>
 
+#include "support/units.h"
 #include "terrain/elementary.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double turn_step =
     3.0;  // degrees between the azimuths at which a turning block is fitted
 

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/units.h"
 #include "terrain/elementary.h"
 #include "terrain/elementary_power.h"
 
 namespace fumon {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 // Extinction of red, green and blue light per unit of air mass: Rayleigh scattering and desert
 // dust.

@@ -6,8 +6,6 @@ namespace fumon {
 
 namespace {
 
-constexpr double largest_step = 1e15;  // whole numbers stay exact in a double
-
 void list_curve_data_keys(CurveSettings& curve, const std::string& path, KeyTable& table) {
     table.text(path + ".name", curve.name,
                {.help = "in the legend; {column} or {key} stands for a value; empty: none, or with "

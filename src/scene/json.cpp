@@ -43,10 +43,6 @@ Json& place(Json& json, const std::string& path) {
     return *at;
 }
 
-std::string text_of(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 std::string difference_below(const Json& former, const Json& now, const std::string& prefix) {
     for (const auto& [name, value] : former.items()) {
         const std::string path = prefix + name;
@@ -55,8 +51,8 @@ std::string difference_below(const Json& former, const Json& now, const std::str
             std::string inside = difference_below(value, now[name], path + ".");
             if (!inside.empty()) return inside;
         } else if (value != now[name] && path != "bed.file") {
-            return fmt::format("its scene has {} = {}, now {}", path, text_of(value),
-                               text_of(now[name]));
+            return fmt::format("its scene has {} = {}, now {}", path, json_text(value),
+                               json_text(now[name]));
         }
     }
     for (const auto& [name, value] : now.items()) {
@@ -67,6 +63,10 @@ std::string difference_below(const Json& former, const Json& now, const std::str
 }
 
 }  // namespace
+
+std::string json_text(const Json& json, int indent) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
 
 Json scene_json(const Scene& scene) {
     Scene copy = scene;  // the table binds to writable values

@@ -7,8 +7,6 @@ namespace fumon {
 
 namespace {
 
-constexpr double largest_step = 1e15;  // whole numbers stay exact in a double
-
 void list_run_keys(Scene& scene, KeyTable& table) {
     table.text("title", scene.title,
                {.help = "what the run shows; goes into the manifest and the pictures"});

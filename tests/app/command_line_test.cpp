@@ -19,7 +19,7 @@ void PrintTo(const Wrong& wrong, std::ostream* out) {
     *out << wrong.name;
 }
 
-class WrongUsage : public testing::TestWithParam<Wrong> {};
+class WrongUsage : public ::testing::TestWithParam<Wrong> {};
 
 TEST_P(WrongUsage, GivesOneLineAndStatusTwo) {
     const ScratchFolder folder;
@@ -32,7 +32,7 @@ TEST_P(WrongUsage, GivesOneLineAndStatusTwo) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, WrongUsage,
-    testing::Values(
+    ::testing::Values(
         Wrong{"nothing", {}, "fumon: a command is missing; try `fumon --help`"},
         Wrong{"unknown_command", {"rum"}, "fumon: unknown command \"rum\"; did you mean \"run\"?"},
         Wrong{"no_scene", {"run", "-o", "x"}, "fumon run: name a scene, or --resume DIR"},

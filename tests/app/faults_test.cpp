@@ -76,7 +76,7 @@ class FaultTest : public ::testing::Test {
 class EveryOutput : public FaultTest, public ::testing::WithParamInterface<Output> {};
 
 TEST_P(EveryOutput, AFullDiskIsOneLine) {
-    const testing::SmallDisk disk(folder_ / "disk", 32);
+    const fumon::testing::SmallDisk disk(folder_ / "disk", 32);
     if (!disk.mounted()) GTEST_SKIP() << "cannot mount a small tmpfs here (needs root)";
     const auto filling = static_cast<std::size_t>(32 - GetParam().room) << 10U;
     write_text(folder_ / "disk/filling", std::string(filling, 'x'));
@@ -87,7 +87,7 @@ TEST_P(EveryOutput, AFullDiskIsOneLine) {
 
 TEST_P(EveryOutput, AReadOnlyFolderIsOneLine) {
     const bool root = geteuid() == 0;
-    const testing::SmallDisk disk(folder_ / "disk", 64);
+    const fumon::testing::SmallDisk disk(folder_ / "disk", 64);
     if (root && !disk.mounted()) GTEST_SKIP() << "root, and cannot mount a disk here";
     if (root) {
         ASSERT_EQ(mount("", (folder_ / "disk").c_str(), "", MS_REMOUNT | MS_RDONLY, nullptr), 0);

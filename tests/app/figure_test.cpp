@@ -81,7 +81,7 @@ title = "creep {model.creep_rate}"
 steps = [20]
 )";
 
-class FigureTest : public testing::Test {
+class FigureTest : public ::testing::Test {
   protected:
     Ended figure(const std::string& scene, const std::vector<std::string>& more = {},
                  const std::string& output = "out") {

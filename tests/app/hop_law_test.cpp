@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* air = R"(title = "A small wind"
+constexpr const char* small_air = R"(title = "A small wind"
 [model]
 name = "airflow"
 nz = 15
@@ -39,9 +39,9 @@ SandParameters sand_of(const Scene& scene) {
     return std::any_cast<SandParameters>(scene.model.parameters);
 }
 
-class HopLawTest : public testing::Test {
+class HopLawTest : public ::testing::Test {
   protected:
-    void SetUp() override { write_text(folder_ / "air.toml", air); }
+    void SetUp() override { write_text(folder_ / "air.toml", small_air); }
 
     Ended measure(std::vector<std::string> more = {}, const std::string& output = "law.toml") {
         std::vector<std::string> arguments{"hop-law", "air.toml", "-o", output};
@@ -331,7 +331,7 @@ TEST_F(HopLawTest, RefusesWhatItCannotUse) {
     expect_refused(measure({"--hops", "0"}), 2, "--hops");
     expect_refused(measure({"--flights", "./law.toml"}), 2, "give each its own file");
     expect_refused(measure({}, "air.toml"), 2, "would be replaced");
-    EXPECT_EQ(read_text(folder_ / "air.toml"), air);
+    EXPECT_EQ(read_text(folder_ / "air.toml"), small_air);
     expect_refused(measure({}, "nowhere/law.toml"), 1, "cannot write nowhere/law.toml");
     expect_refused(measure({"--flights", "nowhere/f.csv"}), 1, "cannot write nowhere/f.csv");
 }

@@ -18,7 +18,7 @@ std::string overlaid_scene() {
            "[[overlay]]\nkind = \"plot\"\ny = \"celerity\"\ncorner = \"lower-right\"\nsize = 0.3\n";
 }
 
-class OverlayTest : public testing::Test {
+class OverlayTest : public ::testing::Test {
   protected:
     void SetUp() override { write_text(folder_ / "scene.toml", overlaid_scene()); }
 

@@ -27,7 +27,7 @@ bool has_fused_arithmetic() {
 #endif
 }
 
-class PinnedTest : public testing::Test {
+class PinnedTest : public ::testing::Test {
   protected:
     /// Sand of which pixels are known to differ between processors.
     void SetUp() override {

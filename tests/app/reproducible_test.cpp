@@ -53,7 +53,7 @@ const std::vector<std::string> lesser_library = {
     "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX512VL,-AVX512DQ,-AVX512BW,-AVX512CD,-AVX2,-FMA,"
     "-FMA4,-AVX,-AVX2_Usable,-FMA_Usable,-AVX_Usable"};
 
-class Reproducible : public testing::TestWithParam<Case> {
+class Reproducible : public ::testing::TestWithParam<Case> {
   protected:
     /// Runs the case and compares it with its record.
     void expect_as_recorded(int threads, const std::vector<std::string>& environment = {},
@@ -109,7 +109,7 @@ TEST_P(Reproducible, WithTheLoopsOfLesserProcessors) {
 #endif
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Reproducible, testing::ValuesIn(read_cases()),
+INSTANTIATE_TEST_SUITE_P(All, Reproducible, ::testing::ValuesIn(read_cases()),
                          [](const auto& chosen) {
                              std::string name = chosen.param.name;
                              std::replace(name.begin(), name.end(), '-', '_');

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A scratch folder with the small scene in it.
-class RunTest : public testing::Test {
+class RunTest : public ::testing::Test {
   protected:
     void SetUp() override { write_text(folder_ / "scene.toml", small_scene()); }
 

@@ -21,7 +21,7 @@ std::vector<std::string> lines(const std::string& text) {
     return all;
 }
 
-class SweepTest : public testing::Test {
+class SweepTest : public ::testing::Test {
   protected:
     void SetUp() override { write_text(folder_ / "scene.toml", small_scene()); }
 

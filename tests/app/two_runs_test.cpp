@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 /// A scratch folder with the small scene in it.
-class TwoRunsTest : public testing::Test {
+class TwoRunsTest : public ::testing::Test {
   protected:
     void SetUp() override { write_text(folder_ / "scene.toml", small_scene()); }
 

@@ -20,7 +20,7 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 /// A folder with a small scene and a baseline of two cases, of which the map keeps its picture.
-class Verify : public testing::Test {
+class Verify : public ::testing::Test {
   protected:
     Verify() {
         write_text(folder_ / "scene.toml", small_scene());

@@ -81,7 +81,7 @@ SandParameters ripples(Landing landing) {
     return sand;
 }
 
-class SandVectors : public testing::TestWithParam<Vector> {};
+class SandVectors : public ::testing::TestWithParam<Vector> {};
 
 TEST_P(SandVectors, AreMetToTenDigits) {
     Grid bed(16, 12);
@@ -100,18 +100,18 @@ TEST_P(SandVectors, AreMetToTenDigits) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, SandVectors,
-    testing::Values(Vector{"start", ripples(Landing::round), 0, 596.8961937716, 0.0, 2.4705882353,
-                           2.1176470588},
-                    Vector{"maxima_only_creep", creep_alone(Creep::maxima_only), 3, 560.9683938865,
-                           0.0904534314, 2.0550183824, 1.7305720588},
-                    Vector{"every_cell_creep", creep_alone(Creep::every_cell), 3, 529.0770740420,
-                           0.3969747753, 2.0721678922, 1.7941609477},
-                    Vector{"ripples_truncated", ripples(Landing::truncate), 1, 556.0997359862,
-                           0.2202941176, 2.1605882353, 1.9301470588},
-                    Vector{"ripples_rounded", ripples(Landing::round), 20, 465.4362261638,
-                           1.1878520316, 1.2278098875, 1.6621619066},
-                    Vector{"dunes_central", dunes(), 20, 562.2105857811, 0.9948564948, 0.8995708218,
-                           2.3076933846}),
+    ::testing::Values(Vector{"start", ripples(Landing::round), 0, 596.8961937716, 0.0, 2.4705882353,
+                             2.1176470588},
+                      Vector{"maxima_only_creep", creep_alone(Creep::maxima_only), 3,
+                             560.9683938865, 0.0904534314, 2.0550183824, 1.7305720588},
+                      Vector{"every_cell_creep", creep_alone(Creep::every_cell), 3, 529.0770740420,
+                             0.3969747753, 2.0721678922, 1.7941609477},
+                      Vector{"ripples_truncated", ripples(Landing::truncate), 1, 556.0997359862,
+                             0.2202941176, 2.1605882353, 1.9301470588},
+                      Vector{"ripples_rounded", ripples(Landing::round), 20, 465.4362261638,
+                             1.1878520316, 1.2278098875, 1.6621619066},
+                      Vector{"dunes_central", dunes(), 20, 562.2105857811, 0.9948564948,
+                             0.8995708218, 2.3076933846}),
     [](const auto& test) { return test.param.name; });
 
 // ---- every combination of options ----

@@ -17,7 +17,7 @@ namespace {
 using Complex = std::complex<double>;
 using test::turn;
 
-class TransformLength : public testing::TestWithParam<int> {};
+class TransformLength : public ::testing::TestWithParam<int> {};
 
 TEST_P(TransformLength, AgreesWithThePlainSum) {
     const auto length = static_cast<std::size_t>(GetParam());
@@ -41,7 +41,7 @@ TEST_P(TransformLength, AgreesWithThePlainSum) {
 
 // 37, 74, 4099 and 10007 have prime factors above 31.
 INSTANTIATE_TEST_SUITE_P(All, TransformLength,
-                         testing::Values(1, 2, 3, 4, 31, 37, 74, 100, 360, 4099, 10007));
+                         ::testing::Values(1, 2, 3, 4, 31, 37, 74, 100, 360, 4099, 10007));
 
 TEST(PowerAlongX, OfOneWaveIsInItsBin) {
     const std::vector<double> power = power_along_x(test::waves(60, 3, 7.0), true);
