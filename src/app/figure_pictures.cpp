@@ -205,8 +205,10 @@ class FigurePictures::Parts {
             shown.axes = settings.axes;
             const bool bar = settings.colour_bar && (!shared || k + 1 == pictures.size());
             shown.colour_bar = bar ? BarPlace::right : BarPlace::none;
-            shown.scale_bar = settings.scale_bar;
-            shown.arrow = direction_of(settings.arrow);
+            if (k == 0) {
+                shown.scale_bar = settings.scale_bar;
+                shown.arrow = direction_of(settings.arrow);
+            }
             if (settings.vectors) shown.flow = water_flow_of(snapshots[k]);
             ShownPicture one;
             one.data_end = ".asc";

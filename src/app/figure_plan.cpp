@@ -9,6 +9,7 @@
 #include "app/figure_tables.h"
 #include "app/workshop.h"
 #include "figure/section_panel.h"
+#include "figure/step_text.h"
 #include "scene/keys.h"
 #include "scene/placeholders.h"
 #include "support/error.h"
@@ -332,15 +333,17 @@ std::vector<std::size_t> runs_of(const FigurePlan& plan) {
 
 std::string panel_title(const PanelSettings& settings, const Scene& scene,
                         const Snapshot* snapshot) {
-    return fill_placeholders(
-        settings.title, [&](const std::string& name) -> std::optional<std::string> {
-            if (snapshot != nullptr && name == "step") return fmt::format("{}", snapshot->step);
-            if (snapshot != nullptr && name == "time") {
-                if (snapshot->time_unit == "steps") return fmt::format("{}", snapshot->step);
-                return fmt::format("{:.6g} {}", snapshot->time, snapshot->time_unit);
-            }
-            return key_text(scene, name);
-        });
+    return fill_placeholders(settings.title,
+                             [&](const std::string& name) -> std::optional<std::string> {
+                                 if (snapshot != nullptr && name == "step")
+                                     return fmt::format("{}", snapshot->step);
+                                 if (snapshot != nullptr && name == "time") {
+                                     if (snapshot->time_unit == "steps")
+                                         return fmt::format("{}", snapshot->step);
+                                     return length_of_time(snapshot->time, snapshot->time_unit);
+                                 }
+                                 return key_text(scene, name);
+                             });
 }
 
 }  // namespace fumon

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/verify_figure.h"
 #include "app/workshop.h"
 #include "files/hash.h"
 #include "output/png.h"
@@ -42,6 +43,7 @@ Scene scene_of(const Baseline& baseline, const BaselineCase& one) {
 }
 
 DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, const WorkOptions& work) {
+    if (one.figure) return located(one, [&] { return draw_figure_case(baseline, one, work); });
     Scene scene = scene_of(baseline, one);
     return located(one, [&] {
         Workshop workshop = set_up(std::move(scene), work.threads);

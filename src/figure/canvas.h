@@ -79,7 +79,8 @@ class Canvas {
     /// all.
     void draw(const Image& image, const CanvasBox& box, std::span<const std::uint8_t> opacity = {});
 
-    /// Width and height that a text takes, units, `size` times the canvas's font size.
+    /// Width and height that a text takes, with x^{2} raised and A_{s} lowered, units, `size` times
+    /// the canvas's font size.
     [[nodiscard]] std::array<double, 2> text_size(const std::string& text, double size = 1.0,
                                                   bool bold = false) const;
     /// Writes a text so that the share `anchor` of its box (0, 0: upper left; 1, 1: lower right)

@@ -158,6 +158,17 @@ class Solver {
         return weights;
     }
 
+    /// The least number of columns that a panel of this row alone spans: wide plots are higher than
+    /// narrow ones, and flatter.
+    [[nodiscard]] int fewest_columns(std::size_t row) const {
+        int fewest = page_.columns;
+        for (const GridPlace& place : places_) {
+            if (place.rows == 1 && static_cast<std::size_t>(place.row) == row)
+                fewest = std::min(fewest, place.columns);
+        }
+        return fewest;
+    }
+
     /// The height of each row for the widths of the columns.
     void set_natural_heights() {
         const double free_height = sum(widths_) / page_.columns / page_.panel_aspect;
@@ -174,7 +185,7 @@ class Solver {
         }
         for (std::size_t row = 0; row < rows(); ++row) {
             if (!fixed[row])
-                heights_[row] = free_height;
+                heights_[row] = free_height * std::sqrt(fewest_columns(row));
             else if (free[row])
                 heights_[row] = std::max(heights_[row], least_free * free_height);
             free[row] = free[row] && !fixed[row];

@@ -6,6 +6,9 @@
 
 namespace fumon {
 
+/// "12.5 s", "50 µs", "2.5 ms": seconds in µs and ms below a millisecond and a second.
+std::string length_of_time(double time, const std::string& unit);
+
 /// "step 1200", and with its time where the model has one: "step 40, t = 8 s".
 std::string step_text(const Snapshot& snapshot);
 

@@ -81,13 +81,20 @@ CurveLaw cosine_law(std::span<const double> x, std::span<const double> y) {
     return law;
 }
 
-/// "1.83 x", "− 1.83 x" after another term.
-std::string term(double factor, const std::string& of) {
-    return fmt::format("{} {:.4g}{}", factor < 0.0 ? "\u2212" : "+", std::abs(factor), of);
+/// "−2.5", "2.088·10^{4}".
+std::string number(double value) {
+    const std::string digits = fmt::format("{:.4g}", std::abs(value));
+    const std::size_t power = digits.find('e');
+    const char* sign = value < 0.0 ? "\u2212" : "";
+    if (power == std::string::npos) return sign + digits;
+    const int exponent = std::stoi(digits.substr(power + 1));
+    return fmt::format("{}{}·10^{{{}{}}}", sign, digits.substr(0, power),
+                       exponent < 0 ? "\u2212" : "", std::abs(exponent));
 }
 
-std::string number(double value) {
-    return fmt::format("{}{:.4g}", value < 0.0 ? "\u2212" : "", std::abs(value));
+/// "1.83 x", "− 1.83 x" after another term.
+std::string term(double factor, const std::string& of) {
+    return fmt::format("{} {}{}", factor < 0.0 ? "\u2212" : "+", number(std::abs(factor)), of);
 }
 
 std::string formula(const CurveLaw& law) {
@@ -95,11 +102,11 @@ std::string formula(const CurveLaw& law) {
         case CurveFit::line:
             return fmt::format("y = {} x {}", number(law.value("b")), term(law.value("a"), ""));
         case CurveFit::power:
-            return fmt::format("y = {} x^{}", number(law.value("a")), number(law.value("b")));
+            return fmt::format("y = {} x^{{{}}}", number(law.value("a")), number(law.value("b")));
         case CurveFit::exponential:
             return fmt::format("y = {} exp({} x)", number(law.value("a")), number(law.value("b")));
         case CurveFit::hop:
-            return fmt::format("y = {}^x \u2212 1", number(law.value("a")));
+            return fmt::format("y = {}^{{x}} \u2212 1", number(law.value("a")));
         case CurveFit::cosine:
             return fmt::format("y = {} + {} cos(2\u03c0x/L {})", number(law.value("a")),
                                number(law.value("b")), term(law.value("c"), ""));

@@ -169,6 +169,12 @@ class Reader {
             throw InputError(
                 fmt::format("{}: cases.{} has a step and a time; keep one", place, one.name));
         }
+        if (one.figure && (one.step >= 0 || one.time >= 0.0)) {
+            throw InputError(
+                fmt::format("{}: cases.{} is a figure, whose panels say their steps themselves; "
+                            "remove {}",
+                            place, one.name, one.step >= 0 ? "step" : "time"));
+        }
         if (one.scene.empty()) {
             throw InputError(
                 fmt::format("{}: {}scene is missing; name a scene file (TOML)", place, prefix));
@@ -253,6 +259,7 @@ void BaselineCase::list_keys(const std::string& prefix, KeyTable& table) {
         {.unit = "steps", .range = {0, largest_step}, .help = "of which step; else the last"});
     table.real(prefix + "time", time,
                {.range = {0, largest_step}, .help = "or of which time, in the model's unit"});
+    table.boolean(prefix + "figure", figure, {.help = "the scene's figure, not a frame"});
     table.boolean(prefix + "picture", picture,
                   {.help = "keep the expected picture, for SSIM and to look at"});
     table.real(prefix + "thumbnail_difference", thumbnail_difference,

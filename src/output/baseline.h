@@ -21,6 +21,7 @@ struct BaselineCase {
     std::vector<std::string> settings;  ///< "key.path=VALUE"
     std::int64_t step = -1;             ///< negative: the time, else the run's last step
     double time = -1.0;                 ///< in the model's unit; negative: not by time
+    bool figure = false;                ///< the scene's figure, not a frame
     bool picture = false;               ///< keep the expected picture beside the baseline
     double thumbnail_difference = same_to_the_eye_limits.thumbnail;  ///< that passes, grey levels
     double tile_ssim = same_to_the_eye_limits.tile_ssim;             ///< that passes

@@ -95,9 +95,9 @@ void list_place_keys(PanelSettings& panel, const std::string& path, KeyTable& ta
                   {"time-space", "a row's heights over time"},
                   {"section", "the air over a profile"}},
                  {.help = "what the panel shows"});
-    table.text(
-        path + ".title", panel.title,
-        {.help = "above it; {step}, {time}, {seed} and {model.creep_rate} stand for values"});
+    table.text(path + ".title", panel.title,
+               {.help = "above it; {step}, {time}, {seed} and {model.creep_rate} stand for "
+                        "values; x^{2} raises and A_{s} lowers letters, here and in all texts"});
     table.integer(path + ".row", panel.row,
                   {.range = {0, 100}, .help = "in the grid of panels, from 1; 0: reading order"});
     table.integer(path + ".column", panel.column,
@@ -150,12 +150,13 @@ void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& 
     table.boolean(path + ".axes", panel.axes, {.help = "ticks and labels around a map"});
     table.boolean(path + ".colour_bar", panel.colour_bar,
                   {.help = "beside the last of the panel's pictures"});
-    table.boolean(path + ".scale_bar", panel.scale_bar, {.help = "in a map or view"});
+    table.boolean(path + ".scale_bar", panel.scale_bar,
+                  {.help = "in a map (of the first step) or view"});
     table.boolean(path + ".vectors", panel.vectors,
                   {.help = "arrows of the water's velocity on a map"});
     table.choice(path + ".arrow", panel.arrow,
                  {{"none", "none"}, {"wind", "along the wind, +x"}, {"flow", "down the slope, -y"}},
-                 {.help = "an arrow in the picture's corner"});
+                 {.help = "an arrow in the corner of a map (of the first step) or view"});
     table.text(path + ".section", panel.section,
                {.help = "velocity, pressure, stress, flights, flight-law or paths"});
 }
@@ -179,10 +180,10 @@ void list_panel_keys(PanelSettings& panel, const std::string& path, KeyTable& ta
                  {{"auto", "in the emptiest corner"},
                   {"none", "no legend"},
                   {"outside", "right of the frame"},
-                  {"upper-left", "there"},
-                  {"upper-right", "there"},
-                  {"lower-left", "there"},
-                  {"lower-right", "there"}},
+                  {"upper-left", "the upper left corner"},
+                  {"upper-right", "the upper right corner"},
+                  {"lower-left", "the lower left corner"},
+                  {"lower-right", "the lower right corner"}},
                  {.help = "where the curves' names stand"});
     table.tables(path + ".curve", panel.curves, "a curve of the plot", list_curve_keys);
     table.tables(path + ".box", panel.boxes, "a labelled range in the plot", list_box_keys);
@@ -200,12 +201,12 @@ void list_one_overlay(OverlaySettings& overlay, const std::string& path, KeyTabl
                  {.help = "what stands over the frames"});
     table.boolean(path + ".show", overlay.show, {.help = "false switches it off"});
     table.choice(path + ".corner", overlay.corner,
-                 {{"upper-left", "there"},
-                  {"upper-middle", "there"},
-                  {"upper-right", "there"},
-                  {"lower-left", "there"},
-                  {"lower-middle", "there"},
-                  {"lower-right", "there"}},
+                 {{"upper-left", "the upper left corner"},
+                  {"upper-middle", "the middle of the upper edge"},
+                  {"upper-right", "the upper right corner"},
+                  {"lower-left", "the lower left corner"},
+                  {"lower-middle", "the middle of the lower edge"},
+                  {"lower-right", "the lower right corner"}},
                  {.help = "where it stands; several in one corner stand below one another"});
     table.text(path + ".text", overlay.text,
                {.help = "title, time; plot: its heading. {title}, {step}, {time}, {seed} and "

@@ -17,6 +17,13 @@ std::string fill_placeholders(const std::string& text, const PlaceholderValues& 
             filled += letter;
             continue;
         }
+        const bool marks = i > 0 && (text[i - 1] == '^' || text[i - 1] == '_');
+        if (letter == '{' && marks && text.find('}', i) != std::string::npos) {
+            const std::size_t end = text.find('}', i);
+            filled.append(text, i, end + 1 - i);
+            i = end;
+            continue;
+        }
         if (i + 1 < text.size() && text[i + 1] == letter) {
             filled += letter;
             ++i;

@@ -11,7 +11,8 @@ namespace fumon {
 /// What a name in braces stands for; nothing where it is not known.
 using PlaceholderValues = std::function<std::optional<std::string>(const std::string& name)>;
 
-/// A text with every {name} replaced by its value; "{{" and "}}" are braces. Throws InputError
+/// A text with every {name} replaced by its value; "{{" and "}}" are braces,
+/// and ^{…} and _{…} are left as they are, since they raise and lower letters. Throws InputError
 /// without a place for an unknown name and a brace without its other one.
 std::string fill_placeholders(const std::string& text, const PlaceholderValues& values);
 

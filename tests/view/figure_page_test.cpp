@@ -274,5 +274,22 @@ TEST(Page, LettersItsPanels) {
     EXPECT_TRUE(texts_of(page_of({1.0}, 1)).empty());
 }
 
+TEST(PageLayout, AWidePanelIsHigherAndFlatterThanANarrowOne) {
+    Page page;
+    page.width = 496.0;
+    page.columns = 4;
+    for (int n = 0; n < 5; ++n) {
+        PagePanel panel;
+        panel.content = std::make_unique<PlainPanel>(0.0, PanelMargins{});
+        if (n == 4) panel.columns = 4;
+        page.panels.push_back(std::move(panel));
+    }
+    const PageLayout layout = lay_out(page);
+    const CanvasBox& narrow = layout.frames[0];
+    const CanvasBox& wide = layout.frames[4];
+    EXPECT_NEAR(wide.height, 2.0 * narrow.height, 1e-6);
+    EXPECT_GT(wide.width / wide.height, narrow.width / narrow.height);
+}
+
 }  // namespace
 }  // namespace fumon
