@@ -194,6 +194,7 @@ class FigurePictures::Parts {
         if (settings.shading > 0.0) {
             HillShading shading;
             shading.strength = settings.shading;
+            shading.from_all_sides = settings.shading_from_all_sides;
             for (std::size_t k = 0; k < pictures.size(); ++k)
                 pictures[k].light = hill_light(snapshots[k], shading, pool_);
         }

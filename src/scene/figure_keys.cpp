@@ -147,6 +147,9 @@ void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& 
                   {.help = "begin with the palette's end"});
     table.real(path + ".shading", panel.shading,
                {.range = {0, 1}, .help = "hill shading of a map; 0: the colours alone"});
+    table.boolean(path + ".shading_from_all_sides", panel.shading_from_all_sides,
+                  {.help = "hill shading by light from four sides, so that no crest lies along it; "
+                           "false: from the north-west"});
     table.boolean(path + ".axes", panel.axes, {.help = "ticks and labels around a map"});
     table.boolean(path + ".colour_bar", panel.colour_bar,
                   {.help = "beside the last of the panel's pictures"});

@@ -105,6 +105,7 @@ struct PanelSettings {
     std::string palette;  ///< empty: the scene's look.palette
     bool palette_reversed = false;
     double shading = 0.0;  ///< hill shading of a map
+    bool shading_from_all_sides = false;
     bool axes = true;
     bool colour_bar = true;
     bool scale_bar = false;
