@@ -24,8 +24,12 @@ namespace {
 /// The look of a panel's picture: that of its scene, with what the panel says.
 LookSettings look_of(const PanelSettings& panel, const Scene& scene) {
     LookSettings look = scene.view.look;
-    if (!panel.palette.empty()) look.palette = panel.palette;
-    look.palette_reversed = look.palette_reversed != panel.palette_reversed;
+    if (panel.palette.empty()) {
+        look.palette_reversed = look.palette_reversed != panel.palette_reversed;
+    } else {
+        look.palette = panel.palette;
+        look.palette_reversed = panel.palette_reversed;
+    }
     if (!panel.low.is_word()) look.low = panel.low;
     if (!panel.high.is_word()) look.high = panel.high;
     look.mode = ViewMode::figure;

@@ -47,6 +47,14 @@ Table section_columns(const Snapshot& first) {
     return table;
 }
 
+Table profile_columns(const Snapshot& first) {
+    Table table = columns(
+        {{"x", length_name(first.scale)}, {"height", first.scale.in_metres ? "m" : "heights"}});
+    for (const SnapshotField& field : first.fields)
+        table.columns.push_back({field.name, field.unit == "1" ? "" : field.unit});
+    return table;
+}
+
 Table avalanche_columns(const Snapshot& first, CurveTable table) {
     if (landform_of(first) != Landform::pile)
         throw InputError("needs a model with avalanches (sandpile)");
@@ -81,10 +89,15 @@ Table size_rows(const AvalancheSizes& sizes, Table table) {
 }
 
 Table profile_rows(const Snapshot& snapshot, Table table) {
-    const auto row = snapshot.bed.row(snapshot.bed.ny() / 2);
+    const int middle = snapshot.bed.ny() / 2;
+    const auto row = snapshot.bed.row(middle);
     for (std::size_t i = 0; i < row.size(); ++i) {
         table.columns[0].values.push_back((static_cast<double>(i) + 0.5) * snapshot.scale.dx);
         table.columns[1].values.push_back(row[i] * snapshot.scale.height_unit);
+    }
+    for (std::size_t k = 2; k < table.columns.size(); ++k) {
+        const auto values = snapshot.fields[k - 2].values.row(middle);
+        table.columns[k].values.assign(values.begin(), values.end());
     }
     return table;
 }
@@ -181,8 +194,7 @@ Table curve_columns(CurveTable table, const Snapshot& first) {
                             {"time", "s"},
                             {"reynolds", ""}});
         default:
-            return columns({{"x", length_name(first.scale)},
-                            {"height", first.scale.in_metres ? "m" : "heights"}});
+            return profile_columns(first);
     }
 }
 

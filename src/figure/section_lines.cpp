@@ -141,7 +141,7 @@ Plot flight_law_plot(const Snapshot& snapshot, const LengthUnit& unit) {
     if (base && std::isfinite(*base)) {
         constexpr double millimetre = 1e-3;
         PlotSeries law;
-        law.label = fmt::format("{:.3g}^h − 1", *base);
+        law.label = fmt::format("{:.3g}^{{h}} − 1", *base);
         law.kind = SeriesKind::fit;
         constexpr int pieces = 100;
         for (int i = 0; i <= pieces; ++i) {

@@ -14,7 +14,7 @@ void list_curve_data_keys(CurveSettings& curve, const std::string& path, KeyTabl
                  {{"measurements", "measurements.csv of the run, or of every run of the sweep"},
                   {"avalanches", "a row an avalanche"},
                   {"avalanche-sizes", "how often each size came: size, avalanches, share"},
-                  {"profile", "heights along a row of the bed: x, height"},
+                  {"profile", "along the bed's middle row: x, height and every field"},
                   {"section", "along the profile under the air: x, bed and the section's curves"},
                   {"flights", "a row a grain's flight"},
                   {"file", "a CSV file"}},
@@ -143,8 +143,9 @@ void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& 
     table.word_or_real(path + ".high", panel.high, {{"auto", "from the data"}},
                        {.help = "value at its end"});
     table.text(path + ".palette", panel.palette, {.help = "empty: the scene's look.palette"});
-    table.boolean(path + ".palette_reversed", panel.palette_reversed,
-                  {.help = "begin with the palette's end"});
+    table.boolean(
+        path + ".palette_reversed", panel.palette_reversed,
+        {.help = "begin with its end; without a palette here: with the other end than the scene"});
     table.real(path + ".shading", panel.shading,
                {.range = {0, 1}, .help = "hill shading of a map; 0: the colours alone"});
     table.boolean(path + ".shading_from_all_sides", panel.shading_from_all_sides,

@@ -6,6 +6,9 @@
 #include <sstream>
 #include <thread>
 
+#include "files/hash.h"
+#include "output/png.h"
+#include "render/image.h"
 #include "support/program.h"
 
 namespace fumon::test {
@@ -155,6 +158,35 @@ TEST_F(FigureTest, CurvesHaveTheDataOfTheSweep) {
          {"What is tested.", "(a)", "(b)", "model.hop_base = 1, 2, 3", "seeds 5 to 6",
           "grid.nx = 24", "elsewhere: Somebody 1999", "fumon 0."})
         EXPECT_NE(caption.find(part), std::string::npos) << part << "\n" << caption;
+}
+
+TEST_F(FigureTest, AProfileHasEveryFieldAndAPanelsPaletteRunsItsOwnWay) {
+    const auto water = [](const std::string& look, const std::string& panel) {
+        return "[model]\nname = \"gully\"\n[grid]\nnx = 12\nny = 8\n[run]\nsteps = 2\n[look]\n" +
+               look +
+               "[figure]\ndots_per_inch = 60\nformats = [\"png\"]\n[[figure.panel]]\nkind = "
+               "\"map\"\n"
+               "field = \"water_depth\"\n" +
+               panel +
+               "[[figure.panel]]\n[[figure.panel.curve]]\ntable = \"profile\"\nx = \"x\"\n"
+               "y = \"water_depth\"\n";
+    };
+    const auto picture = [&](const std::string& look, const std::string& panel) {
+        write_text(folder_ / "water.toml", water(look, panel));
+        const Ended ended = figure("water.toml");
+        EXPECT_EQ(ended.status, 0) << ended.errors;
+        return hex(pixel_hash(read_png(folder_ / "out/water.png")));
+    };
+    const std::string own = "palette = \"grey\"\n";
+    const std::string turned = "palette_reversed = true\n";
+    const std::string plain = picture("", own);
+    const auto points = cells_of(text("out/water-b-1.csv"));
+    ASSERT_EQ(points.size(), 1U + 12);
+    EXPECT_EQ(points[0][1], "water_depth (m)");
+    EXPECT_NEAR(std::stod(points[1][1]), 0.01, 1e-3) << "the film that it starts with";
+    EXPECT_EQ(picture(turned, own), plain) << "the scene's palette is another";
+    EXPECT_NE(picture("", own + turned), plain);
+    EXPECT_EQ(picture(own + turned, turned), plain) << "turned twice";
 }
 
 TEST_F(FigureTest, TheSecondTimeNothingIsSimulatedAndTheBytesAreTheSame) {
