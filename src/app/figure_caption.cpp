@@ -60,8 +60,9 @@ std::string varied_text(const SweepPlan& plan) {
 }
 
 std::string run_sentence(const Scene& scene, const std::vector<std::string>& varied) {
-    std::string text = fmt::format("model {}, {} steps: {}.", scene.model.name, scene.run.steps,
-                                   parameters_of(scene, varied));
+    const std::string parameters = parameters_of(scene, varied);
+    std::string text = fmt::format("model {}, {} steps{}{}.", scene.model.name, scene.run.steps,
+                                   parameters.empty() ? "" : ": ", parameters);
     if (!scene.bed.file.empty()) text += fmt::format(" Initial bed: {}.", scene.bed.file);
     return text;
 }

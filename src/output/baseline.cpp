@@ -169,18 +169,26 @@ class Reader {
             throw InputError(
                 fmt::format("{}: cases.{} has a step and a time; keep one", place, one.name));
         }
-        if (one.figure && (one.step >= 0 || one.time >= 0.0)) {
-            throw InputError(
-                fmt::format("{}: cases.{} is a figure, whose panels say their steps themselves; "
-                            "remove {}",
-                            place, one.name, one.step >= 0 ? "step" : "time"));
-        }
+        if (one.figure) refuse_step_of_figure(one, *value.as_table());
         if (one.scene.empty()) {
             throw InputError(
                 fmt::format("{}: {}scene is missing; name a scene file (TOML)", place, prefix));
         }
         order_.push_back({name.source().begin.line, name.source().begin.column, one.name});
         cases_[one.name] = std::move(one);
+    }
+
+    /// A step or time for all cases does not hold for figures; one of its own is wrong.
+    static void refuse_step_of_figure(BaselineCase& one, const toml::table& own) {
+        for (const char* key : {"step", "time"}) {
+            if (!own.contains(key)) continue;
+            throw InputError(
+                fmt::format("{}: cases.{} is a figure, whose panels say their steps themselves; "
+                            "remove {}",
+                            one.place, one.name, key));
+        }
+        one.step = -1;
+        one.time = -1.0;
     }
 
     void read_records(const toml::table& recorded) {

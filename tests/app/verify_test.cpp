@@ -93,6 +93,30 @@ TEST_F(Verify, PassesAfterUpdateAndLeavesNothing) {
     EXPECT_EQ(read_text(folder_ / "b.toml"), before);
 }
 
+TEST_F(Verify, AFigureIsACaseOfThePortableTier) {
+    const std::string page =
+        "[figure]\ndots_per_inch = 60\n[[figure.panel]]\nkind = \"map\"\n[[figure.panel]]\n"
+        "[[figure.panel.curve]]\nseeds = 2\ny = \"standard_deviation\"\n";
+    write_text(folder_ / "scene.toml", small_scene() + page);
+    write_text(folder_ / "b.toml",
+               "scene = \"scene.toml\"\nstep = 10\n[cases]\npage = {figure = true}\n");
+    accept();
+    EXPECT_EQ(verify().output,
+              "ok       b page: portable (text stands in the fonts of the machine): state and "
+              "pixels as recorded\n1 of 1 as recorded\n");
+    write_text(folder_ / "scene.toml", small_scene() + page + "x_logarithmic = true\n");
+    EXPECT_EQ(verify().status, 2) << "a curve has no such key";
+    write_text(folder_ / "scene.toml", small_scene() + "[bed]\nhigh = 0.9\n" + page);
+    const Ended other = verify();
+    EXPECT_EQ(other.status, 1) << other.output << other.errors;
+    EXPECT_TRUE(contains(other.output, "the state differs")) << other.output;
+    write_text(folder_ / "scene.toml", small_scene());
+    EXPECT_EQ(verify().status, 2) << "there is no figure in it";
+    write_text(folder_ / "b.toml",
+               "scene = \"scene.toml\"\n[cases]\npage = {figure = true, step = 3}\n");
+    EXPECT_TRUE(contains(verify().errors, "b.toml:3:1: cases.page is a figure")) << verify().errors;
+}
+
 TEST_F(Verify, AMovedSunShowsOnOnePage) {
     accept();
     write_baseline("settings = [\"sun.azimuth=320\"]\n");
