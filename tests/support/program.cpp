@@ -80,15 +80,6 @@ Ended fumon(const std::vector<std::string>& arguments, const fs::path& folder,
     return Program(arguments, folder, environment, program).wait();
 }
 
-ScratchFolder::ScratchFolder() : path_(unique_path("fumon-test-")) {
-    fs::create_directories(path_);
-}
-
-ScratchFolder::~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-}
-
 std::string read_text(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "files/scratch_folder.h"
+
 namespace fumon::test {
 
 /// What a program said and how it ended.
@@ -41,19 +43,11 @@ Ended fumon(const std::vector<std::string>& arguments, const std::filesystem::pa
             const std::string& program = FUMON_PROGRAM);
 
 /// A folder of the test's own, empty, deleted at the end.
-class ScratchFolder {
+class ScratchFolder : public fumon::ScratchFolder {
   public:
-    ScratchFolder();
-    ~ScratchFolder();
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
-        return path_ / name;
+        return path() / name;
     }
-
-  private:
-    std::filesystem::path path_;
 };
 
 std::string read_text(const std::filesystem::path& file);
