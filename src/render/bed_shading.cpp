@@ -6,9 +6,9 @@
 
 #include "base/elementary.h"
 #include "base/resampling.h"
-#include "render/colouring.h"
-#include "render/lighting.h"
-#include "render/palette.h"
+#include "render/colour/colouring.h"
+#include "render/colour/palette.h"
+#include "render/light/lighting.h"
 
 namespace fumon {
 

@@ -15,7 +15,7 @@
 #include "figure/overlays/overlay_places.h"
 #include "figure/overlays/overlay_plot.h"
 #include "figure/overlays/overlay_text.h"
-#include "render/shown_snapshot.h"
+#include "render/view/shown_snapshot.h"
 
 namespace fumon {
 

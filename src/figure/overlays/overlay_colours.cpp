@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "figure/overlays/overlay_text.h"
 #include "figure/panels/colour_bar.h"
-#include "render/colouring.h"
+#include "render/colour/colouring.h"
 
 namespace fumon {
 

@@ -11,7 +11,7 @@
 #include "figure/panels/ground_arrow.h"
 #include "figure/panels/scale_bar.h"
 #include "measure/suite.h"
-#include "render/framing.h"
+#include "render/view/framing.h"
 #include "scene/initial_bed.h"
 
 namespace fumon {

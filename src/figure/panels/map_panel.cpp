@@ -12,7 +12,7 @@
 #include "figure/panels/arrow_field.h"
 #include "figure/panels/length_unit.h"
 #include "figure/panels/scale_bar.h"
-#include "render/water.h"
+#include "render/view/water.h"
 
 namespace fumon {
 

@@ -12,8 +12,8 @@
 #include "base/elementary_power.h"
 #include "base/error.h"
 #include "figure/panels/length_unit.h"
-#include "render/colouring.h"
-#include "render/water.h"
+#include "render/colour/colouring.h"
+#include "render/view/water.h"
 
 namespace fumon {
 

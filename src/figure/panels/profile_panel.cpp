@@ -16,7 +16,7 @@
 #include "figure/panels/length_unit.h"
 #include "figure/panels/scale_bar.h"
 #include "figure/panels/step_text.h"
-#include "render/water.h"
+#include "render/view/water.h"
 
 namespace fumon {
 
