@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include "base/sha256.h"
+#include "base/state_carrier.h"
 #include "files/atomic_file.h"
-#include "files/sha256.h"
-#include "support/state_carrier.h"
 
 namespace fumon {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <system_error>
 
-#include "support/error.h"
+#include "base/error.h"
 
 namespace fumon {
 

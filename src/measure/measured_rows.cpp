@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "support/state_carrier.h"
+#include "base/state_carrier.h"
 
 namespace fumon {
 

@@ -1,10 +1,11 @@
+#include "measure/number_group.h"
+
 #include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
 
-#include "measure/snapshot_lookup.h"
-#include "measure/suite_groups.h"
+#include "base/snapshot_lookup.h"
 
 namespace fumon {
 

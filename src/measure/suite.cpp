@@ -3,8 +3,12 @@
 #include <array>
 #include <string_view>
 
-#include "measure/snapshot_lookup.h"
-#include "measure/suite_groups.h"
+#include "base/snapshot_lookup.h"
+#include "measure/air/air_groups.h"
+#include "measure/bed/bed_groups.h"
+#include "measure/number_group.h"
+#include "measure/pile/pile_groups.h"
+#include "measure/water/water_groups.h"
 
 namespace fumon {
 

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "models/model.h"
+#include "base/avalanche.h"
+#include "base/snapshot.h"
+#include "measure/shared/measure_group.h"
 
 namespace fumon {
 
@@ -15,13 +17,6 @@ enum class Landform { bed, profile, pile, water, air };
 /// A pile where the model keeps count of dropped grains, water where the snapshot has a field
 /// "water_depth", air where it has a section, a profile where there is a single row, else a bed.
 Landform landform_of(const Snapshot& snapshot);
-
-/// One column of measurements.csv.
-struct MeasureColumn {
-    std::string name;  ///< "wavelength_spectrum"
-    std::string unit;  ///< "sites", "heights", "degrees" …; empty for a pure number
-    std::string help;  ///< one line: how it is defined
-};
 
 struct MeasuredValue {
     MeasureColumn column;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include "models/airflow.h"
-#include "models/gully.h"
-#include "models/sand.h"
-#include "models/sandpile.h"
-#include "models/static_bed.h"
+#include "models/air/airflow.h"
+#include "models/pile/sandpile.h"
+#include "models/sand/sand.h"
+#include "models/static/static_bed.h"
+#include "models/water/gully.h"
 
 namespace fumon {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "models/model.h"
+#include "models/shared/model.h"
 
 namespace fumon {
 

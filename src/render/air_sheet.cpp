@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "figure/streamlines.h"
-#include "support/worker_pool.h"
-#include "terrain/elementary_angle.h"
-#include "terrain/grid.h"
+#include "base/elementary_angle.h"
+#include "base/grid.h"
+#include "base/worker_pool.h"
+#include "render/streamlines.h"
 
 namespace fumon {
 

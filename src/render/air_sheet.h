@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "figure/section_air.h"
 #include "render/palette.h"
+#include "render/section_air.h"
 
 namespace fumon {
 

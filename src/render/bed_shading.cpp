@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/elementary.h"
+#include "base/resampling.h"
 #include "render/colouring.h"
 #include "render/lighting.h"
 #include "render/palette.h"
-#include "terrain/elementary.h"
-#include "terrain/resampling.h"
 
 namespace fumon {
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <utility>
 
+#include "base/snapshot.h"
 #include "gl/program.h"
 #include "gl/texture.h"
-#include "models/model.h"
 #include "render/block.h"
 #include "render/camera.h"
 #include "render/display_bed.h"

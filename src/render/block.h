@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "models/model.h"
+#include "base/snapshot.h"
 #include "scene/scene.h"
 
 namespace fumon {

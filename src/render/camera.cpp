@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "support/units.h"
-#include "terrain/elementary.h"
+#include "base/elementary.h"
+#include "base/units.h"
 
 namespace fumon {
 

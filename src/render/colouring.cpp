@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "render/percentile.h"
+#include "base/percentile.h"
 #include "render/rounding.h"
 #include "render/water.h"
 

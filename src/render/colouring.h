@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "models/model.h"
+#include "base/snapshot.h"
 #include "render/display_bed.h"
 #include "render/palette.h"
 #include "scene/scene.h"

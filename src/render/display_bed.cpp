@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "terrain/resampling.h"
+#include "base/resampling.h"
 
 namespace fumon {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/grid.h"
 #include "render/block.h"
-#include "terrain/grid.h"
 
 namespace fumon {
 

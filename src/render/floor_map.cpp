@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/worker_pool.h"
 #include "render/rounding.h"
 #include "render/sky_visibility.h"
-#include "support/worker_pool.h"
 
 namespace fumon {
 

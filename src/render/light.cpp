@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/units.h"
-#include "terrain/elementary.h"
-#include "terrain/elementary_power.h"
+#include "base/elementary.h"
+#include "base/elementary_power.h"
+#include "base/units.h"
 
 namespace fumon {
 

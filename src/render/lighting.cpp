@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/multiversion.h"
+#include "base/worker_pool.h"
 #include "render/rounding.h"
 #include "render/sky_visibility.h"
 #include "render/sun_sweep.h"
-#include "support/multiversion.h"
-#include "support/worker_pool.h"
 
 namespace fumon {
 

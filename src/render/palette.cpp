@@ -11,8 +11,8 @@
 #include <numeric>
 #include <utility>
 
-#include "support/data_files.h"
-#include "support/error.h"
+#include "base/data_files.h"
+#include "base/error.h"
 
 namespace fumon {
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/error.h"
 #include "gl/context.h"
 #include "gl/functions.h"
 #include "render/air_layer.h"
@@ -20,7 +21,6 @@
 #include "render/shown_snapshot.h"
 #include "render/terrain_layer.h"
 #include "render/tiles.h"
-#include "support/error.h"
 
 namespace fumon {
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
-#include "models/model.h"
-#include "render/image.h"
+#include "base/image.h"
+#include "base/snapshot.h"
 #include "scene/scene.h"
 
 namespace fumon {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "models/model.h"
+#include "base/snapshot.h"
 #include "scene/scene.h"
 
 namespace fumon {

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
-#include "support/multiversion.h"
-#include "support/worker_pool.h"
-#include "terrain/elementary_angle.h"
+#include "base/elementary_angle.h"
+#include "base/multiversion.h"
+#include "base/worker_pool.h"
 
 namespace fumon {
 

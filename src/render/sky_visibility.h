@@ -1,6 +1,6 @@
 #pragma once
 
-#include "terrain/grid.h"
+#include "base/grid.h"
 
 namespace fumon {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/multiversion.h"
 #include "render/transpose.h"
-#include "support/multiversion.h"
 
 namespace fumon {
 

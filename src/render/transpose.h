@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "terrain/grid.h"
+#include "base/grid.h"
 
 namespace fumon {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "render/percentile.h"
-#include "support/error.h"
-#include "terrain/resampling.h"
+#include "base/error.h"
+#include "base/percentile.h"
+#include "base/resampling.h"
 
 namespace fumon {
 

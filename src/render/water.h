@@ -2,9 +2,9 @@
 
 #include <string_view>
 
-#include "models/model.h"
+#include "base/grid.h"
+#include "base/snapshot.h"
 #include "scene/scene.h"
-#include "terrain/grid.h"
 
 namespace fumon {
 

@@ -4,10 +4,10 @@
 
 #include <string>
 
+#include "base/error.h"
+#include "base/limits.h"
 #include "scene/check_figure.h"
 #include "scene/initial_bed.h"
-#include "scene/limits.h"
-#include "support/error.h"
 
 namespace fumon {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "support/error.h"
-#include "support/nearest_name.h"
+#include "base/error.h"
+#include "base/nearest_name.h"
 
 namespace fumon {
 

@@ -8,11 +8,12 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "keys/keys.h"
 #include "models/registry.h"
-#include "scene/keys.h"
+#include "scene/scene_keys.h"
 #include "scene/write.h"
-#include "support/error.h"
-#include "support/nearest_name.h"
 
 namespace fumon {
 

@@ -1,6 +1,6 @@
 #include "scene/figure_keys.h"
 
-#include "scene/limits.h"
+#include "base/limits.h"
 
 namespace fumon {
 

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/word_or_real.h"
+#include "keys/word_or_real.h"
+#include "numerics/curve_law.h"
 
 namespace fumon {
 
@@ -30,7 +31,6 @@ enum class CurveTable {
 };
 
 enum class CurveSpread { none, deviation, standard_error };
-enum class CurveFit { none, line, power, exponential, hop, cosine };
 enum class CurveStyle { automatic, line, points, line_and_points, steps };
 
 /// One curve of a plot, or one for each value of a column.

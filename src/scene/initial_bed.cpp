@@ -4,13 +4,13 @@
 
 #include <cmath>
 
+#include "base/error.h"
+#include "base/limits.h"
+#include "base/random.h"
+#include "base/resampling.h"
 #include "files/hash.h"
-#include "files/terrain_file.h"
+#include "files/terrain/terrain_file.h"
 #include "models/registry.h"
-#include "scene/limits.h"
-#include "support/error.h"
-#include "terrain/random.h"
-#include "terrain/resampling.h"
 
 namespace fumon {
 

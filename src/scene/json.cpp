@@ -6,7 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "scene/keys.h"
+#include "keys/keys.h"
+#include "scene/scene_keys.h"
 
 namespace fumon {
 

@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "scene/keys.h"
-#include "support/error.h"
-#include "support/nearest_name.h"
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "keys/keys.h"
+#include "scene/scene_keys.h"
 
 namespace fumon {
 

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "scene/keys.h"
-#include "scene/override.h"
+#include "base/error.h"
+#include "keys/keys.h"
+#include "keys/override.h"
+#include "scene/scene_keys.h"
 #include "scene/write.h"
-#include "support/error.h"
 
 namespace fumon {
 

@@ -11,12 +11,13 @@
 #include <optional>
 #include <utility>
 
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/utf8.h"
+#include "keys/assign.h"
 #include "models/registry.h"
-#include "scene/assign.h"
 #include "scene/check.h"
-#include "support/error.h"
-#include "support/nearest_name.h"
-#include "support/utf8.h"
+#include "scene/scene_keys.h"
 
 namespace fumon {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/override.h"
+#include "keys/override.h"
 #include "scene/scene.h"
 
 namespace fumon {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "keys/word_or_real.h"
 #include "scene/figure_settings.h"
-#include "scene/word_or_real.h"
 
 namespace fumon {
 

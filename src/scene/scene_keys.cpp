@@ -1,7 +1,9 @@
+#include "scene/scene_keys.h"
+
+#include "base/limits.h"
+#include "keys/keys.h"
 #include "models/registry.h"
 #include "scene/figure_keys.h"
-#include "scene/keys.h"
-#include "scene/limits.h"
 
 namespace fumon {
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "scene/scene_keys.h"
+
 namespace fumon {
 
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "scene/keys.h"
+#include "keys/keys.h"
 #include "scene/scene.h"
 
 namespace fumon {

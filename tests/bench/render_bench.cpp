@@ -9,9 +9,10 @@
 #include <array>
 #include <cstdint>
 
+#include "base/snapshot.h"
+#include "base/worker_pool.h"
 #include "gl/context.h"
-#include "models/model.h"
-#include "output/png.h"
+#include "picture/png.h"
 #include "render/block.h"
 #include "render/display_bed.h"
 #include "render/light.h"
@@ -19,7 +20,6 @@
 #include "render/sky_visibility.h"
 #include "render/sun_sweep.h"
 #include "support/dune_field.h"
-#include "support/worker_pool.h"
 
 namespace fumon {
 namespace {

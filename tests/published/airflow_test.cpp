@@ -1,6 +1,6 @@
 // Terada 2025: the stress of the air on its cosine beds, as published and steady.
 
-#include "models/airflow.h"
+#include "models/air/airflow.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <string>
 
-#include "support/worker_pool.h"
+#include "base/worker_pool.h"
 
 namespace fumon {
 namespace {

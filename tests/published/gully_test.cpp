@@ -10,9 +10,9 @@
 #include <map>
 #include <string>
 
-#include "measure/channels.h"
-#include "models/gully_run.h"
-#include "support/error.h"
+#include "base/error.h"
+#include "measure/water/channels.h"
+#include "support/gully_run.h"
 
 namespace fumon::test {
 namespace {

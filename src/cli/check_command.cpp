@@ -1,0 +1,40 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "base/error.h"
+#include "base/tell.h"
+#include "cli/commands.h"
+#include "paper/figure_plan.h"
+#include "run/workshop.h"
+#include "scene/read.h"
+#include "scene/schedule.h"
+
+namespace fumon {
+
+int check_command(const std::vector<std::string>& scenes,
+                  const std::vector<std::string>& settings) {
+    int status = 0;
+    FigureRuns runs;
+    for (const std::string& file : scenes) {
+        try {
+            const Workshop workshop = set_up(read_scene(file, settings), 1);
+            if (!workshop.scene.figure.panels.empty()) {
+                FigureSources sources;
+                plan_figure(file, settings, sources, runs);
+            }
+            const std::string line = fmt::format(
+                "{}: fine ({}, {} x {} cells, {} steps, {} frames)\n", file,
+                workshop.scene.model.name, workshop.initial.bed.nx(), workshop.initial.bed.ny(),
+                workshop.scene.run.steps, frame_schedule(workshop.scene).count());
+            std::fputs(line.c_str(), stdout);
+        } catch (const InputError& fault) {
+            std::fflush(stdout);
+            tell(std::string(fault.what()) + "\n");
+            status = fault.exit_status();
+        }
+    }
+    return status;
+}
+
+}  // namespace fumon

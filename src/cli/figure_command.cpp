@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "paper/figure_files.h"
+#include "paper/figure_make.h"
+#include "paper/figure_page.h"
+#include "run/interrupt.h"
+#include "run/run_folder.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A figure and the texts that it was read from.
+struct PlannedFigure {
+    FigureSources sources;
+    FigurePlan plan;
+};
+
+/// False when interrupted.
+bool plan_all(const FigureOptions& options, std::vector<PlannedFigure>& figures, FigureRuns& runs) {
+    std::map<std::string, std::string> files;  // of names
+    for (const std::string& file : options.scenes) {
+        PlannedFigure figure;
+        auto plan = plan_figure(file, options.work.settings, figure.sources, runs);
+        if (!plan) return false;
+        figure.plan = std::move(*plan);
+        const auto [other, is_new] = files.emplace(figure.plan.name, file);
+        if (!is_new) {
+            throw InputError(fmt::format("{}: would write the same files as {}; rename one", file,
+                                         other->second));
+        }
+        figures.push_back(std::move(figure));
+    }
+    return true;
+}
+
+void make_figure(const PlannedFigure& figure, const FigureRuns& runs, const RunStore& store,
+                 const FigureOptions& options, StatusLine& status) {
+    const FigurePlan& plan = figure.plan;
+    const FigurePage page =
+        figure_page(plan, runs, store, {options.work.backend, options.work.threads});
+    std::vector<std::string> notes = plan.notes;
+    const std::vector<WholeFile> files =
+        figure_files(plan, figure.sources, page, options.folder, notes);
+    make_folder(options.folder);
+    write_files(files);
+    for (const std::string& note : notes) status.note(fmt::format("{}: {}", plan.file, note));
+    status.note(fmt::format("{}.{}", (fs::path(options.folder) / plan.name).string(),
+                            fmt::join(plan.scene.figure.formats, ", .")));
+}
+
+}  // namespace
+
+int figure_command(const FigureOptions& options) {
+    const InterruptGuard guard;
+    StatusLine status(options.work.verbosity);
+    std::vector<PlannedFigure> figures;
+    FigureRuns runs;
+    if (!plan_all(options, figures, runs)) return tell_interrupted(status, {});
+    std::error_code fault;
+    if (fs::exists(options.folder, fault) && !fs::is_directory(options.folder, fault)) {
+        throw InputError(
+            fmt::format("{} is a file; name a folder for the figures with -o", options.folder));
+    }
+    const RunStore store(options.runs.empty() ? fs::path(options.folder) / "runs"
+                                              : fs::path(options.runs));
+    const std::vector<RunRecord> records = make_runs(runs, store, options.work, status);
+    if (interrupting_signal() != 0) return tell_interrupted(status, records);
+
+    int exit_status = 0;
+    for (const PlannedFigure& figure : figures) {
+        if (interrupting_signal() != 0) return tell_interrupted(status, records);
+        try {
+            if (const std::string missing = missing_run(figure.plan, runs, records);
+                !missing.empty())
+                throw Error(missing);
+            make_figure(figure, runs, store, options, status);
+        } catch (const Error& failure) {
+            status.error(failure.what());
+            exit_status = std::max(exit_status, failure.exit_status());
+        }
+    }
+    return exit_status;
+}
+
+}  // namespace fumon

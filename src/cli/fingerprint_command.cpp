@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "picture/fingerprint.h"
+#include "picture/fingerprint_text.h"
+#include "picture/png.h"
+#include "scene/json.h"
+#include "scene/write.h"
+
+namespace fumon {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json thumbnail_json(const Thumbnail& thumbnail) {
+    Json rows = Json::array();
+    for (int y = 0; y < Thumbnail::height; ++y) {
+        Json row = Json::array();
+        for (int x = 0; x < Thumbnail::width; ++x) {
+            row.push_back({thumbnail.at(x, y, 0), thumbnail.at(x, y, 1), thumbnail.at(x, y, 2)});
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+Json fingerprint_json(const std::string& file, const Fingerprint& fingerprint) {
+    Json json;
+    json["file"] = file;
+    json["width"] = fingerprint.width;
+    json["height"] = fingerprint.height;
+    json["pixels_sha256"] = hex(fingerprint.pixels);
+    json["dhash"] = dhash_text(fingerprint.difference_hash);
+    json["thumbnail"] = thumbnail_json(fingerprint.thumbnail);
+    return json;
+}
+
+}  // namespace
+
+int fingerprint_command(const FingerprintOptions& options) {
+    Json all = Json::array();
+    std::string text;
+    for (std::string file : options.images) {
+        const Fingerprint fingerprint = fingerprint_of(read_png(file));
+        if (options.as_json) {
+            all.push_back(fingerprint_json(file, fingerprint));
+            continue;
+        }
+        if (!text.empty()) text += '\n';
+        const Key name{"", {}, &file};
+        text += fmt::format("[{}]\n", value_text(name)) + fingerprint_text(fingerprint);
+    }
+    if (options.as_json) text = json_text(all) + "\n";
+    std::fputs(text.c_str(), stdout);
+    return 0;
+}
+
+}  // namespace fumon

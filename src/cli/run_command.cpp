@@ -1,0 +1,136 @@
+#include <fmt/format.h>
+
+#include <csignal>
+#include <optional>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "cli/commands.h"
+#include "run/interrupt.h"
+#include "run/manifest.h"
+#include "run/pipeline.h"
+#include "run/resume.h"
+#include "run/workshop.h"
+#include "scene/read.h"
+
+namespace fumon {
+
+namespace {
+
+void tell_the_end(const RunOutcome& outcome, const Workshop& workshop, const RunFolder& folder,
+                  Progress& progress) {
+    progress.clear();
+    const Timing& timing = outcome.timing;
+    const double cell_steps = static_cast<double>(workshop.initial.bed.size()) *
+                              static_cast<double>(outcome.steps_done - outcome.steps_before);
+    progress.note(
+        fmt::format("{} steps, {} frames in {} ({:.3g} million cell-steps/s while simulating): {}",
+                    with_commas(outcome.steps_done), with_commas(std::ssize(outcome.frames)),
+                    clock_text(timing.wall),
+                    timing.simulation_wall > 0.0 ? 1e-6 * cell_steps / timing.simulation_wall : 0.0,
+                    folder.path().string()));
+    const ImageSettings& image = workshop.scene.view.image;
+    if (outcome.movie.frames > 0 &&
+        (outcome.movie.width != image.width || outcome.movie.height != image.height)) {
+        progress.note(fmt::format(
+            "movie.mp4 is {} x {}: H.264 needs even sides, so the edge of the {} x {} frames is "
+            "repeated",
+            outcome.movie.width, outcome.movie.height, image.width, image.height));
+    }
+}
+
+void tell_of_drawing(const DrawingRecord& now, const RunCheckpoint& former, Progress& progress) {
+    if (former.frames.empty()) return;
+    const std::string differs = difference(parse_environment(former.drawing), now.environment);
+    if (differs.empty()) return;
+    progress.note(
+        fmt::format("frames so far were drawn otherwise ({}): they may differ in single "
+                    "pixels",
+                    differs));
+}
+
+/// Runs what stands in the workshop, into the folder; returns the exit status.
+int work(Workshop& workshop, RunFolder& folder, const RunOptions& options,
+         const ResumedRun* former) {
+    const Scene& scene = workshop.scene;
+    Progress progress(options.work.verbosity,
+                      static_cast<std::int64_t>(workshop.initial.bed.size()));
+    if (!workshop.initial.note.empty()) progress.note(workshop.initial.note);
+
+    PipelineOptions how{options.work.backend, options.work.threads, options.checkpoint_every};
+    std::optional<FormerRun> from;
+    if (former != nullptr) {
+        from.emplace(FormerRun{former->checkpoint, former->first, *former->rest});
+        how.former = &*from;
+        progress.note(fmt::format("goes on from step {} of {}",
+                                  with_commas(former->checkpoint.step),
+                                  with_commas(scene.run.steps)));
+    }
+    const ManifestFacts facts{scene, workshop.initial, workshop.pool->size()};
+    const auto started = [&](const DrawingRecord& drawing) {
+        tell_drawing(drawing, progress);
+        if (!drawing.environment.backend.empty())
+            progress.verbose(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));
+        if (former == nullptr) {
+            folder.create(run_parts(scene, how.checkpoint_minutes));
+        } else {
+            tell_of_drawing(drawing, former->checkpoint, progress);
+            folder.go_on(run_parts(scene, how.checkpoint_minutes), former->checkpoint);
+        }
+        write_running_manifest(folder, facts, drawing);
+    };
+    const RunOutcome outcome = run_pipeline(*workshop.model, scene, workshop.initial.inputs, folder,
+                                            how, progress, started);
+    if (outcome.error) {
+        try {
+            write_final_manifest(folder, facts, outcome);
+        } catch (const Error&) {
+            // The first error tells more; on a full disk the manifest goes on saying "running".
+        }
+        std::rethrow_exception(outcome.error);
+    }
+    write_final_manifest(folder, facts, outcome);
+    tell_the_end(outcome, workshop, folder, progress);
+    if (outcome.signal == 0) {
+        folder.tidy();
+        return 0;
+    }
+    progress.note(fmt::format(
+        "stopped by {} at step {} of {}; what was made is in {}{}",
+        outcome.signal == SIGINT ? "an interrupt" : "a request to terminate",
+        with_commas(outcome.steps_done), with_commas(scene.run.steps), folder.path().string(),
+        outcome.checkpoint ? fmt::format("; fumon run --resume {} goes on from step {}",
+                                         folder.path().string(), with_commas(*outcome.checkpoint))
+                           : ""));
+    constexpr int status_of_signal = 128;
+    return status_of_signal + outcome.signal;
+}
+
+int resume(const RunOptions& options) {
+    RunFolder folder(options.resume, true);
+    folder.enter();
+    if (folder.is_complete()) {
+        Progress(options.work.verbosity, 0)
+            .note(fmt::format("{}: the run is complete, nothing is left to do", options.resume));
+        folder.tidy();
+        return 0;
+    }
+    ResumedRun former = resume_run(folder, options.scene, options.work);
+    return work(former.workshop, folder, options, &former);
+}
+
+}  // namespace
+
+int run_command(const RunOptions& options) {
+    const InterruptGuard guard;
+    if (!options.resume.empty()) return resume(options);
+    if (options.scene.empty()) throw InputError("fumon run: name a scene, or --resume DIR");
+    if (options.folder.empty()) throw InputError("fumon run: name a folder for the run with -o");
+    RunFolder folder(options.folder, options.force);
+    prepare_drawing(options.work);
+    Workshop workshop =
+        set_up(read_scene(options.scene, options.work.settings), options.work.threads);
+    return work(workshop, folder, options, nullptr);
+}
+
+}  // namespace fumon

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "paper/figure_plan.h"
+#include "run/run_store.h"
+#include "run/status_line.h"
+#include "run/work_options.h"
+
+namespace fumon {
+
+/// Makes the runs that are not in the store, on all threads, the longest first. Returns what became
+/// of each, failed ones told.
+std::vector<RunRecord> make_runs(const FigureRuns& runs, const RunStore& store,
+                                 const WorkOptions& work, StatusLine& status);
+
+/// Why a figure cannot be made: its first run that failed; empty where all are there.
+std::string missing_run(const FigurePlan& plan, const FigureRuns& runs,
+                        const std::vector<RunRecord>& records);
+
+/// Tells that an interrupt stopped the work, and returns the exit status.
+int tell_interrupted(StatusLine& status, const std::vector<RunRecord>& records);
+
+}  // namespace fumon

@@ -1,0 +1,169 @@
+#include "run/run_store.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "base/error.h"
+#include "files/atomic_file.h"
+#include "files/input_file.h"
+#include "models/shared/state_hash.h"
+#include "run/file_lock.h"
+#include "run/picture_text.h"
+#include "run/recorder.h"
+#include "run/run_folder.h"
+#include "run/run_identity.h"
+#include "run/simulate.h"
+#include "run/workshop.h"
+#include "scene/json.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* manifest_name = "job.json";
+
+void take_away(const fs::path& path) {
+    std::error_code fault;
+    fs::remove_all(path, fault);
+}
+
+void move_to(const fs::path& from, const fs::path& to) {
+    std::error_code fault;
+    fs::rename(from, to, fault);
+    if (fault) throw Error(fmt::format("cannot write {}: {}", to.string(), fault.message()));
+}
+
+void write_manifest(const fs::path& folder, const StoredRun& run, const RunRecord& record) {
+    nlohmann::ordered_json json;
+    json["fumon"] = FUMON_VERSION;
+    json["id"] = hex(run.id);
+    json["label"] = run.label;
+    json["steps"] = record.steps;
+    json["fields_at"] = run.steps;
+    json["wall_seconds"] = record.wall_seconds;
+    json["state_sha256"] = record.state;
+    write_file(folder / manifest_name, json_text(json, 2) + "\n");
+}
+
+}  // namespace
+
+StoredRun stored_run(const Scene& scene, const InitialBed& initial) {
+    StoredRun run{scene, {}, {}, {}, 0.0};
+    Scene& stored = run.scene;
+    if (!initial.inputs.empty()) {
+        stored.bed.file = initial.inputs.front().path;
+        stored.directory.clear();
+    }
+    stored.title.clear();
+    stored.view = {};
+    stored.sweep = {};
+    stored.figure = {};
+    if (stored.output.measure_every > 0) stored.frames = {};
+    const std::int64_t measure_every = stored.output.measure_every;
+    stored.output = {};
+    stored.output.measure_every = measure_every;
+    run.id = text_hash(hex(run_id(stored, initial)) + " fumon " FUMON_VERSION);
+    run.work = static_cast<double>(scene.grid.nx) * static_cast<double>(scene.grid.ny) *
+               static_cast<double>(scene.run.steps + 1);
+    return run;
+}
+
+fs::path RunStore::place(const StoredRun& run) const {
+    constexpr std::size_t digits = 16;
+    return folder_ / hex(run.id).substr(0, digits);
+}
+
+fs::path RunStore::measurements(const StoredRun& run) const {
+    return place(run) / "measurements.csv";
+}
+
+fs::path RunStore::avalanches(const StoredRun& run) const {
+    return place(run) / "avalanches.csv";
+}
+
+fs::path RunStore::fields(const StoredRun& run) const {
+    return place(run) / "fields.nc";
+}
+
+std::set<std::int64_t> RunStore::steps_there(const StoredRun& run, bool& whole) const {
+    whole = false;
+    const fs::path manifest = place(run) / manifest_name;
+    if (!fs::exists(manifest)) return {};
+    try {
+        const auto json = nlohmann::json::parse(read_input_file(manifest));
+        auto steps = json.at("fields_at").get<std::set<std::int64_t>>();
+        whole = json.at("id") == hex(run.id) && fs::exists(measurements(run)) &&
+                (steps.empty() || fs::exists(fields(run)));
+        return steps;
+    } catch (const nlohmann::json::exception&) {
+        return {};
+    } catch (const InputError&) {
+        return {};  // another program has just taken it away
+    }
+}
+
+bool RunStore::holds(const StoredRun& run) const {
+    bool whole = false;
+    const std::set<std::int64_t> there = steps_there(run, whole);
+    return whole && std::includes(there.begin(), there.end(), run.steps.begin(), run.steps.end());
+}
+
+Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
+                       std::atomic<double>& cell_steps) const {
+    const auto start = std::chrono::steady_clock::now();
+    make_folder(folder_);
+    fs::path lock_file = place(run);
+    lock_file += ".lock";
+    const FileLock lock(lock_file);
+    if (!lock.held()) return Attempt::busy;
+    if (holds(run)) return Attempt::done;
+
+    StoredRun wanted = run;
+    bool whole = false;
+    const std::set<std::int64_t> there = steps_there(run, whole);
+    if (whole) wanted.steps.insert(there.begin(), there.end());
+    wanted.scene.output.fields_at.assign(wanted.steps.begin(), wanted.steps.end());
+
+    fs::path made = place(run);
+    made += ".part";
+    take_away(made);  // what a killed program may have left
+    make_folder(made);
+    try {
+        Workshop workshop = set_up(wanted.scene, threads);
+        if (stored_run(workshop.scene, workshop.initial).id != run.id)
+            throw Error("a file that it reads has changed since the start");
+        Recorder recorder(workshop.scene, workshop.model->snapshot(),
+                          resolved_scene(workshop.scene, workshop.initial.inputs),
+                          {made / "measurements.csv", made / "avalanches.csv", made / "fields.nc"});
+        if (!simulate(workshop, recorder, record.steps, cell_steps)) {
+            take_away(made);
+            return Attempt::interrupted;
+        }
+        record.state = hex(state_hash(*workshop.model));
+        record.wall_seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        write_manifest(made, wanted, record);
+        put(made, run);
+    } catch (...) {
+        take_away(made);
+        throw;
+    }
+    return Attempt::done;
+}
+
+void RunStore::put(const fs::path& made, const StoredRun& run) const {
+    fs::path former = place(run);
+    former += ".former";
+    take_away(former);
+    if (fs::exists(place(run))) move_to(place(run), former);
+    move_to(made, place(run));
+    take_away(former);
+}
+
+}  // namespace fumon

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "files/hash.h"
+#include "run/run_crew.h"
+#include "scene/initial_bed.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// A run whose results figures are made from.
+struct StoredRun {
+    Scene scene;  ///< made ready: with its bed file as reached from the working folder
+    std::set<std::int64_t> steps;  ///< whose fields are wanted
+    Sha256 id{};                   ///< of what decides its results, and of fumon's version
+    std::string label;             ///< for messages
+    double work = 0.0;             ///< cell-steps
+};
+
+/// The run of a scene: what does not decide its results (title, looks, figure, files) left out. Its
+/// bed is only asked for its files and scale.
+StoredRun stored_run(const Scene& scene, const InitialBed& initial);
+
+/// A folder of finished runs, by what decides their results:
+///
+///     0123456789abcdef/    the first digits of the run's id: measurements.csv, avalanches.csv,
+///                          fields.nc, and job.json, which says what they hold
+///
+/// A run appears whole or not at all, so that it does not matter when a program is killed, and
+/// several programs may work in one folder: each run has a lock file while one of them is at it.
+class RunStore {
+  public:
+    explicit RunStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    /// Whether the run is there, with the fields of all its steps.
+    [[nodiscard]] bool holds(const StoredRun& run) const;
+
+    /// Makes a run, unless it is there by now. One that is there with other steps is made again
+    /// with these and those. Throws as the run does.
+    Attempt make(const StoredRun& run, int threads, RunRecord& record,
+                 std::atomic<double>& cell_steps) const;
+
+    [[nodiscard]] std::filesystem::path measurements(const StoredRun& run) const;
+    [[nodiscard]] std::filesystem::path avalanches(const StoredRun& run) const;  ///< may not be
+    [[nodiscard]] std::filesystem::path fields(const StoredRun& run) const;
+
+  private:
+    [[nodiscard]] std::filesystem::path place(const StoredRun& run) const;
+    [[nodiscard]] std::set<std::int64_t> steps_there(const StoredRun& run, bool& whole) const;
+    void put(const std::filesystem::path& made, const StoredRun& run) const;
+
+    std::filesystem::path folder_;
+};
+
+}  // namespace fumon

@@ -1,0 +1,210 @@
+#include "run/workshop.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "figure/overlays/frame_overlays.h"
+#include "figure/panels/section_figure.h"
+#include "files/atomic_file.h"
+#include "gl/pinned.h"
+#include "models/registry.h"
+#include "picture/png.h"
+#include "render/colouring.h"
+#include "render/palette.h"
+#include "render/water.h"
+#include "run/check_finite.h"
+#include "run/interrupt.h"
+#include "run/picture_text.h"
+#include "scene/overlay_keys.h"
+
+namespace fumon {
+
+namespace {
+
+/// A model's refusal of its bed or parameters, placed at the key it names, else where the model was
+/// chosen.
+std::unique_ptr<Model> make_model(const Scene& scene, ModelSetup setup) {
+    try {
+        return find_model(scene.model.name)->make(scene.model.parameters, std::move(setup));
+    } catch (const KeyError& refusal) {
+        throw InputError(
+            scene.at(scene.locations.contains(refusal.key()) ? refusal.key() : "model.name") +
+            refusal.what());
+    }
+}
+
+void check_palette(const Scene& scene) {
+    try {
+        read_palette(scene.view.look.palette);
+    } catch (const InputError& refusal) {
+        throw InputError(scene.at("look.palette") + refusal.what());
+    }
+}
+
+/// A marking needs a model that has something to mark.
+void check_marking(const Scene& scene, const Model& model) {
+    const Marking mark = scene.view.look.mark;
+    if (mark == Marking::none || marked_field(mark, model.snapshot()) != nullptr) return;
+    throw InputError(fmt::format(
+        "{}look.mark = \"last-avalanche\" needs a model with avalanches (sandpile), not {}",
+        scene.at("look.mark"), scene.model.name));
+}
+
+/// Colours that mean the water need a model that has some.
+void check_colouring(const Scene& scene, const Model& model) {
+    if (!colours_water(scene.view.look.colour_by) || has_water(model.snapshot())) return;
+    throw InputError(
+        fmt::format("{}look.colour_by shows the water, and the model {} has none; take height, "
+                    "slope, change or natural",
+                    scene.at("look.colour_by"), scene.model.name));
+}
+
+/// The figure of a section needs a model with one, which gives what its panels show.
+void check_section(const Scene& scene, const Model& model) {
+    const bool as_usual = scene.view.section == SectionSettings{};
+    if (as_usual && scene.view.look.mode != ViewMode::figure) return;
+    const Snapshot snapshot = model.snapshot();
+    if (!snapshot.section) {
+        const auto key = scene.locations.lower_bound("section.");
+        if (as_usual || key == scene.locations.end()) return;  // resolved scenes list all keys
+        throw InputError(fmt::format("{}{} needs a model with a section (airflow), not {}",
+                                     scene.at(key->first), key->first, scene.model.name));
+    }
+    if (scene.view.look.mode != ViewMode::figure) return;
+    try {
+        draw_section_figure(scene.view, snapshot);
+    } catch (const KeyError& refusal) {
+        throw InputError(scene.at(refusal.key()) + refusal.what());
+    }
+}
+
+/// Overlays must fit the scene and the picture.
+void check_overlays(const Scene& scene, const Model& model) {
+    if (!has_overlays(scene)) return;
+    try {
+        const FrameOverlays fitting(scene, model.snapshot());
+    } catch (const KeyError& refusal) {
+        throw InputError(scene.at(refusal.key()) + refusal.what());
+    }
+}
+
+Scene without_files(Scene scene) {
+    scene.output.frames = true;
+    scene.output.measurements = false;
+    scene.output.avalanches = false;
+    scene.output.fields_every = 0;
+    scene.output.fields_at.clear();
+    return scene;
+}
+
+/// Measures the present step where plots show it.
+void measure_for_plots(Workshop& workshop) {
+    if (!workshop.plotted || !workshop.plotted->recorder.due(workshop.model->steps_done())) return;
+    workshop.plotted->recorder.record(workshop.model->snapshot());
+}
+
+/// Begins to measure, where there are plots.
+void begin_plots(Workshop& workshop) {
+    if (workshop.plotted || plotted_columns(workshop.scene).empty()) return;
+    workshop.plotted = std::make_unique<PlottedRows>(workshop.scene, *workshop.model);
+    measure_for_plots(workshop);
+}
+
+}  // namespace
+
+PlottedRows::PlottedRows(const Scene& scene_, const Model& model)
+    : scene(without_files(scene_)), recorder(scene, model.snapshot(), "", {}) {}
+
+Workshop set_up(Scene scene, int threads) {
+    Workshop workshop;
+    workshop.scene = std::move(scene);
+    check_palette(workshop.scene);
+    name_parameter_keys(workshop.scene);
+    workshop.initial = make_initial_bed(workshop.scene);
+    workshop.scene.grid.nx =
+        workshop.initial.bed.nx();  // resolved: a terrain file brings its own size
+    workshop.scene.grid.ny = workshop.initial.bed.ny();
+    workshop.pool = std::make_unique<WorkerPool>(threads, "fumon-simulate");
+    workshop.model = make_model(
+        workshop.scene, {workshop.initial.bed, workshop.initial.nodata, workshop.initial.scale,
+                         static_cast<std::uint64_t>(workshop.scene.seed), *workshop.pool,
+                         bed_kind(workshop.scene) == BedKind::file});
+    check_marking(workshop.scene, *workshop.model);
+    check_colouring(workshop.scene, *workshop.model);
+    check_section(workshop.scene, *workshop.model);
+    check_overlays(workshop.scene, *workshop.model);
+    return workshop;
+}
+
+int advance_to(Workshop& workshop, std::int64_t step, Progress& progress) {
+    Model& model = *workshop.model;
+    begin_plots(workshop);
+    progress.expect(step, 0);
+    while (model.steps_done() < step) {
+        if (const int signal = interrupting_signal(); signal != 0) return signal;
+        model.step();
+        if (workshop.plotted) workshop.plotted->recorder.note(model.avalanches());
+        measure_for_plots(workshop);
+        progress.steps_done = model.steps_done();
+        progress.show();
+    }
+    progress.clear();
+    check_finite(model.snapshot());
+    return 0;
+}
+
+int advance_to_time(Workshop& workshop, double time, const std::string& asked, Progress& progress) {
+    while (workshop.model->time() < time) {
+        const std::int64_t next = workshop.model->steps_done() + 1;
+        if (next > workshop.scene.run.steps) {
+            throw InputError(fmt::format("{} is after the run's end at {} {}; lengthen run.steps",
+                                         asked, workshop.model->time(),
+                                         workshop.model->time_unit()));
+        }
+        if (const int signal = advance_to(workshop, next, progress); signal != 0) return signal;
+    }
+    return 0;
+}
+
+void prepare_drawing(const WorkOptions& work) {
+    if (work.pinned) gl::pin_rendering();
+}
+
+void tell_drawing(const DrawingRecord& drawing, Progress& progress) {
+    const RenderingEnvironment& environment = drawing.environment;
+    if (environment.backend.empty()) return;
+    progress.verbose(fmt::format("{}: {}{}{}{}", environment.backend, environment.renderer,
+                                 environment.gl_version.empty() ? "" : ", OpenGL ",
+                                 environment.gl_version, environment.pinned ? ", pinned" : ""));
+    for (const std::string& line : gl::overridden_by_pinning())
+        progress.verbose("--pinned: " + line);
+    if (!drawing.why_not_pinned.empty()) {
+        progress.note(fmt::format("not pinned, and recorded so: {}", drawing.why_not_pinned));
+    }
+}
+
+Drawing draw_present(Workshop& workshop, const Snapshot& first, const WorkOptions& work) {
+    WorkerPool pool(work.threads, "fumon-render");
+    const auto painter = make_frame_painter(workshop.scene, first, work.backend, pool);
+    begin_plots(workshop);
+    const MeasuredRows rows = workshop.plotted ? workshop.plotted->recorder.rows() : MeasuredRows{};
+    return {painter->paint(workshop.model->snapshot(), rows), painter->record()};
+}
+
+DrawnStill draw_still(Workshop& workshop, const Snapshot& first, const std::string& file,
+                      const WorkOptions& work, Progress& progress) {
+    const Scene& scene = workshop.scene;
+    const auto [image, drawing] = draw_present(workshop, first, work);
+    tell_drawing(drawing, progress);
+    const Sha256 pixels = pixel_hash(image);
+    const auto texts = picture_text(resolved_scene(scene, workshop.initial.inputs), scene,
+                                    workshop.model->steps_done(), workshop.initial.inputs, pixels,
+                                    drawing.environment);
+    write_file(file, encode_png(image, scene.view.image.dots_per_inch, texts));
+    if (drawing.exaggeration != 1.0) {
+        progress.note(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));
+    }
+    return {pixels, drawing.environment};
+}
+
+}  // namespace fumon

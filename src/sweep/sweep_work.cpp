@@ -1,0 +1,56 @@
+#include "sweep/sweep_work.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "base/error.h"
+#include "models/shared/state_hash.h"
+#include "run/picture_text.h"
+#include "run/recorder.h"
+#include "run/simulate.h"
+#include "run/workshop.h"
+
+namespace fumon {
+
+namespace {
+
+/// One run from its scene to its files.
+Attempt do_run(const SweepPlan& plan, const SweepFolder& folder, const RunTask& task,
+               const SweepRun& run, int threads, RunRecord& record,
+               std::atomic<double>& cell_steps) {
+    const auto start = std::chrono::steady_clock::now();
+    Workshop workshop = set_up(scene_of(plan, run), threads);
+    if (run_id(workshop.scene, workshop.initial) != run.id)
+        throw Error("a file that it reads has changed since the sweep began");
+    Recorder recorder(workshop.scene, workshop.model->snapshot(),
+                      resolved_scene(workshop.scene, workshop.initial.inputs),
+                      folder.paths(task.number));
+    if (!simulate(workshop, recorder, record.steps, cell_steps)) return Attempt::interrupted;
+    record.state = hex(state_hash(*workshop.model));
+    record.wall_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    folder.write_record(task.number, record);
+    return Attempt::done;
+}
+
+}  // namespace
+
+std::vector<RunTask> sweep_tasks(const SweepPlan& plan, const SweepFolder& folder,
+                                 const std::vector<RunRecord>& records) {
+    std::vector<RunTask> tasks;
+    for (std::size_t number = 1; number <= records.size(); ++number) {
+        if (records[number - 1].status == RunStatus::done) continue;
+        const SweepRun& run = plan.runs[folder.order()[number - 1]];
+        RunTask task{
+            number, fmt::format("run {} ({})", number, run_label(plan, run)), run.work, {}};
+        task.body = [&plan, &folder, task, &run](int threads, RunRecord& record,
+                                                 std::atomic<double>& cell_steps) {
+            return do_run(plan, folder, task, run, threads, record, cell_steps);
+        };
+        tasks.push_back(std::move(task));
+    }
+    return tasks;
+}
+
+}  // namespace fumon

@@ -1,0 +1,81 @@
+#include "verify/verify_case.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "files/hash.h"
+#include "models/shared/state_hash.h"
+#include "picture/png.h"
+#include "run/workshop.h"
+#include "scene/read.h"
+#include "verify/verify_figure.h"
+
+namespace fumon {
+
+namespace {
+
+/// What work() throws as wrong input, located at the case.
+template <class Work>
+auto located(const BaselineCase& one, const Work& work) {
+    try {
+        return work();
+    } catch (const InputError& fault) {
+        throw InputError(fmt::format("{}: cases.{}: {}", one.place, one.name, fault.what()));
+    }
+}
+
+std::int64_t step_of(const BaselineCase& one, const Scene& scene) {
+    if (one.step <= scene.run.steps) return one.step < 0 ? scene.run.steps : one.step;
+    throw InputError(
+        fmt::format("step {} is after the run's end; {} runs {} steps (lengthen it by "
+                    "settings = [\"run.steps={}\"])",
+                    one.step, one.scene, scene.run.steps, one.step));
+}
+
+}  // namespace
+
+Scene scene_of(const Baseline& baseline, const BaselineCase& one) {
+    return located(one, [&] {
+        std::vector<Override> overrides = read_settings(one.settings);
+        for (std::size_t i = 0; i < overrides.size(); ++i)
+            overrides[i].place = fmt::format("settings.{}", i + 1);
+        return parse_scene(read_scene_text(baseline.file.parent_path() / one.scene), overrides);
+    });
+}
+
+DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, const WorkOptions& work) {
+    if (one.figure) return located(one, [&] { return draw_figure_case(baseline, one, work); });
+    Scene scene = scene_of(baseline, one);
+    return located(one, [&] {
+        Workshop workshop = set_up(std::move(scene), work.threads);
+        Progress progress(work.verbosity, static_cast<std::int64_t>(workshop.initial.bed.size()));
+        const Snapshot first = workshop.model->snapshot();
+        DrawnCase drawn;
+        drawn.signal =
+            one.time >= 0.0
+                ? advance_to_time(workshop, one.time, fmt::format("time {}", one.time), progress)
+                : advance_to(workshop, step_of(one, workshop.scene), progress);
+        if (drawn.signal != 0) return drawn;
+        Drawing drawing = draw_present(workshop, first, work);
+        drawn.record = {FUMON_VERSION, drawing.record.environment, hex(state_hash(*workshop.model)),
+                        fingerprint_of(drawing.image)};
+        drawn.image = std::move(drawing.image);
+        return drawn;
+    });
+}
+
+std::optional<Image> kept_picture(const Baseline& baseline, const BaselineCase& one,
+                                  const BaselineRecord& record) {
+    const auto file = baseline.picture_of(one);
+    if (!one.picture || !std::filesystem::exists(file)) return std::nullopt;
+    Image image = read_png(file);
+    if (pixel_hash(image) != record.fingerprint.pixels) {
+        throw InputError(fmt::format(
+            "{}: is not the picture that {} recorded for {}; bring it back, or accept a "
+            "new one with `fumon verify --update`",
+            file.string(), baseline.file.string(), one.name));
+    }
+    return image;
+}
+
+}  // namespace fumon
