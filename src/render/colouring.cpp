@@ -77,9 +77,8 @@ Field<float> coloured_values(Colouring colour_by, const Snapshot& snapshot, cons
 }
 
 std::pair<double, double> colour_range(const LookSettings& look, const Snapshot& snapshot,
-                                       const Snapshot& first) {
+                                       const Field<float>& values) {
     if (!look.low.is_word() && !look.high.is_word()) return {look.low.value, look.high.value};
-    const Field<float> values = coloured_values(look.colour_by, snapshot, first);
     std::vector<float> known;
     known.reserve(values.size());
     const Mask without = uncoloured_cells(look.colour_by, snapshot);

@@ -106,13 +106,16 @@ std::vector<MapPicture> map_pictures(const LookSettings& look, std::span<const S
                                      const Snapshot& first) {
     std::pair<double, double> range{std::numeric_limits<double>::max(),
                                     std::numeric_limits<double>::lowest()};
+    std::vector<Field<float>> coloured;
     for (const Snapshot& snapshot : snapshots) {
-        const auto [low, high] = colour_range(look, snapshot, first);
+        coloured.push_back(coloured_values(look.colour_by, snapshot, first));
+        const auto [low, high] = colour_range(look, snapshot, coloured.back());
         range = {std::min(range.first, low), std::max(range.second, high)};
     }
     std::vector<MapPicture> pictures;
-    for (const Snapshot& snapshot : snapshots) {
-        const Field<float> values = coloured_values(look.colour_by, snapshot, first);
+    for (std::size_t k = 0; k < snapshots.size(); ++k) {
+        const Snapshot& snapshot = snapshots[k];
+        const Field<float> values = std::exchange(coloured[k], {});
         const Quantity quantity = quantity_of(look.colour_by, snapshot.scale, range);
         MapPicture picture;
         picture.values = Grid(values.nx(), values.ny());
