@@ -10,7 +10,7 @@
 #include "base/percentile.h"
 #include "figure/canvas/furniture.h"
 #include "figure/panels/arrow_field.h"
-#include "figure/panels/length_unit.h"
+#include "figure/panels/axis_units.h"
 #include "figure/panels/scale_bar.h"
 #include "render/water.h"
 

@@ -11,7 +11,7 @@
 
 #include "base/elementary_power.h"
 #include "base/error.h"
-#include "figure/panels/length_unit.h"
+#include "figure/panels/axis_units.h"
 #include "render/colouring.h"
 #include "render/water.h"
 

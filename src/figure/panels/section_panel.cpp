@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "figure/panels/length_unit.h"
+#include "figure/panels/axis_units.h"
 #include "figure/panels/scale_bar.h"
 #include "figure/panels/section_lines.h"
 #include "figure/panels/section_map.h"

@@ -8,9 +8,9 @@
 
 #include "base/snapshot_lookup.h"
 #include "base/undefined.h"
-#include "measure/air/air_bed.h"
-#include "measure/air/air_flow.h"
+#include "measure/air/air_extremes.h"
 #include "measure/air/eddy.h"
+#include "measure/air/profile_under_air.h"
 #include "measure/air/stress_lead.h"
 
 namespace fumon {
@@ -60,7 +60,7 @@ MeasureGroup stress_group() {
                     section ? curve_or_none(*section, "bed_shear_stress") : nullptr;
                 if (stress == nullptr) return std::vector<double>(count, undefined);
                 const StressLead lead =
-                    stress_lead(stress->values, air_bed(snapshot, 0), section->dx);
+                    stress_lead(stress->values, profile_under_air(snapshot, 0), section->dx);
                 return {lead.degrees, lead.length, lead.r_squared, lead.maximum_from_crest};
             }};
 }
@@ -84,8 +84,8 @@ MeasureGroup air_group() {
                 const Grid* w = field_of(section.fields, "velocity_z");
                 const Grid* pressure = field_of(section.fields, "pressure");
                 if (u == nullptr || w == nullptr || pressure == nullptr) return values;
-                const AirBed bed = air_bed(snapshot, u->ny());
-                const AirFlow flow = air_flow(*u, *w, bed, section.dx, section.dz);
+                const ProfileUnderAir bed = profile_under_air(snapshot, u->ny());
+                const AirExtremes flow = air_extremes(*u, *w, bed, section.dx, section.dz);
                 const Eddy eddy = largest_eddy(*u, bed, section.dx, section.dz);
                 const BedPressureExtremes on_bed = bed_pressure(*pressure, bed, section.dx);
                 return {flow.largest_speed, flow.largest_divergence, eddy.length,
