@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "base/find_named.h"
 #include "base/percentile.h"
 #include "render/rounding.h"
 #include "render/water.h"
@@ -121,7 +122,7 @@ Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double
 
 const SnapshotField* marked_field(Marking mark, const Snapshot& snapshot) {
     if (mark == Marking::none) return nullptr;
-    return find_field(snapshot, "last_avalanche");
+    return find_named(snapshot.fields, "last_avalanche");
 }
 
 Field<std::uint8_t> mark_texels(Marking mark, const Snapshot& snapshot) {

@@ -11,6 +11,7 @@
 
 #include "base/elementary_power.h"
 #include "base/error.h"
+#include "base/find_named.h"
 #include "figure/panels/axis_units.h"
 #include "render/colouring.h"
 #include "render/water.h"
@@ -137,7 +138,7 @@ MapPicture map_picture(const LookSettings& look, const Snapshot& snapshot, const
 
 MapPicture field_picture(const LookSettings& look, const Snapshot& snapshot,
                          std::string_view name) {
-    const SnapshotField* field = find_field(snapshot, name);
+    const SnapshotField* field = find_named(snapshot.fields, name);
     if (field == nullptr) throw InputError(fmt::format("the model gives no field \"{}\"", name));
     MapPicture picture;
     picture.values = field->values;

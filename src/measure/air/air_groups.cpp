@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/find_named.h"
 #include "base/snapshot_lookup.h"
 #include "base/undefined.h"
 #include "measure/air/air_extremes.h"
@@ -18,11 +19,6 @@ namespace fumon {
 namespace {
 
 constexpr std::string_view flight_prefix = "flight_length_";
-
-const SectionCurve* curve_or_none(const SnapshotSection& section, std::string_view name) {
-    const auto found = std::ranges::find(section.curves, name, &SectionCurve::name);
-    return found == section.curves.end() ? nullptr : &*found;
-}
 
 struct FlightLengths {
     double mean = undefined;
@@ -57,7 +53,7 @@ MeasureGroup stress_group() {
     return {std::move(columns), [count](const Snapshot& snapshot) -> std::vector<double> {
                 const auto& section = snapshot.section;
                 const SectionCurve* stress =
-                    section ? curve_or_none(*section, "bed_shear_stress") : nullptr;
+                    section ? find_named(section->curves, "bed_shear_stress") : nullptr;
                 if (stress == nullptr) return std::vector<double>(count, undefined);
                 const StressLead lead =
                     stress_lead(stress->values, profile_under_air(snapshot, 0), section->dx);
@@ -109,7 +105,7 @@ MeasureGroup flight_group(const Snapshot& first) {
                 std::vector<double> values;
                 for (const std::string& name : curves) {
                     const SectionCurve* curve =
-                        snapshot.section ? curve_or_none(*snapshot.section, name) : nullptr;
+                        snapshot.section ? find_named(snapshot.section->curves, name) : nullptr;
                     const FlightLengths lengths =
                         curve == nullptr ? FlightLengths{} : flight_lengths(curve->values);
                     values.push_back(lengths.mean);
