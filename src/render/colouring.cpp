@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "base/elementary_angle.h"
 #include "base/find_named.h"
 #include "base/percentile.h"
 #include "render/rounding.h"
@@ -16,12 +17,9 @@ namespace {
 
 constexpr double tail = 0.005;  // share of cells that may lie beyond each end of an automatic range
 
-/// atan in degrees, |error| < 1e-3 degrees (Abramowitz & Stegun 4.4.49), for x ≥ 0.
+/// The arc tangent of x ≥ 0 in degrees, within 1e-3.
 double degrees_of_slope(double x) {
-    const double ratio = std::min(x, 1.0) / std::max(x, 1.0);
-    const double s = ratio * ratio;
-    const double arc =
-        ratio * (0.9998660 + s * (-0.3302995 + s * (0.1801410 + s * (-0.0851330 + s * 0.0208351))));
+    const double arc = elementary::rough_atan(std::min(x, 1.0) / std::max(x, 1.0));
     return (x > 1.0 ? 0.5 * std::numbers::pi - arc : arc) * 180.0 / std::numbers::pi;
 }
 
