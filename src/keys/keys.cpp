@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/find_named.h"
+
 namespace fumon {
 
 namespace {
@@ -77,15 +79,11 @@ void KeyTable::text_list(std::string path, std::vector<std::string>& values, Key
 }
 
 const Key* KeyTable::find(std::string_view path) const {
-    const auto found =
-        std::find_if(keys_.begin(), keys_.end(), [&](const Key& key) { return key.path == path; });
-    return found == keys_.end() ? nullptr : &*found;
+    return find_by(keys_, &Key::path, path);
 }
 
 const TableList* KeyTable::find_list(std::string_view path) const {
-    const auto found = std::find_if(lists_.begin(), lists_.end(),
-                                    [&](const TableList& list) { return list.path == path; });
-    return found == lists_.end() ? nullptr : &*found;
+    return find_by(lists_, &TableList::path, path);
 }
 
 void KeyTable::add(std::string path, KeyNotes notes, KeyTarget target) {

@@ -1,10 +1,10 @@
 #include "measure/number_group.h"
 
-#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
 
+#include "base/find_named.h"
 #include "base/snapshot_lookup.h"
 
 namespace fumon {
@@ -13,9 +13,7 @@ MeasureGroup number_group(const Snapshot& first, std::span<const MeasureColumn> 
     std::vector<MeasureColumn> columns;
     std::vector<std::string> names;
     for (const SnapshotNumber& number : first.numbers) {
-        const bool is_taken = std::ranges::any_of(
-            taken, [&](const MeasureColumn& column) { return column.name == number.name; });
-        if (is_taken) continue;
+        if (find_named(taken, number.name) != nullptr) continue;
         names.push_back(number.name);
         columns.push_back(
             {number.name, number.unit == "1" ? "" : number.unit, "as the model itself keeps it"});

@@ -1,8 +1,8 @@
 #include "models/registry.h"
 
-#include <algorithm>
 #include <array>
 
+#include "base/find_named.h"
 #include "models/air/airflow.h"
 #include "models/pile/sandpile.h"
 #include "models/sand/sand.h"
@@ -51,9 +51,7 @@ std::span<const ModelEntry> models() {
 }
 
 const ModelEntry* find_model(std::string_view name) {
-    const auto found = std::find_if(all_models.begin(), all_models.end(),
-                                    [&](const ModelEntry& entry) { return entry.name == name; });
-    return found == all_models.end() ? nullptr : &*found;
+    return find_named(all_models, name);
 }
 
 }  // namespace fumon

@@ -91,7 +91,7 @@ std::string curve_sentence(const CurveFeed& feed, std::size_t number) {
 std::string picture_sentence(const PanelFeed& panel) {
     const PictureFeed& picture = *panel.picture;
     std::string steps = picture.steps.size() == 1 ? "step " : "steps ";
-    steps += panel.settings.kind == PanelKind::time_space
+    steps += shown_by(panel.settings.kind) == PanelShows::whole_run
                  ? fmt::format("{} to {}", picture.steps.front(), picture.steps.back())
                  : fmt::format("{}", fmt::join(picture.steps, ", "));
     return fmt::format("{}; seed {}; {}", steps, picture.scene.seed,
@@ -115,10 +115,7 @@ std::string figure_caption(const FigurePlan& plan) {
     std::size_t letter = 0;
     for (const PanelFeed& panel : plan.panels) {
         const bool inset = panel.settings.inset != InsetPlace::none;
-        const bool one_each = panel.settings.kind == PanelKind::map ||
-                              panel.settings.kind == PanelKind::view ||
-                              panel.settings.kind == PanelKind::section;
-        const std::size_t panels = one_each && !inset ? panel.picture->steps.size() : 1;
+        const std::size_t panels = panels_of(panel);
         text += '\n';
         text += heading(plan, letter, panels, inset);
         if (!inset) letter += panels;

@@ -8,10 +8,10 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "figure/panels/section_panel.h"
 #include "figure/panels/step_text.h"
 #include "keys/keys.h"
 #include "paper/figure_tables.h"
+#include "paper/panel_kinds.h"
 #include "run/workshop.h"
 #include "scene/placeholders.h"
 #include "scene/scene_keys.h"
@@ -46,7 +46,7 @@ class Planner {
         const std::vector<PanelSettings>& panels = plan_.scene.figure.panels;
         for (std::size_t p = 0; p < panels.size(); ++p) {
             PanelFeed panel{panels[p], fmt::format("figure.panel.{}", p), {}, {}};
-            if (panel.settings.kind == PanelKind::plot) {
+            if (shown_by(panel.settings.kind) == PanelShows::curves) {
                 for (std::size_t c = 0; c < panel.settings.curves.size(); ++c) {
                     auto curve = read_curve(panel.settings.curves[c],
                                             fmt::format("{}.curve.{}", panel.path, c));
@@ -247,7 +247,7 @@ class Planner {
         const Workshop workshop = set_up(std::move(scene), 1);
         PictureFeed feed{workshop.scene, 0, settings.steps};
         const std::int64_t last = feed.scene.run.steps;
-        if (settings.kind == PanelKind::time_space) {
+        if (shown_by(settings.kind) == PanelShows::whole_run) {
             const std::int64_t every =
                 settings.every > 0 ? settings.every : std::max<std::int64_t>(1, last / 200);
             feed.steps.clear();
@@ -272,7 +272,12 @@ class Planner {
     void check_picture(const PanelFeed& panel, const Workshop& workshop) const {
         const Snapshot first = workshop.model->snapshot();
         const PanelSettings& settings = panel.settings;
-        if (settings.kind == PanelKind::section) check_section(panel, workshop, first);
+        try {
+            const auto check = maker_of(settings.kind).check;
+            if (check != nullptr) check(settings, workshop.scene, first);
+        } catch (const KeyError& fault) {
+            refuse(fmt::format("{}.{}", panel.path, fault.key()), fault.what());
+        }
         std::vector<std::string> fields{"bed", "change"};
         for (const SnapshotField& field : first.fields) fields.push_back(field.name);
         if (std::find(fields.begin(), fields.end(), settings.field) == fields.end()) {
@@ -285,18 +290,6 @@ class Planner {
                    fmt::format("the bed has {} rows; count them from 0", first.bed.ny()));
         }
         check_title(panel, workshop.scene, &first);
-    }
-
-    void check_section(const PanelFeed& panel, const Workshop& workshop,
-                       const Snapshot& first) const {
-        if (!first.section) {
-            refuse(panel.path + ".kind",
-                   fmt::format("a section needs a model with one (airflow), not {}",
-                               workshop.scene.model.name));
-        }
-        SectionSettings wanted;
-        wanted.panels = {panel.settings.section};
-        at(panel.path + ".section", [&] { return section_panels(wanted, first); });
     }
 
     void check_title(const PanelFeed& panel, const Scene& scene, const Snapshot* first) const {
@@ -330,6 +323,12 @@ std::vector<std::size_t> runs_of(const FigurePlan& plan) {
             all.insert(curve.runs.begin(), curve.runs.end());
     }
     return {all.begin(), all.end()};
+}
+
+std::size_t panels_of(const PanelFeed& panel) {
+    const bool one_each = shown_by(panel.settings.kind) == PanelShows::each_step &&
+                          panel.settings.inset == InsetPlace::none;
+    return one_each ? panel.picture->steps.size() : 1;
 }
 
 std::string panel_title(const PanelSettings& settings, const Scene& scene,

@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "base/error.h"
 #include "base/thread_clock.h"
 #include "run/interrupt.h"
 #include "run/manifest.h"
@@ -23,11 +24,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-std::string one_line(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text;
 }
 
 /// The runs under way: threads that take one after the other.

@@ -28,7 +28,7 @@ class FigureCheck {
                 refuse(path + ".inset",
                        "an inset stands in the panel before it; this is the first");
             check_place(panels[p], path);
-            if (panels[p].kind == PanelKind::plot) {
+            if (shown_by(panels[p].kind) == PanelShows::curves) {
                 check_plot(panels[p], path);
             } else {
                 check_picture(panels[p], path);
@@ -170,13 +170,12 @@ class FigureCheck {
         check_range(panel.low, panel.high, path, "", false);
         if (panel.inset != InsetPlace::none && panel.steps.size() > 1)
             refuse(path + ".steps", "an inset shows one step");
-        const bool places = panel.kind == PanelKind::map || panel.kind == PanelKind::view ||
-                            panel.kind == PanelKind::section;
-        if (places && panel.row > 0 && panel.steps.size() > 1)
+        const PanelShows shows = shown_by(panel.kind);
+        if (shows == PanelShows::each_step && panel.row > 0 && panel.steps.size() > 1)
             refuse(path + ".row", "several steps are several panels; place them in reading order");
-        if (panel.kind == PanelKind::time_space && !panel.steps.empty())
+        if (shows == PanelShows::whole_run && !panel.steps.empty())
             refuse(path + ".steps", "a time-space panel shows the whole run; write every");
-        if (panel.kind == PanelKind::map && !panel.row_of_bed.is_word())
+        if (shows == PanelShows::each_step && !panel.row_of_bed.is_word())
             refuse(path + ".row_of_bed", "belongs to profile and time-space panels");
     }
 

@@ -87,14 +87,7 @@ void list_box_keys(RangeBoxSettings& box, const std::string& path, KeyTable& tab
 }
 
 void list_place_keys(PanelSettings& panel, const std::string& path, KeyTable& table) {
-    table.choice(path + ".kind", panel.kind,
-                 {{"plot", "curves over linear or logarithmic axes"},
-                  {"map", "a field from above, with axes and a colour bar"},
-                  {"view", "a shaded 3-D view"},
-                  {"profile", "height along a row, one above the other for several steps"},
-                  {"time-space", "a row's heights over time"},
-                  {"section", "the air over a profile"}},
-                 {.help = "what the panel shows"});
+    table.choice(path + ".kind", panel.kind, panel_kind_words(), {.help = "what the panel shows"});
     table.text(path + ".title", panel.title,
                {.help = "above it; {step}, {time}, {seed} and {model.creep_rate} stand for "
                         "values; x^{2} raises and A_{s} lowers letters, here and in all texts"});
@@ -194,14 +187,7 @@ void list_panel_keys(PanelSettings& panel, const std::string& path, KeyTable& ta
 }
 
 void list_one_overlay(OverlaySettings& overlay, const std::string& path, KeyTable& table) {
-    table.choice(path + ".kind", overlay.kind,
-                 {{"title", "the scene's title"},
-                  {"time", "time and step, with unit"},
-                  {"scale-bar", "a round length"},
-                  {"arrow", "the wind's direction, or the water's, with north"},
-                  {"colour-bar", "what the colours mean"},
-                  {"parameters", "a line of keys and their values"},
-                  {"plot", "a measurement over time, up to the frame"}},
+    table.choice(path + ".kind", overlay.kind, overlay_kind_words(),
                  {.help = "what stands over the frames"});
     table.boolean(path + ".show", overlay.show, {.help = "false switches it off"});
     table.choice(path + ".corner", overlay.corner,

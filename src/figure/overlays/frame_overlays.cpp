@@ -10,10 +10,7 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "figure/overlays/overlay_colours.h"
-#include "figure/overlays/overlay_ground.h"
 #include "figure/overlays/overlay_places.h"
-#include "figure/overlays/overlay_plot.h"
 #include "figure/overlays/overlay_text.h"
 #include "render/view/shown_snapshot.h"
 
@@ -29,23 +26,10 @@ constexpr double least_font = 6.0;
 constexpr double shrinking = 0.93;  // from one try to the next
 
 std::unique_ptr<Overlay> make_overlay(const OverlayScene& on, std::size_t number) {
-    switch (on.scene.view.overlays[number].kind) {
-        case OverlayKind::title:
-            return make_title(on, number);
-        case OverlayKind::time:
-            return make_time(on, number);
-        case OverlayKind::scale_bar:
-            return make_scale_bar(on, number);
-        case OverlayKind::arrow:
-            return make_arrow(on, number);
-        case OverlayKind::colour_bar:
-            return make_colour_bar(on, number);
-        case OverlayKind::parameters:
-            return make_parameters(on, number);
-        case OverlayKind::plot:
-            return make_live_plot(on, number);
-    }
-    throw Error("an overlay of no known kind");
+#define FUMON_MAKER(name, word, shows, help) make_##name##_overlay,
+    constexpr std::array makers{FUMON_OVERLAY_KINDS(FUMON_MAKER)};
+#undef FUMON_MAKER
+    return makers.at(static_cast<std::size_t>(on.scene.view.overlays[number].kind))(on, number);
 }
 
 double usual_font(const ImageSettings& image) {

@@ -1,5 +1,3 @@
-#include "figure/overlays/overlay_ground.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "figure/overlays/overlay.h"
 #include "figure/overlays/overlay_text.h"
 #include "figure/panels/ground_arrow.h"
 #include "figure/panels/scale_bar.h"
@@ -159,7 +158,10 @@ class ArrowOverlay : public Overlay {
 
 }  // namespace
 
-std::unique_ptr<Overlay> make_scale_bar(const OverlayScene& on, std::size_t number) {
+/// A level bar of a round length, at most a fifth of the picture's width: true everywhere in a map
+/// and, for lengths across the picture, in an orthographic view; in perspective at the middle of
+/// the block, which its text says. None over a section's flat figure, whose axes have the scale.
+std::unique_ptr<Overlay> make_scale_bar_overlay(const OverlayScene& on, std::size_t number) {
     if (on.flat) {
         throw KeyError(overlay_key(number, "kind"),
                        fmt::format("overlay.{} is a scale bar, which a section's figure does not "
@@ -169,7 +171,10 @@ std::unique_ptr<Overlay> make_scale_bar(const OverlayScene& on, std::size_t numb
     return std::make_unique<ScaleBarOverlay>(on);
 }
 
-std::unique_ptr<Overlay> make_arrow(const OverlayScene& on, std::size_t number) {
+/// The direction of the wind (sand and air) or of the slope that water runs down (a tilted plane),
+/// as the camera sees the ground at the frame, beside a compass; a compass alone where the model
+/// has neither. Over a section's flat figure the wind alone, which blows to the right.
+std::unique_ptr<Overlay> make_arrow_overlay(const OverlayScene& on, std::size_t number) {
     return std::make_unique<ArrowOverlay>(on, number);
 }
 

@@ -192,7 +192,9 @@ Plot live_plot(const OverlaySettings& settings, const MeasuredRows& rows, double
     return plot;
 }
 
-std::unique_ptr<Overlay> make_live_plot(const OverlayScene& on, std::size_t number) {
+/// A measurement over time, up to the frame, overlay.size of the picture's width across. None where
+/// the measurements have no such column, nor where overlay.high is not above overlay.low.
+std::unique_ptr<Overlay> make_plot_overlay(const OverlayScene& on, std::size_t number) {
     return std::make_unique<LivePlot>(on, number);
 }
 

@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "figure/panels/length_unit.h"
+#include "base/find_named.h"
+#include "figure/panels/axis_units.h"
 #include "figure/panels/scale_bar.h"
 #include "figure/panels/section_lines.h"
 #include "figure/panels/section_map.h"
@@ -20,7 +21,7 @@ namespace {
 
 struct PanelName {
     SectionPanel panel;
-    const char* name;
+    std::string_view name;
     const char* title;
 };
 
@@ -189,9 +190,8 @@ std::vector<SectionPanel> section_panels(const SectionSettings& settings,
         return panels;
     }
     for (const std::string& wanted : settings.panels) {
-        const auto named = std::find_if(panel_names.begin(), panel_names.end(),
-                                        [&](const PanelName& name) { return name.name == wanted; });
-        if (named == panel_names.end()) {
+        const PanelName* named = find_named(panel_names, wanted);
+        if (named == nullptr) {
             throw KeyError("section.panels",
                            fmt::format("section.panels has no \"{}\"; take velocity, pressure, "
                                        "stress, flights, flight-law or paths",
@@ -209,9 +209,7 @@ std::vector<SectionPanel> section_panels(const SectionSettings& settings,
 }
 
 std::string section_title(SectionPanel panel) {
-    return std::find_if(panel_names.begin(), panel_names.end(),
-                        [&](const PanelName& name) { return name.panel == panel; })
-        ->title;
+    return find_by(panel_names, &PanelName::panel, panel)->title;
 }
 
 double section_exaggeration(const Snapshot& snapshot) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/snapshot.h"
-#include "figure/panels/length_unit.h"
+#include "figure/panels/axis_units.h"
 #include "figure/plot/plot.h"
 
 namespace fumon {

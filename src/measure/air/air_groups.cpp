@@ -6,11 +6,12 @@
 #include <string>
 #include <utility>
 
+#include "base/find_named.h"
 #include "base/snapshot_lookup.h"
 #include "base/undefined.h"
-#include "measure/air/air_bed.h"
-#include "measure/air/air_flow.h"
+#include "measure/air/air_extremes.h"
 #include "measure/air/eddy.h"
+#include "measure/air/profile_under_air.h"
 #include "measure/air/stress_lead.h"
 
 namespace fumon {
@@ -18,11 +19,6 @@ namespace fumon {
 namespace {
 
 constexpr std::string_view flight_prefix = "flight_length_";
-
-const SectionCurve* curve_or_none(const SnapshotSection& section, std::string_view name) {
-    const auto found = std::ranges::find(section.curves, name, &SectionCurve::name);
-    return found == section.curves.end() ? nullptr : &*found;
-}
 
 struct FlightLengths {
     double mean = undefined;
@@ -57,10 +53,10 @@ MeasureGroup stress_group() {
     return {std::move(columns), [count](const Snapshot& snapshot) -> std::vector<double> {
                 const auto& section = snapshot.section;
                 const SectionCurve* stress =
-                    section ? curve_or_none(*section, "bed_shear_stress") : nullptr;
+                    section ? find_named(section->curves, "bed_shear_stress") : nullptr;
                 if (stress == nullptr) return std::vector<double>(count, undefined);
                 const StressLead lead =
-                    stress_lead(stress->values, air_bed(snapshot, 0), section->dx);
+                    stress_lead(stress->values, profile_under_air(snapshot, 0), section->dx);
                 return {lead.degrees, lead.length, lead.r_squared, lead.maximum_from_crest};
             }};
 }
@@ -84,8 +80,8 @@ MeasureGroup air_group() {
                 const Grid* w = field_of(section.fields, "velocity_z");
                 const Grid* pressure = field_of(section.fields, "pressure");
                 if (u == nullptr || w == nullptr || pressure == nullptr) return values;
-                const AirBed bed = air_bed(snapshot, u->ny());
-                const AirFlow flow = air_flow(*u, *w, bed, section.dx, section.dz);
+                const ProfileUnderAir bed = profile_under_air(snapshot, u->ny());
+                const AirExtremes flow = air_extremes(*u, *w, bed, section.dx, section.dz);
                 const Eddy eddy = largest_eddy(*u, bed, section.dx, section.dz);
                 const BedPressureExtremes on_bed = bed_pressure(*pressure, bed, section.dx);
                 return {flow.largest_speed, flow.largest_divergence, eddy.length,
@@ -109,7 +105,7 @@ MeasureGroup flight_group(const Snapshot& first) {
                 std::vector<double> values;
                 for (const std::string& name : curves) {
                     const SectionCurve* curve =
-                        snapshot.section ? curve_or_none(*snapshot.section, name) : nullptr;
+                        snapshot.section ? find_named(snapshot.section->curves, name) : nullptr;
                     const FlightLengths lengths =
                         curve == nullptr ? FlightLengths{} : flight_lengths(curve->values);
                     values.push_back(lengths.mean);

@@ -6,7 +6,7 @@
 
 #include "base/snapshot_lookup.h"
 #include "measure/pile/avalanche_sizes.h"
-#include "measure/pile/pile.h"
+#include "measure/pile/pile_shape.h"
 #include "measure/pile/power_law.h"
 
 namespace fumon {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "models/air/air_bed.h"
+#include "models/air/air_plane.h"
 #include "models/air/air_scheme.h"
 #include "models/air/airflow_parameters.h"
 #include "models/air/grain_flight.h"

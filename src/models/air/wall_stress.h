@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "models/air/air_bed.h"
+#include "models/air/air_plane.h"
 
 namespace fumon {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/find_named.h"
+
 namespace fumon {
 
 namespace {
@@ -41,9 +43,7 @@ double SectionAir::bed(double x) const {
 }
 
 const SnapshotField* SectionAir::find(std::string_view name) const {
-    const auto found = std::find_if(section_.fields.begin(), section_.fields.end(),
-                                    [&](const SnapshotField& field) { return field.name == name; });
-    return found == section_.fields.end() ? nullptr : &*found;
+    return find_named(section_.fields, name);
 }
 
 double SectionAir::value(const SnapshotField& field, double x, double z) const {

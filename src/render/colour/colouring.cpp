@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "base/elementary_angle.h"
+#include "base/find_named.h"
 #include "base/percentile.h"
 #include "base/rounding.h"
 #include "render/view/water.h"
@@ -15,12 +17,9 @@ namespace {
 
 constexpr double tail = 0.005;  // share of cells that may lie beyond each end of an automatic range
 
-/// atan in degrees, |error| < 1e-3 degrees (Abramowitz & Stegun 4.4.49), for x ≥ 0.
+/// The arc tangent of x ≥ 0 in degrees, within 1e-3.
 double degrees_of_slope(double x) {
-    const double ratio = std::min(x, 1.0) / std::max(x, 1.0);
-    const double s = ratio * ratio;
-    const double arc =
-        ratio * (0.9998660 + s * (-0.3302995 + s * (0.1801410 + s * (-0.0851330 + s * 0.0208351))));
+    const double arc = elementary::rough_atan(std::min(x, 1.0) / std::max(x, 1.0));
     return (x > 1.0 ? 0.5 * std::numbers::pi - arc : arc) * 180.0 / std::numbers::pi;
 }
 
@@ -77,9 +76,8 @@ Field<float> coloured_values(Colouring colour_by, const Snapshot& snapshot, cons
 }
 
 std::pair<double, double> colour_range(const LookSettings& look, const Snapshot& snapshot,
-                                       const Snapshot& first) {
+                                       const Field<float>& values) {
     if (!look.low.is_word() && !look.high.is_word()) return {look.low.value, look.high.value};
-    const Field<float> values = coloured_values(look.colour_by, snapshot, first);
     std::vector<float> known;
     known.reserve(values.size());
     const Mask without = uncoloured_cells(look.colour_by, snapshot);
@@ -122,7 +120,7 @@ Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double
 
 const SnapshotField* marked_field(Marking mark, const Snapshot& snapshot) {
     if (mark == Marking::none) return nullptr;
-    return find_field(snapshot, "last_avalanche");
+    return find_named(snapshot.fields, "last_avalanche");
 }
 
 Field<std::uint8_t> mark_texels(Marking mark, const Snapshot& snapshot) {

@@ -18,19 +18,19 @@ bool colours_water(Colouring colour_by);
 /// water, dry ones. Empty when all have one.
 Mask uncoloured_cells(Colouring colour_by, const Snapshot& snapshot);
 
-/// The values at the two ends of the palette, in the unit of what is coloured: model heights
-/// (height, change), degrees (slope), m (water-depth), m/s (speed) or 1 (froude). What is not fixed
-/// by look.low and look.high comes from the snapshot: the 0.5th and 99.5th percentile of the bed or
-/// of the wet cells, for slope 0 and the 99.5th percentile, for change the larger of the two tails'
-/// 99.5 % on both sides of zero. `first` is the reference of change. Natural colouring has the
-/// range of height.
-std::pair<double, double> colour_range(const LookSettings& look, const Snapshot& snapshot,
-                                       const Snapshot& first);
-
 /// What is coloured, for every cell of the bed: heights, slopes in degrees (not exaggerated),
 /// heights less the first ones, or a quantity of the water, 0 in dry cells. Throws InputError for
 /// the latter without water.
 Field<float> coloured_values(Colouring colour_by, const Snapshot& snapshot, const Snapshot& first);
+
+/// The values at the two ends of the palette, in the unit of what is coloured: model heights
+/// (height, change), degrees (slope), m (water-depth), m/s (speed) or 1 (froude). What is not fixed
+/// by look.low and look.high comes from `values`, the snapshot's coloured_values(): the 0.5th and
+/// 99.5th percentile of the bed or of the wet cells, for slope 0 and the 99.5th percentile, for
+/// change the larger of the two tails' 99.5 % on both sides of zero. Natural colouring has the
+/// range of height.
+std::pair<double, double> colour_range(const LookSettings& look, const Snapshot& snapshot,
+                                       const Field<float>& values);
 
 /// The look's palette, the way round that it wants. Throws as read_palette.
 Palette chosen_palette(const LookSettings& look);

@@ -48,16 +48,10 @@ void sweep_horizon(const float* z, int count, std::ptrdiff_t stride, float* tang
     }
 }
 
-/// π/2 − θ − sin θ cos θ and cos² θ for θ = atan t, t ≥ 0. The arc tangent is Abramowitz & Stegun
-/// 4.4.49, within 1e-5.
+/// π/2 − θ − sin θ cos θ and cos² θ for θ = atan t, t ≥ 0.
 inline void sky_above(float t, float& tilted, float& level) {
     constexpr float quarter = std::numbers::pi_v<float> / 2.0F;
-    const float ratio = std::min(t, 1.0F) / std::max(t, 1.0F);
-    const float square = ratio * ratio;
-    const float arc =
-        ratio * (0.9998660F +
-                 square * (-0.3302995F +
-                           square * (0.1801410F + square * (-0.0851330F + square * 0.0208351F))));
+    const float arc = elementary::rough_atan(std::min(t, 1.0F) / std::max(t, 1.0F));
     level = 1.0F / (1.0F + t * t);
     tilted = (t > 1.0F ? arc : quarter - arc) - t * level;
 }

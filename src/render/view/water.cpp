@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/percentile.h"
 #include "base/resampling.h"
+#include "base/snapshot_lookup.h"
 
 namespace fumon {
 
@@ -19,9 +20,9 @@ constexpr double pond_clarity = 0.6;  // of the high depth
 constexpr double film_clarity = 3.4;  // more than a pond's, for a film that is as deep everywhere
 
 const Grid& values_of(const Snapshot& snapshot, std::string_view name) {
-    const SnapshotField* field = find_field(snapshot, name);
+    const Grid* field = field_of(snapshot.fields, name);
     if (field == nullptr) throw InputError(fmt::format("there is no {} to show", name));
-    return field->values;
+    return *field;
 }
 
 /// Each value averaged with its eight neighbours; beyond the border the edge cells are repeated.
@@ -59,16 +60,9 @@ Field<float> dampness(const Mask& dry) {
 
 }  // namespace
 
-const SnapshotField* find_field(const Snapshot& snapshot, std::string_view name) {
-    const auto found = std::find_if(snapshot.fields.begin(), snapshot.fields.end(),
-                                    [&](const SnapshotField& field) { return field.name == name; });
-    return found == snapshot.fields.end() ? nullptr : &*found;
-}
-
 bool has_water(const Snapshot& snapshot) {
-    return find_field(snapshot, "water_depth") != nullptr &&
-           find_field(snapshot, "velocity_x") != nullptr &&
-           find_field(snapshot, "velocity_y") != nullptr;
+    const auto has = [&](const char* name) { return field_of(snapshot.fields, name) != nullptr; };
+    return has("water_depth") && has("velocity_x") && has("velocity_y");
 }
 
 bool draws_water(const LookSettings& look, const Snapshot& snapshot) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string_view>
-
 #include "base/grid.h"
 #include "base/snapshot.h"
 #include "scene/scene.h"
@@ -10,9 +8,6 @@ namespace fumon {
 
 /// Depth from which a cell is wet, metres.
 inline constexpr double least_wet_depth = 1e-5;
-
-/// The field of a snapshot by its name, or nullptr.
-const SnapshotField* find_field(const Snapshot& snapshot, std::string_view name);
 
 /// Whether a snapshot has water: the fields "water_depth" (m), "velocity_x" and "velocity_y" (m/s).
 bool has_water(const Snapshot& snapshot);

@@ -1,9 +1,9 @@
+#include "figure/canvas/canvas.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-
-#include "figure/canvas/canvas.h"
 
 namespace fumon {
 namespace {

@@ -11,8 +11,8 @@
 #include "figure/page/page.h"
 #include "picture/png.h"
 #include "support/command.h"
-#include "support/temporary_folder.h"
 #include "support/figure_panels.h"
+#include "support/temporary_folder.h"
 
 namespace fumon {
 namespace {

@@ -1,3 +1,5 @@
+#include "figure/page/page.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -5,9 +7,8 @@
 #include <random>
 
 #include "base/error.h"
-#include "figure/page/page.h"
-#include "support/temporary_folder.h"
 #include "support/figure_panels.h"
+#include "support/temporary_folder.h"
 
 namespace fumon {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "figure/panels/axis_units.h"
 #include "figure/panels/colour_bar.h"
 #include "figure/panels/ground_arrow.h"
-#include "figure/panels/length_unit.h"
 #include "figure/panels/scale_bar.h"
 #include "figure/panels/step_text.h"
 #include "support/view_beds.h"

@@ -9,8 +9,8 @@
 #include "base/error.h"
 #include "figure/plot/plot_drawing.h"
 #include "figure/plot/ticks.h"
-#include "support/temporary_folder.h"
 #include "support/figure_panels.h"
+#include "support/temporary_folder.h"
 
 namespace fumon {
 namespace {

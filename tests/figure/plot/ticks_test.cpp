@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "figure/plot/ticks.h"
+
+#include <gtest/gtest.h>
 
 namespace fumon {
 namespace {

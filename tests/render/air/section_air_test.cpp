@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "render/air/section_air.h"
+
+#include <gtest/gtest.h>
 
 namespace fumon {
 namespace {

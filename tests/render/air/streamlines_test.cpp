@@ -1,9 +1,10 @@
+#include "render/air/streamlines.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "base/error.h"
-#include "render/air/streamlines.h"
 #include "support/section_beds.h"
 
 namespace fumon {

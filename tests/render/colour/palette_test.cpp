@@ -62,21 +62,26 @@ TEST(Palette, MalformedFilesAreLocated) {
     EXPECT_EQ(failure(long_one), "p.txt:257: a palette ends after 256 colours");
 }
 
+std::pair<double, double> range_of(const LookSettings& look, const Snapshot& snapshot,
+                                   const Snapshot& first) {
+    return colour_range(look, snapshot, coloured_values(look.colour_by, snapshot, first));
+}
+
 TEST(ColourRange, FollowsWhatIsColoured) {
     const Snapshot first = wavy_bed(80, 60);
     Snapshot later = first;
     for (double& height : later.bed.values()) height += 0.5;
     LookSettings look;
     look.colour_by = Colouring::change;
-    const auto [low, high] = colour_range(look, later, first);
+    const auto [low, high] = range_of(look, later, first);
     EXPECT_NEAR(low, -0.5, 1e-6);
     EXPECT_NEAR(high, 0.5, 1e-6);
     look.colour_by = Colouring::height;
-    const auto heights = colour_range(look, first, first);
+    const auto heights = range_of(look, first, first);
     EXPECT_GT(heights.second, heights.first + 1.0);
     look.low = {"", -3.0};
     look.high = {"", 8.0};
-    EXPECT_EQ(colour_range(look, first, first), (std::pair{-3.0, 8.0}));
+    EXPECT_EQ(range_of(look, first, first), (std::pair{-3.0, 8.0}));
 }
 
 TEST(ColourRange, SlopesAreInDegrees) {
@@ -89,14 +94,14 @@ TEST(ColourRange, SlopesAreInDegrees) {
     for (const float value : slopes.values()) EXPECT_NEAR(value, 45.0, 1e-2);
     LookSettings look;
     look.colour_by = Colouring::slope;
-    EXPECT_EQ(colour_range(look, plane, plane).first, 0.0);
+    EXPECT_EQ(range_of(look, plane, plane).first, 0.0);
 }
 
 TEST(ColourRange, CellsWithoutDataDoNotCount) {
     const Snapshot bed = masked_bed(60, 50);
     LookSettings look;
     look.colour_by = Colouring::height;
-    EXPECT_GT(colour_range(look, bed, bed).first, -100.0);
+    EXPECT_GT(range_of(look, bed, bed).first, -100.0);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace fumon {
 
 /// The bed under a section, as its measures take it.
-struct AirBed {
+struct ProfileUnderAir {
     std::vector<double> heights;  ///< metres, one a column
     std::vector<int> lowest_air;  ///< the first node above the bed in each column, nz where none is
     int waves = 0;                ///< the strongest wave number of the profile; 0 where it is level
@@ -26,6 +26,6 @@ struct AirBed {
 /// are those of the profile's strongest Fourier component, and a bed without one (its range below
 /// 1e-9 of its height) has none. `nodes` is the section's nz. The snapshot has a section and its
 /// bed a single row.
-AirBed air_bed(const Snapshot& snapshot, int nodes);
+ProfileUnderAir profile_under_air(const Snapshot& snapshot, int nodes);
 
 }  // namespace fumon

@@ -1,4 +1,4 @@
-#include "measure/air/air_bed.h"
+#include "measure/air/profile_under_air.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +21,12 @@ int lowest_node_above(double height, double dz, int nodes) {
 
 }  // namespace
 
-double AirBed::from_crest(double x) const {
+double ProfileUnderAir::from_crest(double x) const {
     return std::remainder(x - crest, wavelength);
 }
 
-AirBed air_bed(const Snapshot& snapshot, int nodes) {
-    AirBed bed;
+ProfileUnderAir profile_under_air(const Snapshot& snapshot, int nodes) {
+    ProfileUnderAir bed;
     const SnapshotSection& section = *snapshot.section;
     for (const double height : snapshot.bed.row(0)) {
         bed.heights.push_back(height * snapshot.scale.height_unit);

@@ -1,4 +1,4 @@
-#include "measure/air/air_flow.h"
+#include "measure/air/air_extremes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,15 +8,15 @@ namespace fumon {
 
 namespace {
 
-bool above(const AirBed& bed, int i, int k) {
+bool above(const ProfileUnderAir& bed, int i, int k) {
     return k >= bed.lowest_air[static_cast<std::size_t>(i)];
 }
 
 }  // namespace
 
-AirFlow air_flow(const Grid& velocity_x, const Grid& velocity_z, const AirBed& bed, double dx,
-                 double dz) {
-    AirFlow flow;
+AirExtremes air_extremes(const Grid& velocity_x, const Grid& velocity_z, const ProfileUnderAir& bed,
+                         double dx, double dz) {
+    AirExtremes flow;
     const int nx = velocity_x.nx();
     const int nz = velocity_x.ny();
     for (int k = 0; k < nz; ++k) {
@@ -38,7 +38,7 @@ AirFlow air_flow(const Grid& velocity_x, const Grid& velocity_z, const AirBed& b
     return flow;
 }
 
-BedPressureExtremes bed_pressure(const Grid& pressure, const AirBed& bed, double dx) {
+BedPressureExtremes bed_pressure(const Grid& pressure, const ProfileUnderAir& bed, double dx) {
     BedPressureExtremes found;
     for (int i = 0; i < pressure.nx(); ++i) {
         const int k = bed.lowest_air[static_cast<std::size_t>(i)];

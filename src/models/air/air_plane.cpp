@@ -1,4 +1,4 @@
-#include "models/air/air_bed.h"
+#include "models/air/air_plane.h"
 
 #include <fmt/format.h>
 

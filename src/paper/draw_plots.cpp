@@ -1,11 +1,14 @@
-#include "paper/figure_plot.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/elementary_power.h"
+#include "base/error.h"
+#include "figure/plot/plot.h"
+#include "paper/figure_curve.h"
+#include "paper/figure_tables.h"
+#include "paper/panel_kinds.h"
 
 namespace fumon {
 
@@ -102,8 +105,8 @@ LegendPlace legend_of(PanelLegend legend) {
     return LegendPlace::automatic;
 }
 
-}  // namespace
-
+/// The plot of a panel with these curves, in the order of its settings: `curves[c]` are those of
+/// curve c.
 Plot figure_plot(const PanelSettings& panel, const std::vector<std::vector<CurvePoints>>& curves) {
     Plot plot;
     const CurvePoints* first = nullptr;
@@ -129,5 +132,34 @@ Plot figure_plot(const PanelSettings& panel, const std::vector<std::vector<Curve
     plot.legend = legend_of(panel.legend);
     return plot;
 }
+
+/// The points of a curve, whose faults are told where the scene asks for it.
+std::vector<CurvePoints> points_of(const CurveFeed& feed, const PanelWorkshop& workshop) {
+    try {
+        return curve_points(feed, curve_table(feed, workshop.runs, workshop.store));
+    } catch (const InputError& fault) {
+        throw InputError(workshop.plan.scene.at(feed.path + ".y") + fault.what());
+    } catch (const Error& fault) {
+        throw Error(workshop.plan.scene.at(feed.path + ".fit") + fault.what());
+    }
+}
+
+std::vector<MadePanel> make_plots(const PanelSubject& subject, PanelWorkshop& workshop) {
+    std::vector<MadePanel> made(1);
+    std::vector<std::vector<CurvePoints>> curves;
+    for (const CurveFeed& feed : subject.panel.curves) {
+        curves.push_back(points_of(feed, workshop));
+        for (const CurvePoints& points : curves.back()) {
+            made[0].data.push_back(
+                {fmt::format("-{}.csv", made[0].data.size() + 1), curve_csv(points)});
+        }
+    }
+    made[0].content = std::make_unique<PlotPanel>(figure_plot(subject.panel.settings, curves));
+    return made;
+}
+
+}  // namespace
+
+const PanelMaker panels::plot{nullptr, make_plots};
 
 }  // namespace fumon

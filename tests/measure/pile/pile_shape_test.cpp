@@ -1,4 +1,4 @@
-#include "measure/pile/pile.h"
+#include "measure/pile/pile_shape.h"
 
 #include <gtest/gtest.h>
 

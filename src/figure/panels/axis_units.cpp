@@ -1,4 +1,4 @@
-#include "figure/panels/length_unit.h"
+#include "figure/panels/axis_units.h"
 
 namespace fumon {
 

@@ -1,16 +1,14 @@
-#include "paper/figure_picture_data.h"
-
 #include <fmt/format.h>
 
+#include "base/error.h"
+#include "figure/panels/section_panel.h"
 #include "files/csv_table.h"
+#include "paper/panel_kinds.h"
+#include "paper/panel_look.h"
 
 namespace fumon {
 
 namespace {
-
-const char* x_column(bool in_metres) {
-    return in_metres ? "x (m)" : "x (sites)";
-}
 
 std::string node_csv(const SnapshotSection& section) {
     std::vector<std::string> header{"x (m)", "z (m)"};
@@ -56,45 +54,50 @@ std::string path_csv(const SnapshotSection& section) {
     return text;
 }
 
-}  // namespace
-
+/// What a panel of a section shows, as CSV: the nodes with all fields behind a map, the columns
+/// with all curves behind lines, the points of paths.
 std::string section_csv(const SnapshotSection& section, SectionPanel panel) {
     if (panel == SectionPanel::paths) return path_csv(section);
     const bool map = panel == SectionPanel::velocity || panel == SectionPanel::pressure;
     return map ? node_csv(section) : line_csv(section);
 }
 
-std::string profile_csv(const ProfilePicture& picture) {
-    std::vector<std::string> header{x_column(picture.in_metres)};
-    for (const ProfileLine& line : picture.lines) {
-        header.push_back("bed, " + line.label);
-        if (!line.surface.empty()) header.push_back("water, " + line.label);
+void check_section(const PanelSettings& settings, const Scene& scene, const Snapshot& first) {
+    if (!first.section) {
+        throw KeyError("kind", fmt::format("a section needs a model with one (airflow), not {}",
+                                           scene.model.name));
     }
-    std::string text = csv_line(header);
-    const std::size_t cells = picture.lines.front().bed.size();
-    for (std::size_t i = 0; i < cells; ++i) {
-        const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(cells);
-        std::vector<std::string> row{fmt::format("{}", picture.length * share)};
-        for (const ProfileLine& line : picture.lines) {
-            row.push_back(fmt::format("{}", line.bed[i]));
-            if (!line.surface.empty()) row.push_back(fmt::format("{}", line.surface[i]));
-        }
-        text += csv_line(row);
+    SectionSettings wanted;
+    wanted.panels = {settings.section};
+    try {
+        section_panels(wanted, first);
+    } catch (const InputError& fault) {
+        throw KeyError("section", fault.what());
     }
-    return text;
 }
 
-std::string time_space_csv(const TimeSpacePicture& picture) {
-    std::string text =
-        csv_line({picture.time_label, x_column(picture.in_metres), picture.colours.label});
-    const int cells = picture.values.nx();
-    for (int n = 0; n < picture.values.ny(); ++n) {
-        for (int i = 0; i < cells; ++i) {
-            text += fmt::format("{},{},{}\n", picture.times[static_cast<std::size_t>(n)],
-                                picture.length * (i + 0.5) / cells, picture.values(i, n));
-        }
+std::vector<MadePanel> make_sections(const PanelSubject& subject, PanelWorkshop& /*workshop*/) {
+    const PanelSettings& settings = subject.panel.settings;
+    const Scene& scene = subject.panel.picture->scene;
+    View view = scene.view;
+    view.look = look_of(settings, scene);
+    view.section.panels = {settings.section};
+    if (!settings.low.is_word()) view.section.low = settings.low;
+    if (!settings.high.is_word()) view.section.high = settings.high;
+    std::vector<MadePanel> made;
+    for (const Snapshot& snapshot : subject.snapshots) {
+        const SectionPanel shown = section_panels(view.section, snapshot).front();
+        MadePanel one;
+        one.data = {{".csv", section_csv(*snapshot.section, shown)}};
+        one.content = make_section_panel(view, snapshot, shown,
+                                         settings.colour_bar ? BarPlace::right : BarPlace::none);
+        made.push_back(std::move(one));
     }
-    return text;
+    return made;
 }
+
+}  // namespace
+
+const PanelMaker panels::section{check_section, make_sections};
 
 }  // namespace fumon

@@ -3,12 +3,12 @@
 #include <limits>
 
 #include "base/grid.h"
-#include "measure/air/air_bed.h"
+#include "measure/air/profile_under_air.h"
 
 namespace fumon {
 
 /// The extremes of the air in a section.
-struct AirFlow {
+struct AirExtremes {
     double largest_speed = 0.0;  ///< of √(u² + w²) over the nodes above the bed, m/s
     /// Largest |∂u/∂x + ∂w/∂z| by central differences, 1/s, over the nodes whose four neighbours
     /// are above the bed too. A projection method makes another, compact divergence vanish, so
@@ -16,8 +16,8 @@ struct AirFlow {
     double largest_divergence = 0.0;
 };
 
-AirFlow air_flow(const Grid& velocity_x, const Grid& velocity_z, const AirBed& bed, double dx,
-                 double dz);
+AirExtremes air_extremes(const Grid& velocity_x, const Grid& velocity_z, const ProfileUnderAir& bed,
+                         double dx, double dz);
 
 /// The extremes of the pressure on the bed, at the first node above it in each column.
 struct BedPressureExtremes {
@@ -31,6 +31,6 @@ struct BedPressureExtremes {
     double lowest_from_crest = none;
 };
 
-BedPressureExtremes bed_pressure(const Grid& pressure, const AirBed& bed, double dx);
+BedPressureExtremes bed_pressure(const Grid& pressure, const ProfileUnderAir& bed, double dx);
 
 }  // namespace fumon
