@@ -4,8 +4,8 @@
 #include "figure/panels/hill_shading.h"
 #include "figure/panels/map_panel.h"
 #include "files/terrain/terrain_file.h"
-#include "paper/panel_kinds.h"
 #include "paper/panel_look.h"
+#include "paper/panel_makers.h"
 
 namespace fumon {
 

@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/elementary_power.h"
 #include "base/error.h"
+#include "base/quantity_text.h"
 #include "figure/plot/plot.h"
 #include "paper/figure_curve.h"
 #include "paper/figure_tables.h"
-#include "paper/panel_kinds.h"
+#include "paper/panel_makers.h"
 
 namespace fumon {
 
@@ -70,9 +70,7 @@ PlotSeries fit_series(const CurvePoints& points, const SeriesLook& look, bool lo
 
 std::string axis_label(const std::string& given, const std::string& name, const std::string& unit) {
     if (!given.empty()) return given;
-    std::string text = name.substr(name.rfind('.') + 1);  // a key's last name
-    std::replace(text.begin(), text.end(), '_', ' ');
-    return unit.empty() ? text : fmt::format("{} ({})", text, unit);
+    return quantity_text(name.substr(name.rfind('.') + 1), unit);  // a key's last name
 }
 
 PlotAxis axis_of(const std::string& label, bool logarithmic, const WordOrReal& low,

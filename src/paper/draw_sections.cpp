@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "figure/panels/section_panel.h"
 #include "files/csv_table.h"
-#include "paper/panel_kinds.h"
 #include "paper/panel_look.h"
+#include "paper/panel_makers.h"
 
 namespace fumon {
 

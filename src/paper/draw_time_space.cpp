@@ -2,8 +2,8 @@
 
 #include "figure/panels/time_space_panel.h"
 #include "files/csv_table.h"
-#include "paper/panel_kinds.h"
 #include "paper/panel_look.h"
+#include "paper/panel_makers.h"
 
 namespace fumon {
 

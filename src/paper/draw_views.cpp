@@ -3,8 +3,8 @@
 
 #include "figure/panels/view_panel.h"
 #include "files/terrain/terrain_file.h"
-#include "paper/panel_kinds.h"
 #include "paper/panel_look.h"
+#include "paper/panel_makers.h"
 #include "render/renderer.h"
 
 namespace fumon {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "figure/page/page.h"
-#include "paper/panel_kinds.h"
+#include "paper/panel_makers.h"
 
 namespace fumon {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "paper/panel_kinds.h"
+#include "paper/panel_makers.h"
 
 namespace fumon {
 

@@ -7,11 +7,12 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/find_named.h"
 #include "base/nearest_name.h"
 #include "figure/panels/step_text.h"
 #include "keys/keys.h"
 #include "paper/figure_tables.h"
-#include "paper/panel_kinds.h"
+#include "paper/panel_makers.h"
 #include "run/workshop.h"
 #include "scene/placeholders.h"
 #include "scene/scene_keys.h"
@@ -97,8 +98,7 @@ class Planner {
     void note(const InitialBed& initial) {
         for (const InputFile& input : initial.inputs) {
             const InputFile named = sources_.as_first_named(input);
-            const auto same = [&](const InputFile& known) { return known.path == named.path; };
-            if (std::none_of(plan_.inputs.begin(), plan_.inputs.end(), same))
+            if (find_by(plan_.inputs, &InputFile::path, named.path) == nullptr)
                 plan_.inputs.push_back(named);
         }
         if (!initial.note.empty() &&

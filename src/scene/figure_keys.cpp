@@ -87,7 +87,8 @@ void list_box_keys(RangeBoxSettings& box, const std::string& path, KeyTable& tab
 }
 
 void list_place_keys(PanelSettings& panel, const std::string& path, KeyTable& table) {
-    table.choice(path + ".kind", panel.kind, panel_kind_words(), {.help = "what the panel shows"});
+    table.choice(path + ".kind", panel.kind, words_of(panel_kinds),
+                 {.help = "what the panel shows"});
     table.text(path + ".title", panel.title,
                {.help = "above it; {step}, {time}, {seed} and {model.creep_rate} stand for "
                         "values; x^{2} raises and A_{s} lowers letters, here and in all texts"});
@@ -187,7 +188,7 @@ void list_panel_keys(PanelSettings& panel, const std::string& path, KeyTable& ta
 }
 
 void list_one_overlay(OverlaySettings& overlay, const std::string& path, KeyTable& table) {
-    table.choice(path + ".kind", overlay.kind, overlay_kind_words(),
+    table.choice(path + ".kind", overlay.kind, words_of(overlay_kinds),
                  {.help = "what stands over the frames"});
     table.boolean(path + ".show", overlay.show, {.help = "false switches it off"});
     table.choice(path + ".corner", overlay.corner,

@@ -2,9 +2,8 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
-#include "keys/keys.h"
+#include "scene/kind_line.h"
 
 namespace fumon {
 
@@ -31,18 +30,13 @@ enum class OverlayShows {
 enum class OverlayKind { FUMON_OVERLAY_KINDS(FUMON_ENUMERATOR) };
 #undef FUMON_ENUMERATOR
 
-constexpr OverlayShows shown_by(OverlayKind kind) {
-#define FUMON_SHOWS(name, word, shows, help) OverlayShows::shows,
-    constexpr std::array shows{FUMON_OVERLAY_KINDS(FUMON_SHOWS)};
-#undef FUMON_SHOWS
-    return shows[static_cast<std::size_t>(kind)];
-}
+#define FUMON_LINE(name, word, shows, help) \
+    KindLine<OverlayShows>{{word, help}, OverlayShows::shows},
+inline constexpr std::array overlay_kinds{FUMON_OVERLAY_KINDS(FUMON_LINE)};
+#undef FUMON_LINE
 
-/// The words of the kinds, in their order.
-inline std::vector<ChoiceName> overlay_kind_words() {
-#define FUMON_WORD(name, word, shows, help) {word, help},
-    return {FUMON_OVERLAY_KINDS(FUMON_WORD)};
-#undef FUMON_WORD
+constexpr OverlayShows shown_by(OverlayKind kind) {
+    return overlay_kinds[static_cast<std::size_t>(kind)].shows;
 }
 
 }  // namespace fumon

@@ -2,9 +2,8 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
-#include "keys/keys.h"
+#include "scene/kind_line.h"
 
 namespace fumon {
 
@@ -18,7 +17,7 @@ enum class PanelShows {
 
 /// The kinds of panels that a figure may have, a line each: KIND(name, word in a scene, what it
 /// shows, help). A kind's panels are made by panels::name, defined in a file of src/paper of its
-/// own; without one, fumon does not link (see paper/panel_kinds.h).
+/// own; without one, fumon does not link (see paper/panel_makers.h).
 #define FUMON_PANEL_KINDS(KIND)                                                   \
     KIND(plot, "plot", curves, "curves over linear or logarithmic axes")          \
     KIND(map, "map", each_step, "a field from above, with axes and a colour bar") \
@@ -32,18 +31,12 @@ enum class PanelShows {
 enum class PanelKind { FUMON_PANEL_KINDS(FUMON_ENUMERATOR) };
 #undef FUMON_ENUMERATOR
 
-constexpr PanelShows shown_by(PanelKind kind) {
-#define FUMON_SHOWS(name, word, shows, help) PanelShows::shows,
-    constexpr std::array shows{FUMON_PANEL_KINDS(FUMON_SHOWS)};
-#undef FUMON_SHOWS
-    return shows[static_cast<std::size_t>(kind)];
-}
+#define FUMON_LINE(name, word, shows, help) KindLine<PanelShows>{{word, help}, PanelShows::shows},
+inline constexpr std::array panel_kinds{FUMON_PANEL_KINDS(FUMON_LINE)};
+#undef FUMON_LINE
 
-/// The words of the kinds, in their order.
-inline std::vector<ChoiceName> panel_kind_words() {
-#define FUMON_WORD(name, word, shows, help) {word, help},
-    return {FUMON_PANEL_KINDS(FUMON_WORD)};
-#undef FUMON_WORD
+constexpr PanelShows shown_by(PanelKind kind) {
+    return panel_kinds[static_cast<std::size_t>(kind)].shows;
 }
 
 }  // namespace fumon

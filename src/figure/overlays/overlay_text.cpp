@@ -11,6 +11,7 @@
 #include "base/elementary_power.h"
 #include "base/error.h"
 #include "base/number_text.h"
+#include "base/quantity_text.h"
 #include "keys/keys.h"
 #include "scene/placeholders.h"
 #include "scene/scene_keys.h"
@@ -98,8 +99,7 @@ std::string chosen_text(const OverlayScene& on, std::size_t number, const std::s
 
 /// "hop base = 10 sites", of a key.
 std::string parameter_text_of(const Scene& scene, const Key& key) {
-    std::string name = key.path.substr(key.path.rfind('.') + 1);
-    std::replace(name.begin(), name.end(), '_', ' ');
+    const std::string name = in_words(key.path.substr(key.path.rfind('.') + 1));
     const std::string value = shown_value(scene, key.path).value_or("");
     const std::string unit = key.notes.unit.empty() ? "" : " " + key.notes.unit;
     return fmt::format("{} = {}{}", name, value, unit);
