@@ -17,6 +17,7 @@
 #include "run/run_folder.h"
 #include "run/workshop.h"
 #include "scene/read.h"
+#include "scene/scene_roles.h"
 
 namespace fumon {
 
@@ -130,15 +131,8 @@ int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& o
     how.movie = output_of(options);
     how.last_step = origin.step;
     how.resolved = resolved_scene(workshop.scene, workshop.initial.inputs);
-    OutputSettings& output = workshop.scene.output;
-    const OutputSettings recorded = std::exchange(output, {});
-    output.frames = false;
-    output.movie = true;
-    output.movie_rate = recorded.movie_rate;
-    output.movie_quality = recorded.movie_quality;
-    output.measure_every = recorded.measure_every;
-    output.measurements = false;
-    output.avalanches = false;
+    workshop.scene = without_files(std::move(workshop.scene));
+    workshop.scene.output.movie = true;
 
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(workshop.initial.bed.size()));

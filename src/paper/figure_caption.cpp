@@ -6,35 +6,25 @@
 #include <algorithm>
 
 #include "figure/page/page_grid.h"
+#include "keys/key_value.h"
 #include "keys/keys.h"
-#include "models/registry.h"
 #include "scene/scene_keys.h"
-#include "scene/write.h"
 
 namespace fumon {
 
 namespace {
 
-/// Whether a key decides what a run computes.
-bool decides(const std::string& key) {
-    if (key == "model.name" || key == "bed.file") return false;
-    return key.starts_with("model.") || key.starts_with("grid.") || key.starts_with("bed.");
-}
-
-/// "creep_rate = 0.2, …": every deciding key whose value is not the model's default, without those
+/// "creep_rate = 0.2, …": every parameter whose value is not the model's default, without those
 /// that vary.
 std::string parameters_of(const Scene& scene, const std::vector<std::string>& varied) {
     Scene written = scene;
-    Scene usual;
-    const ModelEntry* model = find_model(scene.model.name);
-    usual.model = {scene.model.name, model->default_parameters()};
-    usual.bed.high = model->home.noise_height;
+    Scene usual = default_scene(scene.model.name);
     const KeyTable keys = scene_keys(written);
     const KeyTable defaults = scene_keys(usual);
     std::vector<std::string> parts;
     for (const Key& key : keys.keys()) {
-        if (!decides(key.path) || std::find(varied.begin(), varied.end(), key.path) != varied.end())
-            continue;
+        const bool varies = std::find(varied.begin(), varied.end(), key.path) != varied.end();
+        if (key.role != KeyRole::parameter || varies) continue;
         const std::string value = value_text(key);
         const bool always = key.path == "grid.nx" || key.path == "grid.ny";
         if (!always && value == value_text(*defaults.find(key.path))) continue;

@@ -14,8 +14,8 @@
 #include "base/nearest_name.h"
 #include "files/input_file.h"
 #include "keys/assign.h"
+#include "keys/key_value.h"
 #include "picture/fingerprint_text.h"
-#include "scene/write.h"
 
 namespace fumon {
 

@@ -19,6 +19,7 @@
 #include "run/simulate.h"
 #include "run/workshop.h"
 #include "scene/json.h"
+#include "scene/scene_roles.h"
 
 namespace fumon {
 
@@ -54,20 +55,13 @@ void write_manifest(const fs::path& folder, const StoredRun& run, const RunRecor
 }  // namespace
 
 StoredRun stored_run(const Scene& scene, const InitialBed& initial) {
-    StoredRun run{scene, {}, {}, {}, 0.0};
+    StoredRun run{only_roles(scene, measured_roles), {}, {}, {}, 0.0};
     Scene& stored = run.scene;
     if (!initial.inputs.empty()) {
         stored.bed.file = initial.inputs.front().path;
         stored.directory.clear();
     }
-    stored.title.clear();
-    stored.view = {};
-    stored.sweep = {};
-    stored.figure = {};
-    if (stored.output.measure_every > 0) stored.frames = {};
-    const std::int64_t measure_every = stored.output.measure_every;
-    stored.output = {};
-    stored.output.measure_every = measure_every;
+    if (stored.output.measure_every > 0) stored.frames = {};  // they decide nothing then
     run.id = text_hash(hex(run_id(stored, initial)) + " fumon " FUMON_VERSION);
     run.work = static_cast<double>(scene.grid.nx) * static_cast<double>(scene.grid.ny) *
                static_cast<double>(scene.run.steps + 1);

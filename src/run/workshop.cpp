@@ -16,6 +16,7 @@
 #include "run/interrupt.h"
 #include "run/picture_text.h"
 #include "scene/overlay_keys.h"
+#include "scene/scene_roles.h"
 
 namespace fumon {
 
@@ -88,13 +89,11 @@ void check_overlays(const Scene& scene, const Model& model) {
     }
 }
 
-Scene without_files(Scene scene) {
-    scene.output.frames = true;
-    scene.output.measurements = false;
-    scene.output.avalanches = false;
-    scene.output.fields_every = 0;
-    scene.output.fields_at.clear();
-    return scene;
+/// The scene as a recorder sees it that measures for plots alone.
+Scene for_plots(const Scene& scene) {
+    Scene plain = without_files(scene);
+    plain.output.frames = true;
+    return plain;
 }
 
 /// Measures the present step where plots show it.
@@ -113,7 +112,7 @@ void begin_plots(Workshop& workshop) {
 }  // namespace
 
 PlottedRows::PlottedRows(const Scene& scene_, const Model& model)
-    : scene(without_files(scene_)), recorder(scene, model.snapshot(), "", {}) {}
+    : scene(for_plots(scene_)), recorder(scene, model.snapshot(), "", {}) {}
 
 Workshop set_up(Scene scene, int threads) {
     Workshop workshop;

@@ -8,19 +8,19 @@
 
 namespace fumon {
 
-/// A line of a list of kinds: its word in a scene with its help, and what the kind shows.
-template <class Shows>
+/// A line of a list of kinds: the kind with its word and help, and what it shows.
+template <class Kind, class Shows>
 struct KindLine {
-    ChoiceName choice;
+    Choice<Kind> choice;
     Shows shows;
 };
 
-/// The words of the kinds, in their order.
-template <class Shows, std::size_t count>
-std::vector<ChoiceName> words_of(const std::array<KindLine<Shows>, count>& kinds) {
-    std::vector<ChoiceName> words;
-    for (const KindLine<Shows>& kind : kinds) words.push_back(kind.choice);
-    return words;
+/// The kinds as a key offers them.
+template <class Kind, class Shows, std::size_t count>
+std::vector<Choice<Kind>> choices_of(const std::array<KindLine<Kind, Shows>, count>& kinds) {
+    std::vector<Choice<Kind>> choices;
+    for (const KindLine<Kind, Shows>& kind : kinds) choices.push_back(kind.choice);
+    return choices;
 }
 
 }  // namespace fumon

@@ -19,7 +19,7 @@ namespace {
 std::vector<std::string> written_model_keys(const Scene& scene, const KeyTable& table) {
     std::vector<std::string> keys;
     for (const Key& key : table.keys()) {
-        const bool of_model = key.path.starts_with("model.") && key.path != "model.name";
+        const bool of_model = key.role == KeyRole::parameter && key.path.starts_with("model.");
         if (of_model && scene.locations.contains(key.path)) keys.push_back(key.path);
     }
     if (keys.empty()) keys.emplace_back("model.name");

@@ -31,7 +31,7 @@ enum class OverlayKind { FUMON_OVERLAY_KINDS(FUMON_ENUMERATOR) };
 #undef FUMON_ENUMERATOR
 
 #define FUMON_LINE(name, word, shows, help) \
-    KindLine<OverlayShows>{{word, help}, OverlayShows::shows},
+    KindLine<OverlayKind, OverlayShows>{{OverlayKind::name, word, help}, OverlayShows::shows},
 inline constexpr std::array overlay_kinds{FUMON_OVERLAY_KINDS(FUMON_LINE)};
 #undef FUMON_LINE
 

@@ -31,7 +31,8 @@ enum class PanelShows {
 enum class PanelKind { FUMON_PANEL_KINDS(FUMON_ENUMERATOR) };
 #undef FUMON_ENUMERATOR
 
-#define FUMON_LINE(name, word, shows, help) KindLine<PanelShows>{{word, help}, PanelShows::shows},
+#define FUMON_LINE(name, word, shows, help) \
+    KindLine<PanelKind, PanelShows>{{PanelKind::name, word, help}, PanelShows::shows},
 inline constexpr std::array panel_kinds{FUMON_PANEL_KINDS(FUMON_LINE)};
 #undef FUMON_LINE
 

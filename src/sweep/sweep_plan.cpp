@@ -71,13 +71,8 @@ Scene scene_of(const SweepPlan& plan, std::size_t combination) {
 }
 
 nlohmann::ordered_json base_of(const SweepPlan& plan, const Scene& scene) {
-    nlohmann::ordered_json base = scene_json(without_looks(scene));
+    nlohmann::ordered_json base = scene_json(scene, recorded_roles);
     base.erase("seed");
-    for (const char* section : {"sweep", "camera", "sun", "look", "section", "image", "figure"})
-        base.erase(section);
-    for (const char* key :
-         {"frames", "movie", "movie_rate", "movie_quality", "bed_every", "bed_at"})
-        base["output"].erase(key);
     for (const std::string& key : varied_keys(plan)) {
         const std::size_t dot = key.find('.');
         if (dot == std::string::npos) {

@@ -8,7 +8,6 @@
 
 #include "base/grid.h"
 #include "base/multiversion.h"
-#include "render/light/transpose.h"
 
 namespace fumon {
 
