@@ -33,7 +33,7 @@ Table columns(const std::vector<std::pair<std::string, std::string>>& names) {
 Table measurement_columns(const Snapshot& first) {
     Table table =
         columns({{"step", ""}, {"time", first.time_unit == "steps" ? "" : first.time_unit}});
-    const MeasureSuite suite(landform_of(first), first);
+    const MeasureSuite suite(measured_landform(first), first);
     for (const MeasureColumn& column : suite.columns())
         table.columns.push_back({column.name, column.unit});
     return table;
@@ -56,7 +56,7 @@ Table profile_columns(const Snapshot& first) {
 }
 
 Table avalanche_columns(const Snapshot& first, CurveTable table) {
-    if (landform_of(first) != Landform::pile)
+    if (measured_landform(first) != Landform::pile)
         throw InputError("needs a model with avalanches (sandpile)");
     if (table == CurveTable::avalanche_sizes)
         return columns({{"size", "cells"}, {"avalanches", ""}, {"share", ""}});

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "models/registry.h"
 #include "scene/check_figure.h"
 #include "scene/initial_bed.h"
 
@@ -100,7 +101,8 @@ void check_look(const Scene& scene) {
 }  // namespace
 
 void check_scene(const Scene& scene) {
-    if (scene.model.name != "static" && !written(scene, "run.steps")) {
+    if (find_model(scene.model.name)->landform != Landform::terrain &&
+        !written(scene, "run.steps")) {
         refuse(scene, "run.steps",
                "run.steps is missing; say how long to run, for example [run] steps = 1000");
     }
