@@ -10,12 +10,10 @@
 #include "figure/panels/hill_shading.h"
 #include "figure/panels/map_panel.h"
 #include "figure/panels/view_panel.h"
-#include "files/netcdf/netcdf_record.h"
 #include "files/terrain/terrain_file.h"
 #include "gl/context.h"
 #include "paper/figure_picture_data.h"
 #include "render/renderer.h"
-#include "run/workshop.h"
 
 namespace fumon {
 
@@ -112,10 +110,8 @@ class FigurePictures::Parts {
         : plan_(plan), runs_(runs), store_(store), drawing_(drawing), pool_(drawing.threads) {}
 
     std::vector<ShownPicture> make(const PanelFeed& panel, double width) {
-        const Workshop workshop = set_up(panel.picture->scene, 1);
-        const Snapshot start = workshop.model->snapshot();
         const auto at = [&](std::int64_t step) {
-            return read_fields_snapshot(store_.fields(runs_[panel.picture->run]), step, start);
+            return store_.snapshot(runs_[panel.picture->run], step);
         };
         const Snapshot first = at(0);
         std::vector<Snapshot> snapshots;
