@@ -80,16 +80,16 @@ constexpr unsigned bit(Landform landform) {
     return 1U << static_cast<unsigned>(landform);
 }
 
-constexpr unsigned beds = bit(Landform::bed) | bit(Landform::terrain);
-constexpr unsigned beds_and_profiles = beds | bit(Landform::profile);
-constexpr unsigned piles = bit(Landform::pile);
-constexpr unsigned water = bit(Landform::water);
-constexpr unsigned air = bit(Landform::air);
-constexpr unsigned all = beds_and_profiles | piles | water | air;
+constexpr unsigned on_beds = bit(Landform::bed) | bit(Landform::terrain);
+constexpr unsigned on_beds_and_profiles = on_beds | bit(Landform::profile);
+constexpr unsigned on_piles = bit(Landform::pile);
+constexpr unsigned on_water = bit(Landform::water);
+constexpr unsigned of_air = bit(Landform::air);
+constexpr unsigned everywhere = on_beds_and_profiles | on_piles | on_water | of_air;
 
 /// Groups take what they need: nothing, the first snapshot, or also the columns before theirs.
 template <auto group>
-constexpr SuiteGroup of(unsigned landforms) {
+constexpr SuiteGroup entry(unsigned landforms) {
     return {[](const Snapshot& first, std::span<const MeasureColumn> taken) -> MeasureGroup {
                 if constexpr (std::is_invocable_v<decltype(group)>) {
                     return group();
@@ -104,21 +104,21 @@ constexpr SuiteGroup of(unsigned landforms) {
 
 /// Every group, in the order of its columns. A new measure is a line here.
 constexpr std::array suite_groups{
-    of<statistics_group>(all),
-    of<wave_group>(beds_and_profiles),
-    of<celerity_group>(beds_and_profiles),
-    of<slope_group>(beds_and_profiles),
-    of<crest_group>(beds),
-    of<dune_group>(beds),
-    of<pile_group>(piles),
-    of<avalanche_group>(piles),
-    of<channel_group>(water),
-    of<water_relief_group>(water),
-    of<water_flow_group>(water),
-    of<stress_group>(air),
-    of<air_group>(air),
-    of<flight_group>(air),
-    of<number_group>(water | air),
+    entry<statistics_group>(everywhere),
+    entry<wave_group>(on_beds_and_profiles),
+    entry<celerity_group>(on_beds_and_profiles),
+    entry<slope_group>(on_beds_and_profiles),
+    entry<crest_group>(on_beds),
+    entry<dune_group>(on_beds),
+    entry<pile_group>(on_piles),
+    entry<avalanche_group>(on_piles),
+    entry<channel_group>(on_water),
+    entry<water_relief_group>(on_water),
+    entry<water_flow_group>(on_water),
+    entry<stress_group>(of_air),
+    entry<air_group>(of_air),
+    entry<flight_group>(of_air),
+    entry<number_group>(on_water | of_air),
 };
 
 }  // namespace
