@@ -11,6 +11,7 @@
 #include "files/atomic_file.h"
 #include "files/input_file.h"
 #include "files/netcdf/netcdf_record.h"
+#include "files/snapshot_outline.h"
 #include "models/registry.h"
 #include "models/shared/state_hash.h"
 #include "run/file_lock.h"
@@ -19,7 +20,6 @@
 #include "run/run_folder.h"
 #include "run/run_identity.h"
 #include "run/simulate.h"
-#include "run/snapshot_outline.h"
 #include "run/workshop.h"
 #include "scene/json.h"
 

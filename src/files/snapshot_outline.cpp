@@ -1,4 +1,4 @@
-#include "run/snapshot_outline.h"
+#include "files/snapshot_outline.h"
 
 #include <memory>
 #include <nlohmann/json.hpp>
