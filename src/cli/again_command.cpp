@@ -63,10 +63,10 @@ int figure_again(const AgainOptions& options, const FigureOrigin& origin) {
     std::vector<std::string> settings = origin.settings;
     settings.insert(settings.end(), options.work.settings.begin(), options.work.settings.end());
     FigureRuns runs;
-    const auto plan = plan_figure(origin.scene, settings, sources, runs);
-    if (!plan) return tell_interrupted(status, {});
     const RunStore store(options.runs.empty() ? fs::path(options.picture).parent_path() / "runs"
                                               : fs::path(options.runs));
+    const auto plan = plan_figure(origin.scene, settings, sources, runs, &store);
+    if (!plan) return tell_interrupted(status, {});
     const std::vector<RunRecord> records = make_runs(runs, store, options.work, status);
     if (interrupting_signal() != 0) return tell_interrupted(status, records);
     if (const std::string missing = missing_run(*plan, runs, records); !missing.empty())

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "figure/panels/section_panel.h"
 #include "files/csv_table.h"
+#include "models/registry.h"
 #include "paper/panel_look.h"
 #include "paper/panel_makers.h"
 
@@ -64,8 +65,8 @@ std::string section_csv(const SnapshotSection& section, SectionPanel panel) {
 
 void check_section(const PanelSettings& settings, const Scene& scene, const Snapshot& first) {
     if (!first.section) {
-        throw KeyError("kind", fmt::format("a section needs a model with one (airflow), not {}",
-                                           scene.model.name));
+        throw KeyError("kind", fmt::format("a section needs a model with one ({}), not {}",
+                                           models_of(Landform::air), scene.model.name));
     }
     SectionSettings wanted;
     wanted.panels = {settings.section};

@@ -1,8 +1,5 @@
 #include "paper/figure_pictures.h"
 
-#include "files/netcdf/netcdf_record.h"
-#include "run/workshop.h"
-
 namespace fumon {
 
 FigurePictures::FigurePictures(const FigurePlan& plan, const FigureRuns& runs,
@@ -13,11 +10,8 @@ std::vector<MadePanel> FigurePictures::make(const PanelFeed& panel, double width
     Snapshot first;
     std::vector<Snapshot> snapshots;
     if (panel.picture) {
-        const Workshop workshop = set_up(panel.picture->scene, 1);
-        const Snapshot start = workshop.model->snapshot();
         const auto at = [&](std::int64_t step) {
-            return read_fields_snapshot(workshop_.store.fields(workshop_.runs[panel.picture->run]),
-                                        step, start);
+            return workshop_.store.snapshot(workshop_.runs[panel.picture->run], step);
         };
         first = at(0);
         for (const std::int64_t step : panel.picture->steps) snapshots.push_back(at(step));

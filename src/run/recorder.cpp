@@ -24,7 +24,7 @@ bool measures(const Scene& scene) {
 }
 
 MeasureSuite suite_for(const Snapshot& first) {
-    return MeasureSuite(landform_of(first), first);
+    return MeasureSuite(measured_landform(first), first);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/nearest_name.h"
+#include "models/registry.h"
 #include "scene/initial_bed.h"
 #include "scene/scene.h"
 
@@ -279,7 +280,8 @@ void check_look(const Scene& scene) {
 }  // namespace
 
 void check_scene(const Scene& scene) {
-    if (scene.model.name != "static" && !written(scene, "run.steps")) {
+    if (find_model(scene.model.name)->landform != Landform::terrain &&
+        !written(scene, "run.steps")) {
         refuse(scene, "run.steps",
                "run.steps is missing; say how long to run, for example [run] steps = 1000");
     }

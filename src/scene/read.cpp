@@ -93,7 +93,7 @@ class Reader {
         std::vector<std::string> known;
         for (const ModelEntry& entry : models()) known.emplace_back(entry.name);
         if (place.empty() && root["figure"]["panel"]) {  // a figure may do without a model
-            scene_.model.name = "static";
+            scene_.model.name = terrain_model().name;
             place = scene_.source;
         }
         if (place.empty()) {

@@ -37,7 +37,7 @@ DrawnCase draw_figure_case(const Baseline& baseline, const BaselineCase& one,
     FigureRuns runs;
     DrawnCase drawn;
     const std::filesystem::path scene = baseline.file.parent_path() / one.scene;
-    const auto plan = plan_figure(scene.string(), one.settings, sources, runs);
+    const auto plan = plan_figure(scene.string(), one.settings, sources, runs, nullptr);
     const ScratchFolder scratch;
     std::vector<RunRecord> records;
     if (plan) {

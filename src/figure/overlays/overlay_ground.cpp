@@ -44,17 +44,16 @@ class ScaleBarOverlay : public Overlay {
 };
 
 std::optional<GroundDirection> direction_of(const OverlayScene& on) {
-    switch (landform_of(on.first)) {
+    switch (on.first.landform) {
         case Landform::air:
-            return wind_direction();
         case Landform::bed:
         case Landform::profile:
-            if (on.scene.model.name == "static") return std::nullopt;
             return wind_direction();
         case Landform::water:
             if (bed_kind(on.scene) == BedKind::file) return std::nullopt;
             return flow_direction();
         case Landform::pile:
+        case Landform::terrain:
             return std::nullopt;
     }
     return std::nullopt;

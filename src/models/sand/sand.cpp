@@ -112,6 +112,7 @@ void Sand::step() {
 
 Snapshot Sand::snapshot() const {
     Snapshot snapshot{steps_, time(), std::string(time_unit()), bed_, {}, scale_};
+    snapshot.landform = landform;
     snapshot.periodic = true;
     return snapshot;
 }

@@ -25,11 +25,14 @@ namespace fumon {
 /// barchan's.
 class Sand : public Model {
   public:
+    static constexpr std::string_view model_name = "sand";
+    static constexpr Landform landform = Landform::bed;
+
     /// Throws InputError for a masked bed and for one whose longest first hop exceeds the box,
     /// KeyError for a creep rate that the creep rule does not allow.
     Sand(const SandParameters& parameters, ModelSetup setup);
 
-    [[nodiscard]] std::string_view name() const override { return "sand"; }
+    [[nodiscard]] std::string_view name() const override { return model_name; }
     void step() override;
     [[nodiscard]] std::int64_t steps_done() const override { return steps_; }
     [[nodiscard]] Snapshot snapshot() const override;

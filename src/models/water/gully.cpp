@@ -216,6 +216,7 @@ std::vector<SnapshotNumber> Gully::budgets() const {
 
 Snapshot Gully::snapshot() const {
     Snapshot snapshot{steps_, time(), std::string(time_unit()), bed_, domain_.nodata, scale_};
+    snapshot.landform = landform;
     snapshot.periodic =
         domain_.edges_x == EdgeKind::periodic && domain_.edges_y == EdgeKind::periodic;
     snapshot.fields = {{"water_depth", "depth of the water", "m", water_.depth},
