@@ -24,8 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int status_of_signal = 128;
-
 /// What may have changed the pixels, as far as the picture tells.
 std::string why_different(const PictureOrigin& origin, const RenderingEnvironment& here) {
     const std::string versions =
@@ -149,7 +147,7 @@ int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& o
                      progress, [](const DrawingRecord&) {});
     progress.clear();
     if (outcome.error) std::rethrow_exception(outcome.error);
-    if (outcome.signal != 0) return status_of_signal + outcome.signal;
+    if (outcome.signal != 0) return exit_status_of_signal(outcome.signal);
     compare_movies(how.movie->string(), before, options, origin, progress);
     return 0;
 }
@@ -160,7 +158,7 @@ int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& w
     Progress progress(work.verbosity, static_cast<std::int64_t>(workshop.initial.bed.size()));
     const Snapshot first = workshop.model->snapshot();
     if (const int signal = advance_to(workshop, origin.step, progress); signal != 0)
-        return status_of_signal + signal;
+        return exit_status_of_signal(signal);
 
     const fs::path output = output_of(options);
     const DrawnStill still = draw_still(workshop, first, output.string(), work, progress);

@@ -102,8 +102,7 @@ int work(Workshop& workshop, RunFolder& folder, const RunOptions& options,
         outcome.checkpoint ? fmt::format("; fumon run --resume {} goes on from step {}",
                                          folder.path().string(), with_commas(*outcome.checkpoint))
                            : ""));
-    constexpr int status_of_signal = 128;
-    return status_of_signal + outcome.signal;
+    return exit_status_of_signal(outcome.signal);
 }
 
 int resume(const RunOptions& options) {

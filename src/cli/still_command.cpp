@@ -54,8 +54,7 @@ int still_command(const StillOptions& options) {
                            ? advance_to_time(workshop, *options.time,
                                              fmt::format("--time {}", *options.time), progress)
                            : advance_to(workshop, step_of(options, workshop.scene), progress);
-    constexpr int status_of_signal = 128;
-    if (signal != 0) return status_of_signal + signal;
+    if (signal != 0) return exit_status_of_signal(signal);
     draw_still(workshop, first, options.output, options.work, progress);
     return 0;
 }

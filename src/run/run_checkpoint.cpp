@@ -114,8 +114,8 @@ Image read_frame(const RunFolder& folder, const RunParts& parts, const RunCheckp
 
 void CheckpointClock::end() {
     constexpr double least_ratio = 50.0;  // of a run's seconds to those of its checkpoints
-    wait_ = std::max(interval_, least_ratio * seconds_since(begun_));
-    last_ = Clock::now();
+    wait_ = std::max(interval_, least_ratio * since_begin_.seconds());
+    since_last_ = {};
 }
 
 }  // namespace fumon

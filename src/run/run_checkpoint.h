@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -8,6 +7,7 @@
 
 #include "base/image.h"
 #include "base/state_carrier.h"
+#include "base/stopwatch.h"
 #include "models/shared/model.h"
 #include "run/frame_record.h"
 #include "run/recorder.h"
@@ -43,20 +43,15 @@ class CheckpointClock {
     explicit CheckpointClock(double minutes) : interval_(60.0 * minutes) {}
 
     [[nodiscard]] bool on() const { return interval_ > 0.0; }
-    [[nodiscard]] bool due() const { return on() && seconds_since(last_) >= wait_; }
-    void begin() { begun_ = Clock::now(); }
+    [[nodiscard]] bool due() const { return on() && since_last_.seconds() >= wait_; }
+    void begin() { since_begin_ = {}; }
     void end();
 
   private:
-    using Clock = std::chrono::steady_clock;
-    static double seconds_since(Clock::time_point start) {
-        return std::chrono::duration<double>(Clock::now() - start).count();
-    }
-
     double interval_;  ///< seconds
     double wait_ = interval_;
-    Clock::time_point begun_ = Clock::now();
-    Clock::time_point last_ = begun_;
+    Stopwatch since_begin_;
+    Stopwatch since_last_;
 };
 
 /// Writes a run's checkpoints into DIR/checkpoint.fumon. Lives on the simulation's thread.

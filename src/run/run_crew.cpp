@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "base/stopwatch.h"
 #include "base/thread_clock.h"
 #include "run/interrupt.h"
 #include "run/manifest.h"
@@ -18,12 +19,6 @@
 namespace fumon {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 std::string one_line(std::string text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
@@ -64,8 +59,8 @@ class Crew {
             successes_.clear();
             if (ended) break;
             if (status.due()) {
-                status.show(run_progress_text(done_, records_.size(), failed_,
-                                              seconds_since(start_), work_done_ / work_));
+                status.show(run_progress_text(done_, records_.size(), failed_, watch_.seconds(),
+                                              work_done_ / work_));
             }
         }
         lock.unlock();
@@ -107,14 +102,14 @@ class Crew {
     }
 
     Attempt outcome(const RunTask& task, int threads, RunRecord& record) {
-        const auto start = Clock::now();
+        const Stopwatch watch;
         Attempt attempt = Attempt::done;
         try {
             attempt = task.body(threads, record, work_done_);
             record.status = RunStatus::done;
         } catch (...) {
             record.status = RunStatus::failed;
-            record.wall_seconds = seconds_since(start);
+            record.wall_seconds = watch.seconds();
             record.state.clear();
             record.message = one_line(error_text(std::current_exception()));
         }
@@ -137,7 +132,7 @@ class Crew {
     const std::vector<RunTask>& tasks_;
     std::vector<RunRecord>& records_;
     double work_ = 0.0;
-    Clock::time_point start_ = Clock::now();
+    Stopwatch watch_;
 
     std::atomic<double> work_done_{0.0};
     std::mutex mutex_;

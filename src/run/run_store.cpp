@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
 #include "models/shared/state_hash.h"
@@ -116,7 +116,7 @@ bool RunStore::holds(const StoredRun& run) const {
 
 Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
                        std::atomic<double>& cell_steps) const {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     make_folder(folder_);
     fs::path lock_file = place(run);
     lock_file += ".lock";
@@ -146,8 +146,7 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
             return Attempt::interrupted;
         }
         record.state = hex(state_hash(*workshop.model));
-        record.wall_seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        record.wall_seconds = watch.seconds();
         write_manifest(made, wanted, record);
         put(made, run);
     } catch (...) {
