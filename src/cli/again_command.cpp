@@ -10,12 +10,12 @@
 #include "paper/figure_files.h"
 #include "paper/figure_make.h"
 #include "paper/figure_page.h"
+#include "run/drawing.h"
 #include "run/find_input.h"
 #include "run/interrupt.h"
 #include "run/picture_text.h"
 #include "run/pipeline.h"
-#include "run/run_folder.h"
-#include "run/workshop.h"
+#include "run/still.h"
 #include "scene/read.h"
 
 namespace fumon {
@@ -125,30 +125,18 @@ int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& o
     Workshop workshop = set_up(std::move(scene), options.work.threads);
     if (!origin.inputs.empty()) workshop.initial.inputs = origin.inputs;
     PipelineOptions how{options.work.backend, options.work.threads};
-    how.movie = output_of(options);
     how.last_step = origin.step;
-    how.resolved = resolved_scene(workshop.scene, workshop.initial.inputs);
-    OutputSettings& output = workshop.scene.output;
-    const OutputSettings recorded = std::exchange(output, {});
-    output.frames = false;
-    output.movie = true;
-    output.movie_rate = recorded.movie_rate;
-    output.movie_quality = recorded.movie_quality;
-    output.measure_every = recorded.measure_every;
-    output.measurements = false;
-    output.avalanches = false;
-
+    const fs::path output = output_of(options);
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(workshop.initial.bed.size()));
-    RunFolder nowhere({}, true);
     const Sha256 before = file_hash(options.picture);
     const RunOutcome outcome =
-        run_pipeline(*workshop.model, workshop.scene, workshop.initial.inputs, nowhere, how,
-                     progress, [](const DrawingRecord&) {});
+        run_pipeline(*workshop.model, workshop.scene, workshop.initial.inputs, {nullptr, output},
+                     how, progress, [](const DrawingRecord&) {});
     progress.clear();
     if (outcome.error) std::rethrow_exception(outcome.error);
     if (outcome.signal != 0) return exit_status_of_signal(outcome.signal);
-    compare_movies(how.movie->string(), before, options, origin, progress);
+    compare_movies(output.string(), before, options, origin, progress);
     return 0;
 }
 

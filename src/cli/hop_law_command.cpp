@@ -15,7 +15,7 @@
 #include "hop_law/hop_law_scene.h"
 #include "models/air/airflow.h"
 #include "run/interrupt.h"
-#include "run/workshop.h"
+#include "run/still.h"
 #include "scene/read.h"
 #include "scene/write.h"
 

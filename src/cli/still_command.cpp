@@ -4,8 +4,9 @@
 
 #include "base/error.h"
 #include "cli/commands.h"
+#include "run/drawing.h"
 #include "run/interrupt.h"
-#include "run/workshop.h"
+#include "run/still.h"
 #include "scene/read.h"
 #include "scene/terrain_scene.h"
 

@@ -10,8 +10,8 @@
 #include "files/atomic_file.h"
 #include "picture/junit.h"
 #include "picture/png.h"
+#include "run/drawing.h"
 #include "run/interrupt.h"
-#include "run/workshop.h"
 #include "verify/verify_case.h"
 #include "verify/verify_page.h"
 

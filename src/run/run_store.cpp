@@ -138,9 +138,10 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
         Workshop workshop = set_up(wanted.scene, threads);
         if (stored_run(workshop.scene, workshop.initial).id != run.id)
             throw Error("a file that it reads has changed since the start");
-        Recorder recorder(workshop.scene, workshop.model->snapshot(),
-                          resolved_scene(workshop.scene, workshop.initial.inputs),
-                          {made / "measurements.csv", made / "avalanches.csv", made / "fields.nc"});
+        Recorder recorder(
+            workshop.scene, workshop.model->snapshot(),
+            {RecordPaths{made / "measurements.csv", made / "avalanches.csv", made / "fields.nc"},
+             resolved_scene(workshop.scene, workshop.initial.inputs)});
         if (!simulate(workshop, recorder, record.steps, cell_steps)) {
             take_away(made);
             return Attempt::interrupted;

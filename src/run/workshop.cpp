@@ -5,16 +5,10 @@
 #include "base/error.h"
 #include "figure/overlays/frame_overlays.h"
 #include "figure/panels/section_figure.h"
-#include "files/atomic_file.h"
-#include "gl/pinned.h"
 #include "models/registry.h"
-#include "picture/png.h"
 #include "render/colouring.h"
 #include "render/palette.h"
 #include "render/water.h"
-#include "run/check_finite.h"
-#include "run/interrupt.h"
-#include "run/picture_text.h"
 #include "scene/overlay_keys.h"
 
 namespace fumon {
@@ -88,32 +82,7 @@ void check_overlays(const Scene& scene, const Model& model) {
     }
 }
 
-Scene without_files(Scene scene) {
-    scene.output.frames = true;
-    scene.output.measurements = false;
-    scene.output.avalanches = false;
-    scene.output.fields_every = 0;
-    scene.output.fields_at.clear();
-    return scene;
-}
-
-/// Measures the present step where plots show it.
-void measure_for_plots(Workshop& workshop) {
-    if (!workshop.plotted || !workshop.plotted->recorder.due(workshop.model->steps_done())) return;
-    workshop.plotted->recorder.record(workshop.model->snapshot());
-}
-
-/// Begins to measure, where there are plots.
-void begin_plots(Workshop& workshop) {
-    if (workshop.plotted || plotted_columns(workshop.scene).empty()) return;
-    workshop.plotted = std::make_unique<PlottedRows>(workshop.scene, *workshop.model);
-    measure_for_plots(workshop);
-}
-
 }  // namespace
-
-PlottedRows::PlottedRows(const Scene& scene_, const Model& model)
-    : scene(without_files(scene_)), recorder(scene, model.snapshot(), "", {}) {}
 
 Workshop set_up(Scene scene, int threads) {
     Workshop workshop;
@@ -134,77 +103,6 @@ Workshop set_up(Scene scene, int threads) {
     check_section(workshop.scene, *workshop.model);
     check_overlays(workshop.scene, *workshop.model);
     return workshop;
-}
-
-int advance_to(Workshop& workshop, std::int64_t step, Progress& progress) {
-    Model& model = *workshop.model;
-    begin_plots(workshop);
-    progress.expect(step, 0);
-    while (model.steps_done() < step) {
-        if (const int signal = interrupting_signal(); signal != 0) return signal;
-        model.step();
-        if (workshop.plotted) workshop.plotted->recorder.note(model.avalanches());
-        measure_for_plots(workshop);
-        progress.steps_done = model.steps_done();
-        progress.show();
-    }
-    progress.clear();
-    check_finite(model.snapshot());
-    return 0;
-}
-
-int advance_to_time(Workshop& workshop, double time, const std::string& asked, Progress& progress) {
-    while (workshop.model->time() < time) {
-        const std::int64_t next = workshop.model->steps_done() + 1;
-        if (next > workshop.scene.run.steps) {
-            throw InputError(fmt::format("{} is after the run's end at {} {}; lengthen run.steps",
-                                         asked, workshop.model->time(),
-                                         workshop.model->time_unit()));
-        }
-        if (const int signal = advance_to(workshop, next, progress); signal != 0) return signal;
-    }
-    return 0;
-}
-
-void prepare_drawing(const WorkOptions& work) {
-    if (work.pinned) gl::pin_rendering();
-}
-
-void tell_drawing(const DrawingRecord& drawing, Progress& progress) {
-    const RenderingEnvironment& environment = drawing.environment;
-    if (environment.backend.empty()) return;
-    progress.verbose(fmt::format("{}: {}{}{}{}", environment.backend, environment.renderer,
-                                 environment.gl_version.empty() ? "" : ", OpenGL ",
-                                 environment.gl_version, environment.pinned ? ", pinned" : ""));
-    for (const std::string& line : gl::overridden_by_pinning())
-        progress.verbose("--pinned: " + line);
-    if (!drawing.why_not_pinned.empty()) {
-        progress.note(fmt::format("not pinned, and recorded so: {}", drawing.why_not_pinned));
-    }
-}
-
-Drawing draw_present(Workshop& workshop, const Snapshot& first, const WorkOptions& work) {
-    WorkerPool pool(work.threads, "fumon-render");
-    const auto painter = make_frame_painter(workshop.scene, first, work.backend, pool);
-    begin_plots(workshop);
-    const MeasuredRows rows = workshop.plotted ? workshop.plotted->recorder.rows() : MeasuredRows{};
-    return {painter->paint(workshop.model->snapshot(), rows), painter->record()};
-}
-
-DrawnStill draw_still(Workshop& workshop, const Snapshot& first, const std::string& file,
-                      const WorkOptions& work, Progress& progress) {
-    const Scene& scene = workshop.scene;
-    const auto [image, drawing] = draw_present(workshop, first, work);
-    tell_drawing(drawing, progress);
-    const Sha256 pixels = pixel_hash(image);
-    const auto texts = picture_text(resolved_scene(scene, workshop.initial.inputs), scene,
-                                    workshop.model->steps_done(), workshop.initial.inputs, pixels,
-                                    drawing.environment);
-    write_file(file, encode_png(image, scene.view.image.dots_per_inch, texts));
-    if (drawing.exaggeration != 1.0) {
-        progress.note(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));
-    }
-    return {pixels, drawing.environment};
 }
 
 }  // namespace fumon

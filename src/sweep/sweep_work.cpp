@@ -22,9 +22,9 @@ Attempt do_run(const SweepPlan& plan, const SweepFolder& folder, const RunTask& 
     Workshop workshop = set_up(scene_of(plan, run), threads);
     if (run_id(workshop.scene, workshop.initial) != run.id)
         throw Error("a file that it reads has changed since the sweep began");
-    Recorder recorder(workshop.scene, workshop.model->snapshot(),
-                      resolved_scene(workshop.scene, workshop.initial.inputs),
-                      folder.paths(task.number));
+    Recorder recorder(
+        workshop.scene, workshop.model->snapshot(),
+        {folder.paths(task.number), resolved_scene(workshop.scene, workshop.initial.inputs)});
     if (!simulate(workshop, recorder, record.steps, cell_steps)) return Attempt::interrupted;
     record.state = hex(state_hash(*workshop.model));
     record.wall_seconds = watch.seconds();

@@ -6,7 +6,7 @@
 #include "files/hash.h"
 #include "models/shared/state_hash.h"
 #include "picture/png.h"
-#include "run/workshop.h"
+#include "run/still.h"
 #include "scene/read.h"
 #include "verify/verify_figure.h"
 
