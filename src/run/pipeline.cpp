@@ -99,8 +99,9 @@ class Pipeline {
         std::unique_ptr<Recorder> recorder;
         try {
             recorder = make_recorder();
-            advance(*recorder);
-            check_finite(model_.snapshot());
+            if (options_.former != nullptr) recorder->carry(options_.former->measured);
+            const bool at_end = advance(*recorder) == 0;
+            if (!at_end) check_finite(model_.snapshot());
             outcome_.state = state_hash(model_);
         } catch (...) {  // what was made before goes its way: the later stages drain their queues
             stages_.keep(std::current_exception());
@@ -119,7 +120,8 @@ class Pipeline {
         outcome_.recorded = recorder->recorded();
     }
 
-    void advance(Recorder& recorder) {
+    /// Returns the signal that interrupted it, or 0.
+    int advance(Recorder& recorder) {
         ScheduledSnapshots beds(parts_.beds ? bed_schedule(scene_) : Schedule{},
                                 [&](const auto& snapshot) {
                                     if (to_beds_.push(snapshot)) written_.send_bed();
@@ -148,7 +150,7 @@ class Pipeline {
                 if (checkpoints && checkpoints->last()) outcome.checkpoint = checkpoints->last();
             }
         } ended{outcome_, stepper, checkpoints};
-        stepper.advance([this](const Model& model) {
+        return stepper.advance([this](const Model& model) {
             return model.steps_done() >= last_step_ || stages_.aborted();
         });
     }
@@ -242,9 +244,7 @@ class Pipeline {
         recording.plots = pictures_;
         std::optional<RecordPositions> former;
         if (options_.former != nullptr) former = options_.former->checkpoint.records;
-        auto recorder = std::make_unique<Recorder>(scene_, first_, std::move(recording), former);
-        if (former) recorder->carry(options_.former->measured);
-        return recorder;
+        return std::make_unique<Recorder>(scene_, first_, std::move(recording), former);
     }
 
     /// What all checkpoints of the run hold.
