@@ -27,6 +27,12 @@ void Sha256Stream::add(const void* bytes, std::size_t count) {
     check(EVP_DigestUpdate(context_.get(), bytes, count) == 1);
 }
 
+Sha256 Sha256Stream::so_far() const {
+    Sha256Stream copy;
+    check(EVP_MD_CTX_copy_ex(copy.context_.get(), context_.get()) == 1);
+    return copy.finish();
+}
+
 Sha256 Sha256Stream::finish() {
     Sha256 hash{};
     unsigned length = 0;

@@ -30,7 +30,9 @@ class Sha256Stream {
         add(bytes.data(), bytes.size());
     }
 
-    /// The hash of all that was added; nothing can be added any more.
+    /// The hash of all that was added so far.
+    [[nodiscard]] Sha256 so_far() const;
+    /// The same; nothing can be added any more.
     Sha256 finish();
 
   private:

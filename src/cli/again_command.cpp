@@ -10,22 +10,19 @@
 #include "paper/figure_files.h"
 #include "paper/figure_make.h"
 #include "paper/figure_page.h"
+#include "run/drawing.h"
 #include "run/find_input.h"
 #include "run/interrupt.h"
 #include "run/picture_text.h"
 #include "run/pipeline.h"
-#include "run/run_folder.h"
-#include "run/workshop.h"
+#include "run/still.h"
 #include "scene/read.h"
-#include "scene/scene_roles.h"
 
 namespace fumon {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int status_of_signal = 128;
 
 /// What may have changed the pixels, as far as the picture tells.
 std::string why_different(const PictureOrigin& origin, const RenderingEnvironment& here) {
@@ -128,23 +125,18 @@ int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& o
     Workshop workshop = set_up(std::move(scene), options.work.threads);
     if (!origin.inputs.empty()) workshop.initial.inputs = origin.inputs;
     PipelineOptions how{options.work.backend, options.work.threads};
-    how.movie = output_of(options);
     how.last_step = origin.step;
-    how.resolved = resolved_scene(workshop.scene, workshop.initial.inputs);
-    workshop.scene = without_files(std::move(workshop.scene));
-    workshop.scene.output.movie = true;
-
+    const fs::path output = output_of(options);
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(workshop.initial.bed.size()));
-    RunFolder nowhere({}, true);
     const Sha256 before = file_hash(options.picture);
     const RunOutcome outcome =
-        run_pipeline(*workshop.model, workshop.scene, workshop.initial.inputs, nowhere, how,
-                     progress, [](const DrawingRecord&) {});
+        run_pipeline(*workshop.model, workshop.scene, workshop.initial.inputs, {nullptr, output},
+                     how, progress, [](const DrawingRecord&) {});
     progress.clear();
     if (outcome.error) std::rethrow_exception(outcome.error);
-    if (outcome.signal != 0) return status_of_signal + outcome.signal;
-    compare_movies(how.movie->string(), before, options, origin, progress);
+    if (outcome.signal != 0) return exit_status_of_signal(outcome.signal);
+    compare_movies(output.string(), before, options, origin, progress);
     return 0;
 }
 
@@ -154,7 +146,7 @@ int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& w
     Progress progress(work.verbosity, static_cast<std::int64_t>(workshop.initial.bed.size()));
     const Snapshot first = workshop.model->snapshot();
     if (const int signal = advance_to(workshop, origin.step, progress); signal != 0)
-        return status_of_signal + signal;
+        return exit_status_of_signal(signal);
 
     const fs::path output = output_of(options);
     const DrawnStill still = draw_still(workshop, first, output.string(), work, progress);

@@ -16,7 +16,7 @@
 #include "models/air/airflow.h"
 #include "models/sand/sand.h"
 #include "run/interrupt.h"
-#include "run/workshop.h"
+#include "run/still.h"
 #include "scene/read.h"
 #include "scene/write.h"
 
@@ -213,7 +213,6 @@ std::string sand_text(const SandSource& source, const MeasuredHops& hops,
 
 int hop_law_command(const HopLawOptions& options) {
     const InterruptGuard guard;
-    constexpr int status_of_signal = 128;
     check_outputs(options);
     const SandSource sand = sand_source(options.into);
     Workshop workshop =
@@ -227,7 +226,7 @@ int hop_law_command(const HopLawOptions& options) {
                       static_cast<std::int64_t>(workshop.initial.bed.size()));
     if (!workshop.initial.note.empty()) progress.note(workshop.initial.note);
     const int signal = advance_to(workshop, workshop.scene.run.steps, progress);
-    if (signal != 0) return status_of_signal + signal;
+    if (signal != 0) return exit_status_of_signal(signal);
 
     const std::vector<Flight> flights = air.fly_grains(static_cast<int>(options.hops));
     const MeasuredHops hops = measure_hops(flights, air.parameters().flight.launch_angles);

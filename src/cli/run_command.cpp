@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "cli/commands.h"
+#include "run/drawing.h"
 #include "run/interrupt.h"
 #include "run/manifest.h"
 #include "run/pipeline.h"
@@ -23,12 +24,11 @@ void tell_the_end(const RunOutcome& outcome, const Workshop& workshop, const Run
     const Timing& timing = outcome.timing;
     const double cell_steps = static_cast<double>(workshop.initial.bed.size()) *
                               static_cast<double>(outcome.steps_done - outcome.steps_before);
-    progress.note(
-        fmt::format("{} steps, {} frames in {} ({:.3g} million cell-steps/s while simulating): {}",
-                    with_commas(outcome.steps_done), with_commas(std::ssize(outcome.frames)),
-                    clock_text(timing.wall),
-                    timing.simulation_wall > 0.0 ? 1e-6 * cell_steps / timing.simulation_wall : 0.0,
-                    folder.path().string()));
+    progress.note(fmt::format(
+        "{} steps, {} frames in {} ({:.3g} million cell-steps/s while simulating): {}",
+        with_commas(outcome.steps_done), with_commas(outcome.frames), clock_text(timing.wall),
+        timing.simulation_wall > 0.0 ? 1e-6 * cell_steps / timing.simulation_wall : 0.0,
+        folder.path().string()));
     const ImageSettings& image = workshop.scene.view.image;
     if (outcome.movie.frames > 0 &&
         (outcome.movie.width != image.width || outcome.movie.height != image.height)) {
@@ -40,7 +40,7 @@ void tell_the_end(const RunOutcome& outcome, const Workshop& workshop, const Run
 }
 
 void tell_of_drawing(const DrawingRecord& now, const RunCheckpoint& former, Progress& progress) {
-    if (former.frames.empty()) return;
+    if (former.frames.frames == 0) return;
     const std::string differs = difference(parse_environment(former.drawing), now.environment);
     if (differs.empty()) return;
     progress.note(
@@ -79,17 +79,16 @@ int work(Workshop& workshop, RunFolder& folder, const RunOptions& options,
         }
         write_running_manifest(folder, facts, drawing);
     };
-    const RunOutcome outcome = run_pipeline(*workshop.model, scene, workshop.initial.inputs, folder,
-                                            how, progress, started);
-    if (outcome.error) {
-        try {
-            write_final_manifest(folder, facts, outcome);
-        } catch (const Error&) {
-            // The first error tells more; on a full disk the manifest goes on saying "running".
-        }
-        std::rethrow_exception(outcome.error);
+    const RunOutcome outcome = run_pipeline(*workshop.model, scene, workshop.initial.inputs,
+                                            outputs_in(folder, scene), how, progress, started);
+    try {
+        write_final_manifest(folder, facts, outcome);
+    } catch (const Error&) {
+        // The run's error tells more; on a full disk the manifest goes on saying "running".
+        if (!outcome.error) throw;
     }
-    write_final_manifest(folder, facts, outcome);
+    if (!outcome.checkpoint) folder.forget_frames();
+    if (outcome.error) std::rethrow_exception(outcome.error);
     tell_the_end(outcome, workshop, folder, progress);
     if (outcome.signal == 0) {
         folder.tidy();
@@ -102,8 +101,7 @@ int work(Workshop& workshop, RunFolder& folder, const RunOptions& options,
         outcome.checkpoint ? fmt::format("; fumon run --resume {} goes on from step {}",
                                          folder.path().string(), with_commas(*outcome.checkpoint))
                            : ""));
-    constexpr int status_of_signal = 128;
-    return status_of_signal + outcome.signal;
+    return exit_status_of_signal(outcome.signal);
 }
 
 int resume(const RunOptions& options) {

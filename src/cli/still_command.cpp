@@ -4,8 +4,9 @@
 
 #include "base/error.h"
 #include "cli/commands.h"
+#include "run/drawing.h"
 #include "run/interrupt.h"
-#include "run/workshop.h"
+#include "run/still.h"
 #include "scene/read.h"
 #include "scene/terrain_scene.h"
 
@@ -54,8 +55,7 @@ int still_command(const StillOptions& options) {
                            ? advance_to_time(workshop, *options.time,
                                              fmt::format("--time {}", *options.time), progress)
                            : advance_to(workshop, step_of(options, workshop.scene), progress);
-    constexpr int status_of_signal = 128;
-    if (signal != 0) return status_of_signal + signal;
+    if (signal != 0) return exit_status_of_signal(signal);
     draw_still(workshop, first, options.output, options.work, progress);
     return 0;
 }

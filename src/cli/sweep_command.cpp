@@ -31,14 +31,13 @@ std::string of_runs(std::size_t count, std::size_t all) {
 
 int sweep_command(const SweepOptions& options) {
     const InterruptGuard guard;
-    constexpr int status_of_signal = 128;
     StatusLine status(options.work.verbosity);
     const auto plan =
         make_plan({read_scene_text(options.scene), read_settings(options.work.settings),
                    options.over, "", options.seeds});
     if (!plan) {
         status.note("stopped while the runs were being checked; nothing is written");
-        return status_of_signal + interrupting_signal();
+        return exit_status_of_signal(interrupting_signal());
     }
     if (plan->axes.empty() && plan->runs.size() == 1 && options.seeds.empty()) {
         throw InputError(
@@ -65,7 +64,7 @@ int sweep_command(const SweepOptions& options) {
             fmt::format("stopped by {}: {} are done and in {}; the same command goes on from here",
                         signal == SIGINT ? "an interrupt" : "a request to terminate",
                         of_runs(done, records.size()), folder.table().string()));
-        return status_of_signal + signal;
+        return exit_status_of_signal(signal);
     }
     status.note(
         fmt::format("{} are done: {}", of_runs(done, records.size()), folder.table().string()));

@@ -1,17 +1,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <set>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "cli/commands.h"
 #include "files/atomic_file.h"
 #include "picture/junit.h"
 #include "picture/png.h"
+#include "run/drawing.h"
 #include "run/interrupt.h"
-#include "run/workshop.h"
 #include "verify/verify_case.h"
 #include "verify/verify_page.h"
 
@@ -86,13 +86,11 @@ class Verification {
             const std::string before = baseline_text(suite.baseline);
             for (const BaselineCase& one : suite.baseline.cases) {
                 page_.forget(suite.name, one.name);
-                const auto start = std::chrono::steady_clock::now();
+                const Stopwatch watch;
                 const Verdict verdict = look_at(suite, one);
                 if (signal_ != 0) return stop();
-                const std::chrono::duration<double> seconds =
-                    std::chrono::steady_clock::now() - start;
                 cases_.push_back(
-                    {suite.baseline.file.string(), one.name, verdict, seconds.count()});
+                    {suite.baseline.file.string(), one.name, verdict, watch.seconds()});
             }
             if (options_.update) rewrite(suite, before);
         }
@@ -175,9 +173,8 @@ class Verification {
     }
 
     int stop() {
-        constexpr int status_of_signal = 128;
         page_.finish();
-        return status_of_signal + signal_;
+        return exit_status_of_signal(signal_);
     }
 
     [[nodiscard]] std::size_t count(Outcome outcome) const {

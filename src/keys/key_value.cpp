@@ -77,19 +77,6 @@ struct CopyValue {
     }
 };
 
-struct SwitchOff {
-    void operator()(bool* value) const { *value = false; }
-    void operator()(std::int64_t* value) const { *value = 0; }
-    void operator()(double* value) const { *value = 0.0; }
-    void operator()(std::string*) const {}
-    void operator()(const ChoiceTarget&) const {}
-    void operator()(const WordOrRealTarget&) const {}
-    template <class ListTarget>
-    void operator()(const ListTarget& target) const {
-        target.values->clear();
-    }
-};
-
 }  // namespace
 
 std::string value_text(const Key& key) {
@@ -98,10 +85,6 @@ std::string value_text(const Key& key) {
 
 void copy_value(const Key& from, const Key& to) {
     std::visit(CopyValue{from.target}, to.target);
-}
-
-void switch_off(const Key& key) {
-    std::visit(SwitchOff{}, key.target);
 }
 
 }  // namespace fumon

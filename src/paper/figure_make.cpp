@@ -47,7 +47,6 @@ std::string missing_run(const FigurePlan& plan, const FigureRuns& runs,
 }
 
 int tell_interrupted(StatusLine& status, const std::vector<RunRecord>& records) {
-    constexpr int status_of_signal = 128;
     const auto done = std::count_if(records.begin(), records.end(), [](const RunRecord& record) {
         return record.status == RunStatus::done;
     });
@@ -55,7 +54,7 @@ int tell_interrupted(StatusLine& status, const std::vector<RunRecord>& records) 
         fmt::format("stopped by {}: {} of {} runs are done; the same command goes on from here",
                     interrupting_signal() == SIGINT ? "an interrupt" : "a request to terminate",
                     done, records.size()));
-    return status_of_signal + interrupting_signal();
+    return exit_status_of_signal(interrupting_signal());
 }
 
 }  // namespace fumon

@@ -35,6 +35,11 @@ int interrupting_signal() {
     return received.load();
 }
 
+int exit_status_of_signal(int signal) {
+    constexpr int beyond_every_own_status = 128;
+    return beyond_every_own_status + signal;
+}
+
 void clear_interrupt() {
     received.store(0);
 }

@@ -15,6 +15,9 @@ class InterruptGuard {
 /// The signal that asked us to stop, or 0.
 int interrupting_signal();
 
+/// The exit status of a program that this signal stopped: 128 + signal, as shells have it.
+int exit_status_of_signal(int signal);
+
 /// Forgets it (for tests that run several commands in one process).
 void clear_interrupt();
 

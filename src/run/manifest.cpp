@@ -7,6 +7,7 @@
 
 #include "base/thread_clock.h"
 #include "files/atomic_file.h"
+#include "run/frame_list.h"
 #include "scene/json.h"
 
 namespace fumon {
@@ -75,14 +76,16 @@ std::string status_of(const RunOutcome& outcome) {
 }
 
 /// Written line by line: a run may have very many frames.
-void write_frames(AtomicFile& file, const ManifestFacts& facts, const RunOutcome& outcome) {
-    bool first = true;
-    for (const FrameRecord& frame : outcome.frames) {
+void write_frames(AtomicFile& file, const ManifestFacts& facts, const RunFolder& folder,
+                  const RunOutcome& outcome) {
+    if (outcome.frames == 0) return;
+    FrameListReader frames(folder.frame_list());
+    for (std::int64_t number = 0; number < outcome.frames; ++number) {
+        const FrameRecord frame = frames.next();
         Json entry{{"number", frame.number}, {"step", frame.step}, {"time", frame.time}};
         if (facts.scene.output.frames) entry["file"] = RunFolder::frame_name(frame.number);
         entry["pixels_sha256"] = hex(frame.pixels);
-        file.write(fmt::format("{}\n    {}", first ? "" : ",", json_text(entry, -1)));
-        first = false;
+        file.write(fmt::format("{}\n    {}", number == 0 ? "" : ",", json_text(entry, -1)));
     }
 }
 
@@ -128,7 +131,7 @@ void write_final_manifest(const RunFolder& folder, const ManifestFacts& facts,
     text.resize(text.rfind('\n'));  // the closing brace comes after the frames
     AtomicFile file(folder.manifest());
     file.write(text + ",\n  \"frames\": [");
-    write_frames(file, facts, outcome);
+    write_frames(file, facts, folder, outcome);
     file.write("\n  ]\n}\n");
     file.commit();
 }

@@ -87,12 +87,10 @@ PictureText picture_text(const std::string& resolved, const Scene& scene, std::i
 }
 
 PictureText movie_text(const std::string& resolved, const Scene& scene,
-                       const std::vector<InputFile>& inputs, std::span<const FrameRecord> frames,
+                       const std::vector<InputFile>& inputs, const FrameList& frames,
                        const RenderingEnvironment& environment) {
-    Sha256Stream all;
-    for (const FrameRecord& frame : frames) all.add(frame.pixels.data(), frame.pixels.size());
-    const std::int64_t last = frames.empty() ? 0 : frames.back().step;
-    PictureText texts = picture_text(resolved, scene, last, inputs, all.finish(), environment);
+    PictureText texts =
+        picture_text(resolved, scene, frames.last_step(), inputs, frames.pixels(), environment);
     texts.emplace_back(encoder_keyword, movie_encoder());
     return texts;
 }

@@ -3,15 +3,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "files/hash.h"
 #include "picture/environment.h"
 #include "picture/png.h"
+#include "run/frame_list.h"
 #include "run/frame_painter.h"
-#include "run/frame_record.h"
 #include "scene/initial_bed.h"
 #include "scene/scene.h"
 
@@ -45,7 +44,7 @@ PictureText picture_text(const std::string& resolved, const Scene& scene, std::i
 /// The texts of a movie: those of its last frame, but fumon:pixels-sha256 is the SHA-256 over the
 /// pixel hashes of all frames, and fumon:encoder says what encoded them.
 PictureText movie_text(const std::string& resolved, const Scene& scene,
-                       const std::vector<InputFile>& inputs, std::span<const FrameRecord> frames,
+                       const std::vector<InputFile>& inputs, const FrameList& frames,
                        const RenderingEnvironment& environment);
 
 /// Reads them back. Throws InputError when the file is neither PNG nor MP4 or not of fumon's

@@ -1,39 +1,28 @@
 #include "run/pipeline.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <condition_variable>
 #include <future>
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <thread>
 #include <utility>
 
-#include "base/error.h"
 #include "base/stopwatch.h"
 #include "base/thread_clock.h"
 #include "base/worker_pool.h"
-#include "files/atomic_file.h"
-#include "files/terrain/terrain_file.h"
 #include "models/shared/state_hash.h"
 #include "picture/movie.h"
-#include "picture/png.h"
 #include "run/bounded_queue.h"
 #include "run/check_finite.h"
 #include "run/interrupt.h"
+#include "run/output_files.h"
 #include "run/picture_text.h"
-#include "run/recorder.h"
-#include "scene/schedule.h"
+#include "run/stage_threads.h"
+#include "run/step_observers.h"
+#include "run/written_outputs.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr std::size_t frames_in_a_queue = 2;  // enough to overlap, few enough for large pictures
-
-using SharedSnapshot = std::shared_ptr<const Snapshot>;
+constexpr std::size_t items_in_a_queue = 2;  // enough to overlap, few enough for large pictures
 
 /// What is to be drawn: a step, and the measurements up to it that plots show.
 struct Frame {
@@ -41,68 +30,65 @@ struct Frame {
     MeasuredRows rows;
 };
 
-struct Picture {
-    std::int64_t number;
-    SharedSnapshot snapshot;
-    std::shared_ptr<const Image> image;
-};
-
 /// One run under way: the queues, and a method for each stage.
 class Pipeline {
   public:
     Pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs,
-             RunFolder& folder, const PipelineOptions& options, Progress& progress)
+             const RunOutputs& outputs, const PipelineOptions& options, Progress& progress)
         : model_(model),
           scene_(scene),
           inputs_(inputs),
-          folder_(folder),
+          folder_(outputs.folder),
+          movie_(outputs.movie),
           options_(options),
           progress_(progress),
-          parts_(run_parts(scene, options.checkpoint_minutes)),
+          parts_(folder_ == nullptr ? RunParts{} : run_parts(scene, options.checkpoint_minutes)),
+          pictures_(parts_.frames || movie_),
           last_step_(options.last_step.value_or(scene.run.steps)),
-          resolved_(options.resolved.empty() ? resolved_scene(scene, inputs) : options.resolved),
+          resolved_(resolved_scene(scene, inputs)),
           first_(options.former != nullptr ? options.former->first : model.snapshot()),
-          checkpoints_(folder, parts_, options.checkpoint_minutes) {
+          written_(options.former != nullptr ? options.former->checkpoint.bed_steps
+                                             : std::vector<std::int64_t>{}) {
         if (options.former == nullptr) return;
         const RunCheckpoint& former = options.former->checkpoint;
-        outcome_.frames = former.frames;
-        outcome_.bed_steps = former.bed_steps;
+        frames_before_ = former.frames.frames;
         outcome_.steps_before = former.step;
         outcome_.resumed_at = former.resumed_at;
         outcome_.resumed_at.push_back(former.step);
         outcome_.checkpoint = former.step;
-        frames_taken_ = outcome_.frames.size();
-        beds_taken_ = outcome_.bed_steps.size();
-        checkpoints_.skip(frames_taken_, beds_taken_);
         progress.steps_done = former.step;
-        progress.frames_done = std::ssize(former.frames);
+        progress.frames_done = frames_before_;
     }
 
     RunOutcome run(const std::function<void(const DrawingRecord&)>& started) {
         const Stopwatch wall;
         const double cpu_before = cpu_seconds_of_process();
-        const bool pictures = scene_.output.frames || scene_.output.movie;
-        if (pictures) begin_drawing();
+        if (pictures_) begin_drawing();
         try {
             started(outcome_.drawing);
         } catch (...) {
-            abort();
+            stages_.abort();
             throw;
         }
-        progress_.expect(last_step_, pictures ? frame_schedule(scene_).count() : 0);
-        start("fumon-simulate", [this] { simulate(); });
-        if (pictures) start("fumon-encode", [this] { write_pictures(); });
-        if (scene_.output.movie) start("fumon-movie", [this] { write_movie(); });
-        if (bed_schedule(scene_).count() > 0) start("fumon-beds", [this] { write_beds(); });
-        wait_for_all();
+        if (pictures_ && folder_ != nullptr)
+            stages_.guard([this] { written_.list_frames(folder_->frame_list(), frames_before_); });
+        progress_.expect(last_step_, pictures_ ? frame_schedule(scene_).count() : 0);
+        stages_.start("fumon-simulate", [this] { simulate(); });
+        if (pictures_) stages_.start("fumon-encode", [this] { write_frames(); });
+        if (movie_) stages_.start("fumon-movie", [this] { write_movie(); });
+        if (parts_.beds) stages_.start("fumon-beds", [this] { write_beds(); });
+        stages_.wait(progress_);
+        stages_.guard([this] { written_.frames().commit(); });
 
+        outcome_.error = stages_.error();
         if (outcome_.steps_done < last_step_) outcome_.signal = interrupting_signal();
-        outcome_.error = error_;
-        outcome_.timing.wall = wall.seconds();
-        outcome_.timing.encoding_wall = pictures_wall_ + movie_wall_;
-        outcome_.timing.encoding_cpu = cpu_seconds_of_process() - cpu_before -
-                                       outcome_.timing.simulation_cpu -
-                                       outcome_.timing.rendering_cpu;
+        outcome_.frames = written_.frames().frames();
+        outcome_.bed_steps = written_.bed_steps();
+        Timing& timing = outcome_.timing;
+        timing.wall = wall.seconds();
+        timing.encoding_wall = frames_wall_ + movie_wall_;
+        timing.encoding_cpu =
+            cpu_seconds_of_process() - cpu_before - timing.simulation_cpu - timing.rendering_cpu;
         return std::move(outcome_);
     }
 
@@ -110,17 +96,15 @@ class Pipeline {
     // ---- the stages, in the order in which a frame passes them ----
 
     void simulate() {
-        std::optional<Recorder> recorder;
+        std::unique_ptr<Recorder> recorder;
         try {
-            std::optional<RecordPositions> former;
-            if (options_.former != nullptr) former = options_.former->checkpoint.records;
-            recorder.emplace(scene_, first_, resolved_, folder_.records(), former);
-            if (former) recorder->carry(options_.former->measured);
-            advance(*recorder);
-            check_finite(model_.snapshot());
+            recorder = make_recorder();
+            if (options_.former != nullptr) recorder->carry(options_.former->measured);
+            const bool at_end = advance(*recorder) == 0;
+            if (!at_end) check_finite(model_.snapshot());
             outcome_.state = state_hash(model_);
         } catch (...) {  // what was made before goes its way: the later stages drain their queues
-            remember(std::current_exception());
+            stages_.keep(std::current_exception());
         }
         outcome_.steps_done = model_.steps_done();
         outcome_.time = model_.time();
@@ -131,61 +115,44 @@ class Pipeline {
         try {
             recorder->commit();
         } catch (...) {
-            remember(std::current_exception());
+            stages_.keep(std::current_exception());
         }
         outcome_.recorded = recorder->recorded();
     }
 
-    void advance(Recorder& recorder) {
-        const Schedule frames = frame_schedule(scene_);
-        const Schedule beds = bed_schedule(scene_);
-        const bool pictures = scene_.output.frames || scene_.output.movie;
-        for (bool told = options_.former != nullptr;; told = false) {
-            const std::int64_t step = model_.steps_done();
-            const bool frame = !told && pictures && frames.due(step);
-            const bool bed = !told && beds.due(step);
-            const bool record = !told && recorder.due(step);
-            if (frame || record || bed) {
-                const auto snapshot = std::make_shared<const Snapshot>(model_.snapshot());
-                check_finite(*snapshot);
-                if (record) recorder.record(*snapshot);
-                if (bed && !to_beds_.push(snapshot)) return;
-                if (frame && !to_draw_.push({snapshot, recorder.rows()})) return;
-                frames_taken_ += frame ? 1 : 0;
-                beds_taken_ += bed ? 1 : 0;
+    /// Returns the signal that interrupted it, or 0.
+    int advance(Recorder& recorder) {
+        ScheduledSnapshots beds(parts_.beds ? bed_schedule(scene_) : Schedule{},
+                                [&](const auto& snapshot) {
+                                    if (to_beds_.push(snapshot)) written_.send_bed();
+                                });
+        ScheduledSnapshots frames(pictures_ ? frame_schedule(scene_) : Schedule{},
+                                  [&](const auto& snapshot) {
+                                      if (to_draw_.push({snapshot, recorder.rows()}))
+                                          written_.send_frame();
+                                  });
+        CountedSteps count(progress_);
+        std::vector<StepObserver*> observers{&recorder, &beds, &frames, &count};
+        std::optional<Checkpointer> checkpoints;
+        if (folder_ != nullptr && options_.checkpoint_minutes > 0.0) {
+            checkpoints.emplace(*folder_, parts_, options_.checkpoint_minutes, checkpoint_facts(),
+                                written_, recorder,
+                                [this](const std::string& line) { stages_.tell(line); });
+            observers.push_back(&*checkpoints);
+        }
+        Stepper stepper(model_, observers, options_.former != nullptr);
+        const struct Ended {
+            RunOutcome& outcome;
+            const Stepper& stepper;
+            const std::optional<Checkpointer>& checkpoints;
+            ~Ended() {
+                outcome.timing.simulation_wall = stepper.seconds();
+                if (checkpoints && checkpoints->last()) outcome.checkpoint = checkpoints->last();
             }
-            if (step >= last_step_ || aborted()) return;
-            const bool stop = interrupting_signal() != 0;
-            if (checkpoints_.on() && (stop || checkpoints_.due())) save_checkpoint(recorder);
-            if (stop) return;
-            const Stopwatch watch;
-            model_.step();
-            outcome_.timing.simulation_wall += watch.seconds();
-            recorder.note(model_.avalanches());
-            progress_.steps_done = model_.steps_done();
-        }
-    }
-
-    /// A disk that is full for a checkpoint does not end the run: the former one stays.
-    void save_checkpoint(Recorder& recorder) {
-        if (!wait_until_written(frames_taken_, beds_taken_)) return;
-        RunCheckpoint now;
-        now.scene = resolved_;
-        now.inputs = inputs_;
-        now.drawing = environment_text(outcome_.drawing.environment);
-        now.resumed_at = outcome_.resumed_at;
-        {
-            const std::lock_guard lock(mutex_);
-            now.frames = outcome_.frames;
-            now.bed_steps = outcome_.bed_steps;
-        }
-        try {
-            checkpoints_.write(std::move(now), model_, recorder);
-            outcome_.checkpoint = model_.steps_done();
-        } catch (const Error& fault) {
-            tell(fmt::format("no checkpoint of step {}: {}; the run goes on", model_.steps_done(),
-                             fault.what()));
-        }
+        } ended{outcome_, stepper, checkpoints};
+        return stepper.advance([this](const Model& model) {
+            return model.steps_done() >= last_step_ || stages_.aborted();
+        });
     }
 
     void draw(std::promise<void> ready) {
@@ -199,53 +166,43 @@ class Pipeline {
             ready.set_exception(std::current_exception());
             return;
         }
-        auto number = static_cast<std::int64_t>(frames_before());
+        std::int64_t number = frames_before_;
         while (const auto frame = to_draw_.pop()) {
             const Stopwatch watch;
             const Picture picture{
                 number++, frame->snapshot,
                 std::make_shared<const Image>(painter->paint(*frame->snapshot, frame->rows))};
             outcome_.timing.rendering_wall += watch.seconds();
-            if (!to_pictures_.push(picture)) break;
-            if (scene_.output.movie && !to_movie_.push(picture)) break;
+            if (!to_frames_.push(picture)) break;
+            if (movie_ && !to_movie_.push(picture)) break;
         }
         outcome_.timing.rendering_cpu = cpu_seconds_of_threads({"fumon-render", "llvmpipe"});
-        to_pictures_.close();
+        to_frames_.close();
         to_movie_.close();
     }
 
-    void write_pictures() {
-        while (const auto picture = to_pictures_.pop()) {
+    void write_frames() {
+        const PictureFacts facts{resolved_, scene_, inputs_, outcome_.drawing.environment};
+        while (const auto picture = to_frames_.pop()) {
             const Stopwatch watch;
-            const Sha256 pixels = pixel_hash(*picture->image);
-            const Snapshot& snapshot = *picture->snapshot;
-            const auto write = [&](const std::filesystem::path& file, const PictureText& texts) {
-                write_file(file,
-                           encode_png(*picture->image, scene_.view.image.dots_per_inch, texts));
-            };
-            if (parts_.frames) {
-                write(folder_.frame(picture->number),
-                      picture_text(resolved_, scene_, snapshot.step, inputs_, pixels,
-                                   outcome_.drawing.environment));
-            }
-            if (parts_.kept_frames) write(folder_.kept_frame(picture->number), {});
+            const FrameRecord record = write_frame(folder_, parts_, *picture, facts);
             ++progress_.frames_done;
-            pictures_wall_ += watch.seconds();
-            const std::lock_guard lock(mutex_);
-            outcome_.frames.push_back({picture->number, snapshot.step, snapshot.time, pixels});
-            written_.notify_all();
+            frames_wall_ += watch.seconds();
+            written_.add_frame(record);
         }
     }
 
     void write_movie() {
         const OutputSettings& output = scene_.output;
-        Movie movie(options_.movie.value_or(folder_.movie()),
-                    static_cast<int>(scene_.view.image.width),
+        Movie movie(*movie_, static_cast<int>(scene_.view.image.width),
                     static_cast<int>(scene_.view.image.height), output.movie_rate,
                     static_cast<int>(output.movie_quality));
         std::int64_t frames = 0;
-        for (; std::cmp_less(frames, frames_before()); ++frames)
-            movie.add(read_frame(folder_, parts_, options_.former->checkpoint, frames));
+        if (frames_before_ > 0) {
+            FrameListReader former(folder_->frame_list());
+            for (; frames < frames_before_; ++frames)
+                movie.add(read_frame(*folder_, parts_, former.next()));
+        }
         while (const auto picture = to_movie_.pop()) {
             const Stopwatch watch;
             movie.add(*picture->image);
@@ -253,8 +210,8 @@ class Pipeline {
             movie_wall_ += watch.seconds();
         }
         PictureText texts;  // none where the run broke off
-        if (wait_until_written(static_cast<std::size_t>(frames), 0))
-            texts = movie_text(resolved_, scene_, inputs_, outcome_.frames,
+        if (written_.wait_for_all())
+            texts = movie_text(resolved_, scene_, inputs_, written_.frames(),
                                outcome_.drawing.environment);
         const Stopwatch watch;
         movie.finish(texts);
@@ -263,145 +220,90 @@ class Pipeline {
     }
 
     void write_beds() {
-        while (const auto popped = to_beds_.pop()) {
-            const Snapshot& snapshot = **popped;
-            Grid heights =
-                snapshot.bed;  // in metres where there are metres, as terrain files are read
-            for (double& height : heights.values()) height *= snapshot.scale.height_unit;
-            write_file(folder_.bed(snapshot.step),
-                       esri_ascii(heights, snapshot.nodata, snapshot.scale.dx, snapshot.scale.dy));
-            const std::lock_guard lock(mutex_);
-            outcome_.bed_steps.push_back(snapshot.step);
-            written_.notify_all();
+        while (const auto snapshot = to_beds_.pop()) {
+            write_bed(*folder_, **snapshot);
+            written_.add_bed((*snapshot)->step);
         }
     }
 
-    // ---- starting, failing, ending ----
+    // ---- what they need, and how they end ----
 
     /// Starts the drawing thread and waits until it can draw. Throws what keeps it from that.
     void begin_drawing() {
         std::promise<void> ready;
         auto is_ready = ready.get_future();
-        start("fumon-render", [this, promise = std::make_shared<std::promise<void>>(
-                                         std::move(ready))] { draw(std::move(*promise)); });
+        auto promise = std::make_shared<std::promise<void>>(std::move(ready));
+        stages_.start("fumon-render", [this, promise] { draw(std::move(*promise)); });
         is_ready.get();
     }
 
-    template <class Body>
-    void start(const std::string& name, Body body) {
-        {
-            const std::lock_guard lock(mutex_);
-            ++running_;
-        }
-        threads_.emplace_back([this, name, body] {
-            name_this_thread(name);
-            try {
-                body();
-            } catch (...) {
-                remember(std::current_exception());
-                abort();
-            }
-            const std::lock_guard lock(mutex_);
-            if (--running_ == 0) all_done_.notify_all();
-        });
+    [[nodiscard]] std::unique_ptr<Recorder> make_recorder() const {
+        Recording recording;
+        if (folder_ != nullptr) recording.files = folder_->records();
+        recording.resolved = resolved_;
+        recording.plots = pictures_;
+        std::optional<RecordPositions> former;
+        if (options_.former != nullptr) former = options_.former->checkpoint.records;
+        return std::make_unique<Recorder>(scene_, first_, std::move(recording), former);
     }
 
-    void remember(const std::exception_ptr& error) {
-        const std::lock_guard lock(mutex_);
-        if (!error_) error_ = error;
+    /// What all checkpoints of the run hold.
+    [[nodiscard]] RunCheckpoint checkpoint_facts() const {
+        RunCheckpoint facts;
+        facts.scene = resolved_;
+        facts.inputs = inputs_;
+        facts.drawing = environment_text(outcome_.drawing.environment);
+        facts.resumed_at = outcome_.resumed_at;
+        return facts;
     }
 
-    void abort() {
-        {
-            const std::lock_guard lock(mutex_);
-            aborted_ = true;
-            written_.notify_all();
-        }
+    void stop() {
+        written_.abort();
         to_draw_.abort();
         to_beds_.abort();
-        to_pictures_.abort();
+        to_frames_.abort();
         to_movie_.abort();
-    }
-
-    [[nodiscard]] bool aborted() {
-        const std::lock_guard lock(mutex_);
-        return aborted_;
-    }
-
-    /// Waits until as many frames and beds are written. False when the run was aborted.
-    bool wait_until_written(std::size_t frames, std::size_t beds) {
-        std::unique_lock lock(mutex_);
-        written_.wait(lock, [&] {
-            return aborted_ ||
-                   (outcome_.frames.size() >= frames && outcome_.bed_steps.size() >= beds);
-        });
-        return !aborted_;
-    }
-
-    [[nodiscard]] std::size_t frames_before() const {
-        return options_.former == nullptr ? 0 : options_.former->checkpoint.frames.size();
-    }
-
-    /// Has the thread that shows the progress say something lasting, the same thing once.
-    void tell(const std::string& line) {
-        const std::lock_guard lock(mutex_);
-        if (line != told_) to_tell_ = told_ = line;
-    }
-
-    void wait_for_all() {
-        constexpr std::chrono::milliseconds between_looks{50};
-        std::unique_lock lock(mutex_);
-        while (!all_done_.wait_for(lock, between_looks, [this] { return running_ == 0; })) {
-            const std::string line = std::exchange(to_tell_, {});
-            lock.unlock();
-            if (!line.empty()) progress_.note(line);
-            progress_.show();
-            lock.lock();
-        }
-        if (!to_tell_.empty()) progress_.note(to_tell_);
-        lock.unlock();
-        threads_.clear();
     }
 
     Model& model_;
     const Scene& scene_;
     const std::vector<InputFile>& inputs_;
-    RunFolder& folder_;
+    RunFolder* folder_;  ///< none: nothing but the movie is written
+    std::optional<std::filesystem::path> movie_;
     PipelineOptions options_;
     Progress& progress_;
     RunParts parts_;
+    bool pictures_;
     std::int64_t last_step_;
     std::string resolved_;
     Snapshot first_;
-    Checkpointer checkpoints_;
+    WrittenOutputs written_;
     RunOutcome outcome_;
-    std::size_t frames_taken_ = 0;  ///< by the simulation, of all steps so far
-    std::size_t beds_taken_ = 0;
-    double pictures_wall_ = 0.0;  // of two threads, added up at the end
+    std::int64_t frames_before_ = 0;  ///< of a former run
+    double frames_wall_ = 0.0;        // of two threads, added up at the end
     double movie_wall_ = 0.0;
 
-    BoundedQueue<Frame> to_draw_{frames_in_a_queue};
-    BoundedQueue<SharedSnapshot> to_beds_{frames_in_a_queue};
-    BoundedQueue<Picture> to_pictures_{frames_in_a_queue};
-    BoundedQueue<Picture> to_movie_{frames_in_a_queue};
+    BoundedQueue<Frame> to_draw_{items_in_a_queue};
+    BoundedQueue<SharedSnapshot> to_beds_{items_in_a_queue};
+    BoundedQueue<Picture> to_frames_{items_in_a_queue};
+    BoundedQueue<Picture> to_movie_{items_in_a_queue};
 
-    std::mutex mutex_;
-    std::condition_variable all_done_;
-    std::condition_variable written_;
-    std::string to_tell_;
-    std::string told_;
-    int running_ = 0;
-    bool aborted_ = false;
-    std::exception_ptr error_;
-    std::vector<std::jthread> threads_;  // last: joined before what they use goes
+    StageThreads stages_{[this] { stop(); }};  // last: joined before what they use goes
 };
 
 }  // namespace
 
+RunOutputs outputs_in(RunFolder& folder, const Scene& scene) {
+    RunOutputs outputs{&folder};
+    if (scene.output.movie) outputs.movie = folder.movie();
+    return outputs;
+}
+
 RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs,
-                        RunFolder& folder, const PipelineOptions& options, Progress& progress,
+                        const RunOutputs& outputs, const PipelineOptions& options,
+                        Progress& progress,
                         const std::function<void(const DrawingRecord&)>& started) {
-    return Pipeline(model, scene, inputs, folder, options, progress).run(started);
+    return Pipeline(model, scene, inputs, outputs, options, progress).run(started);
 }
 
 }  // namespace fumon

@@ -13,7 +13,6 @@
 #include "gl/context.h"
 #include "models/shared/model.h"
 #include "run/frame_painter.h"
-#include "run/frame_record.h"
 #include "run/progress.h"
 #include "run/recorder.h"
 #include "run/run_checkpoint.h"
@@ -45,7 +44,7 @@ struct Timing {
 struct RunOutcome {
     std::int64_t steps_done = 0;
     double time = 0.0;
-    std::vector<FrameRecord> frames;
+    std::int64_t frames = 0;  ///< their records stand in the folder's list of frames
     std::vector<std::int64_t> bed_steps;
     Recorded recorded;
     MovieRecord movie;
@@ -68,15 +67,20 @@ struct FormerRun {
 
 struct PipelineOptions {
     gl::Backend backend = gl::Backend::automatic;
-    int threads = 0;                    ///< of the renderer's own loops; 0: one per processor
-    double checkpoint_minutes = 0.0;    ///< between checkpoints, of wall time; 0: none
-    const FormerRun* former = nullptr;  ///< its model has its state already
-    /// Where the movie goes, and the last step; else as folder and scene have them.
-    std::optional<std::filesystem::path> movie{};
-    std::optional<std::int64_t> last_step{};
-    /// The scene as pictures and movie tell it, where `scene` is not all of it.
-    std::string resolved{};
+    int threads = 0;                          ///< of the renderer's own loops; 0: one per processor
+    double checkpoint_minutes = 0.0;          ///< between checkpoints, of wall time; 0: none
+    const FormerRun* former = nullptr;        ///< its model has its state already
+    std::optional<std::int64_t> last_step{};  ///< else the scene's
 };
+
+/// Where a run's outputs go. What has no place is not made.
+struct RunOutputs {
+    RunFolder* folder = nullptr;  ///< of frames, beds, records and checkpoints
+    std::optional<std::filesystem::path> movie{};
+};
+
+/// A folder for all outputs that a scene wants.
+RunOutputs outputs_in(RunFolder& folder, const Scene& scene);
 
 /// Runs a scene: simulation thread → bounded queue → drawing thread → bounded queues → encoder
 /// threads → files in order. Memory does not grow with the number of frames. The first error stops
@@ -85,7 +89,8 @@ struct PipelineOptions {
 /// nothing is written when it throws or is never reached. Throws only what happens before that;
 /// later errors are in the outcome.
 RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs,
-                        RunFolder& folder, const PipelineOptions& options, Progress& progress,
+                        const RunOutputs& outputs, const PipelineOptions& options,
+                        Progress& progress,
                         const std::function<void(const DrawingRecord&)>& started);
 
 }  // namespace fumon

@@ -12,7 +12,7 @@ namespace fumon {
 void Progress::expect(std::int64_t steps, std::int64_t frames) {
     steps_ = steps;
     frames_ = frames;
-    start_ = Clock::now();
+    watch_ = {};
     status_.restart();
 }
 
@@ -21,7 +21,7 @@ void Progress::show() {
 }
 
 std::string Progress::line() const {
-    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double seconds = watch_.seconds();
     const std::int64_t steps = steps_done.load();
     const std::int64_t frames = frames_done.load();
     double share = steps_ > 0 ? static_cast<double>(steps) / static_cast<double>(steps_) : 1.0;

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <string>
 
+#include "base/stopwatch.h"
 #include "run/status_line.h"
 
 namespace fumon {
@@ -31,15 +31,13 @@ class Progress {
     void clear() { status_.clear(); }
 
   private:
-    using Clock = std::chrono::steady_clock;
-
     [[nodiscard]] std::string line() const;
 
     StatusLine status_;
     std::int64_t cells_;
     std::int64_t steps_ = 0;
     std::int64_t frames_ = 0;
-    Clock::time_point start_ = Clock::now();
+    Stopwatch watch_;
 };
 
 /// "0:07", "12:34", "3:05:10".

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <exception>
+#include <span>
 #include <utility>
 
 #include "files/avalanche_table.h"
@@ -13,14 +14,8 @@ namespace fumon {
 
 namespace {
 
-/// What plots show, where there are frames to show them.
-std::vector<std::string> kept_columns(const Scene& scene) {
-    if (!scene.output.frames && !scene.output.movie) return {};
-    return plotted_columns(scene);
-}
-
-bool measures(const Scene& scene) {
-    return scene.output.measurements || !kept_columns(scene).empty();
+std::vector<std::string> gathered_columns(const Scene& scene, const Recording& recording) {
+    return recording.plots ? plotted_columns(scene) : std::vector<std::string>{};
 }
 
 MeasureSuite suite_for(const Snapshot& first) {
@@ -29,42 +24,48 @@ MeasureSuite suite_for(const Snapshot& first) {
 
 }  // namespace
 
-Recorder::Recorder(const Scene& scene, const Snapshot& first, std::string resolved,
-                   RecordPaths paths, const std::optional<RecordPositions>& former)
-    : scene_(scene),
-      resolved_(std::move(resolved)),
-      paths_(std::move(paths)),
-      measured_(measures(scene) ? measurement_schedule(scene) : Schedule{}),
-      fielded_(fields_schedule(scene)),
-      suite_(suite_for(first)),
-      plotted_(kept_columns(scene), suite_.columns(), first) {
+Recorder::Recorder(const Scene& scene, const Snapshot& first, Recording recording,
+                   const std::optional<RecordPositions>& former)
+    : suite_(suite_for(first)),
+      plotted_(gathered_columns(scene, recording), suite_.columns(), first) {
+    const bool writes = recording.files.has_value();
+    const bool tabulates = writes && scene.output.measurements;
+    measures_ = tabulates || !plotted_.rows().columns.empty();
+    lists_avalanches_ = writes && scene.output.avalanches;
+    if (measures_) measured_ = measurement_schedule(scene);
+    if (writes) {
+        fielded_ = fields_schedule(scene);
+        paths_ = std::move(*recording.files);
+        text_ = {scene.title, std::move(recording.resolved), scene.seed};
+    }
     if (former) {
         const RecordPositions& at = *former;
         if (at.avalanches >= 0) avalanches_.emplace(paths_.avalanches, at.avalanches);
         if (at.measurements >= 0) measurements_.emplace(paths_.measurements, at.measurements);
-        if (at.fields >= 0) fields_.emplace(paths_.fields, first, fields_text(), at.fields);
+        if (at.fields >= 0) fields_.emplace(paths_.fields, first, text_, at.fields);
         return;
     }
-    if (!scene.output.measurements) return;
+    if (!tabulates) return;
     measurements_.emplace(paths_.measurements);
     std::string header = "step,time";
     for (const MeasureColumn& column : suite_.columns()) header += "," + column.name;
     measurements_->write(header + "\n");
 }
 
-bool Recorder::due(std::int64_t step) const {
+bool Recorder::wants(std::int64_t step) const {
     return measured_.due(step) || fielded_.due(step);
 }
 
-void Recorder::record(const Snapshot& snapshot) {
-    if (measured_.due(snapshot.step)) measure(snapshot);
-    if (fielded_.due(snapshot.step)) record_fields(snapshot);
+void Recorder::take(const SharedSnapshot& snapshot) {
+    if (measured_.due(snapshot->step)) measure(*snapshot);
+    if (fielded_.due(snapshot->step)) record_fields(*snapshot);
 }
 
-void Recorder::note(std::span<const Avalanche> avalanches) {
+void Recorder::after_step(const Model& model) {
+    const std::span<const Avalanche> avalanches = model.avalanches();
     if (avalanches.empty()) return;
-    if (measures(scene_)) suite_.note(avalanches);
-    if (!scene_.output.avalanches) return;
+    if (measures_) suite_.note(avalanches);
+    if (!lists_avalanches_) return;
     if (!avalanches_) avalanches_.emplace(paths_.avalanches);
     avalanches_->add(avalanches);
 }
@@ -79,9 +80,7 @@ void Recorder::measure(const Snapshot& snapshot) {
 }
 
 void Recorder::record_fields(const Snapshot& snapshot) {
-    if (!fields_) {
-        fields_.emplace(paths_.fields, snapshot, fields_text());
-    }
+    if (!fields_) fields_.emplace(paths_.fields, snapshot, text_);
     fields_->add(snapshot);
 }
 

@@ -3,16 +3,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 
-#include "base/avalanche.h"
 #include "base/snapshot.h"
 #include "files/atomic_file.h"
 #include "files/avalanche_table.h"
 #include "files/netcdf/netcdf_fields.h"
 #include "measure/measured_rows.h"
 #include "measure/suite.h"
+#include "run/stepper.h"
 #include "scene/scene.h"
 #include "scene/schedule.h"
 
@@ -39,6 +38,13 @@ struct Recorded {
     bool fields = false;
 };
 
+/// What a recorder is made for.
+struct Recording {
+    std::optional<RecordPaths> files;  ///< none: it writes nothing
+    std::string resolved;              ///< the scene as TOML, for fields.nc
+    bool plots = false;                ///< frames are drawn: it gathers what plots over them show
+};
+
 /// What a simulation writes besides pictures and beds, as its scene wants it:
 ///
 ///     measurements.csv   step, time and the measures of MeasureSuite; an empty cell where a
@@ -46,27 +52,24 @@ struct Recorded {
 ///     avalanches.csv     one row an avalanche; no file until there is one
 ///     fields.nc          every field of the snapshot, as NetCDF
 ///
-/// It also keeps the measurements that plots over the frames show (overlays).
+/// It also gathers the measurements that plots over the frames show (overlays).
 /// The files get their names by commit(); without it they vanish with the recorder.
-class Recorder {
+class Recorder : public StepObserver {
   public:
-    /// `first` is the run's first snapshot, `resolved` the scene as TOML, for fields.nc. With
-    /// positions of a former run, goes on with its files. Throws Error when a file cannot be made,
-    /// InputError where one cannot be gone on with.
-    Recorder(const Scene& scene, const Snapshot& first, std::string resolved, RecordPaths paths,
+    /// `first` is the run's first snapshot. With positions of a former run, goes on with its files.
+    /// Throws Error when a file cannot be made, InputError where one cannot be gone on with.
+    Recorder(const Scene& scene, const Snapshot& first, Recording recording,
              const std::optional<RecordPositions>& former = std::nullopt);
-    Recorder(const Recorder&) = delete;
-    Recorder& operator=(const Recorder&) = delete;
 
     /// Whether a step's snapshot is to be recorded.
-    [[nodiscard]] bool due(std::int64_t step) const;
+    [[nodiscard]] bool wants(std::int64_t step) const override;
 
-    /// Records a snapshot of a step that is due. Throws Error on a full disk or any failed write;
-    /// the rows before stay whole.
-    void record(const Snapshot& snapshot);
+    /// Records a snapshot. Throws Error on a full disk or any failed write; the rows before stay
+    /// whole.
+    void take(const SharedSnapshot& snapshot) override;
 
-    /// Takes the last step's avalanches, after every step. Throws as record().
-    void note(std::span<const Avalanche> avalanches);
+    /// Takes the step's avalanches. Throws as take().
+    void after_step(const Model& model) override;
 
     /// The measurements so far that plots over the frames show.
     [[nodiscard]] const MeasuredRows& rows() const { return plotted_.rows(); }
@@ -86,13 +89,13 @@ class Recorder {
   private:
     void measure(const Snapshot& snapshot);
     void record_fields(const Snapshot& snapshot);
-    [[nodiscard]] FieldsText fields_text() const { return {scene_.title, resolved_, scene_.seed}; }
 
-    const Scene& scene_;
-    std::string resolved_;
     RecordPaths paths_;
+    FieldsText text_;
     Schedule measured_;
     Schedule fielded_;
+    bool measures_ = false;
+    bool lists_avalanches_ = false;
     MeasureSuite suite_;
     RowGatherer plotted_;
     std::optional<AtomicFile> measurements_;

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "picture/environment.h"
+#include "run/drawing.h"
 #include "run/find_input.h"
 #include "run/pipeline.h"
 #include "scene/json.h"
@@ -46,10 +47,9 @@ void check_inputs(const std::vector<InputFile>& now, const RunCheckpoint& checkp
 }
 
 void check_frames(const RunFolder& folder, const Scene& scene, const RunCheckpoint& checkpoint) {
-    for (const FrameRecord& frame : checkpoint.frames) {
-        if (!scene.output.frames && !scene.output.movie) return;
-        const auto file =
-            scene.output.frames ? folder.frame(frame.number) : folder.kept_frame(frame.number);
+    check_frame_list(folder.frame_list(), checkpoint.frames);
+    for (std::int64_t number = 0; number < checkpoint.frames.frames; ++number) {
+        const auto file = scene.output.frames ? folder.frame(number) : folder.kept_frame(number);
         std::error_code fault;
         if (std::filesystem::is_regular_file(file, fault)) continue;
         throw InputError(fmt::format(

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
+#include <utility>
 
 #include "base/error.h"
 #include "files/atomic_file.h"
 #include "files/checkpoint.h"
-#include "files/hash.h"
-#include "picture/png.h"
 
 namespace fumon {
 
@@ -27,30 +25,12 @@ void carry_inputs(std::vector<InputFile>& inputs, StateCarrier& carrier) {
     }
 }
 
-/// Frames are numbered from 0 without gaps.
-void carry_frames(std::vector<FrameRecord>& frames, StateCarrier& carrier) {
-    std::vector<std::int64_t> steps;
-    std::vector<double> times;
-    std::string hashes;
-    for (const FrameRecord& frame : frames) {
-        steps.push_back(frame.step);
-        times.push_back(frame.time);
-        hashes.append(frame.pixels.begin(), frame.pixels.end());
-    }
-    carrier.list("frame_steps", steps);
-    carrier.list("frame_times", times);
-    carrier.text("frame_pixels", hashes);
-    constexpr std::size_t bytes = std::tuple_size_v<Sha256>;
-    if (times.size() != steps.size() || hashes.size() != bytes * steps.size())
-        carrier.refuse("its frames do not fit each other");
-    frames.resize(steps.size());
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        frames[i].number = static_cast<std::int64_t>(i);
-        frames[i].step = steps[i];
-        frames[i].time = times[i];
-        std::copy_n(hashes.begin() + static_cast<std::ptrdiff_t>(bytes * i), bytes,
-                    frames[i].pixels.begin());
-    }
+void carry_count(FrameCount& count, StateCarrier& carrier) {
+    carrier.count("frames", count.frames);
+    std::string hash(count.hash.begin(), count.hash.end());
+    carrier.text("frames_sha256", hash);
+    if (hash.size() != count.hash.size()) carrier.refuse("the hash of its frames is no SHA-256");
+    std::copy(hash.begin(), hash.end(), count.hash.begin());
 }
 
 }  // namespace
@@ -64,58 +44,71 @@ void RunCheckpoint::carry(StateCarrier& carrier) {
     carrier.value("measurements_bytes", records.measurements);
     carrier.value("avalanches_bytes", records.avalanches);
     carrier.value("fields_records", records.fields);
-    carry_frames(frames, carrier);
+    carry_count(frames, carrier);
     carrier.list("bed_steps", bed_steps);
     carrier.list("resumed_at", resumed_at);
 }
 
-void Checkpointer::write(RunCheckpoint now, Model& model, Recorder& recorder) {
+Checkpointer::Checkpointer(const RunFolder& folder, const RunParts& parts, double minutes,
+                           RunCheckpoint fixed, WrittenOutputs& written, Recorder& recorder,
+                           std::function<void(const std::string&)> tell)
+    : folder_(folder),
+      parts_(parts),
+      clock_(minutes),
+      now_(std::move(fixed)),
+      written_(written),
+      recorder_(recorder),
+      tell_(std::move(tell)),
+      frames_on_disk_(written.frames().frames()),
+      beds_on_disk_(written.bed_steps().size()) {}
+
+void Checkpointer::before_step(Model& model, bool interrupted) {
+    if (!clock_.on() || !(interrupted || clock_.due())) return;
+    if (!written_.wait_for_all()) return;
+    try {
+        write(model);
+        last_ = model.steps_done();
+    } catch (const Error& fault) {
+        tell_(fmt::format("no checkpoint of step {}: {}; the run goes on", model.steps_done(),
+                          fault.what()));
+    }
+}
+
+void Checkpointer::write(Model& model) {
     clock_.begin();
     const struct Ended {
         CheckpointClock& clock;
         ~Ended() { clock.end(); }
     } ended{clock_};
-    put_on_disk(now);
-    now.version = FUMON_VERSION;
-    now.step = model.steps_done();
-    now.records = recorder.sync();
+    put_on_disk();
+    now_.version = FUMON_VERSION;
+    now_.step = model.steps_done();
+    now_.frames = written_.frames().sync();
+    now_.bed_steps = written_.bed_steps();
+    now_.records = recorder_.sync();
     CheckpointWriter writer(folder_.checkpoint());
-    now.carry(writer);
+    now_.carry(writer);
     model.carry(writer);
-    recorder.carry(writer);
+    recorder_.carry(writer);
     writer.commit();
 }
 
-void Checkpointer::put_on_disk(const RunCheckpoint& now) {
-    for (; frames_on_disk_ < now.frames.size(); ++frames_on_disk_) {
-        const std::int64_t number = now.frames[frames_on_disk_].number;
-        if (parts_.frames) sync_file(folder_.frame(number));
-        if (parts_.kept_frames) sync_file(folder_.kept_frame(number));
+void Checkpointer::put_on_disk() {
+    for (; frames_on_disk_ < written_.frames().frames(); ++frames_on_disk_) {
+        if (parts_.frames) sync_file(folder_.frame(frames_on_disk_));
+        if (parts_.kept_frames) sync_file(folder_.kept_frame(frames_on_disk_));
     }
-    for (; beds_on_disk_ < now.bed_steps.size(); ++beds_on_disk_)
-        sync_file(folder_.bed(now.bed_steps[beds_on_disk_]));
+    for (; beds_on_disk_ < written_.bed_steps().size(); ++beds_on_disk_)
+        sync_file(folder_.bed(written_.bed_steps()[beds_on_disk_]));
     if (parts_.frames) sync_folder_of(folder_.frame(0));
     if (parts_.kept_frames) sync_folder_of(folder_.kept_frame(0));
     if (parts_.beds) sync_folder_of(folder_.bed(0));
 }
 
-Image read_frame(const RunFolder& folder, const RunParts& parts, const RunCheckpoint& checkpoint,
-                 std::int64_t number) {
-    const std::filesystem::path file =
-        parts.frames ? folder.frame(number) : folder.kept_frame(number);
-    Image image = read_png(file);
-    if (pixel_hash(image) == checkpoint.frames.at(static_cast<std::size_t>(number)).pixels)
-        return image;
-    throw Error(
-        fmt::format("{}: its pixels are not those that the run wrote, so the movie cannot "
-                    "be begun again; bring the old file back",
-                    file.string()));
-}
-
 void CheckpointClock::end() {
     constexpr double least_ratio = 50.0;  // of a run's seconds to those of its checkpoints
-    wait_ = std::max(interval_, least_ratio * seconds_since(begun_));
-    last_ = Clock::now();
+    wait_ = std::max(interval_, least_ratio * since_begin_.seconds());
+    since_last_ = {};
 }
 
 }  // namespace fumon

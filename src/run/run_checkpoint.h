@@ -1,17 +1,19 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
-#include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "base/image.h"
 #include "base/state_carrier.h"
+#include "base/stopwatch.h"
 #include "models/shared/model.h"
-#include "run/frame_record.h"
+#include "run/frame_list.h"
 #include "run/recorder.h"
 #include "run/run_folder.h"
+#include "run/stepper.h"
+#include "run/written_outputs.h"
 #include "scene/initial_bed.h"
 
 namespace fumon {
@@ -27,7 +29,7 @@ struct RunCheckpoint {
     std::string drawing;            ///< what drew the frames, in words
     std::int64_t step = 0;
     RecordPositions records;
-    std::vector<FrameRecord> frames;
+    FrameCount frames;  ///< their records stand in the list of frames
     std::vector<std::int64_t> bed_steps;
     std::vector<std::int64_t> resumed_at;  ///< steps from which the run was gone on with
 
@@ -43,54 +45,48 @@ class CheckpointClock {
     explicit CheckpointClock(double minutes) : interval_(60.0 * minutes) {}
 
     [[nodiscard]] bool on() const { return interval_ > 0.0; }
-    [[nodiscard]] bool due() const { return on() && seconds_since(last_) >= wait_; }
-    void begin() { begun_ = Clock::now(); }
+    [[nodiscard]] bool due() const { return on() && since_last_.seconds() >= wait_; }
+    void begin() { since_begin_ = {}; }
     void end();
 
   private:
-    using Clock = std::chrono::steady_clock;
-    static double seconds_since(Clock::time_point start) {
-        return std::chrono::duration<double>(Clock::now() - start).count();
-    }
-
     double interval_;  ///< seconds
     double wait_ = interval_;
-    Clock::time_point begun_ = Clock::now();
-    Clock::time_point last_ = begun_;
+    Stopwatch since_begin_;
+    Stopwatch since_last_;
 };
 
-/// Writes a run's checkpoints into DIR/checkpoint.fumon. Lives on the simulation's thread.
-class Checkpointer {
+/// Writes a run's checkpoints into DIR/checkpoint.fumon when they are due, and where an interrupt
+/// comes.
+class Checkpointer : public StepObserver {
   public:
-    /// `minutes` between checkpoints; 0: none.
-    Checkpointer(const RunFolder& folder, const RunParts& parts, double minutes)
-        : folder_(folder), parts_(parts), clock_(minutes) {}
+    /// `fixed` is what a checkpoint holds that stays the same over the run; `minutes` between
+    /// checkpoints, 0: none; `tell` takes what is to be told of one that cannot be written.
+    Checkpointer(const RunFolder& folder, const RunParts& parts, double minutes,
+                 RunCheckpoint fixed, WrittenOutputs& written, Recorder& recorder,
+                 std::function<void(const std::string&)> tell);
 
-    [[nodiscard]] bool on() const { return clock_.on(); }
-    [[nodiscard]] bool due() const { return clock_.due(); }
+    /// Writes a checkpoint once all outputs of the steps so far are written. A disk that is full
+    /// for it does not end the run: the former one stays.
+    void before_step(Model& model, bool interrupted) override;
 
-    /// As many frames and beds are on disk since an earlier checkpoint.
-    void skip(std::size_t frames, std::size_t beds) {
-        frames_on_disk_ = frames;
-        beds_on_disk_ = beds;
-    }
-
-    /// Puts all outputs that it counts on disk, then the checkpoint, whole or not at all; fills in
-    /// version, step and positions. Throws Error, and leaves the former one.
-    void write(RunCheckpoint now, Model& model, Recorder& recorder);
+    /// The step of the last one that was written.
+    [[nodiscard]] std::optional<std::int64_t> last() const { return last_; }
 
   private:
-    void put_on_disk(const RunCheckpoint& now);
+    void write(Model& model);
+    void put_on_disk();
 
     const RunFolder& folder_;
     RunParts parts_;
     CheckpointClock clock_;
-    std::size_t frames_on_disk_ = 0;
-    std::size_t beds_on_disk_ = 0;
+    RunCheckpoint now_;
+    WrittenOutputs& written_;
+    Recorder& recorder_;
+    std::function<void(const std::string&)> tell_;
+    std::optional<std::int64_t> last_;
+    std::int64_t frames_on_disk_;
+    std::size_t beds_on_disk_;
 };
-
-/// A frame that the run wrote before its checkpoint. Throws Error where it is no longer the same.
-Image read_frame(const RunFolder& folder, const RunParts& parts, const RunCheckpoint& checkpoint,
-                 std::int64_t number);
 
 }  // namespace fumon

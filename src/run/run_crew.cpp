@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "base/thread_clock.h"
 #include "run/interrupt.h"
 #include "run/manifest.h"
@@ -19,13 +20,6 @@
 namespace fumon {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 /// The runs under way: threads that take one after the other.
 class Crew {
   public:
@@ -60,8 +54,8 @@ class Crew {
             successes_.clear();
             if (ended) break;
             if (status.due()) {
-                status.show(run_progress_text(done_, records_.size(), failed_,
-                                              seconds_since(start_), work_done_ / work_));
+                status.show(run_progress_text(done_, records_.size(), failed_, watch_.seconds(),
+                                              work_done_ / work_));
             }
         }
         lock.unlock();
@@ -103,14 +97,14 @@ class Crew {
     }
 
     Attempt outcome(const RunTask& task, int threads, RunRecord& record) {
-        const auto start = Clock::now();
+        const Stopwatch watch;
         Attempt attempt = Attempt::done;
         try {
             attempt = task.body(threads, record, work_done_);
             record.status = RunStatus::done;
         } catch (...) {
             record.status = RunStatus::failed;
-            record.wall_seconds = seconds_since(start);
+            record.wall_seconds = watch.seconds();
             record.state.clear();
             record.message = one_line(error_text(std::current_exception()));
         }
@@ -133,7 +127,7 @@ class Crew {
     const std::vector<RunTask>& tasks_;
     std::vector<RunRecord>& records_;
     double work_ = 0.0;
-    Clock::time_point start_ = Clock::now();
+    Stopwatch watch_;
 
     std::atomic<double> work_done_{0.0};
     std::mutex mutex_;

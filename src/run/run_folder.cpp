@@ -117,7 +117,7 @@ void RunFolder::go_on(const RunParts& parts, const RunCheckpoint& checkpoint) {
     if (checkpoint.records.measurements < 0) remove_with_temporary(written.measurements);
     if (checkpoint.records.avalanches < 0) remove_with_temporary(written.avalanches);
     if (checkpoint.records.fields < 0) remove_with_temporary(written.fields);
-    const auto frames = std::ssize(checkpoint.frames);
+    const std::int64_t frames = checkpoint.frames.frames;
     remove_numbered(folder_ / "frames", "frame_", ".png", frames);
     remove_numbered(folder_ / kept_frames, "frame_", ".png", frames);
     remove_numbered(folder_ / "beds", "bed_", ".asc", checkpoint.step + 1);
@@ -127,9 +127,14 @@ void RunFolder::go_on(const RunParts& parts, const RunCheckpoint& checkpoint) {
 void RunFolder::tidy() const {
     std::error_code fault;
     fs::remove(checkpoint(), fault);
+    forget_frames();
     fs::remove(records().fields.string() + ".former", fault);
     remove_numbered(folder_ / kept_frames, "frame_", ".png");
     fs::remove(folder_ / kept_frames, fault);
+}
+
+void RunFolder::forget_frames() const {
+    remove_with_temporary(frame_list());
 }
 
 fs::path RunFolder::kept_frame(std::int64_t number) const {

@@ -27,8 +27,9 @@ void make_folder(const std::filesystem::path& folder);
 
 /// The folder of one run: run.json, frames/frame_000000.png …, movie.mp4, measurements.csv,
 /// avalanches.csv, fields.nc, beds/bed_00001000.asc; and while the run is not complete
-/// checkpoint.fumon and, where a movie is made and no frames, kept_frames/frame_000000.png …, from
-/// which the movie can be begun again. One program works in it at a time.
+/// checkpoint.fumon and frames.fumon (run/frame_list.h) and, where a movie is made and no frames,
+/// kept_frames/frame_000000.png …, from which the movie can be begun again. One program works in it
+/// at a time.
 class RunFolder {
   public:
     /// Makes nothing yet. Throws InputError when the folder already holds a run and `force` is not
@@ -48,6 +49,8 @@ class RunFolder {
     void go_on(const RunParts& parts, const RunCheckpoint& checkpoint);
     /// Takes away what a complete run needs no more.
     void tidy() const;
+    /// Takes away the list of frames, which a run without a checkpoint needs no more.
+    void forget_frames() const;
 
     [[nodiscard]] std::filesystem::path manifest() const { return folder_ / "run.json"; }
     [[nodiscard]] std::filesystem::path movie() const { return folder_ / "movie.mp4"; }
@@ -59,6 +62,7 @@ class RunFolder {
     }
     [[nodiscard]] std::filesystem::path kept_frame(std::int64_t number) const;
     [[nodiscard]] std::filesystem::path checkpoint() const { return folder_ / "checkpoint.fumon"; }
+    [[nodiscard]] std::filesystem::path frame_list() const { return folder_ / "frames.fumon"; }
     [[nodiscard]] std::filesystem::path bed(std::int64_t step) const {
         return folder_ / bed_name(step);
     }

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
 #include "files/netcdf/netcdf_record.h"
@@ -127,7 +127,7 @@ Snapshot RunStore::snapshot(const StoredRun& run, std::int64_t step) const {
 
 Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
                        std::atomic<double>& cell_steps) const {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     make_folder(folder_);
     fs::path lock_file = place(run);
     lock_file += ".lock";
@@ -149,16 +149,16 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
         if (stored_run(workshop.scene, workshop.initial).id != run.id)
             throw Error("a file that it reads has changed since the start");
         const Snapshot first = workshop.model->snapshot();
-        Recorder recorder(workshop.scene, first,
-                          resolved_scene(workshop.scene, workshop.initial.inputs),
-                          {made / "measurements.csv", made / "avalanches.csv", made / "fields.nc"});
+        Recorder recorder(
+            workshop.scene, first,
+            {RecordPaths{made / "measurements.csv", made / "avalanches.csv", made / "fields.nc"},
+             resolved_scene(workshop.scene, workshop.initial.inputs)});
         if (!simulate(workshop, recorder, record.steps, cell_steps)) {
             take_away(made);
             return Attempt::interrupted;
         }
         record.state = hex(state_hash(*workshop.model));
-        record.wall_seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        record.wall_seconds = watch.seconds();
         write_manifest(made, wanted, record, outline_json(first));
         put(made, run);
     } catch (...) {

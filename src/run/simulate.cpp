@@ -1,33 +1,26 @@
 #include "run/simulate.h"
 
-#include "run/check_finite.h"
-#include "run/interrupt.h"
+#include "run/stepper.h"
 
 namespace fumon {
 
 namespace {
 
-/// False when it was interrupted.
-bool advance(Workshop& workshop, Recorder& recorder, std::int64_t& steps,
-             std::atomic<double>& cell_steps) {
-    Model& model = *workshop.model;
-    const auto cells = static_cast<double>(workshop.initial.bed.size());
-    for (;;) {
-        steps = model.steps_done();
-        if (recorder.due(steps)) {
-            const Snapshot snapshot = model.snapshot();
-            check_finite(snapshot);
-            recorder.record(snapshot);
-        }
-        if (steps >= workshop.scene.run.steps) break;
-        if (interrupting_signal() != 0) return false;
-        model.step();
-        recorder.note(model.avalanches());
-        cell_steps += cells;
+/// Counts for those who wait for many runs.
+class SharedCounts : public StepObserver {
+  public:
+    SharedCounts(std::size_t cells, std::int64_t& steps, std::atomic<double>& cell_steps)
+        : cells_(static_cast<double>(cells)), steps_(steps), cell_steps_(cell_steps) {}
+    void after_step(const Model& model) override {
+        steps_ = model.steps_done();
+        cell_steps_ += cells_;
     }
-    check_finite(model.snapshot());
-    return true;
-}
+
+  private:
+    double cells_;
+    std::int64_t& steps_;
+    std::atomic<double>& cell_steps_;
+};
 
 /// What a failing run has measured before is kept where it can be.
 void keep(Recorder& recorder) {
@@ -42,8 +35,10 @@ void keep(Recorder& recorder) {
 
 bool simulate(Workshop& workshop, Recorder& recorder, std::int64_t& steps,
               std::atomic<double>& cell_steps) {
+    SharedCounts counted(workshop.initial.bed.size(), steps, cell_steps);
+    Stepper stepper(*workshop.model, {&recorder, &counted});
     try {
-        if (!advance(workshop, recorder, steps, cell_steps)) return false;
+        if (stepper.advance(at_step(workshop.scene.run.steps)) != 0) return false;
     } catch (...) {
         keep(recorder);
         throw;

@@ -10,8 +10,8 @@ namespace fumon {
 
 namespace {
 
-constexpr std::chrono::milliseconds between_live_lines{200};
-constexpr std::chrono::seconds between_log_lines{10};
+constexpr double between_live_lines = 0.2;  // seconds
+constexpr double between_log_lines = 10.0;
 
 }  // namespace
 
@@ -24,8 +24,7 @@ StatusLine::~StatusLine() {
 
 bool StatusLine::due() const {
     if (verbosity_ == Verbosity::quiet) return false;
-    const auto since = Clock::now() - shown_;
-    return live_ ? since >= between_live_lines : since >= between_log_lines;
+    return since_shown_.seconds() >= (live_ ? between_live_lines : between_log_lines);
 }
 
 void StatusLine::show(const std::string& text) {
@@ -40,7 +39,7 @@ void StatusLine::show(const std::string& text) {
 }
 
 void StatusLine::restart() {
-    shown_ = Clock::now();
+    since_shown_ = {};
 }
 
 void StatusLine::note(const std::string& text) {

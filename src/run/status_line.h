@@ -1,7 +1,8 @@
 #pragma once
 
-#include <chrono>
 #include <string>
+
+#include "base/stopwatch.h"
 
 namespace fumon {
 
@@ -30,11 +31,9 @@ class StatusLine {
     void clear();
 
   private:
-    using Clock = std::chrono::steady_clock;
-
     Verbosity verbosity_;
     bool live_;
-    Clock::time_point shown_ = Clock::now();
+    Stopwatch since_shown_;
     bool open_ = false;
 };
 

@@ -5,18 +5,11 @@
 #include "base/error.h"
 #include "figure/overlays/frame_overlays.h"
 #include "figure/panels/section_figure.h"
-#include "files/atomic_file.h"
-#include "gl/pinned.h"
 #include "models/registry.h"
-#include "picture/png.h"
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
 #include "render/view/water.h"
-#include "run/check_finite.h"
-#include "run/interrupt.h"
-#include "run/picture_text.h"
 #include "scene/overlay_keys.h"
-#include "scene/scene_roles.h"
 
 namespace fumon {
 
@@ -89,13 +82,6 @@ void check_overlays(const Scene& scene, const Snapshot& first) {
     }
 }
 
-/// The scene as a recorder sees it that measures for plots alone.
-Scene for_plots(const Scene& scene) {
-    Scene plain = without_files(scene);
-    plain.output.frames = true;
-    return plain;
-}
-
 /// Whether a scene shows more than the bed, which a model may not have.
 bool asks_for_more(const Scene& scene) {
     const LookSettings& look = scene.view.look;
@@ -104,23 +90,7 @@ bool asks_for_more(const Scene& scene) {
            has_overlays(scene);
 }
 
-/// Measures the present step where plots show it.
-void measure_for_plots(Workshop& workshop) {
-    if (!workshop.plotted || !workshop.plotted->recorder.due(workshop.model->steps_done())) return;
-    workshop.plotted->recorder.record(workshop.model->snapshot());
-}
-
-/// Begins to measure, where there are plots.
-void begin_plots(Workshop& workshop) {
-    if (workshop.plotted || plotted_columns(workshop.scene).empty()) return;
-    workshop.plotted = std::make_unique<PlottedRows>(workshop.scene, *workshop.model);
-    measure_for_plots(workshop);
-}
-
 }  // namespace
-
-PlottedRows::PlottedRows(const Scene& scene_, const Model& model)
-    : scene(for_plots(scene_)), recorder(scene, model.snapshot(), "", {}) {}
 
 PreparedScene prepare(Scene scene) {
     check_palette(scene);
@@ -153,77 +123,6 @@ Workshop set_up(PreparedScene prepared, int threads) {
 
 Workshop set_up(Scene scene, int threads) {
     return set_up(prepare(std::move(scene)), threads);
-}
-
-int advance_to(Workshop& workshop, std::int64_t step, Progress& progress) {
-    Model& model = *workshop.model;
-    begin_plots(workshop);
-    progress.expect(step, 0);
-    while (model.steps_done() < step) {
-        if (const int signal = interrupting_signal(); signal != 0) return signal;
-        model.step();
-        if (workshop.plotted) workshop.plotted->recorder.note(model.avalanches());
-        measure_for_plots(workshop);
-        progress.steps_done = model.steps_done();
-        progress.show();
-    }
-    progress.clear();
-    check_finite(model.snapshot());
-    return 0;
-}
-
-int advance_to_time(Workshop& workshop, double time, const std::string& asked, Progress& progress) {
-    while (workshop.model->time() < time) {
-        const std::int64_t next = workshop.model->steps_done() + 1;
-        if (next > workshop.scene.run.steps) {
-            throw InputError(fmt::format("{} is after the run's end at {} {}; lengthen run.steps",
-                                         asked, workshop.model->time(),
-                                         workshop.model->time_unit()));
-        }
-        if (const int signal = advance_to(workshop, next, progress); signal != 0) return signal;
-    }
-    return 0;
-}
-
-void prepare_drawing(const WorkOptions& work) {
-    if (work.pinned) gl::pin_rendering();
-}
-
-void tell_drawing(const DrawingRecord& drawing, Progress& progress) {
-    const RenderingEnvironment& environment = drawing.environment;
-    if (environment.backend.empty()) return;
-    progress.verbose(fmt::format("{}: {}{}{}{}", environment.backend, environment.renderer,
-                                 environment.gl_version.empty() ? "" : ", OpenGL ",
-                                 environment.gl_version, environment.pinned ? ", pinned" : ""));
-    for (const std::string& line : gl::overridden_by_pinning())
-        progress.verbose("--pinned: " + line);
-    if (!drawing.why_not_pinned.empty()) {
-        progress.note(fmt::format("not pinned, and recorded so: {}", drawing.why_not_pinned));
-    }
-}
-
-Drawing draw_present(Workshop& workshop, const Snapshot& first, const WorkOptions& work) {
-    WorkerPool pool(work.threads, "fumon-render");
-    const auto painter = make_frame_painter(workshop.scene, first, work.backend, pool);
-    begin_plots(workshop);
-    const MeasuredRows rows = workshop.plotted ? workshop.plotted->recorder.rows() : MeasuredRows{};
-    return {painter->paint(workshop.model->snapshot(), rows), painter->record()};
-}
-
-DrawnStill draw_still(Workshop& workshop, const Snapshot& first, const std::string& file,
-                      const WorkOptions& work, Progress& progress) {
-    const Scene& scene = workshop.scene;
-    const auto [image, drawing] = draw_present(workshop, first, work);
-    tell_drawing(drawing, progress);
-    const Sha256 pixels = pixel_hash(image);
-    const auto texts = picture_text(resolved_scene(scene, workshop.initial.inputs), scene,
-                                    workshop.model->steps_done(), workshop.initial.inputs, pixels,
-                                    drawing.environment);
-    write_file(file, encode_png(image, scene.view.image.dots_per_inch, texts));
-    if (drawing.exaggeration != 1.0) {
-        progress.note(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));
-    }
-    return {pixels, drawing.environment};
 }
 
 }  // namespace fumon

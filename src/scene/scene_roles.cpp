@@ -29,12 +29,4 @@ Scene only_roles(Scene scene, std::span<const KeyRole> kept) {
     return scene;
 }
 
-Scene without_files(Scene scene) {
-    const KeyTable table = scene_keys(scene);
-    for (const Key& key : table.keys()) {
-        if (key.role == KeyRole::record || key.role == KeyRole::file) switch_off(key);
-    }
-    return scene;
-}
-
 }  // namespace fumon

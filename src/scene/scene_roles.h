@@ -11,8 +11,4 @@ namespace fumon {
 /// empty.
 Scene only_roles(Scene scene, std::span<const KeyRole> kept);
 
-/// The scene with nothing of what it asks to be written: what is true among its records and files
-/// becomes false, every n steps 0, a list of steps empty.
-Scene without_files(Scene scene);
-
 }  // namespace fumon

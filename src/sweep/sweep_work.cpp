@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "models/shared/state_hash.h"
 #include "run/picture_text.h"
 #include "run/recorder.h"
@@ -19,17 +18,16 @@ namespace {
 Attempt do_run(const SweepPlan& plan, const SweepFolder& folder, const RunTask& task,
                const SweepRun& run, int threads, RunRecord& record,
                std::atomic<double>& cell_steps) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     Workshop workshop = set_up(scene_of(plan, run), threads);
     if (run_id(workshop.scene, workshop.initial) != run.id)
         throw Error("a file that it reads has changed since the sweep began");
-    Recorder recorder(workshop.scene, workshop.model->snapshot(),
-                      resolved_scene(workshop.scene, workshop.initial.inputs),
-                      folder.paths(task.number));
+    Recorder recorder(
+        workshop.scene, workshop.model->snapshot(),
+        {folder.paths(task.number), resolved_scene(workshop.scene, workshop.initial.inputs)});
     if (!simulate(workshop, recorder, record.steps, cell_steps)) return Attempt::interrupted;
     record.state = hex(state_hash(*workshop.model));
-    record.wall_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    record.wall_seconds = watch.seconds();
     folder.write_record(task.number, record);
     return Attempt::done;
 }

@@ -13,6 +13,7 @@
 #include "paper/figure_page.h"
 #include "picture/png.h"
 #include "run/interrupt.h"
+#include "run/still.h"
 #include "run/workshop.h"
 #include "scene/read.h"
 

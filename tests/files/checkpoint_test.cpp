@@ -114,7 +114,7 @@ TEST(Checkpoint, TheRefusalSaysWhatIsWrong) {
     std::string other = whole;
     other[checkpoint_magic.size()] = 9;
     EXPECT_EQ(refusal(other),
-              "c: has format 9, and this fumon reads format 1; go on with the fumon that wrote it");
+              "c: has format 9, and this fumon reads format 2; go on with the fumon that wrote it");
     other = whole;
     other[40] = static_cast<char>(other[40] ^ 1);
     EXPECT_EQ(refusal(other), "c: is damaged: its SHA-256 is not the one it carries" + remedy);

@@ -74,17 +74,6 @@ TEST(KeyValues, AreCopiedWhateverTheirType) {
     EXPECT_EQ(to.reals, from.reals);
 }
 
-TEST(KeyValues, SwitchedOffTheyAskForNothing) {
-    Everything all;
-    const KeyTable table = all.keys();
-    for (const Key& key : table.keys()) switch_off(key);
-    EXPECT_FALSE(all.truth);
-    EXPECT_EQ(all.whole, 0);
-    EXPECT_TRUE(all.wholes.empty());
-    EXPECT_EQ(all.fruit, Fruit::pear) << "which says how, not whether";
-    EXPECT_EQ(all.text, "text");
-}
-
 TEST(KeyRoles, HoldForTheKeysThatFollow) {
     Everything all;
     const KeyTable table = all.keys();

@@ -11,6 +11,7 @@
 #include "base/state_carrier.h"
 #include "run/bounded_queue.h"
 #include "run/check_finite.h"
+#include "run/frame_list.h"
 #include "run/manifest.h"
 #include "scene/read.h"
 #include "support/program.h"
@@ -50,17 +51,20 @@ TEST(Pipeline, AFieldThatTurnsNaNIsReportedAndEarlierFramesAreKept) {
     SpoiledModel model(12);
     RunFolder run(folder / "out", false);
     Progress progress(Verbosity::quiet, 0);
-    const RunOutcome outcome =
-        run_pipeline(model, scene, {}, run, {}, progress, [&](const DrawingRecord&) {
-            run.create({true, false, false});
-        });
+    const RunOutcome outcome = run_pipeline(model, scene, {}, outputs_in(run, scene), {}, progress,
+                                            [&](const DrawingRecord&) {
+                                                run.create({true, false, false});
+                                            });
     ASSERT_TRUE(outcome.error);
     EXPECT_EQ(error_text(outcome.error),
               "the bed height became nan at cell (3, 4), step 15; try smaller rates (`fumon "
               "describe` lists the ranges)");
-    ASSERT_EQ(outcome.frames.size(), 3U) << "steps 0, 5 and 10";
-    for (const FrameRecord& frame : outcome.frames)
-        EXPECT_TRUE(std::filesystem::exists(run.frame(frame.number)));
+    ASSERT_EQ(outcome.frames, 3) << "steps 0, 5 and 10";
+    FrameListReader frames(run.frame_list());
+    for (std::int64_t number = 0; number < outcome.frames; ++number) {
+        EXPECT_EQ(frames.next().step, 5 * number);
+        EXPECT_TRUE(std::filesystem::exists(run.frame(number)));
+    }
     EXPECT_EQ(outcome.movie.frames, 3) << "the movie holds what was made";
     EXPECT_TRUE(std::filesystem::exists(run.movie()));
     EXPECT_TRUE(outcome.recorded.measurements);
@@ -103,11 +107,11 @@ TEST(Pipeline, WhatFailsBeforeTheStartWritesNothing) {
     RunFolder run(folder / "out", false);
     Progress progress(Verbosity::quiet, 0);
     EXPECT_THROW(
-        run_pipeline(model, scene, {}, run, {}, progress,
+        run_pipeline(model, scene, {}, outputs_in(run, scene), {}, progress,
                      [](const DrawingRecord&) { throw Error("the folder cannot be made"); }),
         Error);
     scene.view.look.palette = "no such palette";
-    EXPECT_THROW(run_pipeline(model, scene, {}, run, {}, progress,
+    EXPECT_THROW(run_pipeline(model, scene, {}, outputs_in(run, scene), {}, progress,
                               [&](const DrawingRecord&) {
                                   run.create({true, false, true});
                               }),
@@ -121,8 +125,8 @@ TEST(Pipeline, AFolderThatVanishesStopsTheRunOnce) {
     SpoiledModel model(1000);
     RunFolder run(folder / "out", false);
     Progress progress(Verbosity::quiet, 0);
-    const RunOutcome outcome =
-        run_pipeline(model, scene, {}, run, {}, progress, [](const DrawingRecord&) {});
+    const RunOutcome outcome = run_pipeline(model, scene, {}, outputs_in(run, scene), {}, progress,
+                                            [](const DrawingRecord&) {});
     ASSERT_TRUE(outcome.error);
     EXPECT_NE(error_text(outcome.error).find("No such file or directory"), std::string::npos);
 }

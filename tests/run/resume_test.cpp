@@ -271,6 +271,31 @@ TEST_F(ResumeTest, AFrameThatIsGoneOrChangedIsNoticed) {
         << changed.errors;
 }
 
+TEST_F(ResumeTest, TheListOfFramesIsKeptAsLongAsItIsNeeded) {
+    scene(scene_of("name = \"static\"\n", 12, 12, 100000, "[frames]\nevery = 10\n"));
+    ASSERT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
+    const fs::path file = out() / "frames.fumon";
+    const std::string bytes = read_text(file);
+    EXPECT_EQ(bytes.size(), 48 * read_manifest(out())["frames"].size());
+    std::string damaged = bytes;
+    damaged[20] = static_cast<char>(damaged[20] ^ 4);
+    write_text(file, damaged);
+    expect_refusal({"run", "--resume", "out"}, "out/frames.fumon: is damaged");
+    write_text(file, bytes.substr(0, 40));
+    expect_refusal({"run", "--resume", "out"}, "list of the run's frames ends after 0");
+    fs::remove(file);
+    expect_refusal({"run", "--resume", "out"}, "list of the run's frames ends after 0");
+
+    Program endless({"run", "scene.toml", "-o", "none", "-q", "--checkpoint-every", "0"},
+                    folder_.path());
+    wait_for([&] { return fs::exists(out("none") / "frames/frame_000002.png"); });
+    endless.send(SIGINT);
+    EXPECT_EQ(endless.wait().status, 130);
+    EXPECT_FALSE(fs::exists(out("none") / "frames.fumon"))
+        << "no checkpoint, nothing to go on from";
+    EXPECT_GE(read_manifest(out("none"))["frames"].size(), 3U);
+}
+
 TEST(CheckpointClock, CheckpointsTakeAFiftiethAtMost) {
     CheckpointClock never(0.0);
     EXPECT_FALSE(never.on());

@@ -91,20 +91,6 @@ TEST(SceneRoles, AllListsOfKeptRolesStay) {
     EXPECT_EQ(scene.figure.panels[0].curves.size(), 1U);
 }
 
-TEST(SceneRoles, WithoutFilesNothingIsWrittenAndAllElseStays) {
-    Scene scene = scene_with_all_keys("sand");
-    scene.output.measure_every = 7;
-    scene.output.movie_rate = 12.0;
-    scene.output.bed_at = {1};
-    scene.output.bed_every = 2;
-    scene.output.fields_at = {3};
-    scene.output.fields_every = 4;
-    Scene expected = scene;
-    expected.output = {false, false, 12.0, expected.output.movie_quality, false, 7, 0, {},
-                       0,     {},    false};
-    EXPECT_EQ(to_toml(without_files(scene)), to_toml(expected));
-}
-
 TEST(Choices, EachWordOfEverySceneSetsAnEnumeratorOfItsOwn) {
     for (const ModelEntry& entry : models()) {
         Scene scene = scene_with_all_keys(std::string(entry.name));

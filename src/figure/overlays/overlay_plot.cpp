@@ -130,7 +130,7 @@ class LivePlot : public Overlay {
 
 }  // namespace
 
-std::pair<double, double> growing_range(const std::vector<double>& values) {
+std::pair<double, double> growing_range(std::span<const double> values) {
     double low = INFINITY;
     double high = -INFINITY;
     for (const double value : values) {
@@ -171,8 +171,8 @@ Plot live_plot(const OverlaySettings& settings, const MeasuredRows& rows, double
             plot.y.low = *plot.y.high - room;
     }
     PlotSeries line;
-    line.x = x->values;
-    line.y = y->values;
+    line.x = x->values.copied();
+    line.y = y->values.copied();
     line.ink = curve;
     line.dashes = LineDashes{};
     PlotSeries latest;

@@ -21,8 +21,8 @@ TEST(LivePlot, ShowsTheRowsSoFarOverTheWholeRun) {
         const MeasuredRows rows = rows_up_to(count);
         const Plot plot = live_plot(settings, rows, 1200.0);
         ASSERT_EQ(plot.series.size(), 2U);
-        EXPECT_EQ(plot.series[0].x, rows.columns[1].values);
-        EXPECT_EQ(plot.series[0].y, rows.columns[2].values);
+        EXPECT_EQ(plot.series[0].x, rows.columns[1].values.copied());
+        EXPECT_EQ(plot.series[0].y, rows.columns[2].values.copied());
         EXPECT_EQ(plot.x.low, 0.0);
         EXPECT_EQ(plot.x.high, 1200.0);
         EXPECT_EQ(plot.x.label, "step");
@@ -67,12 +67,12 @@ TEST(GrowingRange, HoldsAllValuesAndChangesSeldom) {
     }
     EXPECT_LE(changes, 12);
     EXPECT_EQ(before, (std::pair{0.0, 40.0}));
-    EXPECT_EQ(growing_range({NAN, 3.0, NAN}), (std::pair{0.0, 3.0}));
-    EXPECT_EQ(growing_range({-0.7, 2.2}), (std::pair{-0.8, 3.0}));
-    const auto narrow = growing_range({1612.3, 1612.9, 1612.5});
+    EXPECT_EQ(growing_range(std::vector<double>{NAN, 3.0, NAN}), (std::pair{0.0, 3.0}));
+    EXPECT_EQ(growing_range(std::vector{-0.7, 2.2}), (std::pair{-0.8, 3.0}));
+    const auto narrow = growing_range(std::vector{1612.3, 1612.9, 1612.5});
     EXPECT_NEAR(narrow.first, 1612.0, 0.4);
     EXPECT_NEAR(narrow.second, 1613.2, 0.4);
-    EXPECT_EQ(growing_range({0.0, 0.0}), (std::pair{0.0, 1.0}));
+    EXPECT_EQ(growing_range(std::vector{0.0, 0.0}), (std::pair{0.0, 1.0}));
 }
 
 TEST(TimeText, IsReadableAndAsFineAsTheSteps) {
