@@ -11,11 +11,11 @@
 #include "paper/figure_make.h"
 #include "paper/figure_page.h"
 #include "run/drawing.h"
-#include "run/find_input.h"
-#include "run/interrupt.h"
 #include "run/picture_text.h"
 #include "run/pipeline.h"
 #include "run/still.h"
+#include "run/terminal/interrupt.h"
+#include "scene/find_input.h"
 #include "scene/read.h"
 
 namespace fumon {

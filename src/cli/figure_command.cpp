@@ -10,8 +10,8 @@
 #include "paper/figure_files.h"
 #include "paper/figure_make.h"
 #include "paper/figure_page.h"
-#include "run/interrupt.h"
 #include "run/run_folder.h"
+#include "run/terminal/interrupt.h"
 
 namespace fumon {
 

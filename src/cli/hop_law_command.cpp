@@ -15,8 +15,8 @@
 #include "hop_law/hop_law_scene.h"
 #include "models/air/airflow.h"
 #include "models/sand/sand.h"
-#include "run/interrupt.h"
 #include "run/still.h"
+#include "run/terminal/interrupt.h"
 #include "scene/read.h"
 #include "scene/write.h"
 

@@ -13,7 +13,7 @@
 #include "cli/commands.h"
 #include "files/netcdf/netcdf_record.h"
 #include "measure/suite.h"
-#include "run/check_finite.h"
+#include "models/shared/check_finite.h"
 #include "scene/initial_bed.h"
 #include "scene/terrain_scene.h"
 

@@ -13,9 +13,9 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "base/thread_clock.h"
-#include "run/interrupt.h"
 #include "run/manifest.h"
-#include "run/progress.h"
+#include "run/terminal/interrupt.h"
+#include "run/terminal/progress.h"
 
 namespace fumon {
 

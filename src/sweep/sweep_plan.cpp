@@ -6,7 +6,7 @@
 #include <map>
 
 #include "base/error.h"
-#include "run/interrupt.h"
+#include "run/terminal/interrupt.h"
 #include "scene/json.h"
 #include "scene/schedule.h"
 

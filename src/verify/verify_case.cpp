@@ -12,8 +12,8 @@
 #include "paper/figure_make.h"
 #include "paper/figure_page.h"
 #include "picture/png.h"
-#include "run/interrupt.h"
 #include "run/still.h"
+#include "run/terminal/interrupt.h"
 #include "run/workshop.h"
 #include "scene/read.h"
 

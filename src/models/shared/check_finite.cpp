@@ -1,4 +1,4 @@
-#include "run/check_finite.h"
+#include "models/shared/check_finite.h"
 
 #include <fmt/format.h>
 

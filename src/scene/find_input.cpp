@@ -1,4 +1,4 @@
-#include "run/find_input.h"
+#include "scene/find_input.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "gl/context.h"
-#include "run/status_line.h"
+#include "run/terminal/status_line.h"
 
 namespace fumon {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/stopwatch.h"
-#include "run/status_line.h"
+#include "run/terminal/status_line.h"
 
 namespace fumon {
 

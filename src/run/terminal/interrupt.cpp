@@ -1,4 +1,4 @@
-#include "run/interrupt.h"
+#include "run/terminal/interrupt.h"
 
 #include <atomic>
 #include <csignal>

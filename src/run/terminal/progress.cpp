@@ -1,4 +1,4 @@
-#include "run/progress.h"
+#include "run/terminal/progress.h"
 
 #include <fmt/format.h>
 

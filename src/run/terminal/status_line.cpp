@@ -1,4 +1,4 @@
-#include "run/status_line.h"
+#include "run/terminal/status_line.h"
 
 #include <unistd.h>
 

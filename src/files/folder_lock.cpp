@@ -1,4 +1,4 @@
-#include "run/folder_lock.h"
+#include "files/folder_lock.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
