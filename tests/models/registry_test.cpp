@@ -15,7 +15,7 @@ TEST(Registry, SnapshotsHaveTheLandformOfTheirModel) {
     std::set<std::string> names;
     for (const ModelEntry& entry : models()) {
         EXPECT_TRUE(names.emplace(entry.name).second) << entry.name;
-        const Scene scene = parse_scene("[run]\nsteps = 1\n[grid]\nnx = 24\n[model]\nname = \"" +
+        const Scene scene = parse_scene("[run]\nsteps = 1\n[grid]\nnx = 100\n[model]\nname = \"" +
                                             std::string(entry.name) + "\"\n",
                                         "scene.toml", "");
         InitialBed initial = make_initial_bed(scene);

@@ -318,8 +318,8 @@ TEST_F(FigureTest, AProfileCurveLeavesOutCellsWithoutData) {
     ASSERT_EQ(ended.status, 0) << ended.errors;
     const auto points = cells_of(text("out/gap-a-1.csv"));
     ASSERT_EQ(points.size(), 4U);
-    EXPECT_EQ(points[1], (std::vector<std::string>{"1", "5"}));
-    EXPECT_EQ(points[2], (std::vector<std::string>{"5", "7"}));
+    EXPECT_EQ(points[1], (std::vector<std::string>{"1", "5", "1"}));
+    EXPECT_EQ(points[2], (std::vector<std::string>{"5", "7", "1"}));
 }
 
 TEST_F(FigureTest, KilledOrInterruptedItGoesOn) {
