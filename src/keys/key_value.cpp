@@ -84,10 +84,9 @@ struct SwitchOff {
     void operator()(std::string*) const {}
     void operator()(const ChoiceTarget&) const {}
     void operator()(const WordOrRealTarget&) const {}
-    template <class ListTarget>
-    void operator()(const ListTarget& target) const {
-        target.values->clear();
-    }
+    void operator()(const RealListTarget& target) const { target.values->clear(); }
+    void operator()(const IntegerListTarget& target) const { target.values->clear(); }
+    void operator()(const TextListTarget&) const {}
 };
 
 }  // namespace

@@ -83,6 +83,7 @@ TEST(KeyValues, SwitchedOffTheyAskForNothing) {
     EXPECT_TRUE(all.wholes.empty());
     EXPECT_EQ(all.fruit, Fruit::pear) << "which says how, not whether";
     EXPECT_EQ(all.text, "text");
+    EXPECT_EQ(all.texts.size(), 1U);
 }
 
 TEST(KeyRoles, HoldForTheKeysThatFollow) {
