@@ -7,7 +7,7 @@ namespace fumon {
 
 namespace {
 
-constexpr std::array<KeyRoleText, 9> texts{
+constexpr std::array<KeyRoleText, 9> role_texts{
     {{KeyRole::run, "run", "which run is computed: its model, seed, length and terrain file"},
      {KeyRole::parameter, "parameter",
       "with what it is computed: the model's parameters, the grid, the first bed"},
@@ -22,11 +22,11 @@ constexpr std::array<KeyRoleText, 9> texts{
 }  // namespace
 
 std::span<const KeyRoleText> key_roles() {
-    return texts;
+    return role_texts;
 }
 
 std::string_view role_name(KeyRole role) {
-    return std::find_if(texts.begin(), texts.end(),
+    return std::find_if(role_texts.begin(), role_texts.end(),
                         [&](const KeyRoleText& text) { return text.role == role; })
         ->name;
 }
