@@ -35,7 +35,7 @@ void declare(CLI::App& command, AgainOptions& options) {
         ->required();
     command
         .add_option("-o,--output", options.output,
-                    "what is made (default: NAME-options.png, .mp4, .pdf or .svg here)")
+                    "what is made (default: NAME-again.png, .mp4, .pdf or .svg here)")
         ->type_name("FILE");
     command
         .add_option("--runs", options.runs,

@@ -26,7 +26,7 @@ struct FigureOptions {
 };
 
 void declare(CLI::App& command, FigureOptions& options) {
-    command.add_option("SCENE", options.scenes, "scene files with [[options.panel]] sections")
+    command.add_option("SCENE", options.scenes, "scene files with [[figure.panel]] sections")
         ->required();
     command.add_option("-o,--output", options.folder, "the folder for the figures")
         ->type_name("DIR")

@@ -31,13 +31,13 @@ void declare(CLI::App& command, SweepOptions& options) {
     command
         .add_option("--over", options.over,
                     "vary a key: --over key=v1,v2 or key=low:high:count (repeatable: all "
-                    "combinations; default: the scene's options.over)")
+                    "combinations; default: the scene's sweep.over)")
         ->type_name("KEY=VALUES")
         ->allow_extra_args(false);
     command
         .add_option("--seeds", options.seeds,
                     "runs of each combination: how many seeds, from the scene's own on, or "
-                    "first:last (default: the scene's options.seeds)")
+                    "first:last (default: the scene's sweep.seeds)")
         ->type_name("N");
     command.add_option("-o,--output", options.folder, "the folder for the sweep")
         ->type_name("DIR")
@@ -50,7 +50,7 @@ void declare(CLI::App& command, SweepOptions& options) {
         "  fumon sweep SCENE --over grid.nx+grid.ny=64,128 -o out/sizes    keys that go "
         "together\n"
         "\n"
-        "DIR/options.csv has a row a run and measured step, DIR/runs.csv a row a run, DIR/runs "
+        "DIR/sweep.csv has a row a run and measured step, DIR/runs.csv a row a run, DIR/runs "
         "each run's own files.\n"
         "The same command goes on where it was stopped; with more values or seeds it runs only "
         "those.\n"
