@@ -14,6 +14,7 @@
 #include "cli/shared_options.h"
 #include "files/avalanche_table.h"
 #include "files/netcdf/netcdf_record.h"
+#include "files/terrain/terrain_format.h"
 #include "measure/pile/avalanche_report.h"
 #include "measure/suite.h"
 #include "run/check_finite.h"
@@ -40,8 +41,9 @@ struct MeasureOptions {
 void declare(CLI::App& command, MeasureOptions& options) {
     command
         .add_option("BED", options.bed,
-                    "an ESRI ASCII grid, a NetCDF file (a run's fields.nc: its last record, water "
-                    "too), a grey PNG; or a run's avalanches.csv")
+                    terrain_titles() +
+                        " (a run's fields.nc: its last record, water too); or a run's "
+                        "avalanches.csv")
         ->required();
     command.add_flag("--json", options.as_json, "as JSON");
     command

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
+#include "files/terrain/terrain_format.h"
 #include "run/interrupt.h"
 #include "run/workshop.h"
 #include "scene/read.h"
@@ -24,9 +25,7 @@ struct StillOptions {
 };
 
 void declare(CLI::App& command, StillOptions& options) {
-    command
-        .add_option("INPUT", options.input,
-                    "a scene (.toml), an ESRI ASCII grid, a NetCDF file or a grey PNG")
+    command.add_option("INPUT", options.input, "a scene (.toml), or terrain: " + terrain_titles())
         ->required();
     command.add_option("-o,--output", options.output, "the picture (PNG)")
         ->type_name("FILE.png")

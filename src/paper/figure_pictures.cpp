@@ -11,7 +11,7 @@
 #include "figure/panels/map_panel.h"
 #include "figure/panels/view_panel.h"
 #include "files/netcdf/netcdf_record.h"
-#include "files/terrain/terrain_file.h"
+#include "files/terrain/esri_ascii.h"
 #include "gl/context.h"
 #include "paper/figure_picture_data.h"
 #include "render/renderer.h"

@@ -16,7 +16,7 @@
 #include "base/thread_clock.h"
 #include "base/worker_pool.h"
 #include "files/atomic_file.h"
-#include "files/terrain/terrain_file.h"
+#include "files/terrain/terrain_format.h"
 #include "models/shared/state_hash.h"
 #include "picture/movie.h"
 #include "picture/png.h"
@@ -265,11 +265,8 @@ class Pipeline {
     void write_beds() {
         while (const auto popped = to_beds_.pop()) {
             const Snapshot& snapshot = **popped;
-            Grid heights =
-                snapshot.bed;  // in metres where there are metres, as terrain files are read
-            for (double& height : heights.values()) height *= snapshot.scale.height_unit;
-            write_file(folder_.bed(snapshot.step),
-                       esri_ascii(heights, snapshot.nodata, snapshot.scale.dx, snapshot.scale.dy));
+            for (const TerrainBytes& file : bed_files(snapshot, scene_.output.bed_format))
+                write_file(folder_.bed(snapshot.step, file.ending), file.bytes);
             const std::lock_guard lock(mutex_);
             outcome_.bed_steps.push_back(snapshot.step);
             written_.notify_all();

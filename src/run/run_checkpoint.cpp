@@ -92,11 +92,12 @@ void Checkpointer::put_on_disk(const RunCheckpoint& now) {
         if (parts_.frames) sync_file(folder_.frame(number));
         if (parts_.kept_frames) sync_file(folder_.kept_frame(number));
     }
-    for (; beds_on_disk_ < now.bed_steps.size(); ++beds_on_disk_)
-        sync_file(folder_.bed(now.bed_steps[beds_on_disk_]));
+    for (; beds_on_disk_ < now.bed_steps.size(); ++beds_on_disk_) {
+        for (const auto& bed : folder_.beds(now.bed_steps[beds_on_disk_])) sync_file(bed);
+    }
     if (parts_.frames) sync_folder_of(folder_.frame(0));
     if (parts_.kept_frames) sync_folder_of(folder_.kept_frame(0));
-    if (parts_.beds) sync_folder_of(folder_.bed(0));
+    if (parts_.beds) sync_folder_of(folder_.bed(0, ""));
 }
 
 Image read_frame(const RunFolder& folder, const RunParts& parts, const RunCheckpoint& checkpoint,
