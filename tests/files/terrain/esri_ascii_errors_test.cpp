@@ -40,13 +40,13 @@ const std::string all_words =
     "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize (or dx and dy), "
     "NODATA_value";
 const std::string use_instead =
-    "; terrain is read from ESRI ASCII grids (gdal_translate -of AAIGrid makes them), NetCDF files "
-    "and grey PNG images";
+    "; terrain is a NetCDF file, a GeoTIFF, a PNG image or an ESRI ASCII grid (gdal_translate -of "
+    "AAIGrid makes one)";
 
 const std::vector<BrokenFile> broken_files{
     {"Empty", "", ":1: the file is empty; an ESRI ASCII grid starts with its ncols line"},
     {"Blank", "\n \r\n\t", ":1: the file is empty; an ESRI ASCII grid starts with its ncols line"},
-    {"Binary", std::string("II*\0\x08\0\0\0", 8), ":1: this is a binary file" + use_instead},
+    {"Binary", std::string("II,\0\x08\0\0\0", 8), ":1: this is a binary file" + use_instead},
     {"Utf16", std::string("\xFF\xFEn\0c\0", 6), ":1: this is a binary file" + use_instead},
     {"Prose", "Dear reader,\nthis is no grid\n",
      ":1: 'Dear' does not start an ESRI ASCII grid; its header has " + all_words},
@@ -165,7 +165,7 @@ TEST(TerrainFile, RefusesAHeightRangeForAnEsriGrid) {
     const TemporaryFolder folder;
     const auto file = folder.file("a.asc", head + "1 2 3 4");
     EXPECT_EQ(message_of<InputError>([&] {
-                  read_terrain(file, {0.0, 1.0});
+                  read_terrain(file, {{0.0, 1.0}});
               }),
               file.string() +
                   ": a height range was given for an ESRI ASCII grid, which holds its own "
