@@ -1,8 +1,6 @@
 #include "files/terrain/geotiff.h"
 
-#include <cpl_conv.h>
 #include <fmt/format.h>
-#include <ogr_srs_api.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +11,7 @@
 #include "base/limits.h"
 #include "files/length_unit.h"
 #include "files/terrain/gdal_dataset.h"
+#include "files/terrain/gdal_functions.h"
 #include "files/terrain/geographic.h"
 #include "files/terrain/geotiff_signature.h"
 #include "files/terrain/geotiff_writer.h"
@@ -40,8 +39,8 @@ class GeotiffReader {
           query_(query),
           dataset_(open(path_)) {
         if (dataset_.get() == nullptr) refuse_damage();
-        nx_ = GDALGetRasterXSize(dataset_.get());
-        ny_ = GDALGetRasterYSize(dataset_.get());
+        nx_ = gdal().GDALGetRasterXSize(dataset_.get());
+        ny_ = gdal().GDALGetRasterYSize(dataset_.get());
     }
 
     Terrain read() {
@@ -60,8 +59,8 @@ class GeotiffReader {
   private:
     static GDALDatasetH open(const std::string& path) {
         constexpr std::array<const char*, 2> drivers{"GTiff", nullptr};
-        return GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(), nullptr,
-                          nullptr);
+        return gdal().GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(),
+                                 nullptr, nullptr);
     }
 
     [[noreturn]] void refuse(std::string_view what, std::string_view remedy) const {
@@ -90,18 +89,18 @@ class GeotiffReader {
     // ---- which band ----
 
     [[nodiscard]] GDALRasterBandH choose_band() {
-        const int bands = GDALGetRasterCount(dataset_.get());
+        const int bands = gdal().GDALGetRasterCount(dataset_.get());
         if (bands == 0) refuse("holds no band of numbers", "choose a file with heights");
         if (query_.band > bands)
             refuse(fmt::format("has {} band{}, not {}", bands, bands == 1 ? "" : "s", query_.band),
                    fmt::format("write a bed.band from 1 to {}", bands));
         const int number = std::max(1, static_cast<int>(query_.band));
-        GDALRasterBandH band = GDALGetRasterBand(dataset_.get(), number);
-        const GDALColorInterp colour = GDALGetRasterColorInterpretation(band);
+        GDALRasterBandH band = gdal().GDALGetRasterBand(dataset_.get(), number);
+        const GDALColorInterp colour = gdal().GDALGetRasterColorInterpretation(band);
         if (query_.band == 0 && (colour == GCI_RedBand || colour == GCI_PaletteIndex))
             refuse("is a colour picture",
                    "choose a file with heights, or say with bed.band which band holds them");
-        if (GDALDataTypeIsComplex(GDALGetRasterDataType(band)) != 0)
+        if (gdal().GDALDataTypeIsComplex(gdal().GDALGetRasterDataType(band)) != 0)
             refuse("holds complex numbers", "heights are real numbers");
         if (query_.band == 0 && bands > 1)
             note(fmt::format("band 1 of {} is read (bed.band chooses another)", bands));
@@ -113,8 +112,8 @@ class GeotiffReader {
     [[nodiscard]] RasterPlace read_place() const {
         RasterPlace place;
         std::array<double, 6> transform{};
-        if (GDALGetGeoTransform(dataset_.get(), transform.data()) != CE_None) {
-            if (GDALGetGCPCount(dataset_.get()) > 0)
+        if (gdal().GDALGetGeoTransform(dataset_.get(), transform.data()) != CE_None) {
+            if (gdal().GDALGetGCPCount(dataset_.get()) > 0)
                 refuse("is placed by ground control points",
                        "make an even grid of it first (gdalwarp)");
             return place;
@@ -135,21 +134,22 @@ class GeotiffReader {
     }
 
     void read_crs(RasterPlace& place) const {
-        const OGRSpatialReferenceH crs = GDALGetSpatialRef(dataset_.get());
+        const OGRSpatialReferenceH crs = gdal().GDALGetSpatialRef(dataset_.get());
         if (crs == nullptr) return;
         constexpr std::array<const char*, 3> form{"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
         char* text = nullptr;
-        if (OSRExportToWktEx(crs, &text, form.data()) == OGRERR_NONE) place.grid->crs = text;
-        CPLFree(text);
-        place.grid->degrees = OSRIsGeographic(crs) != 0;
-        place.says_unit = place.grid->degrees || OSRIsProjected(crs) != 0 || OSRIsLocal(crs) != 0;
+        if (gdal().OSRExportToWktEx(crs, &text, form.data()) == OGRERR_NONE) place.grid->crs = text;
+        gdal().VSIFree(text);
+        place.grid->degrees = gdal().OSRIsGeographic(crs) != 0;
+        place.says_unit =
+            place.grid->degrees || gdal().OSRIsProjected(crs) != 0 || gdal().OSRIsLocal(crs) != 0;
         if (place.grid->degrees) {
             constexpr double radians_per_degree = 0.017453292519943295;
-            if (std::abs(OSRGetAngularUnits(crs, nullptr) / radians_per_degree - 1.0) > 1e-9)
+            if (std::abs(gdal().OSRGetAngularUnits(crs, nullptr) / radians_per_degree - 1.0) > 1e-9)
                 refuse("has angles that are no degrees", "make a grid in degrees of it (gdalwarp)");
         } else if (place.says_unit) {
             char* unit = nullptr;
-            place.metres = OSRGetLinearUnits(crs, &unit);  // the reference keeps the name
+            place.metres = gdal().OSRGetLinearUnits(crs, &unit);  // the reference keeps the name
             if (unit != nullptr) place.unit = unit;
         }
     }
@@ -196,8 +196,8 @@ class GeotiffReader {
         Field<Number> values(block.nx, block.ny);
         const int column = place.west_first ? block.x : nx_ - block.x - block.nx;
         const int row = place.north_first ? ny_ - block.y - block.ny : block.y;
-        check(GDALRasterIO(band, GF_Read, column, row, block.nx, block.ny, values.data(), block.nx,
-                           block.ny, type, 0, 0));
+        check(gdal().GDALRasterIO(band, GF_Read, column, row, block.nx, block.ny, values.data(),
+                                  block.nx, block.ny, type, 0, 0));
         for (int y = 0; place.north_first && y < block.ny / 2; ++y)
             std::ranges::swap_ranges(values.row(y), values.row(block.ny - 1 - y));
         for (int y = 0; !place.west_first && y < block.ny; ++y) std::ranges::reverse(values.row(y));
@@ -208,15 +208,15 @@ class GeotiffReader {
         const double metres = height_factor(band);
         terrain_.heights = read_block<double>(band, block, place, GDT_Float64);
         Mask shown;  // 0 where the file's own mask hides a cell
-        const int flags = GDALGetMaskFlags(band);
+        const int flags = gdal().GDALGetMaskFlags(band);
         if ((flags & (GMF_ALL_VALID | GMF_NODATA)) == 0)
-            shown = read_block<std::uint8_t>(GDALGetMaskBand(band), block, place, GDT_Byte);
+            shown = read_block<std::uint8_t>(gdal().GDALGetMaskBand(band), block, place, GDT_Byte);
         int has_nodata = 0;
-        double nodata = GDALGetRasterNoDataValue(band, &has_nodata);
-        if (GDALGetRasterDataType(band) == GDT_Float32)
+        double nodata = gdal().GDALGetRasterNoDataValue(band, &has_nodata);
+        if (gdal().GDALGetRasterDataType(band) == GDT_Float32)
             nodata = static_cast<double>(static_cast<float>(nodata));
-        const double scale = GDALGetRasterScale(band, nullptr);
-        const double offset = GDALGetRasterOffset(band, nullptr);
+        const double scale = gdal().GDALGetRasterScale(band, nullptr);
+        const double offset = gdal().GDALGetRasterOffset(band, nullptr);
         check(CE_None);
 
         std::size_t holes = 0;
@@ -238,12 +238,13 @@ class GeotiffReader {
             refuse(query_.window ? "no cell in bed.window holds data" : "no cell holds data",
                    "at least one height must differ from the no-data value");
         if (metres != 1.0)
-            note(fmt::format("heights converted to metres from {}", GDALGetRasterUnitType(band)));
+            note(fmt::format("heights converted to metres from {}",
+                             gdal().GDALGetRasterUnitType(band)));
     }
 
     /// Metres per unit of the band.
     [[nodiscard]] double height_factor(GDALRasterBandH band) const {
-        const std::string unit = GDALGetRasterUnitType(band);
+        const std::string unit = gdal().GDALGetRasterUnitType(band);
         if (unit.empty()) return 1.0;
         if (const auto metres = metres_per_unit(unit)) return *metres;
         refuse(fmt::format("its heights are in \"{}\"", unit),

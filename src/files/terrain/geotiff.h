@@ -25,8 +25,8 @@ namespace fumon {
 /// and where cells hold no data a no-data value. The same bytes for the same terrain.
 TerrainFormat geotiff_format();
 
-/// A coordinate reference system (WKT of any kind) as .prj files have it; as it stands where this
-/// cannot be told.
+/// A coordinate reference system (WKT) as .prj files have it; as it stands where it is WKT 1
+/// already, or cannot be told so.
 std::string esri_projection(const std::string& crs);
 
 }  // namespace fumon
