@@ -11,12 +11,6 @@
 namespace fumon {
 namespace {
 
-GullyParameters without_friction() {
-    GullyParameters parameters;
-    parameters.friction_coefficient = 0.0;
-    return parameters;
-}
-
 WaterDomain domain_with(EdgeKind edges_x, EdgeKind edges_y, double slope = 0.0) {
     WaterDomain domain;
     domain.edges_x = edges_x;

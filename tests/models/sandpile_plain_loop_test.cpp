@@ -11,9 +11,12 @@
 #include "models/pile_run.h"
 #include "models/plain_pile.h"
 #include "models/sandpile.h"
+#include "support/snapshot_number.h"
 
 namespace fumon {
 namespace {
+
+using test::number;
 
 /// Grain by grain: heights, directions, avalanches and losses.
 void compare(const SandpileParameters& parameters, const Grid& bed, int grains,

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "drawn_picture.h"
 #include "gl/context.h"
 #include "render/tiles.h"
 #include "support/error.h"
@@ -16,21 +17,6 @@
 
 namespace fumon {
 namespace {
-
-View small_view(int width = 320, int height = 180) {
-    View view;
-    view.image.width = width;
-    view.image.height = height;
-    return view;
-}
-
-Image picture(const View& view, const Snapshot& bed, int threads = 2,
-              gl::Backend backend = gl::Backend::automatic, const RenderLimits& limits = {}) {
-    const auto context = gl::Context::create(backend);
-    WorkerPool pool(threads);
-    Renderer renderer(*context, view, bed, 100, pool, limits);
-    return renderer.render(bed);
-}
 
 struct Difference {
     double share = 0.0;       // of the values that differ
@@ -45,12 +31,6 @@ Difference difference(const Image& a, const Image& b) {
         if (here != 0) result.share += 1.0 / static_cast<double>(a.rgb.size());
     }
     return result;
-}
-
-std::array<int, 3> colour_at(const Image& image, double x, double y) {
-    const std::uint8_t* pixel = image.row(static_cast<int>(y * image.height)) +
-                                3 * static_cast<std::size_t>(x * image.width);
-    return {pixel[0], pixel[1], pixel[2]};
 }
 
 std::array<double, 3> mean_colour(const Image& image) {
