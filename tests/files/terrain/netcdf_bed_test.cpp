@@ -20,10 +20,10 @@
 namespace fumon {
 namespace {
 
-using testing::bytes_of;
-using testing::message_of;
-using testing::NetcdfMaker;
-using testing::TemporaryFolder;
+using test::bytes_of;
+using test::message_of;
+using test::NetcdfMaker;
+using test::TemporaryFolder;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 

@@ -14,8 +14,8 @@
 namespace fumon {
 namespace {
 
-using testing::message_of;
-using testing::TemporaryFolder;
+using test::message_of;
+using test::TemporaryFolder;
 
 void collect(png_structp png, png_bytep bytes, std::size_t count) {
     static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<char*>(bytes), count);
@@ -186,12 +186,12 @@ TEST(PngHeights, RefusesAHugeChunkInAFewBytes) {
     constexpr std::size_t behind_header = 33;
     bytes.insert(behind_header, std::string("\x60\0\0\0iTXt", 8));
     const auto file = folder.file("bed.png", bytes);
-    const std::size_t before = testing::peak_memory();
+    const std::size_t before = test::peak_memory();
     EXPECT_EQ(message_of<InputError>([&] {
                   read_terrain(file, {{0.0, 1.0}});
               }),
               file.string() + ": is a damaged PNG file (the file ends early); make it again");
-    EXPECT_LT(testing::peak_memory() - before, std::size_t{64} << 20U);
+    EXPECT_LT(test::peak_memory() - before, std::size_t{64} << 20U);
 }
 
 }  // namespace
