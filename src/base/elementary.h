@@ -90,6 +90,40 @@ inline double sine(double x, int quarters_later) {
     return (quarter & 2) != 0 ? -value : value;
 }
 
+/// A normal positive number as 2^k · mantissa.
+struct NormalParts {
+    double k;
+    double mantissa;  ///< in [√½, √2)
+};
+
+inline NormalParts parts_of_normal(double x) {
+    constexpr std::uint64_t one = 0x3ff0000000000000;        // the bits of 1
+    constexpr std::uint64_t root_half = 0x3fe6a09e667f3bcd;  // the bits of √½
+    constexpr std::uint64_t two_to_52 = 0x4330000000000000;  // the bits of 2^52
+    constexpr std::uint64_t mantissa_bits = 0x000fffffffffffff;
+    constexpr double biased = 0x1p52 + 1023.0;
+    constexpr int exponent_at = 52;
+    const std::uint64_t bits = std::bit_cast<std::uint64_t>(x) + (one - root_half);
+    return {std::bit_cast<double>((bits >> exponent_at) | two_to_52) - biased,
+            std::bit_cast<double>((bits & mantissa_bits) + root_half)};
+}
+
+/// 2/3 + 2/5·z + … + 2/21·z^9 + last·z^10: with s = √z, 2 artanh s = 2s + s·z times this.
+inline double artanh_tail(double last, double z) {
+    double series = last;
+    series = series * z + 2.0 / 21.0;
+    series = series * z + 2.0 / 19.0;
+    series = series * z + 2.0 / 17.0;
+    series = series * z + 2.0 / 15.0;
+    series = series * z + 2.0 / 13.0;
+    series = series * z + 2.0 / 11.0;
+    series = series * z + 2.0 / 9.0;
+    series = series * z + 2.0 / 7.0;
+    series = series * z + 2.0 / 5.0;
+    series = series * z + 2.0 / 3.0;
+    return series;
+}
+
 }  // namespace detail
 
 /// e^x. Overflows to infinity and underflows through subnormal numbers to 0 as IEEE arithmetic
@@ -136,31 +170,11 @@ inline double tanh(double x) {
 /// without meaning. Free of branches, so that loops over it vectorise.
 inline double log_of_normal(double x) {
     using namespace detail;
-    constexpr std::uint64_t one = 0x3ff0000000000000;        // the bits of 1
-    constexpr std::uint64_t root_half = 0x3fe6a09e667f3bcd;  // the bits of √½
-    constexpr std::uint64_t two_to_52 = 0x4330000000000000;  // the bits of 2^52
-    constexpr std::uint64_t mantissa_bits = 0x000fffffffffffff;
-    constexpr double biased = 0x1p52 + 1023.0;
-    constexpr int exponent_at = 52;
-    const std::uint64_t bits = std::bit_cast<std::uint64_t>(x) + (one - root_half);
-    const double k = std::bit_cast<double>((bits >> exponent_at) | two_to_52) - biased;
-    const double mantissa =  // in [√½, √2)
-        std::bit_cast<double>((bits & mantissa_bits) + root_half);
+    const auto [k, mantissa] = parts_of_normal(x);
     const double f = mantissa - 1.0;
     const double s = f / (2.0 + f);  // log(1 + f) = 2 artanh s
     const double z = s * s;
-    double series = 2.0 / 25.0;
-    series = series * z + 2.0 / 23.0;
-    series = series * z + 2.0 / 21.0;
-    series = series * z + 2.0 / 19.0;
-    series = series * z + 2.0 / 17.0;
-    series = series * z + 2.0 / 15.0;
-    series = series * z + 2.0 / 13.0;
-    series = series * z + 2.0 / 11.0;
-    series = series * z + 2.0 / 9.0;
-    series = series * z + 2.0 / 7.0;
-    series = series * z + 2.0 / 5.0;
-    series = series * z + 2.0 / 3.0;
+    const double series = artanh_tail(2.0 / 25.0 * z + 2.0 / 23.0, z);
     const double half_square = 0.5 * f * f;
     return k * ln2_high - ((half_square - (s * (half_square + z * series) + k * ln2_low)) - f);
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <concepts>
+
 #include "base/double_double.h"
 #include "base/elementary.h"
 
-/// Angles and distances whose bits do not depend on the CPU, as terrain/elementary.h.
+/// Angles and distances whose bits do not depend on the CPU, as base/elementary.h.
 namespace fumon::elementary {
 
 namespace detail {
@@ -90,6 +92,17 @@ inline double atan2(double y, double x) {
 /// Arc tangent, −π/2 … π/2, within 2 units in the last place.
 inline double atan(double x) {
     return atan2(x, 1.0);
+}
+
+/// Arc tangent of 0 ≤ t ≤ 1 within 1e-5 radians (Abramowitz & Stegun 4.4.49), for what is only
+/// looked at: cheap, and loops over it vectorise.
+template <std::floating_point Real>
+constexpr Real rough_atan(Real t) {
+    const Real square = t * t;
+    return t * (Real(0.9998660) +
+                square * (Real(-0.3302995) +
+                          square * (Real(0.1801410) +
+                                    square * (Real(-0.0851330) + square * Real(0.0208351)))));
 }
 
 /// √(x² + y²) without overflow on the way, within 1 unit in the last place.

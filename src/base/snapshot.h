@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/grid.h"
+#include "base/landform.h"
 
 namespace fumon {
 
@@ -66,6 +67,7 @@ struct Snapshot {
     std::vector<SnapshotNumber> numbers{};
     /// What is above a bed of a single row, where the model knows; shared, since it is large.
     std::shared_ptr<const SnapshotSection> section{};
+    Landform landform = Landform::bed;  ///< of the model
 };
 
 }  // namespace fumon

@@ -1,7 +1,5 @@
 #include "base/utf8.h"
 
-#include <cstddef>
-
 namespace fumon {
 
 namespace {
@@ -27,18 +25,23 @@ Form form_of(unsigned char first) {
 
 }  // namespace
 
-bool is_utf8(std::string_view bytes) {
+std::size_t utf8_length(std::string_view bytes) {
     const auto at = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
-    for (std::size_t start = 0; start < bytes.size();) {
-        const Form form = form_of(at(start));
-        if (form.length == 0 || bytes.size() - start < form.length) return false;
-        if (form.length > 1 &&
-            (at(start + 1) < form.second_low || at(start + 1) > form.second_high))
-            return false;
-        for (std::size_t i = start + 2; i < start + form.length; ++i) {
-            if (at(i) < 0x80 || at(i) > 0xBF) return false;
-        }
-        start += form.length;
+    if (bytes.empty()) return 0;
+    const Form form = form_of(at(0));
+    if (bytes.size() < form.length) return 0;
+    if (form.length > 1 && (at(1) < form.second_low || at(1) > form.second_high)) return 0;
+    for (std::size_t i = 2; i < form.length; ++i) {
+        if (at(i) < 0x80 || at(i) > 0xBF) return 0;
+    }
+    return form.length;
+}
+
+bool is_utf8(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const std::size_t length = utf8_length(bytes);
+        if (length == 0) return false;
+        bytes.remove_prefix(length);
     }
     return true;
 }

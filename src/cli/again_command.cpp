@@ -11,11 +11,11 @@
 #include "paper/figure_make.h"
 #include "paper/figure_page.h"
 #include "run/drawing.h"
-#include "run/find_input.h"
-#include "run/interrupt.h"
 #include "run/picture_text.h"
 #include "run/pipeline.h"
 #include "run/still.h"
+#include "run/terminal/interrupt.h"
+#include "scene/find_input.h"
 #include "scene/read.h"
 
 namespace fumon {
@@ -60,10 +60,10 @@ int figure_again(const AgainOptions& options, const FigureOrigin& origin) {
     std::vector<std::string> settings = origin.settings;
     settings.insert(settings.end(), options.work.settings.begin(), options.work.settings.end());
     FigureRuns runs;
-    const auto plan = plan_figure(origin.scene, settings, sources, runs);
-    if (!plan) return tell_interrupted(status, {});
     const RunStore store(options.runs.empty() ? fs::path(options.picture).parent_path() / "runs"
                                               : fs::path(options.runs));
+    const auto plan = plan_figure(origin.scene, settings, sources, runs, &store);
+    if (!plan) return tell_interrupted(status, {});
     const std::vector<RunRecord> records = make_runs(runs, store, options.work, status);
     if (interrupting_signal() != 0) return tell_interrupted(status, records);
     if (const std::string missing = missing_run(*plan, runs, records); !missing.empty())

@@ -21,7 +21,7 @@ int check_command(const std::vector<std::string>& scenes,
             const Workshop workshop = set_up(read_scene(file, settings), 1);
             if (!workshop.scene.figure.panels.empty()) {
                 FigureSources sources;
-                plan_figure(file, settings, sources, runs);
+                plan_figure(file, settings, sources, runs, nullptr);
             }
             const std::string line = fmt::format(
                 "{}: fine ({}, {} x {} cells, {} steps, {} frames)\n", file,

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "picture/compare.h"
-#include "run/work_options.h"
+#include "run/terminal/work_options.h"
 
 namespace fumon {
 

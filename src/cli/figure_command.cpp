@@ -10,8 +10,8 @@
 #include "paper/figure_files.h"
 #include "paper/figure_make.h"
 #include "paper/figure_page.h"
-#include "run/interrupt.h"
 #include "run/run_folder.h"
+#include "run/terminal/interrupt.h"
 
 namespace fumon {
 
@@ -26,11 +26,12 @@ struct PlannedFigure {
 };
 
 /// False when interrupted.
-bool plan_all(const FigureOptions& options, std::vector<PlannedFigure>& figures, FigureRuns& runs) {
+bool plan_all(const FigureOptions& options, const RunStore& store,
+              std::vector<PlannedFigure>& figures, FigureRuns& runs) {
     std::map<std::string, std::string> files;  // of names
     for (const std::string& file : options.scenes) {
         PlannedFigure figure;
-        auto plan = plan_figure(file, options.work.settings, figure.sources, runs);
+        auto plan = plan_figure(file, options.work.settings, figure.sources, runs, &store);
         if (!plan) return false;
         figure.plan = std::move(*plan);
         const auto [other, is_new] = files.emplace(figure.plan.name, file);
@@ -65,14 +66,14 @@ int figure_command(const FigureOptions& options) {
     StatusLine status(options.work.verbosity);
     std::vector<PlannedFigure> figures;
     FigureRuns runs;
-    if (!plan_all(options, figures, runs)) return tell_interrupted(status, {});
+    const RunStore store(options.runs.empty() ? fs::path(options.folder) / "runs"
+                                              : fs::path(options.runs));
+    if (!plan_all(options, store, figures, runs)) return tell_interrupted(status, {});
     std::error_code fault;
     if (fs::exists(options.folder, fault) && !fs::is_directory(options.folder, fault)) {
         throw InputError(
             fmt::format("{} is a file; name a folder for the figures with -o", options.folder));
     }
-    const RunStore store(options.runs.empty() ? fs::path(options.folder) / "runs"
-                                              : fs::path(options.runs));
     const std::vector<RunRecord> records = make_runs(runs, store, options.work, status);
     if (interrupting_signal() != 0) return tell_interrupted(status, records);
 

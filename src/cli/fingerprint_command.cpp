@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "keys/key_value.h"
 #include "picture/fingerprint.h"
 #include "picture/fingerprint_text.h"
 #include "picture/png.h"
 #include "scene/json.h"
-#include "scene/write.h"
 
 namespace fumon {
 

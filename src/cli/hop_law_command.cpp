@@ -14,8 +14,9 @@
 #include "hop_law/flight_table.h"
 #include "hop_law/hop_law_scene.h"
 #include "models/air/airflow.h"
-#include "run/interrupt.h"
+#include "models/sand/sand.h"
 #include "run/still.h"
+#include "run/terminal/interrupt.h"
 #include "scene/read.h"
 #include "scene/write.h"
 
@@ -73,9 +74,10 @@ SandSource sand_source(const std::string& into) {
     sand.own = !into.empty();
     sand.text = read_scene_text(sand.own ? fs::path(into) : data_file(ripples_of_section_5));
     sand.scene = set_up(parse_scene(sand.text, {}), 1).scene;
-    if (sand.scene.model.name != "sand") {
-        throw InputError(fmt::format("{}a hop law goes into the model sand, not into {}",
-                                     sand.scene.at("model.name"), sand.scene.model.name));
+    if (sand.scene.model.name != Sand::model_name) {
+        throw InputError(fmt::format("{}a hop law goes into the model {}, not into {}",
+                                     sand.scene.at("model.name"), Sand::model_name,
+                                     sand.scene.model.name));
     }
     return sand;
 }
@@ -89,10 +91,9 @@ bool takes_scale(const Scene& sand) {
 const Airflow& airflow_of(const Workshop& workshop) {
     const auto* air = dynamic_cast<const Airflow*>(workshop.model.get());
     if (air == nullptr) {
-        throw InputError(
-            fmt::format("{}a hop law is measured in the air of the model airflow, "
-                        "which {} has not",
-                        workshop.scene.at("model.name"), workshop.scene.model.name));
+        throw InputError(fmt::format(
+            "{}a hop law is measured in the air of the model {}, which {} has not",
+            workshop.scene.at("model.name"), Airflow::model_name, workshop.scene.model.name));
     }
     return *air;
 }

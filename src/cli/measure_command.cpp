@@ -13,7 +13,7 @@
 #include "cli/commands.h"
 #include "files/netcdf/netcdf_record.h"
 #include "measure/suite.h"
-#include "run/check_finite.h"
+#include "models/shared/check_finite.h"
 #include "scene/initial_bed.h"
 #include "scene/terrain_scene.h"
 
@@ -47,6 +47,7 @@ Snapshot read_bed(const MeasureOptions& options, const std::string& file) {
     snapshot.scale = initial.scale;
     snapshot.periodic = !options.open_edges;
     if (scene.bed.variable.empty()) add_record(file, snapshot);
+    snapshot.landform = guessed_landform(snapshot);
     check_finite(snapshot);
     return snapshot;
 }
@@ -59,7 +60,7 @@ Landform landform(const MeasureOptions& options, const Snapshot& snapshot) {
         throw InputError(fmt::format("--as profile: {} has {} rows; a profile has one", options.bed,
                                      snapshot.bed.ny()));
     }
-    return landform_of(snapshot);
+    return measured_landform(snapshot);
 }
 
 void place_drop_site(const MeasureOptions& options, Snapshot& snapshot) {

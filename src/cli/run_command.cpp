@@ -7,10 +7,10 @@
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "run/drawing.h"
-#include "run/interrupt.h"
 #include "run/manifest.h"
 #include "run/pipeline.h"
 #include "run/resume.h"
+#include "run/terminal/interrupt.h"
 #include "run/workshop.h"
 #include "scene/read.h"
 

@@ -5,8 +5,8 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "run/drawing.h"
-#include "run/interrupt.h"
 #include "run/still.h"
+#include "run/terminal/interrupt.h"
 #include "scene/read.h"
 #include "scene/terrain_scene.h"
 

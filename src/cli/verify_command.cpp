@@ -11,7 +11,7 @@
 #include "picture/junit.h"
 #include "picture/png.h"
 #include "run/drawing.h"
-#include "run/interrupt.h"
+#include "run/terminal/interrupt.h"
 #include "verify/verify_case.h"
 #include "verify/verify_page.h"
 

@@ -14,17 +14,17 @@ namespace fumon {
 
 namespace {
 
-std::vector<std::string> quoted(const std::vector<ChoiceName>& names) {
+std::vector<std::string> quoted(const std::vector<KeyWord>& words) {
     std::vector<std::string> all;
-    all.reserve(names.size());
-    for (const ChoiceName& name : names) all.push_back(fmt::format("\"{}\"", name.name));
+    all.reserve(words.size());
+    for (const KeyWord& known : words) all.push_back(fmt::format("\"{}\"", known.word));
     return all;
 }
 
-std::vector<std::string> plain(const std::vector<ChoiceName>& names) {
+std::vector<std::string> plain(const std::vector<KeyWord>& words) {
     std::vector<std::string> all;
-    all.reserve(names.size());
-    for (const ChoiceName& name : names) all.emplace_back(name.name);
+    all.reserve(words.size());
+    for (const KeyWord& known : words) all.emplace_back(known.word);
     return all;
 }
 
@@ -107,21 +107,16 @@ struct Assign {
     void operator()(const ChoiceTarget& target) const {
         const auto* text = value.as_string();
         if (text == nullptr) refuse(key, value, locate);
-        for (std::size_t index = 0; index < target.names.size(); ++index) {
-            if (target.names[index].name == text->get()) {
-                target.set(static_cast<int>(index));
-                return;
-            }
-        }
+        if (target.choose(text->get())) return;
         throw InputError(fmt::format("{}: {} is \"{}\"; it takes one of {} ({})",
                                      locate(value.source()), key.path, text->get(),
-                                     fmt::join(quoted(target.names), ", "),
-                                     suggestion(text->get(), plain(target.names))));
+                                     fmt::join(quoted(target.words), ", "),
+                                     suggestion(text->get(), plain(target.words))));
     }
     void operator()(const WordOrRealTarget& target) const {
         if (const auto* text = value.as_string()) {
-            for (const ChoiceName& word : target.words) {
-                if (word.name == text->get()) {
+            for (const KeyWord& word : target.words) {
+                if (word.word == text->get()) {
                     *target.value = {text->get(), 0.0};
                     return;
                 }
@@ -177,7 +172,7 @@ std::string what_it_takes(const Key& key) {
         std::string operator()(const double*) const { return number_text("a number", key.notes); }
         std::string operator()(const std::string*) const { return "a text in quotes"; }
         std::string operator()(const ChoiceTarget& target) const {
-            return fmt::format("one of {}", fmt::join(quoted(target.names), ", "));
+            return fmt::format("one of {}", fmt::join(quoted(target.words), ", "));
         }
         std::string operator()(const WordOrRealTarget& target) const {
             return fmt::format("{} or {}", fmt::join(quoted(target.words), ", "),

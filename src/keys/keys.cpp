@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
+
+#include "base/find_named.h"
 
 namespace fumon {
 
@@ -28,6 +31,20 @@ std::string Range::text() const {
     if (bounded_below) return fmt::format("{} {}", low_open ? ">" : "≥", limit_text(low));
     if (bounded_above) return fmt::format("≤ {}", limit_text(high));
     return "any";
+}
+
+std::string_view ChoiceTarget::word() const {
+    const auto found = std::find(enumerators.begin(), enumerators.end(), get());
+    if (found == enumerators.end()) throw std::logic_error("an enumerator has no word");
+    return words[static_cast<std::size_t>(found - enumerators.begin())].word;
+}
+
+bool ChoiceTarget::choose(std::string_view word) const {
+    const auto found = std::find_if(words.begin(), words.end(),
+                                    [&](const KeyWord& known) { return known.word == word; });
+    if (found == words.end()) return false;
+    set(enumerators[static_cast<std::size_t>(found - words.begin())]);
+    return true;
 }
 
 std::string without_numbers(const std::string& path) {
@@ -58,7 +75,7 @@ void KeyTable::text(std::string path, std::string& value, KeyNotes notes) {
     add(std::move(path), std::move(notes), &value);
 }
 
-void KeyTable::word_or_real(std::string path, WordOrReal& value, std::vector<ChoiceName> words,
+void KeyTable::word_or_real(std::string path, WordOrReal& value, std::vector<KeyWord> words,
                             KeyNotes notes) {
     add(std::move(path), std::move(notes), WordOrRealTarget{&value, std::move(words)});
 }
@@ -77,19 +94,15 @@ void KeyTable::text_list(std::string path, std::vector<std::string>& values, Key
 }
 
 const Key* KeyTable::find(std::string_view path) const {
-    const auto found =
-        std::find_if(keys_.begin(), keys_.end(), [&](const Key& key) { return key.path == path; });
-    return found == keys_.end() ? nullptr : &*found;
+    return find_by(keys_, &Key::path, path);
 }
 
 const TableList* KeyTable::find_list(std::string_view path) const {
-    const auto found = std::find_if(lists_.begin(), lists_.end(),
-                                    [&](const TableList& list) { return list.path == path; });
-    return found == lists_.end() ? nullptr : &*found;
+    return find_by(lists_, &TableList::path, path);
 }
 
 void KeyTable::add(std::string path, KeyNotes notes, KeyTarget target) {
-    keys_.push_back({std::move(path), std::move(notes), std::move(target)});
+    keys_.push_back({std::move(path), std::move(notes), std::move(target), role_});
 }
 
 }  // namespace fumon

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/find_named.h"
 #include "base/state_carrier.h"
 
 namespace fumon {
 
 const MeasuredColumn* MeasuredRows::find(std::string_view name) const {
-    const auto found = std::find_if(columns.begin(), columns.end(), [&](const MeasuredColumn& one) {
-        return one.column.name == name;
-    });
-    return found == columns.end() ? nullptr : &*found;
+    const auto name_of = [](const MeasuredColumn& one) -> const std::string& {
+        return one.column.name;
+    };
+    return find_by(columns, name_of, name);
 }
 
 RowGatherer::RowGatherer(const std::vector<std::string>& names,

@@ -11,12 +11,14 @@
 
 namespace fumon {
 
-/// What kind of bed is measured: it decides which measures there are.
-enum class Landform { bed, profile, pile, water, air };
+/// What a snapshot is measured as: its model's landform; a profile where a bed or terrain has a
+/// single row, else a bed.
+Landform measured_landform(const Snapshot& snapshot);
 
-/// A pile where the model keeps count of dropped grains, water where the snapshot has a field
-/// "water_depth", air where it has a section, a profile where there is a single row, else a bed.
-Landform landform_of(const Snapshot& snapshot);
+/// The landform of a snapshot that was read from a bare file, as far as its content tells: a pile
+/// where there is a count of dropped grains, water where there is a field "water_depth", air where
+/// there is a section, else a bed.
+Landform guessed_landform(const Snapshot& snapshot);
 
 struct MeasuredValue {
     MeasureColumn column;

@@ -3,8 +3,10 @@
 #include <any>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
+#include "base/landform.h"
 #include "models/shared/model.h"
 
 namespace fumon {
@@ -27,6 +29,7 @@ struct ModelHome {
 struct ModelEntry {
     std::string_view name;
     std::string_view help;  ///< one line
+    Landform landform;      ///< of its snapshots
     ModelHome home;
     std::any (*default_parameters)();
     /// Lists the keys `model.*` of these parameters, bound to them.
@@ -40,5 +43,11 @@ std::span<const ModelEntry> models();
 
 /// The entry of that name, or nullptr.
 const ModelEntry* find_model(std::string_view name);
+
+/// The model of a bed as it is, for terrain files and for figures that need no model.
+const ModelEntry& terrain_model();
+
+/// The names of all models of a landform, for messages: "airflow", or "one, other".
+std::string models_of(Landform landform);
 
 }  // namespace fumon

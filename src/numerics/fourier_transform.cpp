@@ -4,7 +4,8 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <vector>
+#include <numbers>
+#include <utility>
 
 #include "base/elementary.h"
 #include "base/multiversion.h"
@@ -13,294 +14,321 @@ namespace fumon {
 
 namespace {
 
-using Complex = std::complex<double>;
+/// Up to here a butterfly by the definition is affordable, and more accurate than a convolution.
+constexpr std::size_t largest_radix = 127;
 
-constexpr std::size_t largest_factor = 31;
-constexpr double half_turn = 3.141592653589793;
+constexpr std::size_t half = FourierTransform::rows / 2;
+constexpr std::size_t rows = FourierTransform::rows;  // of a point: 4 real parts, 4 imaginary ones
 
-bool has_small_factors(std::size_t length) {
-    for (std::size_t factor = 2; factor <= largest_factor; ++factor) {
-        while (length % factor == 0 && length > 1) length /= factor;
-    }
-    return length <= 1;
-}
-
-/// Complex values, real and imaginary parts apart.
-struct Parts {
-    std::vector<double> real;
-    std::vector<double> imaginary;
-    Parts() = default;
-    explicit Parts(std::size_t count) : real(count), imaginary(count) {}
-};
-
-struct FourierStage {
+struct Stage {
     std::size_t radix;
-    std::size_t part;
-    std::size_t stride;
-    std::size_t length;
+    std::size_t parts;   ///< butterflies of one interleaved transform
+    std::size_t stride;  ///< interleaved transforms
+    std::size_t length;  ///< of the whole
+    const double* cosine;
+    const double* sine;
 };
 
+/// to = (a + ib)·(c − is), point by point.
+inline void put_turned(const double* a, const double* b, double c, double s, double* to) {
+    for (std::size_t l = 0; l < half; ++l) {
+        to[l] = a[l] * c + b[l] * s;
+        to[half + l] = b[l] * c - a[l] * s;
+    }
+}
+
+/// A butterfly of `radix` points by the definition; of 2 and 4 without products.
 FUMON_MULTIVERSION
-void butterflies_of_two(const FourierStage& stage, const Parts& turns, const Parts& from,
-                        Parts& to) {
-    const std::size_t reach = stage.part * stage.stride;
-    for (std::size_t p = 0; p < stage.part; ++p) {
-        const double c = turns.real[p * stage.stride];
-        const double s = turns.imaginary[p * stage.stride];
-        const double* re = &from.real[p * stage.stride];
-        const double* im = &from.imaginary[p * stage.stride];
-        double* to_re = &to.real[2 * p * stage.stride];
-        double* to_im = &to.imaginary[2 * p * stage.stride];
-        FUMON_INDEPENDENT
+void butterflies_of_four(const Stage& stage, const double* __restrict from, double* __restrict to) {
+    const std::size_t reach = stage.parts * stage.stride * rows;
+    for (std::size_t p = 0; p < stage.parts; ++p) {
+        const std::size_t turn = p * stage.stride;
         for (std::size_t q = 0; q < stage.stride; ++q) {
-            to_re[q] = re[q] + re[q + reach];
-            to_im[q] = im[q] + im[q + reach];
-            const double a = re[q] - re[q + reach];
-            const double b = im[q] - im[q + reach];
-            to_re[q + stage.stride] = a * c - b * s;
-            to_im[q + stage.stride] = a * s + b * c;
+            const double* x0 = from + (p * stage.stride + q) * rows;
+            const double* x1 = x0 + reach;
+            const double* x2 = x1 + reach;
+            const double* x3 = x2 + reach;
+            double* y = to + (4 * p * stage.stride + q) * rows;
+            std::array<double, half> a1, b1, a2, b2, a3, b3;
+            for (std::size_t l = 0; l < half; ++l) {
+                const std::size_t m = l + half;
+                const double sum_re = x0[l] + x2[l], sum_im = x0[m] + x2[m];
+                const double off_re = x0[l] - x2[l], off_im = x0[m] - x2[m];
+                const double odd_re = x1[l] + x3[l], odd_im = x1[m] + x3[m];
+                const double cross_re = x1[l] - x3[l], cross_im = x1[m] - x3[m];
+                y[l] = sum_re + odd_re;
+                y[m] = sum_im + odd_im;
+                a2[l] = sum_re - odd_re;
+                b2[l] = sum_im - odd_im;
+                a1[l] = off_re + cross_im;
+                b1[l] = off_im - cross_re;
+                a3[l] = off_re - cross_im;
+                b3[l] = off_im + cross_re;
+            }
+            const std::size_t next = stage.stride * rows;
+            put_turned(a1.data(), b1.data(), stage.cosine[turn], stage.sine[turn], y + next);
+            put_turned(a2.data(), b2.data(), stage.cosine[2 * turn], stage.sine[2 * turn],
+                       y + 2 * next);
+            put_turned(a3.data(), b3.data(), stage.cosine[3 * turn], stage.sine[3 * turn],
+                       y + 3 * next);
         }
     }
 }
 
 FUMON_MULTIVERSION
-void butterflies_of_four(const FourierStage& stage, const Parts& turns, const Parts& from,
-                         Parts& to) {
-    const std::size_t reach = stage.part * stage.stride;
-    const std::size_t stride = stage.stride;
-    for (std::size_t p = 0; p < stage.part; ++p) {
-        const double c1 = turns.real[p * stride];
-        const double s1 = turns.imaginary[p * stride];
-        const double c2 = turns.real[2 * p * stride];
-        const double s2 = turns.imaginary[2 * p * stride];
-        const double c3 = turns.real[3 * p * stride];
-        const double s3 = turns.imaginary[3 * p * stride];
-        const double* re = &from.real[p * stride];
-        const double* im = &from.imaginary[p * stride];
-        double* to_re = &to.real[4 * p * stride];
-        double* to_im = &to.imaginary[4 * p * stride];
-        FUMON_INDEPENDENT
-        for (std::size_t q = 0; q < stride; ++q) {
-            const double even_re = re[q] + re[q + 2 * reach];
-            const double even_im = im[q] + im[q + 2 * reach];
-            const double odd_re = re[q + reach] + re[q + 3 * reach];
-            const double odd_im = im[q + reach] + im[q + 3 * reach];
-            const double apart_re = re[q] - re[q + 2 * reach];
-            const double apart_im = im[q] - im[q + 2 * reach];
-            const double turned_re = im[q + reach] - im[q + 3 * reach];  // −i times the difference
-            const double turned_im = re[q + 3 * reach] - re[q + reach];
-            to_re[q] = even_re + odd_re;
-            to_im[q] = even_im + odd_im;
-            const double a1 = apart_re + turned_re;
-            const double b1 = apart_im + turned_im;
-            to_re[q + stride] = a1 * c1 - b1 * s1;
-            to_im[q + stride] = a1 * s1 + b1 * c1;
-            const double a2 = even_re - odd_re;
-            const double b2 = even_im - odd_im;
-            to_re[q + 2 * stride] = a2 * c2 - b2 * s2;
-            to_im[q + 2 * stride] = a2 * s2 + b2 * c2;
-            const double a3 = apart_re - turned_re;
-            const double b3 = apart_im - turned_im;
-            to_re[q + 3 * stride] = a3 * c3 - b3 * s3;
-            to_im[q + 3 * stride] = a3 * s3 + b3 * c3;
+void butterflies_of_five(const Stage& stage, const double* __restrict from, double* __restrict to) {
+    const std::size_t reach = stage.parts * stage.stride * rows;
+    const std::size_t fifth = stage.length / 5;
+    const double c1 = stage.cosine[fifth], s1 = stage.sine[fifth];
+    const double c2 = stage.cosine[2 * fifth], s2 = stage.sine[2 * fifth];
+    for (std::size_t p = 0; p < stage.parts; ++p) {
+        const std::size_t turn = p * stage.stride;
+        for (std::size_t q = 0; q < stage.stride; ++q) {
+            const double* x0 = from + (p * stage.stride + q) * rows;
+            const double* x1 = x0 + reach;
+            const double* x2 = x1 + reach;
+            const double* x3 = x2 + reach;
+            const double* x4 = x3 + reach;
+            double* y = to + (5 * p * stage.stride + q) * rows;
+            std::array<double, half> a1, b1, a2, b2, a3, b3, a4, b4;
+            for (std::size_t l = 0; l < half; ++l) {
+                const std::size_t m = l + half;
+                const double t1 = x1[l] + x4[l], u1 = x1[m] + x4[m];
+                const double t2 = x2[l] + x3[l], u2 = x2[m] + x3[m];
+                const double d1 = x1[l] - x4[l], e1 = x1[m] - x4[m];
+                const double d2 = x2[l] - x3[l], e2 = x2[m] - x3[m];
+                y[l] = x0[l] + (t1 + t2);
+                y[m] = x0[m] + (u1 + u2);
+                const double r1 = x0[l] + (c1 * t1 + c2 * t2), i1 = x0[m] + (c1 * u1 + c2 * u2);
+                const double r2 = x0[l] + (c2 * t1 + c1 * t2), i2 = x0[m] + (c2 * u1 + c1 * u2);
+                const double v1 = s1 * d1 + s2 * d2, z1 = s1 * e1 + s2 * e2;
+                const double v2 = s2 * d1 - s1 * d2, z2 = s2 * e1 - s1 * e2;
+                a1[l] = r1 + z1;
+                b1[l] = i1 - v1;
+                a4[l] = r1 - z1;
+                b4[l] = i1 + v1;
+                a2[l] = r2 + z2;
+                b2[l] = i2 - v2;
+                a3[l] = r2 - z2;
+                b3[l] = i2 + v2;
+            }
+            const std::size_t next = stage.stride * rows;
+            put_turned(a1.data(), b1.data(), stage.cosine[turn], stage.sine[turn], y + next);
+            put_turned(a2.data(), b2.data(), stage.cosine[2 * turn], stage.sine[2 * turn],
+                       y + 2 * next);
+            put_turned(a3.data(), b3.data(), stage.cosine[3 * turn], stage.sine[3 * turn],
+                       y + 3 * next);
+            put_turned(a4.data(), b4.data(), stage.cosine[4 * turn], stage.sine[4 * turn],
+                       y + 4 * next);
         }
     }
 }
 
-constexpr std::size_t most_pairs = largest_factor / 2;
-
-/// Of an odd radix: points j and radix − j are turned to either side, so that their sum and
-/// difference serve two results.
-[[gnu::always_inline]] inline void odd_butterflies(const FourierStage& stage, std::size_t radix,
-                                                   const Parts& turns, const Parts& from,
-                                                   Parts& to) {
-    const std::size_t stride = stage.stride;
-    const std::size_t reach = stage.part * stride;
-    const std::size_t pairs = radix / 2;
-    for (std::size_t p = 0; p < stage.part; ++p) {
-        const double* re = &from.real[p * stride];
-        const double* im = &from.imaginary[p * stride];
-        double* to_re = &to.real[radix * p * stride];
-        double* to_im = &to.imaginary[radix * p * stride];
-        for (std::size_t k = 0; k <= pairs; ++k) {
-            const std::size_t mirrored = k == 0 ? 0 : radix - k;
-            const double c1 = turns.real[p * k * stride];
-            const double s1 = turns.imaginary[p * k * stride];
-            const double c2 = turns.real[p * mirrored * stride];
-            const double s2 = turns.imaginary[p * mirrored * stride];
-            std::array<double, most_pairs> c{};
-            std::array<double, most_pairs> s{};
-            for (std::size_t j = 0; j < pairs; ++j) {
-                const std::size_t turn = (j + 1) * k % radix * (stage.length / radix);
-                c[j] = turns.real[turn];
-                s[j] = turns.imaginary[turn];
-            }
-            FUMON_INDEPENDENT
-            for (std::size_t q = 0; q < stride; ++q) {
-                double even_re = re[q];
-                double even_im = im[q];
-                double odd_re = 0.0;
-                double odd_im = 0.0;
-                for (std::size_t j = 0; j < pairs; ++j) {
-                    const std::size_t near = q + (j + 1) * reach;
-                    const std::size_t far = q + (radix - j - 1) * reach;
-                    even_re += (re[near] + re[far]) * c[j];
-                    even_im += (im[near] + im[far]) * c[j];
-                    odd_re -= (im[near] - im[far]) * s[j];
-                    odd_im += (re[near] - re[far]) * s[j];
+FUMON_MULTIVERSION
+void butterflies(const Stage& stage, const double* __restrict from, double* __restrict to) {
+    const std::size_t reach = stage.parts * stage.stride * rows;
+    const std::size_t part = stage.length / stage.radix;
+    for (std::size_t p = 0; p < stage.parts; ++p) {
+        for (std::size_t q = 0; q < stage.stride; ++q) {
+            const double* x = from + (p * stage.stride + q) * rows;
+            for (std::size_t t = 0; t < stage.radix; ++t) {
+                std::array<double, half> a{}, b{};
+                for (std::size_t j = 0; j < stage.radix; ++j) {
+                    const double c = stage.cosine[(j * t) % stage.radix * part];
+                    const double s = stage.sine[(j * t) % stage.radix * part];
+                    const double* xj = x + j * reach;
+                    for (std::size_t l = 0; l < half; ++l) {
+                        a[l] += xj[l] * c + xj[l + half] * s;
+                        b[l] += xj[l + half] * c - xj[l] * s;
+                    }
                 }
-                const double a1 = even_re + odd_re;
-                const double b1 = even_im + odd_im;
-                const double a2 = even_re - odd_re;
-                const double b2 = even_im - odd_im;
-                // For k = 0 both are the same result, and nothing is odd.
-                to_re[q + mirrored * stride] = a2 * c2 - b2 * s2;
-                to_im[q + mirrored * stride] = a2 * s2 + b2 * c2;
-                to_re[q + k * stride] = a1 * c1 - b1 * s1;
-                to_im[q + k * stride] = a1 * s1 + b1 * c1;
+                const std::size_t turn = p * t * stage.stride;
+                put_turned(a.data(), b.data(), stage.cosine[turn], stage.sine[turn],
+                           to + ((stage.radix * p + t) * stage.stride + q) * rows);
             }
         }
     }
 }
 
+/// z·(c − is) of every point.
 FUMON_MULTIVERSION
-void butterflies_of_three(const FourierStage& stage, const Parts& turns, const Parts& from,
-                          Parts& to) {
-    odd_butterflies(stage, 3, turns, from, to);
+void turn_points(double* __restrict z, const double* __restrict c, const double* __restrict s,
+                 std::size_t points) {
+    for (std::size_t i = 0; i < points; ++i, z += rows) {
+        for (std::size_t l = 0; l < half; ++l) {
+            const double a = z[l], b = z[l + half];
+            z[l] = a * c[i] + b * s[i];
+            z[l + half] = b * c[i] - a * s[i];
+        }
+    }
 }
 
+/// The conjugate of z·(c + is) of every point.
 FUMON_MULTIVERSION
-void butterflies_of_five(const FourierStage& stage, const Parts& turns, const Parts& from,
-                         Parts& to) {
-    odd_butterflies(stage, 5, turns, from, to);
-}
-
-FUMON_MULTIVERSION
-void butterflies(const FourierStage& stage, const Parts& turns, const Parts& from, Parts& to) {
-    odd_butterflies(stage, stage.radix, turns, from, to);
+void multiply_and_mirror(double* __restrict z, const double* __restrict c,
+                         const double* __restrict s, std::size_t points) {
+    for (std::size_t i = 0; i < points; ++i, z += rows) {
+        for (std::size_t l = 0; l < half; ++l) {
+            const double a = z[l], b = z[l + half];
+            z[l] = a * c[i] - b * s[i];
+            z[l + half] = -(a * s[i] + b * c[i]);
+        }
+    }
 }
 
 }  // namespace
 
-class FourierTransform::Method {
-  public:
-    Method() = default;
-    virtual ~Method() = default;
-    Method(const Method&) = delete;
-    Method& operator=(const Method&) = delete;
-    virtual void forward(std::span<const Complex> values, std::span<Complex> spectrum) = 0;
-};
-
-/// Stockham's method (Cochran et al. 1967): a stage of radix r makes, of sequences of length r·part
-/// at the distance `stride`, r times as many of length part; after the last one the values stand in
-/// order. Real and imaginary parts lie apart, so that the loop over the sequences vectorises.
-class FourierTransform::MixedRadix : public Method {
-  public:
-    explicit MixedRadix(std::size_t length) : length_(length), from_(length), to_(length) {
-        std::size_t rest = length;
-        for (const std::size_t radix : {4U, 2U}) {
-            for (; rest % radix == 0; rest /= radix) radices_.push_back(radix);
-        }
-        for (std::size_t radix = 3; rest > 1; radix += 2) {
-            for (; rest % radix == 0; rest /= radix) radices_.push_back(radix);
-        }
-        for (std::size_t j = 0; j < length; ++j) {
-            const std::size_t nearer = std::min(j, length - j);
-            const double angle =
-                2.0 * half_turn * static_cast<double>(nearer) / static_cast<double>(length);
-            turns_.real.push_back(elementary::cos(angle));
-            turns_.imaginary.push_back(j == nearer ? -elementary::sin(angle)
-                                                   : elementary::sin(angle));
-        }
-    }
-
-    void forward(std::span<const Complex> values, std::span<Complex> spectrum) override {
-        for (std::size_t i = 0; i < length_; ++i) {
-            from_.real[i] = values[i].real();
-            from_.imaginary[i] = values[i].imag();
-        }
-        std::size_t part = length_;
-        std::size_t stride = 1;
-        for (const std::size_t radix : radices_) {
-            part /= radix;
-            const FourierStage stage{radix, part, stride, length_};
-            const auto pass = radix == 2   ? butterflies_of_two
-                              : radix == 3 ? butterflies_of_three
-                              : radix == 4 ? butterflies_of_four
-                              : radix == 5 ? butterflies_of_five
-                                           : butterflies;
-            pass(stage, turns_, from_, to_);
-            std::swap(from_, to_);
-            stride *= radix;
-        }
-        for (std::size_t i = 0; i < length_; ++i) spectrum[i] = {from_.real[i], from_.imaginary[i]};
-    }
-
-  private:
-    std::size_t length_;
-    std::vector<std::size_t> radices_;
-    Parts turns_;  ///< exp(−2πi·j/length)
-    Parts from_;
-    Parts to_;
-};
-
-/// kx = (k² + x² − (k − x)²)/2 makes the transform a convolution with a chirp exp(iπ x²/n).
-class FourierTransform::Convolution : public Method {
+/// mi = (m² + i² − (m − i)²)/2 makes the transform a convolution with a chirp exp(iπ i²/n).
+class FourierTransform::Convolution {
   public:
     explicit Convolution(std::size_t length)
-        : chirp_(length),
-          padded_(std::bit_ceil(2 * length - 1)),
-          transform_(padded_),
-          values_(padded_),
-          spectrum_(padded_),
-          kernel_(padded_) {
-        for (std::uint64_t x = 0; x < length; ++x) {
-            const auto square = static_cast<double>(x * x % (2 * length));
-            const double angle = half_turn * square / static_cast<double>(length);
-            chirp_[x] = {elementary::cos(angle), -elementary::sin(angle)};
-            values_[x] = std::conj(chirp_[x]);
-            if (x > 0) values_[padded_ - x] = values_[x];
+        : padded_(std::bit_ceil(2 * length - 1)),
+          kernel_real_(padded_.length_),
+          kernel_imaginary_(padded_.length_) {
+        for (std::uint64_t i = 0; i < length; ++i) {
+            const auto square = static_cast<double>(i * i % (2 * length));
+            const double angle = std::numbers::pi * square / static_cast<double>(length);
+            cosine_.push_back(elementary::cos(angle));
+            sine_.push_back(elementary::sin(angle));
         }
-        transform_.forward(values_, kernel_);
+        Scratch scratch = padded_.scratch();
+        for (std::size_t i = 0; i < length; ++i) {
+            for (const std::size_t at : {i, (padded_.length_ - i) % padded_.length_}) {
+                scratch.from[at * rows] = cosine_[i];
+                scratch.from[at * rows + half] = sine_[i];
+            }
+        }
+        padded_.transform(scratch);
+        // The inverse transform's factor is the kernel's.
+        const double scale = 1.0 / static_cast<double>(padded_.length_);
+        for (std::size_t m = 0; m < padded_.length_; ++m) {
+            kernel_real_[m] = scale * scratch.from[m * rows];
+            kernel_imaginary_[m] = scale * scratch.from[m * rows + half];
+        }
     }
 
-    void forward(std::span<const Complex> values, std::span<Complex> spectrum) override {
-        const std::size_t length = chirp_.size();
-        std::fill(values_.begin(), values_.end(), Complex());
-        for (std::size_t x = 0; x < length; ++x) values_[x] = values[x] * chirp_[x];
-        transform_.forward(values_, spectrum_);
+    [[nodiscard]] Scratch scratch() const { return padded_.scratch(); }
+
+    void transform(Scratch& scratch) const {
+        const std::size_t length = cosine_.size();
+        turn_points(scratch.from.data(), cosine_.data(), sine_.data(), length);
+        std::fill(scratch.from.begin() + static_cast<std::ptrdiff_t>(length * rows),
+                  scratch.from.end(), 0.0);
+        padded_.transform(scratch);
         // The inverse transform is the forward one between two conjugations.
-        for (std::size_t k = 0; k < padded_; ++k) {
-            spectrum_[k] = std::conj(spectrum_[k] * kernel_[k]);
+        multiply_and_mirror(scratch.from.data(), kernel_real_.data(), kernel_imaginary_.data(),
+                            padded_.length_);
+        padded_.transform(scratch);
+        double* z = scratch.from.data();
+        for (std::size_t m = 0; m < length; ++m) {
+            for (std::size_t l = half; l < rows; ++l) z[m * rows + l] = -z[m * rows + l];
         }
-        transform_.forward(spectrum_, values_);
-        const double scale = 1.0 / static_cast<double>(padded_);
-        for (std::size_t k = 0; k < length; ++k) {
-            spectrum[k] = std::conj(values_[k]) * scale * chirp_[k];
-        }
+        turn_points(z, cosine_.data(), sine_.data(), length);
     }
 
   private:
-    std::vector<Complex> chirp_;
-    std::size_t padded_;
-    MixedRadix transform_;
-    std::vector<Complex> values_;
-    std::vector<Complex> spectrum_;
-    std::vector<Complex> kernel_;
+    FourierTransform padded_;
+    std::vector<double> cosine_;  ///< of the chirp
+    std::vector<double> sine_;
+    std::vector<double> kernel_real_;
+    std::vector<double> kernel_imaginary_;
 };
 
-FourierTransform::FourierTransform(std::size_t length) {
-    if (has_small_factors(length)) {
-        method_ = std::make_unique<MixedRadix>(length);
-    } else {
-        method_ = std::make_unique<Convolution>(length);
+FourierTransform::FourierTransform(std::size_t length) : length_(length) {
+    std::size_t rest = length_;
+    for (const std::size_t radix : {4UL, 5UL, 2UL, 3UL}) {
+        for (; rest % radix == 0; rest /= radix) radices_.push_back(radix);
+    }
+    for (std::size_t radix = 7; rest > 1 && radix <= largest_radix; radix += 2) {
+        for (; rest % radix == 0; rest /= radix) radices_.push_back(radix);
+    }
+    if (rest > 1) {
+        convolution_ = std::make_unique<const Convolution>(length_);
+        return;
+    }
+    for (std::size_t j = 0; j < length_; ++j) {
+        const double angle =
+            2.0 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(length_);
+        cosine_.push_back(elementary::cos(angle));
+        sine_.push_back(elementary::sin(angle));
     }
 }
 
 FourierTransform::~FourierTransform() = default;
 
-void FourierTransform::forward(std::span<const Complex> values, std::span<Complex> spectrum) {
-    method_->forward(values, spectrum);
+FourierTransform::Scratch FourierTransform::scratch() const {
+    if (convolution_) return convolution_->scratch();
+    return {std::vector<double>(length_ * rows), std::vector<double>(length_ * rows)};
+}
+
+/// Of the 4 complex rows in scratch.from, in place.
+void FourierTransform::transform(Scratch& scratch) const {
+    if (convolution_) {
+        convolution_->transform(scratch);
+        return;
+    }
+    std::size_t remaining = length_;
+    std::size_t stride = 1;
+    for (const std::size_t radix : radices_) {
+        remaining /= radix;
+        const Stage stage{radix, remaining, stride, length_, cosine_.data(), sine_.data()};
+        if (radix == 4) {
+            butterflies_of_four(stage, scratch.from.data(), scratch.to.data());
+        } else if (radix == 5) {
+            butterflies_of_five(stage, scratch.from.data(), scratch.to.data());
+        } else {
+            butterflies(stage, scratch.from.data(), scratch.to.data());
+        }
+        std::swap(scratch.from, scratch.to);
+        stride *= radix;
+    }
+}
+
+void FourierTransform::forward(const double* values, std::size_t stride, double* real,
+                               double* imaginary, std::size_t spectrum_stride,
+                               Scratch& scratch) const {
+    for (std::size_t i = 0; i < length_; ++i) {
+        for (std::size_t l = 0; l < rows; ++l) scratch.from[i * rows + l] = values[i * stride + l];
+    }
+    transform(scratch);
+    for (std::size_t m = 0; m <= length_ / 2; ++m) {
+        const double* z = &scratch.from[m * rows];
+        const double* mirrored = &scratch.from[(m == 0 ? 0 : length_ - m) * rows];
+        double* re = real + m * spectrum_stride;
+        double* im = imaginary + m * spectrum_stride;
+        for (std::size_t l = 0; l < half; ++l) {
+            re[l] = 0.5 * (z[l] + mirrored[l]);
+            im[l] = 0.5 * (z[l + half] - mirrored[l + half]);
+            re[l + half] = 0.5 * (z[l + half] + mirrored[l + half]);
+            im[l + half] = 0.5 * (mirrored[l] - z[l]);
+        }
+    }
+}
+
+void FourierTransform::backward(const double* real, const double* imaginary,
+                                std::size_t spectrum_stride, double* values, std::size_t stride,
+                                Scratch& scratch) const {
+    // The inverse of z is the forward transform of i·conj z, likewise turned back: its parts
+    // change places.
+    for (std::size_t m = 0; m <= length_ / 2; ++m) {
+        const double* re = real + m * spectrum_stride;
+        const double* im = imaginary + m * spectrum_stride;
+        double* z = &scratch.from[m * rows];
+        double* mirrored = &scratch.from[(m == 0 ? 0 : length_ - m) * rows];
+        for (std::size_t l = 0; l < half; ++l) {
+            mirrored[l + half] = re[l] + im[l + half];
+            mirrored[l] = re[l + half] - im[l];
+            z[l + half] = re[l] - im[l + half];
+            z[l] = re[l + half] + im[l];
+        }
+    }
+    transform(scratch);
+    for (std::size_t i = 0; i < length_; ++i) {
+        for (std::size_t l = 0; l < half; ++l) {
+            values[i * stride + l] = scratch.from[i * rows + half + l];
+            values[i * stride + half + l] = scratch.from[i * rows + l];
+        }
+    }
 }
 
 }  // namespace fumon

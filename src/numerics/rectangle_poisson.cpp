@@ -11,9 +11,9 @@ RectanglePoisson::RectanglePoisson(int nx, int nodes, WorkerPool& pool)
     : nx_(nx),
       nodes_(nodes),
       modes_(nx / 2 + 1),
-      stride_(static_cast<std::size_t>(chunks(nodes)) * ColumnTransform::rows),
+      stride_(static_cast<std::size_t>(chunks(nodes)) * FourierTransform::rows),
       pool_(pool),
-      transform_(nx),
+      transform_(static_cast<std::size_t>(nx)),
       inverse_pivots_(static_cast<std::size_t>(modes_) * stride_),
       real_(inverse_pivots_.size()),
       imaginary_(inverse_pivots_.size()),
@@ -32,7 +32,7 @@ RectanglePoisson::RectanglePoisson(int nx, int nodes, WorkerPool& pool)
 
 int RectanglePoisson::chunks(int rows) const {
     const int most = rows < nodes_ ? rows : nodes_;
-    constexpr int chunk = static_cast<int>(ColumnTransform::rows);
+    constexpr int chunk = static_cast<int>(FourierTransform::rows);
     return (most + chunk - 1) / chunk;
 }
 
@@ -48,9 +48,9 @@ void RectanglePoisson::add(const std::vector<double>& b, int rows) {
 
 void RectanglePoisson::transform(const std::vector<double>& b, int rows) {
     over_plane(pool_, chunks(rows), size(), [&](int begin, int end) {
-        ColumnTransform::Scratch scratch = transform_.scratch();
+        FourierTransform::Scratch scratch = transform_.scratch();
         for (int chunk = begin; chunk < end; ++chunk) {
-            const std::size_t at = static_cast<std::size_t>(chunk) * ColumnTransform::rows;
+            const std::size_t at = static_cast<std::size_t>(chunk) * FourierTransform::rows;
             transform_.forward(&b[at], stride_, &real_[at], &imaginary_[at], stride_, scratch);
         }
     });
@@ -89,9 +89,9 @@ void RectanglePoisson::solve_modes(int rows, bool anew) {
 
 void RectanglePoisson::write(std::vector<double>& p, int rows) {
     over_plane(pool_, chunks(rows), size(), [&](int begin, int end) {
-        ColumnTransform::Scratch scratch = transform_.scratch();
+        FourierTransform::Scratch scratch = transform_.scratch();
         for (int chunk = begin; chunk < end; ++chunk) {
-            const std::size_t at = static_cast<std::size_t>(chunk) * ColumnTransform::rows;
+            const std::size_t at = static_cast<std::size_t>(chunk) * FourierTransform::rows;
             transform_.backward(&solved_real_[at], &solved_imaginary_[at], stride_, &p[at], stride_,
                                 scratch);
         }

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "numerics/column_transform.h"
+#include "numerics/fourier_transform.h"
 
 namespace fumon {
 
@@ -37,7 +37,7 @@ class RectanglePoisson {
     int modes_;
     std::size_t stride_;
     WorkerPool& pool_;
-    ColumnTransform transform_;
+    FourierTransform transform_;
     std::vector<double> inverse_pivots_;  ///< of each mode
     std::vector<double> real_, imaginary_;
     std::vector<double> solved_real_, solved_imaginary_;

@@ -6,35 +6,25 @@
 #include <algorithm>
 
 #include "figure/page/page_grid.h"
+#include "keys/key_value.h"
 #include "keys/keys.h"
-#include "models/registry.h"
 #include "scene/scene_keys.h"
-#include "scene/write.h"
 
 namespace fumon {
 
 namespace {
 
-/// Whether a key decides what a run computes.
-bool decides(const std::string& key) {
-    if (key == "model.name" || key == "bed.file") return false;
-    return key.starts_with("model.") || key.starts_with("grid.") || key.starts_with("bed.");
-}
-
-/// "creep_rate = 0.2, …": every deciding key whose value is not the model's default, without those
+/// "creep_rate = 0.2, …": every parameter whose value is not the model's default, without those
 /// that vary.
 std::string parameters_of(const Scene& scene, const std::vector<std::string>& varied) {
     Scene written = scene;
-    Scene usual;
-    const ModelEntry* model = find_model(scene.model.name);
-    usual.model = {scene.model.name, model->default_parameters()};
-    usual.bed.high = model->home.noise_height;
+    Scene usual = default_scene(scene.model.name);
     const KeyTable keys = scene_keys(written);
     const KeyTable defaults = scene_keys(usual);
     std::vector<std::string> parts;
     for (const Key& key : keys.keys()) {
-        if (!decides(key.path) || std::find(varied.begin(), varied.end(), key.path) != varied.end())
-            continue;
+        const bool varies = std::find(varied.begin(), varied.end(), key.path) != varied.end();
+        if (key.role != KeyRole::parameter || varies) continue;
         const std::string value = value_text(key);
         const bool always = key.path == "grid.nx" || key.path == "grid.ny";
         if (!always && value == value_text(*defaults.find(key.path))) continue;
@@ -91,7 +81,7 @@ std::string curve_sentence(const CurveFeed& feed, std::size_t number) {
 std::string picture_sentence(const PanelFeed& panel) {
     const PictureFeed& picture = *panel.picture;
     std::string steps = picture.steps.size() == 1 ? "step " : "steps ";
-    steps += panel.settings.kind == PanelKind::time_space
+    steps += shown_by(panel.settings.kind) == PanelShows::whole_run
                  ? fmt::format("{} to {}", picture.steps.front(), picture.steps.back())
                  : fmt::format("{}", fmt::join(picture.steps, ", "));
     return fmt::format("{}; seed {}; {}", steps, picture.scene.seed,
@@ -115,10 +105,7 @@ std::string figure_caption(const FigurePlan& plan) {
     std::size_t letter = 0;
     for (const PanelFeed& panel : plan.panels) {
         const bool inset = panel.settings.inset != InsetPlace::none;
-        const bool one_each = panel.settings.kind == PanelKind::map ||
-                              panel.settings.kind == PanelKind::view ||
-                              panel.settings.kind == PanelKind::section;
-        const std::size_t panels = one_each && !inset ? panel.picture->steps.size() : 1;
+        const std::size_t panels = panels_of(panel);
         text += '\n';
         text += heading(plan, letter, panels, inset);
         if (!inset) letter += panels;

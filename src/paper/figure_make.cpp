@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <csignal>
 
-#include "run/interrupt.h"
+#include "run/terminal/interrupt.h"
 
 namespace fumon {
 

@@ -5,8 +5,8 @@
 
 #include "paper/figure_plan.h"
 #include "run/run_store.h"
-#include "run/status_line.h"
-#include "run/work_options.h"
+#include "run/terminal/status_line.h"
+#include "run/terminal/work_options.h"
 
 namespace fumon {
 

@@ -1,15 +1,9 @@
 #include "paper/figure_page.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
-#include "base/error.h"
 #include "figure/page/page_grid.h"
-#include "paper/figure_curve.h"
 #include "paper/figure_pictures.h"
-#include "paper/figure_plot.h"
-#include "paper/figure_tables.h"
 
 namespace fumon {
 
@@ -21,11 +15,7 @@ constexpr double millimetre = 72.0 / 25.4;  // points
 std::size_t pictures_of(const FigurePlan& plan) {
     std::size_t count = 0;
     for (const PanelFeed& panel : plan.panels) {
-        if (panel.settings.inset != InsetPlace::none) continue;
-        const bool one_each = panel.settings.kind == PanelKind::map ||
-                              panel.settings.kind == PanelKind::view ||
-                              panel.settings.kind == PanelKind::section;
-        count += one_each ? panel.picture->steps.size() : 1;
+        if (panel.settings.inset == InsetPlace::none) count += panels_of(panel);
     }
     return count;
 }
@@ -78,7 +68,7 @@ class Assembly {
   public:
     Assembly(const FigurePlan& plan, const FigureRuns& runs, const RunStore& store,
              const FigureDrawing& drawing)
-        : plan_(plan), runs_(runs), store_(store), pictures_(plan, runs, store, drawing) {
+        : plan_(plan), pictures_(plan, runs, store, drawing) {
         made_.page = empty_page(plan);
     }
 
@@ -88,14 +78,6 @@ class Assembly {
     }
 
   private:
-    void add(const PanelFeed& panel) {
-        if (panel.settings.kind == PanelKind::plot) {
-            add_plot(panel);
-        } else {
-            add_pictures(panel);
-        }
-    }
-
     /// "a", or "a-inset" for the data of what stands in it.
     [[nodiscard]] std::string letter_of_next(const PanelFeed& panel) const {
         const bool inset = panel.settings.inset != InsetPlace::none;
@@ -104,40 +86,15 @@ class Assembly {
         return letter.substr(1, letter.size() - 2) + (inset ? "-inset" : "");
     }
 
-    void add_plot(const PanelFeed& panel) {
-        std::vector<std::vector<CurvePoints>> curves;
-        std::size_t number = 0;
-        for (const CurveFeed& feed : panel.curves) {
-            curves.push_back(points_of(feed));
-            for (const CurvePoints& points : curves.back()) {
-                made_.data.push_back(
-                    {fmt::format("{}-{}.csv", letter_of_next(panel), ++number), curve_csv(points)});
-            }
-        }
-        place(panel, std::make_unique<PlotPanel>(figure_plot(panel.settings, curves)),
-              panel_title(panel.settings, plan_.scene, nullptr));
-    }
-
-    void add_pictures(const PanelFeed& panel) {
+    void add(const PanelFeed& panel) {
         const PanelSettings& settings = panel.settings;
         const bool inset = settings.inset != InsetPlace::none;
         const double share = inset ? settings.inset_size : static_cast<double>(settings.columns);
         const double width = made_.page.width / made_.page.columns * share;
-        for (ShownPicture& picture : pictures_.make(panel, width)) {
-            if (!picture.data_end.empty())
-                made_.data.push_back(
-                    {letter_of_next(panel) + picture.data_end, std::move(picture.data)});
-            place(panel, std::move(picture.content), std::move(picture.title));
-        }
-    }
-
-    [[nodiscard]] std::vector<CurvePoints> points_of(const CurveFeed& feed) const {
-        try {
-            return curve_points(feed, curve_table(feed, runs_, store_));
-        } catch (const InputError& fault) {
-            throw InputError(plan_.scene.at(feed.path + ".y") + fault.what());
-        } catch (const Error& fault) {
-            throw Error(plan_.scene.at(feed.path + ".fit") + fault.what());
+        for (MadePanel& one : pictures_.make(panel, width)) {
+            for (FigureData& data : one.data)
+                made_.data.push_back({letter_of_next(panel) + data.name, std::move(data.text)});
+            place(panel, std::move(one.content), std::move(one.title));
         }
     }
 
@@ -161,8 +118,6 @@ class Assembly {
     }
 
     const FigurePlan& plan_;
-    const FigureRuns& runs_;
-    const RunStore& store_;
     FigurePictures pictures_;
     FigurePage made_;
 };

@@ -1,30 +1,16 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "figure/page/page.h"
-#include "gl/context.h"
-#include "paper/figure_plan.h"
+#include "paper/panel_makers.h"
 
 namespace fumon {
-
-/// Data behind something that a figure shows.
-struct FigureData {
-    std::string name;  ///< the end of its file's name: "a-1.csv"
-    std::string text;
-};
 
 /// A figure ready to be drawn.
 struct FigurePage {
     Page page;
     std::vector<FigureData> data;
-};
-
-/// What 3-D views are drawn with.
-struct FigureDrawing {
-    gl::Backend backend = gl::Backend::automatic;
-    int threads = 0;  ///< of the renderer's own loops; 0: one per processor
 };
 
 /// Feeds a figure's panels from its runs, which are all there. Throws InputError, located, where no

@@ -7,12 +7,14 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/find_named.h"
 #include "base/nearest_name.h"
-#include "figure/panels/section_panel.h"
 #include "figure/panels/step_text.h"
 #include "keys/keys.h"
 #include "paper/figure_tables.h"
+#include "paper/panel_makers.h"
 #include "run/workshop.h"
+#include "scene/overlay_keys.h"
 #include "scene/placeholders.h"
 #include "scene/scene_keys.h"
 
@@ -30,8 +32,12 @@ std::string without_colon(std::string place) {
 /// Reads one figure.
 class Planner {
   public:
-    Planner(FigurePlan& plan, FigureSources& sources, FigureRuns& runs)
-        : plan_(plan), sources_(sources), runs_(runs), text_(sources.scene(plan.file)) {
+    Planner(FigurePlan& plan, FigureSources& sources, FigureRuns& runs, const RunStore* store)
+        : plan_(plan),
+          sources_(sources),
+          runs_(runs),
+          store_(store),
+          text_(sources.scene(plan.file)) {
         plan_.scene = parse_scene(text_, read_settings(plan_.settings));
         if (plan_.scene.figure.panels.empty()) {
             throw InputError(
@@ -46,7 +52,7 @@ class Planner {
         const std::vector<PanelSettings>& panels = plan_.scene.figure.panels;
         for (std::size_t p = 0; p < panels.size(); ++p) {
             PanelFeed panel{panels[p], fmt::format("figure.panel.{}", p), {}, {}};
-            if (panel.settings.kind == PanelKind::plot) {
+            if (shown_by(panel.settings.kind) == PanelShows::curves) {
                 for (std::size_t c = 0; c < panel.settings.curves.size(); ++c) {
                     auto curve = read_curve(panel.settings.curves[c],
                                             fmt::format("{}.curve.{}", panel.path, c));
@@ -97,8 +103,7 @@ class Planner {
     void note(const InitialBed& initial) {
         for (const InputFile& input : initial.inputs) {
             const InputFile named = sources_.as_first_named(input);
-            const auto same = [&](const InputFile& known) { return known.path == named.path; };
-            if (std::none_of(plan_.inputs.begin(), plan_.inputs.end(), same))
+            if (find_by(plan_.inputs, &InputFile::path, named.path) == nullptr)
                 plan_.inputs.push_back(named);
         }
         if (!initial.note.empty() &&
@@ -148,7 +153,14 @@ class Planner {
             request.over = settings.over;
             request.over_place = without_colon(plan_.scene.at(path + ".over"));
         }
+        request.finished = [this](const PreparedScene& prepared) {
+            return outline_of(stored_run(prepared.scene, prepared.initial));
+        };
         return request;
+    }
+
+    [[nodiscard]] std::optional<Snapshot> outline_of(const StoredRun& run) const {
+        return store_ == nullptr ? std::nullopt : store_->outline(run);
     }
 
     /// A scene as its run takes it: with its bed file as it lies now, and its bed's size.
@@ -173,11 +185,12 @@ class Planner {
             scene.grid.ny = initial->bed.ny();
             StoredRun run = stored_run(scene, *initial);
             run.label = fmt::format("{}: {}", plan.scene.source, run_label(plan, plan.runs[k]));
-            if (k == 0) describe(feed, scene);
+            if (k == 0) describe(feed, scene, *plan.first);
             if (needs_fields(feed.settings.table)) run.steps.insert(step_of(feed, scene));
             feed.runs.push_back(runs_.add(std::move(run)));
         }
         feed.step = step_of(feed, feed.scene);
+        feed.plan->first.reset();
     }
 
     static bool needs_fields(CurveTable table) {
@@ -195,9 +208,9 @@ class Planner {
     }
 
     /// What is known of a curve's table before there is a run.
-    void describe(CurveFeed& feed, const Scene& scene) {
-        const Workshop workshop = set_up(scene, 1);
-        feed.scene = workshop.scene;
+    void describe(CurveFeed& feed, const Scene& scene, const Snapshot& first) {
+        feed.scene = scene;
+        name_parameter_keys(feed.scene);
         const KeyTable keys = scene_keys(feed.scene);
         for (const std::string& key : varied_keys(*feed.plan)) {
             const Key* known = keys.find(key);  // none of a list's item
@@ -206,10 +219,10 @@ class Planner {
         feed.table.columns.push_back({"seed"});
         const Table own = at(feed.path + ".table", [&] {
             try {
-                return curve_columns(feed.settings.table, workshop.model->snapshot());
+                return curve_columns(feed.settings.table, first);
             } catch (const InputError& refusal) {
-                throw InputError(fmt::format("this table {}, not {}", refusal.what(),
-                                             workshop.scene.model.name));
+                throw InputError(
+                    fmt::format("this table {}, not {}", refusal.what(), feed.scene.model.name));
             }
         });
         feed.table.columns.insert(feed.table.columns.end(), own.columns.begin(), own.columns.end());
@@ -243,11 +256,16 @@ class Planner {
         const PanelSettings& settings = panel.settings;
         Scene scene = parse_scene(scene_text(settings.scene, panel.path + ".scene"),
                                   changes(settings.scene, settings.set, panel.path + ".set"));
-        const InitialBed initial = settle(scene);
-        const Workshop workshop = set_up(std::move(scene), 1);
-        PictureFeed feed{workshop.scene, 0, settings.steps};
+        sources_.find_bed(scene);
+        PreparedScene prepared = prepare(std::move(scene));
+        note(prepared.initial);
+        PictureFeed feed{prepared.scene, 0, settings.steps};
+        StoredRun run = stored_run(prepared.scene, prepared.initial);
+        run.label = fmt::format("{}: seed {}", feed.scene.source, feed.scene.seed);
+        run.steps.insert(0);  // what holds still over a run is taken from its start
+        const Snapshot first = first_of(std::move(prepared), run);
         const std::int64_t last = feed.scene.run.steps;
-        if (settings.kind == PanelKind::time_space) {
+        if (shown_by(settings.kind) == PanelShows::whole_run) {
             const std::int64_t every =
                 settings.every > 0 ? settings.every : std::max<std::int64_t>(1, last / 200);
             feed.steps.clear();
@@ -260,43 +278,41 @@ class Planner {
                        fmt::format("step {} is after the run's end at {}", step, last));
             }
         }
-        check_picture(panel, workshop);
-        StoredRun run = stored_run(feed.scene, initial);
-        run.label = fmt::format("{}: seed {}", feed.scene.source, feed.scene.seed);
-        run.steps.insert(0);  // what holds still over a run is taken from its start
+        check_picture(panel, feed.scene, first);
         run.steps.insert(feed.steps.begin(), feed.steps.end());
         feed.run = runs_.add(std::move(run));
         return feed;
     }
 
-    void check_picture(const PanelFeed& panel, const Workshop& workshop) const {
-        const Snapshot first = workshop.model->snapshot();
+    /// The first snapshot of a run, checked to have what its scene shows.
+    [[nodiscard]] Snapshot first_of(PreparedScene prepared, const StoredRun& run) const {
+        if (store_ == nullptr || !store_->holds(run))
+            return set_up(std::move(prepared), 1).model->snapshot();
+        Snapshot first = store_->snapshot(run, 0);
+        check_shown(prepared.scene, first);
+        return first;
+    }
+
+    void check_picture(const PanelFeed& panel, const Scene& scene, const Snapshot& first) const {
         const PanelSettings& settings = panel.settings;
-        if (settings.kind == PanelKind::section) check_section(panel, workshop, first);
+        try {
+            const auto check = maker_of(settings.kind).check;
+            if (check != nullptr) check(settings, scene, first);
+        } catch (const KeyError& fault) {
+            refuse(fmt::format("{}.{}", panel.path, fault.key()), fault.what());
+        }
         std::vector<std::string> fields{"bed", "change"};
         for (const SnapshotField& field : first.fields) fields.push_back(field.name);
         if (std::find(fields.begin(), fields.end(), settings.field) == fields.end()) {
             refuse(panel.path + ".field",
-                   fmt::format("the model {} has no field \"{}\"; {}", workshop.scene.model.name,
+                   fmt::format("the model {} has no field \"{}\"; {}", scene.model.name,
                                settings.field, suggestion(settings.field, fields)));
         }
         if (!settings.row_of_bed.is_word() && settings.row_of_bed.value >= first.bed.ny()) {
             refuse(panel.path + ".row_of_bed",
                    fmt::format("the bed has {} rows; count them from 0", first.bed.ny()));
         }
-        check_title(panel, workshop.scene, &first);
-    }
-
-    void check_section(const PanelFeed& panel, const Workshop& workshop,
-                       const Snapshot& first) const {
-        if (!first.section) {
-            refuse(panel.path + ".kind",
-                   fmt::format("a section needs a model with one (airflow), not {}",
-                               workshop.scene.model.name));
-        }
-        SectionSettings wanted;
-        wanted.panels = {panel.settings.section};
-        at(panel.path + ".section", [&] { return section_panels(wanted, first); });
+        check_title(panel, scene, &first);
     }
 
     void check_title(const PanelFeed& panel, const Scene& scene, const Snapshot* first) const {
@@ -306,6 +322,7 @@ class Planner {
     FigurePlan& plan_;
     FigureSources& sources_;
     FigureRuns& runs_;
+    const RunStore* store_;
     SceneText text_;
 };
 
@@ -313,12 +330,13 @@ class Planner {
 
 std::optional<FigurePlan> plan_figure(const std::string& file,
                                       const std::vector<std::string>& settings,
-                                      FigureSources& sources, FigureRuns& runs) {
+                                      FigureSources& sources, FigureRuns& runs,
+                                      const RunStore* store) {
     FigurePlan plan;
     plan.file = fs::path(file).lexically_normal().string();
     plan.name = fs::path(file).stem().string();
     plan.settings = settings;
-    if (!Planner(plan, sources, runs).read()) return std::nullopt;
+    if (!Planner(plan, sources, runs, store).read()) return std::nullopt;
     return plan;
 }
 
@@ -330,6 +348,12 @@ std::vector<std::size_t> runs_of(const FigurePlan& plan) {
             all.insert(curve.runs.begin(), curve.runs.end());
     }
     return {all.begin(), all.end()};
+}
+
+std::size_t panels_of(const PanelFeed& panel) {
+    const bool one_each = shown_by(panel.settings.kind) == PanelShows::each_step &&
+                          panel.settings.inset == InsetPlace::none;
+    return one_each ? panel.picture->steps.size() : 1;
 }
 
 std::string panel_title(const PanelSettings& settings, const Scene& scene,

@@ -50,15 +50,20 @@ struct FigurePlan {
 };
 
 /// Reads a figure's scene and the other scenes and tables that it names, builds the bed and model
-/// of every combination once, and adds the runs that it needs to `runs`. `settings` are of --set
-/// and change the figure's scene. Throws InputError, located, for the first fault that can be known
+/// of every combination once, and adds the runs that it needs to `runs`. Of runs that `store` holds
+/// (nullptr: there is none) no model is built. `settings` are of --set and change the figure's
+/// scene. Throws InputError, located, for the first fault that can be known
 /// before any run: also unknown columns, fields, steps and placeholders. Nothing when interrupted.
 std::optional<FigurePlan> plan_figure(const std::string& file,
                                       const std::vector<std::string>& settings,
-                                      FigureSources& sources, FigureRuns& runs);
+                                      FigureSources& sources, FigureRuns& runs,
+                                      const RunStore* store);
 
 /// The numbers of all runs that a figure needs.
 std::vector<std::size_t> runs_of(const FigurePlan& plan);
+
+/// How many panels of the page it takes: one for each of its steps, or one alone.
+std::size_t panels_of(const PanelFeed& panel);
 
 /// What a panel's title may name: {step}, {time} of a snapshot, and the keys of its scene.
 std::string panel_title(const PanelSettings& settings, const Scene& scene,

@@ -3,18 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <any>
 #include <array>
 #include <limits>
 
 #include "base/error.h"
+#include "base/undefined.h"
 #include "base/worker_pool.h"
 #include "files/avalanche_table.h"
 #include "files/input_file.h"
-#include "files/netcdf/netcdf_record.h"
 #include "measure/pile/avalanche_sizes.h"
 #include "measure/suite.h"
-#include "models/air/airflow.h"
-#include "run/workshop.h"
+#include "models/air/airflow_parameters.h"
+#include "models/air/grain_flight.h"
+#include "models/registry.h"
 
 namespace fumon {
 
@@ -33,14 +35,16 @@ Table columns(const std::vector<std::pair<std::string, std::string>>& names) {
 Table measurement_columns(const Snapshot& first) {
     Table table =
         columns({{"step", ""}, {"time", first.time_unit == "steps" ? "" : first.time_unit}});
-    const MeasureSuite suite(landform_of(first), first);
+    const MeasureSuite suite(measured_landform(first), first);
     for (const MeasureColumn& column : suite.columns())
         table.columns.push_back({column.name, column.unit});
     return table;
 }
 
 Table section_columns(const Snapshot& first) {
-    if (!first.section) throw InputError("needs a model with a section (airflow)");
+    if (!first.section)
+        throw InputError(
+            fmt::format("needs a model with a section ({})", models_of(Landform::air)));
     Table table = columns({{"x", "m"}});
     for (const SectionCurve& curve : first.section->curves)
         table.columns.push_back({curve.name, curve.unit == "1" ? "" : curve.unit});
@@ -56,8 +60,9 @@ Table profile_columns(const Snapshot& first) {
 }
 
 Table avalanche_columns(const Snapshot& first, CurveTable table) {
-    if (landform_of(first) != Landform::pile)
-        throw InputError("needs a model with avalanches (sandpile)");
+    if (first.landform != Landform::pile)
+        throw InputError(
+            fmt::format("needs a model with avalanches ({})", models_of(Landform::pile)));
     if (table == CurveTable::avalanche_sizes)
         return columns({{"size", "cells"}, {"avalanches", ""}, {"share", ""}});
     return columns(
@@ -99,6 +104,13 @@ Table profile_rows(const Snapshot& snapshot, Table table) {
         const auto values = snapshot.fields[k - 2].values.row(middle);
         table.columns[k].values.assign(values.begin(), values.end());
     }
+    if (snapshot.nodata.empty()) return table;
+    const auto outside = snapshot.nodata.row(middle);
+    for (std::size_t k = 1; k < table.columns.size(); ++k) {
+        for (std::size_t i = 0; i < outside.size(); ++i) {
+            if (outside[i] != 0) table.columns[k].values[i] = undefined;
+        }
+    }
     return table;
 }
 
@@ -110,8 +122,7 @@ Table section_rows(const Snapshot& snapshot, Table table) {
     return table;
 }
 
-Table flight_rows(const Snapshot& snapshot, const Model& model, Table table) {
-    const auto& parameters = dynamic_cast<const Airflow&>(model).parameters();
+Table flight_rows(const Snapshot& snapshot, const AirflowParameters& parameters, Table table) {
     WorkerPool pool(1);
     const GrainFlights grains(*snapshot.section, parameters.flight,
                               {parameters.density, parameters.viscosity}, pool);
@@ -143,14 +154,14 @@ Table measurement_rows(const std::filesystem::path& file, const Table& known) {
 /// The snapshot of a run at the feed's step.
 Table snapshot_rows(const CurveFeed& feed, const StoredRun& run, const RunStore& store,
                     const Table& known) {
-    const Workshop workshop = set_up(run.scene, 1);
-    const Snapshot snapshot =
-        read_fields_snapshot(store.fields(run), feed.step, workshop.model->snapshot());
+    const Snapshot snapshot = store.snapshot(run, feed.step);
     switch (feed.settings.table) {
         case CurveTable::section:
             return section_rows(snapshot, known);
         case CurveTable::flights:
-            return flight_rows(snapshot, *workshop.model, known);
+            return flight_rows(snapshot,
+                               std::any_cast<const AirflowParameters&>(run.scene.model.parameters),
+                               known);
         default:
             return profile_rows(snapshot, known);
     }

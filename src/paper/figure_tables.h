@@ -4,7 +4,8 @@
 
 namespace fumon {
 
-/// The columns that a curve's table has, without rows, as a run of `first` will give them. Throws
+/// The columns that a curve's table has, without rows, as a run with such snapshots gives them; the
+/// values of `first` do not matter. Throws
 /// InputError without a place where this model has no such table.
 Table curve_columns(CurveTable table, const Snapshot& first);
 

@@ -9,12 +9,13 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "base/find_named.h"
 #include "base/limits.h"
 #include "base/nearest_name.h"
 #include "files/input_file.h"
 #include "keys/assign.h"
+#include "keys/key_value.h"
 #include "picture/fingerprint_text.h"
-#include "scene/write.h"
 
 namespace fumon {
 
@@ -196,9 +197,7 @@ class Reader {
         for (const auto& [name, value] : recorded)
             first = std::min(first, name.source().begin.line);
         for (const BaselineCase& one : baseline_.cases) {
-            const auto place = std::find_if(order_.begin(), order_.end(), [&](const Place& entry) {
-                return entry.name == one.name;
-            });
+            const Place* place = find_named(order_, one.name);
             if (place->line >= first) {
                 throw InputError(
                     fmt::format("{}: cases.{} stands behind what is recorded; move it up",

@@ -2,11 +2,11 @@
 
 #include "gl/program.h"
 #include "gl/texture.h"
-#include "render/block.h"
-#include "render/camera.h"
-#include "render/floor_map.h"
-#include "render/light.h"
+#include "render/light/floor_map.h"
+#include "render/light/light.h"
 #include "render/tiles.h"
+#include "render/view/block.h"
+#include "render/view/camera.h"
 #include "scene/scene.h"
 
 namespace fumon {

@@ -12,15 +12,15 @@
 #include "render/air_layer.h"
 #include "render/background_layer.h"
 #include "render/bed_shading.h"
-#include "render/block.h"
-#include "render/camera.h"
-#include "render/display_bed.h"
-#include "render/floor_map.h"
-#include "render/framing.h"
-#include "render/light.h"
-#include "render/shown_snapshot.h"
+#include "render/light/floor_map.h"
+#include "render/light/light.h"
 #include "render/terrain_layer.h"
 #include "render/tiles.h"
+#include "render/view/block.h"
+#include "render/view/camera.h"
+#include "render/view/display_bed.h"
+#include "render/view/framing.h"
+#include "render/view/shown_snapshot.h"
 
 namespace fumon {
 

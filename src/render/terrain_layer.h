@@ -2,10 +2,10 @@
 
 #include "gl/program.h"
 #include "gl/texture.h"
-#include "render/block.h"
-#include "render/camera.h"
-#include "render/light.h"
+#include "render/light/light.h"
 #include "render/terrain_mesh.h"
+#include "render/view/block.h"
+#include "render/view/camera.h"
 #include "scene/scene.h"
 
 namespace fumon {

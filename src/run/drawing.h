@@ -1,8 +1,8 @@
 #pragma once
 
 #include "run/frame_painter.h"
-#include "run/progress.h"
-#include "run/work_options.h"
+#include "run/terminal/progress.h"
+#include "run/terminal/work_options.h"
 
 namespace fumon {
 

@@ -7,15 +7,15 @@
 #include "base/stopwatch.h"
 #include "base/thread_clock.h"
 #include "base/worker_pool.h"
+#include "models/shared/check_finite.h"
 #include "models/shared/state_hash.h"
 #include "picture/movie.h"
 #include "run/bounded_queue.h"
-#include "run/check_finite.h"
-#include "run/interrupt.h"
 #include "run/output_files.h"
 #include "run/picture_text.h"
 #include "run/stage_threads.h"
 #include "run/step_observers.h"
+#include "run/terminal/interrupt.h"
 #include "run/written_outputs.h"
 
 namespace fumon {

@@ -13,10 +13,10 @@
 #include "gl/context.h"
 #include "models/shared/model.h"
 #include "run/frame_painter.h"
-#include "run/progress.h"
 #include "run/recorder.h"
 #include "run/run_checkpoint.h"
 #include "run/run_folder.h"
+#include "run/terminal/progress.h"
 #include "scene/initial_bed.h"
 #include "scene/scene.h"
 

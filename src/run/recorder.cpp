@@ -19,7 +19,7 @@ std::vector<std::string> gathered_columns(const Scene& scene, const Recording& r
 }
 
 MeasureSuite suite_for(const Snapshot& first) {
-    return MeasureSuite(landform_of(first), first);
+    return MeasureSuite(measured_landform(first), first);
 }
 
 }  // namespace

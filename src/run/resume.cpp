@@ -8,8 +8,8 @@
 #include "base/error.h"
 #include "picture/environment.h"
 #include "run/drawing.h"
-#include "run/find_input.h"
 #include "run/pipeline.h"
+#include "scene/find_input.h"
 #include "scene/json.h"
 #include "scene/read.h"
 

@@ -6,7 +6,7 @@
 #include "files/checkpoint.h"
 #include "run/run_checkpoint.h"
 #include "run/run_folder.h"
-#include "run/work_options.h"
+#include "run/terminal/work_options.h"
 #include "run/workshop.h"
 
 namespace fumon {

@@ -10,21 +10,16 @@
 #include <optional>
 #include <thread>
 
+#include "base/error.h"
 #include "base/stopwatch.h"
 #include "base/thread_clock.h"
-#include "run/interrupt.h"
 #include "run/manifest.h"
-#include "run/progress.h"
+#include "run/terminal/interrupt.h"
+#include "run/terminal/progress.h"
 
 namespace fumon {
 
 namespace {
-
-std::string one_line(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text;
-}
-
 /// The runs under way: threads that take one after the other.
 class Crew {
   public:

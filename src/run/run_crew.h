@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "run/status_line.h"
+#include "run/terminal/status_line.h"
 
 namespace fumon {
 

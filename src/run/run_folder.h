@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "run/folder_lock.h"
+#include "files/folder_lock.h"
 #include "run/recorder.h"
 
 namespace fumon {

@@ -1,13 +1,20 @@
 #pragma once
 
+#include <array>
+
 #include "files/hash.h"
+#include "keys/key_role.h"
 #include "scene/initial_bed.h"
 #include "scene/scene.h"
 
 namespace fumon {
 
-/// Only what decides a run's results.
-Scene without_looks(Scene scene);
+/// The roles of the keys on which a run's numbers depend: what it computes, and when it measures.
+inline constexpr std::array measured_roles{KeyRole::run, KeyRole::parameter, KeyRole::sampling};
+
+/// The roles of the keys on which what a run records depends, whatever its pictures.
+inline constexpr std::array recorded_roles{KeyRole::run, KeyRole::parameter, KeyRole::sampling,
+                                           KeyRole::label, KeyRole::record};
 
 /// What a run of this scene, made ready, is known by: every key that decides what it records, and
 /// the content of its bed file, wherever that lies. How it looks does not matter.

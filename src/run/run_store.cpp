@@ -9,9 +9,12 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "files/atomic_file.h"
+#include "files/file_lock.h"
 #include "files/input_file.h"
+#include "files/netcdf/netcdf_record.h"
+#include "files/snapshot_outline.h"
+#include "models/registry.h"
 #include "models/shared/state_hash.h"
-#include "run/file_lock.h"
 #include "run/picture_text.h"
 #include "run/recorder.h"
 #include "run/run_folder.h"
@@ -19,6 +22,7 @@
 #include "run/simulate.h"
 #include "run/workshop.h"
 #include "scene/json.h"
+#include "scene/scene_roles.h"
 
 namespace fumon {
 
@@ -39,7 +43,8 @@ void move_to(const fs::path& from, const fs::path& to) {
     if (fault) throw Error(fmt::format("cannot write {}: {}", to.string(), fault.message()));
 }
 
-void write_manifest(const fs::path& folder, const StoredRun& run, const RunRecord& record) {
+void write_manifest(const fs::path& folder, const StoredRun& run, const RunRecord& record,
+                    nlohmann::ordered_json outline) {
     nlohmann::ordered_json json;
     json["fumon"] = FUMON_VERSION;
     json["id"] = hex(run.id);
@@ -48,26 +53,20 @@ void write_manifest(const fs::path& folder, const StoredRun& run, const RunRecor
     json["fields_at"] = run.steps;
     json["wall_seconds"] = record.wall_seconds;
     json["state_sha256"] = record.state;
+    json["snapshots"] = std::move(outline);
     write_file(folder / manifest_name, json_text(json, 2) + "\n");
 }
 
 }  // namespace
 
 StoredRun stored_run(const Scene& scene, const InitialBed& initial) {
-    StoredRun run{scene, {}, {}, {}, 0.0};
+    StoredRun run{only_roles(scene, measured_roles), {}, {}, {}, 0.0};
     Scene& stored = run.scene;
     if (!initial.inputs.empty()) {
         stored.bed.file = initial.inputs.front().path;
         stored.directory.clear();
     }
-    stored.title.clear();
-    stored.view = {};
-    stored.sweep = {};
-    stored.figure = {};
-    if (stored.output.measure_every > 0) stored.frames = {};
-    const std::int64_t measure_every = stored.output.measure_every;
-    stored.output = {};
-    stored.output.measure_every = measure_every;
+    if (stored.output.measure_every > 0) stored.frames = {};  // they decide nothing then
     run.id = text_hash(hex(run_id(stored, initial)) + " fumon " FUMON_VERSION);
     run.work = static_cast<double>(scene.grid.nx) * static_cast<double>(scene.grid.ny) *
                static_cast<double>(scene.run.steps + 1);
@@ -91,27 +90,39 @@ fs::path RunStore::fields(const StoredRun& run) const {
     return place(run) / "fields.nc";
 }
 
-std::set<std::int64_t> RunStore::steps_there(const StoredRun& run, bool& whole) const {
-    whole = false;
+std::optional<RunStore::Content> RunStore::content(const StoredRun& run) const {
     const fs::path manifest = place(run) / manifest_name;
-    if (!fs::exists(manifest)) return {};
+    std::error_code fault;
+    if (!fs::exists(manifest, fault)) return std::nullopt;
     try {
         const auto json = nlohmann::json::parse(read_input_file(manifest));
-        auto steps = json.at("fields_at").get<std::set<std::int64_t>>();
-        whole = json.at("id") == hex(run.id) && fs::exists(measurements(run)) &&
-                (steps.empty() || fs::exists(fields(run)));
-        return steps;
+        if (json.at("id") != hex(run.id) || !fs::exists(measurements(run))) return std::nullopt;
+        Content content{json.at("fields_at"), read_outline(json.at("snapshots"))};
+        if (!content.steps.empty() && !fs::exists(fields(run))) return std::nullopt;
+        content.outline.landform = find_model(run.scene.model.name)->landform;
+        return content;
     } catch (const nlohmann::json::exception&) {
-        return {};
+        return std::nullopt;
     } catch (const InputError&) {
-        return {};  // another program has just taken it away
+        return std::nullopt;  // another program has just taken it away, or no bed has its size
     }
 }
 
 bool RunStore::holds(const StoredRun& run) const {
-    bool whole = false;
-    const std::set<std::int64_t> there = steps_there(run, whole);
-    return whole && std::includes(there.begin(), there.end(), run.steps.begin(), run.steps.end());
+    const std::optional<Content> there = content(run);
+    return there && std::ranges::includes(there->steps, run.steps);
+}
+
+std::optional<Snapshot> RunStore::outline(const StoredRun& run) const {
+    std::optional<Content> there = content(run);
+    if (!there) return std::nullopt;
+    return std::move(there->outline);
+}
+
+Snapshot RunStore::snapshot(const StoredRun& run, std::int64_t step) const {
+    std::optional<Snapshot> known = outline(run);
+    if (!known) throw InputError(fmt::format("{}: is damaged; delete it", place(run).string()));
+    return read_fields_snapshot(fields(run), step, std::move(*known));
 }
 
 Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
@@ -125,9 +136,8 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
     if (holds(run)) return Attempt::done;
 
     StoredRun wanted = run;
-    bool whole = false;
-    const std::set<std::int64_t> there = steps_there(run, whole);
-    if (whole) wanted.steps.insert(there.begin(), there.end());
+    if (const std::optional<Content> there = content(run))
+        wanted.steps.insert(there->steps.begin(), there->steps.end());
     wanted.scene.output.fields_at.assign(wanted.steps.begin(), wanted.steps.end());
 
     fs::path made = place(run);
@@ -138,8 +148,9 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
         Workshop workshop = set_up(wanted.scene, threads);
         if (stored_run(workshop.scene, workshop.initial).id != run.id)
             throw Error("a file that it reads has changed since the start");
+        const Snapshot first = workshop.model->snapshot();
         Recorder recorder(
-            workshop.scene, workshop.model->snapshot(),
+            workshop.scene, first,
             {RecordPaths{made / "measurements.csv", made / "avalanches.csv", made / "fields.nc"},
              resolved_scene(workshop.scene, workshop.initial.inputs)});
         if (!simulate(workshop, recorder, record.steps, cell_steps)) {
@@ -148,7 +159,7 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
         }
         record.state = hex(state_hash(*workshop.model));
         record.wall_seconds = watch.seconds();
-        write_manifest(made, wanted, record);
+        write_manifest(made, wanted, record, outline_json(first));
         put(made, run);
     } catch (...) {
         take_away(made);

@@ -3,9 +3,11 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 
+#include "base/snapshot.h"
 #include "files/hash.h"
 #include "run/run_crew.h"
 #include "scene/initial_bed.h"
@@ -29,7 +31,8 @@ StoredRun stored_run(const Scene& scene, const InitialBed& initial);
 /// A folder of finished runs, by what decides their results:
 ///
 ///     0123456789abcdef/    the first digits of the run's id: measurements.csv, avalanches.csv,
-///                          fields.nc, and job.json, which says what they hold
+///                          fields.nc, and job.json, which says what they hold and what
+///                          snapshots of the run have in common
 ///
 /// A run appears whole or not at all, so that it does not matter when a program is killed, and
 /// several programs may work in one folder: each run has a lock file while one of them is at it.
@@ -40,6 +43,13 @@ class RunStore {
     /// Whether the run is there, with the fields of all its steps.
     [[nodiscard]] bool holds(const StoredRun& run) const;
 
+    /// What all snapshots of a run that is there have in common (see read_outline); nothing where
+    /// it is not there. With it no model need be built to know the columns of a run, its units …
+    [[nodiscard]] std::optional<Snapshot> outline(const StoredRun& run) const;
+
+    /// The snapshot of a step whose fields are there. Throws InputError where they are damaged.
+    [[nodiscard]] Snapshot snapshot(const StoredRun& run, std::int64_t step) const;
+
     /// Makes a run, unless it is there by now. One that is there with other steps is made again
     /// with these and those. Throws as the run does.
     Attempt make(const StoredRun& run, int threads, RunRecord& record,
@@ -47,11 +57,17 @@ class RunStore {
 
     [[nodiscard]] std::filesystem::path measurements(const StoredRun& run) const;
     [[nodiscard]] std::filesystem::path avalanches(const StoredRun& run) const;  ///< may not be
-    [[nodiscard]] std::filesystem::path fields(const StoredRun& run) const;
 
   private:
+    /// What job.json says of a run that is whole.
+    struct Content {
+        std::set<std::int64_t> steps;
+        Snapshot outline;
+    };
+
     [[nodiscard]] std::filesystem::path place(const StoredRun& run) const;
-    [[nodiscard]] std::set<std::int64_t> steps_there(const StoredRun& run, bool& whole) const;
+    [[nodiscard]] std::filesystem::path fields(const StoredRun& run) const;
+    [[nodiscard]] std::optional<Content> content(const StoredRun& run) const;
     void put(const std::filesystem::path& made, const StoredRun& run) const;
 
     std::filesystem::path folder_;

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "run/progress.h"
+#include "run/terminal/progress.h"
 
 namespace fumon {
 

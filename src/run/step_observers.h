@@ -3,8 +3,8 @@
 #include <functional>
 #include <utility>
 
-#include "run/progress.h"
 #include "run/stepper.h"
+#include "run/terminal/progress.h"
 #include "scene/schedule.h"
 
 namespace fumon {

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "base/stopwatch.h"
-#include "run/check_finite.h"
-#include "run/interrupt.h"
+#include "models/shared/check_finite.h"
+#include "run/terminal/interrupt.h"
 
 namespace fumon {
 

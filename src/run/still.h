@@ -7,8 +7,8 @@
 #include "base/snapshot.h"
 #include "files/hash.h"
 #include "run/frame_painter.h"
-#include "run/progress.h"
-#include "run/work_options.h"
+#include "run/terminal/progress.h"
+#include "run/terminal/work_options.h"
 #include "run/workshop.h"
 
 namespace fumon {

@@ -6,9 +6,9 @@
 #include "figure/overlays/frame_overlays.h"
 #include "figure/panels/section_figure.h"
 #include "models/registry.h"
-#include "render/colouring.h"
-#include "render/palette.h"
-#include "render/water.h"
+#include "render/colour/colouring.h"
+#include "render/colour/palette.h"
+#include "render/view/water.h"
 #include "scene/overlay_keys.h"
 
 namespace fumon {
@@ -36,17 +36,17 @@ void check_palette(const Scene& scene) {
 }
 
 /// A marking needs a model that has something to mark.
-void check_marking(const Scene& scene, const Model& model) {
+void check_marking(const Scene& scene, const Snapshot& first) {
     const Marking mark = scene.view.look.mark;
-    if (mark == Marking::none || marked_field(mark, model.snapshot()) != nullptr) return;
-    throw InputError(fmt::format(
-        "{}look.mark = \"last-avalanche\" needs a model with avalanches (sandpile), not {}",
-        scene.at("look.mark"), scene.model.name));
+    if (mark == Marking::none || marked_field(mark, first) != nullptr) return;
+    throw InputError(
+        fmt::format("{}look.mark = \"last-avalanche\" needs a model with avalanches ({}), not {}",
+                    scene.at("look.mark"), models_of(Landform::pile), scene.model.name));
 }
 
 /// Colours that mean the water need a model that has some.
-void check_colouring(const Scene& scene, const Model& model) {
-    if (!colours_water(scene.view.look.colour_by) || has_water(model.snapshot())) return;
+void check_colouring(const Scene& scene, const Snapshot& first) {
+    if (!colours_water(scene.view.look.colour_by) || has_water(first)) return;
     throw InputError(
         fmt::format("{}look.colour_by shows the water, and the model {} has none; take height, "
                     "slope, change or natural",
@@ -54,55 +54,75 @@ void check_colouring(const Scene& scene, const Model& model) {
 }
 
 /// The figure of a section needs a model with one, which gives what its panels show.
-void check_section(const Scene& scene, const Model& model) {
+void check_section(const Scene& scene, const Snapshot& first) {
     const bool as_usual = scene.view.section == SectionSettings{};
     if (as_usual && scene.view.look.mode != ViewMode::figure) return;
-    const Snapshot snapshot = model.snapshot();
-    if (!snapshot.section) {
+    if (!first.section) {
         const auto key = scene.locations.lower_bound("section.");
         if (as_usual || key == scene.locations.end()) return;  // resolved scenes list all keys
-        throw InputError(fmt::format("{}{} needs a model with a section (airflow), not {}",
-                                     scene.at(key->first), key->first, scene.model.name));
+        throw InputError(fmt::format("{}{} needs a model with a section ({}), not {}",
+                                     scene.at(key->first), key->first, models_of(Landform::air),
+                                     scene.model.name));
     }
     if (scene.view.look.mode != ViewMode::figure) return;
     try {
-        draw_section_figure(scene.view, snapshot);
+        draw_section_figure(scene.view, first);
     } catch (const KeyError& refusal) {
         throw InputError(scene.at(refusal.key()) + refusal.what());
     }
 }
 
 /// Overlays must fit the scene and the picture.
-void check_overlays(const Scene& scene, const Model& model) {
+void check_overlays(const Scene& scene, const Snapshot& first) {
     if (!has_overlays(scene)) return;
     try {
-        const FrameOverlays fitting(scene, model.snapshot());
+        const FrameOverlays fitting(scene, first);
     } catch (const KeyError& refusal) {
         throw InputError(scene.at(refusal.key()) + refusal.what());
     }
 }
 
+/// Whether a scene shows more than the bed, which a model may not have.
+bool asks_for_more(const Scene& scene) {
+    const LookSettings& look = scene.view.look;
+    return look.mark != Marking::none || colours_water(look.colour_by) ||
+           look.mode == ViewMode::figure || scene.view.section != SectionSettings{} ||
+           has_overlays(scene);
+}
+
 }  // namespace
 
-Workshop set_up(Scene scene, int threads) {
+PreparedScene prepare(Scene scene) {
+    check_palette(scene);
+    name_parameter_keys(scene);
+    InitialBed initial = make_initial_bed(scene);
+    scene.grid.nx = initial.bed.nx();  // resolved: a terrain file brings its own size
+    scene.grid.ny = initial.bed.ny();
+    return {std::move(scene), std::move(initial)};
+}
+
+void check_shown(const Scene& scene, const Snapshot& first) {
+    check_marking(scene, first);
+    check_colouring(scene, first);
+    check_section(scene, first);
+    check_overlays(scene, first);
+}
+
+Workshop set_up(PreparedScene prepared, int threads) {
     Workshop workshop;
-    workshop.scene = std::move(scene);
-    check_palette(workshop.scene);
-    name_parameter_keys(workshop.scene);
-    workshop.initial = make_initial_bed(workshop.scene);
-    workshop.scene.grid.nx =
-        workshop.initial.bed.nx();  // resolved: a terrain file brings its own size
-    workshop.scene.grid.ny = workshop.initial.bed.ny();
+    workshop.scene = std::move(prepared.scene);
+    workshop.initial = std::move(prepared.initial);
     workshop.pool = std::make_unique<WorkerPool>(threads, "fumon-simulate");
     workshop.model = make_model(
         workshop.scene, {workshop.initial.bed, workshop.initial.nodata, workshop.initial.scale,
                          static_cast<std::uint64_t>(workshop.scene.seed), *workshop.pool,
                          bed_kind(workshop.scene) == BedKind::file});
-    check_marking(workshop.scene, *workshop.model);
-    check_colouring(workshop.scene, *workshop.model);
-    check_section(workshop.scene, *workshop.model);
-    check_overlays(workshop.scene, *workshop.model);
+    if (asks_for_more(workshop.scene)) check_shown(workshop.scene, workshop.model->snapshot());
     return workshop;
+}
+
+Workshop set_up(Scene scene, int threads) {
+    return set_up(prepare(std::move(scene)), threads);
 }
 
 }  // namespace fumon

@@ -20,8 +20,23 @@ struct Workshop {
     std::unique_ptr<Recorder> plotted;
 };
 
-/// Builds bed and model of a scene and checks its palette and overlays. Throws InputError where
-/// they do not fit, located at the scene's model or key.
+/// A scene with its initial bed, which is all that a model is built from.
+struct PreparedScene {
+    Scene scene;
+    InitialBed initial;
+};
+
+/// Builds the bed of a scene and checks its palette and the keys that overlays name. Throws
+/// InputError, located.
+PreparedScene prepare(Scene scene);
+
+/// Checks that what a scene shows is in the snapshots of its model, of which `first` is one. Throws
+/// InputError, located.
+void check_shown(const Scene& scene, const Snapshot& first);
+
+/// Builds the model of a scene, and the bed where it is not there yet, and checks as prepare and
+/// check_shown do. Throws InputError where they do not fit, located at the scene's model or key.
+Workshop set_up(PreparedScene prepared, int threads);
 Workshop set_up(Scene scene, int threads);
 
 }  // namespace fumon

@@ -74,7 +74,9 @@ WorldScale scale_of(const Scene& scene, double file_dx, double file_dy) {
     } else if (!scene.grid.height_unit.is_word()) {
         scale.height_unit = scene.grid.height_unit.value;
     } else {
-        scale.height_unit = scene.model.name == "static" ? 1.0 : scale.dx;
+        const ModelEntry* model = find_model(scene.model.name);
+        const bool is_terrain = model != nullptr && model->landform == Landform::terrain;
+        scale.height_unit = is_terrain ? 1.0 : scale.dx;
     }
     return scale;
 }

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "keys/key_value.h"
 #include "keys/keys.h"
 #include "keys/override.h"
 #include "scene/scene_keys.h"
-#include "scene/write.h"
 
 namespace fumon {
 

@@ -10,15 +10,19 @@ namespace fumon {
 namespace {
 
 void list_run_keys(Scene& scene, KeyTable& table) {
+    table.role(KeyRole::label);
     table.text("title", scene.title,
                {.help = "what the run shows; goes into the manifest and the pictures"});
+    table.role(KeyRole::run);
     table.integer("seed", scene.seed,
                   {.range = {0, 9223372036854775807.0},
                    .help = "of every random number; same seed, same bytes"});
     table.integer("run.steps", scene.run.steps,
                   {.unit = "steps",
                    .range = {0, largest_step},
-                   .help = "length of the run (required, but for static)"});
+                   .help = "length of the run (required, but for static)",
+                   .required = true});
+    table.role(KeyRole::sampling);
     table.integer("frames.every", scene.frames.every,
                   {.unit = "steps",
                    .range = {0, largest_step},
@@ -34,6 +38,7 @@ void list_run_keys(Scene& scene, KeyTable& table) {
 }
 
 void list_bed_keys(Scene& scene, KeyTable& table) {
+    table.role(KeyRole::parameter);
     table.integer("grid.nx", scene.grid.nx,
                   {.unit = "cells",
                    .range = {1, largest_grid_side},
@@ -52,12 +57,12 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                          "(1 site without one)"}},
                        {.unit = "m", .range = {0, 1e7, true}, .help = "metres per model height"});
     table.choice("bed.kind", scene.bed.kind,
-                 {{"auto",
+                 {{BedKind::automatic, "auto",
                    "the file of bed.file, else as the model starts: the sandpile flat, "
                    "others with noise"},
-                  {"flat", "one height everywhere"},
-                  {"noise", "uniform random heights in [low, high)"},
-                  {"file", "a terrain file"}},
+                  {BedKind::flat, "flat", "one height everywhere"},
+                  {BedKind::noise, "noise", "uniform random heights in [low, high)"},
+                  {BedKind::file, "file", "a terrain file"}},
                  {.help = "the initial bed"});
     table.real("bed.height", scene.bed.height,
                {.unit = "model heights", .help = "height of a flat bed"});
@@ -65,10 +70,12 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                {.unit = "model heights", .help = "lower end of the noise"});
     table.real("bed.high", scene.bed.high,
                {.unit = "model heights", .help = "upper end of the noise; 0.01 for a gully"});
+    table.role(KeyRole::run);
     table.text("bed.file", scene.bed.file,
                {.help = "ESRI ASCII grid, NetCDF (the last record) or grey PNG, heights in metres; "
                         "relative to "
                         "the scene file, or with --set to the working folder"});
+    table.role(KeyRole::parameter);
     table.real_list("bed.heights", scene.bed.heights, 0, 2,
                     {.unit = "m", .help = "[low, high]: heights of black and white in a PNG bed"});
     table.text("bed.variable", scene.bed.variable,
@@ -86,12 +93,14 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
 }
 
 void list_view_keys(View& view, KeyTable& table) {
+    table.role(KeyRole::look);
     CameraSettings& camera = view.camera;
-    table.choice("camera.projection", camera.projection,
-                 {{"perspective", "as the eye sees it"},
-                  {"orthographic", "oblique, parallel lines stay parallel"},
-                  {"map", "straight from above, north up"}},
-                 {.help = "how the block is projected"});
+    table.choice(
+        "camera.projection", camera.projection,
+        {{Projection::perspective, "perspective", "as the eye sees it"},
+         {Projection::orthographic, "orthographic", "oblique, parallel lines stay parallel"},
+         {Projection::map, "map", "straight from above, north up"}},
+        {.help = "how the block is projected"});
     table.real("camera.azimuth", camera.azimuth,
                {.unit = "degrees",
                 .range = {-360, 360},
@@ -132,19 +141,21 @@ void list_view_keys(View& view, KeyTable& table) {
                {.range = {0, 1}, .help = "aerial perspective at the far edge of the block"});
 
     LookSettings& look = view.look;
-    table.choice("look.mode", look.mode,
-                 {{"scenic", "sunlight, sky and haze"},
-                  {"figure", "white ground, no haze, colours true to the colour bar"}},
-                 {.help = "for the eye or for a paper"});
-    table.choice("look.colour_by", look.colour_by,
-                 {{"natural", "as the ground looks"},
-                  {"height", "bed height"},
-                  {"slope", "steepness in degrees"},
-                  {"change", "height minus that of the first frame"},
-                  {"water-depth", "depth of the water in m; dry cells stay sand"},
-                  {"speed", "of the water, m/s"},
-                  {"froude", "Froude number of the water, speed over sqrt(g depth)"}},
-                 {.help = "what the colours mean"});
+    table.choice(
+        "look.mode", look.mode,
+        {{ViewMode::scenic, "scenic", "sunlight, sky and haze"},
+         {ViewMode::figure, "figure", "white ground, no haze, colours true to the colour bar"}},
+        {.help = "for the eye or for a paper"});
+    table.choice(
+        "look.colour_by", look.colour_by,
+        {{Colouring::natural, "natural", "as the ground looks"},
+         {Colouring::height, "height", "bed height"},
+         {Colouring::slope, "slope", "steepness in degrees"},
+         {Colouring::change, "change", "height minus that of the first frame"},
+         {Colouring::water_depth, "water-depth", "depth of the water in m; dry cells stay sand"},
+         {Colouring::speed, "speed", "of the water, m/s"},
+         {Colouring::froude, "froude", "Froude number of the water, speed over sqrt(g depth)"}},
+        {.help = "what the colours mean"});
     table.text(
         "look.palette", look.palette,
         {.help =
@@ -167,11 +178,13 @@ void list_view_keys(View& view, KeyTable& table) {
                        {.unit = "model heights",
                         .range = {0, 1e7},
                         .help = "what the picture leaves free above the first bed"});
-    table.choice("look.datum", look.datum,
-                 {{"auto", "mean for models with water, else first"},
-                  {"first", "the first bed's heights: a bed that sinks is seen to sink"},
-                  {"mean", "each frame's mean height: a bed that sinks as a whole stays framed"}},
-                 {.help = "what the drawn heights are counted from"});
+    table.choice(
+        "look.datum", look.datum,
+        {{Datum::automatic, "auto", "mean for models with water, else first"},
+         {Datum::first, "first", "the first bed's heights: a bed that sinks is seen to sink"},
+         {Datum::mean, "mean",
+          "each frame's mean height: a bed that sinks as a whole stays framed"}},
+        {.help = "what the drawn heights are counted from"});
     table.real("look.shading", look.shading,
                {.range = {0, 1}, .help = "hill shading of a figure; 0: the colours alone"});
     table.boolean("look.water", look.water,
@@ -185,8 +198,8 @@ void list_view_keys(View& view, KeyTable& table) {
     table.boolean("look.air", look.air,
                   {.help = "draw the air over a profile, where the model has some (scenic)"});
     table.choice("look.mark", look.mark,
-                 {{"none", "the bed alone"},
-                  {"last-avalanche",
+                 {{Marking::none, "none", "the bed alone"},
+                  {Marking::last_avalanche, "last-avalanche",
                    "the cells of the pile's last avalanche: toppled ones dark, others lighter"}},
                  {.help = "cells that stand out in blue"});
     table.integer("look.profile_start", look.profile_start,
@@ -215,20 +228,22 @@ void list_view_keys(View& view, KeyTable& table) {
 }
 
 void list_section_keys(SectionSettings& section, KeyTable& table) {
+    table.role(KeyRole::look);
     table.text_list(
         "section.panels", section.panels,
         {.help = "of the figure of a section: velocity, pressure, stress, flights, "
                  "flight-law, paths; empty: the first three, where the model has them"});
-    table.choice("section.arrows", section.arrows,
-                 {{"arrows", "at evenly spaced places, with a reference arrow"},
-                  {"streamlines", "evenly spaced streamlines"},
-                  {"none", "the colours alone"}},
-                 {.help = "how the velocity panel shows directions"});
+    table.choice(
+        "section.arrows", section.arrows,
+        {{SectionArrows::arrows, "arrows", "at evenly spaced places, with a reference arrow"},
+         {SectionArrows::streamlines, "streamlines", "evenly spaced streamlines"},
+         {SectionArrows::none, "none", "the colours alone"}},
+        {.help = "how the velocity panel shows directions"});
     table.choice("section.colour_by", section.colour_by,
-                 {{"speed", "length of the velocity, m/s"},
-                  {"velocity-x", "along the wind, m/s"},
-                  {"velocity-z", "upward, m/s"},
-                  {"pressure", "Pa"}},
+                 {{SectionColour::speed, "speed", "length of the velocity, m/s"},
+                  {SectionColour::velocity_x, "velocity-x", "along the wind, m/s"},
+                  {SectionColour::velocity_z, "velocity-z", "upward, m/s"},
+                  {SectionColour::pressure, "pressure", "Pa"}},
                  {.help = "what the colours of the velocity panel mean"});
     table.word_or_real("section.low", section.low, {{"auto", "from the frame"}},
                        {.help = "value at the palette's start, in the unit of section.colour_by"});
@@ -242,17 +257,22 @@ void list_section_keys(SectionSettings& section, KeyTable& table) {
 }
 
 void list_output_keys(OutputSettings& output, KeyTable& table) {
+    table.role(KeyRole::file);
     table.boolean("output.frames", output.frames, {.help = "write frames as PNG"});
     table.boolean("output.movie", output.movie, {.help = "write movie.mp4"});
+    table.role(KeyRole::look);
     table.real("output.movie_rate", output.movie_rate,
                {.unit = "frames/s", .range = {1, 240}, .help = "speed of the movie"});
     table.integer("output.movie_quality", output.movie_quality,
                   {.range = {0, 51}, .help = "H.264 rate factor: 18 looks lossless, 28 is small"});
+    table.role(KeyRole::record);
     table.boolean("output.measurements", output.measurements, {.help = "write measurements.csv"});
+    table.role(KeyRole::sampling);
     table.integer("output.measure_every", output.measure_every,
                   {.unit = "steps",
                    .range = {0, largest_step},
                    .help = "measure every n steps; 0: with every frame"});
+    table.role(KeyRole::file);
     table.integer("output.bed_every", output.bed_every,
                   {.unit = "steps",
                    .range = {0, largest_step},
@@ -260,6 +280,7 @@ void list_output_keys(OutputSettings& output, KeyTable& table) {
     table.integer_list(
         "output.bed_at", output.bed_at,
         {.unit = "steps", .range = {0, largest_step}, .help = "write the bed at these steps too"});
+    table.role(KeyRole::record);
     table.integer("output.fields_every", output.fields_every,
                   {.unit = "steps",
                    .range = {0, largest_step},
@@ -273,6 +294,7 @@ void list_output_keys(OutputSettings& output, KeyTable& table) {
 }
 
 void list_sweep_keys(SweepSettings& sweep, KeyTable& table) {
+    table.role(KeyRole::sweep);
     table.text_list(
         "sweep.over", sweep.over,
         {.help = "what `fumon sweep` varies, as its --over: \"key=v1,v2\", "
@@ -288,8 +310,10 @@ void list_sweep_keys(SweepSettings& sweep, KeyTable& table) {
 KeyTable scene_keys(Scene& scene) {
     KeyTable table;
     list_run_keys(scene, table);
+    table.role(KeyRole::run);
     table.text("model.name", scene.model.name,
-               {.help = "which model (required); see `fumon models`"});
+               {.help = "which model (required); see `fumon models`", .required = true});
+    table.role(KeyRole::parameter);
     if (const ModelEntry* entry = find_model(scene.model.name))
         entry->list_keys(scene.model.parameters, table);
     list_bed_keys(scene, table);
@@ -300,6 +324,16 @@ KeyTable scene_keys(Scene& scene) {
     list_figure_keys(scene.figure, table);
     list_overlay_keys(scene.view.overlays, table);
     return table;
+}
+
+Scene default_scene(const std::string& model) {
+    Scene scene;
+    scene.model.name = model;
+    if (const ModelEntry* entry = find_model(model)) {
+        scene.model.parameters = entry->default_parameters();
+        scene.bed.high = entry->home.noise_height;
+    }
+    return scene;
 }
 
 }  // namespace fumon

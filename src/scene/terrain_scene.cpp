@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "models/registry.h"
 #include "scene/read.h"
 
 namespace fumon {
@@ -35,8 +36,10 @@ std::vector<double> parse_heights(const std::string& text) {
 
 Scene terrain_scene(const std::string& file, const std::string& heights,
                     const std::vector<std::string>& settings) {
-    Scene scene = parse_scene("[model]\nname = \"static\"\n[bed]\nkind = \"file\"\nfile = \"-\"\n",
-                              "", "", settings);
+    Scene scene =
+        parse_scene(fmt::format("[model]\nname = \"{}\"\n[bed]\nkind = \"file\"\nfile = \"-\"\n",
+                                terrain_model().name),
+                    "", "", settings);
     std::erase_if(scene.locations,
                   [](const auto& entry) { return !entry.second.starts_with("--set"); });
     scene.bed.file = file;

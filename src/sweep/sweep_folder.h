@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "run/folder_lock.h"
+#include "files/folder_lock.h"
 #include "run/recorder.h"
 #include "run/run_crew.h"
 #include "sweep/sweep_plan.h"

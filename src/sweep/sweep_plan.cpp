@@ -6,7 +6,7 @@
 #include <map>
 
 #include "base/error.h"
-#include "run/interrupt.h"
+#include "run/terminal/interrupt.h"
 #include "scene/json.h"
 #include "scene/schedule.h"
 
@@ -71,13 +71,8 @@ Scene scene_of(const SweepPlan& plan, std::size_t combination) {
 }
 
 nlohmann::ordered_json base_of(const SweepPlan& plan, const Scene& scene) {
-    nlohmann::ordered_json base = scene_json(without_looks(scene));
+    nlohmann::ordered_json base = scene_json(scene, recorded_roles);
     base.erase("seed");
-    for (const char* section : {"sweep", "camera", "sun", "look", "section", "image", "figure"})
-        base.erase(section);
-    for (const char* key :
-         {"frames", "movie", "movie_rate", "movie_quality", "bed_every", "bed_at"})
-        base["output"].erase(key);
     for (const std::string& key : varied_keys(plan)) {
         const std::size_t dot = key.find('.');
         if (dot == std::string::npos) {
@@ -131,14 +126,29 @@ void check_outputs(SweepPlan& plan, const Scene& scene) {
         run_label(plan, second), run_label(plan, first)));
 }
 
-/// Builds a combination once, with the first seed, to see that it is right. A refusal that is not
-/// placed at one of its values says which combination it is about.
-Workshop set_up_combination(SweepPlan& plan, std::size_t combination) {
+/// Makes a scene ready, and builds its model once, to see that it is right, unless its run is
+/// finished.
+PreparedScene try_scene(Scene scene, const SweepRequest& request, std::optional<Snapshot>* first) {
+    PreparedScene prepared = prepare(std::move(scene));
+    if (request.finished) *first = request.finished(prepared);
+    if (*first) return prepared;
+    Workshop workshop = set_up(std::move(prepared), 1);
+    if (request.finished) *first = workshop.model->snapshot();
+    return {std::move(workshop.scene), std::move(workshop.initial)};
+}
+
+/// Tries a combination with the first seed. A refusal that is not placed at one of its values says
+/// which combination it is about.
+PreparedScene try_combination(SweepPlan& plan, const SweepRequest& request,
+                              std::size_t combination) {
     try {
         Scene scene = scene_of(plan, combination);
         check_outputs(plan, scene);
         scene.seed = plan.seeds.first;
-        return set_up(std::move(scene), 1);
+        std::optional<Snapshot> first;
+        PreparedScene tried = try_scene(std::move(scene), request, &first);
+        if (combination == 0) plan.first = std::move(first);
+        return tried;
     } catch (const InputError& refusal) {
         const std::string what = refusal.what();
         if (plan.axes.empty() || what.starts_with("--over ")) throw;
@@ -148,15 +158,16 @@ Workshop set_up_combination(SweepPlan& plan, std::size_t combination) {
 }
 
 /// Lists the runs of a combination.
-void add_combination(SweepPlan& plan, std::size_t combination, std::map<Sha256, SweepRun>& known) {
-    Workshop workshop = set_up_combination(plan, combination);
-    note_inputs(plan, workshop.initial);
-    if (combination == 0) plan.base = base_of(plan, workshop.scene);
-    const double work = static_cast<double>(workshop.initial.bed.size()) *
-                        static_cast<double>(workshop.scene.run.steps + 1);
+void add_combination(SweepPlan& plan, const SweepRequest& request, std::size_t combination,
+                     std::map<Sha256, SweepRun>& known) {
+    auto [scene, initial] = try_combination(plan, request, combination);
+    note_inputs(plan, initial);
+    if (combination == 0) plan.base = base_of(plan, scene);
+    const double work =
+        static_cast<double>(initial.bed.size()) * static_cast<double>(scene.run.steps + 1);
     for (std::int64_t seed = plan.seeds.first; plan.runs.size() < most_runs; ++seed) {
-        workshop.scene.seed = seed;
-        const SweepRun run{combination, seed, run_id(workshop.scene, workshop.initial), work};
+        scene.seed = seed;
+        const SweepRun run{combination, seed, run_id(scene, initial), work};
         const auto [twin, is_new] = known.emplace(run.id, run);
         if (!is_new) refuse_twins(plan, twin->second, run);
         plan.runs.push_back(run);
@@ -184,7 +195,7 @@ std::optional<SweepPlan> make_plan(const SweepRequest& request) {
     const std::size_t count = combinations(plan);
     for (std::size_t combination = 0; combination < count; ++combination) {
         if (interrupting_signal() != 0) return std::nullopt;
-        add_combination(plan, combination, known);
+        add_combination(plan, request, combination, known);
     }
     return plan;
 }

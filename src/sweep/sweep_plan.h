@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/snapshot.h"
 #include "files/hash.h"
 #include "run/run_identity.h"
 #include "run/workshop.h"
@@ -35,6 +37,8 @@ struct SweepPlan {
     nlohmann::ordered_json base;  ///< the resolved scene, without what varies and how it looks
     std::vector<InputFile> inputs;
     std::vector<std::string> notes;  ///< what the user should hear before the start
+    /// Of the first combination, where SweepRequest::finished was asked; its values may be missing.
+    std::optional<Snapshot> first;
 };
 
 /// What is wanted of a sweep.
@@ -44,9 +48,13 @@ struct SweepRequest {
     std::vector<std::string> over;  ///< empty: the scene's own sweep.over
     std::string over_place;         ///< where it stands, for messages; empty: "--over N"
     std::string seeds;              ///< as read_seeds takes them; empty: the scene's sweep.seeds
+    /// What snapshots look like of a run that is finished already, so that no model need be built
+    /// to see that it is right; nothing of others. May be empty.
+    std::function<std::optional<Snapshot>(const PreparedScene&)> finished{};
 };
 
-/// Reads the scene, and builds bed and model of every combination once, with the first seed. Throws
+/// Reads the scene, and builds bed and model of every combination once, with the first seed; of a
+/// combination whose run is finished (SweepRequest::finished) the bed alone. Throws
 /// InputError for the first one that is wrong, located at the value, and for two that are the same.
 /// Nothing when interrupted.
 std::optional<SweepPlan> make_plan(const SweepRequest& request);

@@ -4,7 +4,7 @@
 
 #include "base/image.h"
 #include "picture/baseline.h"
-#include "run/work_options.h"
+#include "run/terminal/work_options.h"
 #include "scene/scene.h"
 
 namespace fumon {

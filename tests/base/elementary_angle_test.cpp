@@ -48,6 +48,14 @@ TEST(ElementaryAngle, ArcTangentIsWithinTwoUnitsInTheLastPlace) {
     });
 }
 
+TEST(ElementaryAngle, RoughArcTangentIsWithinAHundredThousandth) {
+    for (int i = 0; i <= 1000; ++i) {
+        const double t = 1e-3 * i;
+        ASSERT_NEAR(elementary::rough_atan(t), std::atan(t), 1.2e-5) << t;
+        ASSERT_NEAR(elementary::rough_atan(static_cast<float>(t)), std::atan(t), 1.2e-5) << t;
+    }
+}
+
 TEST(ElementaryAngle, LengthIsWithinOneUnitInTheLastPlace) {
     for_vectors([](double x, double y) {
         const long double truth =

@@ -48,5 +48,14 @@ TEST(Utf8, AgreesWithTheEncodingOfEveryCharacter) {
     }
 }
 
+TEST(Utf8, TellsTheLengthOfTheCharacterAtTheStart) {
+    EXPECT_EQ(utf8_length("a風"), 1U);
+    EXPECT_EQ(utf8_length("éa"), 2U);
+    EXPECT_EQ(utf8_length("風紋"), 3U);
+    EXPECT_EQ(utf8_length("🏜 "), 4U);
+    EXPECT_EQ(utf8_length("\xE2\x82"), 0U);
+    EXPECT_EQ(utf8_length(""), 0U);
+}
+
 }  // namespace
 }  // namespace fumon

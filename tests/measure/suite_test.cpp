@@ -84,7 +84,7 @@ Snapshot air_of(int nx) {
 
 TEST(MeasureSuite, WaterIsMeasuredInMetresAndItsNumbersAreColumns) {
     const Snapshot water = water_of(40, 20);
-    EXPECT_EQ(landform_of(water), Landform::water);
+    EXPECT_EQ(guessed_landform(water), Landform::water);
     MeasureSuite suite(Landform::water, water);
     const auto row = suite.row(water);
     ASSERT_EQ(row.size(), suite.columns().size());
@@ -115,7 +115,7 @@ TEST(MeasureSuite, WhatRunsDownTheSlopeHasNoMeaningWithoutOne) {
 
 TEST(MeasureSuite, AirHasAColumnForEveryFlightAndNumber) {
     const Snapshot air = air_of(40);
-    EXPECT_EQ(landform_of(air), Landform::air);
+    EXPECT_EQ(guessed_landform(air), Landform::air);
     MeasureSuite suite(Landform::air, air);
     const auto row = suite.row(air);
     ASSERT_EQ(row.size(), suite.columns().size());
@@ -124,6 +124,46 @@ TEST(MeasureSuite, AirHasAColumnForEveryFlightAndNumber) {
     EXPECT_NEAR(value_of(suite, row, "mean_flight_length_20"), (38 * 0.25 + 0.75) / 39, 1e-12);
     EXPECT_EQ(value_of(suite, row, "longest_flight_length_20"), 0.75);
     EXPECT_EQ(value_of(suite, row, "eddy_length"), 0.0);
+}
+
+// The order of columns is that of measurements.csv.
+TEST(MeasureSuite, EveryLandformHasItsOwnColumnsInOrder) {
+    const auto names = [](Landform landform, const Snapshot& first) {
+        MeasureSuite suite(landform, first);
+        std::vector<std::string> all;
+        for (const MeasureColumn& column : suite.columns()) all.push_back(column.name);
+        return all;
+    };
+    const auto place = [](const std::vector<std::string>& all, const char* name) {
+        return std::find(all.begin(), all.end(), name) - all.begin();
+    };
+    for (const Landform landform :
+         {Landform::bed, Landform::profile, Landform::pile, Landform::water, Landform::air})
+        EXPECT_EQ(names(landform, {}).front(), "mean_height");
+    const auto bed = names(Landform::bed, {});
+    EXPECT_EQ(bed.size(), 28U);
+    EXPECT_EQ(place(bed, "wavelength_spectrum"), 5);
+    EXPECT_EQ(place(bed, "celerity"), 10);
+    EXPECT_EQ(place(bed, "stoss_slope"), 12);
+    EXPECT_EQ(place(bed, "crest_orientation"), 17);
+    EXPECT_EQ(place(bed, "dune_horn_lag"), 27);
+    const auto profile = names(Landform::profile, {});
+    EXPECT_EQ(profile, std::vector<std::string>(bed.begin(), bed.begin() + 17));
+    const auto pile = names(Landform::pile, {});
+    EXPECT_EQ(place(pile, "resident_grains"), 5);
+    EXPECT_EQ(place(pile, "avalanches"), 17);
+    EXPECT_EQ(pile.size(), 26U);
+    const auto water = names(Landform::water, water_of(40, 20));
+    EXPECT_EQ(place(water, "channel_count"), 5);
+    EXPECT_EQ(place(water, "mean_depth"), 13);
+    EXPECT_EQ(place(water, "downslope_flux"), 21);
+    EXPECT_EQ(place(water, "mean_slope"), 30);
+    const auto air = names(Landform::air, air_of(40));
+    EXPECT_EQ(place(air, "stress_lead"), 5);
+    EXPECT_EQ(place(air, "largest_speed"), 9);
+    EXPECT_EQ(place(air, "mean_flight_length_20"), 17);
+    EXPECT_EQ(place(air, "hop_base"), 19);
+    EXPECT_EQ(air.size(), 20U);
 }
 
 TEST(MeasureSuite, CelerityIsSinceTheRowBefore) {
@@ -178,11 +218,23 @@ TEST(MeasureSuite, WhatRowsDrawOnGoesOverACheckpoint) {
 }
 
 TEST(MeasureSuite, LandformsAreToldApart) {
-    EXPECT_EQ(landform_of(bed_of(10, 10)), Landform::bed);
-    EXPECT_EQ(landform_of(bed_of(10, 1)), Landform::profile);
+    Snapshot some = bed_of(10, 1);
+    EXPECT_EQ(guessed_landform(some), Landform::bed);
+    some.numbers.push_back({"dropped_grains", "grains", 4.0});
+    EXPECT_EQ(guessed_landform(some), Landform::pile);
+}
+
+TEST(MeasureSuite, ABedOrTerrainOfASingleRowIsMeasuredAsAProfile) {
+    for (const Landform landform : {Landform::bed, Landform::terrain}) {
+        Snapshot one = bed_of(10, 10);
+        one.landform = landform;
+        EXPECT_EQ(measured_landform(one), Landform::bed);
+        one.bed = Grid(10, 1);
+        EXPECT_EQ(measured_landform(one), Landform::profile);
+    }
     Snapshot pile = bed_of(10, 1);
-    pile.numbers.push_back({"dropped_grains", "grains", 4.0});
-    EXPECT_EQ(landform_of(pile), Landform::pile);
+    pile.landform = Landform::pile;
+    EXPECT_EQ(measured_landform(pile), Landform::pile);
 }
 
 TEST(MeasureSuite, MetresTakeThePlaceOfSitesAndHeights) {

@@ -268,6 +268,60 @@ TEST_F(FigureTest, OneRunServesAllStepsOfAllPanels) {
     EXPECT_FALSE(fs::exists(folder_ / "out/more-e.asc"));
 }
 
+TEST_F(FigureTest, WhatAFinishedRunsSnapshotsLookLikeIsKnownFromItsFolder) {
+    write_scene("time.toml",
+                "[figure]\nwidth = \"single\"\n[[figure.panel]]\n[[figure.panel.curve]]\nx = "
+                "\"time\"\ny = \"mean_height\"\n[[figure.panel]]\n[[figure.panel.curve]]\ntable = "
+                "\"profile\"\nx = \"x\"\ny = \"height\"\n");
+    const auto first_columns = [&] {
+        const Ended ended = figure("time.toml");
+        EXPECT_EQ(ended.status, 0) << ended.errors;
+        return std::vector<std::string>{cells_of(text("out/time-a-1.csv"))[0][0],
+                                        cells_of(text("out/time-b-1.csv"))[0][0]};
+    };
+    const auto own = first_columns();
+    ASSERT_EQ(runs().size(), 1U);
+    const std::string file = "out/runs/" + runs()[0] + "/job.json";
+    const auto change = [&](const auto& changing) {
+        auto job = nlohmann::ordered_json::parse(text(file));
+        changing(job);
+        write_text(folder_ / file, job.dump());
+    };
+    change([](auto& job) {
+        job["snapshots"]["time_unit"] = "weeks";
+        job["snapshots"]["scale"]["in_metres"] = !job["snapshots"]["scale"]["in_metres"];
+    });
+    const auto told = first_columns();
+    EXPECT_EQ(told[0], "time (weeks)") << "a model would have said steps";
+    EXPECT_NE(told[1], own[1]);
+    const std::vector<void (*)(nlohmann::ordered_json&)> damages{
+        [](nlohmann::ordered_json& job) { job.erase("snapshots"); },
+        [](nlohmann::ordered_json& job) { job["snapshots"].erase("scale"); },
+        [](nlohmann::ordered_json& job) { job["snapshots"]["fields"] = 3; },
+        [](nlohmann::ordered_json& job) { job["snapshots"]["nx"] = 0; },
+        [](nlohmann::ordered_json& job) { job["snapshots"]["ny"] = 1LL << 40; }};
+    for (std::size_t k = 0; k < damages.size(); ++k) {
+        change(damages[k]);
+        EXPECT_EQ(first_columns(), own) << "damage " << k << ": the run is made again";
+    }
+}
+
+TEST_F(FigureTest, AProfileCurveLeavesOutCellsWithoutData) {
+    write_text(folder_ / "gap.asc",
+               "ncols 4\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 2\nNODATA_value -9\n"
+               "5 -9 7 8\n5 -9 7 9\n");
+    write_text(folder_ / "gap.toml",
+               "[model]\nname = \"static\"\n[bed]\nfile = \"gap.asc\"\n[figure]\nwidth = "
+               "\"single\"\n[[figure.panel]]\n[[figure.panel.curve]]\ntable = \"profile\"\nx = "
+               "\"x\"\ny = \"height\"\n");
+    const Ended ended = figure("gap.toml");
+    ASSERT_EQ(ended.status, 0) << ended.errors;
+    const auto points = cells_of(text("out/gap-a-1.csv"));
+    ASSERT_EQ(points.size(), 4U);
+    EXPECT_EQ(points[1], (std::vector<std::string>{"1", "5", "1"}));
+    EXPECT_EQ(points[2], (std::vector<std::string>{"5", "7", "1"}));
+}
+
 TEST_F(FigureTest, KilledOrInterruptedItGoesOn) {
     write_scene("plots.toml", curves);
     const std::vector<std::string> longer{"--set", "run.steps=1500", "--threads", "1"};

@@ -12,8 +12,8 @@
 
 #include "base/error.h"
 #include "base/state_carrier.h"
+#include "models/shared/check_finite.h"
 #include "run/bounded_queue.h"
-#include "run/check_finite.h"
 #include "run/frame_list.h"
 #include "run/manifest.h"
 #include "scene/read.h"

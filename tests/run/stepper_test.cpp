@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/state_carrier.h"
-#include "run/interrupt.h"
+#include "run/terminal/interrupt.h"
 
 namespace fumon::test {
 namespace {

@@ -5,21 +5,80 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "figure/overlays/overlay_colours.h"
-#include "figure/overlays/overlay_ground.h"
-#include "figure/overlays/overlay_places.h"
-#include "figure/overlays/overlay_plot.h"
+#include "figure/canvas/furniture.h"
 #include "figure/overlays/overlay_text.h"
-#include "render/shown_snapshot.h"
+#include "render/view/shown_snapshot.h"
+#include "scene/scene.h"
 
 namespace fumon {
 
 namespace {
+
+/// One thing to place in a picture.
+struct OverlayPiece {
+    OverlayCorner corner = OverlayCorner::upper_left;
+    FurnitureSize size;  ///< pixels
+};
+
+constexpr std::size_t corners = 6;
+
+bool is_lower(OverlayCorner corner) {
+    return corner == OverlayCorner::lower_left || corner == OverlayCorner::lower_middle ||
+           corner == OverlayCorner::lower_right;
+}
+
+/// 0 at the left, 1 at the right.
+double place_across(OverlayCorner corner) {
+    if (corner == OverlayCorner::upper_left || corner == OverlayCorner::lower_left) return 0.0;
+    if (corner == OverlayCorner::upper_right || corner == OverlayCorner::lower_right) return 1.0;
+    return 0.5;
+}
+
+/// The boxes of pieces in a picture, whole pixels: those of a corner below one another, `gap`
+/// pixels apart and from the edges.
+std::vector<CanvasBox> stacked_boxes(std::span<const OverlayPiece> pieces, double width,
+                                     double height, double gap) {
+    const double edge = std::round(gap);
+    std::array<double, corners> heights{};
+    for (const OverlayPiece& piece : pieces)
+        heights.at(static_cast<std::size_t>(piece.corner)) += std::ceil(piece.size.height) + edge;
+    std::array<double, corners> next{};  // the top of each corner's next piece
+    for (std::size_t corner = 0; corner < corners; ++corner)
+        next.at(corner) =
+            is_lower(static_cast<OverlayCorner>(corner)) ? height - heights.at(corner) : edge;
+    std::vector<CanvasBox> boxes;
+    boxes.reserve(pieces.size());
+    for (const OverlayPiece& piece : pieces) {
+        const double across = std::ceil(piece.size.width);
+        const double down = std::ceil(piece.size.height);
+        double& top = next.at(static_cast<std::size_t>(piece.corner));
+        const double left =
+            std::round(edge + place_across(piece.corner) * (width - 2.0 * edge - across));
+        boxes.push_back({left, top, across, down});
+        top += down + edge;
+    }
+    return boxes;
+}
+
+/// The first piece that leaves the picture or overlaps one before it; their count where none does.
+std::size_t first_misfit(std::span<const CanvasBox> boxes, double width, double height) {
+    const CanvasBox picture{0.0, 0.0, width, height};
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (!within(boxes[i], picture)) return i;
+        for (std::size_t j = 0; j < i; ++j) {
+            if (overlap(boxes[i], boxes[j])) return i;
+        }
+    }
+    return boxes.size();
+}
 
 constexpr double plate_padding = 0.45;     // of the plate around an overlay, font sizes
 constexpr double rounding_of_plate = 0.3;  // radius of the plate's corners
@@ -29,23 +88,10 @@ constexpr double least_font = 6.0;
 constexpr double shrinking = 0.93;  // from one try to the next
 
 std::unique_ptr<Overlay> make_overlay(const OverlayScene& on, std::size_t number) {
-    switch (on.scene.view.overlays[number].kind) {
-        case OverlayKind::title:
-            return make_title(on, number);
-        case OverlayKind::time:
-            return make_time(on, number);
-        case OverlayKind::scale_bar:
-            return make_scale_bar(on, number);
-        case OverlayKind::arrow:
-            return make_arrow(on, number);
-        case OverlayKind::colour_bar:
-            return make_colour_bar(on, number);
-        case OverlayKind::parameters:
-            return make_parameters(on, number);
-        case OverlayKind::plot:
-            return make_live_plot(on, number);
-    }
-    throw Error("an overlay of no known kind");
+#define FUMON_MAKER(name, word, shows, help) make_##name##_overlay,
+    constexpr std::array makers{FUMON_OVERLAY_KINDS(FUMON_MAKER)};
+#undef FUMON_MAKER
+    return makers.at(static_cast<std::size_t>(on.scene.view.overlays[number].kind))(on, number);
 }
 
 double usual_font(const ImageSettings& image) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -8,6 +10,7 @@
 #include "figure/canvas/canvas.h"
 #include "figure/canvas/furniture.h"
 #include "measure/measured_rows.h"
+#include "scene/overlay_kinds.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -43,5 +46,12 @@ class Overlay {
     /// Draws it into `box`, which has its size.
     virtual void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const = 0;
 };
+
+/// One for each line of FUMON_OVERLAY_KINDS (scene/overlay_kinds.h): makes the scene's overlay of
+/// that number. Throws KeyError where the scene cannot have it.
+#define FUMON_MAKER(name, word, shows, help) \
+    std::unique_ptr<Overlay> make_##name##_overlay(const OverlayScene& on, std::size_t number);
+FUMON_OVERLAY_KINDS(FUMON_MAKER)
+#undef FUMON_MAKER
 
 }  // namespace fumon

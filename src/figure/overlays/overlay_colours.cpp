@@ -1,13 +1,12 @@
-#include "figure/overlays/overlay_colours.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "base/error.h"
+#include "figure/overlays/overlay.h"
 #include "figure/overlays/overlay_text.h"
 #include "figure/panels/colour_bar.h"
-#include "render/colouring.h"
+#include "render/colour/colouring.h"
 
 namespace fumon {
 
@@ -85,7 +84,11 @@ class ColourBarOverlay : public Overlay {
 
 }  // namespace
 
-std::unique_ptr<Overlay> make_colour_bar(const OverlayScene& on, std::size_t number) {
+/// The frame's colours as a level bar: the palette and range with which they were drawn, and the
+/// quantity with its unit; heights in metres where the bed has them, in millimetres on beds shorter
+/// than 10 m. None where the colours mean no quantity (look.colour_by = "natural"), nor over a
+/// section's flat figure, which has bars of its own.
+std::unique_ptr<Overlay> make_colour_bar_overlay(const OverlayScene& on, std::size_t number) {
     const Scene& scene = on.scene;
     if (on.flat) {
         throw KeyError(

@@ -1,5 +1,3 @@
-#include "figure/overlays/overlay_ground.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,11 +5,12 @@
 #include <optional>
 
 #include "base/error.h"
+#include "figure/overlays/overlay.h"
 #include "figure/overlays/overlay_text.h"
 #include "figure/panels/ground_arrow.h"
 #include "figure/panels/scale_bar.h"
 #include "measure/suite.h"
-#include "render/framing.h"
+#include "render/view/framing.h"
 #include "scene/initial_bed.h"
 
 namespace fumon {
@@ -45,17 +44,16 @@ class ScaleBarOverlay : public Overlay {
 };
 
 std::optional<GroundDirection> direction_of(const OverlayScene& on) {
-    switch (landform_of(on.first)) {
+    switch (on.first.landform) {
         case Landform::air:
-            return wind_direction();
         case Landform::bed:
         case Landform::profile:
-            if (on.scene.model.name == "static") return std::nullopt;
             return wind_direction();
         case Landform::water:
             if (bed_kind(on.scene) == BedKind::file) return std::nullopt;
             return flow_direction();
         case Landform::pile:
+        case Landform::terrain:
             return std::nullopt;
     }
     return std::nullopt;
@@ -159,7 +157,10 @@ class ArrowOverlay : public Overlay {
 
 }  // namespace
 
-std::unique_ptr<Overlay> make_scale_bar(const OverlayScene& on, std::size_t number) {
+/// A level bar of a round length, at most a fifth of the picture's width: true everywhere in a map
+/// and, for lengths across the picture, in an orthographic view; in perspective at the middle of
+/// the block, which its text says. None over a section's flat figure, whose axes have the scale.
+std::unique_ptr<Overlay> make_scale_bar_overlay(const OverlayScene& on, std::size_t number) {
     if (on.flat) {
         throw KeyError(overlay_key(number, "kind"),
                        fmt::format("overlay.{} is a scale bar, which a section's figure does not "
@@ -169,7 +170,10 @@ std::unique_ptr<Overlay> make_scale_bar(const OverlayScene& on, std::size_t numb
     return std::make_unique<ScaleBarOverlay>(on);
 }
 
-std::unique_ptr<Overlay> make_arrow(const OverlayScene& on, std::size_t number) {
+/// The direction of the wind (sand and air) or of the slope that water runs down (a tilted plane),
+/// as the camera sees the ground at the frame, beside a compass; a compass alone where the model
+/// has neither. Over a section's flat figure the wind alone, which blows to the right.
+std::unique_ptr<Overlay> make_arrow_overlay(const OverlayScene& on, std::size_t number) {
     return std::make_unique<ArrowOverlay>(on, number);
 }
 

@@ -8,7 +8,9 @@
 
 #include "base/elementary_power.h"
 #include "base/error.h"
+#include "base/find_named.h"
 #include "base/nearest_name.h"
+#include "base/quantity_text.h"
 #include "figure/overlays/overlay_text.h"
 
 namespace fumon {
@@ -30,13 +32,6 @@ double round_up(double value) {
     return 10.0 * power;
 }
 
-/// "wavelength spectrum (m)".
-std::string quantity_text(const MeasureColumn& column) {
-    std::string name = column.name;
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return column.unit.empty() ? name : fmt::format("{} ({})", name, column.unit);
-}
-
 PlotAxis axis_of(const MeasuredColumn& column, double run_end) {
     const std::string& name = column.column.name;
     const bool of_run = (name == "step" || name == "time") && run_end > 0.0;
@@ -45,8 +40,9 @@ PlotAxis axis_of(const MeasuredColumn& column, double run_end) {
             ? std::pair{0.0, std::max(run_end, column.values.empty() ? 0.0 : column.values.back())}
             : growing_range(column.values);
     PlotAxis axis;
-    axis.label =
-        name == "time" && column.column.unit == "steps" ? "step" : quantity_text(column.column);
+    axis.label = name == "time" && column.column.unit == "steps"
+                     ? "step"
+                     : quantity_text(name, column.column.unit);
     axis.low = range.first;
     axis.high = range.second;
     return axis;
@@ -59,21 +55,20 @@ class LivePlot : public Overlay {
           width_(settings_.size * static_cast<double>(on.scene.view.image.width)),
           times_(time_text_of(on.scene, on.first)),
           scene_(on.scene) {
-        MeasureSuite suite(landform_of(on.first), on.first);
+        MeasureSuite suite(measured_landform(on.first), on.first);
         const auto columns = measured_columns(suite.columns(), on.first);
         std::vector<std::string> names;
         names.reserve(columns.size());
         for (const MeasureColumn& column : columns) names.push_back(column.name);
         const auto find = [&](const std::string& key, const std::string& name) {
-            const auto found = std::find(names.begin(), names.end(), name);
-            if (found != names.end())
-                return columns[static_cast<std::size_t>(found - names.begin())];
+            if (const MeasureColumn* found = find_named(columns, name)) return *found;
             throw KeyError(overlay_key(number, key),
                            fmt::format("the measurements of {} have no column {}; {}",
                                        on.scene.model.name, name, suggestion(name, names)));
         };
         find("x", settings_.x);
-        heading_ = quantity_text(find("y", settings_.y));
+        const MeasureColumn shown = find("y", settings_.y);
+        heading_ = quantity_text(shown.name, shown.unit);
         if (!settings_.low.is_word() && !settings_.high.is_word() &&
             !(settings_.low.value < settings_.high.value)) {
             throw KeyError(overlay_key(number, "high"),
@@ -192,7 +187,9 @@ Plot live_plot(const OverlaySettings& settings, const MeasuredRows& rows, double
     return plot;
 }
 
-std::unique_ptr<Overlay> make_live_plot(const OverlayScene& on, std::size_t number) {
+/// A measurement over time, up to the frame, overlay.size of the picture's width across. None where
+/// the measurements have no such column, nor where overlay.high is not above overlay.low.
+std::unique_ptr<Overlay> make_plot_overlay(const OverlayScene& on, std::size_t number) {
     return std::make_unique<LivePlot>(on, number);
 }
 

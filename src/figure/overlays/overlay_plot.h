@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "figure/overlays/overlay.h"
 #include "figure/plot/plot.h"
@@ -18,9 +19,5 @@ std::pair<double, double> growing_range(std::span<const double> values);
 /// axis along it is the whole run where it counts steps or time, else growing_range(), as is the
 /// one up it where overlay.low and overlay.high do not fix it.
 Plot live_plot(const OverlaySettings& settings, const MeasuredRows& rows, double run_end);
-
-/// A measurement over time, up to the frame, `size` of the picture's width across. Throws KeyError
-/// where the measurements have no such column, and where overlay.high is not above overlay.low.
-std::unique_ptr<Overlay> make_live_plot(const OverlayScene& on, std::size_t number);
 
 }  // namespace fumon

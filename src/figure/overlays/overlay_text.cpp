@@ -11,6 +11,7 @@
 #include "base/elementary_power.h"
 #include "base/error.h"
 #include "base/number_text.h"
+#include "base/quantity_text.h"
 #include "keys/keys.h"
 #include "scene/placeholders.h"
 #include "scene/scene_keys.h"
@@ -98,8 +99,7 @@ std::string chosen_text(const OverlayScene& on, std::size_t number, const std::s
 
 /// "hop base = 10 sites", of a key.
 std::string parameter_text_of(const Scene& scene, const Key& key) {
-    std::string name = key.path.substr(key.path.rfind('.') + 1);
-    std::replace(name.begin(), name.end(), '_', ' ');
+    const std::string name = in_words(key.path.substr(key.path.rfind('.') + 1));
     const std::string value = shown_value(scene, key.path).value_or("");
     const std::string unit = key.notes.unit.empty() ? "" : " " + key.notes.unit;
     return fmt::format("{} = {}{}", name, value, unit);
@@ -172,7 +172,8 @@ std::string filled_text(const std::string& text, const Scene& scene, const TimeT
     });
 }
 
-std::unique_ptr<Overlay> make_title(const OverlayScene& on, std::size_t number) {
+/// The scene's title, or another text; none where the scene has no title.
+std::unique_ptr<Overlay> make_title_overlay(const OverlayScene& on, std::size_t number) {
     const std::string text = chosen_text(on, number, "{title}");
     if (text == "{title}" && on.scene.title.empty()) {
         throw KeyError(overlay_key(number, "kind"),
@@ -183,13 +184,14 @@ std::unique_ptr<Overlay> make_title(const OverlayScene& on, std::size_t number) 
     return std::make_unique<TextOverlay>(on, number, text, title_text, true);
 }
 
-std::unique_ptr<Overlay> make_time(const OverlayScene& on, std::size_t number) {
+std::unique_ptr<Overlay> make_time_overlay(const OverlayScene& on, std::size_t number) {
     const bool steps_only = on.first.time_unit == "steps";
     const std::string usual = steps_only ? "step {step}" : "t = {time},  step {step}";
     return std::make_unique<TextOverlay>(on, number, chosen_text(on, number, usual), 1.0, false);
 }
 
-std::unique_ptr<Overlay> make_parameters(const OverlayScene& on, std::size_t number) {
+/// The values of overlay.keys in a line, which breaks where it is wider than half of the picture.
+std::unique_ptr<Overlay> make_parameters_overlay(const OverlayScene& on, std::size_t number) {
     return std::make_unique<ParameterLine>(on, number);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <memory>
+#include <cstdint>
+#include <string>
 
 #include "figure/overlays/overlay.h"
 
@@ -25,13 +26,6 @@ TimeText time_text_of(const Scene& scene, const Snapshot& first);
 /// without a place for other names.
 std::string filled_text(const std::string& text, const Scene& scene, const TimeText& times,
                         std::int64_t step, double time);
-
-/// The overlays that are a text: title, time, and the line of parameters, which breaks where it is
-/// wider than half of the picture. Throw KeyError for a text that cannot be filled in, and for the
-/// title of a scene without one.
-std::unique_ptr<Overlay> make_title(const OverlayScene& on, std::size_t number);
-std::unique_ptr<Overlay> make_time(const OverlayScene& on, std::size_t number);
-std::unique_ptr<Overlay> make_parameters(const OverlayScene& on, std::size_t number);
 
 /// "overlay.2.text".
 std::string overlay_key(std::size_t number, const std::string& key);

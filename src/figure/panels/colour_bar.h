@@ -4,7 +4,7 @@
 
 #include "figure/canvas/canvas.h"
 #include "figure/canvas/panel.h"
-#include "render/palette.h"
+#include "render/colour/palette.h"
 
 namespace fumon {
 

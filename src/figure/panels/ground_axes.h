@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 
 #include "figure/canvas/canvas.h"
-#include "render/camera.h"
+#include "render/view/camera.h"
 
 namespace fumon {
 

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <span>
 
-#include "render/display_bed.h"
-#include "render/light.h"
-#include "render/lighting.h"
+#include "render/light/light.h"
+#include "render/light/lighting.h"
+#include "render/view/display_bed.h"
 
 namespace fumon {
 

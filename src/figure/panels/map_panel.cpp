@@ -8,11 +8,12 @@
 
 #include "base/elementary_angle.h"
 #include "base/percentile.h"
+#include "base/snapshot_lookup.h"
 #include "figure/canvas/furniture.h"
 #include "figure/panels/arrow_field.h"
-#include "figure/panels/length_unit.h"
+#include "figure/panels/axis_units.h"
 #include "figure/panels/scale_bar.h"
-#include "render/water.h"
+#include "render/view/water.h"
 
 namespace fumon {
 
@@ -28,8 +29,8 @@ constexpr double arrows_apart = 1.7;           // font sizes
 std::optional<MapFlow> water_flow_of(const Snapshot& snapshot) {
     if (!has_water(snapshot)) return std::nullopt;
     MapFlow flow;
-    flow.velocity_x = find_field(snapshot, "velocity_x")->values;
-    flow.velocity_y = find_field(snapshot, "velocity_y")->values;
+    flow.velocity_x = *field_of(snapshot.fields, "velocity_x");
+    flow.velocity_y = *field_of(snapshot.fields, "velocity_y");
     const Mask dry = dry_cells(snapshot);
     for (std::size_t i = 0; i < dry.size(); ++i) {
         if (dry.values()[i] != 0) flow.velocity_x.values()[i] = flow.velocity_y.values()[i] = 0.0;

@@ -11,9 +11,10 @@
 
 #include "base/elementary_power.h"
 #include "base/error.h"
-#include "figure/panels/length_unit.h"
-#include "render/colouring.h"
-#include "render/water.h"
+#include "base/find_named.h"
+#include "figure/panels/axis_units.h"
+#include "render/colour/colouring.h"
+#include "render/view/water.h"
 
 namespace fumon {
 
@@ -106,13 +107,16 @@ std::vector<MapPicture> map_pictures(const LookSettings& look, std::span<const S
                                      const Snapshot& first) {
     std::pair<double, double> range{std::numeric_limits<double>::max(),
                                     std::numeric_limits<double>::lowest()};
+    std::vector<Field<float>> coloured;
     for (const Snapshot& snapshot : snapshots) {
-        const auto [low, high] = colour_range(look, snapshot, first);
+        coloured.push_back(coloured_values(look.colour_by, snapshot, first));
+        const auto [low, high] = colour_range(look, snapshot, coloured.back());
         range = {std::min(range.first, low), std::max(range.second, high)};
     }
     std::vector<MapPicture> pictures;
-    for (const Snapshot& snapshot : snapshots) {
-        const Field<float> values = coloured_values(look.colour_by, snapshot, first);
+    for (std::size_t k = 0; k < snapshots.size(); ++k) {
+        const Snapshot& snapshot = snapshots[k];
+        const Field<float> values = std::exchange(coloured[k], {});
         const Quantity quantity = quantity_of(look.colour_by, snapshot.scale, range);
         MapPicture picture;
         picture.values = Grid(values.nx(), values.ny());
@@ -134,7 +138,7 @@ MapPicture map_picture(const LookSettings& look, const Snapshot& snapshot, const
 
 MapPicture field_picture(const LookSettings& look, const Snapshot& snapshot,
                          std::string_view name) {
-    const SnapshotField* field = find_field(snapshot, name);
+    const SnapshotField* field = find_named(snapshot.fields, name);
     if (field == nullptr) throw InputError(fmt::format("the model gives no field \"{}\"", name));
     MapPicture picture;
     picture.values = field->values;

@@ -11,12 +11,13 @@
 
 #include "base/elementary_power.h"
 #include "base/error.h"
+#include "base/snapshot_lookup.h"
 #include "figure/canvas/picture_inks.h"
+#include "figure/panels/axis_units.h"
 #include "figure/panels/ground_arrow.h"
-#include "figure/panels/length_unit.h"
 #include "figure/panels/scale_bar.h"
 #include "figure/panels/step_text.h"
-#include "render/water.h"
+#include "render/view/water.h"
 
 namespace fumon {
 
@@ -68,7 +69,7 @@ ProfileLine profile_line(const Snapshot& snapshot, std::optional<int> row) {
     for (double& height : line.bed) height *= snapshot.scale.height_unit;
     if (has_water(snapshot)) {
         line.surface =
-            mean_rows(find_field(snapshot, "water_depth")->values, snapshot.nodata, first, last);
+            mean_rows(*field_of(snapshot.fields, "water_depth"), snapshot.nodata, first, last);
         for (std::size_t i = 0; i < line.bed.size(); ++i) line.surface[i] += line.bed[i];
     }
     line.label = time_text(snapshot);

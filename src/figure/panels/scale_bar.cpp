@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/elementary_power.h"
-#include "figure/panels/length_unit.h"
+#include "figure/panels/axis_units.h"
 
 namespace fumon {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/snapshot.h"
-#include "figure/panels/length_unit.h"
+#include "figure/panels/axis_units.h"
 #include "figure/plot/plot.h"
 
 namespace fumon {

@@ -11,7 +11,7 @@
 #include "base/elementary_angle.h"
 #include "figure/canvas/picture_inks.h"
 #include "figure/panels/arrow_field.h"
-#include "render/streamlines.h"
+#include "render/air/streamlines.h"
 
 namespace fumon {
 

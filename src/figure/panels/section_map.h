@@ -3,7 +3,7 @@
 #include "figure/panels/arrow_field.h"
 #include "figure/panels/colour_bar.h"
 #include "figure/plot/axes.h"
-#include "render/section_air.h"
+#include "render/air/section_air.h"
 #include "scene/scene.h"
 
 namespace fumon {

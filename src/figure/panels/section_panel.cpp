@@ -5,22 +5,62 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <set>
 #include <utility>
 
 #include "base/error.h"
-#include "figure/panels/length_unit.h"
+#include "base/find_named.h"
+#include "base/snapshot.h"
+#include "figure/panels/axis_units.h"
 #include "figure/panels/scale_bar.h"
 #include "figure/panels/section_lines.h"
 #include "figure/panels/section_map.h"
-#include "figure/panels/section_paths.h"
+#include "figure/plot/plot.h"
 
 namespace fumon {
 
 namespace {
 
+/// The shown paths of grains, in one colour per launch angle, over the height above the profile's
+/// zero, to be drawn over the bed. `unit` is what lengths are shown in.
+Plot paths_plot(const Snapshot& snapshot, const LengthUnit& unit) {
+    const SnapshotSection& section = *snapshot.section;
+    std::set<double> angles;
+    for (const GrainPath& path : section.paths) angles.insert(path.launch_angle);
+    double highest = highest_bed(snapshot) / unit.length;
+    double east = snapshot.bed.nx() * section.dx / unit.length;
+    Plot plot;
+    std::set<double> named;
+    for (const GrainPath& path : section.paths) {
+        const auto place = std::distance(angles.begin(), angles.find(path.launch_angle));
+        const SeriesLook look = series_look(static_cast<std::size_t>(place));
+        PlotSeries series;
+        if (named.insert(path.launch_angle).second)
+            series.label = fmt::format("{:g}°", path.launch_angle);
+        series.ink = look.ink;
+        series.dashes = LineDashes{};
+        for (std::size_t i = 0; i < path.x.size(); ++i) {
+            series.x.push_back(path.x[i] / unit.length);
+            series.y.push_back(path.z[i] / unit.length);
+            east = std::max(east, series.x.back());
+            highest = std::max(highest, series.y.back());
+        }
+        plot.series.push_back(std::move(series));
+    }
+    plot.x.label = fmt::format("x ({})", unit.symbol);
+    plot.x.low = 0.0;
+    plot.x.high = east;
+    plot.y.label = fmt::format("z ({})", unit.symbol);
+    plot.y.low = 0.0;
+    plot.y.high = highest > 0.0 ? 1.1 * highest : 1.0;
+    return plot;
+}
+
 struct PanelName {
     SectionPanel panel;
-    const char* name;
+    std::string_view name;
     const char* title;
 };
 
@@ -189,9 +229,8 @@ std::vector<SectionPanel> section_panels(const SectionSettings& settings,
         return panels;
     }
     for (const std::string& wanted : settings.panels) {
-        const auto named = std::find_if(panel_names.begin(), panel_names.end(),
-                                        [&](const PanelName& name) { return name.name == wanted; });
-        if (named == panel_names.end()) {
+        const PanelName* named = find_named(panel_names, wanted);
+        if (named == nullptr) {
             throw KeyError("section.panels",
                            fmt::format("section.panels has no \"{}\"; take velocity, pressure, "
                                        "stress, flights, flight-law or paths",
@@ -209,9 +248,7 @@ std::vector<SectionPanel> section_panels(const SectionSettings& settings,
 }
 
 std::string section_title(SectionPanel panel) {
-    return std::find_if(panel_names.begin(), panel_names.end(),
-                        [&](const PanelName& name) { return name.panel == panel; })
-        ->title;
+    return find_by(panel_names, &PanelName::panel, panel)->title;
 }
 
 double section_exaggeration(const Snapshot& snapshot) {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "figure/panels/length_unit.h"
+#include "figure/panels/axis_units.h"
 #include "figure/panels/map_picture.h"
 
 namespace fumon {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "render/shown_snapshot.h"
+#include "render/view/shown_snapshot.h"
 
 namespace fumon {
 

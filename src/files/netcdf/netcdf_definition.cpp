@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/find_named.h"
 #include "files/netcdf/netcdf_calls.h"
 
 namespace fumon {
@@ -26,7 +27,8 @@ void put_number(int file, int variable, const char* name, double value) {
 }
 
 std::string unit_in_file(const std::string& unit) {
-    constexpr std::array<std::pair<std::string_view, const char*>, 21> known{{
+    using Known = std::pair<std::string_view, const char*>;
+    constexpr std::array<Known, 21> known{{
         {"", "1"},          {"step", "1"},   {"steps", "1"},         {"site", "1"},
         {"sites", "1"},     {"height", "1"}, {"heights", "1"},       {"model height", "1"},
         {"cell", "1"},      {"cells", "1"},  {"model heights", "1"}, {"grain", "1"},
@@ -34,9 +36,8 @@ std::string unit_in_file(const std::string& unit) {
         {"seconds", "s"},   {"hours", "h"},  {"minutes", "min"},     {"days", "d"},
         {"per mm", "mm-1"},
     }};
-    const auto* found = std::find_if(known.begin(), known.end(),
-                                     [&](const auto& entry) { return entry.first == unit; });
-    return found == known.end() ? unit : found->second;
+    const auto* found = find_by(known, &Known::first, unit);
+    return found == nullptr ? unit : found->second;
 }
 
 void describe(int file, int variable, const std::string& long_name, const std::string& unit) {

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 
-#include <algorithm>
 #include <array>
 #include <set>
 #include <string_view>
 
+#include "base/quantity_text.h"
 #include "files/netcdf/netcdf_calls.h"
 #include "files/netcdf/netcdf_definition.h"
 
@@ -137,9 +137,7 @@ FieldsLayout define_fields(int file, const Snapshot& first, const FieldsText& te
     }
     for (const SnapshotNumber& number : first.numbers) {
         layout.numbers.push_back(define_over_time(file, dimensions, number.name, NC_DOUBLE));
-        std::string words = number.name;
-        std::replace(words.begin(), words.end(), '_', ' ');
-        describe(file, layout.numbers.back(), words, number.unit);
+        describe(file, layout.numbers.back(), in_words(number.name), number.unit);
     }
     if (first.section) layout.section = define_section(file, dimensions.time, *first.section);
     check_netcdf(nc_enddef(file));

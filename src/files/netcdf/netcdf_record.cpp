@@ -26,7 +26,8 @@ bool is_netcdf_file(const std::filesystem::path& file) {
     return is_netcdf({start.data(), static_cast<std::size_t>(stream.gcount())});
 }
 
-Grid field_values(const NetcdfInput& input, int variable, std::size_t record) {
+/// NaN in cells without data.
+Grid values_with_gaps(const NetcdfInput& input, int variable, std::size_t record) {
     const std::vector<int> over = input.dimensions(variable);
     if (input.values_over(std::span(over).subspan(1)) == 0) return {};
     const std::size_t ny = input.dimension_length(over[1]);
@@ -36,6 +37,11 @@ Grid field_values(const NetcdfInput& input, int variable, std::size_t record) {
     const std::array<std::size_t, 3> count{1, ny, nx};
     check_netcdf(
         nc_get_vara_double(input.id(), variable, start.data(), count.data(), values.data()));
+    return values;
+}
+
+Grid field_values(const NetcdfInput& input, int variable, std::size_t record) {
+    Grid values = values_with_gaps(input, variable, record);
     for (double& value : values.values()) {
         if (std::isnan(value)) value = 0.0;
     }
@@ -92,12 +98,22 @@ double number_at(const NetcdfInput& input, const std::string& name, std::size_t 
     return value;
 }
 
-Grid field_at(const NetcdfInput& input, const std::string& name, const Grid& like,
-              std::size_t record) {
-    Grid values = field_values(input, variable_of(input, name), record);
-    if (values.nx() != like.nx() || values.ny() != like.ny())
-        input.refuse("has another size", "it is of another run: delete it");
-    return values;
+void check_size(const NetcdfInput& input, const Grid& values, const Grid& bed) {
+    if (values.nx() == bed.nx() && values.ny() == bed.ny()) return;
+    input.refuse("has another size", "it is of another run: delete it");
+}
+
+/// The bed of a record, and where it has none the mask.
+void read_bed(const NetcdfInput& input, std::size_t record, Snapshot& snapshot) {
+    const Grid heights = values_with_gaps(input, variable_of(input, "bed_height"), record);
+    check_size(input, heights, snapshot.bed);
+    for (std::size_t cell = 0; cell < heights.size(); ++cell) {
+        const double height = heights.values()[cell];
+        const bool outside = std::isnan(height);
+        snapshot.bed.values()[cell] = outside ? 0.0 : height / snapshot.scale.height_unit;
+        if (!snapshot.nodata.empty())
+            snapshot.nodata.values()[cell] = static_cast<std::uint8_t>(outside);
+    }
 }
 
 Snapshot snapshot_at(const NetcdfInput& input, std::int64_t step, Snapshot snapshot) {
@@ -108,14 +124,11 @@ Snapshot snapshot_at(const NetcdfInput& input, std::int64_t step, Snapshot snaps
     const auto record = static_cast<std::size_t>(found - steps.begin());
     snapshot.step = step;
     snapshot.time = number_at(input, "time", record);
-    const Grid heights = field_at(input, "bed_height", snapshot.bed, record);
-    for (std::size_t cell = 0; cell < heights.size(); ++cell) {
-        const bool outside = !snapshot.nodata.empty() && snapshot.nodata.values()[cell] != 0;
-        if (!outside)
-            snapshot.bed.values()[cell] = heights.values()[cell] / snapshot.scale.height_unit;
+    read_bed(input, record, snapshot);
+    for (SnapshotField& field : snapshot.fields) {
+        field.values = field_values(input, variable_of(input, field.name), record);
+        check_size(input, field.values, snapshot.bed);
     }
-    for (SnapshotField& field : snapshot.fields)
-        field.values = field_at(input, field.name, field.values, record);
     for (SnapshotNumber& number : snapshot.numbers)
         number.value = number_at(input, number.name, record);
     if (snapshot.section) snapshot.section = read_section(input, record);
@@ -136,9 +149,11 @@ auto locked(const std::filesystem::path& file, const Reading& reading) {
 
 }  // namespace
 
-Snapshot read_fields_snapshot(const std::filesystem::path& file, std::int64_t step, Snapshot like) {
-    return locked(
-        file, [&](const NetcdfInput& input) { return snapshot_at(input, step, std::move(like)); });
+Snapshot read_fields_snapshot(const std::filesystem::path& file, std::int64_t step,
+                              Snapshot outline) {
+    return locked(file, [&](const NetcdfInput& input) {
+        return snapshot_at(input, step, std::move(outline));
+    });
 }
 
 std::optional<FieldsRecord> read_fields_record(const std::filesystem::path& file) {

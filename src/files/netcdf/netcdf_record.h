@@ -23,9 +23,12 @@ struct FieldsRecord {
 /// Throws InputError "FILE: what; remedy" for a damaged one, and for one without a record.
 std::optional<FieldsRecord> read_fields_record(const std::filesystem::path& file);
 
-/// The snapshot of a step from such a file: the bed, fields, numbers, section, step and time are
-/// the record's, all else (units, scale, mask) is that of `like`, a snapshot of the same run.
-/// Throws InputError where the file is damaged or of another run, or has no record of that step.
-Snapshot read_fields_snapshot(const std::filesystem::path& file, std::int64_t step, Snapshot like);
+/// The snapshot of a step from such a file. What changes from step to step is the record's: bed,
+/// fields, numbers, section, step and time; all else (size, units, names, scale) is that of
+/// `outline`, whose own values do not matter. Where that has a mask, the cells that have no bed in
+/// the file lie outside, and their heights are 0. Throws InputError where the file is damaged or of
+/// another run, or has no record of that step.
+Snapshot read_fields_snapshot(const std::filesystem::path& file, std::int64_t step,
+                              Snapshot outline);
 
 }  // namespace fumon

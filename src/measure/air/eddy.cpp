@@ -10,7 +10,8 @@ namespace fumon {
 namespace {
 
 /// Of each column, how far above the bed its highest node lies that flows back; 0 without any.
-std::vector<double> backflow_heights(const Grid& velocity_x, const AirBed& bed, double dz) {
+std::vector<double> backflow_heights(const Grid& velocity_x, const ProfileUnderAir& bed,
+                                     double dz) {
     double fastest = 0.0;
     for (const double u : velocity_x.values()) fastest = std::max(fastest, std::abs(u));
     constexpr double rounding = 1e-9;
@@ -27,7 +28,7 @@ std::vector<double> backflow_heights(const Grid& velocity_x, const AirBed& bed, 
 
 }  // namespace
 
-Eddy largest_eddy(const Grid& velocity_x, const AirBed& bed, double dx, double dz) {
+Eddy largest_eddy(const Grid& velocity_x, const ProfileUnderAir& bed, double dx, double dz) {
     const std::vector<double> heights = backflow_heights(velocity_x, bed, dz);
     const std::size_t count = heights.size();
     const auto still = std::ranges::find(heights, 0.0);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/grid.h"
-#include "measure/air/air_bed.h"
+#include "measure/air/profile_under_air.h"
 
 namespace fumon {
 
@@ -14,6 +14,6 @@ struct Eddy {
 /// Of the longest run of neighbouring columns, round the edge, in which some node above the bed
 /// flows back: velocity_x below −1e-9 of the largest speed along x, so that rounding is no eddy.
 /// The length is the run's number of columns times dx.
-Eddy largest_eddy(const Grid& velocity_x, const AirBed& bed, double dx, double dz);
+Eddy largest_eddy(const Grid& velocity_x, const ProfileUnderAir& bed, double dx, double dz);
 
 }  // namespace fumon

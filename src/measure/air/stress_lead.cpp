@@ -21,7 +21,7 @@ double highest_site(std::span<const double> curve) {
 
 }  // namespace
 
-StressLead stress_lead(std::span<const double> stress, const AirBed& bed, double dx) {
+StressLead stress_lead(std::span<const double> stress, const ProfileUnderAir& bed, double dx) {
     StressLead lead;
     if (bed.waves == 0 || stress.size() != bed.heights.size()) return lead;
     const StressFit fit = fit_stress(stress, bed.waves);

@@ -3,7 +3,7 @@
 #include <limits>
 #include <span>
 
-#include "measure/air/air_bed.h"
+#include "measure/air/profile_under_air.h"
 
 namespace fumon {
 
@@ -21,6 +21,6 @@ struct StressLead {
 /// Of a stress curve over the section's columns: its fit (fit_stress) with as many waves as the bed
 /// has, beside the bed's own phase, in (−180°, 180°]; and the curve's highest value, refined by a
 /// parabola. NaN over a level bed.
-StressLead stress_lead(std::span<const double> stress, const AirBed& bed, double dx);
+StressLead stress_lead(std::span<const double> stress, const ProfileUnderAir& bed, double dx);
 
 }  // namespace fumon

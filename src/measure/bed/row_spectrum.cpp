@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 
 #include "base/elementary.h"
@@ -14,8 +13,6 @@
 namespace fumon {
 
 namespace {
-
-using Complex = std::complex<double>;
 
 constexpr double turn = 6.283185307179586;
 
@@ -28,75 +25,87 @@ std::vector<double> hann_window(std::size_t length) {
     return window;
 }
 
-/// Transforms real rows two at a time, as the real and imaginary parts of one complex row of
-/// `length` sites (those past nx are zero).
-class RowPairs {
+/// The transforms of rows' departures, a batch at a time, along `length` sites (those past nx are
+/// zero).
+class RowSpectra {
   public:
-    RowPairs(std::size_t nx, std::size_t length)
-        : transform_(length), departures_(nx), pair_(length), spectrum_(length) {}
+    static constexpr std::size_t rows = FourierTransform::rows;
 
-    void clear() { std::fill(pair_.begin(), pair_.end(), Complex()); }
-    void set_real(std::span<const double> row, bool periodic, std::span<const double> window = {}) {
-        find_departures(row, periodic, window);
-        for (std::size_t x = 0; x < departures_.size(); ++x) pair_[x].real(departures_[x]);
-    }
-    void set_imaginary(std::span<const double> row, bool periodic,
-                       std::span<const double> window = {}) {
-        find_departures(row, periodic, window);
-        for (std::size_t x = 0; x < departures_.size(); ++x) pair_[x].imag(departures_[x]);
-    }
-    /// Σ f² of the row that was set last.
-    [[nodiscard]] double squares() const {
-        double sum = 0.0;
-        for (const double departure : departures_) sum += departure * departure;
-        return sum;
-    }
-    const std::vector<Complex>& transformed() {
-        transform_.forward(pair_, spectrum_);
-        return spectrum_;
-    }
+    RowSpectra(std::size_t nx, std::size_t length)
+        : transform_(length),
+          scratch_(transform_.scratch()),
+          departures_(nx),
+          values_(length * rows),
+          real_((length / 2 + 1) * rows),
+          imaginary_(real_.size()) {}
 
-  private:
-    void find_departures(std::span<const double> row, bool periodic,
-                         std::span<const double> window) {
+    void clear() { std::fill(values_.begin(), values_.end(), 0.0); }
+    /// Makes a bed's row one of the batch; returns Σ f² of its departures.
+    double set(std::size_t place, std::span<const double> row, bool periodic,
+               std::span<const double> window = {}) {
         row_departures(row, periodic, departures_);
         for (std::size_t x = 0; x < window.size(); ++x) departures_[x] *= window[x];
+        double squares = 0.0;
+        for (std::size_t x = 0; x < departures_.size(); ++x) {
+            values_[x * rows + place] = departures_[x];
+            squares += departures_[x] * departures_[x];
+        }
+        return squares;
     }
+    void transform() {
+        transform_.forward(values_.data(), rows, real_.data(), imaginary_.data(), rows, scratch_);
+    }
+    /// Of mode k, the batch's rows side by side.
+    [[nodiscard]] const double* real(std::size_t k) const { return &real_[k * rows]; }
+    [[nodiscard]] const double* imaginary(std::size_t k) const { return &imaginary_[k * rows]; }
 
+  private:
     FourierTransform transform_;
+    FourierTransform::Scratch scratch_;
     std::vector<double> departures_;
-    std::vector<Complex> pair_;
-    std::vector<Complex> spectrum_;
+    std::vector<double> values_;
+    std::vector<double> real_;
+    std::vector<double> imaginary_;
 };
 
-/// For real rows a and b, z = a + ib: |A(k)|² + |B(k)|² = (|Z(k)|² + |Z(n − k)|²) / 2.
 std::vector<double> power_of_rows(const Grid& bed, bool periodic, std::size_t length,
                                   std::span<const double> window) {
     std::vector<double> power(length / 2 + 1);
-    RowPairs pairs(static_cast<std::size_t>(bed.nx()), length);
-    for (int y = 0; y < bed.ny(); y += 2) {
-        pairs.clear();
-        pairs.set_real(bed.row(y), periodic, window);
-        if (y + 1 < bed.ny()) pairs.set_imaginary(bed.row(y + 1), periodic, window);
-        const std::vector<Complex>& z = pairs.transformed();
-        power[0] += std::norm(z[0]);
-        for (std::size_t k = 1; k < power.size(); ++k) {
-            power[k] += 0.5 * (std::norm(z[k]) + std::norm(z[length - k]));
+    RowSpectra spectra(static_cast<std::size_t>(bed.nx()), length);
+    for (int first = 0; first < bed.ny(); first += static_cast<int>(RowSpectra::rows)) {
+        spectra.clear();
+        for (int y = first; y < std::min(first + static_cast<int>(RowSpectra::rows), bed.ny()); ++y)
+            spectra.set(static_cast<std::size_t>(y - first), bed.row(y), periodic, window);
+        spectra.transform();
+        for (std::size_t k = 0; k < power.size(); ++k) {
+            const double* re = spectra.real(k);
+            const double* im = spectra.imaginary(k);
+            for (std::size_t row = 0; row < RowSpectra::rows; ++row)
+                power[k] += re[row] * re[row] + im[row] * im[row];
         }
     }
     return power;
 }
 
-/// Σ_k S(k) exp(2πi·ks/n) / n at s = 0 … n − 1 of a spectrum whose sum is real: S(n − k) = S(k)*.
-std::vector<double> back_to_shifts(std::vector<Complex> spectrum) {
-    const std::size_t length = spectrum.size();
-    for (Complex& value : spectrum) value = std::conj(value);
-    std::vector<Complex> sums(length);
-    FourierTransform(length).forward(spectrum, sums);
-    std::vector<double> result(length);
-    for (std::size_t s = 0; s < length; ++s) {
-        result[s] = sums[s].real() / static_cast<double>(length);
+/// Σ_k S(k) exp(2πi·ks/n) / n at s = 0 … n − 1 of the half k = 0 … n/2 of a spectrum whose sum is
+/// real: S(n − k) = S(k)*.
+std::vector<double> back_to_shifts(std::span<const double> real, std::span<const double> imaginary,
+                                   std::size_t length) {
+    constexpr std::size_t rows = FourierTransform::rows;  // of which the first is used
+    std::vector<double> spread_real(real.size() * rows);
+    std::vector<double> spread_imaginary(real.size() * rows);
+    for (std::size_t k = 0; k < real.size(); ++k) {
+        spread_real[k * rows] = real[k];
+        spread_imaginary[k * rows] = imaginary[k];
     }
+    const FourierTransform transform(length);
+    FourierTransform::Scratch scratch = transform.scratch();
+    std::vector<double> sums(length * rows);
+    transform.backward(spread_real.data(), spread_imaginary.data(), rows, sums.data(), rows,
+                       scratch);
+    std::vector<double> result(length);
+    for (std::size_t s = 0; s < length; ++s)
+        result[s] = sums[s * rows] / static_cast<double>(length);
     return result;
 }
 
@@ -114,9 +123,7 @@ std::vector<double> autocorrelation_along_x(const Grid& bed, bool periodic) {
     const auto nx = static_cast<std::size_t>(bed.nx());
     const std::size_t length = periodic ? nx : std::bit_ceil(nx + nx / 2 + 1);
     const std::vector<double> power = power_of_rows(bed, periodic, length, {});
-    std::vector<Complex> spectrum(length);
-    for (std::size_t k = 0; k < length; ++k) spectrum[k] = power[std::min(k, length - k)];
-    std::vector<double> result = back_to_shifts(std::move(spectrum));
+    std::vector<double> result = back_to_shifts(power, std::vector<double>(power.size()), length);
     if (!(result[0] > 0.0)) return {};
     if (!periodic) result.resize(nx / 2 + 1);
     const double whole = result[0];
@@ -133,28 +140,32 @@ std::vector<double> cross_correlation_along_x(const Grid& earlier, const Grid& l
     }
     if (earlier.empty()) return {};
     const auto nx = static_cast<std::size_t>(earlier.nx());
-    RowPairs pairs(nx, nx);
-    std::vector<Complex> products(nx);
+    RowSpectra spectra(nx, nx);
+    constexpr std::size_t pairs = RowSpectra::rows / 2;  // the later rows come after the earlier
+    std::vector<double> products_real(nx / 2 + 1);
+    std::vector<double> products_imaginary(nx / 2 + 1);
     double earlier_squares = 0.0;
     double later_squares = 0.0;
-    for (int y = 0; y < earlier.ny(); ++y) {
-        pairs.set_real(earlier.row(y), true);
-        earlier_squares += pairs.squares();
-        pairs.set_imaginary(later.row(y), true);
-        later_squares += pairs.squares();
-        const std::vector<Complex>& z = pairs.transformed();
-        for (std::size_t k = 0; k < nx; ++k) {
-            const Complex mirrored = std::conj(z[k == 0 ? 0 : nx - k]);
-            const Complex a = 0.5 * (z[k] + mirrored);
-            const Complex twice_ib = z[k] - mirrored;
-            const Complex b{0.5 * twice_ib.imag(), -0.5 * twice_ib.real()};
-            products[k] += Complex{a.real() * b.real() + a.imag() * b.imag(),
-                                   a.real() * b.imag() - a.imag() * b.real()};
+    for (int first = 0; first < earlier.ny(); first += static_cast<int>(pairs)) {
+        spectra.clear();
+        for (int y = first; y < std::min(first + static_cast<int>(pairs), earlier.ny()); ++y) {
+            const auto place = static_cast<std::size_t>(y - first);
+            earlier_squares += spectra.set(place, earlier.row(y), true);
+            later_squares += spectra.set(pairs + place, later.row(y), true);
+        }
+        spectra.transform();
+        for (std::size_t k = 0; k < products_real.size(); ++k) {
+            const double* re = spectra.real(k);
+            const double* im = spectra.imaginary(k);
+            for (std::size_t row = 0; row < pairs; ++row) {
+                products_real[k] += re[row] * re[pairs + row] + im[row] * im[pairs + row];
+                products_imaginary[k] += re[row] * im[pairs + row] - im[row] * re[pairs + row];
+            }
         }
     }
     const double whole = std::sqrt(earlier_squares * later_squares);
     if (!(whole > 0.0)) return {};
-    std::vector<double> result = back_to_shifts(std::move(products));
+    std::vector<double> result = back_to_shifts(products_real, products_imaginary, nx);
     for (double& value : result) value /= whole;
     return result;
 }

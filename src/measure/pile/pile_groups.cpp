@@ -1,12 +1,11 @@
 #include "measure/pile/pile_groups.h"
 
-#include <limits>
 #include <memory>
 #include <optional>
 
 #include "base/snapshot_lookup.h"
 #include "measure/pile/avalanche_sizes.h"
-#include "measure/pile/pile.h"
+#include "measure/pile/pile_shape.h"
 #include "measure/pile/power_law.h"
 
 namespace fumon {
@@ -50,70 +49,95 @@ void carry_counted(Counted& counted, StateCarrier& carrier) {
     if (!last.empty()) counted.last = Avalanche{last[0], last[1], last[2], last[3], last[4]};
 }
 
+struct PileMeasures {
+    double dropped_grains = undefined;
+    double lost_grains = undefined;
+    PileShape shape;
+};
+
+struct AvalancheMeasures {
+    std::optional<Avalanche> last;
+    std::int64_t count = 0;
+    std::int64_t largest = 0;
+    LineFit raw;
+    LineFit logarithmic;
+    LikelihoodFit likelihood;
+};
+
+double of_last(const AvalancheMeasures& all, std::int64_t Avalanche::*count) {
+    return all.last ? static_cast<double>(*all.last.*count) : undefined;
+}
+
 }  // namespace
 
 MeasureGroup pile_group() {
-    return {{{"resident_grains", "grains", "sum of the heights"},
-             {"dropped_grains", "grains", "since the start"},
-             {"lost_grains", "grains", "gone over the edge since the start"},
-             {"covered_cells", "cells", "cells with a grain on them"},
-             {"footprint_axis_ratio", "", "shorter over longer axis of the covered cells"},
-             {"drop_cone_r_squared", "", "of the best cone that stands on the first drop site"},
-             {"cone_r_squared", "", "of the best cone anywhere"},
-             {"cone_height", "heights", "its apex"},
-             {"cone_slope", "heights/site", "fall of its sides"},
-             {"cone_angle", "degrees", "of its sides, heights taken as tall as cells"},
-             {"cone_offset", "sites", "of its apex from the first drop site"},
-             {"cone_offset_azimuth", "degrees", "clockwise from north"}},
-            [](const Snapshot& snapshot) -> std::vector<double> {
-                constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-                const PileShape pile = pile_shape(snapshot.bed, drop_point(snapshot));
-                return {pile.resident_grains,
-                        number_of(snapshot, "dropped_grains").value_or(unknown),
-                        number_of(snapshot, "lost_grains").value_or(unknown),
-                        static_cast<double>(pile.covered_cells),
-                        pile.axis_ratio,
-                        pile.drop_cone.r_squared,
-                        pile.cone.r_squared,
-                        pile.cone.height,
-                        pile.cone.slope,
-                        pile.cone.angle,
-                        pile.offset,
-                        pile.offset_azimuth};
-            }};
+    return group_of<PileMeasures>(
+        [](const Snapshot& snapshot) {
+            return PileMeasures{number_of(snapshot, "dropped_grains").value_or(undefined),
+                                number_of(snapshot, "lost_grains").value_or(undefined),
+                                pile_shape(snapshot.bed, drop_point(snapshot))};
+        },
+        {{"resident_grains", "grains", "sum of the heights",
+          [](const PileMeasures& pile) { return pile.shape.resident_grains; }},
+         {"dropped_grains", "grains", "since the start", &PileMeasures::dropped_grains},
+         {"lost_grains", "grains", "gone over the edge since the start",
+          &PileMeasures::lost_grains},
+         {"covered_cells", "cells", "cells with a grain on them",
+          [](const PileMeasures& pile) { return static_cast<double>(pile.shape.covered_cells); }},
+         {"footprint_axis_ratio", "", "shorter over longer axis of the covered cells",
+          [](const PileMeasures& pile) { return pile.shape.axis_ratio; }},
+         {"drop_cone_r_squared", "", "of the best cone that stands on the first drop site",
+          [](const PileMeasures& pile) { return pile.shape.drop_cone.r_squared; }},
+         {"cone_r_squared", "", "of the best cone anywhere",
+          [](const PileMeasures& pile) { return pile.shape.cone.r_squared; }},
+         {"cone_height", "heights", "its apex",
+          [](const PileMeasures& pile) { return pile.shape.cone.height; }},
+         {"cone_slope", "heights/site", "fall of its sides",
+          [](const PileMeasures& pile) { return pile.shape.cone.slope; }},
+         {"cone_angle", "degrees", "of its sides, heights taken as tall as cells",
+          [](const PileMeasures& pile) { return pile.shape.cone.angle; }},
+         {"cone_offset", "sites", "of its apex from the first drop site",
+          [](const PileMeasures& pile) { return pile.shape.offset; }},
+         {"cone_offset_azimuth", "degrees", "clockwise from north",
+          [](const PileMeasures& pile) { return pile.shape.offset_azimuth; }}});
 }
 
 MeasureGroup avalanche_group() {
     const auto counted = std::make_shared<Counted>();
-    return {{{"avalanches", "", "since the start"},
-             {"last_avalanche_size", "cells", "cells whose height changed"},
-             {"last_avalanche_duration", "", "rounds of toppling until rest"},
-             {"last_avalanche_topplings", "", "cells that toppled, each as often as it did"},
-             {"largest_avalanche_size", "cells", "since the start"},
-             {"size_slope_least_squares", "", "log-log slope of A_p over A_s in 10 to 100"},
-             {"size_slope_least_squares_r_squared", "", "of that line"},
-             {"size_slope_logarithmic_bins", "", "the same through bins that widen by a factor"},
-             {"size_slope_likelihood", "", "minus the exponent of largest likelihood, 10 to 100"}},
-            [counted](const Snapshot&) -> std::vector<double> {
-                constexpr double none = std::numeric_limits<double>::quiet_NaN();
-                const auto& last = counted->last;
-                const LineFit raw = fit_raw_bins(counted->sizes);
-                return {static_cast<double>(counted->sizes.avalanches()),
-                        last ? static_cast<double>(last->size) : none,
-                        last ? static_cast<double>(last->duration) : none,
-                        last ? static_cast<double>(last->topplings) : none,
-                        static_cast<double>(counted->sizes.largest()),
-                        raw.slope,
-                        raw.r_squared,
-                        fit_logarithmic_bins(counted->sizes).slope,
-                        -fit_likelihood(counted->sizes).exponent};
-            },
-            [counted](std::span<const Avalanche> avalanches) {
-                if (avalanches.empty()) return;
-                counted->sizes.add(avalanches);
-                counted->last = avalanches.back();
-            },
-            [counted](StateCarrier& carrier) { carry_counted(*counted, carrier); }};
+    MeasureGroup group = group_of<AvalancheMeasures>(
+        [counted](const Snapshot&) {
+            return AvalancheMeasures{counted->last,
+                                     counted->sizes.avalanches(),
+                                     counted->sizes.largest(),
+                                     fit_raw_bins(counted->sizes),
+                                     fit_logarithmic_bins(counted->sizes),
+                                     fit_likelihood(counted->sizes)};
+        },
+        {{"avalanches", "", "since the start",
+          [](const AvalancheMeasures& all) { return static_cast<double>(all.count); }},
+         {"last_avalanche_size", "cells", "cells whose height changed",
+          [](const AvalancheMeasures& all) { return of_last(all, &Avalanche::size); }},
+         {"last_avalanche_duration", "", "rounds of toppling until rest",
+          [](const AvalancheMeasures& all) { return of_last(all, &Avalanche::duration); }},
+         {"last_avalanche_topplings", "", "cells that toppled, each as often as it did",
+          [](const AvalancheMeasures& all) { return of_last(all, &Avalanche::topplings); }},
+         {"largest_avalanche_size", "cells", "since the start",
+          [](const AvalancheMeasures& all) { return static_cast<double>(all.largest); }},
+         {"size_slope_least_squares", "", "log-log slope of A_p over A_s in 10 to 100",
+          [](const AvalancheMeasures& all) { return all.raw.slope; }},
+         {"size_slope_least_squares_r_squared", "", "of that line",
+          [](const AvalancheMeasures& all) { return all.raw.r_squared; }},
+         {"size_slope_logarithmic_bins", "", "the same through bins that widen by a factor",
+          [](const AvalancheMeasures& all) { return all.logarithmic.slope; }},
+         {"size_slope_likelihood", "", "minus the exponent of largest likelihood, 10 to 100",
+          [](const AvalancheMeasures& all) { return -all.likelihood.exponent; }}});
+    group.note = [counted](std::span<const Avalanche> avalanches) {
+        if (avalanches.empty()) return;
+        counted->sizes.add(avalanches);
+        counted->last = avalanches.back();
+    };
+    group.carry = [counted](StateCarrier& carrier) { carry_counted(*counted, carrier); };
+    return group;
 }
 
 }  // namespace fumon

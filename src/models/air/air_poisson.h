@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "models/air/air_bed.h"
+#include "models/air/air_plane.h"
 #include "numerics/rectangle_poisson.h"
 
 namespace fumon {

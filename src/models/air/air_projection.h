@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "models/air/air_bed.h"
+#include "models/air/air_plane.h"
 #include "models/air/air_poisson.h"
 #include "models/air/air_scheme.h"
 #include "models/air/airflow_parameters.h"

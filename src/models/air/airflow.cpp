@@ -162,6 +162,7 @@ Snapshot Airflow::snapshot() const {
     Grid bed(plane_.nx, 1);
     std::copy(plane_.height.begin(), plane_.height.end(), bed.values().begin());
     Snapshot snapshot{steps_, time(), std::string(time_unit()), std::move(bed), {}, {}};
+    snapshot.landform = landform;
     snapshot.scale = {plane_.spacing, plane_.spacing, 1.0, true};
     snapshot.highest_expected = plane_.largest_height;
     snapshot.periodic = true;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "models/air/air_bed.h"
+#include "models/air/air_plane.h"
 #include "models/air/air_scheme.h"
 #include "models/air/airflow_parameters.h"
 #include "models/air/grain_flight.h"
@@ -29,12 +29,15 @@ namespace fumon {
 /// in the phase on the thesis's table C1; the fitted grid's within 2 % on 100 × 30 nodes.
 class Airflow : public Model {
   public:
+    static constexpr std::string_view model_name = "airflow";
+    static constexpr Landform landform = Landform::air;
+
     /// Throws KeyError as make_air_plane does, for a time step in which the lid moves a cell or
     /// more, one beyond u0 Δt/Δr + 4ν Δt/Δr² = 1 (staircase) or u0² Δt/ν = 2 (boundary-fitted), and
     /// for waves too many for the columns; for the grains as check(FlightParameters) does.
     Airflow(const AirflowParameters& parameters, const ModelSetup& setup);
 
-    [[nodiscard]] std::string_view name() const override { return "airflow"; }
+    [[nodiscard]] std::string_view name() const override { return model_name; }
 
     /// Throws Error where a velocity is no longer finite.
     void step() override;

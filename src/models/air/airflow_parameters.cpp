@@ -9,11 +9,13 @@ namespace {
 
 void list_bed_keys(AirflowParameters& air, KeyTable& table) {
     constexpr double most_waves = 1e4;
-    table.choice("model.bed", air.bed,
-                 {{"auto", "cosine where the initial bed is level, else given"},
-                  {"cosine", "h0 (cos(2 pi k x / W) + 1) (Terada 2025, eq. 5)"},
-                  {"given", "a row of the initial bed, lowered until its lowest point is 0"}},
-                 {.help = "the fixed bed under the air"});
+    table.choice(
+        "model.bed", air.bed,
+        {{AirBedShape::automatic, "auto", "cosine where the initial bed is level, else given"},
+         {AirBedShape::cosine, "cosine", "h0 (cos(2 pi k x / W) + 1) (Terada 2025, eq. 5)"},
+         {AirBedShape::given, "given",
+          "a row of the initial bed, lowered until its lowest point is 0"}},
+        {.help = "the fixed bed under the air"});
     table.real("model.bed_amplitude", air.bed_amplitude,
                {.unit = "mm", .range = {0, 1e6}, .help = "h0 of the cosine: half its height"});
     table.integer("model.bed_waves", air.bed_waves,
@@ -46,20 +48,22 @@ void list_keys(AirflowParameters& air, KeyTable& table) {
     table.real("model.viscosity", air.viscosity,
                {.unit = "m^2/s", .range = {0, 1e3, true}, .help = "nu of the air"});
     table.choice("model.scheme", air.scheme,
-                 {{"staircase", "projection on a square grid (Terada 2025, section 3)"},
-                  {"boundary-fitted",
+                 {{AirSchemeKind::staircase, "staircase",
+                   "projection on a square grid (Terada 2025, section 3)"},
+                  {AirSchemeKind::boundary_fitted, "boundary-fitted",
                    "stream function and vorticity on a grid that follows the bed: no steps, second "
                    "order"}},
                  {.help = "how the air is advanced"});
-    table.choice("model.advection", air.advection,
-                 {{"upwind", "first order, as published (Terada 2025, eq. 30)"},
-                  {"second-order",
-                   "linear upwind, which is less viscous; first order at nodes that lack one of "
-                   "their second neighbours, next to bed and lid"}},
-                 {.help = "differences of the staircase's advection term"});
+    table.choice(
+        "model.advection", air.advection,
+        {{AirAdvection::upwind, "upwind", "first order, as published (Terada 2025, eq. 30)"},
+         {AirAdvection::second_order, "second-order",
+          "linear upwind, which is less viscous; first order at nodes that lack one of "
+          "their second neighbours, next to bed and lid"}},
+        {.help = "differences of the staircase's advection term"});
     table.choice("model.bed_pressure", air.bed_pressure,
-                 {{"one-sided", "that of the node above: no gradient"},
-                  {"extrapolated",
+                 {{BedPressure::one_sided, "one-sided", "that of the node above: no gradient"},
+                  {BedPressure::extrapolated, "extrapolated",
                    "2 p1 - p2 of the nodes above (Terada 2025, eq. 26); unstable where the "
                    "pressure is solved exactly, as it is here: ends in an error"}},
                  {.help = "the staircase's pressure at the node just under the bed"});

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "models/air/air_bed.h"
+#include "models/air/air_plane.h"
 #include "models/air/air_scheme.h"
 #include "models/air/airflow_parameters.h"
 

@@ -27,12 +27,12 @@ void list_keys(FlightParameters& flight, KeyTable& table) {
                {.unit = "mm", .range = {0, 10, true}, .help = "d"});
     table.real("model.grain_density", flight.grain_density,
                {.unit = "kg/m^3", .range = {0, 30000, true}, .help = "of the grains; quartz 2650"});
-    table.choice(
-        "model.drag", flight.drag,
-        {{"stokes", "3 pi rho nu d: particle Reynolds numbers below 2 (Terada 2025, eq. 12)"},
-         {"schiller-naumann",
-          "Stokes times 1 + 0.15 Re^0.687: below 800 (Schiller & Naumann 1933)"}},
-        {.help = "the air's drag on a grain"});
+    table.choice("model.drag", flight.drag,
+                 {{GrainDrag::stokes, "stokes",
+                   "3 pi rho nu d: particle Reynolds numbers below 2 (Terada 2025, eq. 12)"},
+                  {GrainDrag::schiller_naumann, "schiller-naumann",
+                   "Stokes times 1 + 0.15 Re^0.687: below 800 (Schiller & Naumann 1933)"}},
+                 {.help = "the air's drag on a grain"});
     table.real("model.flight_time_step", flight.flight_time_step,
                {.unit = "s",
                 .range = {0, 1, true},

@@ -8,6 +8,7 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
+#include "base/find_named.h"
 #include "base/units.h"
 #include "base/worker_pool.h"
 #include "models/air/grain_drag.h"
@@ -19,17 +20,13 @@ namespace {
 constexpr double gravity = 9.8;          // m/s² (Terada 2025)
 constexpr int steps_between_looks = 16;  // for lanes that are done; results do not depend on it
 
-const Grid& field_of(const SnapshotSection& section, const char* name) {
-    for (const SnapshotField& field : section.fields) {
-        if (field.name == name) return field.values;
-    }
+const Grid& field_of(const SnapshotSection& section, std::string_view name) {
+    if (const SnapshotField* field = find_named(section.fields, name)) return field->values;
     throw Error(fmt::format("grains cannot fly in a section without the field {}", name));
 }
 
-const std::vector<double>& curve_of(const SnapshotSection& section, const char* name) {
-    for (const SectionCurve& curve : section.curves) {
-        if (curve.name == name) return curve.values;
-    }
+const std::vector<double>& curve_of(const SnapshotSection& section, std::string_view name) {
+    if (const SectionCurve* curve = find_named(section.curves, name)) return curve->values;
     throw Error(fmt::format("grains cannot fly in a section without the curve {}", name));
 }
 

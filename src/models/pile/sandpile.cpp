@@ -119,6 +119,7 @@ const Site& Sandpile::site_of_next_grain() const {
 
 Snapshot Sandpile::snapshot() const {
     Snapshot snapshot{steps_, time(), std::string(time_unit()), pile_.heights(), {}, scale_};
+    snapshot.landform = landform;
     constexpr double slope_of_threshold = 0.35;  // of the cones that grow, heights per site
     const auto threshold = static_cast<double>(parameters_.threshold);
     snapshot.highest_expected =

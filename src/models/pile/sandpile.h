@@ -45,11 +45,14 @@ namespace fumon {
 /// (first in, first out).
 class Sandpile : public Model {
   public:
+    static constexpr std::string_view model_name = "sandpile";
+    static constexpr Landform landform = Landform::pile;
+
     /// Throws KeyError for a masked bed, heights that are not whole or below 0, drop sites off the
     /// grid, and grains per topple that the threshold does not admit.
     Sandpile(const SandpileParameters& parameters, const ModelSetup& setup);
 
-    [[nodiscard]] std::string_view name() const override { return "sandpile"; }
+    [[nodiscard]] std::string_view name() const override { return model_name; }
 
     /// Throws Error where the toppling would never end.
     void step() override;

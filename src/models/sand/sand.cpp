@@ -66,13 +66,13 @@ void check_table(const SandParameters& parameters) {
 }
 
 void check_creep(const SandParameters& parameters) {
-    constexpr double highest = 0.75;  // Terada (2024), eq. (13)
-    if (parameters.creep == Creep::every_cell && parameters.creep_rate > highest) {
+    if (parameters.creep == Creep::every_cell &&
+        parameters.creep_rate > highest_every_cell_creep_rate) {
         throw KeyError(
             "model.creep_rate",
             fmt::format(
                 "model.creep_rate is {}; with every-cell creep it takes a number > 0 and ≤ {}",
-                parameters.creep_rate, highest));
+                parameters.creep_rate, highest_every_cell_creep_rate));
     }
 }
 
@@ -112,6 +112,7 @@ void Sand::step() {
 
 Snapshot Sand::snapshot() const {
     Snapshot snapshot{steps_, time(), std::string(time_unit()), bed_, {}, scale_};
+    snapshot.landform = landform;
     snapshot.periodic = true;
     return snapshot;
 }

@@ -21,15 +21,18 @@ namespace fumon {
 /// h: bed in model heights on nx × ny sites, periodic in x and y. In the random-sequential order
 /// the nx·ny picks of a step fall on the rows as an exact multinomial, and each row runs its share
 /// in its own random sequence, which is the published rule since rows do not interact while
-/// hopping. Valid for 0 < D ≤ 3/4 (every-cell creep; Terada 2024, eq. 13). In these rules the steep
-/// face is the upwind one; only the outline of a dune is a barchan's.
+/// hopping. In these rules the steep face is the upwind one; only the outline of a dune is a
+/// barchan's.
 class Sand : public Model {
   public:
+    static constexpr std::string_view model_name = "sand";
+    static constexpr Landform landform = Landform::bed;
+
     /// Throws InputError for a masked bed and for one whose longest first hop exceeds the box,
     /// KeyError for a creep rate that the creep rule does not allow.
     Sand(const SandParameters& parameters, ModelSetup setup);
 
-    [[nodiscard]] std::string_view name() const override { return "sand"; }
+    [[nodiscard]] std::string_view name() const override { return model_name; }
     void step() override;
     [[nodiscard]] std::int64_t steps_done() const override { return steps_; }
     [[nodiscard]] Snapshot snapshot() const override;

@@ -5,11 +5,13 @@
 #include <cstdint>
 
 #include "base/multiversion.h"
-#include "models/water/dry_depth.h"
 
 namespace fumon::cip {
 
 namespace {
+
+/// Water shallower than this, in metres, stands still: it is less than a molecule.
+constexpr double dry_depth = 1e-10;
 
 /// All bits set where true: picks without a branch, so that loops vectorise.
 std::uint64_t mask_of(bool yes) {

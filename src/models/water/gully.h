@@ -27,11 +27,14 @@ namespace fumon {
 /// eq. (9) halves eq. (6)'s friction (model.friction).
 class Gully : public Model {
   public:
+    static constexpr std::string_view model_name = "gully";
+    static constexpr Landform landform = Landform::water;
+
     /// Throws KeyError where parameters and bed do not go together (start_of_gully,
     /// make_water_scheme) or a fixed time step is beyond Courant number 1.
     Gully(const GullyParameters& parameters, ModelSetup setup);
 
-    [[nodiscard]] std::string_view name() const override { return "gully"; }
+    [[nodiscard]] std::string_view name() const override { return model_name; }
     /// Throws Error that names cell, time and quantity where a value stops being one, or the flow
     /// needs thousands of sub-steps.
     void step() override;

@@ -11,8 +11,8 @@
 
 #include "base/error.h"
 #include "figure/canvas/canvas_box.h"
+#include "render/view/framing.h"
 #include "support/overlay_scenes.h"
-#include "render/framing.h"
 #include "support/section_beds.h"
 
 namespace fumon {

@@ -56,6 +56,39 @@ TEST(NetcdfRecord, IsWhatTheLastSnapshotHeldBesideItsBed) {
     EXPECT_EQ(record->numbers[1].unit, "m3");
 }
 
+TEST(NetcdfRecord, ASnapshotIsARecordInTheOutlineOfItsRun) {
+    const TemporaryFolder folder;
+    FieldsFile file(folder / "fields.nc", slope_with_water(0), {"a slope", "seed = 1\n", 1});
+    for (const std::int64_t step : {0, 30, 60}) file.add(slope_with_water(step));
+    file.commit();
+    Snapshot outline = slope_with_water(0);
+    outline.bed = Grid(6, 4);
+    outline.nodata = Mask(6, 4);
+    outline.fields[0].values = {};
+    const Snapshot found = read_fields_snapshot(folder / "fields.nc", 30, outline);
+    Snapshot expected = slope_with_water(30);
+    expected.bed(5, 1) = 0.0;
+    expected.fields[0].values(5, 1) = 0.0;
+    EXPECT_EQ(found.step, 30);
+    EXPECT_EQ(found.time, expected.time);
+    EXPECT_EQ(found.time_unit, "s");
+    EXPECT_EQ(found.bed, expected.bed);
+    EXPECT_EQ(found.nodata, expected.nodata);
+    EXPECT_EQ(found.scale, expected.scale);
+    ASSERT_EQ(found.fields.size(), 1U);
+    EXPECT_EQ(found.fields[0].long_name, "depth of the water");
+    EXPECT_EQ(found.fields[0].values, expected.fields[0].values);
+    EXPECT_EQ(found.numbers[1].value, 60.0);
+
+    const auto refusal = [&](std::int64_t step) {
+        return message_of<InputError>(
+            [&] { static_cast<void>(read_fields_snapshot(folder / "fields.nc", step, outline)); });
+    };
+    EXPECT_NE(refusal(31).find("has no record of step 31"), std::string::npos);
+    outline.bed = Grid(6, 5);
+    EXPECT_NE(refusal(30).find("has another size"), std::string::npos);
+}
+
 TEST(NetcdfRecord, IsNothingInOtherFilesAndAnErrorInDamagedOnes) {
     const TemporaryFolder folder;
     EXPECT_FALSE(read_fields_record(folder / "none.nc"));

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <memory>
 
-#include "measure/air/air_bed.h"
-#include "measure/air/air_flow.h"
+#include "measure/air/air_extremes.h"
 #include "measure/air/eddy.h"
+#include "measure/air/profile_under_air.h"
 #include "measure/air/stress_lead.h"
 #include "numerics/stress_fit.h"
 #include "support/measured_beds.h"
@@ -65,7 +65,7 @@ TEST(StressFit, LeavesOverWhatIsNoSuchWave) {
 TEST(StressLead, IsUpwindOfTheCrestWhereverThatIs) {
     for (const double crest : {0.0, 7.0, 31.0}) {
         const Snapshot snapshot = wavy(2, crest);
-        const AirBed bed = air_bed(snapshot, 20);
+        const ProfileUnderAir bed = profile_under_air(snapshot, 20);
         EXPECT_EQ(bed.waves, 2);
         EXPECT_NEAR(bed.wavelength, 20.0, 1e-12);
         EXPECT_NEAR(bed.crest, std::fmod(crest * dx, 20.0), 1e-9);
@@ -80,18 +80,19 @@ TEST(StressLead, IsUpwindOfTheCrestWhereverThatIs) {
     }
     Snapshot level = wavy(1);
     level.bed = Grid(80, 1, 0.5);
-    const StressLead none = stress_lead(wave(80, 1, 1.0, 0.3, 0.2), air_bed(level, 20), dx);
+    const StressLead none =
+        stress_lead(wave(80, 1, 1.0, 0.3, 0.2), profile_under_air(level, 20), dx);
     EXPECT_TRUE(std::isnan(none.degrees));
 }
 
-TEST(AirBed, ANodeOnTheBedIsNotAboveIt) {
+TEST(ProfileUnderAir, ANodeOnTheBedIsNotAboveIt) {
     Snapshot snapshot = wavy(1);
     snapshot.bed = Grid(80, 1, 0.0);
     snapshot.bed(3, 0) = 4 * dz;
     snapshot.bed(4, 0) = 4 * dz * (1.0 + 1e-12);
     snapshot.bed(5, 0) = 3.9 * dz;
     snapshot.bed(6, 0) = 1000.0;
-    const AirBed bed = air_bed(snapshot, 20);
+    const ProfileUnderAir bed = profile_under_air(snapshot, 20);
     EXPECT_EQ(bed.lowest_air[0], 1);
     EXPECT_EQ(bed.lowest_air[3], 5);
     EXPECT_EQ(bed.lowest_air[4], 5);
@@ -102,7 +103,7 @@ TEST(AirBed, ANodeOnTheBedIsNotAboveIt) {
 TEST(Eddy, IsTheLongestStretchThatFlowsBack) {
     Snapshot snapshot = wavy(1);
     snapshot.bed = Grid(80, 1, 2 * dz);
-    const AirBed bed = air_bed(snapshot, 20);
+    const ProfileUnderAir bed = profile_under_air(snapshot, 20);
     Grid u(80, 20, 1.0);
     for (int k = 0; k < 3; ++k) {
         for (double& velocity : u.row(k)) velocity = k < 2 ? -5.0 : 1.0;  // within the bed
@@ -118,25 +119,25 @@ TEST(Eddy, IsTheLongestStretchThatFlowsBack) {
     EXPECT_NEAR(largest_eddy(Grid(80, 20, -1.0), bed, dx, dz).length, 80 * dx, 1e-12);
 }
 
-TEST(AirFlow, DivergenceIsThatOfALinearFlow) {
+TEST(AirExtremes, DivergenceIsThatOfALinearFlow) {
     Snapshot snapshot = wavy(1);
     snapshot.bed = Grid(80, 1, 2 * dz);
-    const AirBed bed = air_bed(snapshot, 20);
+    const ProfileUnderAir bed = profile_under_air(snapshot, 20);
     const Grid u(80, 20, 3.0);
     const Grid w = bed_of(80, 20, [](int, int k) { return 0.5 * k * dz; });
-    const AirFlow flow = air_flow(u, w, bed, dx, dz);
+    const AirExtremes flow = air_extremes(u, w, bed, dx, dz);
     EXPECT_NEAR(flow.largest_divergence, 0.5, 1e-12);
     EXPECT_NEAR(flow.largest_speed, std::hypot(3.0, 0.5 * 19 * dz), 1e-12);
     Grid stepped = u;
     for (double& velocity : stepped.row(1)) velocity = 900.0;  // within the bed
     stepped(10, 4) = 3.5;
-    EXPECT_NEAR(air_flow(stepped, Grid(80, 20), bed, dx, dz).largest_divergence, 0.5, 1e-12)
+    EXPECT_NEAR(air_extremes(stepped, Grid(80, 20), bed, dx, dz).largest_divergence, 0.5, 1e-12)
         << "0.5 m/s over two columns of 0.5 m";
 }
 
 TEST(BedPressureExtremes, IsToldWithItsSideOfTheCrest) {
     const Snapshot snapshot = wavy(1, 20.0);
-    const AirBed bed = air_bed(snapshot, 20);
+    const ProfileUnderAir bed = profile_under_air(snapshot, 20);
     Grid pressure = bed_of(80, 20, [&](int i, int k) {
         return k == bed.lowest_air[static_cast<std::size_t>(i)] ? std::cos(turn * (i - 12) / 80)
                                                                 : 100.0 * (k % 2 == 0 ? 1.0 : -1.0);

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/error.h"
-#include "numerics/fourier_transform.h"
 #include "support/measured_beds.h"
 
 namespace fumon {
@@ -16,32 +15,6 @@ namespace {
 
 using Complex = std::complex<double>;
 using test::turn;
-
-class TransformLength : public ::testing::TestWithParam<int> {};
-
-TEST_P(TransformLength, AgreesWithThePlainSum) {
-    const auto length = static_cast<std::size_t>(GetParam());
-    const Grid parts = test::noise(GetParam(), 2, 3);
-    std::vector<Complex> values(length);
-    for (std::size_t x = 0; x < length; ++x) values[x] = {parts.row(0)[x], parts.row(1)[x]};
-    std::vector<Complex> found(length);
-    FourierTransform transform(length);
-    transform.forward(values, found);
-    transform.forward(values, found);  // an object serves again and again
-    for (std::size_t k = 0; k < length; k += 1 + length / 50) {
-        Complex expected;
-        for (std::size_t x = 0; x < length; ++x) {
-            const auto cycle = static_cast<double>(k * x % length);
-            expected += values[x] * std::polar(1.0, -turn * cycle / static_cast<double>(length));
-        }
-        EXPECT_NEAR(std::abs(found[k] - expected), 0.0, 1e-11 * std::sqrt(GetParam()))
-            << "k = " << k;
-    }
-}
-
-// 37, 74, 4099 and 10007 have prime factors above 31.
-INSTANTIATE_TEST_SUITE_P(All, TransformLength,
-                         ::testing::Values(1, 2, 3, 4, 31, 37, 74, 100, 360, 4099, 10007));
 
 TEST(PowerAlongX, OfOneWaveIsInItsBin) {
     const std::vector<double> power = power_along_x(test::waves(60, 3, 7.0), true);

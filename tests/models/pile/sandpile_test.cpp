@@ -11,9 +11,9 @@
 #include "base/error.h"
 #include "base/worker_pool.h"
 #include "models/pile/toppling.h"
+#include "models/registry.h"
 #include "support/pile_run.h"
 #include "support/plain_pile.h"
-#include "models/registry.h"
 
 namespace fumon {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "support/finite_volume_run.h"
 #include "support/dam_break.h"
+#include "support/finite_volume_run.h"
 
 namespace fumon {
 namespace {
