@@ -6,7 +6,7 @@
 #include "base/tell.h"
 #include "cli/commands.h"
 #include "paper/figure_plan.h"
-#include "run/workshop.h"
+#include "run/prepared_run.h"
 #include "scene/read.h"
 #include "scene/schedule.h"
 
@@ -18,15 +18,15 @@ int check_command(const std::vector<std::string>& scenes,
     FigureRuns runs;
     for (const std::string& file : scenes) {
         try {
-            const Workshop workshop = set_up(read_scene(file, settings), 1);
-            if (!workshop.scene.figure.panels.empty()) {
+            const PreparedRun prepared = prepare_run(read_scene(file, settings), 1);
+            if (!prepared.scene.figure.panels.empty()) {
                 FigureSources sources;
                 plan_figure(file, settings, sources, runs, nullptr);
             }
             const std::string line = fmt::format(
                 "{}: fine ({}, {} x {} cells, {} steps, {} frames)\n", file,
-                workshop.scene.model.name, workshop.initial.bed.nx(), workshop.initial.bed.ny(),
-                workshop.scene.run.steps, frame_schedule(workshop.scene).count());
+                prepared.scene.model.name, prepared.initial.bed.nx(), prepared.initial.bed.ny(),
+                prepared.scene.run.steps, frame_schedule(prepared.scene).count());
             std::fputs(line.c_str(), stdout);
         } catch (const InputError& fault) {
             std::fflush(stdout);

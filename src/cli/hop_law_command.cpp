@@ -73,7 +73,7 @@ SandSource sand_source(const std::string& into) {
     SandSource sand;
     sand.own = !into.empty();
     sand.text = read_scene_text(sand.own ? fs::path(into) : data_file(ripples_of_section_5));
-    sand.scene = set_up(parse_scene(sand.text, {}), 1).scene;
+    sand.scene = prepare_run(parse_scene(sand.text, {}), 1).scene;
     if (sand.scene.model.name != Sand::model_name) {
         throw InputError(fmt::format("{}a hop law goes into the model {}, not into {}",
                                      sand.scene.at("model.name"), Sand::model_name,
@@ -88,23 +88,23 @@ bool takes_scale(const Scene& sand) {
            sand.grid.height_unit.is_word();
 }
 
-const Airflow& airflow_of(const Workshop& workshop) {
-    const auto* air = dynamic_cast<const Airflow*>(workshop.model.get());
+const Airflow& airflow_of(const PreparedRun& prepared) {
+    const auto* air = dynamic_cast<const Airflow*>(prepared.model.get());
     if (air == nullptr) {
         throw InputError(fmt::format(
             "{}a hop law is measured in the air of the model {}, which {} has not",
-            workshop.scene.at("model.name"), Airflow::model_name, workshop.scene.model.name));
+            prepared.scene.at("model.name"), Airflow::model_name, prepared.scene.model.name));
     }
     return *air;
 }
 
-std::string air_line(const Workshop& workshop, const Airflow& air) {
+std::string air_line(const PreparedRun& prepared, const Airflow& air) {
     const std::string steady =
         air.steady_since()
             ? fmt::format("steady since {:.4g} s", *air.steady_since())
             : std::string("not steady yet (model.until_steady = true and more steps go on)");
-    return fmt::format("air of {} (seed {}) after {} steps, {:.4g} s, {}", workshop.scene.source,
-                       workshop.scene.seed, air.steps_done(), air.time(), steady);
+    return fmt::format("air of {} (seed {}) after {} steps, {:.4g} s, {}", prepared.scene.source,
+                       prepared.scene.seed, air.steps_done(), air.time(), steady);
 }
 
 std::string grain_line(const Airflow& air, const MeasuredHops& hops, std::int64_t count) {
@@ -149,12 +149,12 @@ std::string comment(std::string line) {
     return line.empty() ? "#\n" : "# " + line + "\n";
 }
 
-std::string law_head(const Workshop& workshop, const Airflow& air, const MeasuredHops& hops,
+std::string law_head(const PreparedRun& prepared, const Airflow& air, const MeasuredHops& hops,
                      const HopLawOptions& options, bool scaled) {
     std::string text = comment(
         "Sand that hops by a law measured on grains flown in computed air "
         "(Terada 2025, sections 4 and 5).");
-    text += comment("Written by fumon " FUMON_VERSION " hop-law: " + air_line(workshop, air) + ";");
+    text += comment("Written by fumon " FUMON_VERSION " hop-law: " + air_line(prepared, air) + ";");
     text += comment(grain_line(air, hops, options.hops) + ".");
     for (const std::string& setting : options.work.settings) text += comment("--set " + setting);
     text += comment("Fits, heights above the bed's lowest point: l = a^h - 1 and a straight line.");
@@ -170,7 +170,7 @@ std::string law_head(const Workshop& workshop, const Airflow& air, const Measure
 }
 
 /// The files that a scene names, from its own folder, as the written scene reaches them.
-void move_files(const fs::path& output, Workshop& sand) {
+void move_files(const fs::path& output, PreparedRun& sand) {
     const fs::path folder = fs::absolute(output).parent_path();
     const auto from_folder = [&](const fs::path& file) {
         return fs::proximate(fs::absolute(file), folder).string();
@@ -203,7 +203,7 @@ std::string sand_text(const SandSource& source, const MeasuredHops& hops,
         set("grid.height_unit", fmt::format("{}", hops.height * metres_per_millimetre));
     }
     if (!source.own) set("title", "Ripples by a hop law measured on computed flights");
-    Workshop sand = set_up(parse_scene(source.text, settings), 1);
+    PreparedRun sand = prepare_run(parse_scene(source.text, settings), 1);
     if (!source.own) sand.scene.figure = {};  // it tells of the paper's law
     move_files(options.output, sand);
     return to_toml(sand.scene);
@@ -215,29 +215,29 @@ int hop_law_command(const HopLawOptions& options) {
     const InterruptGuard guard;
     check_outputs(options);
     const SandSource sand = sand_source(options.into);
-    Workshop workshop =
-        set_up(read_scene(options.scene, options.work.settings), options.work.threads);
-    const Airflow& air = airflow_of(workshop);
+    PreparedRun prepared =
+        prepare_run(read_scene(options.scene, options.work.settings), options.work.threads);
+    const Airflow& air = airflow_of(prepared);
     AtomicFile law_file(options.output);  // what cannot be written is refused before the work
     std::optional<AtomicFile> flight_file;
     if (!options.flights.empty()) flight_file.emplace(options.flights);
 
     Progress progress(options.work.verbosity,
-                      static_cast<std::int64_t>(workshop.initial.bed.size()));
-    if (!workshop.initial.note.empty()) progress.note(workshop.initial.note);
-    const int signal = advance_to(workshop, workshop.scene.run.steps, progress);
+                      static_cast<std::int64_t>(prepared.initial.bed.size()));
+    if (!prepared.initial.note.empty()) progress.note(prepared.initial.note);
+    const int signal = advance_to(prepared, prepared.scene.run.steps, progress);
     if (signal != 0) return exit_status_of_signal(signal);
 
     const std::vector<Flight> flights = air.fly_grains(static_cast<int>(options.hops));
     const MeasuredHops hops = measure_hops(flights, air.parameters().flight.launch_angles);
-    law_file.write(law_head(workshop, air, hops, options, takes_scale(sand.scene)) +
+    law_file.write(law_head(prepared, air, hops, options, takes_scale(sand.scene)) +
                    sand_text(sand, hops, options));
     if (flight_file) {
         flight_file->write(flight_table(flights));
         flight_file->commit();
     }
     law_file.commit();
-    progress.note(air_line(workshop, air));
+    progress.note(air_line(prepared, air));
     for (const std::string& line : fit_lines(hops)) progress.note(line);
     if (const std::string warning = reynolds_warning(air, hops); !warning.empty())
         progress.note(warning);

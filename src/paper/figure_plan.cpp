@@ -13,7 +13,7 @@
 #include "keys/keys.h"
 #include "paper/figure_tables.h"
 #include "paper/panel_makers.h"
-#include "run/workshop.h"
+#include "run/prepared_run.h"
 #include "scene/overlay_keys.h"
 #include "scene/placeholders.h"
 #include "scene/scene_keys.h"
@@ -257,7 +257,7 @@ class Planner {
         Scene scene = parse_scene(scene_text(settings.scene, panel.path + ".scene"),
                                   changes(settings.scene, settings.set, panel.path + ".set"));
         sources_.find_bed(scene);
-        PreparedScene prepared = prepare(std::move(scene));
+        PreparedScene prepared = prepare_scene(std::move(scene));
         note(prepared.initial);
         PictureFeed feed{prepared.scene, 0, settings.steps};
         StoredRun run = stored_run(prepared.scene, prepared.initial);
@@ -287,7 +287,7 @@ class Planner {
     /// The first snapshot of a run, checked to have what its scene shows.
     [[nodiscard]] Snapshot first_of(PreparedScene prepared, const StoredRun& run) const {
         if (store_ == nullptr || !store_->holds(run))
-            return set_up(std::move(prepared), 1).model->snapshot();
+            return prepare_run(std::move(prepared), 1).model->snapshot();
         Snapshot first = store_->snapshot(run, 0);
         check_shown(prepared.scene, first);
         return first;
