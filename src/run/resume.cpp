@@ -49,7 +49,7 @@ void check_inputs(const std::vector<InputFile>& now, const RunCheckpoint& checkp
 void check_frames(const RunFolder& folder, const Scene& scene, const RunCheckpoint& checkpoint) {
     check_frame_list(folder.frame_list(), checkpoint.frames);
     for (std::int64_t number = 0; number < checkpoint.frames.frames; ++number) {
-        const auto file = scene.output.frames ? folder.frame(number) : folder.kept_frame(number);
+        const auto file = scene.output.frames ? folder.frame(number) : folder.movie_frame(number);
         std::error_code fault;
         if (std::filesystem::is_regular_file(file, fault)) continue;
         throw InputError(fmt::format(

@@ -111,8 +111,8 @@ DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, const Wor
     });
 }
 
-std::optional<Image> kept_picture(const Baseline& baseline, const BaselineCase& one,
-                                  const BaselineRecord& record) {
+std::optional<Image> recorded_picture(const Baseline& baseline, const BaselineCase& one,
+                                      const BaselineRecord& record) {
     const auto file = baseline.picture_of(one);
     if (!one.picture || !std::filesystem::exists(file)) return std::nullopt;
     Image image = read_png(file);
