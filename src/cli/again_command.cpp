@@ -145,16 +145,16 @@ void compare_movies(const std::string& file, const Sha256& before, const AgainOp
 
 /// The movie alone, up to the frame with which the first one ended.
 int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& origin) {
-    Workshop workshop = set_up(std::move(scene), options.work.threads);
-    if (!origin.inputs.empty()) workshop.initial.inputs = origin.inputs;
+    PreparedRun prepared = prepare_run(std::move(scene), options.work.threads);
+    if (!origin.inputs.empty()) prepared.initial.inputs = origin.inputs;
     PipelineOptions how{options.work.backend, options.work.threads};
     how.last_step = origin.step;
     const fs::path output = output_of(options);
     Progress progress(options.work.verbosity,
-                      static_cast<std::int64_t>(workshop.initial.bed.size()));
+                      static_cast<std::int64_t>(prepared.initial.bed.size()));
     const Sha256 before = file_hash(options.picture);
     const RunOutcome outcome =
-        run_pipeline(*workshop.model, workshop.scene, workshop.initial.inputs, {nullptr, output},
+        run_pipeline(*prepared.model, prepared.scene, prepared.initial.inputs, {nullptr, output},
                      how, progress, [](const DrawingRecord&) {});
     progress.clear();
     if (outcome.error) std::rethrow_exception(outcome.error);
@@ -165,14 +165,14 @@ int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& o
 
 int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& work,
                   const PictureOrigin& origin) {
-    Workshop workshop = set_up(std::move(scene), work.threads);
-    Progress progress(work.verbosity, static_cast<std::int64_t>(workshop.initial.bed.size()));
-    const Snapshot first = workshop.model->snapshot();
-    if (const int signal = advance_to(workshop, origin.step, progress); signal != 0)
+    PreparedRun prepared = prepare_run(std::move(scene), work.threads);
+    Progress progress(work.verbosity, static_cast<std::int64_t>(prepared.initial.bed.size()));
+    const Snapshot first = prepared.model->snapshot();
+    if (const int signal = advance_to(prepared, origin.step, progress); signal != 0)
         return exit_status_of_signal(signal);
 
     const fs::path output = output_of(options);
-    const DrawnStill still = draw_still(workshop, first, output.string(), work, progress);
+    const DrawnStill still = draw_still(prepared, first, output.string(), work, progress);
     const std::string pixels = hex(still.pixels);
     if (origin.pixels_hash.empty() || !options.work.settings.empty()) {
         progress.note(fmt::format("{}: made", output.string()));

@@ -7,7 +7,7 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
 #include "paper/figure_plan.h"
-#include "run/workshop.h"
+#include "run/prepared_run.h"
 #include "scene/read.h"
 #include "scene/schedule.h"
 
@@ -30,15 +30,15 @@ int perform(const CheckOptions& options) {
     FigureRuns runs;
     for (const std::string& file : options.scenes) {
         try {
-            const Workshop workshop = set_up(read_scene(file, options.settings), 1);
-            if (!workshop.scene.figure.panels.empty()) {
+            const PreparedRun prepared = prepare_run(read_scene(file, options.settings), 1);
+            if (!prepared.scene.figure.panels.empty()) {
                 FigureSources sources;
                 plan_figure(file, options.settings, sources, runs, nullptr);
             }
             const std::string line = fmt::format(
                 "{}: fine ({}, {} x {} cells, {} steps, {} frames)\n", file,
-                workshop.scene.model.name, workshop.initial.bed.nx(), workshop.initial.bed.ny(),
-                workshop.scene.run.steps, frame_schedule(workshop.scene).count());
+                prepared.scene.model.name, prepared.initial.bed.nx(), prepared.initial.bed.ny(),
+                prepared.scene.run.steps, frame_schedule(prepared.scene).count());
             std::fputs(line.c_str(), stdout);
         } catch (const InputError& fault) {
             std::fflush(stdout);

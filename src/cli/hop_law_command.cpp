@@ -15,9 +15,9 @@
 #include "hop_law/law_scene.h"
 #include "models/air/airflow.h"
 #include "models/sand/sand.h"
+#include "run/prepared_run.h"
 #include "run/still.h"
 #include "run/terminal/interrupt.h"
-#include "run/workshop.h"
 #include "scene/read.h"
 
 namespace fumon {
@@ -102,30 +102,30 @@ int perform(const HopLawOptions& options) {
     const InterruptGuard guard;
     check_outputs(options);
     const SandSource sand = sand_source(options.into);
-    Workshop workshop =
-        set_up(read_scene(options.scene, options.work.settings), options.work.threads);
-    const Airflow& air = airflow_of(workshop);
+    PreparedRun prepared =
+        prepare_run(read_scene(options.scene, options.work.settings), options.work.threads);
+    const Airflow& air = airflow_of(prepared);
     AtomicFile law_file(options.output);  // what cannot be written is refused before the work
     std::optional<AtomicFile> flight_file;
     if (!options.flights.empty()) flight_file.emplace(options.flights);
 
     Progress progress(options.work.verbosity,
-                      static_cast<std::int64_t>(workshop.initial.bed.size()));
-    if (!workshop.initial.note.empty()) progress.note(workshop.initial.note);
-    const int signal = advance_to(workshop, workshop.scene.run.steps, progress);
+                      static_cast<std::int64_t>(prepared.initial.bed.size()));
+    if (!prepared.initial.note.empty()) progress.note(prepared.initial.note);
+    const int signal = advance_to(prepared, prepared.scene.run.steps, progress);
     if (signal != 0) return exit_status_of_signal(signal);
 
     const std::vector<Flight> flights = air.fly_grains(static_cast<int>(options.hops));
     const MeasuredHops hops = measure_hops(flights, air.parameters().flight.launch_angles);
     const HopForm form = form_of(options.form);
-    law_file.write(law_scene(workshop, air, hops, sand,
+    law_file.write(law_scene(prepared, air, hops, sand,
                              {options.output, form, options.hops, options.work.settings}));
     if (flight_file) {
         flight_file->write(flight_table(flights));
         flight_file->commit();
     }
     law_file.commit();
-    progress.note(air_line(workshop, air));
+    progress.note(air_line(prepared, air));
     for (const std::string& line : fit_lines(hops)) progress.note(line);
     if (const std::string warning = reynolds_warning(air, hops); !warning.empty())
         progress.note(warning);

@@ -11,9 +11,9 @@
 #include "run/drawing.h"
 #include "run/manifest.h"
 #include "run/pipeline.h"
+#include "run/prepared_run.h"
 #include "run/resume.h"
 #include "run/terminal/interrupt.h"
-#include "run/workshop.h"
 #include "scene/read.h"
 
 namespace fumon {
@@ -53,18 +53,18 @@ void declare(CLI::App& command, RunOptions& options) {
         "kept).");
 }
 
-void tell_the_end(const RunOutcome& outcome, const Workshop& workshop, const RunFolder& folder,
+void tell_the_end(const RunOutcome& outcome, const PreparedRun& prepared, const RunFolder& folder,
                   Progress& progress) {
     progress.clear();
     const Timing& timing = outcome.timing;
-    const double cell_steps = static_cast<double>(workshop.initial.bed.size()) *
+    const double cell_steps = static_cast<double>(prepared.initial.bed.size()) *
                               static_cast<double>(outcome.steps_done - outcome.steps_before);
     progress.note(fmt::format(
         "{} steps, {} frames in {} ({:.3g} million cell-steps/s while simulating): {}",
         with_commas(outcome.steps_done), with_commas(outcome.frames), clock_text(timing.wall),
         timing.simulation_wall > 0.0 ? 1e-6 * cell_steps / timing.simulation_wall : 0.0,
         folder.path().string()));
-    const ImageSettings& image = workshop.scene.view.image;
+    const ImageSettings& image = prepared.scene.view.image;
     if (outcome.movie.frames > 0 &&
         (outcome.movie.width != image.width || outcome.movie.height != image.height)) {
         progress.note(fmt::format(
@@ -84,13 +84,13 @@ void tell_of_drawing(const DrawingRecord& now, const RunCheckpoint& former, Prog
                     differs));
 }
 
-/// Runs what stands in the workshop, into the folder; returns the exit status.
-int work(Workshop& workshop, RunFolder& folder, const RunOptions& options,
+/// Makes a run that is prepared, in the folder; returns the exit status.
+int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
          const ResumedRun* former) {
-    const Scene& scene = workshop.scene;
+    const Scene& scene = prepared.scene;
     Progress progress(options.work.verbosity,
-                      static_cast<std::int64_t>(workshop.initial.bed.size()));
-    if (!workshop.initial.note.empty()) progress.note(workshop.initial.note);
+                      static_cast<std::int64_t>(prepared.initial.bed.size()));
+    if (!prepared.initial.note.empty()) progress.note(prepared.initial.note);
 
     PipelineOptions how{options.work.backend, options.work.threads, options.checkpoint_every};
     std::optional<FormerRun> from;
@@ -101,7 +101,7 @@ int work(Workshop& workshop, RunFolder& folder, const RunOptions& options,
                                   with_commas(former->checkpoint.step),
                                   with_commas(scene.run.steps)));
     }
-    const ManifestFacts facts{scene, workshop.initial, workshop.pool->size()};
+    const ManifestFacts facts{scene, prepared.initial, prepared.pool->size()};
     const auto started = [&](const DrawingRecord& drawing) {
         tell_drawing(drawing, progress);
         if (!drawing.environment.backend.empty())
@@ -114,7 +114,7 @@ int work(Workshop& workshop, RunFolder& folder, const RunOptions& options,
         }
         write_running_manifest(folder, facts, drawing);
     };
-    const RunOutcome outcome = run_pipeline(*workshop.model, scene, workshop.initial.inputs,
+    const RunOutcome outcome = run_pipeline(*prepared.model, scene, prepared.initial.inputs,
                                             outputs_in(folder, scene), how, progress, started);
     try {
         write_final_manifest(folder, facts, outcome);
@@ -124,7 +124,7 @@ int work(Workshop& workshop, RunFolder& folder, const RunOptions& options,
     }
     if (!outcome.checkpoint) folder.forget_frames();
     if (outcome.error) std::rethrow_exception(outcome.error);
-    tell_the_end(outcome, workshop, folder, progress);
+    tell_the_end(outcome, prepared, folder, progress);
     if (outcome.signal == 0) {
         folder.tidy();
         return 0;
@@ -149,7 +149,7 @@ int resume(const RunOptions& options) {
         return 0;
     }
     ResumedRun former = resume_run(folder, options.scene, options.work);
-    return work(former.workshop, folder, options, &former);
+    return work(former.run, folder, options, &former);
 }
 
 int perform(const RunOptions& options) {
@@ -159,9 +159,9 @@ int perform(const RunOptions& options) {
     if (options.folder.empty()) throw InputError("fumon run: name a folder for the run with -o");
     RunFolder folder(options.folder, options.force);
     prepare_drawing(options.work);
-    Workshop workshop =
-        set_up(read_scene(options.scene, options.work.settings), options.work.threads);
-    return work(workshop, folder, options, nullptr);
+    PreparedRun prepared =
+        prepare_run(read_scene(options.scene, options.work.settings), options.work.threads);
+    return work(prepared, folder, options, nullptr);
 }
 
 }  // namespace

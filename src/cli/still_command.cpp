@@ -8,9 +8,9 @@
 #include "cli/shared_options.h"
 #include "files/terrain/terrain_format.h"
 #include "run/drawing.h"
+#include "run/prepared_run.h"
 #include "run/still.h"
 #include "run/terminal/interrupt.h"
-#include "run/workshop.h"
 #include "scene/read.h"
 #include "scene/terrain_scene.h"
 
@@ -80,17 +80,17 @@ std::int64_t step_of(const StillOptions& options, const Scene& scene) {
 int perform(const StillOptions& options) {
     const InterruptGuard guard;
     prepare_drawing(options.work);
-    Workshop workshop = set_up(scene_of(options), options.work.threads);
+    PreparedRun prepared = prepare_run(scene_of(options), options.work.threads);
     Progress progress(options.work.verbosity,
-                      static_cast<std::int64_t>(workshop.initial.bed.size()));
-    if (!workshop.initial.note.empty()) progress.note(workshop.initial.note);
-    const Snapshot first = workshop.model->snapshot();
+                      static_cast<std::int64_t>(prepared.initial.bed.size()));
+    if (!prepared.initial.note.empty()) progress.note(prepared.initial.note);
+    const Snapshot first = prepared.model->snapshot();
     const int signal = options.time
-                           ? advance_to_time(workshop, *options.time,
+                           ? advance_to_time(prepared, *options.time,
                                              fmt::format("--time {}", *options.time), progress)
-                           : advance_to(workshop, step_of(options, workshop.scene), progress);
+                           : advance_to(prepared, step_of(options, prepared.scene), progress);
     if (signal != 0) return exit_status_of_signal(signal);
-    draw_still(workshop, first, options.output, options.work, progress);
+    draw_still(prepared, first, options.output, options.work, progress);
     return 0;
 }
 

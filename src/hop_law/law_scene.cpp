@@ -41,12 +41,12 @@ std::string comment(std::string line) {
     return line.empty() ? "#\n" : "# " + line + "\n";
 }
 
-std::string law_head(const Workshop& workshop, const Airflow& air, const MeasuredHops& hops,
+std::string law_head(const PreparedRun& prepared, const Airflow& air, const MeasuredHops& hops,
                      const LawSettings& settings, bool scaled) {
     std::string text = comment(
         "Sand that hops by a law measured on grains flown in computed air "
         "(Terada 2025, sections 4 and 5).");
-    text += comment("Written by fumon " FUMON_VERSION " hop-law: " + air_line(workshop, air) + ";");
+    text += comment("Written by fumon " FUMON_VERSION " hop-law: " + air_line(prepared, air) + ";");
     text += comment(grain_line(air, hops, settings.hops) + ".");
     for (const std::string& setting : settings.settings) text += comment("--set " + setting);
     text += comment("Fits, heights above the bed's lowest point: l = a^h - 1 and a straight line.");
@@ -62,7 +62,7 @@ std::string law_head(const Workshop& workshop, const Airflow& air, const Measure
 }
 
 /// The files that a scene names, from its own folder, as the written scene reaches them.
-void move_files(const fs::path& output, Workshop& sand) {
+void move_files(const fs::path& output, PreparedRun& sand) {
     const fs::path folder = fs::absolute(output).parent_path();
     const auto from_folder = [&](const fs::path& file) {
         return fs::proximate(fs::absolute(file), folder).string();
@@ -94,7 +94,7 @@ std::string sand_text(const SandSource& source, const MeasuredHops& hops, const 
         set("grid.height_unit", fmt::format("{}", hops.height * metres_per_millimetre));
     }
     if (!source.own) set("title", "Ripples by a hop law measured on computed flights");
-    Workshop sand = set_up(parse_scene(source.text, settings), 1);
+    PreparedRun sand = prepare_run(parse_scene(source.text, settings), 1);
     if (!source.own) sand.scene.figure = {};  // it tells of the paper's law
     move_files(law.output, sand);
     return to_toml(sand.scene);
@@ -106,7 +106,7 @@ SandSource sand_source(const std::string& into) {
     SandSource sand;
     sand.own = !into.empty();
     sand.text = read_scene_text(sand.own ? fs::path(into) : data_file(ripples_of_section_5));
-    sand.scene = set_up(parse_scene(sand.text, {}), 1).scene;
+    sand.scene = prepare_run(parse_scene(sand.text, {}), 1).scene;
     if (sand.scene.model.name != Sand::model_name) {
         throw InputError(fmt::format("{}a hop law goes into the model {}, not into {}",
                                      sand.scene.at("model.name"), Sand::model_name,
@@ -115,23 +115,23 @@ SandSource sand_source(const std::string& into) {
     return sand;
 }
 
-const Airflow& airflow_of(const Workshop& workshop) {
-    const auto* air = dynamic_cast<const Airflow*>(workshop.model.get());
+const Airflow& airflow_of(const PreparedRun& prepared) {
+    const auto* air = dynamic_cast<const Airflow*>(prepared.model.get());
     if (air == nullptr) {
         throw InputError(fmt::format(
             "{}a hop law is measured in the air of the model {}, which {} has not",
-            workshop.scene.at("model.name"), Airflow::model_name, workshop.scene.model.name));
+            prepared.scene.at("model.name"), Airflow::model_name, prepared.scene.model.name));
     }
     return *air;
 }
 
-std::string air_line(const Workshop& workshop, const Airflow& air) {
+std::string air_line(const PreparedRun& prepared, const Airflow& air) {
     const std::string steady =
         air.steady_since()
             ? fmt::format("steady since {:.4g} s", *air.steady_since())
             : std::string("not steady yet (model.until_steady = true and more steps go on)");
-    return fmt::format("air of {} (seed {}) after {} steps, {:.4g} s, {}", workshop.scene.source,
-                       workshop.scene.seed, air.steps_done(), air.time(), steady);
+    return fmt::format("air of {} (seed {}) after {} steps, {:.4g} s, {}", prepared.scene.source,
+                       prepared.scene.seed, air.steps_done(), air.time(), steady);
 }
 
 std::string reynolds_warning(const Airflow& air, const MeasuredHops& hops) {
@@ -158,9 +158,9 @@ std::string scale_line(const MeasuredHops& hops) {
         hops.height, hops.site);
 }
 
-std::string law_scene(const Workshop& workshop, const Airflow& air, const MeasuredHops& hops,
+std::string law_scene(const PreparedRun& prepared, const Airflow& air, const MeasuredHops& hops,
                       const SandSource& sand, const LawSettings& settings) {
-    return law_head(workshop, air, hops, settings, takes_scale(sand.scene)) +
+    return law_head(prepared, air, hops, settings, takes_scale(sand.scene)) +
            sand_text(sand, hops, settings);
 }
 

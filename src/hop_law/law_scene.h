@@ -7,7 +7,7 @@
 
 #include "hop_law/hop_law_scene.h"
 #include "models/air/airflow.h"
-#include "run/workshop.h"
+#include "run/prepared_run.h"
 #include "scene/read.h"
 
 namespace fumon {
@@ -24,7 +24,7 @@ struct SandSource {
 SandSource sand_source(const std::string& into);
 
 /// The air of a scene that was set up. Throws InputError where its model is another.
-const Airflow& airflow_of(const Workshop& workshop);
+const Airflow& airflow_of(const PreparedRun& prepared);
 
 /// How a measured law becomes a scene.
 struct LawSettings {
@@ -36,11 +36,11 @@ struct LawSettings {
 
 /// A scene file: in comments how the law was measured, then the sand's keys with the law among
 /// them, checked as `fumon check` does. Throws InputError.
-std::string law_scene(const Workshop& workshop, const Airflow& air, const MeasuredHops& hops,
+std::string law_scene(const PreparedRun& prepared, const Airflow& air, const MeasuredHops& hops,
                       const SandSource& sand, const LawSettings& settings);
 
 /// Which air was flown in, in a line.
-std::string air_line(const Workshop& workshop, const Airflow& air);
+std::string air_line(const PreparedRun& prepared, const Airflow& air);
 
 /// What to hear of the drag law where grains outran it; else nothing.
 std::string reynolds_warning(const Airflow& air, const MeasuredHops& hops);

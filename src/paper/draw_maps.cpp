@@ -33,7 +33,7 @@ void share_range(std::vector<MapPicture>& pictures) {
     }
 }
 
-std::vector<MapPicture> map_pictures_of(const PanelFeed& panel, const Snapshot& first,
+std::vector<MapPicture> map_pictures_of(const PanelPlan& panel, const Snapshot& first,
                                         const std::vector<Snapshot>& snapshots) {
     const Scene& scene = panel.picture->scene;
     const bool shared = panel.settings.range == PanelRange::shared;
@@ -50,7 +50,7 @@ std::vector<MapPicture> map_pictures_of(const PanelFeed& panel, const Snapshot& 
     return pictures;
 }
 
-std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelWorkshop& workshop) {
+std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools) {
     const PanelSettings& settings = subject.panel.settings;
     std::vector<MapPicture> pictures =
         map_pictures_of(subject.panel, subject.first, subject.snapshots);
@@ -59,7 +59,7 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelWorkshop& wor
         shading.strength = settings.shading;
         shading.from_all_sides = settings.shading_from_all_sides;
         for (std::size_t k = 0; k < pictures.size(); ++k)
-            pictures[k].light = hill_light(subject.snapshots[k], shading, workshop.pool);
+            pictures[k].light = hill_light(subject.snapshots[k], shading, tools.pool);
     }
     const bool shared = settings.range == PanelRange::shared;
     std::vector<MadePanel> made;

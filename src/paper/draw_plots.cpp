@@ -132,21 +132,21 @@ Plot figure_plot(const PanelSettings& panel, const std::vector<std::vector<Curve
 }
 
 /// The points of a curve, whose faults are told where the scene asks for it.
-std::vector<CurvePoints> points_of(const CurveFeed& feed, const PanelWorkshop& workshop) {
+std::vector<CurvePoints> points_of(const CurvePlan& curve, const PanelTools& tools) {
     try {
-        return curve_points(feed, curve_table(feed, workshop.runs, workshop.store));
+        return curve_points(curve, curve_table(curve, tools.runs, tools.store));
     } catch (const InputError& fault) {
-        throw InputError(workshop.plan.scene.at(feed.path + ".y") + fault.what());
+        throw InputError(tools.plan.scene.at(curve.path + ".y") + fault.what());
     } catch (const Error& fault) {
-        throw Error(workshop.plan.scene.at(feed.path + ".fit") + fault.what());
+        throw Error(tools.plan.scene.at(curve.path + ".fit") + fault.what());
     }
 }
 
-std::vector<MadePanel> make_plots(const PanelSubject& subject, PanelWorkshop& workshop) {
+std::vector<MadePanel> make_plots(const PanelSubject& subject, PanelTools& tools) {
     std::vector<MadePanel> made(1);
     std::vector<std::vector<CurvePoints>> curves;
-    for (const CurveFeed& feed : subject.panel.curves) {
-        curves.push_back(points_of(feed, workshop));
+    for (const CurvePlan& curve : subject.panel.curves) {
+        curves.push_back(points_of(curve, tools));
         for (const CurvePoints& points : curves.back()) {
             made[0].data.push_back(
                 {fmt::format("-{}.csv", made[0].data.size() + 1), curve_csv(points)});

@@ -30,7 +30,7 @@ std::string profile_csv(const ProfilePicture& picture) {
     return text;
 }
 
-std::vector<MadePanel> make_profiles(const PanelSubject& subject, PanelWorkshop& /*workshop*/) {
+std::vector<MadePanel> make_profiles(const PanelSubject& subject, PanelTools& /*tools*/) {
     const PanelSettings& settings = subject.panel.settings;
     ProfilePicture picture =
         profile_picture(subject.snapshots, row_of(settings, subject.snapshots.front().bed));

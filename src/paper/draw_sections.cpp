@@ -77,7 +77,7 @@ void check_section(const PanelSettings& settings, const Scene& scene, const Snap
     }
 }
 
-std::vector<MadePanel> make_sections(const PanelSubject& subject, PanelWorkshop& /*workshop*/) {
+std::vector<MadePanel> make_sections(const PanelSubject& subject, PanelTools& /*tools*/) {
     const PanelSettings& settings = subject.panel.settings;
     const Scene& scene = subject.panel.picture->scene;
     View view = scene.view;

@@ -23,7 +23,7 @@ std::string time_space_csv(const TimeSpacePicture& picture) {
     return text;
 }
 
-std::vector<MadePanel> make_time_space(const PanelSubject& subject, PanelWorkshop& /*workshop*/) {
+std::vector<MadePanel> make_time_space(const PanelSubject& subject, PanelTools& /*tools*/) {
     const PanelSettings& settings = subject.panel.settings;
     LookSettings look = look_of(settings, subject.panel.picture->scene);
     look.colour_by = colouring_of(settings.field).value_or(Colouring::height);

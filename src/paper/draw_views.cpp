@@ -20,7 +20,7 @@ Grid heights_of(const Snapshot& snapshot) {
 
 /// The view of a panel's scene, in the panel's look and as many pixels as its place on the page
 /// has.
-View view_of(const PanelFeed& panel, double width, double dots_per_inch) {
+View view_of(const PanelPlan& panel, double width, double dots_per_inch) {
     View view = panel.picture->scene.view;
     view.look = look_of(panel.settings, panel.picture->scene);
     if (const auto colouring = colouring_of(panel.settings.field);
@@ -35,14 +35,13 @@ View view_of(const PanelFeed& panel, double width, double dots_per_inch) {
     return view;
 }
 
-std::vector<MadePanel> make_views(const PanelSubject& subject, PanelWorkshop& workshop) {
+std::vector<MadePanel> make_views(const PanelSubject& subject, PanelTools& tools) {
     const PanelSettings& settings = subject.panel.settings;
     const auto steps = static_cast<double>(subject.panel.picture->scene.run.steps);
-    const View view =
-        view_of(subject.panel, subject.width, workshop.plan.scene.figure.dots_per_inch);
-    if (!workshop.context) workshop.context = gl::Context::create(workshop.backend);
-    Renderer renderer(*workshop.context, view, subject.first,
-                      subject.panel.picture->scene.run.steps, workshop.pool);
+    const View view = view_of(subject.panel, subject.width, tools.plan.scene.figure.dots_per_inch);
+    if (!tools.context) tools.context = gl::Context::create(tools.backend);
+    Renderer renderer(*tools.context, view, subject.first, subject.panel.picture->scene.run.steps,
+                      tools.pool);
     std::vector<MadePanel> made;
     for (const Snapshot& snapshot : subject.snapshots) {
         const double progress = steps > 0.0 ? static_cast<double>(snapshot.step) / steps : 0.0;

@@ -58,8 +58,8 @@ std::string run_sentence(const Scene& scene, const std::vector<std::string>& var
     return text;
 }
 
-std::string curve_sentence(const CurveFeed& feed, std::size_t number) {
-    const CurveSettings& settings = feed.settings;
+std::string curve_sentence(const CurvePlan& curve, std::size_t number) {
+    const CurveSettings& settings = curve.settings;
     std::string text = fmt::format("Curve {}: {} over {}", number, settings.y, settings.x);
     if (!settings.group_by.empty()) text += fmt::format(", one for each {}", settings.group_by);
     if (!settings.where.empty())
@@ -70,16 +70,16 @@ std::string curve_sentence(const CurveFeed& feed, std::size_t number) {
     if (settings.spread == CurveSpread::deviation) text += "; bars are standard deviations";
     if (settings.spread == CurveSpread::standard_error)
         text += "; bars are standard errors of the mean";
-    if (!feed.plan) return fmt::format("{}; from {}.", text, settings.file);
+    if (!curve.sweep) return fmt::format("{}; from {}.", text, settings.file);
     if (settings.table == CurveTable::profile || settings.table == CurveTable::section ||
         settings.table == CurveTable::flights)
-        text += fmt::format("; step {}", feed.step);
-    return fmt::format("{};{} {}; {}", text, varied_text(*feed.plan), seeds_text(*feed.plan),
-                       run_sentence(feed.scene, varied_keys(*feed.plan)));
+        text += fmt::format("; step {}", curve.step);
+    return fmt::format("{};{} {}; {}", text, varied_text(*curve.sweep), seeds_text(*curve.sweep),
+                       run_sentence(curve.scene, varied_keys(*curve.sweep)));
 }
 
-std::string picture_sentence(const PanelFeed& panel) {
-    const PictureFeed& picture = *panel.picture;
+std::string picture_sentence(const PanelPlan& panel) {
+    const PicturePlan& picture = *panel.picture;
     std::string steps = picture.steps.size() == 1 ? "step " : "steps ";
     steps += shown_by(panel.settings.kind) == PanelShows::whole_run
                  ? fmt::format("{} to {}", picture.steps.front(), picture.steps.back())
@@ -103,7 +103,7 @@ std::string figure_caption(const FigurePlan& plan) {
     if (!plan.scene.title.empty()) text += plan.scene.title + ".\n";
     if (!plan.scene.figure.caption.empty()) text += plan.scene.figure.caption + "\n";
     std::size_t letter = 0;
-    for (const PanelFeed& panel : plan.panels) {
+    for (const PanelPlan& panel : plan.panels) {
         const bool inset = panel.settings.inset != InsetPlace::none;
         const std::size_t panels = panels_of(panel);
         text += '\n';
@@ -111,7 +111,7 @@ std::string figure_caption(const FigurePlan& plan) {
         if (!inset) letter += panels;
         if (panel.picture) text += picture_sentence(panel) + "\n";
         std::size_t number = 0;
-        for (const CurveFeed& curve : panel.curves) text += curve_sentence(curve, ++number) + "\n";
+        for (const CurvePlan& curve : panel.curves) text += curve_sentence(curve, ++number) + "\n";
         for (const RangeBoxSettings& box : panel.settings.boxes)
             text += fmt::format("{}: {}.\n", box.label, box.source);
     }

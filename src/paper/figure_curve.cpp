@@ -127,13 +127,13 @@ void add_points(CurvePoints& points, const CurveSettings& settings, const Table&
     }
 }
 
-std::string curve_name(const CurveFeed& feed, const Table& table, const Rows& rows) {
-    const CurveSettings& settings = feed.settings;
+std::string curve_name(const CurvePlan& curve, const Table& table, const Rows& rows) {
+    const CurveSettings& settings = curve.settings;
     std::string text = settings.name;
     if (text.empty() && !settings.group_by.empty()) text = "{" + settings.group_by + "}";
     return fill_placeholders(text, [&](const std::string& name) -> std::optional<std::string> {
         if (const TableColumn* column = table.find(name)) return column->text(rows.front());
-        return key_text(feed.scene, name);
+        return key_text(curve.scene, name);
     });
 }
 
@@ -154,14 +154,14 @@ void fit(CurvePoints& points, const CurveSettings& settings) {
 
 }  // namespace
 
-std::vector<CurvePoints> curve_points(const CurveFeed& feed, const Table& table) {
-    const CurveSettings& settings = feed.settings;
+std::vector<CurvePoints> curve_points(const CurvePlan& curve, const Table& table) {
+    const CurveSettings& settings = curve.settings;
     const Rows rows = chosen_rows(table, settings);
     if (rows.empty()) throw InputError("no row has numbers in x and y and meets the conditions");
     std::vector<CurvePoints> curves;
     for (const Rows& group : groups_of(table, settings.group_by, rows)) {
         CurvePoints points;
-        points.name = curve_name(feed, table, group);
+        points.name = curve_name(curve, table, group);
         points.x_name = settings.x;
         points.y_name = settings.y;
         if (settings.scale_x == 1.0) points.x_unit = table.find(settings.x)->unit;

@@ -28,7 +28,7 @@ struct CurvePoints {
 /// they come up. Rows without a number in x or y are passed over. Averaged points are in the order
 /// of x; else they stay in the order of the rows. Throws InputError without a place for a wrong
 /// condition and where no row is left, Error where a law cannot be fitted.
-std::vector<CurvePoints> curve_points(const CurveFeed& feed, const Table& table);
+std::vector<CurvePoints> curve_points(const CurvePlan& curve, const Table& table);
 
 /// The points as CSV: x, y, and where there are any the spread and the rows behind a point; a law's
 /// values stand above in lines that begin with '#'.

@@ -14,7 +14,7 @@ constexpr double millimetre = 72.0 / 25.4;  // points
 /// How many panels the page's grid has to hold.
 std::size_t pictures_of(const FigurePlan& plan) {
     std::size_t count = 0;
-    for (const PanelFeed& panel : plan.panels) {
+    for (const PanelPlan& panel : plan.panels) {
         if (panel.settings.inset == InsetPlace::none) count += panels_of(panel);
     }
     return count;
@@ -73,20 +73,20 @@ class Assembly {
     }
 
     FigurePage assemble() {
-        for (const PanelFeed& panel : plan_.panels) add(panel);
+        for (const PanelPlan& panel : plan_.panels) add(panel);
         return std::move(made_);
     }
 
   private:
     /// "a", or "a-inset" for the data of what stands in it.
-    [[nodiscard]] std::string letter_of_next(const PanelFeed& panel) const {
+    [[nodiscard]] std::string letter_of_next(const PanelPlan& panel) const {
         const bool inset = panel.settings.inset != InsetPlace::none;
         const std::size_t number = made_.page.panels.size() - (inset ? 1 : 0);
         const std::string letter = panel_letter(number);  // "(a)"
         return letter.substr(1, letter.size() - 2) + (inset ? "-inset" : "");
     }
 
-    void add(const PanelFeed& panel) {
+    void add(const PanelPlan& panel) {
         const PanelSettings& settings = panel.settings;
         const bool inset = settings.inset != InsetPlace::none;
         const double share = inset ? settings.inset_size : static_cast<double>(settings.columns);
@@ -98,7 +98,7 @@ class Assembly {
         }
     }
 
-    void place(const PanelFeed& panel, std::unique_ptr<const PanelContent> content,
+    void place(const PanelPlan& panel, std::unique_ptr<const PanelContent> content,
                std::string title) {
         const PanelSettings& settings = panel.settings;
         if (settings.inset != InsetPlace::none) {

@@ -15,10 +15,10 @@ class FigurePictures {
 
     /// The panels that panels_of() counts; `width` is the room for a frame on the page, points.
     /// Throws InputError for a damaged file of the store, and what PanelMaker::make throws.
-    std::vector<MadePanel> make(const PanelFeed& panel, double width);
+    std::vector<MadePanel> make(const PanelPlan& panel, double width);
 
   private:
-    PanelWorkshop workshop_;
+    PanelTools tools_;
 };
 
 }  // namespace fumon

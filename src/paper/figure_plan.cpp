@@ -13,7 +13,7 @@
 #include "keys/keys.h"
 #include "paper/figure_tables.h"
 #include "paper/panel_makers.h"
-#include "run/workshop.h"
+#include "run/prepared_run.h"
 #include "scene/overlay_keys.h"
 #include "scene/placeholders.h"
 #include "scene/scene_keys.h"
@@ -51,7 +51,7 @@ class Planner {
     bool read() {
         const std::vector<PanelSettings>& panels = plan_.scene.figure.panels;
         for (std::size_t p = 0; p < panels.size(); ++p) {
-            PanelFeed panel{panels[p], fmt::format("figure.panel.{}", p), {}, {}};
+            PanelPlan panel{panels[p], fmt::format("figure.panel.{}", p), {}, {}};
             if (shown_by(panel.settings.kind) == PanelShows::curves) {
                 for (std::size_t c = 0; c < panel.settings.curves.size(); ++c) {
                     auto curve = read_curve(panel.settings.curves[c],
@@ -111,21 +111,21 @@ class Planner {
             plan_.notes.push_back(initial.note);
     }
 
-    std::optional<CurveFeed> read_curve(const CurveSettings& settings, const std::string& path) {
-        CurveFeed feed{settings, path, {}, {}, {}, 0, {}};
+    std::optional<CurvePlan> read_curve(const CurveSettings& settings, const std::string& path) {
+        CurvePlan curve{settings, path, {}, {}, {}, 0, {}};
         if (settings.table == CurveTable::file) {
-            feed.table = at(path + ".file", [&] {
+            curve.table = at(path + ".file", [&] {
                 const SourceText& source = sources_.text(plan_.scene.directory / settings.file);
                 return parse_csv_table({source.path, source.text});
             });
-            feed.scene = plan_.scene;
+            curve.scene = plan_.scene;
         } else {
-            feed.plan = make_plan(request(settings, path));
-            if (!feed.plan) return std::nullopt;
-            add_runs(feed);
+            curve.sweep = make_plan(request(settings, path));
+            if (!curve.sweep) return std::nullopt;
+            add_runs(curve);
         }
-        check_columns(feed);
-        return feed;
+        check_columns(curve);
+        return curve;
     }
 
     SweepRequest request(const CurveSettings& settings, const std::string& path) {
@@ -173,8 +173,8 @@ class Planner {
         return initial;
     }
 
-    void add_runs(CurveFeed& feed) {
-        const SweepPlan& plan = *feed.plan;
+    void add_runs(CurvePlan& curve) {
+        const SweepPlan& plan = *curve.sweep;
         std::optional<InitialBed> initial;
         for (std::size_t k = 0; k < plan.runs.size(); ++k) {
             Scene scene = scene_of(plan, plan.runs[k]);
@@ -185,12 +185,12 @@ class Planner {
             scene.grid.ny = initial->bed.ny();
             StoredRun run = stored_run(scene, *initial);
             run.label = fmt::format("{}: {}", plan.scene.source, run_label(plan, plan.runs[k]));
-            if (k == 0) describe(feed, scene, *plan.first);
-            if (needs_fields(feed.settings.table)) run.steps.insert(step_of(feed, scene));
-            feed.runs.push_back(runs_.add(std::move(run)));
+            if (k == 0) describe(curve, scene, *plan.first);
+            if (needs_fields(curve.settings.table)) run.steps.insert(step_of(curve, scene));
+            curve.runs.push_back(runs_.add(std::move(run)));
         }
-        feed.step = step_of(feed, feed.scene);
-        feed.plan->first.reset();
+        curve.step = step_of(curve, curve.scene);
+        curve.sweep->first.reset();
     }
 
     static bool needs_fields(CurveTable table) {
@@ -198,102 +198,103 @@ class Planner {
                table == CurveTable::flights;
     }
 
-    [[nodiscard]] std::int64_t step_of(const CurveFeed& feed, const Scene& scene) const {
-        const std::int64_t step = feed.settings.step;
+    [[nodiscard]] std::int64_t step_of(const CurvePlan& curve, const Scene& scene) const {
+        const std::int64_t step = curve.settings.step;
         if (step > scene.run.steps) {
-            refuse(feed.path + ".step",
+            refuse(curve.path + ".step",
                    fmt::format("step {} is after the run's end at {}", step, scene.run.steps));
         }
         return step < 0 ? scene.run.steps : step;
     }
 
     /// What is known of a curve's table before there is a run.
-    void describe(CurveFeed& feed, const Scene& scene, const Snapshot& first) {
-        feed.scene = scene;
-        name_parameter_keys(feed.scene);
-        const KeyTable keys = scene_keys(feed.scene);
-        for (const std::string& key : varied_keys(*feed.plan)) {
+    void describe(CurvePlan& curve, const Scene& scene, const Snapshot& first) {
+        curve.scene = scene;
+        name_parameter_keys(curve.scene);
+        const KeyTable keys = scene_keys(curve.scene);
+        for (const std::string& key : varied_keys(*curve.sweep)) {
             const Key* known = keys.find(key);  // none of a list's item
-            feed.table.columns.push_back({key, known != nullptr ? known->notes.unit : ""});
+            curve.table.columns.push_back({key, known != nullptr ? known->notes.unit : ""});
         }
-        feed.table.columns.push_back({"seed"});
-        const Table own = at(feed.path + ".table", [&] {
+        curve.table.columns.push_back({"seed"});
+        const Table own = at(curve.path + ".table", [&] {
             try {
-                return curve_columns(feed.settings.table, first);
+                return curve_columns(curve.settings.table, first);
             } catch (const InputError& refusal) {
                 throw InputError(
-                    fmt::format("this table {}, not {}", refusal.what(), feed.scene.model.name));
+                    fmt::format("this table {}, not {}", refusal.what(), curve.scene.model.name));
             }
         });
-        feed.table.columns.insert(feed.table.columns.end(), own.columns.begin(), own.columns.end());
+        curve.table.columns.insert(curve.table.columns.end(), own.columns.begin(),
+                                   own.columns.end());
     }
 
-    void check_columns(const CurveFeed& feed) const {
-        check_column(feed, feed.settings.x, feed.path + ".x");
-        check_column(feed, feed.settings.y, feed.path + ".y");
-        if (!feed.settings.group_by.empty())
-            check_column(feed, feed.settings.group_by, feed.path + ".group_by");
-        for (const std::string& condition : feed.settings.where) {
+    void check_columns(const CurvePlan& curve) const {
+        check_column(curve, curve.settings.x, curve.path + ".x");
+        check_column(curve, curve.settings.y, curve.path + ".y");
+        if (!curve.settings.group_by.empty())
+            check_column(curve, curve.settings.group_by, curve.path + ".group_by");
+        for (const std::string& condition : curve.settings.where) {
             const std::size_t end = condition.find_first_of("=<>!");
-            check_column(feed, condition.substr(0, end), feed.path + ".where");
+            check_column(curve, condition.substr(0, end), curve.path + ".where");
         }
-        at(feed.path + ".name", [&] {
-            return fill_placeholders(feed.settings.name, [&](const std::string& name) {
-                return feed.table.find(name) != nullptr ? std::optional<std::string>("")
-                                                        : key_text(feed.scene, name);
+        at(curve.path + ".name", [&] {
+            return fill_placeholders(curve.settings.name, [&](const std::string& name) {
+                return curve.table.find(name) != nullptr ? std::optional<std::string>("")
+                                                         : key_text(curve.scene, name);
             });
         });
     }
 
-    void check_column(const CurveFeed& feed, const std::string& name,
+    void check_column(const CurvePlan& curve, const std::string& name,
                       const std::string& key) const {
-        if (feed.table.find(name) != nullptr) return;
+        if (curve.table.find(name) != nullptr) return;
         refuse(key, fmt::format("there is no column \"{}\"; {}", name,
-                                suggestion(name, feed.table.names())));
+                                suggestion(name, curve.table.names())));
     }
 
-    PictureFeed read_picture(const PanelFeed& panel) {
+    PicturePlan read_picture(const PanelPlan& panel) {
         const PanelSettings& settings = panel.settings;
         Scene scene = parse_scene(scene_text(settings.scene, panel.path + ".scene"),
                                   changes(settings.scene, settings.set, panel.path + ".set"));
         sources_.find_bed(scene);
-        PreparedScene prepared = prepare(std::move(scene));
+        PreparedScene prepared = prepare_scene(std::move(scene));
         note(prepared.initial);
-        PictureFeed feed{prepared.scene, 0, settings.steps};
+        PicturePlan picture{prepared.scene, 0, settings.steps};
         StoredRun run = stored_run(prepared.scene, prepared.initial);
-        run.label = fmt::format("{}: seed {}", feed.scene.source, feed.scene.seed);
+        run.label = fmt::format("{}: seed {}", picture.scene.source, picture.scene.seed);
         run.steps.insert(0);  // what holds still over a run is taken from its start
         const Snapshot first = first_of(std::move(prepared), run);
-        const std::int64_t last = feed.scene.run.steps;
+        const std::int64_t last = picture.scene.run.steps;
         if (shown_by(settings.kind) == PanelShows::whole_run) {
             const std::int64_t every =
                 settings.every > 0 ? settings.every : std::max<std::int64_t>(1, last / 200);
-            feed.steps.clear();
-            for (std::int64_t step = 0; step <= last; step += every) feed.steps.push_back(step);
+            picture.steps.clear();
+            for (std::int64_t step = 0; step <= last; step += every) picture.steps.push_back(step);
         }
-        if (feed.steps.empty()) feed.steps = {last};
-        for (const std::int64_t step : feed.steps) {
+        if (picture.steps.empty()) picture.steps = {last};
+        for (const std::int64_t step : picture.steps) {
             if (step > last) {
                 refuse(panel.path + ".steps",
                        fmt::format("step {} is after the run's end at {}", step, last));
             }
         }
-        check_picture(panel, feed.scene, first);
-        run.steps.insert(feed.steps.begin(), feed.steps.end());
-        feed.run = runs_.add(std::move(run));
-        return feed;
+        check_picture(panel, picture.scene, first);
+        run.steps.insert(picture.steps.begin(), picture.steps.end());
+        picture.run = runs_.add(std::move(run));
+        return picture;
     }
 
     /// The first snapshot of a run, checked to have what its scene shows.
     [[nodiscard]] Snapshot first_of(PreparedScene prepared, const StoredRun& run) const {
         if (store_ == nullptr || !store_->holds(run))
-            return set_up(std::move(prepared), 1).model->snapshot();
+            return prepare_run(std::move(prepared), 1).model->snapshot();
         Snapshot first = store_->snapshot(run, 0);
         check_shown(prepared.scene, first);
         return first;
     }
 
-    void check_picture(const PanelFeed& panel, const Scene& scene, const Snapshot& first) const {
+    void check_picture(const PanelPlan& panel, const Scene& scene, const Snapshot& first) const {
         const PanelSettings& settings = panel.settings;
         try {
             const auto check = maker_of(settings.kind).check;
@@ -315,7 +316,7 @@ class Planner {
         check_title(panel, scene, &first);
     }
 
-    void check_title(const PanelFeed& panel, const Scene& scene, const Snapshot* first) const {
+    void check_title(const PanelPlan& panel, const Scene& scene, const Snapshot* first) const {
         at(panel.path + ".title", [&] { return panel_title(panel.settings, scene, first); });
     }
 
@@ -342,15 +343,15 @@ std::optional<FigurePlan> plan_figure(const std::string& file,
 
 std::vector<std::size_t> runs_of(const FigurePlan& plan) {
     std::set<std::size_t> all;
-    for (const PanelFeed& panel : plan.panels) {
+    for (const PanelPlan& panel : plan.panels) {
         if (panel.picture) all.insert(panel.picture->run);
-        for (const CurveFeed& curve : panel.curves)
+        for (const CurvePlan& curve : panel.curves)
             all.insert(curve.runs.begin(), curve.runs.end());
     }
     return {all.begin(), all.end()};
 }
 
-std::size_t panels_of(const PanelFeed& panel) {
+std::size_t panels_of(const PanelPlan& panel) {
     const bool one_each = shown_by(panel.settings.kind) == PanelShows::each_step &&
                           panel.settings.inset == InsetPlace::none;
     return one_each ? panel.picture->steps.size() : 1;

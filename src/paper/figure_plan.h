@@ -14,28 +14,28 @@
 namespace fumon {
 
 /// What a curve of a plot is drawn from.
-struct CurveFeed {
+struct CurvePlan {
     CurveSettings settings;
-    std::string path;               ///< of its keys: "figure.panel.0.curve.1"
-    std::optional<SweepPlan> plan;  ///< none where it is drawn from a file
-    std::vector<std::size_t> runs;  ///< among the figures' runs, in the order of plan->runs
-    Scene scene;                    ///< of the first run, made ready
-    std::int64_t step = 0;          ///< of profile, section and flights
+    std::string path;                ///< of its keys: "figure.panel.0.curve.1"
+    std::optional<SweepPlan> sweep;  ///< none where it is drawn from a file
+    std::vector<std::size_t> runs;   ///< among the figures' runs, in the order of sweep->runs
+    Scene scene;                     ///< of the first run, made ready
+    std::int64_t step = 0;           ///< of profile, section and flights
     Table table;  ///< of a file: its rows; else the columns alone, with their units
 };
 
 /// What a picture shows: steps of a run.
-struct PictureFeed {
+struct PicturePlan {
     Scene scene;  ///< made ready
     std::size_t run = 0;
     std::vector<std::int64_t> steps;  ///< in the order in which they are shown
 };
 
-struct PanelFeed {
+struct PanelPlan {
     PanelSettings settings;
     std::string path;  ///< of its keys: "figure.panel.0"
-    std::vector<CurveFeed> curves;
-    std::optional<PictureFeed> picture;
+    std::vector<CurvePlan> curves;
+    std::optional<PicturePlan> picture;
 };
 
 /// A figure with all that it is made from.
@@ -44,7 +44,7 @@ struct FigurePlan {
     std::string file;  ///< the scene's
     Scene scene;
     std::vector<std::string> settings;  ///< of --set
-    std::vector<PanelFeed> panels;
+    std::vector<PanelPlan> panels;
     std::vector<InputFile> inputs;   ///< terrain files
     std::vector<std::string> notes;  ///< what the user should hear before the start
 };
@@ -63,7 +63,7 @@ std::optional<FigurePlan> plan_figure(const std::string& file,
 std::vector<std::size_t> runs_of(const FigurePlan& plan);
 
 /// How many panels of the page it takes: one for each of its steps, or one alone.
-std::size_t panels_of(const PanelFeed& panel);
+std::size_t panels_of(const PanelPlan& panel);
 
 /// What a panel's title may name: {step}, {time} of a snapshot, and the keys of its scene.
 std::string panel_title(const PanelSettings& settings, const Scene& scene,

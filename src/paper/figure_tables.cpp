@@ -151,11 +151,11 @@ Table measurement_rows(const std::filesystem::path& file, const Table& known) {
     return read;
 }
 
-/// The snapshot of a run at the feed's step.
-Table snapshot_rows(const CurveFeed& feed, const StoredRun& run, const RunStore& store,
+/// The snapshot of a run at the curve's step.
+Table snapshot_rows(const CurvePlan& curve, const StoredRun& run, const RunStore& store,
                     const Table& known) {
-    const Snapshot snapshot = store.snapshot(run, feed.step);
-    switch (feed.settings.table) {
+    const Snapshot snapshot = store.snapshot(run, curve.step);
+    switch (curve.settings.table) {
         case CurveTable::section:
             return section_rows(snapshot, known);
         case CurveTable::flights:
@@ -167,15 +167,15 @@ Table snapshot_rows(const CurveFeed& feed, const StoredRun& run, const RunStore&
     }
 }
 
-Table rows_of(const CurveFeed& feed, const StoredRun& run, const RunStore& store,
+Table rows_of(const CurvePlan& curve, const StoredRun& run, const RunStore& store,
               const Table& known) {
-    switch (feed.settings.table) {
+    switch (curve.settings.table) {
         case CurveTable::measurements:
             return measurement_rows(store.measurements(run), known);
         case CurveTable::avalanches:
             return avalanche_rows(avalanches_of(store, run), known);
         default:
-            return snapshot_rows(feed, run, store, known);
+            return snapshot_rows(curve, run, store, known);
     }
 }
 
@@ -209,14 +209,14 @@ Table curve_columns(CurveTable table, const Snapshot& first) {
     }
 }
 
-Table curve_table(const CurveFeed& feed, const FigureRuns& runs, const RunStore& store) {
-    if (!feed.plan) return feed.table;
-    const SweepPlan& plan = *feed.plan;
+Table curve_table(const CurvePlan& curve, const FigureRuns& runs, const RunStore& store) {
+    if (!curve.sweep) return curve.table;
+    const SweepPlan& plan = *curve.sweep;
     const std::vector<std::string> keys = varied_keys(plan);
-    Table known = feed.table;  // without the columns that stand before a run's own
+    Table known = curve.table;  // without the columns that stand before a run's own
     known.columns.erase(known.columns.begin(),
                         known.columns.begin() + static_cast<std::ptrdiff_t>(keys.size() + 1));
-    const bool pools = feed.settings.table == CurveTable::avalanche_sizes;
+    const bool pools = curve.settings.table == CurveTable::avalanche_sizes;
     Table all;
     for (std::size_t k = 0; k < plan.runs.size(); ++k) {
         const std::size_t first = k;
@@ -224,17 +224,17 @@ Table curve_table(const CurveFeed& feed, const FigureRuns& runs, const RunStore&
         if (pools) {
             AvalancheSizes sizes;
             for (k = first; is_of_combination(plan, k, first); ++k)
-                sizes.add(avalanches_of(store, runs[feed.runs[k]]));
+                sizes.add(avalanches_of(store, runs[curve.runs[k]]));
             rows = size_rows(sizes, known);
             --k;
         } else {
-            rows = rows_of(feed, runs[feed.runs[k]], store, known);
+            rows = rows_of(curve, runs[curve.runs[k]], store, known);
         }
         const std::vector<std::string> values = values_of(plan, plan.runs[k]);
         Table part;
         for (std::size_t key = 0; key < keys.size(); ++key) {
             part.columns.push_back(even_column(keys[key], values[key], rows.rows()));
-            part.columns.back().unit = feed.table.columns[key].unit;
+            part.columns.back().unit = curve.table.columns[key].unit;
         }
         const std::string seeds =
             k == first ? fmt::format("{}", plan.runs[k].seed)

@@ -12,6 +12,6 @@ Table curve_columns(CurveTable table, const Snapshot& first);
 /// The rows that a curve is drawn from: of every run, with the varied keys and the seed as columns
 /// before them. Sizes of avalanches are counted over all seeds of a combination together (seed
 /// "1:5"). Throws InputError for a damaged file of the store.
-Table curve_table(const CurveFeed& feed, const FigureRuns& runs, const RunStore& store);
+Table curve_table(const CurvePlan& curve, const FigureRuns& runs, const RunStore& store);
 
 }  // namespace fumon

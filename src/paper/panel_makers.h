@@ -34,7 +34,7 @@ struct FigureDrawing {
 };
 
 /// What the panels of one figure share while they are made, on one thread.
-struct PanelWorkshop {
+struct PanelTools {
     const FigurePlan& plan;
     const FigureRuns& runs;
     const RunStore& store;
@@ -45,7 +45,7 @@ struct PanelWorkshop {
 
 /// A panel of the plan and the fields of its run; no fields where it shows curves.
 struct PanelSubject {
-    const PanelFeed& panel;
+    const PanelPlan& panel;
     const Snapshot& first;                   ///< of the run
     const std::vector<Snapshot>& snapshots;  ///< at panel.picture->steps
     double width = 0.0;                      ///< the room for a frame on the page, points
@@ -58,7 +58,7 @@ struct PanelMaker {
     void (*check)(const PanelSettings& settings, const Scene& scene, const Snapshot& first);
     /// The panels that panels_of() counts, without their titles. Throws InputError where the look
     /// does not fit the bed or no row is left for a curve, Error where a fit or OpenGL fails.
-    std::vector<MadePanel> (*make)(const PanelSubject& subject, PanelWorkshop& workshop);
+    std::vector<MadePanel> (*make)(const PanelSubject& subject, PanelTools& tools);
 };
 
 /// One for each line of FUMON_PANEL_KINDS (scene/panel_kinds.h), each in a file of its own:

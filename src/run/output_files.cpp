@@ -23,13 +23,13 @@ FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Pi
               picture_text(facts.resolved, facts.scene, snapshot.step, facts.inputs, pixels,
                            facts.environment));
     }
-    if (parts.kept_frames) write(folder->kept_frame(picture.number), {});
+    if (parts.movie_frames) write(folder->movie_frame(picture.number), {});
     return {picture.number, snapshot.step, snapshot.time, pixels};
 }
 
 Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameRecord& frame) {
     const std::filesystem::path file =
-        parts.frames ? folder.frame(frame.number) : folder.kept_frame(frame.number);
+        parts.frames ? folder.frame(frame.number) : folder.movie_frame(frame.number);
     Image image = read_png(file);
     if (pixel_hash(image) == frame.pixels) return image;
     throw Error(

@@ -49,7 +49,7 @@ void check_inputs(const std::vector<InputFile>& now, const RunCheckpoint& checkp
 void check_frames(const RunFolder& folder, const Scene& scene, const RunCheckpoint& checkpoint) {
     check_frame_list(folder.frame_list(), checkpoint.frames);
     for (std::int64_t number = 0; number < checkpoint.frames.frames; ++number) {
-        const auto file = scene.output.frames ? folder.frame(number) : folder.kept_frame(number);
+        const auto file = scene.output.frames ? folder.frame(number) : folder.movie_frame(number);
         std::error_code fault;
         if (std::filesystem::is_regular_file(file, fault)) continue;
         throw InputError(fmt::format(
@@ -77,18 +77,18 @@ ResumedRun resume_run(const RunFolder& folder, const std::string& asked,
                                 : read_scene(asked, options.settings);
     if (asked.empty() && !checkpoint.inputs.empty())
         scene.bed.file = find_input(checkpoint.inputs.front(), folder.checkpoint(), "run").string();
-    Workshop& workshop = resumed.workshop;
-    workshop = set_up(std::move(scene), options.threads);
-    check_scene(workshop.scene, checkpoint, file);
-    check_inputs(workshop.initial.inputs, checkpoint, file);
-    check_frames(folder, workshop.scene, checkpoint);
+    PreparedRun& run = resumed.run;
+    run = prepare_run(std::move(scene), options.threads);
+    check_scene(run.scene, checkpoint, file);
+    check_inputs(run.initial.inputs, checkpoint, file);
+    check_frames(folder, run.scene, checkpoint);
     if (!checkpoint.inputs.empty()) {  // as the run's pictures name them
-        workshop.initial.inputs = checkpoint.inputs;
-        workshop.scene.bed.file = checkpoint.inputs.front().path;
+        run.initial.inputs = checkpoint.inputs;
+        run.scene.bed.file = checkpoint.inputs.front().path;
     }
-    resumed.first = workshop.model->snapshot();
-    workshop.model->carry(*resumed.rest);
-    if (workshop.model->steps_done() != checkpoint.step)
+    resumed.first = run.model->snapshot();
+    run.model->carry(*resumed.rest);
+    if (run.model->steps_done() != checkpoint.step)
         resumed.rest->refuse("its model stands at another step");
     return resumed;
 }

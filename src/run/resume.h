@@ -4,16 +4,16 @@
 #include <string>
 
 #include "files/checkpoint.h"
+#include "run/prepared_run.h"
 #include "run/run_checkpoint.h"
 #include "run/run_folder.h"
 #include "run/terminal/work_options.h"
-#include "run/workshop.h"
 
 namespace fumon {
 
 /// A run taken up from its checkpoint: its model stands at the checkpoint's step.
 struct ResumedRun {
-    Workshop workshop;
+    PreparedRun run;
     RunCheckpoint checkpoint;
     Snapshot first;  ///< before the run's first step
     /// What is left of the checkpoint: what the measures remember.

@@ -96,13 +96,13 @@ void Checkpointer::write(Model& model) {
 void Checkpointer::put_on_disk() {
     for (; frames_on_disk_ < written_.frames().frames(); ++frames_on_disk_) {
         if (parts_.frames) sync_file(folder_.frame(frames_on_disk_));
-        if (parts_.kept_frames) sync_file(folder_.kept_frame(frames_on_disk_));
+        if (parts_.movie_frames) sync_file(folder_.movie_frame(frames_on_disk_));
     }
     for (; beds_on_disk_ < written_.bed_steps().size(); ++beds_on_disk_) {
         for (const auto& bed : folder_.beds(written_.bed_steps()[beds_on_disk_])) sync_file(bed);
     }
     if (parts_.frames) sync_folder_of(folder_.frame(0));
-    if (parts_.kept_frames) sync_folder_of(folder_.kept_frame(0));
+    if (parts_.movie_frames) sync_folder_of(folder_.movie_frame(0));
     if (parts_.beds) sync_folder_of(folder_.bed(0, ""));
 }
 

@@ -51,7 +51,7 @@ void remove_beds(const fs::path& folder, std::int64_t from) {
     for (const std::string& ending : bed_endings()) remove_numbered(folder, "bed_", ending, from);
 }
 
-constexpr const char* kept_frames = "kept_frames";
+constexpr const char* movie_frames = "movie_frames";
 
 }  // namespace
 
@@ -66,8 +66,8 @@ void make_folder(const fs::path& folder) {
 
 RunParts run_parts(const Scene& scene, double checkpoint_minutes) {
     const OutputSettings& output = scene.output;
-    const bool kept = checkpoint_minutes > 0.0 && output.movie && !output.frames;
-    return {output.frames, kept, output.bed_every > 0 || !output.bed_at.empty()};
+    const bool begins_again = checkpoint_minutes > 0.0 && output.movie && !output.frames;
+    return {output.frames, begins_again, output.bed_every > 0 || !output.bed_at.empty()};
 }
 
 RunFolder::RunFolder(fs::path folder, bool force) : folder_(std::move(folder)), force_(force) {
@@ -103,7 +103,7 @@ void RunFolder::create(const RunParts& parts) {
 
 void RunFolder::make_parts(const RunParts& parts) const {
     if (parts.frames) make_folder(folder_ / "frames");
-    if (parts.kept_frames) make_folder(folder_ / kept_frames);
+    if (parts.movie_frames) make_folder(folder_ / movie_frames);
     if (parts.beds) make_folder(folder_ / "beds");
 }
 
@@ -133,7 +133,7 @@ void RunFolder::go_on(const RunParts& parts, const RunCheckpoint& checkpoint) {
     if (checkpoint.records.fields < 0) remove_with_temporary(written.fields);
     const std::int64_t frames = checkpoint.frames.frames;
     remove_numbered(folder_ / "frames", "frame_", ".png", frames);
-    remove_numbered(folder_ / kept_frames, "frame_", ".png", frames);
+    remove_numbered(folder_ / movie_frames, "frame_", ".png", frames);
     remove_beds(folder_ / "beds", checkpoint.step + 1);
     make_parts(parts);
 }
@@ -143,16 +143,16 @@ void RunFolder::tidy() const {
     fs::remove(checkpoint(), fault);
     forget_frames();
     fs::remove(records().fields.string() + ".former", fault);
-    remove_numbered(folder_ / kept_frames, "frame_", ".png");
-    fs::remove(folder_ / kept_frames, fault);
+    remove_numbered(folder_ / movie_frames, "frame_", ".png");
+    fs::remove(folder_ / movie_frames, fault);
 }
 
 void RunFolder::forget_frames() const {
     remove_with_temporary(frame_list());
 }
 
-fs::path RunFolder::kept_frame(std::int64_t number) const {
-    return folder_ / kept_frames / fmt::format("frame_{:06}.png", number);
+fs::path RunFolder::movie_frame(std::int64_t number) const {
+    return folder_ / movie_frames / fmt::format("frame_{:06}.png", number);
 }
 
 std::vector<fs::path> RunFolder::beds(std::int64_t step) const {

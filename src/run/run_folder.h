@@ -17,7 +17,7 @@ struct RunCheckpoint;
 /// Which folders a run has in its own.
 struct RunParts {
     bool frames = false;
-    bool kept_frames = false;
+    bool movie_frames = false;  ///< of a movie without frames, so that it can be begun again
     bool beds = false;
 };
 
@@ -31,8 +31,8 @@ void make_folder(const std::filesystem::path& folder);
 /// avalanches.csv, fields.nc, beds/bed_00001000.asc (or another terrain format); and while the run
 /// is not complete checkpoint.fumon and frames.fumon (run/frame_list.h) and, where a movie is made
 /// and no frames,
-/// kept_frames/frame_000000.png …, from which the movie can be begun again. One program works in it
-/// at a time.
+/// movie_frames/frame_000000.png …, from which the movie can be begun again. One program works in
+/// it at a time.
 class RunFolder {
   public:
     /// Makes nothing yet. Throws InputError when the folder already holds a run and `force` is not
@@ -63,7 +63,7 @@ class RunFolder {
     [[nodiscard]] std::filesystem::path frame(std::int64_t number) const {
         return folder_ / frame_name(number);
     }
-    [[nodiscard]] std::filesystem::path kept_frame(std::int64_t number) const;
+    [[nodiscard]] std::filesystem::path movie_frame(std::int64_t number) const;
     [[nodiscard]] std::filesystem::path checkpoint() const { return folder_ / "checkpoint.fumon"; }
     [[nodiscard]] std::filesystem::path frame_list() const { return folder_ / "frames.fumon"; }
     /// `ending`: of its terrain format, ".asc".

@@ -16,11 +16,11 @@
 #include "models/registry.h"
 #include "models/shared/state_hash.h"
 #include "run/picture_text.h"
+#include "run/prepared_run.h"
 #include "run/recorder.h"
 #include "run/run_folder.h"
 #include "run/run_identity.h"
 #include "run/simulate.h"
-#include "run/workshop.h"
 #include "scene/json.h"
 #include "scene/scene_roles.h"
 
@@ -145,19 +145,19 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
     take_away(made);  // what a killed program may have left
     make_folder(made);
     try {
-        Workshop workshop = set_up(wanted.scene, threads);
-        if (stored_run(workshop.scene, workshop.initial).id != run.id)
+        PreparedRun prepared = prepare_run(wanted.scene, threads);
+        if (stored_run(prepared.scene, prepared.initial).id != run.id)
             throw Error("a file that it reads has changed since the start");
-        const Snapshot first = workshop.model->snapshot();
+        const Snapshot first = prepared.model->snapshot();
         Recorder recorder(
-            workshop.scene, first,
+            prepared.scene, first,
             {RecordPaths{made / "measurements.csv", made / "avalanches.csv", made / "fields.nc"},
-             resolved_scene(workshop.scene, workshop.initial.inputs)});
-        if (!simulate(workshop, recorder, record.steps, cell_steps)) {
+             resolved_scene(prepared.scene, prepared.initial.inputs)});
+        if (!simulate(prepared, recorder, record.steps, cell_steps)) {
             take_away(made);
             return Attempt::interrupted;
         }
-        record.state = hex(state_hash(*workshop.model));
+        record.state = hex(state_hash(*prepared.model));
         record.wall_seconds = watch.seconds();
         write_manifest(made, wanted, record, outline_json(first));
         put(made, run);

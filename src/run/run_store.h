@@ -9,7 +9,7 @@
 
 #include "base/snapshot.h"
 #include "files/hash.h"
-#include "run/run_crew.h"
+#include "run/parallel_runs.h"
 #include "scene/initial_bed.h"
 #include "scene/scene.h"
 

@@ -33,12 +33,12 @@ void keep(Recorder& recorder) {
 
 }  // namespace
 
-bool simulate(Workshop& workshop, Recorder& recorder, std::int64_t& steps,
+bool simulate(PreparedRun& prepared, Recorder& recorder, std::int64_t& steps,
               std::atomic<double>& cell_steps) {
-    SharedCounts counted(workshop.initial.bed.size(), steps, cell_steps);
-    Stepper stepper(*workshop.model, {&recorder, &counted});
+    SharedCounts counted(prepared.initial.bed.size(), steps, cell_steps);
+    Stepper stepper(*prepared.model, {&recorder, &counted});
     try {
-        if (stepper.advance(at_step(workshop.scene.run.steps)) != 0) return false;
+        if (stepper.advance(at_step(prepared.scene.run.steps)) != 0) return false;
     } catch (...) {
         keep(recorder);
         throw;

@@ -16,18 +16,18 @@ namespace fumon {
 
 namespace {
 
-int advance(Workshop& workshop, const RunEnd& end, Progress& progress) {
-    Model& model = *workshop.model;
-    const bool gathers = workshop.plotted != nullptr;
-    if (!gathers && !plotted_columns(workshop.scene).empty()) {
+int advance(PreparedRun& prepared, const RunEnd& end, Progress& progress) {
+    Model& model = *prepared.model;
+    const bool gathers = prepared.plotted != nullptr;
+    if (!gathers && !plotted_columns(prepared.scene).empty()) {
         Recording plots_alone;
         plots_alone.plots = true;
-        workshop.plotted =
-            std::make_unique<Recorder>(workshop.scene, model.snapshot(), std::move(plots_alone));
+        prepared.plotted =
+            std::make_unique<Recorder>(prepared.scene, model.snapshot(), std::move(plots_alone));
     }
     ShownSteps shown(progress);
     std::vector<StepObserver*> observers{&shown};
-    if (workshop.plotted) observers.insert(observers.begin(), workshop.plotted.get());
+    if (prepared.plotted) observers.insert(observers.begin(), prepared.plotted.get());
     const int signal = Stepper(model, std::move(observers), gathers).advance(end);
     if (signal == 0) progress.clear();
     return signal;
@@ -35,40 +35,41 @@ int advance(Workshop& workshop, const RunEnd& end, Progress& progress) {
 
 }  // namespace
 
-int advance_to(Workshop& workshop, std::int64_t step, Progress& progress) {
+int advance_to(PreparedRun& prepared, std::int64_t step, Progress& progress) {
     progress.expect(step, 0);
-    return advance(workshop, at_step(step), progress);
+    return advance(prepared, at_step(step), progress);
 }
 
-int advance_to_time(Workshop& workshop, double time, const std::string& asked, Progress& progress) {
-    const std::int64_t last_step = workshop.scene.run.steps;
+int advance_to_time(PreparedRun& prepared, double time, const std::string& asked,
+                    Progress& progress) {
+    const std::int64_t last_step = prepared.scene.run.steps;
     progress.expect(last_step, 0);
     const RunEnd end = [&](const Model& model) {
         return model.time() >= time || model.steps_done() >= last_step;
     };
-    const int signal = advance(workshop, end, progress);
-    if (signal == 0 && workshop.model->time() < time) {
+    const int signal = advance(prepared, end, progress);
+    if (signal == 0 && prepared.model->time() < time) {
         throw InputError(fmt::format("{} is after the run's end at {} {}; lengthen run.steps",
-                                     asked, workshop.model->time(), workshop.model->time_unit()));
+                                     asked, prepared.model->time(), prepared.model->time_unit()));
     }
     return signal;
 }
 
-Drawing draw_present(Workshop& workshop, const Snapshot& first, const WorkOptions& work) {
+Drawing draw_present(PreparedRun& prepared, const Snapshot& first, const WorkOptions& work) {
     WorkerPool pool(work.threads, "fumon-render");
-    const auto painter = make_frame_painter(workshop.scene, first, work.backend, pool);
-    const MeasuredRows rows = workshop.plotted ? workshop.plotted->rows() : MeasuredRows{};
-    return {painter->paint(workshop.model->snapshot(), rows), painter->record()};
+    const auto painter = make_frame_painter(prepared.scene, first, work.backend, pool);
+    const MeasuredRows rows = prepared.plotted ? prepared.plotted->rows() : MeasuredRows{};
+    return {painter->paint(prepared.model->snapshot(), rows), painter->record()};
 }
 
-DrawnStill draw_still(Workshop& workshop, const Snapshot& first, const std::string& file,
+DrawnStill draw_still(PreparedRun& prepared, const Snapshot& first, const std::string& file,
                       const WorkOptions& work, Progress& progress) {
-    const Scene& scene = workshop.scene;
-    const auto [image, drawing] = draw_present(workshop, first, work);
+    const Scene& scene = prepared.scene;
+    const auto [image, drawing] = draw_present(prepared, first, work);
     tell_drawing(drawing, progress);
     const Sha256 pixels = pixel_hash(image);
-    const auto texts = picture_text(resolved_scene(scene, workshop.initial.inputs), scene,
-                                    workshop.model->steps_done(), workshop.initial.inputs, pixels,
+    const auto texts = picture_text(resolved_scene(scene, prepared.initial.inputs), scene,
+                                    prepared.model->steps_done(), prepared.initial.inputs, pixels,
                                     drawing.environment);
     write_file(file, encode_png(image, scene.view.image.dots_per_inch, texts));
     if (drawing.exaggeration != 1.0) {

@@ -7,19 +7,20 @@
 #include "base/snapshot.h"
 #include "files/hash.h"
 #include "run/frame_painter.h"
+#include "run/prepared_run.h"
 #include "run/terminal/progress.h"
 #include "run/terminal/work_options.h"
-#include "run/workshop.h"
 
 namespace fumon {
 
 /// Advances the model to a step, showing progress, and gathers what plots over the frames show.
 /// Returns the signal that stopped it early, or 0. Throws as Stepper::advance().
-int advance_to(Workshop& workshop, std::int64_t step, Progress& progress);
+int advance_to(PreparedRun& prepared, std::int64_t step, Progress& progress);
 
 /// Advances until the model's time reaches the wanted one. Throws InputError where the run ends
 /// before, naming what was asked ("--time 5").
-int advance_to_time(Workshop& workshop, double time, const std::string& asked, Progress& progress);
+int advance_to_time(PreparedRun& prepared, double time, const std::string& asked,
+                    Progress& progress);
 
 /// A picture's pixel hash, and what drew it.
 struct DrawnStill {
@@ -34,10 +35,10 @@ struct Drawing {
 };
 
 /// Draws the model's present state as the run's frame of that step; `first` is the run's first.
-Drawing draw_present(Workshop& workshop, const Snapshot& first, const WorkOptions& work);
+Drawing draw_present(PreparedRun& prepared, const Snapshot& first, const WorkOptions& work);
 
 /// The same, written whole with its metadata.
-DrawnStill draw_still(Workshop& workshop, const Snapshot& first, const std::string& file,
+DrawnStill draw_still(PreparedRun& prepared, const Snapshot& first, const std::string& file,
                       const WorkOptions& work, Progress& progress);
 
 }  // namespace fumon

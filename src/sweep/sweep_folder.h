@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "files/folder_lock.h"
+#include "run/parallel_runs.h"
 #include "run/recorder.h"
-#include "run/run_crew.h"
 #include "sweep/sweep_plan.h"
 
 namespace fumon {

@@ -129,12 +129,12 @@ void check_outputs(SweepPlan& plan, const Scene& scene) {
 /// Makes a scene ready, and builds its model once, to see that it is right, unless its run is
 /// finished.
 PreparedScene try_scene(Scene scene, const SweepRequest& request, std::optional<Snapshot>* first) {
-    PreparedScene prepared = prepare(std::move(scene));
+    PreparedScene prepared = prepare_scene(std::move(scene));
     if (request.finished) *first = request.finished(prepared);
     if (*first) return prepared;
-    Workshop workshop = set_up(std::move(prepared), 1);
-    if (request.finished) *first = workshop.model->snapshot();
-    return {std::move(workshop.scene), std::move(workshop.initial)};
+    PreparedRun run = prepare_run(std::move(prepared), 1);
+    if (request.finished) *first = run.model->snapshot();
+    return {std::move(run.scene), std::move(run.initial)};
 }
 
 /// Tries a combination with the first seed. A refusal that is not placed at one of its values says

@@ -9,8 +9,8 @@
 
 #include "base/snapshot.h"
 #include "files/hash.h"
+#include "run/prepared_run.h"
 #include "run/run_identity.h"
-#include "run/workshop.h"
 #include "scene/initial_bed.h"
 #include "scene/read.h"
 #include "scene/scene.h"

@@ -6,9 +6,9 @@
 #include "base/stopwatch.h"
 #include "models/shared/state_hash.h"
 #include "run/picture_text.h"
+#include "run/prepared_run.h"
 #include "run/recorder.h"
 #include "run/simulate.h"
-#include "run/workshop.h"
 
 namespace fumon {
 
@@ -19,14 +19,14 @@ Attempt do_run(const SweepPlan& plan, const SweepFolder& folder, const RunTask& 
                const SweepRun& run, int threads, RunRecord& record,
                std::atomic<double>& cell_steps) {
     const Stopwatch watch;
-    Workshop workshop = set_up(scene_of(plan, run), threads);
-    if (run_id(workshop.scene, workshop.initial) != run.id)
+    PreparedRun prepared = prepare_run(scene_of(plan, run), threads);
+    if (run_id(prepared.scene, prepared.initial) != run.id)
         throw Error("a file that it reads has changed since the sweep began");
     Recorder recorder(
-        workshop.scene, workshop.model->snapshot(),
-        {folder.paths(task.number), resolved_scene(workshop.scene, workshop.initial.inputs)});
-    if (!simulate(workshop, recorder, record.steps, cell_steps)) return Attempt::interrupted;
-    record.state = hex(state_hash(*workshop.model));
+        prepared.scene, prepared.model->snapshot(),
+        {folder.paths(task.number), resolved_scene(prepared.scene, prepared.initial.inputs)});
+    if (!simulate(prepared, recorder, record.steps, cell_steps)) return Attempt::interrupted;
+    record.state = hex(state_hash(*prepared.model));
     record.wall_seconds = watch.seconds();
     folder.write_record(task.number, record);
     return Attempt::done;

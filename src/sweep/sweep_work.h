@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "run/run_crew.h"
+#include "run/parallel_runs.h"
 #include "sweep/sweep_folder.h"
 #include "sweep/sweep_plan.h"
 

@@ -12,9 +12,9 @@
 #include "paper/figure_make.h"
 #include "paper/figure_page.h"
 #include "picture/png.h"
+#include "run/prepared_run.h"
 #include "run/still.h"
 #include "run/terminal/interrupt.h"
-#include "run/workshop.h"
 #include "scene/read.h"
 
 namespace fumon {
@@ -94,25 +94,25 @@ DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, const Wor
     if (one.figure) return located(one, [&] { return draw_figure_case(baseline, one, work); });
     Scene scene = scene_of(baseline, one);
     return located(one, [&] {
-        Workshop workshop = set_up(std::move(scene), work.threads);
-        Progress progress(work.verbosity, static_cast<std::int64_t>(workshop.initial.bed.size()));
-        const Snapshot first = workshop.model->snapshot();
+        PreparedRun prepared = prepare_run(std::move(scene), work.threads);
+        Progress progress(work.verbosity, static_cast<std::int64_t>(prepared.initial.bed.size()));
+        const Snapshot first = prepared.model->snapshot();
         DrawnCase drawn;
         drawn.signal =
             one.time >= 0.0
-                ? advance_to_time(workshop, one.time, fmt::format("time {}", one.time), progress)
-                : advance_to(workshop, step_of(one, workshop.scene), progress);
+                ? advance_to_time(prepared, one.time, fmt::format("time {}", one.time), progress)
+                : advance_to(prepared, step_of(one, prepared.scene), progress);
         if (drawn.signal != 0) return drawn;
-        Drawing drawing = draw_present(workshop, first, work);
-        drawn.record = {FUMON_VERSION, drawing.record.environment, hex(state_hash(*workshop.model)),
+        Drawing drawing = draw_present(prepared, first, work);
+        drawn.record = {FUMON_VERSION, drawing.record.environment, hex(state_hash(*prepared.model)),
                         fingerprint_of(drawing.image)};
         drawn.image = std::move(drawing.image);
         return drawn;
     });
 }
 
-std::optional<Image> kept_picture(const Baseline& baseline, const BaselineCase& one,
-                                  const BaselineRecord& record) {
+std::optional<Image> recorded_picture(const Baseline& baseline, const BaselineCase& one,
+                                      const BaselineRecord& record) {
     const auto file = baseline.picture_of(one);
     if (!one.picture || !std::filesystem::exists(file)) return std::nullopt;
     Image image = read_png(file);

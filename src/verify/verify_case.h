@@ -25,7 +25,7 @@ DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, const Wor
 
 /// The expected picture that is kept beside the baseline; none where the case keeps none or the
 /// file is not there. Throws InputError where it is not the picture that was recorded.
-std::optional<Image> kept_picture(const Baseline& baseline, const BaselineCase& one,
-                                  const BaselineRecord& record);
+std::optional<Image> recorded_picture(const Baseline& baseline, const BaselineCase& one,
+                                      const BaselineRecord& record);
 
 }  // namespace fumon

@@ -1,10 +1,13 @@
 #include "run/pipeline.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <limits>
+#include <map>
 #include <thread>
 
 #include "base/error.h"
@@ -129,6 +132,51 @@ TEST(Pipeline, AFolderThatVanishesStopsTheRunOnce) {
                                             [](const DrawingRecord&) {});
     ASSERT_TRUE(outcome.error);
     EXPECT_NE(error_text(outcome.error).find("No such file or directory"), std::string::npos);
+}
+
+/// A flat bed that looks, between its steps, at the bytes that the program has allocated.
+class HeapModel : public SpoiledModel {
+  public:
+    HeapModel() : SpoiledModel(-1) {}
+    void step() override {
+        SpoiledModel::step();
+        in_use[steps_done()] = mallinfo2().uordblks;
+    }
+
+    std::map<std::int64_t, std::size_t> in_use;
+};
+
+TEST(Pipeline, MemoryDoesNotGrowWithFrames) {
+#ifdef FUMON_SANITIZED
+    GTEST_SKIP() << "sanitizers have a heap of their own";
+#endif
+    const ScratchFolder folder;
+    constexpr std::int64_t steps = 6000;
+    const Scene scene = parse_scene(
+        "[model]\nname = \"static\"\n[grid]\nnx = 24\nny = 20\n[run]\nsteps = " +
+            std::to_string(steps) +
+            "\n[frames]\nevery = 1\n[image]\nwidth = 16\nheight = 16\nsupersampling = 1\n"
+            "[output]\nmovie = false\n",
+        "scene.toml", "");
+    HeapModel model;
+    for (std::int64_t step = 1; step <= steps; ++step) model.in_use[step] = 0;
+    RunFolder run(folder / "out", false);
+    Progress progress(Verbosity::quiet, 0);
+    const RunOutcome outcome = run_pipeline(model, scene, {}, outputs_in(run, scene), {}, progress,
+                                            [&](const DrawingRecord&) {
+                                                run.create({true, false, false});
+                                            });
+    ASSERT_FALSE(outcome.error) << error_text(outcome.error);
+    ASSERT_EQ(outcome.frames, steps + 1);
+    // The least of many: frames on their way come and go.
+    const auto least = [&](std::int64_t from, std::int64_t to) {
+        double bytes = std::numeric_limits<double>::infinity();
+        for (std::int64_t step = from; step <= to; ++step)
+            bytes = std::min(bytes, static_cast<double>(model.in_use[step]));
+        return bytes;
+    };
+    const double grown = least(4000, steps) - least(1000, 3000);
+    EXPECT_LT(grown, 20.0 * steps) << "bytes; a record of every frame would be 56 each";
 }
 
 TEST(BoundedQueue, GivesItemsInOrderAndEndsWhenClosed) {

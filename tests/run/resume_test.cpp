@@ -109,11 +109,11 @@ TEST_F(ResumeTest, AMovieWithoutFramesIsMadeFromFramesThatAreKeptUntilThen) {
                    "[frames]\nevery = 4\n[output]\nframes = false\n"));
     uninterrupted();
     EXPECT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
-    EXPECT_TRUE(fs::exists(out() / "kept_frames/frame_000000.png"));
+    EXPECT_TRUE(fs::exists(out() / "movie_frames/frame_000000.png"));
     EXPECT_TRUE(fs::exists(out() / "movie.mp4")) << "what was made";
     EXPECT_EQ(run({"run", "--resume", "out", "-q"}).status, 0);
     expect_same_run(out("whole"), out());
-    EXPECT_FALSE(fs::exists(out() / "kept_frames"));
+    EXPECT_FALSE(fs::exists(out() / "movie_frames"));
 
     EXPECT_EQ(run({"run", "scene.toml", "-o", "none", "-q", "--checkpoint-every", "0"}).status, 0);
     expect_same_run(out("whole"), out("none"));

@@ -139,7 +139,7 @@ void lay_over(Image& image, const CanvasLayer& layer, int left, int top) {
 }  // namespace
 
 /// An overlay and how it looked last.
-struct FrameOverlays::Kept {
+struct FrameOverlays::DrawnOverlay {
     std::unique_ptr<Overlay> overlay;
     double opacity = 0.0;
     std::optional<std::string> look;
@@ -153,7 +153,7 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first) {
     const OverlayScene on{scene, first, shown ? *shown : first, flat};
     for (std::size_t number = 0; number < overlays.size(); ++number) {
         if (!overlays[number].show) continue;
-        kept_.push_back({make_overlay(on, number), overlays[number].opacity, {}, {}});
+        drawn_.push_back({make_overlay(on, number), overlays[number].opacity, {}, {}});
         placed_.push_back({number, {}, 0.0});
     }
     const auto width = static_cast<double>(scene.view.image.width);
@@ -167,7 +167,7 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first) {
             const OverlaySettings& settings = overlays[placed_[i].number];
             placed_[i].font_size = settings.font_size.is_word() ? tried : settings.font_size.value;
             const Canvas ruler(1, 1, placed_[i].font_size);
-            const FurnitureSize size = kept_[i].overlay->size(ruler);
+            const FurnitureSize size = drawn_[i].overlay->size(ruler);
             const double room = 2.0 * plate_padding * placed_[i].font_size;
             pieces.push_back({settings.corner, {size.width + room, size.height + room}});
         }
@@ -192,22 +192,22 @@ FrameOverlays::~FrameOverlays() = default;
 void FrameOverlays::draw(Image& image, const OverlayFrame& frame) {
     for (std::size_t i = 0; i < placed_.size(); ++i) {
         const PlacedOverlay& place = placed_[i];
-        Kept& kept = kept_[i];
-        if (std::string look = kept.overlay->look_in(frame); kept.look != look) {
-            kept.look = std::move(look);
+        DrawnOverlay& drawn = drawn_[i];
+        if (std::string look = drawn.overlay->look_in(frame); drawn.look != look) {
+            drawn.look = std::move(look);
             Canvas canvas(static_cast<int>(place.box.width), static_cast<int>(place.box.height),
                           place.font_size, CanvasGround::transparent);
             const double room = plate_padding * place.font_size;
-            if (kept.opacity > 0.0) {
+            if (drawn.opacity > 0.0) {
                 draw_rounded(canvas, place.box.width, place.box.height,
-                             rounding_of_plate * place.font_size, {1.0, 1.0, 1.0, kept.opacity});
+                             rounding_of_plate * place.font_size, {1.0, 1.0, 1.0, drawn.opacity});
             }
-            kept.overlay->draw(
+            drawn.overlay->draw(
                 canvas, {room, room, place.box.width - 2.0 * room, place.box.height - 2.0 * room},
                 frame);
-            kept.layer = canvas.layer();
+            drawn.layer = canvas.layer();
         }
-        lay_over(image, kept.layer, static_cast<int>(place.box.x), static_cast<int>(place.box.y));
+        lay_over(image, drawn.layer, static_cast<int>(place.box.x), static_cast<int>(place.box.y));
     }
 }
 

@@ -38,10 +38,10 @@ class FrameOverlays {
     void draw(Image& image, const OverlayFrame& frame);
 
   private:
-    struct Kept;
+    struct DrawnOverlay;
 
     std::vector<PlacedOverlay> placed_;
-    std::vector<Kept> kept_;
+    std::vector<DrawnOverlay> drawn_;
 };
 
 }  // namespace fumon

@@ -1,4 +1,4 @@
-#include "run/workshop.h"
+#include "run/prepared_run.h"
 
 #include <fmt/format.h>
 
@@ -92,7 +92,7 @@ bool asks_for_more(const Scene& scene) {
 
 }  // namespace
 
-PreparedScene prepare(Scene scene) {
+PreparedScene prepare_scene(Scene scene) {
     check_palette(scene);
     name_parameter_keys(scene);
     InitialBed initial = make_initial_bed(scene);
@@ -108,21 +108,20 @@ void check_shown(const Scene& scene, const Snapshot& first) {
     check_overlays(scene, first);
 }
 
-Workshop set_up(PreparedScene prepared, int threads) {
-    Workshop workshop;
-    workshop.scene = std::move(prepared.scene);
-    workshop.initial = std::move(prepared.initial);
-    workshop.pool = std::make_unique<WorkerPool>(threads, "fumon-simulate");
-    workshop.model = make_model(
-        workshop.scene, {workshop.initial.bed, workshop.initial.nodata, workshop.initial.scale,
-                         static_cast<std::uint64_t>(workshop.scene.seed), *workshop.pool,
-                         bed_kind(workshop.scene) == BedKind::file});
-    if (asks_for_more(workshop.scene)) check_shown(workshop.scene, workshop.model->snapshot());
-    return workshop;
+PreparedRun prepare_run(PreparedScene prepared, int threads) {
+    PreparedRun run;
+    run.scene = std::move(prepared.scene);
+    run.initial = std::move(prepared.initial);
+    run.pool = std::make_unique<WorkerPool>(threads, "fumon-simulate");
+    run.model = make_model(run.scene, {run.initial.bed, run.initial.nodata, run.initial.scale,
+                                       static_cast<std::uint64_t>(run.scene.seed), *run.pool,
+                                       bed_kind(run.scene) == BedKind::file});
+    if (asks_for_more(run.scene)) check_shown(run.scene, run.model->snapshot());
+    return run;
 }
 
-Workshop set_up(Scene scene, int threads) {
-    return set_up(prepare(std::move(scene)), threads);
+PreparedRun prepare_run(Scene scene, int threads) {
+    return prepare_run(prepare_scene(std::move(scene)), threads);
 }
 
 }  // namespace fumon

@@ -1,4 +1,4 @@
-#include "run/run_crew.h"
+#include "run/parallel_runs.h"
 
 #include <fmt/format.h>
 
@@ -21,9 +21,9 @@ namespace fumon {
 
 namespace {
 /// The runs under way: threads that take one after the other.
-class Crew {
+class ParallelRuns {
   public:
-    Crew(const std::vector<RunTask>& tasks, std::vector<RunRecord>& records)
+    ParallelRuns(const std::vector<RunTask>& tasks, std::vector<RunRecord>& records)
         : tasks_(tasks), records_(records) {
         for (const RunRecord& record : records) done_ += record.status == RunStatus::done ? 1 : 0;
         for (const RunTask& task : tasks) {
@@ -157,9 +157,9 @@ void do_runs(const std::vector<RunTask>& tasks, int threads, StatusLine& status,
              std::vector<RunRecord>& records) {
     if (tasks.empty()) return;
     if (threads <= 0) threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    Crew crew(tasks, records);
-    crew.start(threads);
-    crew.wait(status);
+    ParallelRuns runs(tasks, records);
+    runs.start(threads);
+    runs.wait(status);
 }
 
 }  // namespace fumon
