@@ -122,7 +122,7 @@ class Verification {
         const BaselineRecord* record =
             found == suite.baseline.records.end() ? nullptr : &found->second;
         std::optional<Image> expected;
-        if (record != nullptr) expected = kept_picture(suite.baseline, one, *record);
+        if (record != nullptr) expected = recorded_picture(suite.baseline, one, *record);
         const Image* kept = expected ? &*expected : nullptr;
         Verdict verdict = judge(one, record, drawn.record, drawn.image, kept);
         if (verdict.outcome != Outcome::as_recorded || !options_.quietly())
