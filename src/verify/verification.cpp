@@ -29,7 +29,8 @@ struct Suite {
     std::string name;
 };
 
-/// Reads all before anything is drawn, scenes included, so that a wrong line is found at once.
+/// Reads all baselines and their scenes before anything is drawn, so that a mistake is found at
+/// once.
 std::vector<Suite> read_suites(const VerificationOptions& options) {
     std::vector<Suite> suites;
     std::set<std::string> names;
