@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.h"
-#include "support/crash.h"
-#include "support/error.h"
+#include "base/crash.h"
+#include "base/error.h"
+#include "cli/command_line.h"
 
 int main(int count, char** values) {
     fumon::explain_crashes();

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "base/avalanche.h"
 #include "files/atomic_file.h"
 #include "files/text_source.h"
-#include "models/model.h"
 
 namespace fumon {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include "base/sha256.h"
+#include "base/state_carrier.h"
 #include "files/atomic_file.h"
-#include "files/sha256.h"
-#include "support/state_carrier.h"
 
 namespace fumon {
 
@@ -22,9 +22,9 @@ namespace fumon {
 ///     length of all before           uint64
 ///     SHA-256 of all before          32 bytes
 ///
-/// What the entries are is up to who carries them (app/run_checkpoint.h).
+/// What the entries are is up to who carries them (run/run_checkpoint.h).
 inline constexpr std::string_view checkpoint_magic = "FUMONCKP";
-inline constexpr std::uint32_t checkpoint_format = 1;
+inline constexpr std::uint32_t checkpoint_format = 2;
 
 /// Writes one entry after the other, under a temporary name until commit(). Members throw Error on
 /// a full disk or any failed write.

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/find_named.h"
+
 namespace fumon {
 
 namespace {
@@ -112,9 +114,7 @@ std::string TableColumn::text(std::size_t row) const {
 }
 
 const TableColumn* Table::find(std::string_view name) const {
-    const auto found = std::find_if(columns.begin(), columns.end(),
-                                    [&](const TableColumn& column) { return column.name == name; });
-    return found == columns.end() ? nullptr : &*found;
+    return find_named(columns, name);
 }
 
 std::vector<std::string> Table::names() const {

@@ -1,39 +1,16 @@
 #include "files/hash.h"
 
-#include <bit>
 #include <cstdint>
-#include <span>
 
 #include "files/input_file.h"
 
 namespace fumon {
-
-namespace {
-
-void add_doubles(Sha256Stream& hasher, std::span<const double> values) {
-    if constexpr (std::endian::native == std::endian::little) {
-        hasher.add(values.data(), values.size_bytes());
-    } else {
-        for (const double value : values)
-            hasher.add_little_endian(std::bit_cast<std::uint64_t>(value));
-    }
-}
-
-}  // namespace
 
 Sha256 pixel_hash(const Image& image) {
     Sha256Stream hasher;
     hasher.add_little_endian(static_cast<std::uint32_t>(image.width));
     hasher.add_little_endian(static_cast<std::uint32_t>(image.height));
     hasher.add(image.rgb.data(), image.rgb.size());
-    return hasher.finish();
-}
-
-Sha256 state_hash(const Model& model) {
-    Sha256Stream hasher;
-    hasher.add(model.name().data(), model.name().size());
-    hasher.add_little_endian(static_cast<std::uint64_t>(model.steps_done()));
-    for (const StateField& field : model.state()) add_doubles(hasher, field.values);
     return hasher.finish();
 }
 

@@ -4,18 +4,13 @@
 #include <string>
 #include <string_view>
 
-#include "files/sha256.h"
-#include "models/model.h"
-#include "render/image.h"
+#include "base/image.h"
+#include "base/sha256.h"
 
 namespace fumon {
 
 /// SHA-256 over width and height (32-bit little-endian) and RGB8 rows, top row first.
 Sha256 pixel_hash(const Image& image);
-
-/// SHA-256 over model name, step (64-bit little-endian) and every state field in declared order
-/// (float64 little-endian).
-Sha256 state_hash(const Model& model);
 
 /// SHA-256 of a text's bytes.
 Sha256 text_hash(std::string_view text);

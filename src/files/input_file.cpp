@@ -11,7 +11,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "support/error.h"
+#include "base/error.h"
 
 namespace fumon {
 

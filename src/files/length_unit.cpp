@@ -1,9 +1,10 @@
 #include "files/length_unit.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
+
+#include "base/find_named.h"
 
 namespace fumon {
 
@@ -21,7 +22,8 @@ std::string lower_case(std::string_view text) {
 
 std::optional<double> metres_per_unit(std::string_view unit) {
     constexpr double foot = 0.3048;  // international
-    constexpr std::array<std::pair<std::string_view, double>, 24> units{{
+    using Unit = std::pair<std::string_view, double>;
+    constexpr std::array<Unit, 24> units{{
         {"m", 1.0},
         {"metre", 1.0},
         {"metres", 1.0},
@@ -48,10 +50,8 @@ std::optional<double> metres_per_unit(std::string_view unit) {
         {"feet", foot},
     }};
     const std::string lower = lower_case(unit);
-    const auto* found = std::find_if(units.begin(), units.end(),
-                                     [&](const auto& entry) { return entry.first == lower; });
-    if (found == units.end()) return std::nullopt;
-    return found->second;
+    const Unit* found = find_by(units, &Unit::first, lower);
+    return found == nullptr ? std::nullopt : std::optional(found->second);
 }
 
 bool is_degrees(std::string_view unit) {

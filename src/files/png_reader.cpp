@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "base/error.h"
 #include "files/png_guard.h"
-#include "support/error.h"
 
 namespace fumon {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <system_error>
 
-#include "support/error.h"
+#include "base/error.h"
 
 namespace fumon {
 

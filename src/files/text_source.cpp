@@ -7,7 +7,7 @@
 #include <cmath>
 #include <system_error>
 
-#include "support/error.h"
+#include "base/error.h"
 
 namespace fumon {
 
@@ -80,12 +80,8 @@ std::string_view word_at(std::string_view text, std::size_t offset) {
 
 std::string shown(std::string_view word) {
     constexpr std::size_t longest = 40;
-    std::string text(word.substr(0, longest));
-    for (char& c : text) {
-        const auto code = static_cast<unsigned char>(c);
-        if (code < 0x20 || code == 0x7F) c = '?';
-    }
-    return fmt::format("'{}{}'", text, word.size() > longest ? "…" : "");
+    return fmt::format("'{}{}'", one_line(std::string(word.substr(0, longest))),
+                       word.size() > longest ? "…" : "");
 }
 
 ParsedNumber parse_number(std::string_view text) {

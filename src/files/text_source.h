@@ -40,7 +40,7 @@ inline bool is_space(char c) {
 /// The text from `offset` up to the next space or the end.
 std::string_view word_at(std::string_view text, std::size_t offset);
 
-/// A word as an error line can show it: in quotes, cut to 40 characters, control characters as '?'.
+/// A word as an error line can show it: in quotes, cut to 40 characters, see one_line().
 std::string shown(std::string_view word);
 
 enum class NumberKind { finite, not_a_number, infinite, none };

@@ -4,9 +4,9 @@
 
 #include <atomic>
 
+#include "base/error.h"
 #include "gl/backends.h"
 #include "gl/functions.h"
-#include "support/error.h"
 
 namespace fumon::gl {
 

@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdint>
 
+#include "base/error.h"
 #include "gl/backends.h"
 #include "gl/functions.h"
 #include "gl/shared_library.h"
-#include "support/error.h"
 
 namespace fumon::gl {
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdlib>
 
+#include "base/error.h"
 #include "gl/context.h"
-#include "support/error.h"
 
 namespace fumon::gl {
 

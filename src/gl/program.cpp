@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "base/error.h"
 #include "gl/shader_source.h"
-#include "support/error.h"
 
 namespace fumon::gl {
 

@@ -8,8 +8,8 @@
 #include <iterator>
 #include <sstream>
 
-#include "support/data_files.h"
-#include "support/error.h"
+#include "base/data_files.h"
+#include "base/error.h"
 
 namespace fumon::gl {
 

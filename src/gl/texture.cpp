@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "support/error.h"
+#include "base/error.h"
 
 namespace fumon::gl {
 

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "support/state_carrier.h"
+#include "base/find_named.h"
+#include "base/state_carrier.h"
 
 namespace fumon {
 
 const MeasuredColumn* MeasuredRows::find(std::string_view name) const {
-    const auto found = std::find_if(columns.begin(), columns.end(), [&](const MeasuredColumn& one) {
-        return one.column.name == name;
-    });
-    return found == columns.end() ? nullptr : &*found;
+    const auto name_of = [](const MeasuredColumn& one) -> const std::string& {
+        return one.column.name;
+    };
+    return find_by(columns, name_of, name);
 }
 
 RowGatherer::RowGatherer(const std::vector<std::string>& names,
@@ -27,7 +28,7 @@ RowGatherer::RowGatherer(const std::vector<std::string>& names,
 
 void RowGatherer::take(const Snapshot& snapshot, const std::vector<double>& row) {
     for (std::size_t i = 0; i < places_.size(); ++i) {
-        std::vector<double>& values = rows_.columns[i].values;
+        MeasuredValues& values = rows_.columns[i].values;
         if (places_[i] == step_column) {
             values.push_back(static_cast<double>(snapshot.step));
         } else if (places_[i] == time_column) {
@@ -39,8 +40,11 @@ void RowGatherer::take(const Snapshot& snapshot, const std::vector<double>& row)
 }
 
 void RowGatherer::carry(StateCarrier& carrier) {
-    for (MeasuredColumn& one : rows_.columns)
-        carrier.list("plotted " + one.column.name, one.values);
+    for (MeasuredColumn& one : rows_.columns) {
+        std::vector<double> values = one.values.copied();
+        carrier.list("plotted " + one.column.name, values);
+        one.values = MeasuredValues(values);
+    }
 }
 
 std::vector<MeasureColumn> measured_columns(const std::vector<MeasureColumn>& suite,

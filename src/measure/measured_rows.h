@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "measure/measured_values.h"
 #include "measure/suite.h"
 
 namespace fumon {
@@ -13,7 +14,7 @@ class StateCarrier;
 /// One column of measurements, up to some step of a run.
 struct MeasuredColumn {
     MeasureColumn column;
-    std::vector<double> values;  ///< NaN where the measure had no meaning
+    MeasuredValues values;  ///< NaN where the measure had no meaning
 };
 
 /// Some columns of the measurements of a run up to one of its steps, in metres where the scale has
@@ -35,6 +36,7 @@ class RowGatherer {
 
     /// Takes a row of the suite, measured of that snapshot.
     void take(const Snapshot& snapshot, const std::vector<double>& row);
+    /// The rows so far. A copy stays as it is when more are taken, and shares their values.
     [[nodiscard]] const MeasuredRows& rows() const { return rows_; }
     /// Carries the rows so far. Throws as StateCarrier.
     void carry(StateCarrier& carrier);

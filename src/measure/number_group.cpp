@@ -1,33 +1,24 @@
-#include <algorithm>
-#include <limits>
+#include "measure/number_group.h"
+
 #include <string>
 #include <utility>
 
-#include "measure/snapshot_lookup.h"
-#include "measure/suite_groups.h"
+#include "base/find_named.h"
+#include "base/snapshot_lookup.h"
 
 namespace fumon {
 
 MeasureGroup number_group(const Snapshot& first, std::span<const MeasureColumn> taken) {
-    std::vector<MeasureColumn> columns;
-    std::vector<std::string> names;
+    using Found = const Snapshot*;
+    std::vector<Measure<Found>> measures;
     for (const SnapshotNumber& number : first.numbers) {
-        const bool is_taken = std::ranges::any_of(
-            taken, [&](const MeasureColumn& column) { return column.name == number.name; });
-        if (is_taken) continue;
-        names.push_back(number.name);
-        columns.push_back(
-            {number.name, number.unit == "1" ? "" : number.unit, "as the model itself keeps it"});
+        if (find_named(taken, number.name) != nullptr) continue;
+        measures.push_back({number.name, number.unit == "1" ? "" : number.unit,
+                            "kept by the model itself", [name = number.name](Found snapshot) {
+                                return number_of(*snapshot, name).value_or(undefined);
+                            }});
     }
-    return {
-        std::move(columns), [names = std::move(names)](const Snapshot& snapshot) {
-            std::vector<double> values;
-            values.reserve(names.size());
-            for (const std::string& name : names)
-                values.push_back(
-                    number_of(snapshot, name).value_or(std::numeric_limits<double>::quiet_NaN()));
-            return values;
-        }};
+    return group_of<Found>([](const Snapshot& snapshot) { return &snapshot; }, std::move(measures));
 }
 
 }  // namespace fumon

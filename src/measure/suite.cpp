@@ -2,9 +2,14 @@
 
 #include <array>
 #include <string_view>
+#include <type_traits>
 
-#include "measure/snapshot_lookup.h"
-#include "measure/suite_groups.h"
+#include "base/snapshot_lookup.h"
+#include "measure/air/air_groups.h"
+#include "measure/bed/bed_groups.h"
+#include "measure/number_group.h"
+#include "measure/pile/pile_groups.h"
+#include "measure/water/water_groups.h"
 
 namespace fumon {
 
@@ -30,11 +35,17 @@ constexpr std::array world_units{
 
 }  // namespace
 
-Landform landform_of(const Snapshot& snapshot) {
+Landform measured_landform(const Snapshot& snapshot) {
+    if (snapshot.landform != Landform::bed && snapshot.landform != Landform::terrain)
+        return snapshot.landform;
+    return snapshot.bed.ny() == 1 ? Landform::profile : Landform::bed;
+}
+
+Landform guessed_landform(const Snapshot& snapshot) {
     if (number_of(snapshot, "dropped_grains")) return Landform::pile;
     if (field_of(snapshot.fields, "water_depth") != nullptr) return Landform::water;
     if (snapshot.section) return Landform::air;
-    return snapshot.bed.ny() == 1 ? Landform::profile : Landform::bed;
+    return Landform::bed;
 }
 
 MeasuredValue in_world_units(const MeasuredValue& measured, const WorldScale& scale) {
@@ -57,51 +68,69 @@ class MeasureSuite::Parts {
 
 namespace {
 
-std::vector<MeasureGroup> groups_of(Landform landform, const Snapshot& first) {
-    std::vector<MeasureGroup> groups;
-    groups.push_back(statistics_group());
-    switch (landform) {
-        case Landform::bed:
-        case Landform::profile:
-            groups.push_back(wave_group());
-            groups.push_back(celerity_group());
-            groups.push_back(slope_group());
-            if (landform == Landform::profile) break;
-            groups.push_back(crest_group());
-            groups.push_back(dune_group());
-            break;
-        case Landform::pile:
-            groups.push_back(pile_group());
-            groups.push_back(avalanche_group());
-            break;
-        case Landform::water:
-            groups.push_back(channel_group());
-            groups.push_back(water_relief_group());
-            groups.push_back(water_flow_group());
-            break;
-        case Landform::air:
-            groups.push_back(stress_group());
-            groups.push_back(air_group());
-            groups.push_back(flight_group(first));
-            break;
-    }
-    return groups;
+using MakeGroup = MeasureGroup (*)(const Snapshot& first, std::span<const MeasureColumn> taken);
+
+/// A group and the landforms that have it.
+struct SuiteGroup {
+    MakeGroup make;
+    unsigned landforms;  ///< bits
+};
+
+constexpr unsigned bit(Landform landform) {
+    return 1U << static_cast<unsigned>(landform);
 }
 
-void append(std::vector<MeasureColumn>& columns, const MeasureGroup& group) {
-    columns.insert(columns.end(), group.columns.begin(), group.columns.end());
+constexpr unsigned on_beds = bit(Landform::bed) | bit(Landform::terrain);
+constexpr unsigned on_beds_and_profiles = on_beds | bit(Landform::profile);
+constexpr unsigned on_piles = bit(Landform::pile);
+constexpr unsigned on_water = bit(Landform::water);
+constexpr unsigned of_air = bit(Landform::air);
+constexpr unsigned everywhere = on_beds_and_profiles | on_piles | on_water | of_air;
+
+/// Groups take what they need: nothing, the first snapshot, or also the columns before theirs.
+template <auto group>
+constexpr SuiteGroup entry(unsigned landforms) {
+    return {[](const Snapshot& first, std::span<const MeasureColumn> taken) -> MeasureGroup {
+                if constexpr (std::is_invocable_v<decltype(group)>) {
+                    return group();
+                } else if constexpr (std::is_invocable_v<decltype(group), const Snapshot&>) {
+                    return group(first);
+                } else {
+                    return group(first, taken);
+                }
+            },
+            landforms};
 }
+
+/// Every group, in the order of its columns. A new measure is a line here.
+constexpr std::array suite_groups{
+    entry<statistics_group>(everywhere),
+    entry<wave_group>(on_beds_and_profiles),
+    entry<celerity_group>(on_beds_and_profiles),
+    entry<slope_group>(on_beds_and_profiles),
+    entry<crest_group>(on_beds),
+    entry<dune_group>(on_beds),
+    entry<pile_group>(on_piles),
+    entry<avalanche_group>(on_piles),
+    entry<channel_group>(on_water),
+    entry<water_relief_group>(on_water),
+    entry<water_flow_group>(on_water),
+    entry<stress_group>(of_air),
+    entry<air_group>(of_air),
+    entry<flight_group>(of_air),
+    entry<number_group>(on_water | of_air),
+};
 
 }  // namespace
 
 MeasureSuite::MeasureSuite(Landform landform, const Snapshot& first)
     : parts_(std::make_unique<Parts>()) {
     std::vector<MeasureColumn>& columns = parts_->columns;
-    parts_->groups = groups_of(landform, first);
-    for (const MeasureGroup& group : parts_->groups) append(columns, group);
-    if (landform == Landform::water || landform == Landform::air) {
-        parts_->groups.push_back(number_group(first, columns));
-        append(columns, parts_->groups.back());
+    for (const SuiteGroup& group : suite_groups) {
+        if ((group.landforms & bit(landform)) == 0) continue;
+        parts_->groups.push_back(group.make(first, columns));
+        const std::vector<MeasureColumn>& own = parts_->groups.back().columns;
+        columns.insert(columns.end(), own.begin(), own.end());
     }
 }
 

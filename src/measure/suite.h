@@ -5,23 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "models/model.h"
+#include "base/avalanche.h"
+#include "base/snapshot.h"
+#include "measure/shared/measure_group.h"
 
 namespace fumon {
 
-/// What kind of bed is measured: it decides which measures there are.
-enum class Landform { bed, profile, pile, water, air };
+/// What a snapshot is measured as: its model's landform; a profile where a bed or terrain has a
+/// single row, else a bed.
+Landform measured_landform(const Snapshot& snapshot);
 
-/// A pile where the model keeps count of dropped grains, water where the snapshot has a field
-/// "water_depth", air where it has a section, a profile where there is a single row, else a bed.
-Landform landform_of(const Snapshot& snapshot);
-
-/// One column of measurements.csv.
-struct MeasureColumn {
-    std::string name;  ///< "wavelength_spectrum"
-    std::string unit;  ///< "sites", "heights", "degrees" …; empty for a pure number
-    std::string help;  ///< one line: how it is defined
-};
+/// The landform of a snapshot that was read from a bare file, as far as its content tells: a pile
+/// where there is a count of dropped grains, water where there is a field "water_depth", air where
+/// there is a section, else a bed.
+Landform guessed_landform(const Snapshot& snapshot);
 
 struct MeasuredValue {
     MeasureColumn column;
@@ -32,12 +29,13 @@ struct MeasuredValue {
 /// cells by dx·dy.
 MeasuredValue in_world_units(const MeasuredValue& measured, const WorldScale& scale);
 
-/// What a run measures, row by row: the columns follow from the landform, and rows may draw on
-/// earlier ones (celerity) and on all avalanches so far. Water and air live in metres and seconds
-/// and are measured in them; the numbers that their models keep are columns too, by their names.
+/// What a run measures, row by row. The landform decides the columns; rows may depend on earlier
+/// ones (celerity) and on all avalanches so far. Water and air are measured in metres and seconds,
+/// the units of their models; the numbers that these models keep are columns too, under their own
+/// names.
 class MeasureSuite {
   public:
-    /// `first` is a snapshot such as will be measured: which numbers and curves it has.
+    /// `first` is like the snapshots that will be measured: it has the same numbers and curves.
     explicit MeasureSuite(Landform landform, const Snapshot& first = {});
     ~MeasureSuite();
     MeasureSuite(const MeasureSuite&) = delete;
@@ -46,13 +44,13 @@ class MeasureSuite {
     /// In the order of a row's values; step and time are not among them.
     [[nodiscard]] const std::vector<MeasureColumn>& columns() const;
 
-    /// Takes note of a step's avalanches, whether or not the step is measured.
+    /// Records a step's avalanches, whether or not the step is measured.
     void note(std::span<const Avalanche> avalanches);
 
     /// One value a column; NaN where a measure has no meaning for this bed.
     [[nodiscard]] std::vector<double> row(const Snapshot& snapshot);
 
-    /// Carries what later rows draw on. Throws as StateCarrier.
+    /// Saves or restores what later rows need. Throws as StateCarrier does.
     void carry(StateCarrier& carrier);
 
   private:

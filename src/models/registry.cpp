@@ -1,22 +1,23 @@
 #include "models/registry.h"
 
-#include <algorithm>
 #include <array>
 
-#include "models/airflow.h"
-#include "models/gully.h"
-#include "models/sand.h"
-#include "models/sandpile.h"
-#include "models/static_bed.h"
+#include "base/find_named.h"
+#include "models/air/airflow.h"
+#include "models/pile/sandpile.h"
+#include "models/sand/sand.h"
+#include "models/static/static_bed.h"
+#include "models/water/gully.h"
 
 namespace fumon {
 
 namespace {
 
 template <class Parameters, class Kind>
-constexpr ModelEntry entry(std::string_view name, std::string_view help, ModelHome home = {}) {
-    return {name,
+constexpr ModelEntry entry(std::string_view help, ModelDefaults home = {}) {
+    return {Kind::model_name,
             help,
+            Kind::landform,
             home,
             [] { return std::any(Parameters{}); },
             [](std::any& parameters, KeyTable& table) {
@@ -29,19 +30,17 @@ constexpr ModelEntry entry(std::string_view name, std::string_view help, ModelHo
 }
 
 constexpr std::array all_models{
-    entry<SandParameters, Sand>("sand",
-                                "wind-blown sand that hops and creeps: ripples, dunes, barchans"),
+    entry<SandParameters, Sand>("wind-blown sand that hops and creeps: ripples, dunes, barchans"),
     entry<SandpileParameters, Sandpile>(
-        "sandpile",
         "a pile that grains fall on and that topples: cones, avalanches and their sizes",
         {.starts_bare = true}),
     entry<GullyParameters, Gully>(
-        "gully", "water down a slope that it erodes: gullies, channels with banks, rain on terrain",
+        "water down a slope that it erodes: gullies, channels with banks, rain on terrain",
         {.cell_size = 1.0, .noise_height = 0.01}),
     entry<AirflowParameters, Airflow>(
-        "airflow", "air between a rippled bed and a moving lid: velocity, pressure, shear stress",
+        "air between a rippled bed and a moving lid: velocity, pressure, shear stress",
         {.starts_bare = true, .cell_size = 5e-5, .on_profile = true}),
-    entry<StaticParameters, StaticBed>("static", "a bed as it is: look at a terrain"),
+    entry<StaticParameters, StaticBed>("a bed as it is: look at a terrain"),
 };
 
 }  // namespace
@@ -51,9 +50,21 @@ std::span<const ModelEntry> models() {
 }
 
 const ModelEntry* find_model(std::string_view name) {
-    const auto found = std::find_if(all_models.begin(), all_models.end(),
-                                    [&](const ModelEntry& entry) { return entry.name == name; });
-    return found == all_models.end() ? nullptr : &*found;
+    return find_named(all_models, name);
+}
+
+const ModelEntry& terrain_model() {
+    return *std::ranges::find(all_models, Landform::terrain, &ModelEntry::landform);
+}
+
+std::string models_of(Landform landform) {
+    std::string names;
+    for (const ModelEntry& model : all_models) {
+        if (model.landform != landform) continue;
+        names += names.empty() ? "" : ", ";
+        names += model.name;
+    }
+    return names;
 }
 
 }  // namespace fumon

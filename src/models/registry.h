@@ -3,16 +3,18 @@
 #include <any>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
-#include "models/model.h"
+#include "base/landform.h"
+#include "models/shared/model.h"
 
 namespace fumon {
 
 class KeyTable;
 
-/// What a model's bed is where the scene does not say.
-struct ModelHome {
+/// A model's defaults for keys of [grid] and [bed] that the scene does not set.
+struct ModelDefaults {
     bool starts_bare = false;  ///< its usual initial bed is flat, not noise
     /// Usual cell size, metres, of a model that lives in metres and seconds, whose heights are
     /// metres; 0 for one that lives in sites and model heights.
@@ -22,12 +24,13 @@ struct ModelHome {
     bool on_profile = false;  ///< its bed is a single row: grid.ny is 1 where it is not written
 };
 
-/// One model as scenes know it. Parameters travel as a value in `std::any`; only the model's own
-/// functions look inside.
+/// One model as scenes know it. Its parameters are held in a `std::any`, into which only the
+/// model's own functions look.
 struct ModelEntry {
     std::string_view name;
     std::string_view help;  ///< one line
-    ModelHome home;
+    Landform landform;      ///< of its snapshots
+    ModelDefaults home;
     std::any (*default_parameters)();
     /// Lists the keys `model.*` of these parameters, bound to them.
     void (*list_keys)(std::any& parameters, KeyTable& table);
@@ -40,5 +43,11 @@ std::span<const ModelEntry> models();
 
 /// The entry of that name, or nullptr.
 const ModelEntry* find_model(std::string_view name);
+
+/// The model of a bed as it is, for terrain files and for figures that need no model.
+const ModelEntry& terrain_model();
+
+/// The names of all models of a landform, for messages: "airflow", or "one, other".
+std::string models_of(Landform landform);
 
 }  // namespace fumon

@@ -4,10 +4,10 @@
 
 #include "gl/program.h"
 #include "gl/texture.h"
-#include "render/air_sheet.h"
-#include "render/block.h"
-#include "render/camera.h"
+#include "render/air/air_sheet.h"
 #include "render/terrain_layer.h"
+#include "render/view/block.h"
+#include "render/view/camera.h"
 
 namespace fumon {
 

@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "render/air_layer.h"
-#include "terrain/elementary.h"
 
 namespace fumon {
 

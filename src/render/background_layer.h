@@ -2,16 +2,16 @@
 
 #include "gl/program.h"
 #include "gl/texture.h"
-#include "render/block.h"
-#include "render/camera.h"
-#include "render/floor_map.h"
-#include "render/light.h"
+#include "render/light/floor_map.h"
+#include "render/light/light.h"
 #include "render/tiles.h"
+#include "render/view/block.h"
+#include "render/view/camera.h"
 #include "scene/scene.h"
 
 namespace fumon {
 
-/// What surrounds the block: plain and sky, or white paper in figure mode.
+/// Draws what surrounds the block: plain and sky, or white paper in figure mode.
 class BackgroundLayer {
   public:
     BackgroundLayer(const View& view, const Block& block, const FloorMap& floor);

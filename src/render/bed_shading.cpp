@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "render/colouring.h"
-#include "render/lighting.h"
-#include "render/palette.h"
-#include "terrain/elementary.h"
-#include "terrain/resampling.h"
+#include "base/elementary.h"
+#include "base/resampling.h"
+#include "render/colour/colouring.h"
+#include "render/colour/palette.h"
+#include "render/light/lighting.h"
 
 namespace fumon {
 
@@ -134,8 +134,8 @@ void BedShading::shade(const Snapshot& snapshot, const Snapshot& first, const Di
                        WorkerPool& pool) {
     lighting_.upload(lighting_texels(bed, sun_direction(view_.sun), pool).data());
     const bool natural = view_.look.colour_by == Colouring::natural;
-    range_ = natural ? natural_range(snapshot, block_) : colour_range(view_.look, snapshot, first);
     Field<float> values = coloured_values(view_.look.colour_by, snapshot, first);
+    range_ = natural ? natural_range(snapshot, block_) : colour_range(view_.look, snapshot, values);
     const Mask without = uncoloured_cells(view_.look.colour_by, snapshot);
     if (!without.empty()) continue_outward(values, without, static_cast<float>(range_.first));
     values_.upload(palette_places(refined(values, refinement_), range_).data());

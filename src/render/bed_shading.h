@@ -3,13 +3,13 @@
 #include <optional>
 #include <utility>
 
+#include "base/snapshot.h"
 #include "gl/program.h"
 #include "gl/texture.h"
-#include "models/model.h"
-#include "render/block.h"
-#include "render/camera.h"
-#include "render/display_bed.h"
-#include "render/light.h"
+#include "render/light/light.h"
+#include "render/view/block.h"
+#include "render/view/camera.h"
+#include "render/view/display_bed.h"
 #include "render/water_shading.h"
 #include "scene/scene.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "render/rounding.h"
+#include "base/rounding.h"
 
 namespace fumon {
 

@@ -6,21 +6,21 @@
 #include <optional>
 #include <vector>
 
+#include "base/error.h"
 #include "gl/context.h"
 #include "gl/functions.h"
 #include "render/air_layer.h"
 #include "render/background_layer.h"
 #include "render/bed_shading.h"
-#include "render/block.h"
-#include "render/camera.h"
-#include "render/display_bed.h"
-#include "render/floor_map.h"
-#include "render/framing.h"
-#include "render/light.h"
-#include "render/shown_snapshot.h"
+#include "render/light/floor_map.h"
+#include "render/light/light.h"
 #include "render/terrain_layer.h"
 #include "render/tiles.h"
-#include "support/error.h"
+#include "render/view/block.h"
+#include "render/view/camera.h"
+#include "render/view/display_bed.h"
+#include "render/view/framing.h"
+#include "render/view/shown_snapshot.h"
 
 namespace fumon {
 
@@ -31,8 +31,8 @@ Datum chosen_datum(const LookSettings& look, const Snapshot& first) {
     return has_water(first) ? Datum::mean : Datum::first;
 }
 
-/// The block as one frame stands in it: its heights are counted from the first bed's mean or from
-/// the frame's own.
+/// The block of one frame, with heights counted from the mean of the first bed or of the frame's
+/// own bed.
 Block block_of_frame(const Block& block, const Snapshot& snapshot, Datum datum) {
     Block framed = block;
     if (datum == Datum::mean)

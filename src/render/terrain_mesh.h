@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/display_bed.h"
+#include "render/view/display_bed.h"
 
 namespace fumon {
 

@@ -2,8 +2,8 @@
 
 #include "gl/program.h"
 #include "gl/texture.h"
-#include "render/block.h"
-#include "render/water.h"
+#include "render/view/block.h"
+#include "render/view/water.h"
 #include "scene/scene.h"
 
 namespace fumon {

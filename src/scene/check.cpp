@@ -2,16 +2,197 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <set>
 #include <string>
+#include <utility>
 
-#include "scene/check_figure.h"
+#include "base/error.h"
+#include "base/limits.h"
+#include "base/nearest_name.h"
+#include "files/terrain/terrain_format.h"
+#include "models/registry.h"
 #include "scene/initial_bed.h"
-#include "scene/limits.h"
-#include "support/error.h"
+#include "scene/scene.h"
 
 namespace fumon {
 
 namespace {
+
+class FigureCheck {
+  public:
+    explicit FigureCheck(const Scene& scene) : scene_(scene) {}
+
+    void check() const {
+        check_formats();
+        const std::vector<PanelSettings>& panels = scene_.figure.panels;
+        for (std::size_t p = 0; p < panels.size(); ++p) {
+            const std::string path = fmt::format("figure.panel.{}", p);
+            if (p == 0 && panels[p].inset != InsetPlace::none)
+                refuse(path + ".inset",
+                       "an inset stands in the panel before it; this is the first");
+            check_place(panels[p], path);
+            if (shown_by(panels[p].kind) == PanelShows::curves) {
+                check_plot(panels[p], path);
+            } else {
+                check_picture(panels[p], path);
+            }
+        }
+    }
+
+  private:
+    [[noreturn]] void refuse(const std::string& key, const std::string& what) const {
+        throw InputError(place_of(key) + fmt::format("{}: {}", key, what));
+    }
+
+    /// Where a key stands, else another key of its panel or curve.
+    [[nodiscard]] std::string place_of(const std::string& key) const {
+        if (scene_.locations.contains(key)) return scene_.at(key);
+        const std::string owner = key.substr(0, key.rfind('.') + 1);
+        const auto near = scene_.locations.lower_bound(owner);
+        const bool found = near != scene_.locations.end() && near->first.starts_with(owner);
+        return scene_.at(found ? near->first : key);
+    }
+
+    void check_formats() const {
+        const std::vector<std::string>& formats = scene_.figure.formats;
+        const std::vector<std::string> known{"pdf", "svg", "png"};
+        if (formats.empty()) refuse("figure.formats", "there is none; take pdf, svg, png");
+        std::set<std::string> seen;
+        for (const std::string& format : formats) {
+            if (std::find(known.begin(), known.end(), format) == known.end()) {
+                refuse("figure.formats",
+                       fmt::format("unknown format \"{}\"; {}", format, suggestion(format, known)));
+            }
+            if (!seen.insert(format).second)
+                refuse("figure.formats", fmt::format("\"{}\" is there twice", format));
+        }
+    }
+
+    void check_place(const PanelSettings& panel, const std::string& path) const {
+        if ((panel.row > 0) != (panel.column > 0)) {
+            const std::string missing = panel.row > 0 ? ".column" : ".row";
+            refuse(path + (panel.row > 0 ? ".row" : ".column"),
+                   fmt::format("a place in the grid has a row and a column; give {}{} too", path,
+                               missing));
+        }
+        if (panel.inset != InsetPlace::none &&
+            (panel.row > 0 || panel.rows > 1 || panel.columns > 1)) {
+            refuse(path + ".inset",
+                   "an inset has no place in the grid; drop row, column, rows and columns");
+        }
+    }
+
+    void check_plot(const PanelSettings& panel, const std::string& path) const {
+        if (panel.curves.empty() && panel.boxes.empty())
+            refuse(path + ".kind", "the plot shows nothing; add [[figure.panel.curve]]");
+        const PanelSettings usual;
+        const std::array<std::pair<const char*, bool>, 6> of_pictures{
+            {{"scene", !panel.scene.empty()},
+             {"set", !panel.set.empty()},
+             {"steps", !panel.steps.empty()},
+             {"every", panel.every > 0},
+             {"field", panel.field != usual.field},
+             {"section", panel.section != usual.section}}};
+        for (const auto& [key, given] : of_pictures) {
+            if (given) {
+                refuse(fmt::format("{}.{}", path, key),
+                       "belongs to pictures; a plot's curves have keys of their own");
+            }
+        }
+        check_range(panel.x_low, panel.x_high, path, "x", panel.x_logarithmic);
+        check_range(panel.y_low, panel.y_high, path, "y", panel.y_logarithmic);
+        for (std::size_t c = 0; c < panel.curves.size(); ++c)
+            check_curve(panel, panel.curves[c], fmt::format("{}.curve.{}", path, c));
+        for (std::size_t b = 0; b < panel.boxes.size(); ++b)
+            check_box(panel, panel.boxes[b], fmt::format("{}.box.{}", path, b));
+    }
+
+    void check_range(const WordOrReal& low, const WordOrReal& high, const std::string& path,
+                     const std::string& axis, bool logarithmic) const {
+        const std::string dot = axis.empty() ? path + "." : path + "." + axis + "_";
+        const auto above_zero = [&](const WordOrReal& end, const char* name) {
+            if (logarithmic && !end.is_word() && end.value <= 0.0)
+                refuse(dot + name, "a logarithmic axis lies above 0");
+        };
+        above_zero(low, "low");
+        above_zero(high, "high");
+        if (!low.is_word() && !high.is_word() && !(low.value < high.value)) {
+            refuse(dot + "high",
+                   fmt::format("{} must be above the low end {}", high.value, low.value));
+        }
+    }
+
+    void check_curve(const PanelSettings& panel, const CurveSettings& curve,
+                     const std::string& path) const {
+        if (curve.y.empty()) refuse(path + ".y", "is missing; name the column to draw");
+        if (curve.x.empty()) refuse(path + ".x", "is empty; name a column");
+        const bool from_file = curve.table == CurveTable::file;
+        if (from_file && curve.file.empty())
+            refuse(path + ".file", "is missing; name the CSV file");
+        if (!from_file && !curve.file.empty())
+            refuse(path + ".file", "is given but not read; write table = \"file\"");
+        if (from_file && (!curve.scene.empty() || !curve.set.empty() || !curve.over.empty() ||
+                          curve.seeds > 0)) {
+            refuse(path + ".table",
+                   "a file has no runs; drop scene, set, over and seeds, or table = \"file\"");
+        }
+        if (curve.spread != CurveSpread::none && !curve.average)
+            refuse(path + ".spread", "is of what is averaged; write average = true");
+        if (curve.fit == CurveFit::none && !(curve.fit_low.is_word() && curve.fit_high.is_word()))
+            refuse(path + (curve.fit_low.is_word() ? ".fit_high" : ".fit_low"),
+                   "there is no fit; write fit = \"line\" or another");
+        check_range(curve.fit_low, curve.fit_high, path, "fit", curve.fit == CurveFit::power);
+        const bool scaled_x = curve.scale_x != 1.0 && panel.x_label.empty();
+        const bool scaled_y = curve.scale_y != 1.0 && panel.y_label.empty();
+        if (scaled_x || scaled_y) {
+            refuse(path + (scaled_x ? ".scale_x" : ".scale_y"),
+                   fmt::format("the column's unit holds no more; name the quantity and its new "
+                               "unit with the panel's {}_label",
+                               scaled_x ? "x" : "y"));
+        }
+    }
+
+    void check_box(const PanelSettings& panel, const RangeBoxSettings& box,
+                   const std::string& path) const {
+        if (box.label.empty()) refuse(path + ".label", "is missing; say what lies in this range");
+        if (box.source.empty())
+            refuse(path + ".source", "is missing; name author and year, or leave the box out");
+        if (!(box.x_low < box.x_high)) refuse(path + ".x_high", "must be above x_low");
+        if (!(box.y_low < box.y_high)) refuse(path + ".y_high", "must be above y_low");
+        if (panel.x_logarithmic && box.x_low <= 0.0)
+            refuse(path + ".x_low", "a logarithmic axis lies above 0");
+        if (panel.y_logarithmic && box.y_low <= 0.0)
+            refuse(path + ".y_low", "a logarithmic axis lies above 0");
+    }
+
+    void check_picture(const PanelSettings& panel, const std::string& path) const {
+        if (!panel.curves.empty())
+            refuse(path + ".kind", "curves belong to plots; write kind = \"plot\"");
+        if (!panel.boxes.empty())
+            refuse(path + ".kind", "boxes belong to plots; write kind = \"plot\"");
+        check_range(panel.low, panel.high, path, "", false);
+        if (panel.inset != InsetPlace::none && panel.steps.size() > 1)
+            refuse(path + ".steps", "an inset shows one step");
+        const PanelShows shows = shown_by(panel.kind);
+        if (shows == PanelShows::each_step && panel.row > 0 && panel.steps.size() > 1)
+            refuse(path + ".row", "several steps are several panels; place them in reading order");
+        if (shows == PanelShows::whole_run && !panel.steps.empty())
+            refuse(path + ".steps", "a time-space panel shows the whole run; write every");
+        if (shows == PanelShows::each_step && !panel.row_of_bed.is_word())
+            refuse(path + ".row_of_bed", "belongs to profile and time-space panels");
+    }
+
+    const Scene& scene_;
+};
+
+/// Checks the rules that involve several keys of a figure: what a panel of its kind must and cannot
+/// have, rising ranges, logarithmic axes above 0. Throws InputError located at the key to change.
+void check_figure(const Scene& scene) {
+    if (scene.figure.panels.empty()) return;
+    FigureCheck(scene).check();
+}
 
 [[noreturn]] void refuse(const Scene& scene, const std::string& key, const std::string& what) {
     throw InputError(scene.at(key) + what);
@@ -19,6 +200,51 @@ namespace {
 
 bool written(const Scene& scene, const std::string& key) {
     return scene.locations.contains(key);
+}
+
+/// What chooses a part of a terrain file and its cells.
+void check_raster_keys(const Scene& scene, bool from_file) {
+    const BedSettings& bed = scene.bed;
+    const auto belongs_to_file = [&](const char* key, bool given) {
+        if (from_file || !given) return;
+        refuse(scene, key,
+               fmt::format("{} belongs to a terrain file; write bed.kind = \"file\" and bed.file",
+                           key));
+    };
+    belongs_to_file("bed.band", bed.band != 0);
+    belongs_to_file("bed.window", !bed.window.empty());
+    belongs_to_file("bed.resample", bed.resample != 0.0);
+    if (!bed.window.empty() && bed.window.size() != 4) {
+        refuse(scene, "bed.window",
+               fmt::format("bed.window has {} number{}; it takes [west, south, east, north]",
+                           bed.window.size(), bed.window.size() == 1 ? "" : "s"));
+    }
+    if (bed.window.size() == 4 && !(bed.window[0] < bed.window[2] && bed.window[1] < bed.window[3]))
+        refuse(scene, "bed.window",
+               "bed.window must rise both ways; write [west, south, east, north]");
+}
+
+void check_bed_formats(const Scene& scene) {
+    const std::vector<std::string>& names = scene.output.bed_format;
+    if (names.empty())
+        refuse(scene, "output.bed_format",
+               fmt::format("output.bed_format is empty; take {}", written_terrain_formats()));
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const TerrainFormat* format = find_written_format(names[k]);
+        if (format == nullptr) {
+            refuse(scene, "output.bed_format",
+                   fmt::format("output.bed_format has \"{}\"; it takes {}", names[k],
+                               written_terrain_formats()));
+        }
+        if (!format->lacks.empty()) {
+            refuse(scene, "output.bed_format",
+                   fmt::format("this fumon was built without \"{}\"; {}", names[k], format->lacks));
+        }
+        if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(k), names[k]) !=
+            names.begin() + static_cast<std::ptrdiff_t>(k))
+            refuse(scene, "output.bed_format",
+                   fmt::format("output.bed_format has \"{}\" twice", names[k]));
+    }
 }
 
 void check_bed(const Scene& scene) {
@@ -42,6 +268,7 @@ void check_bed(const Scene& scene) {
         refuse(scene, "bed.refine",
                "bed.refine belongs to a terrain file; elsewhere take larger grid.nx and grid.ny");
     }
+    check_raster_keys(scene, from_file);
     if (bed.heights.size() == 1)
         refuse(scene, "bed.heights", "bed.heights has one number; it takes [low, high]");
     if (bed.heights.size() == 2 && !(bed.heights[0] < bed.heights[1])) {
@@ -100,11 +327,13 @@ void check_look(const Scene& scene) {
 }  // namespace
 
 void check_scene(const Scene& scene) {
-    if (scene.model.name != "static" && !written(scene, "run.steps")) {
+    if (find_model(scene.model.name)->landform != Landform::terrain &&
+        !written(scene, "run.steps")) {
         refuse(scene, "run.steps",
                "run.steps is missing; say how long to run, for example [run] steps = 1000");
     }
     check_bed(scene);
+    check_bed_formats(scene);
     check_frames(scene);
     check_look(scene);
     check_figure(scene);

@@ -8,7 +8,7 @@ namespace fumon {
 /// Throws InputError for a name that is neither, with the nearest known one.
 std::string describe_text(const std::string& what);
 
-/// The same as JSON: a list of {key, type, unit, default, range, values, model, help}.
+/// The same as JSON: a list of what key_json() tells, with the model or null.
 std::string describe_json(const std::string& what);
 
 /// One line a model: name and what it is.

@@ -1,6 +1,6 @@
 #include "scene/figure_keys.h"
 
-#include "scene/limits.h"
+#include "base/limits.h"
 
 namespace fumon {
 
@@ -10,15 +10,19 @@ void list_curve_data_keys(CurveSettings& curve, const std::string& path, KeyTabl
     table.text(path + ".name", curve.name,
                {.help = "in the legend; {column} or {key} stands for a value; empty: none, or with "
                         "group_by the value"});
-    table.choice(path + ".table", curve.table,
-                 {{"measurements", "measurements.csv of the run, or of every run of the sweep"},
-                  {"avalanches", "a row an avalanche"},
-                  {"avalanche-sizes", "how often each size came: size, avalanches, share"},
-                  {"profile", "along the bed's middle row: x, height and every field"},
-                  {"section", "along the profile under the air: x, bed and the section's curves"},
-                  {"flights", "a row a grain's flight"},
-                  {"file", "a CSV file"}},
-                 {.help = "which rows it is drawn from"});
+    table.choice(
+        path + ".table", curve.table,
+        {{CurveTable::measurements, "measurements",
+          "measurements.csv of the run, or of every run of the sweep"},
+         {CurveTable::avalanches, "avalanches", "a row an avalanche"},
+         {CurveTable::avalanche_sizes, "avalanche-sizes",
+          "how often each size came: size, avalanches, share"},
+         {CurveTable::profile, "profile", "along the bed's middle row: x, height and every field"},
+         {CurveTable::section, "section",
+          "along the profile under the air: x, bed and the section's curves"},
+         {CurveTable::flights, "flights", "a row a grain's flight"},
+         {CurveTable::file, "file", "a CSV file"}},
+        {.help = "which rows it is drawn from"});
     table.text(path + ".scene", curve.scene,
                {.help = "another scene's file, relative to this one; empty: this scene"});
     table.text_list(path + ".set", curve.set, {.help = "\"key=value\": changes to the scene"});
@@ -46,32 +50,34 @@ void list_curve_data_keys(CurveSettings& curve, const std::string& path, KeyTabl
 void list_curve_keys(CurveSettings& curve, const std::string& path, KeyTable& table) {
     list_curve_data_keys(curve, path, table);
     table.choice(path + ".spread", curve.spread,
-                 {{"none", "no bars"},
-                  {"deviation", "standard deviation of what is averaged"},
-                  {"standard-error", "of the mean"}},
+                 {{CurveSpread::none, "none", "no bars"},
+                  {CurveSpread::deviation, "deviation", "standard deviation of what is averaged"},
+                  {CurveSpread::standard_error, "standard-error", "of the mean"}},
                  {.help = "error bars"});
     table.real(path + ".offset_y", curve.offset_y,
                {.help = "added to y, before scale_y; such as minus the mean height"});
     table.real(path + ".scale_x", curve.scale_x, {.help = "x times this, such as metres per site"});
     table.real(path + ".scale_y", curve.scale_y, {.help = "y times this"});
     table.choice(path + ".fit", curve.fit,
-                 {{"none", "no fit"},
-                  {"line", "y = a + b x"},
-                  {"power", "y = a x^b, a line in the logarithms"},
-                  {"exponential", "y = a exp(b x), a line in ln y"},
-                  {"hop", "y = a^x - 1, the hop law, lengths in mm"},
-                  {"cosine", "y = a + b cos(2 pi x / length + c), over the curve's length"}},
+                 {{CurveFit::none, "none", "no fit"},
+                  {CurveFit::line, "line", "y = a + b x"},
+                  {CurveFit::power, "power", "y = a x^b, a line in the logarithms"},
+                  {CurveFit::exponential, "exponential", "y = a exp(b x), a line in ln y"},
+                  {CurveFit::hop, "hop", "y = a^x - 1, the hop law, lengths in mm"},
+                  {CurveFit::cosine, "cosine",
+                   "y = a + b cos(2 pi x / length + c), over the curve's length"}},
                  {.help = "least squares; drawn, and written with its R² in the legend"});
     table.word_or_real(path + ".fit_low", curve.fit_low, {{"auto", "from the first point"}},
                        {.help = "lower end of the x that are fitted"});
     table.word_or_real(path + ".fit_high", curve.fit_high, {{"auto", "to the last point"}},
                        {.help = "upper end"});
     table.choice(path + ".style", curve.style,
-                 {{"auto", "a line for many points, points with a line for few, points for a fit"},
-                  {"line", "a line"},
-                  {"points", "points"},
-                  {"line-and-points", "both"},
-                  {"steps", "steps"}},
+                 {{CurveStyle::automatic, "auto",
+                   "a line for many points, points with a line for few, points for a fit"},
+                  {CurveStyle::line, "line", "a line"},
+                  {CurveStyle::points, "points", "points"},
+                  {CurveStyle::line_and_points, "line-and-points", "both"},
+                  {CurveStyle::steps, "steps", "steps"}},
                  {.help = "how it is drawn"});
     table.integer(path + ".colour", curve.colour,
                   {.range = {0, 8}, .help = "number in the colour cycle; 0: the next"});
@@ -87,13 +93,7 @@ void list_box_keys(RangeBoxSettings& box, const std::string& path, KeyTable& tab
 }
 
 void list_place_keys(PanelSettings& panel, const std::string& path, KeyTable& table) {
-    table.choice(path + ".kind", panel.kind,
-                 {{"plot", "curves over linear or logarithmic axes"},
-                  {"map", "a field from above, with axes and a colour bar"},
-                  {"view", "a shaded 3-D view"},
-                  {"profile", "height along a row, one above the other for several steps"},
-                  {"time-space", "a row's heights over time"},
-                  {"section", "the air over a profile"}},
+    table.choice(path + ".kind", panel.kind, choices_of(panel_kinds),
                  {.help = "what the panel shows"});
     table.text(path + ".title", panel.title,
                {.help = "above it; {step}, {time}, {seed} and {model.creep_rate} stand for "
@@ -106,11 +106,11 @@ void list_place_keys(PanelSettings& panel, const std::string& path, KeyTable& ta
     table.integer(path + ".columns", panel.columns,
                   {.range = {1, 100}, .help = "columns that it spans"});
     table.choice(path + ".inset", panel.inset,
-                 {{"none", "a panel of its own"},
-                  {"upper-left", "in the panel before it"},
-                  {"upper-right", "in the panel before it"},
-                  {"lower-left", "in the panel before it"},
-                  {"lower-right", "in the panel before it"}},
+                 {{InsetPlace::none, "none", "a panel of its own"},
+                  {InsetPlace::upper_left, "upper-left", "in the panel before it"},
+                  {InsetPlace::upper_right, "upper-right", "in the panel before it"},
+                  {InsetPlace::lower_left, "lower-left", "in the panel before it"},
+                  {InsetPlace::lower_right, "lower-right", "in the panel before it"}},
                  {.help = "whether it stands within the panel before it"});
     table.real(path + ".inset_size", panel.inset_size,
                {.range = {0.1, 0.9}, .help = "share of that panel's frame, along both sides"});
@@ -136,16 +136,16 @@ void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& 
     table.text(path + ".field", panel.field,
                {.help = "bed, change (since the start), or a field of the model: water_depth …"});
     table.choice(path + ".range", panel.range,
-                 {{"shared", "one range for all steps"}, {"own", "each step its own"}},
+                 {{PanelRange::shared, "shared", "one range for all steps"},
+                  {PanelRange::own, "own", "each step its own"}},
                  {.help = "of the colours, where low and high are auto"});
     table.word_or_real(path + ".low", panel.low, {{"auto", "from the data"}},
                        {.help = "value at the palette's start"});
     table.word_or_real(path + ".high", panel.high, {{"auto", "from the data"}},
                        {.help = "value at its end"});
     table.text(path + ".palette", panel.palette, {.help = "empty: the scene's look.palette"});
-    table.boolean(
-        path + ".palette_reversed", panel.palette_reversed,
-        {.help = "begin with its end; without a palette here: with the other end than the scene"});
+    table.boolean(path + ".palette_reversed", panel.palette_reversed,
+                  {.help = "reversed; without a palette of its own, the opposite of the scene's"});
     table.real(path + ".shading", panel.shading,
                {.range = {0, 1}, .help = "hill shading of a map; 0: the colours alone"});
     table.boolean(path + ".shading_from_all_sides", panel.shading_from_all_sides,
@@ -159,7 +159,9 @@ void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& 
     table.boolean(path + ".vectors", panel.vectors,
                   {.help = "arrows of the water's velocity on a map"});
     table.choice(path + ".arrow", panel.arrow,
-                 {{"none", "none"}, {"wind", "along the wind, +x"}, {"flow", "down the slope, -y"}},
+                 {{PanelArrow::none, "none", "none"},
+                  {PanelArrow::wind, "wind", "along the wind, +x"},
+                  {PanelArrow::flow, "flow", "down the slope, -y"}},
                  {.help = "an arrow in the corner of a map (of the first step) or view"});
     table.text(path + ".section", panel.section,
                {.help = "velocity, pressure, stress, flights, flight-law or paths"});
@@ -181,37 +183,30 @@ void list_panel_keys(PanelSettings& panel, const std::string& path, KeyTable& ta
     table.word_or_real(path + ".y_high", panel.y_high, {{"auto", "from the data"}},
                        {.help = "end of the y axis"});
     table.choice(path + ".legend", panel.legend,
-                 {{"auto", "in the emptiest corner"},
-                  {"none", "no legend"},
-                  {"outside", "right of the frame"},
-                  {"upper-left", "the upper left corner"},
-                  {"upper-right", "the upper right corner"},
-                  {"lower-left", "the lower left corner"},
-                  {"lower-right", "the lower right corner"}},
+                 {{PanelLegend::automatic, "auto", "in the emptiest corner"},
+                  {PanelLegend::none, "none", "no legend"},
+                  {PanelLegend::outside, "outside", "right of the frame"},
+                  {PanelLegend::upper_left, "upper-left", "the upper left corner"},
+                  {PanelLegend::upper_right, "upper-right", "the upper right corner"},
+                  {PanelLegend::lower_left, "lower-left", "the lower left corner"},
+                  {PanelLegend::lower_right, "lower-right", "the lower right corner"}},
                  {.help = "where the curves' names stand"});
     table.tables(path + ".curve", panel.curves, "a curve of the plot", list_curve_keys);
     table.tables(path + ".box", panel.boxes, "a labelled range in the plot", list_box_keys);
 }
 
 void list_one_overlay(OverlaySettings& overlay, const std::string& path, KeyTable& table) {
-    table.choice(path + ".kind", overlay.kind,
-                 {{"title", "the scene's title"},
-                  {"time", "time and step, with unit"},
-                  {"scale-bar", "a round length"},
-                  {"arrow", "the wind's direction, or the water's, with north"},
-                  {"colour-bar", "what the colours mean"},
-                  {"parameters", "a line of keys and their values"},
-                  {"plot", "a measurement over time, up to the frame"}},
-                 {.help = "what stands over the frames"});
+    table.choice(path + ".kind", overlay.kind, choices_of(overlay_kinds),
+                 {.help = "what is drawn over the frames"});
     table.boolean(path + ".show", overlay.show, {.help = "false switches it off"});
     table.choice(path + ".corner", overlay.corner,
-                 {{"upper-left", "the upper left corner"},
-                  {"upper-middle", "the middle of the upper edge"},
-                  {"upper-right", "the upper right corner"},
-                  {"lower-left", "the lower left corner"},
-                  {"lower-middle", "the middle of the lower edge"},
-                  {"lower-right", "the lower right corner"}},
-                 {.help = "where it stands; several in one corner stand below one another"});
+                 {{OverlayCorner::upper_left, "upper-left", "the upper left corner"},
+                  {OverlayCorner::upper_middle, "upper-middle", "the middle of the upper edge"},
+                  {OverlayCorner::upper_right, "upper-right", "the upper right corner"},
+                  {OverlayCorner::lower_left, "lower-left", "the lower left corner"},
+                  {OverlayCorner::lower_middle, "lower-middle", "the middle of the lower edge"},
+                  {OverlayCorner::lower_right, "lower-right", "the lower right corner"}},
+                 {.help = "where it is placed; several in one corner are stacked"});
     table.text(path + ".text", overlay.text,
                {.help = "title, time; plot: its heading. {title}, {step}, {time}, {seed} and "
                         "{model.creep_rate} stand for values; empty: as usual"});
@@ -237,13 +232,14 @@ void list_one_overlay(OverlaySettings& overlay, const std::string& path, KeyTabl
 }  // namespace
 
 void list_figure_keys(FigureSettings& figure, KeyTable& table) {
+    table.role(KeyRole::figure);
     table.word_or_real("figure.width", figure.width,
                        {{"single", "85 mm, one column of a journal"},
                         {"double", "175 mm, both columns"},
                         {"slide", "254 mm; 142.9 mm high, 16:9"}},
                        {.unit = "mm", .range = {20, 2000}, .help = "of the page"});
     table.word_or_real("figure.height", figure.height,
-                       {{"auto", "as high as its panels; of a slide 142.9 mm"}},
+                       {{"auto", "as high as its panels need; 142.9 mm for a slide"}},
                        {.unit = "mm", .range = {20, 2000}, .help = "of the page"});
     table.integer("figure.columns", figure.columns,
                   {.range = {0, 100}, .help = "of the grid of panels; 0: by their number"});
@@ -262,6 +258,7 @@ void list_figure_keys(FigureSettings& figure, KeyTable& table) {
 }
 
 void list_overlay_keys(std::vector<OverlaySettings>& overlays, KeyTable& table) {
+    table.role(KeyRole::look);
     table.tables("overlay", overlays, "something that stands over every frame", list_one_overlay);
 }
 

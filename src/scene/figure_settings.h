@@ -4,7 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "scene/word_or_real.h"
+#include "keys/word_or_real.h"
+#include "numerics/curve_law.h"
+#include "scene/overlay_kinds.h"
+#include "scene/panel_kinds.h"
 
 namespace fumon {
 
@@ -30,7 +33,6 @@ enum class CurveTable {
 };
 
 enum class CurveSpread { none, deviation, standard_error };
-enum class CurveFit { none, line, power, exponential, hop, cosine };
 enum class CurveStyle { automatic, line, points, line_and_points, steps };
 
 /// One curve of a plot, or one for each value of a column.
@@ -67,7 +69,6 @@ struct RangeBoxSettings {
     double y_low = 0.0, y_high = 1.0;
 };
 
-enum class PanelKind { plot, map, view, profile, time_space, section };
 enum class PanelArrow { none, wind, flow };
 enum class PanelRange { shared, own };
 enum class PanelLegend {
@@ -138,8 +139,6 @@ struct FigureSettings {
     std::string caption;  ///< comes before the parameters
     std::vector<PanelSettings> panels;
 };
-
-enum class OverlayKind { title, time, scale_bar, arrow, colour_bar, parameters, plot };
 
 /// Something written or drawn over the frames.
 struct OverlaySettings {

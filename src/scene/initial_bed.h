@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "base/grid.h"
 #include "scene/scene.h"
-#include "terrain/grid.h"
 
 namespace fumon {
 

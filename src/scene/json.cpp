@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
-#include "scene/keys.h"
+#include "keys/keys.h"
+#include "scene/scene_keys.h"
 
 namespace fumon {
 
@@ -19,9 +21,7 @@ struct ValueJson {
     Json operator()(const std::int64_t* value) const { return *value; }
     Json operator()(const double* value) const { return *value; }
     Json operator()(const std::string* value) const { return *value; }
-    Json operator()(const ChoiceTarget& target) const {
-        return std::string(target.names[static_cast<std::size_t>(target.get())].name);
-    }
+    Json operator()(const ChoiceTarget& target) const { return std::string(target.word()); }
     Json operator()(const WordOrRealTarget& target) const {
         return target.value->is_word() ? Json(target.value->word) : Json(target.value->value);
     }
@@ -69,11 +69,18 @@ std::string json_text(const Json& json, int indent) {
 }
 
 Json scene_json(const Scene& scene) {
+    std::vector<KeyRole> all;
+    for (const KeyRoleText& role : key_roles()) all.push_back(role.role);
+    return scene_json(scene, all);
+}
+
+Json scene_json(const Scene& scene, std::span<const KeyRole> roles) {
     Scene copy = scene;  // the table binds to writable values
     Json json;
     const KeyTable table = scene_keys(copy);
     for (const Key& key : table.keys()) {
-        place(json, key.path) = std::visit(ValueJson{}, key.target);
+        if (std::find(roles.begin(), roles.end(), key.role) != roles.end())
+            place(json, key.path) = std::visit(ValueJson{}, key.target);
     }
     return json;
 }

@@ -1,14 +1,19 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 
+#include "keys/key_role.h"
 #include "scene/scene.h"
 
 namespace fumon {
 
 /// The resolved scene as nested JSON: every key with its value, defaults included.
 nlohmann::ordered_json scene_json(const Scene& scene);
+
+/// The same of the keys of some roles alone.
+nlohmann::ordered_json scene_json(const Scene& scene, std::span<const KeyRole> roles);
 
 /// JSON as text, UTF-8; file names need not be that: what is not is replaced. Indented where
 /// `indent` is not below 0.

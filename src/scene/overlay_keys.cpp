@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "scene/keys.h"
-#include "support/error.h"
-#include "support/nearest_name.h"
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "keys/keys.h"
+#include "scene/scene_keys.h"
 
 namespace fumon {
 
@@ -18,7 +19,7 @@ namespace {
 std::vector<std::string> written_model_keys(const Scene& scene, const KeyTable& table) {
     std::vector<std::string> keys;
     for (const Key& key : table.keys()) {
-        const bool of_model = key.path.starts_with("model.") && key.path != "model.name";
+        const bool of_model = key.role == KeyRole::parameter && key.path.starts_with("model.");
         if (of_model && scene.locations.contains(key.path)) keys.push_back(key.path);
     }
     if (keys.empty()) keys.emplace_back("model.name");
@@ -35,7 +36,7 @@ void name_parameter_keys(Scene& scene) {
     for (const Key& key : table.keys()) known.push_back(key.path);
     for (std::size_t i = 0; i < scene.view.overlays.size(); ++i) {
         OverlaySettings& overlay = scene.view.overlays[i];
-        if (overlay.kind != OverlayKind::parameters) continue;
+        if (shown_by(overlay.kind) != OverlayShows::keys) continue;
         for (const std::string& key : overlay.keys) {
             if (table.find(key) != nullptr) continue;
             throw InputError(fmt::format("{}there is no key {} to show; {}",
@@ -55,7 +56,7 @@ bool has_overlays(const Scene& scene) {
 std::vector<std::string> plotted_columns(const Scene& scene) {
     std::vector<std::string> names;
     for (const OverlaySettings& overlay : scene.view.overlays) {
-        if (!overlay.show || overlay.kind != OverlayKind::plot) continue;
+        if (!overlay.show || shown_by(overlay.kind) != OverlayShows::measurements) continue;
         names.push_back(overlay.x);
         names.push_back(overlay.y);
     }

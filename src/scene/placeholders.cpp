@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "scene/keys.h"
-#include "scene/override.h"
-#include "scene/write.h"
-#include "support/error.h"
+#include "base/error.h"
+#include "keys/key_value.h"
+#include "keys/keys.h"
+#include "keys/override.h"
+#include "scene/scene_keys.h"
 
 namespace fumon {
 

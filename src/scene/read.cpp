@@ -11,12 +11,13 @@
 #include <optional>
 #include <utility>
 
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/utf8.h"
+#include "keys/assign.h"
 #include "models/registry.h"
-#include "scene/assign.h"
 #include "scene/check.h"
-#include "support/error.h"
-#include "support/nearest_name.h"
-#include "support/utf8.h"
+#include "scene/scene_keys.h"
 
 namespace fumon {
 
@@ -92,7 +93,7 @@ class Reader {
         std::vector<std::string> known;
         for (const ModelEntry& entry : models()) known.emplace_back(entry.name);
         if (place.empty() && root["figure"]["panel"]) {  // a figure may do without a model
-            scene_.model.name = "static";
+            scene_.model.name = terrain_model().name;
             place = scene_.source;
         }
         if (place.empty()) {
@@ -100,13 +101,13 @@ class Reader {
                 "{}:1:1: model.name is missing; write [model] and name = \"…\" (known: {})",
                 scene_.source, fmt::join(known, ", ")));
         }
-        const ModelEntry* entry = find_model(scene_.model.name);
-        if (entry == nullptr) {
+        if (find_model(scene_.model.name) == nullptr) {
             throw InputError(fmt::format("{}: unknown model \"{}\"; {} (see `fumon models`)", place,
                                          scene_.model.name, suggestion(scene_.model.name, known)));
         }
-        scene_.model.parameters = entry->default_parameters();
-        scene_.bed.high = entry->home.noise_height;
+        const Scene usual = default_scene(scene_.model.name);
+        scene_.model = usual.model;
+        scene_.bed = usual.bed;
         table_ = scene_keys(scene_);
     }
 

@@ -1,22 +1,29 @@
+#include "scene/scene_keys.h"
+
+#include "base/limits.h"
+#include "files/terrain/terrain_format.h"
+#include "keys/keys.h"
 #include "models/registry.h"
 #include "scene/figure_keys.h"
-#include "scene/keys.h"
-#include "scene/limits.h"
 
 namespace fumon {
 
 namespace {
 
 void list_run_keys(Scene& scene, KeyTable& table) {
+    table.role(KeyRole::label);
     table.text("title", scene.title,
                {.help = "what the run shows; goes into the manifest and the pictures"});
+    table.role(KeyRole::run);
     table.integer("seed", scene.seed,
                   {.range = {0, 9223372036854775807.0},
                    .help = "of every random number; same seed, same bytes"});
     table.integer("run.steps", scene.run.steps,
                   {.unit = "steps",
                    .range = {0, largest_step},
-                   .help = "length of the run (required, but for static)"});
+                   .help = "length of the run (required, except for static)",
+                   .required = true});
+    table.role(KeyRole::sampling);
     table.integer("frames.every", scene.frames.every,
                   {.unit = "steps",
                    .range = {0, largest_step},
@@ -32,6 +39,7 @@ void list_run_keys(Scene& scene, KeyTable& table) {
 }
 
 void list_bed_keys(Scene& scene, KeyTable& table) {
+    table.role(KeyRole::parameter);
     table.integer("grid.nx", scene.grid.nx,
                   {.unit = "cells",
                    .range = {1, largest_grid_side},
@@ -43,19 +51,19 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
     table.real_list("grid.cell_size", scene.grid.cell_size, 0, 2,
                     {.unit = "m",
                      .range = {0, 1e7, true},
-                     .help = "one number or [dx, dy]; without it lengths read \"sites\""});
+                     .help = "one number or [dx, dy]; without it lengths are in sites"});
     table.word_or_real("grid.height_unit", scene.grid.height_unit,
                        {{"auto",
                          "1 m for models in metres (static, gully, airflow), else the cell size dx "
                          "(1 site without one)"}},
                        {.unit = "m", .range = {0, 1e7, true}, .help = "metres per model height"});
     table.choice("bed.kind", scene.bed.kind,
-                 {{"auto",
-                   "the file of bed.file, else as the model starts: the sandpile flat, "
-                   "others with noise"},
-                  {"flat", "one height everywhere"},
-                  {"noise", "uniform random heights in [low, high)"},
-                  {"file", "a terrain file"}},
+                 {{BedKind::automatic, "auto",
+                   "the terrain file if bed.file names one, else flat for the sandpile and noise "
+                   "for others"},
+                  {BedKind::flat, "flat", "one height everywhere"},
+                  {BedKind::noise, "noise", "uniform random heights in [low, high)"},
+                  {BedKind::file, "file", "a terrain file"}},
                  {.help = "the initial bed"});
     table.real("bed.height", scene.bed.height,
                {.unit = "model heights", .help = "height of a flat bed"});
@@ -63,33 +71,55 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                {.unit = "model heights", .help = "lower end of the noise"});
     table.real("bed.high", scene.bed.high,
                {.unit = "model heights", .help = "upper end of the noise; 0.01 for a gully"});
+    table.role(KeyRole::run);
     table.text("bed.file", scene.bed.file,
-               {.help = "ESRI ASCII grid, NetCDF (the last record) or grey PNG, heights in metres; "
-                        "relative to "
-                        "the scene file, or with --set to the working folder"});
+               {.help = terrain_titles() +
+                        ", heights in metres; relative to the scene file, or with --set to the "
+                        "working folder"});
+    table.role(KeyRole::parameter);
     table.real_list("bed.heights", scene.bed.heights, 0, 2,
                     {.unit = "m", .help = "[low, high]: heights of black and white in a PNG bed"});
     table.text("bed.variable", scene.bed.variable,
-               {.help = "variable of a NetCDF bed; needed where the file has several and no "
-                        "bed_height"});
+               {.help = "variable of a NetCDF bed, of which the last record is taken; needed where "
+                        "the file has several and no bed_height"});
+    table.integer("bed.band", scene.bed.band,
+                  {.range = {0, 65535}, .help = "band of a GeoTIFF bed; 0: its only or first one"});
+    table.real_list("bed.window", scene.bed.window, 0, 4,
+                    {.help = "[west, south, east, north]: the part of a terrain file to read, in "
+                             "the file's coordinates, or in cells from its south-west corner where "
+                             "it has none; empty: all"});
     table.word_or_real(
         "bed.nodata", scene.bed.nodata,
         {{"mask", "cells without data lie outside the domain"},
          {"fill", "filled smoothly from their rim"}},
         {.unit = "m", .help = "cells without data: masked, filled, or set to a height"});
+    table.real("bed.resample", scene.bed.resample,
+               {.unit = "m",
+                .range = {0, 1e7},
+                .help = "size of the cells onto which a terrain file's heights are brought; 0: as "
+                        "they are; grid.cell_size is that of the file's own cells"});
+    table.choice(
+        "bed.resample_method", scene.bed.resample_method,
+        {{Resampling::average, "average", "mean over the new cell: for larger cells"},
+         {Resampling::bilinear, "bilinear",
+          "linear between the four nearest cells: for smaller ones"},
+         {Resampling::nearest, "nearest", "of the cell in which the new one's centre lies"}},
+        {.help = "how bed.resample finds heights"});
     table.integer("bed.refine", scene.bed.refine,
                   {.range = {1, 64},
-                   .help = "of a terrain file: each cell becomes n x n, smooth between them "
+                   .help = "splits each cell of a terrain file into n x n, smooth in between "
                            "(bicubic); grid.cell_size is that of the file's own cells"});
 }
 
 void list_view_keys(View& view, KeyTable& table) {
+    table.role(KeyRole::look);
     CameraSettings& camera = view.camera;
-    table.choice("camera.projection", camera.projection,
-                 {{"perspective", "as the eye sees it"},
-                  {"orthographic", "oblique, parallel lines stay parallel"},
-                  {"map", "straight from above, north up"}},
-                 {.help = "how the block is projected"});
+    table.choice(
+        "camera.projection", camera.projection,
+        {{Projection::perspective, "perspective", "as the eye sees it"},
+         {Projection::orthographic, "orthographic", "oblique, parallel lines stay parallel"},
+         {Projection::map, "map", "straight from above, north up"}},
+        {.help = "how the block is projected"});
     table.real("camera.azimuth", camera.azimuth,
                {.unit = "degrees",
                 .range = {-360, 360},
@@ -130,26 +160,28 @@ void list_view_keys(View& view, KeyTable& table) {
                {.range = {0, 1}, .help = "aerial perspective at the far edge of the block"});
 
     LookSettings& look = view.look;
-    table.choice("look.mode", look.mode,
-                 {{"scenic", "sunlight, sky and haze"},
-                  {"figure", "white ground, no haze, colours true to the colour bar"}},
-                 {.help = "for the eye or for a paper"});
-    table.choice("look.colour_by", look.colour_by,
-                 {{"natural", "as the ground looks"},
-                  {"height", "bed height"},
-                  {"slope", "steepness in degrees"},
-                  {"change", "height minus that of the first frame"},
-                  {"water-depth", "depth of the water in m; dry cells stay sand"},
-                  {"speed", "of the water, m/s"},
-                  {"froude", "Froude number of the water, speed over sqrt(g depth)"}},
-                 {.help = "what the colours mean"});
+    table.choice(
+        "look.mode", look.mode,
+        {{ViewMode::scenic, "scenic", "sunlight, sky and haze"},
+         {ViewMode::figure, "figure", "white ground, no haze, colours true to the colour bar"}},
+        {.help = "for the eye or for a paper"});
+    table.choice(
+        "look.colour_by", look.colour_by,
+        {{Colouring::natural, "natural", "as the ground looks"},
+         {Colouring::height, "height", "bed height"},
+         {Colouring::slope, "slope", "steepness in degrees"},
+         {Colouring::change, "change", "height minus that of the first frame"},
+         {Colouring::water_depth, "water-depth", "depth of the water in m; dry cells stay sand"},
+         {Colouring::speed, "speed", "of the water, m/s"},
+         {Colouring::froude, "froude", "Froude number of the water, speed over sqrt(g depth)"}},
+        {.help = "what the colours mean"});
     table.text(
         "look.palette", look.palette,
         {.help =
              "sand, grey, viridis, cividis, magma, inferno, plasma, batlow, lapaz, oslo, vik (for "
              "change), or any NAME of assets/palettes/NAME.txt"});
     table.boolean("look.palette_reversed", look.palette_reversed,
-                  {.help = "begin with the palette's end, such as dark for deep with grey"});
+                  {.help = "reversed, such as dark for deep with grey"});
     table.word_or_real("look.low", look.low, {{"auto", "from the frame"}},
                        {.help = "value at the palette's start, in the unit of colour_by"});
     table.word_or_real("look.high", look.high, {{"auto", "from the frame"}},
@@ -164,12 +196,14 @@ void list_view_keys(View& view, KeyTable& table) {
                        {{"auto", "as far as the model's landforms usually grow"}},
                        {.unit = "model heights",
                         .range = {0, 1e7},
-                        .help = "what the picture leaves free above the first bed"});
-    table.choice("look.datum", look.datum,
-                 {{"auto", "mean for models with water, else first"},
-                  {"first", "the first bed's heights: a bed that sinks is seen to sink"},
-                  {"mean", "each frame's mean height: a bed that sinks as a whole stays framed"}},
-                 {.help = "what the drawn heights are counted from"});
+                        .help = "space kept free above the first bed"});
+    table.choice(
+        "look.datum", look.datum,
+        {{Datum::automatic, "auto", "mean for models with water, else first"},
+         {Datum::first, "first", "the first bed's heights: a bed that sinks is seen to sink"},
+         {Datum::mean, "mean",
+          "each frame's mean height: a bed that sinks as a whole stays framed"}},
+        {.help = "what the drawn heights are counted from"});
     table.real("look.shading", look.shading,
                {.range = {0, 1}, .help = "hill shading of a figure; 0: the colours alone"});
     table.boolean("look.water", look.water,
@@ -183,8 +217,8 @@ void list_view_keys(View& view, KeyTable& table) {
     table.boolean("look.air", look.air,
                   {.help = "draw the air over a profile, where the model has some (scenic)"});
     table.choice("look.mark", look.mark,
-                 {{"none", "the bed alone"},
-                  {"last-avalanche",
+                 {{Marking::none, "none", "the bed alone"},
+                  {Marking::last_avalanche, "last-avalanche",
                    "the cells of the pile's last avalanche: toppled ones dark, others lighter"}},
                  {.help = "cells that stand out in blue"});
     table.integer("look.profile_start", look.profile_start,
@@ -213,20 +247,21 @@ void list_view_keys(View& view, KeyTable& table) {
 }
 
 void list_section_keys(SectionSettings& section, KeyTable& table) {
-    table.text_list(
-        "section.panels", section.panels,
-        {.help = "of the figure of a section: velocity, pressure, stress, flights, "
-                 "flight-law, paths; empty: the first three, where the model has them"});
-    table.choice("section.arrows", section.arrows,
-                 {{"arrows", "at evenly spaced places, with a reference arrow"},
-                  {"streamlines", "evenly spaced streamlines"},
-                  {"none", "the colours alone"}},
-                 {.help = "how the velocity panel shows directions"});
+    table.role(KeyRole::look);
+    table.text_list("section.panels", section.panels,
+                    {.help = "panels of a section's figure: velocity, pressure, stress, flights, "
+                             "flight-law, paths; empty: the first three, if the model has them"});
+    table.choice(
+        "section.arrows", section.arrows,
+        {{SectionArrows::arrows, "arrows", "at evenly spaced places, with a reference arrow"},
+         {SectionArrows::streamlines, "streamlines", "evenly spaced streamlines"},
+         {SectionArrows::none, "none", "the colours alone"}},
+        {.help = "how the velocity panel shows directions"});
     table.choice("section.colour_by", section.colour_by,
-                 {{"speed", "length of the velocity, m/s"},
-                  {"velocity-x", "along the wind, m/s"},
-                  {"velocity-z", "upward, m/s"},
-                  {"pressure", "Pa"}},
+                 {{SectionColour::speed, "speed", "length of the velocity, m/s"},
+                  {SectionColour::velocity_x, "velocity-x", "along the wind, m/s"},
+                  {SectionColour::velocity_z, "velocity-z", "upward, m/s"},
+                  {SectionColour::pressure, "pressure", "Pa"}},
                  {.help = "what the colours of the velocity panel mean"});
     table.word_or_real("section.low", section.low, {{"auto", "from the frame"}},
                        {.help = "value at the palette's start, in the unit of section.colour_by"});
@@ -240,28 +275,36 @@ void list_section_keys(SectionSettings& section, KeyTable& table) {
 }
 
 void list_output_keys(OutputSettings& output, KeyTable& table) {
+    table.role(KeyRole::file);
     table.boolean("output.frames", output.frames, {.help = "write frames as PNG"});
     table.boolean("output.movie", output.movie, {.help = "write movie.mp4"});
+    table.role(KeyRole::look);
     table.real("output.movie_rate", output.movie_rate,
                {.unit = "frames/s", .range = {1, 240}, .help = "speed of the movie"});
     table.integer("output.movie_quality", output.movie_quality,
                   {.range = {0, 51}, .help = "H.264 rate factor: 18 looks lossless, 28 is small"});
+    table.role(KeyRole::record);
     table.boolean("output.measurements", output.measurements, {.help = "write measurements.csv"});
+    table.role(KeyRole::sampling);
     table.integer("output.measure_every", output.measure_every,
                   {.unit = "steps",
                    .range = {0, largest_step},
                    .help = "measure every n steps; 0: with every frame"});
+    table.role(KeyRole::file);
     table.integer("output.bed_every", output.bed_every,
                   {.unit = "steps",
                    .range = {0, largest_step},
-                   .help = "write the bed as ESRI ASCII every n steps; 0: not"});
+                   .help = "write the bed every n steps; 0: not"});
     table.integer_list(
         "output.bed_at", output.bed_at,
         {.unit = "steps", .range = {0, largest_step}, .help = "write the bed at these steps too"});
+    table.text_list("output.bed_format", output.bed_format,
+                    {.help = "as what beds are written: " + written_terrain_formats()});
+    table.role(KeyRole::record);
     table.integer("output.fields_every", output.fields_every,
                   {.unit = "steps",
                    .range = {0, largest_step},
-                   .help = "record all fields in fields.nc (NetCDF) every n steps; 0: not"});
+                   .help = "record all fields in fields.nc (NetCDF) every n steps; 0: never"});
     table.integer_list("output.fields_at", output.fields_at,
                        {.unit = "steps",
                         .range = {0, largest_step},
@@ -271,9 +314,10 @@ void list_output_keys(OutputSettings& output, KeyTable& table) {
 }
 
 void list_sweep_keys(SweepSettings& sweep, KeyTable& table) {
+    table.role(KeyRole::sweep);
     table.text_list(
         "sweep.over", sweep.over,
-        {.help = "what `fumon sweep` varies, as its --over: \"key=v1,v2\", "
+        {.help = "what `fumon sweep` varies, written as for --over: \"key=v1,v2\", "
                  "\"key=low:high:count\", \"key+key=v1,v2\" for keys that go together"});
     table.integer("sweep.seeds", sweep.seeds,
                   {.unit = "seeds",
@@ -286,8 +330,10 @@ void list_sweep_keys(SweepSettings& sweep, KeyTable& table) {
 KeyTable scene_keys(Scene& scene) {
     KeyTable table;
     list_run_keys(scene, table);
+    table.role(KeyRole::run);
     table.text("model.name", scene.model.name,
-               {.help = "which model (required); see `fumon models`"});
+               {.help = "which model (required); see `fumon models`", .required = true});
+    table.role(KeyRole::parameter);
     if (const ModelEntry* entry = find_model(scene.model.name))
         entry->list_keys(scene.model.parameters, table);
     list_bed_keys(scene, table);
@@ -298,6 +344,16 @@ KeyTable scene_keys(Scene& scene) {
     list_figure_keys(scene.figure, table);
     list_overlay_keys(scene.view.overlays, table);
     return table;
+}
+
+Scene default_scene(const std::string& model) {
+    Scene scene;
+    scene.model.name = model;
+    if (const ModelEntry* entry = find_model(model)) {
+        scene.model.parameters = entry->default_parameters();
+        scene.bed.high = entry->home.noise_height;
+    }
+    return scene;
 }
 
 }  // namespace fumon

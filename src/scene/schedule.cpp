@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "terrain/elementary.h"
+#include "base/elementary.h"
 
 namespace fumon {
 

@@ -2,8 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "models/airflow.h"
-#include "support/worker_pool.h"
+#include "base/worker_pool.h"
+#include "models/air/airflow.h"
 
 namespace fumon {
 namespace {

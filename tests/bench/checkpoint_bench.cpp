@@ -7,11 +7,11 @@
 #include <memory>
 #include <string>
 
+#include "base/worker_pool.h"
 #include "files/checkpoint.h"
 #include "models/registry.h"
 #include "scene/initial_bed.h"
 #include "scene/read.h"
-#include "support/worker_pool.h"
 
 namespace fumon {
 namespace {

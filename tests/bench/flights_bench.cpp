@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "models/couette_section.h"
-#include "models/grain_flight.h"
-#include "support/worker_pool.h"
+#include "base/worker_pool.h"
+#include "models/air/grain_flight.h"
+#include "support/couette_section.h"
 
 namespace fumon {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "models/gully.h"
-#include "support/worker_pool.h"
-#include "terrain/random.h"
+#include "base/random.h"
+#include "base/worker_pool.h"
+#include "models/water/gully.h"
 
 namespace fumon {
 namespace {

@@ -9,17 +9,17 @@
 #include <array>
 #include <cstdint>
 
+#include "base/snapshot.h"
+#include "base/worker_pool.h"
 #include "gl/context.h"
-#include "models/model.h"
-#include "output/png.h"
-#include "render/block.h"
-#include "render/display_bed.h"
-#include "render/light.h"
+#include "picture/png.h"
+#include "render/light/light.h"
+#include "render/light/sky_visibility.h"
+#include "render/light/sun_sweep.h"
 #include "render/renderer.h"
-#include "render/sky_visibility.h"
-#include "render/sun_sweep.h"
+#include "render/view/block.h"
+#include "render/view/display_bed.h"
 #include "support/dune_field.h"
-#include "support/worker_pool.h"
 
 namespace fumon {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "models/sand.h"
-#include "support/worker_pool.h"
-#include "terrain/random.h"
+#include "base/random.h"
+#include "base/worker_pool.h"
+#include "models/sand/sand.h"
 
 namespace fumon {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <span>
 
-#include "models/sandpile.h"
-#include "support/worker_pool.h"
-#include "terrain/random.h"
+#include "base/random.h"
+#include "base/worker_pool.h"
+#include "models/pile/sandpile.h"
 
 namespace fumon {
 namespace {

@@ -8,10 +8,10 @@
 #include <span>
 
 #include "files/png_reader.h"
-#include "output/compare.h"
-#include "output/fingerprint.h"
-#include "output/png.h"
-#include "output/verdict.h"
+#include "picture/compare.h"
+#include "picture/fingerprint.h"
+#include "picture/png.h"
+#include "picture/verdict.h"
 #include "support/pictures.h"
 
 namespace fumon {

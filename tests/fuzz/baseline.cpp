@@ -1,6 +1,6 @@
 // Baselines of pictures under test.
 
-#include "output/baseline.h"
+#include "picture/baseline.h"
 
 #include "fuzz_input.h"
 

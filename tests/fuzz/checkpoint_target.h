@@ -4,11 +4,11 @@
 #include <memory>
 #include <string>
 
-#include "app/run_checkpoint.h"
+#include "base/worker_pool.h"
 #include "models/registry.h"
+#include "run/run_checkpoint.h"
 #include "scene/initial_bed.h"
 #include "scene/read.h"
-#include "support/worker_pool.h"
 
 namespace fumon::fuzz {
 

@@ -1,6 +1,6 @@
 // ESRI ASCII grids.
 
-#include "files/esri_ascii.h"
+#include "files/terrain/esri_ascii.h"
 
 #include "fuzz_input.h"
 

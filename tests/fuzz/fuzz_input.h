@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "support/error.h"
+#include "base/error.h"
 
 namespace fumon::fuzz {
 

@@ -1,8 +1,8 @@
 // NetCDF files: as a bed and as a run's fields.
 
-#include "files/netcdf_bed.h"
+#include "files/terrain/netcdf_bed.h"
 
-#include "files/netcdf_record.h"
+#include "files/netcdf/netcdf_record.h"
 #include "fuzz_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

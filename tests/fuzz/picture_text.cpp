@@ -1,6 +1,6 @@
 // What a picture says of its own making, and its pixels.
 
-#include "app/picture_text.h"
+#include "run/picture_text.h"
 
 #include "fuzz_input.h"
 #include "png_mutation.h"

@@ -1,6 +1,6 @@
 // Terrain in grey PNG images.
 
-#include "files/png_heights.h"
+#include "files/terrain/png_heights.h"
 
 #include "fuzz_input.h"
 #include "png_mutation.h"

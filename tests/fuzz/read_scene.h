@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/worker_pool.h"
 #include "fuzz_input.h"
 #include "models/registry.h"
 #include "scene/initial_bed.h"
@@ -12,7 +13,6 @@
 #include "scene/read.h"
 #include "scene/schedule.h"
 #include "scene/write.h"
-#include "support/worker_pool.h"
 
 namespace fumon::fuzz {
 

@@ -1,6 +1,6 @@
 // --over and --seeds: the input's first line is an axis, the second one names seeds.
 
-#include "app/sweep_axis.h"
+#include "sweep/sweep_axis.h"
 
 #include "fuzz_input.h"
 

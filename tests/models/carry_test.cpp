@@ -6,14 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
+#include "base/worker_pool.h"
 #include "files/checkpoint.h"
 #include "files/hash.h"
 #include "models/registry.h"
+#include "models/shared/state_hash.h"
 #include "scene/initial_bed.h"
 #include "scene/read.h"
-#include "support/error.h"
 #include "support/temporary_folder.h"
-#include "support/worker_pool.h"
 
 namespace fumon::test {
 namespace {

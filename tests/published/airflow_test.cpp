@@ -1,6 +1,6 @@
 // Terada 2025: the stress of the air on its cosine beds, as published and steady.
 
-#include "models/airflow.h"
+#include "models/air/airflow.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <numbers>
 #include <string>
 
+#include "base/worker_pool.h"
 #include "support/snapshot_number.h"
-#include "support/worker_pool.h"
 
 namespace fumon::test {
 namespace {

@@ -10,14 +10,14 @@
 #include <span>
 #include <string>
 
-#include "measure/hop_law.h"
-#include "models/airflow.h"
-#include "models/grain_flight.h"
-#include "models/section_flights.h"
+#include "base/worker_pool.h"
+#include "models/air/airflow.h"
+#include "models/air/grain_flight.h"
+#include "models/air/section_flights.h"
+#include "numerics/hop_law.h"
 #include "published/sweep_table.h"
 #include "support/program.h"
 #include "support/snapshot_number.h"
-#include "support/worker_pool.h"
 
 namespace fumon::test {
 namespace {

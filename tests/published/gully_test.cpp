@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "measure/channels.h"
-#include "models/gully_run.h"
-#include "support/error.h"
+#include "base/error.h"
+#include "measure/water/channels.h"
+#include "support/gully_run.h"
 #include "support/temporary_folder.h"
 
 namespace fumon::test {

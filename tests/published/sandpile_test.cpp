@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "measure/avalanche_sizes.h"
-#include "measure/power_law.h"
+#include "measure/pile/avalanche_sizes.h"
+#include "measure/pile/power_law.h"
 #include "published/sweep_table.h"
 
 namespace fumon::test {

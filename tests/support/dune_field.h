@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "models/model.h"
+#include "base/snapshot.h"
 
 namespace fumon::test {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "render/image.h"
+#include "base/image.h"
 
 namespace fumon::test {
 

@@ -1,0 +1,43 @@
+#include "base/data_files.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdlib>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "base/error.h"
+
+namespace fumon {
+
+namespace {
+
+std::vector<std::filesystem::path> data_roots() {
+    std::vector<std::filesystem::path> roots;
+    if (const char* chosen = std::getenv("FUMON_DATA_DIR"); chosen != nullptr && *chosen != '\0') {
+        roots.emplace_back(chosen);
+    }
+    std::error_code ignored;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+    if (!program.empty()) roots.push_back(program.parent_path().parent_path() / FUMON_SHARE_FOLDER);
+    roots.emplace_back(FUMON_SOURCE_FOLDER);
+    return roots;
+}
+
+}  // namespace
+
+std::filesystem::path data_file(std::string_view relative) {
+    std::vector<std::string> tried;
+    for (const auto& root : data_roots()) {
+        auto candidate = root / relative;
+        std::error_code ignored;
+        if (std::filesystem::exists(candidate, ignored)) return candidate;
+        tried.push_back(candidate.string());
+    }
+    throw Error(fmt::format("{} is missing (looked for {}); reinstall fumon or set FUMON_DATA_DIR",
+                            relative, fmt::join(tried, ", ")));
+}
+
+}  // namespace fumon

@@ -1,0 +1,60 @@
+#include "base/nearest_name.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+namespace fumon {
+
+namespace {
+
+/// Optimal string alignment distance (Damerau 1964), ignoring case.
+std::size_t distance(std::string_view a, std::string_view b) {
+    const auto same = [](char p, char q) {
+        return std::tolower(static_cast<unsigned char>(p)) ==
+               std::tolower(static_cast<unsigned char>(q));
+    };
+    std::vector<std::size_t> before_last(b.size() + 1);
+    std::vector<std::size_t> last(b.size() + 1);
+    std::vector<std::size_t> current(b.size() + 1);
+    std::iota(last.begin(), last.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        current[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = last[j - 1] + (same(a[i - 1], b[j - 1]) ? 0 : 1);
+            current[j] = std::min({last[j] + 1, current[j - 1] + 1, replaced});
+            if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1])) {
+                current[j] = std::min(current[j], before_last[j - 2] + 1);
+            }
+        }
+        std::swap(before_last, last);
+        std::swap(last, current);
+    }
+    return last[b.size()];
+}
+
+}  // namespace
+
+std::string nearest_name(std::string_view wrong, const std::vector<std::string>& known) {
+    std::string nearest;
+    std::size_t smallest = std::max<std::size_t>(1, wrong.size() / 3) + 1;
+    for (const std::string& name : known) {
+        const std::size_t off = distance(wrong, name);
+        if (off < smallest) {
+            smallest = off;
+            nearest = name;
+        }
+    }
+    return nearest;
+}
+
+std::string suggestion(std::string_view wrong, const std::vector<std::string>& known) {
+    const std::string nearest = nearest_name(wrong, known);
+    if (!nearest.empty()) return fmt::format("did you mean \"{}\"?", nearest);
+    return fmt::format("known: {}", fmt::join(known, ", "));
+}
+
+}  // namespace fumon

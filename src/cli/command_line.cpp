@@ -1,0 +1,92 @@
+#include "cli/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <functional>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "cli/commands.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr const char* opening =
+    "fumon simulates how wind and water shape sand and draws the result, without a display:\n"
+    "a scene file goes in; frames, a movie and measurements come out.\n";
+
+constexpr const char* examples =
+    "Try:\n"
+    "  fumon run scenes/terada-barchans.toml -o out/barchans     frames, movie, measurements\n"
+    "  fumon run SCENE -o DIR --set model.creep_rate=0.2         change one number\n"
+    "  fumon sweep SCENE --over model.creep_rate=0.1:0.5:5 --seeds 10 -o DIR   many runs, one "
+    "table\n"
+    "  fumon figure scenes/figures/sudo-2002-06.toml -o out/figures   a paper's figure\n"
+    "  fumon still SCENE --step 500 -o dunes.png                 one picture of a run\n"
+    "  fumon still terrain.asc -o terrain.png                    a terrain file of your own\n"
+    "  fumon again dunes.png                                     the same picture from itself\n"
+    "  fumon describe sand                                       every key of a model\n\n"
+    "`fumon COMMAND --help` says more about one command.\n";
+
+/// All commands, and the body of the one that was given.
+struct CommandLine {
+    CLI::App app{opening, "fumon"};
+    std::function<int()> chosen;
+
+    CommandLine() {
+        app.footer(examples);
+        app.set_version_flag("--version", std::string("fumon " FUMON_VERSION));
+        app.set_help_flag("-h,--help", "this help");
+        app.require_subcommand(1);
+        app.get_formatter()->column_width(34);
+        for (const Command& command : commands()) {
+            CLI::App& added = *app.add_subcommand(command.name, command.help);
+            added.callback([this, body = command.declare(added)] { chosen = body; });
+        }
+    }
+};
+
+[[noreturn]] void refuse_usage(const CommandLine& line, const std::vector<std::string>& arguments,
+                               const std::string& what) {
+    std::vector<std::string> commands;
+    for (const CLI::App* command : line.app.get_subcommands({}))
+        commands.push_back(command->get_name());
+    if (arguments.empty()) throw InputError("fumon: a command is missing; try `fumon --help`");
+    const std::string& first = arguments.front();
+    if (!first.starts_with("-") &&
+        std::find(commands.begin(), commands.end(), first) == commands.end()) {
+        throw InputError(
+            fmt::format("fumon: unknown command \"{}\"; {}", first, suggestion(first, commands)));
+    }
+    const std::string of = first.starts_with("-") ? "" : " " + first;
+    throw InputError(fmt::format("fumon{}: {}; try `fumon{} --help`", of, what, of));
+}
+
+void check_standard_output() {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+    throw Error(
+        fmt::format("cannot write to standard output: {}", std::generic_category().message(errno)));
+}
+
+}  // namespace
+
+int run_command_line(const std::vector<std::string>& arguments) {
+    CommandLine line;
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+    int status = 0;
+    try {
+        line.app.parse(std::move(reversed));
+        status = line.chosen();
+    } catch (const CLI::Success& help) {
+        line.app.exit(help);
+    } catch (const CLI::ParseError& fault) {
+        refuse_usage(line, arguments, fault.what());
+    }
+    check_standard_output();
+    return status;
+}
+
+}  // namespace fumon

@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "base/error.h"
+#include "cli/command.h"
+#include "cli/shared_options.h"
+#include "paper/figure_files.h"
+#include "paper/figure_make.h"
+#include "paper/figure_page.h"
+#include "run/run_folder.h"
+#include "run/terminal/interrupt.h"
+
+namespace fumon {
+
+namespace {
+
+struct FigureOptions {
+    std::vector<std::string> scenes;
+    std::string folder;
+    std::string runs;  ///< the folder of finished runs; empty: "runs" in the figures' folder
+    WorkOptions work;
+};
+
+void declare(CLI::App& command, FigureOptions& options) {
+    command.add_option("SCENE", options.scenes, "scene files with [[figure.panel]] sections")
+        ->required();
+    command.add_option("-o,--output", options.folder, "the folder for the figures")
+        ->type_name("DIR")
+        ->required();
+    command
+        .add_option("--runs", options.runs,
+                    "where finished runs are kept and looked for (default: DIR/runs)")
+        ->type_name("FOLDER");
+    add_work_options(command, options.work);
+    add_drawing_options(command, options.work);
+    command.footer(
+        "  fumon figure scenes/figures/*.toml -o out/figures\n"
+        "\n"
+        "DIR/NAME.pdf, .svg and .png are the figure, DIR/NAME.caption.txt says how it was "
+        "made, "
+        "DIR/NAME-a-1.csv is\nthe data of panel (a), curve 1. Runs that are there already are "
+        "not made again.\n"
+        "Exit status: 0 done, 1 some runs or figures failed, 2 wrong input, 130/143 "
+        "interrupted "
+        "(finished runs are kept).");
+}
+
+namespace fs = std::filesystem;
+
+/// A figure and the texts that it was read from.
+struct PlannedFigure {
+    FigureSources sources;
+    FigurePlan plan;
+};
+
+/// False when interrupted.
+bool plan_all(const FigureOptions& options, const RunStore& store,
+              std::vector<PlannedFigure>& figures, FigureRuns& runs) {
+    std::map<std::string, std::string> files;  // of names
+    for (const std::string& file : options.scenes) {
+        PlannedFigure figure;
+        auto plan = plan_figure(file, options.work.settings, figure.sources, runs, &store);
+        if (!plan) return false;
+        figure.plan = std::move(*plan);
+        const auto [other, is_new] = files.emplace(figure.plan.name, file);
+        if (!is_new) {
+            throw InputError(fmt::format("{}: would write the same files as {}; rename one", file,
+                                         other->second));
+        }
+        figures.push_back(std::move(figure));
+    }
+    return true;
+}
+
+void make_figure(const PlannedFigure& figure, const FigureRuns& runs, const RunStore& store,
+                 const FigureOptions& options, StatusLine& status) {
+    const FigurePlan& plan = figure.plan;
+    const FigurePage page =
+        figure_page(plan, runs, store, {options.work.backend, options.work.threads});
+    std::vector<std::string> notes = plan.notes;
+    const std::vector<WholeFile> files =
+        figure_files(plan, figure.sources, page, options.folder, notes);
+    make_folder(options.folder);
+    write_files(files);
+    for (const std::string& note : notes) status.note(fmt::format("{}: {}", plan.file, note));
+    status.note(fmt::format("{}.{}", (fs::path(options.folder) / plan.name).string(),
+                            fmt::join(plan.scene.figure.formats, ", .")));
+}
+
+int perform(const FigureOptions& options) {
+    const InterruptGuard guard;
+    StatusLine status(options.work.verbosity);
+    std::vector<PlannedFigure> figures;
+    FigureRuns runs;
+    const RunStore store(options.runs.empty() ? fs::path(options.folder) / "runs"
+                                              : fs::path(options.runs));
+    if (!plan_all(options, store, figures, runs)) return tell_interrupted(status, {});
+    std::error_code fault;
+    if (fs::exists(options.folder, fault) && !fs::is_directory(options.folder, fault)) {
+        throw InputError(
+            fmt::format("{} is a file; name a folder for the figures with -o", options.folder));
+    }
+    const std::vector<RunRecord> records = make_runs(runs, store, options.work, status);
+    if (interrupting_signal() != 0) return tell_interrupted(status, records);
+
+    int exit_status = 0;
+    for (const PlannedFigure& figure : figures) {
+        if (interrupting_signal() != 0) return tell_interrupted(status, records);
+        try {
+            if (const std::string missing = missing_run(figure.plan, runs, records);
+                !missing.empty())
+                throw Error(missing);
+            make_figure(figure, runs, store, options, status);
+        } catch (const Error& failure) {
+            status.error(failure.what());
+            exit_status = std::max(exit_status, failure.exit_status());
+        }
+    }
+    return exit_status;
+}
+
+}  // namespace
+
+Command figure_command() {
+    return make_command<FigureOptions>(
+        "figure", "make a paper's figures: all their runs, pages, captions and data", declare,
+        perform);
+}
+
+}  // namespace fumon

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "base/error.h"
+#include "cli/command.h"
+#include "cli/shared_options.h"
+#include "files/atomic_file.h"
+#include "hop_law/flight_table.h"
+#include "hop_law/hop_law_scene.h"
+#include "hop_law/law_scene.h"
+#include "models/air/airflow.h"
+#include "models/sand/sand.h"
+#include "run/prepared_run.h"
+#include "run/still.h"
+#include "run/terminal/interrupt.h"
+#include "scene/read.h"
+
+namespace fumon {
+
+namespace {
+
+struct HopLawOptions {
+    std::string scene;   ///< of the model airflow
+    std::string output;  ///< the sand scene to write
+    std::string form = "exponential";
+    std::int64_t hops = 1;  ///< in succession
+    std::string into;       ///< the sand scene that gets the law; empty: Terada's ripples
+    std::string flights;    ///< a CSV file of all flights; empty: none
+    WorkOptions work;
+};
+
+void declare(CLI::App& command, HopLawOptions& options) {
+    command.add_option("SCENE", options.scene, "a scene of the model airflow")->required();
+    command.add_option("-o,--output", options.output, "the sand scene to write")
+        ->type_name("LAW.toml")
+        ->required();
+    command
+        .add_option("--form", options.form,
+                    "of the law: exponential (default), linear, table or slope")
+        ->type_name("NAME")
+        ->check(CLI::IsMember({"exponential", "linear", "table", "slope"}).description(""));
+    command.add_option("--hops", options.hops, "hops in succession that count as one (default 1)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10000).description(""));
+    command
+        .add_option("--into", options.into,
+                    "a sand scene of your own that gets the law (default: the ripples of "
+                    "Terada 2025, section 5)")
+        ->type_name("SAND.toml");
+    command.add_option("--flights", options.flights, "write every flight into a table")
+        ->type_name("FILE.csv");
+    add_work_options(command, options.work);
+    command.footer(
+        "  fumon hop-law scenes/terada-hop-law.toml -o out/law.toml\n"
+        "  fumon run out/law.toml -o out/ripples\n"
+        "\n"
+        "The air runs to the scene's last step; then a grain leaves every column at each of "
+        "model.launch_angles.");
+}
+
+namespace fs = std::filesystem;
+
+HopForm form_of(const std::string& name) {
+    constexpr std::array<std::pair<std::string_view, HopForm>, 4> forms{
+        {{"exponential", HopForm::exponential},
+         {"linear", HopForm::linear},
+         {"table", HopForm::table},
+         {"slope", HopForm::slope}}};
+    for (const auto& [known, form] : forms) {
+        if (name == known) return form;
+    }
+    throw InputError(fmt::format("--form {}: it takes exponential, linear, table or slope", name));
+}
+
+bool same_file(const std::string& one, const std::string& other) {
+    if (one.empty() || other.empty()) return false;
+    std::error_code fault;
+    const auto whole = [&](const std::string& file) {
+        return fs::weakly_canonical(fs::absolute(file, fault), fault);
+    };
+    return whole(one) == whole(other);
+}
+
+void check_outputs(const HopLawOptions& options) {
+    for (const std::string& output : {options.output, options.flights}) {
+        if (!same_file(output, options.scene) && !same_file(output, options.into)) continue;
+        throw InputError(
+            fmt::format("{} is read, and would be replaced; write to another file", output));
+    }
+    if (same_file(options.output, options.flights)) {
+        throw InputError(
+            fmt::format("-o and --flights both name {}; give each its own file", options.output));
+    }
+}
+
+int perform(const HopLawOptions& options) {
+    const InterruptGuard guard;
+    check_outputs(options);
+    const SandSource sand = sand_source(options.into);
+    PreparedRun prepared =
+        prepare_run(read_scene(options.scene, options.work.settings), options.work.threads);
+    const Airflow& air = airflow_of(prepared);
+    AtomicFile law_file(options.output);  // what cannot be written is refused before the work
+    std::optional<AtomicFile> flight_file;
+    if (!options.flights.empty()) flight_file.emplace(options.flights);
+
+    Progress progress(options.work.verbosity,
+                      static_cast<std::int64_t>(prepared.initial.bed.size()));
+    if (!prepared.initial.note.empty()) progress.note(prepared.initial.note);
+    const int signal = advance_to(prepared, prepared.scene.run.steps, progress);
+    if (signal != 0) return exit_status_of_signal(signal);
+
+    const std::vector<Flight> flights = air.fly_grains(static_cast<int>(options.hops));
+    const MeasuredHops hops = measure_hops(flights, air.parameters().flight.launch_angles);
+    const HopForm form = form_of(options.form);
+    law_file.write(law_scene(prepared, air, hops, sand,
+                             {options.output, form, options.hops, options.work.settings}));
+    if (flight_file) {
+        flight_file->write(flight_table(flights));
+        flight_file->commit();
+    }
+    law_file.commit();
+    progress.note(air_line(prepared, air));
+    for (const std::string& line : fit_lines(hops)) progress.note(line);
+    if (const std::string warning = reynolds_warning(air, hops); !warning.empty())
+        progress.note(warning);
+    progress.note(law_line(hops, form));
+    progress.note(scale_line(hops));
+    progress.note(
+        fmt::format("{}: run it with fumon run {} -o DIR", options.output, options.output));
+    return 0;
+}
+
+}  // namespace
+
+Command hop_law_command() {
+    return make_command<HopLawOptions>(
+        "hop-law",
+        "fly grains in computed air, fit how far they hop, and write a sand scene with that law",
+        declare, perform);
+}
+
+}  // namespace fumon

@@ -1,0 +1,240 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "base/error.h"
+#include "base/tell.h"
+#include "cli/command.h"
+#include "cli/shared_options.h"
+#include "files/avalanche_table.h"
+#include "files/netcdf/netcdf_record.h"
+#include "files/terrain/terrain_format.h"
+#include "measure/pile/avalanche_report.h"
+#include "measure/suite.h"
+#include "models/shared/check_finite.h"
+#include "scene/initial_bed.h"
+#include "scene/terrain_scene.h"
+
+namespace fumon {
+
+namespace {
+
+struct MeasureOptions {
+    std::string bed;
+    std::string heights;      ///< "low:high", metres of black and white of a PNG terrain
+    std::string as;           ///< "bed", "profile", "pile"; empty: by the bed's rows
+    bool open_edges = false;  ///< the bed ends at its edges
+    std::vector<int> drop;    ///< x and y of a pile's drop site; empty: its middle
+    std::string earlier;      ///< a bed of the same run, for celerity
+    std::int64_t steps_between = 0;
+    std::string window;  ///< "low:high", cells: where avalanche sizes are fitted
+    bool as_json = false;
+    std::vector<std::string> settings;
+};
+
+void declare(CLI::App& command, MeasureOptions& options) {
+    command
+        .add_option("BED", options.bed,
+                    terrain_titles() +
+                        " (a run's fields.nc: its last record, water too); or a run's "
+                        "avalanches.csv")
+        ->required();
+    command.add_flag("--json", options.as_json, "as JSON");
+    command
+        .add_option("--as", options.as,
+                    "bed, profile or pile (default: one row is a profile; a fields.nc shows "
+                    "whether it is water or a pile)")
+        ->type_name("KIND")
+        ->check(CLI::IsMember({"bed", "profile", "pile"}).description(""));
+    command.add_flag("--open", options.open_edges,
+                     "the bed ends at its edges (default: periodic, as in the sand models)");
+    command.add_option("--drop", options.drop, "the cell on which a pile's grains fell")
+        ->type_name("X Y")
+        ->expected(2)
+        ->check(CLI::NonNegativeNumber.description(""));
+    auto* earlier = command
+                        .add_option("--earlier", options.earlier,
+                                    "a bed of the same run before this one: for celerity")
+                        ->type_name("BED");
+    command.add_option("--steps", options.steps_between, "steps between the two beds")
+        ->type_name("N")
+        ->check(CLI::Range(1.0, 9e18).description(""))
+        ->needs(earlier);
+    command
+        .add_option("--window", options.window,
+                    "sizes over which avalanches.csv is fitted (default 10:100)")
+        ->type_name("LOW:HIGH");
+    add_heights(command, options.heights);
+    add_settings(command, options.settings,
+                 "override a scene key, as grid.cell_size or bed.nodata (repeatable)");
+    command.footer(
+        "Lengths are in metres where the file has them, else in sites; \"undefined\" is what "
+        "has no "
+        "meaning\nfor this bed. `fumon run` writes the same measures over time into "
+        "measurements.csv.");
+}
+
+/// What a run's fields file holds beside the bed: its water or air, the numbers of a pile …
+void add_record(const std::string& file, Snapshot& snapshot) {
+    std::optional<FieldsRecord> record = read_fields_record(file);
+    if (!record) return;
+    snapshot.periodic = snapshot.periodic && record->periodic;
+    snapshot.numbers = std::move(record->numbers);
+    const bool fits = std::ranges::all_of(record->fields, [&](const SnapshotField& field) {
+        return field.values.nx() == snapshot.bed.nx() && field.values.ny() == snapshot.bed.ny();
+    });
+    if (fits) snapshot.fields = std::move(record->fields);
+    if (record->section && snapshot.bed.ny() == 1 &&
+        record->section->fields.front().values.nx() == snapshot.bed.nx())
+        snapshot.section = std::move(record->section);
+}
+
+Snapshot read_bed(const MeasureOptions& options, const std::string& file) {
+    const Scene scene = terrain_scene(file, options.heights, options.settings);
+    const InitialBed initial = make_initial_bed(scene);
+    if (!initial.note.empty()) tell(initial.note + "\n");
+    Snapshot snapshot;
+    snapshot.time_unit = "steps";
+    snapshot.bed = initial.bed;
+    snapshot.nodata = initial.nodata;
+    snapshot.scale = initial.scale;
+    snapshot.periodic = !options.open_edges;
+    if (scene.bed.variable.empty()) add_record(file, snapshot);
+    snapshot.landform = guessed_landform(snapshot);
+    check_finite(snapshot);
+    return snapshot;
+}
+
+Landform landform(const MeasureOptions& options, const Snapshot& snapshot) {
+    if (options.as == "pile") return Landform::pile;
+    if (options.as == "bed") return Landform::bed;
+    if (options.as == "profile") {
+        if (snapshot.bed.ny() == 1) return Landform::profile;
+        throw InputError(fmt::format("--as profile: {} has {} rows; a profile has one", options.bed,
+                                     snapshot.bed.ny()));
+    }
+    return measured_landform(snapshot);
+}
+
+void place_drop_site(const MeasureOptions& options, Snapshot& snapshot) {
+    if (options.drop.empty()) return;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const int cells = axis == 0 ? snapshot.bed.nx() : snapshot.bed.ny();
+        if (options.drop[axis] >= cells) {
+            throw InputError(fmt::format("--drop {} {} lies outside the {} x {} cells of {}",
+                                         options.drop[0], options.drop[1], snapshot.bed.nx(),
+                                         snapshot.bed.ny(), options.bed));
+        }
+    }
+    std::erase_if(snapshot.numbers, [](const SnapshotNumber& number) {
+        return number.name == "drop_x" || number.name == "drop_y";
+    });
+    snapshot.numbers.push_back({"drop_x", "cells", static_cast<double>(options.drop[0])});
+    snapshot.numbers.push_back({"drop_y", "cells", static_cast<double>(options.drop[1])});
+}
+
+std::vector<MeasuredValue> measured(const MeasureOptions& options) {
+    Snapshot bed = read_bed(options, options.bed);
+    place_drop_site(options, bed);
+    MeasureSuite suite(landform(options, bed), bed);
+    std::vector<double> values;
+    if (options.earlier.empty()) {
+        values = suite.row(bed);
+    } else {
+        const Snapshot earlier = read_bed(options, options.earlier);
+        if (earlier.bed.nx() != bed.bed.nx() || earlier.bed.ny() != bed.bed.ny()) {
+            throw InputError(
+                fmt::format("{} has {} x {} cells and {} has {} x {}; celerity needs "
+                            "two beds of the same size",
+                            options.earlier, earlier.bed.nx(), earlier.bed.ny(), options.bed,
+                            bed.bed.nx(), bed.bed.ny()));
+        }
+        static_cast<void>(suite.row(earlier));
+        bed.step = options.steps_between;
+        values = suite.row(bed);
+    }
+    std::vector<MeasuredValue> all;
+    for (std::size_t k = 0; k < values.size(); ++k)
+        all.push_back(in_world_units({suite.columns()[k], values[k]}, bed.scale));
+    return all;
+}
+
+std::string as_text(const std::vector<MeasuredValue>& all) {
+    std::string text;
+    for (const MeasuredValue& one : all) {
+        const std::string value =
+            std::isnan(one.value) ? "undefined" : fmt::format("{:.6g}", one.value);
+        text += fmt::format("{:<32} {:>12} {:<16} {}\n", one.column.name, value, one.column.unit,
+                            one.column.help);
+    }
+    return text;
+}
+
+std::string as_json(const MeasureOptions& options, const std::vector<MeasuredValue>& all) {
+    nlohmann::ordered_json json;
+    json["file"] = options.bed;
+    json["measures"] = nlohmann::ordered_json::array();
+    for (const MeasuredValue& one : all) {
+        json["measures"].push_back(
+            {{"name", one.column.name},
+             {"value", std::isnan(one.value) ? nlohmann::ordered_json(nullptr)
+                                             : nlohmann::ordered_json(one.value)},
+             {"unit", one.column.unit},
+             {"help", one.column.help}});
+    }
+    return json.dump(2) + "\n";
+}
+
+SizeWindow parse_window(const std::string& text) {
+    if (text.empty()) return {};
+    SizeWindow window;
+    char rest = '\0';
+    long long low = 0;
+    long long high = 0;
+    if (std::sscanf(text.c_str(), "%lld:%lld%c", &low, &high, &rest) != 2) {
+        throw InputError(fmt::format(
+            "--window is \"{}\"; it takes low:high in cells, for example 10:100", text));
+    }
+    window.low = low;
+    window.high = high;
+    return window;
+}
+
+int measure_avalanches(const MeasureOptions& options) {
+    AvalancheSizes sizes;
+    sizes.add(read_avalanches(options.bed));
+    const AvalancheFits fits = fit_avalanches(sizes, parse_window(options.window));
+    const std::string text =
+        options.as_json ? avalanche_json(options.bed, sizes, fits) : avalanche_text(sizes, fits);
+    std::fputs(text.c_str(), stdout);
+    return 0;
+}
+
+int perform(const MeasureOptions& options) {
+    if (std::filesystem::path(options.bed).extension() == ".csv")
+        return measure_avalanches(options);
+    if (options.earlier.empty() != (options.steps_between == 0)) {
+        throw InputError(
+            "fumon measure: --earlier and --steps go together: an earlier bed and the steps "
+            "between the two");
+    }
+    const std::vector<MeasuredValue> all = measured(options);
+    std::fputs((options.as_json ? as_json(options, all) : as_text(all)).c_str(), stdout);
+    return 0;
+}
+
+}  // namespace
+
+Command measure_command() {
+    return make_command<MeasureOptions>(
+        "measure", "measure a bed: wavelength, crests, dunes, slopes, a pile's cone, water",
+        declare, perform);
+}
+
+}  // namespace fumon

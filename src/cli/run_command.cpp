@@ -1,0 +1,175 @@
+#include <fmt/format.h>
+
+#include <csignal>
+#include <optional>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "cli/command.h"
+#include "cli/commands.h"
+#include "cli/shared_options.h"
+#include "run/drawing.h"
+#include "run/manifest.h"
+#include "run/pipeline.h"
+#include "run/prepared_run.h"
+#include "run/resume.h"
+#include "run/terminal/interrupt.h"
+#include "scene/read.h"
+
+namespace fumon {
+
+namespace {
+
+struct RunOptions {
+    std::string scene;
+    std::string folder;
+    bool force = false;
+    std::string resume;              ///< the folder of a run to go on with; empty: a new run
+    double checkpoint_every = 10.0;  ///< minutes; 0: no checkpoints
+    WorkOptions work;
+};
+
+void declare(CLI::App& command, RunOptions& options) {
+    command.add_option("SCENE", options.scene, "a scene file (TOML)");
+    auto* folder = command.add_option("-o,--output", options.folder, "the folder for the run")
+                       ->type_name("DIR");
+    auto* force =
+        command.add_flag("--force", options.force, "replace the run that the folder holds");
+    command
+        .add_option("--resume", options.resume,
+                    "resume the run in this folder from its checkpoint (no SCENE needed)")
+        ->type_name("DIR")
+        ->excludes(folder)
+        ->excludes(force);
+    command
+        .add_option("--checkpoint-every", options.checkpoint_every,
+                    "minutes between checkpoints (default 10; 0: none)")
+        ->type_name("MINUTES")
+        ->check(CLI::Range(0.0, 1e6).description(""));
+    add_work_options(command, options.work);
+    add_drawing_options(command, options.work);
+    command.footer(
+        "Exit status: 0 done, 1 failed, 2 wrong input, 130/143 interrupted (what was made is "
+        "kept).");
+}
+
+void tell_the_end(const RunOutcome& outcome, const PreparedRun& prepared, const RunFolder& folder,
+                  Progress& progress) {
+    progress.clear();
+    const Timing& timing = outcome.timing;
+    const double cell_steps = static_cast<double>(prepared.initial.bed.size()) *
+                              static_cast<double>(outcome.steps_done - outcome.steps_before);
+    progress.note(fmt::format(
+        "{} steps, {} frames in {} ({:.3g} million cell-steps/s while simulating): {}",
+        with_commas(outcome.steps_done), with_commas(outcome.frames), clock_text(timing.wall),
+        timing.simulation_wall > 0.0 ? 1e-6 * cell_steps / timing.simulation_wall : 0.0,
+        folder.path().string()));
+    const ImageSettings& image = prepared.scene.view.image;
+    if (outcome.movie.frames > 0 &&
+        (outcome.movie.width != image.width || outcome.movie.height != image.height)) {
+        progress.note(fmt::format(
+            "movie.mp4 is {} x {}: H.264 needs even sides, so the edge of the {} x {} frames is "
+            "repeated",
+            outcome.movie.width, outcome.movie.height, image.width, image.height));
+    }
+}
+
+void tell_of_drawing(const DrawingRecord& now, const RunCheckpoint& former, Progress& progress) {
+    if (former.frames.frames == 0) return;
+    const std::string differs = difference(parse_environment(former.drawing), now.environment);
+    if (differs.empty()) return;
+    progress.note(
+        fmt::format("frames so far were drawn otherwise ({}): they may differ in single "
+                    "pixels",
+                    differs));
+}
+
+/// Makes a run that is prepared, in the folder; returns the exit status.
+int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
+         const ResumedRun* former) {
+    const Scene& scene = prepared.scene;
+    Progress progress(options.work.verbosity,
+                      static_cast<std::int64_t>(prepared.initial.bed.size()));
+    if (!prepared.initial.note.empty()) progress.note(prepared.initial.note);
+
+    PipelineOptions how{options.work.backend, options.work.threads, options.checkpoint_every};
+    std::optional<FormerRun> from;
+    if (former != nullptr) {
+        from.emplace(FormerRun{former->checkpoint, former->first, *former->rest});
+        how.former = &*from;
+        progress.note(fmt::format("goes on from step {} of {}",
+                                  with_commas(former->checkpoint.step),
+                                  with_commas(scene.run.steps)));
+    }
+    const ManifestFacts facts{scene, prepared.initial, prepared.pool->size()};
+    const auto started = [&](const DrawingRecord& drawing) {
+        tell_drawing(drawing, progress);
+        if (!drawing.environment.backend.empty())
+            progress.verbose(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));
+        if (former == nullptr) {
+            folder.create(run_parts(scene, how.checkpoint_minutes));
+        } else {
+            tell_of_drawing(drawing, former->checkpoint, progress);
+            folder.go_on(run_parts(scene, how.checkpoint_minutes), former->checkpoint);
+        }
+        write_running_manifest(folder, facts, drawing);
+    };
+    const RunOutcome outcome = run_pipeline(*prepared.model, scene, prepared.initial.inputs,
+                                            outputs_in(folder, scene), how, progress, started);
+    try {
+        write_final_manifest(folder, facts, outcome);
+    } catch (const Error&) {
+        // The run's error tells more; on a full disk the manifest goes on saying "running".
+        if (!outcome.error) throw;
+    }
+    if (!outcome.checkpoint) folder.forget_frames();
+    if (outcome.error) std::rethrow_exception(outcome.error);
+    tell_the_end(outcome, prepared, folder, progress);
+    if (outcome.signal == 0) {
+        folder.tidy();
+        return 0;
+    }
+    progress.note(fmt::format(
+        "stopped by {} at step {} of {}; what was made is in {}{}",
+        outcome.signal == SIGINT ? "an interrupt" : "a request to terminate",
+        with_commas(outcome.steps_done), with_commas(scene.run.steps), folder.path().string(),
+        outcome.checkpoint ? fmt::format("; fumon run --resume {} goes on from step {}",
+                                         folder.path().string(), with_commas(*outcome.checkpoint))
+                           : ""));
+    return exit_status_of_signal(outcome.signal);
+}
+
+int resume(const RunOptions& options) {
+    RunFolder folder(options.resume, true);
+    folder.enter();
+    if (folder.is_complete()) {
+        Progress(options.work.verbosity, 0)
+            .note(fmt::format("{}: the run is complete, nothing is left to do", options.resume));
+        folder.tidy();
+        return 0;
+    }
+    ResumedRun former = resume_run(folder, options.scene, options.work);
+    return work(former.run, folder, options, &former);
+}
+
+int perform(const RunOptions& options) {
+    const InterruptGuard guard;
+    if (!options.resume.empty()) return resume(options);
+    if (options.scene.empty()) throw InputError("fumon run: name a scene, or --resume DIR");
+    if (options.folder.empty()) throw InputError("fumon run: name a folder for the run with -o");
+    RunFolder folder(options.folder, options.force);
+    prepare_drawing(options.work);
+    PreparedRun prepared =
+        prepare_run(read_scene(options.scene, options.work.settings), options.work.threads);
+    return work(prepared, folder, options, nullptr);
+}
+
+}  // namespace
+
+Command run_command() {
+    return make_command<RunOptions>(
+        "run", "run a scene: frames, movie, measurements and manifest into a folder", declare,
+        perform);
+}
+
+}  // namespace fumon

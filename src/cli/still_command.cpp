@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "base/error.h"
+#include "cli/command.h"
+#include "cli/commands.h"
+#include "cli/shared_options.h"
+#include "files/terrain/terrain_format.h"
+#include "run/drawing.h"
+#include "run/prepared_run.h"
+#include "run/still.h"
+#include "run/terminal/interrupt.h"
+#include "scene/read.h"
+#include "scene/terrain_scene.h"
+
+namespace fumon {
+
+namespace {
+
+struct StillOptions {
+    std::string input;   ///< a scene (.toml) or a terrain file
+    std::string output;  ///< a PNG
+    std::optional<std::int64_t> step;
+    std::optional<double> time;
+    std::string heights;  ///< "low:high", metres of black and white of a PNG terrain
+    WorkOptions work;
+};
+
+void declare(CLI::App& command, StillOptions& options) {
+    command.add_option("INPUT", options.input, "a scene (.toml), or terrain: " + terrain_titles())
+        ->required();
+    command.add_option("-o,--output", options.output, "the picture (PNG)")
+        ->type_name("FILE.png")
+        ->required();
+    auto* step =
+        command.add_option("--step", options.step, "of which step (default: the run's last)")
+            ->type_name("N")
+            ->check(CLI::Range(0.0, 9e18).description(""));
+    command.add_option("--time", options.time, "of which time, in the model's unit")
+        ->type_name("T")
+        ->check(CLI::Range(0.0, 9e18).description(""))
+        ->excludes(step);
+    add_heights(command, options.heights);
+    add_work_options(command, options.work);
+    add_drawing_options(command, options.work);
+    command.footer(
+        "A look of your own: --set camera.azimuth=160 --set sun.elevation=15 --set "
+        "image.width=3840 …\n"
+        "(`fumon describe scene` lists every key).");
+}
+
+namespace fs = std::filesystem;
+
+bool is_scene(const std::string& path) {
+    return fs::path(path).extension() == ".toml";
+}
+
+Scene scene_of(const StillOptions& options) {
+    if (!is_scene(options.input))
+        return terrain_scene(options.input, options.heights, options.work.settings);
+    if (!options.heights.empty()) {
+        throw InputError(
+            "--heights belongs to a PNG terrain; in a scene write bed.heights = [low, high]");
+    }
+    return read_scene(options.input, options.work.settings);
+}
+
+std::int64_t step_of(const StillOptions& options, const Scene& scene) {
+    if (!options.step) return scene.run.steps;
+    if (*options.step > scene.run.steps) {
+        throw InputError(fmt::format(
+            "--step {} is after the run's end; {} runs {} steps (lengthen it with --set "
+            "run.steps={})",
+            *options.step, options.input, scene.run.steps, *options.step));
+    }
+    return *options.step;
+}
+
+int perform(const StillOptions& options) {
+    const InterruptGuard guard;
+    prepare_drawing(options.work);
+    PreparedRun prepared = prepare_run(scene_of(options), options.work.threads);
+    Progress progress(options.work.verbosity,
+                      static_cast<std::int64_t>(prepared.initial.bed.size()));
+    if (!prepared.initial.note.empty()) progress.note(prepared.initial.note);
+    const Snapshot first = prepared.model->snapshot();
+    const int signal = options.time
+                           ? advance_to_time(prepared, *options.time,
+                                             fmt::format("--time {}", *options.time), progress)
+                           : advance_to(prepared, step_of(options, prepared.scene), progress);
+    if (signal != 0) return exit_status_of_signal(signal);
+    draw_still(prepared, first, options.output, options.work, progress);
+    return 0;
+}
+
+}  // namespace
+
+Command still_command() {
+    return make_command<StillOptions>(
+        "still", "draw one picture, of a step of a scene or of a terrain file", declare, perform);
+}
+
+}  // namespace fumon

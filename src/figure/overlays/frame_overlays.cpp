@@ -1,0 +1,214 @@
+#include "figure/overlays/frame_overlays.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/elementary.h"
+#include "base/error.h"
+#include "figure/canvas/furniture.h"
+#include "figure/overlays/overlay_text.h"
+#include "render/view/shown_snapshot.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+namespace {
+
+/// One thing to place in a picture.
+struct OverlayPiece {
+    OverlayCorner corner = OverlayCorner::upper_left;
+    FurnitureSize size;  ///< pixels
+};
+
+constexpr std::size_t corners = 6;
+
+bool is_lower(OverlayCorner corner) {
+    return corner == OverlayCorner::lower_left || corner == OverlayCorner::lower_middle ||
+           corner == OverlayCorner::lower_right;
+}
+
+/// 0 at the left, 1 at the right.
+double place_across(OverlayCorner corner) {
+    if (corner == OverlayCorner::upper_left || corner == OverlayCorner::lower_left) return 0.0;
+    if (corner == OverlayCorner::upper_right || corner == OverlayCorner::lower_right) return 1.0;
+    return 0.5;
+}
+
+/// The boxes of pieces in a picture, whole pixels: those of a corner below one another, `gap`
+/// pixels apart and from the edges.
+std::vector<CanvasBox> stacked_boxes(std::span<const OverlayPiece> pieces, double width,
+                                     double height, double gap) {
+    const double edge = std::round(gap);
+    std::array<double, corners> heights{};
+    for (const OverlayPiece& piece : pieces)
+        heights.at(static_cast<std::size_t>(piece.corner)) += std::ceil(piece.size.height) + edge;
+    std::array<double, corners> next{};  // the top of each corner's next piece
+    for (std::size_t corner = 0; corner < corners; ++corner)
+        next.at(corner) =
+            is_lower(static_cast<OverlayCorner>(corner)) ? height - heights.at(corner) : edge;
+    std::vector<CanvasBox> boxes;
+    boxes.reserve(pieces.size());
+    for (const OverlayPiece& piece : pieces) {
+        const double across = std::ceil(piece.size.width);
+        const double down = std::ceil(piece.size.height);
+        double& top = next.at(static_cast<std::size_t>(piece.corner));
+        const double left =
+            std::round(edge + place_across(piece.corner) * (width - 2.0 * edge - across));
+        boxes.push_back({left, top, across, down});
+        top += down + edge;
+    }
+    return boxes;
+}
+
+/// The first piece that leaves the picture or overlaps one before it; their count where none does.
+std::size_t first_misfit(std::span<const CanvasBox> boxes, double width, double height) {
+    const CanvasBox picture{0.0, 0.0, width, height};
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (!within(boxes[i], picture)) return i;
+        for (std::size_t j = 0; j < i; ++j) {
+            if (overlap(boxes[i], boxes[j])) return i;
+        }
+    }
+    return boxes.size();
+}
+
+constexpr double plate_padding = 0.45;     // of the plate around an overlay, font sizes
+constexpr double rounding_of_plate = 0.3;  // radius of the plate's corners
+constexpr double gap_of_plates =
+    0.55;  // between plates, and from the edges, of the usual font size
+constexpr double least_font = 6.0;
+constexpr double shrinking = 0.93;  // from one try to the next
+
+std::unique_ptr<Overlay> make_overlay(const OverlayScene& on, std::size_t number) {
+#define FUMON_MAKER(name, word, shows, help) make_##name##_overlay,
+    constexpr std::array makers{FUMON_OVERLAY_KINDS(FUMON_MAKER)};
+#undef FUMON_MAKER
+    return makers.at(static_cast<std::size_t>(on.scene.view.overlays[number].kind))(on, number);
+}
+
+double usual_font(const ImageSettings& image) {
+    constexpr double share = 1.0 / 36.0;
+    constexpr double least = 10.0;
+    return std::max(least, share * static_cast<double>(std::min(image.width, image.height)));
+}
+
+/// A rectangle with round corners.
+void draw_rounded(Canvas& canvas, double width, double height, double radius, const Ink& ink) {
+    constexpr int points = 8;  // of a quarter circle
+    std::vector<CanvasPoint> outline;
+    const std::array<CanvasPoint, 4> middles{{{width - radius, height - radius},
+                                              {radius, height - radius},
+                                              {radius, radius},
+                                              {width - radius, radius}}};
+    for (std::size_t corner = 0; corner < middles.size(); ++corner) {
+        for (int i = 0; i <= points; ++i) {
+            const double angle = 0.5 * std::numbers::pi *
+                                 (static_cast<double>(corner) + static_cast<double>(i) / points);
+            outline.push_back({middles.at(corner).x + radius * elementary::cos(angle),
+                               middles.at(corner).y + radius * elementary::sin(angle)});
+        }
+    }
+    canvas.fill(outline, ink);
+}
+
+/// Over, in sRGB.
+void lay_over(Image& image, const CanvasLayer& layer, int left, int top) {
+    std::size_t n = 0;
+    for (int y = 0; y < layer.height; ++y) {
+        std::uint8_t* out = image.row(top + y) + 3 * static_cast<std::ptrdiff_t>(left);
+        for (int x = 0; x < layer.width; ++x, ++n) {
+            const std::uint32_t pixel = layer.pixels[n];
+            const std::uint32_t through = 255U - (pixel >> 24U);
+            for (const unsigned shift : {16U, 8U, 0U}) {
+                const std::uint32_t below = (*out * through + 127U) / 255U;
+                *out++ =
+                    static_cast<std::uint8_t>(std::min(255U, ((pixel >> shift) & 255U) + below));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+/// An overlay with its layer as last drawn, used again while its text is the same.
+struct FrameOverlays::DrawnOverlay {
+    std::unique_ptr<Overlay> overlay;
+    double opacity = 0.0;
+    std::optional<std::string> look;
+    CanvasLayer layer;
+};
+
+FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first) {
+    const std::vector<OverlaySettings>& overlays = scene.view.overlays;
+    const bool flat = first.section && scene.view.look.mode == ViewMode::figure;
+    const std::optional<Snapshot> shown = shown_snapshot(first, scene.view.look);
+    const OverlayScene on{scene, first, shown ? *shown : first, flat};
+    for (std::size_t number = 0; number < overlays.size(); ++number) {
+        if (!overlays[number].show) continue;
+        drawn_.push_back({make_overlay(on, number), overlays[number].opacity, {}, {}});
+        placed_.push_back({number, {}, 0.0});
+    }
+    const auto width = static_cast<double>(scene.view.image.width);
+    const auto height = static_cast<double>(scene.view.image.height);
+    const double usual = usual_font(scene.view.image);
+    for (double font = usual;; font *= shrinking) {
+        const double tried = std::max(font, least_font);
+        std::vector<OverlayPiece> pieces;
+        pieces.reserve(placed_.size());
+        for (std::size_t i = 0; i < placed_.size(); ++i) {
+            const OverlaySettings& settings = overlays[placed_[i].number];
+            placed_[i].font_size = settings.font_size.is_word() ? tried : settings.font_size.value;
+            const Canvas ruler(1, 1, placed_[i].font_size);
+            const FurnitureSize size = drawn_[i].overlay->size(ruler);
+            const double room = 2.0 * plate_padding * placed_[i].font_size;
+            pieces.push_back({settings.corner, {size.width + room, size.height + room}});
+        }
+        const auto boxes = stacked_boxes(pieces, width, height, gap_of_plates * tried);
+        const std::size_t misfit = first_misfit(boxes, width, height);
+        if (misfit == boxes.size()) {
+            for (std::size_t i = 0; i < boxes.size(); ++i) placed_[i].box = boxes[i];
+            return;
+        }
+        if (font > least_font) continue;
+        const std::size_t number = placed_[misfit].number;
+        throw KeyError(
+            overlay_key(number, overlays[number].font_size.is_word() ? "kind" : "font_size"),
+            fmt::format("overlay.{} has no room in a picture of {} x {} pixels beside those before "
+                        "it; take another corner, a smaller size or font_size, or a larger image",
+                        number, scene.view.image.width, scene.view.image.height));
+    }
+}
+
+FrameOverlays::~FrameOverlays() = default;
+
+void FrameOverlays::draw(Image& image, const OverlayFrame& frame) {
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+        const PlacedOverlay& place = placed_[i];
+        DrawnOverlay& drawn = drawn_[i];
+        if (std::string look = drawn.overlay->look_in(frame); drawn.look != look) {
+            drawn.look = std::move(look);
+            Canvas canvas(static_cast<int>(place.box.width), static_cast<int>(place.box.height),
+                          place.font_size, CanvasGround::transparent);
+            const double room = plate_padding * place.font_size;
+            if (drawn.opacity > 0.0) {
+                draw_rounded(canvas, place.box.width, place.box.height,
+                             rounding_of_plate * place.font_size, {1.0, 1.0, 1.0, drawn.opacity});
+            }
+            drawn.overlay->draw(
+                canvas, {room, room, place.box.width - 2.0 * room, place.box.height - 2.0 * room},
+                frame);
+            drawn.layer = canvas.layer();
+        }
+        lay_over(image, drawn.layer, static_cast<int>(place.box.x), static_cast<int>(place.box.y));
+    }
+}
+
+}  // namespace fumon

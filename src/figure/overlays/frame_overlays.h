@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "figure/overlays/overlay.h"
+
+namespace fumon {
+
+/// Where an overlay stands.
+struct PlacedOverlay {
+    std::size_t number = 0;  ///< of the scene's overlays, shown ones and others
+    CanvasBox box;           ///< with its plate, whole pixels
+    double font_size = 0.0;
+};
+
+/// All overlays on the frames of a run, drawn by the same code as scale bars, arrows and colour
+/// bars in figures.
+///
+/// Overlays of one corner stand below one another, in the scene's order; their places are the same
+/// in all frames. Nothing overlaps or leaves the picture: where there is too little room, texts
+/// without a size of their own become smaller, down to 6 pixels. Each overlay is drawn on a pale
+/// plate into a layer of its own, which is reused while its content stays the same. Layers are
+/// blended over the frame in sRGB, in which Cairo also blends text and plate, so that an opacity
+/// looks as it does in figures and in other programs. Pixels depend on the system's fonts and on
+/// the versions of Cairo and Pango.
+class FrameOverlays {
+  public:
+    /// The overlays of a scene that are shown; the scene outlives them, and `first` is the run's
+    /// first snapshot as the model gives it. Throws KeyError for one that the scene cannot have, or
+    /// for which the picture is too small.
+    FrameOverlays(const Scene& scene, const Snapshot& first);
+    ~FrameOverlays();
+    FrameOverlays(const FrameOverlays&) = delete;
+    FrameOverlays& operator=(const FrameOverlays&) = delete;
+
+    [[nodiscard]] const std::vector<PlacedOverlay>& placed() const { return placed_; }
+    /// Lays them over a frame.
+    void draw(Image& image, const OverlayFrame& frame);
+
+  private:
+    struct DrawnOverlay;
+
+    std::vector<PlacedOverlay> placed_;
+    std::vector<DrawnOverlay> drawn_;
+};
+
+}  // namespace fumon

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "base/snapshot.h"
+#include "figure/canvas/canvas.h"
+#include "figure/canvas/furniture.h"
+#include "measure/measured_rows.h"
+#include "scene/overlay_kinds.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// What overlays are made for: the frames of a scene, which outlives them.
+struct OverlayScene {
+    const Scene& scene;
+    const Snapshot& first;  ///< of the run, as the model gives it
+    const Snapshot& shown;  ///< the same as it is drawn, see shown_snapshot()
+    bool flat = false;      ///< the frames are a section's flat figure
+};
+
+/// One frame, for what stands over it.
+struct OverlayFrame {
+    const Snapshot& snapshot;  ///< as the model gives it
+    const MeasuredRows& rows;  ///< up to it
+    /// The values at the palette's ends in the frame, as colour_range() gives them.
+    std::pair<double, double> colours{0.0, 1.0};
+};
+
+/// Something written or drawn over every frame of a run.
+class Overlay {
+  public:
+    Overlay() = default;
+    Overlay(const Overlay&) = delete;
+    Overlay& operator=(const Overlay&) = delete;
+    virtual ~Overlay() = default;
+
+    /// What it takes at the canvas's font size: the same for all frames, so that nothing moves.
+    [[nodiscard]] virtual FurnitureSize size(const Canvas& canvas) const = 0;
+    /// The same text for frames over which it looks the same.
+    [[nodiscard]] virtual std::string look_in(const OverlayFrame& frame) const = 0;
+    /// Draws it into `box`, which has its size.
+    virtual void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const = 0;
+};
+
+/// One for each line of FUMON_OVERLAY_KINDS (scene/overlay_kinds.h): makes the scene's overlay of
+/// that number. Throws KeyError where the scene cannot have it.
+#define FUMON_MAKER(name, word, shows, help) \
+    std::unique_ptr<Overlay> make_##name##_overlay(const OverlayScene& on, std::size_t number);
+FUMON_OVERLAY_KINDS(FUMON_MAKER)
+#undef FUMON_MAKER
+
+}  // namespace fumon

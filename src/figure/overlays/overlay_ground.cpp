@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/error.h"
+#include "figure/overlays/overlay.h"
+#include "figure/overlays/overlay_text.h"
+#include "figure/panels/ground_arrow.h"
+#include "figure/panels/scale_bar.h"
+#include "measure/suite.h"
+#include "render/view/framing.h"
+#include "scene/initial_bed.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr double longest_bar_of_picture = 0.2;  // of the picture's width
+
+class ScaleBarOverlay : public Overlay {
+  public:
+    explicit ScaleBarOverlay(const OverlayScene& on) {
+        const View& view = on.scene.view;
+        const Block block = framed_block(view, on.shown);
+        const Camera camera = camera_at_step(view, block, 0, on.scene.run.steps);
+        bar_ =
+            round_scale_bar(on.shown.scale.in_metres, pixels_per_length(camera, view) / block.side,
+                            longest_bar_of_picture * static_cast<double>(view.image.width));
+        if (camera.perspective) bar_.text += " at the middle";
+    }
+
+    [[nodiscard]] FurnitureSize size(const Canvas& canvas) const override {
+        return scale_bar_size(canvas, bar_);
+    }
+    [[nodiscard]] std::string look_in(const OverlayFrame& /*frame*/) const override { return ""; }
+    void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& /*frame*/) const override {
+        draw_scale_bar(canvas, bar_, box);
+    }
+
+  private:
+    ScaleBar bar_;
+};
+
+std::optional<GroundDirection> direction_of(const OverlayScene& on) {
+    switch (on.first.landform) {
+        case Landform::air:
+        case Landform::bed:
+        case Landform::profile:
+            return wind_direction();
+        case Landform::water:
+            if (bed_kind(on.scene) == BedKind::file) return std::nullopt;
+            return flow_direction();
+        case Landform::pile:
+        case Landform::terrain:
+            return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+class ArrowOverlay : public Overlay {
+  public:
+    ArrowOverlay(const OverlayScene& on, std::size_t number)
+        : view_(on.scene.view),
+          last_step_(on.scene.run.steps),
+          flat_(on.flat),
+          direction_(direction_of(on)) {
+        if (!flat_) block_ = framed_block(view_, on.shown);
+        if (flat_ && !direction_) {
+            throw KeyError(overlay_key(number, "kind"),
+                           fmt::format("overlay.{} shows the wind, and there is none", number));
+        }
+    }
+
+    [[nodiscard]] FurnitureSize size(const Canvas& canvas) const override {
+        const double font = canvas.font_size();
+        const Sizes sizes = sizes_over_run(canvas);
+        if (flat_) return sizes.arrow;
+        if (!direction_) return sizes.compass;
+        return {sizes.arrow.width + apart * font + sizes.compass.width,
+                std::max(sizes.arrow.height, sizes.compass.height)};
+    }
+    [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
+        const GroundAxes axes = axes_at(frame.snapshot.step);
+        return fmt::format("{} {} {} {}", axes.east.x, axes.east.y, axes.north.x, axes.north.y);
+    }
+    void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const override {
+        const GroundAxes axes = axes_at(frame.snapshot.step);
+        const Sizes sizes = sizes_over_run(canvas);
+        if (direction_) {
+            const CanvasBox left{box.x, box.y, sizes.arrow.width, box.height};
+            draw_ground_arrow(
+                canvas, *direction_, axes,
+                centred(left, ground_arrow_size(canvas, *direction_, axes, arrow_length)), {},
+                arrow_length);
+        }
+        if (flat_) return;
+        const CanvasBox right{box.right() - sizes.compass.width, box.y, sizes.compass.width,
+                              box.height};
+        draw_compass(canvas, axes, centred(right, compass_size(canvas, axes, needle_length)), {},
+                     needle_length);
+    }
+
+  private:
+    /// The most that both take while the camera turns.
+    struct Sizes {
+        FurnitureSize arrow;
+        FurnitureSize compass;
+    };
+
+    static constexpr double apart = 0.9;  // font sizes, as are the lengths
+    static constexpr double arrow_length = 3.4;
+    static constexpr double needle_length = 3.0;
+
+    static CanvasBox centred(const CanvasBox& within, const FurnitureSize& size) {
+        return {within.x + 0.5 * (within.width - size.width),
+                within.y + 0.5 * (within.height - size.height), size.width, size.height};
+    }
+
+    static void take(FurnitureSize& most, const FurnitureSize& size) {
+        most = {std::max(most.width, size.width), std::max(most.height, size.height)};
+    }
+
+    [[nodiscard]] GroundAxes axes_at(std::int64_t step) const {
+        if (flat_) return map_axes();
+        const Camera camera = camera_at_step(view_, block_, step, last_step_);
+        return seen_axes({camera,
+                          block_,
+                          {0.0, 0.0, static_cast<double>(view_.image.width),
+                           static_cast<double>(view_.image.height)}});
+    }
+
+    [[nodiscard]] Sizes sizes_over_run(const Canvas& canvas) const {
+        constexpr std::int64_t most_looks = 90;  // over a turn: 4 degrees of a whole circle
+        const bool turns = !flat_ && view_.camera.turn != 0.0;
+        const std::int64_t looks = turns ? std::min(last_step_, most_looks) : 0;
+        Sizes sizes;
+        for (std::int64_t i = 0; i <= looks; ++i) {
+            const auto share =
+                static_cast<double>(i) / static_cast<double>(std::max<std::int64_t>(looks, 1));
+            const GroundAxes axes =
+                axes_at(static_cast<std::int64_t>(share * static_cast<double>(last_step_)));
+            if (direction_)
+                take(sizes.arrow, ground_arrow_size(canvas, *direction_, axes, arrow_length));
+            take(sizes.compass, compass_size(canvas, axes, needle_length));
+        }
+        return sizes;
+    }
+
+    View view_;
+    std::int64_t last_step_;
+    bool flat_;
+    std::optional<GroundDirection> direction_;
+    Block block_;
+};
+
+}  // namespace
+
+/// A level bar of a round length, at most a fifth of the picture's width: true everywhere in a map
+/// and, for lengths across the picture, in an orthographic view; in perspective at the middle of
+/// the block, which its text says. None over a section's flat figure, whose axes have the scale.
+std::unique_ptr<Overlay> make_scale_bar_overlay(const OverlayScene& on, std::size_t number) {
+    if (on.flat) {
+        throw KeyError(overlay_key(number, "kind"),
+                       fmt::format("overlay.{} is a scale bar, which a section's figure does not "
+                                   "need: its axes have the scale",
+                                   number));
+    }
+    return std::make_unique<ScaleBarOverlay>(on);
+}
+
+/// The direction of the wind (sand and air) or of the slope that water runs down (a tilted plane),
+/// as the camera sees the ground at the frame, beside a compass; a compass alone where the model
+/// has neither. Over a section's flat figure the wind alone, which blows to the right.
+std::unique_ptr<Overlay> make_arrow_overlay(const OverlayScene& on, std::size_t number) {
+    return std::make_unique<ArrowOverlay>(on, number);
+}
+
+}  // namespace fumon

@@ -1,0 +1,202 @@
+#include "figure/overlays/overlay_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "base/elementary_power.h"
+#include "base/error.h"
+#include "base/number_text.h"
+#include "base/quantity_text.h"
+#include "keys/keys.h"
+#include "scene/placeholders.h"
+#include "scene/scene_keys.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr double parameter_text = 0.85;  // of the font size
+constexpr double title_text = 1.15;
+
+/// Seconds of a step, where the model's parameters say them.
+std::optional<double> seconds_of_step(const Scene& scene) {
+    Scene copy = scene;  // the table binds to writable values
+    const KeyTable table = scene_keys(copy);
+    const Key* key = table.find("model.time_step");
+    if (key == nullptr || !std::holds_alternative<double*>(key->target)) return std::nullopt;
+    return *std::get<double*>(key->target);
+}
+
+/// How many decimals tell the multiples of a number apart, at most `most`.
+int decimals_of(double number, int most) {
+    constexpr double rounding = 1e-6;
+    for (int decimals = 0; decimals < most; ++decimals) {
+        const double scaled = number * elementary::pow(10.0, decimals);
+        if (std::abs(scaled - std::round(scaled)) < rounding * std::max(1.0, scaled))
+            return decimals;
+    }
+    return most;
+}
+
+/// A key's value as one reads it: "60", where the scene's text says 60.0.
+std::optional<std::string> shown_value(const Scene& scene, const std::string& key) {
+    std::optional<std::string> text = key_text(scene, key);
+    if (!text || !text->ends_with(".0")) return text;
+    const bool number = text->find_first_not_of("-0123456789.") == std::string::npos;
+    if (number) text->resize(text->size() - 2);
+    return text;
+}
+
+class TextOverlay : public Overlay {
+  public:
+    TextOverlay(const OverlayScene& on, std::size_t number, std::string text, double text_size,
+                bool bold)
+        : scene_(on.scene),
+          times_(time_text_of(on.scene, on.first)),
+          text_(std::move(text)),
+          text_size_(text_size),
+          bold_(bold) {
+        try {
+            begin_ = filled_text(text_, scene_, times_, 0, 0.0);
+            end_ = filled_text(text_, scene_, times_, times_.last, times_.end);
+        } catch (const InputError& fault) {
+            throw KeyError(overlay_key(number, "text"), fault.what());
+        }
+    }
+
+    [[nodiscard]] FurnitureSize size(const Canvas& canvas) const override {
+        const auto begin = canvas.text_size(begin_, text_size_, bold_);
+        const auto end = canvas.text_size(end_, text_size_, bold_);
+        return {std::max(begin[0], end[0]), std::max(begin[1], end[1])};
+    }
+    [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
+        return filled_text(text_, scene_, times_, frame.snapshot.step, frame.snapshot.time);
+    }
+    void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const override {
+        canvas.write(look_in(frame), {box.x, box.y + 0.5 * box.height}, {0.0, 0.5}, black_ink,
+                     text_size_, false, bold_);
+    }
+
+  private:
+    const Scene& scene_;
+    TimeText times_;
+    std::string text_;
+    std::string begin_;
+    std::string end_;
+    double text_size_;
+    bool bold_;
+};
+
+std::string chosen_text(const OverlayScene& on, std::size_t number, const std::string& usual) {
+    const OverlaySettings& settings = on.scene.view.overlays[number];
+    return settings.text.empty() ? usual : settings.text;
+}
+
+/// "hop base = 10 sites", of a key.
+std::string parameter_text_of(const Scene& scene, const Key& key) {
+    const std::string name = in_words(key.path.substr(key.path.rfind('.') + 1));
+    const std::string value = shown_value(scene, key.path).value_or("");
+    const std::string unit = key.notes.unit.empty() ? "" : " " + key.notes.unit;
+    return fmt::format("{} = {}{}", name, value, unit);
+}
+
+class ParameterLine : public Overlay {
+  public:
+    explicit ParameterLine(const OverlayScene& on, std::size_t number)
+        : widest_(0.5 * static_cast<double>(on.scene.view.image.width)) {
+        Scene copy = on.scene;  // the table binds to writable values
+        const KeyTable table = scene_keys(copy);
+        for (const std::string& name : on.scene.view.overlays[number].keys) {
+            if (const Key* key = table.find(name))
+                parts_.push_back(parameter_text_of(on.scene, *key));
+        }
+    }
+
+    [[nodiscard]] FurnitureSize size(const Canvas& canvas) const override {
+        const auto size = canvas.text_size(broken(canvas), parameter_text);
+        return {size[0], size[1]};
+    }
+    [[nodiscard]] std::string look_in(const OverlayFrame& /*frame*/) const override { return ""; }
+    void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& /*frame*/) const override {
+        canvas.write(broken(canvas), {box.x, box.y}, {0.0, 0.0}, black_ink, parameter_text);
+    }
+
+  private:
+    [[nodiscard]] std::string broken(const Canvas& canvas) const {
+        std::string text;
+        std::string line;
+        for (const std::string& part : parts_) {
+            const std::string longer = line.empty() ? part : fmt::format("{},  {}", line, part);
+            if (!line.empty() && canvas.text_size(longer, parameter_text)[0] > widest_) {
+                text += line + ",\n";
+                line = part;
+            } else {
+                line = longer;
+            }
+        }
+        return text + line;
+    }
+
+    std::vector<std::string> parts_;
+    double widest_;
+};
+
+}  // namespace
+
+std::string TimeText::operator()(double time) const {
+    return with_commas(time, decimals) + " " + unit;
+}
+
+TimeText time_text_of(const Scene& scene, const Snapshot& first) {
+    constexpr int most_decimals = 6;
+    const std::int64_t last = scene.run.steps;
+    const auto steps = static_cast<double>(last);
+    if (first.time_unit == "steps") return {first.time_unit, 0, steps, last};
+    const double seconds = seconds_of_step(scene).value_or(1.0);
+    return {first.time_unit, decimals_of(seconds, most_decimals), steps * seconds, last};
+}
+
+std::string filled_text(const std::string& text, const Scene& scene, const TimeText& times,
+                        std::int64_t step, double time) {
+    return fill_placeholders(text, [&](const std::string& name) -> std::optional<std::string> {
+        if (name == "title") return scene.title;
+        if (name == "step") return with_commas(step);
+        if (name == "time") return times(time);
+        if (name == "seed") return fmt::format("{}", scene.seed);
+        return shown_value(scene, name);
+    });
+}
+
+/// The scene's title, or another text; none where the scene has no title.
+std::unique_ptr<Overlay> make_title_overlay(const OverlayScene& on, std::size_t number) {
+    const std::string text = chosen_text(on, number, "{title}");
+    if (text == "{title}" && on.scene.title.empty()) {
+        throw KeyError(overlay_key(number, "kind"),
+                       fmt::format("overlay.{} shows the scene's title, and there is none; write "
+                                   "title = \"…\" or overlay.{}.text",
+                                   number, number));
+    }
+    return std::make_unique<TextOverlay>(on, number, text, title_text, true);
+}
+
+std::unique_ptr<Overlay> make_time_overlay(const OverlayScene& on, std::size_t number) {
+    const bool steps_only = on.first.time_unit == "steps";
+    const std::string usual = steps_only ? "step {step}" : "t = {time},  step {step}";
+    return std::make_unique<TextOverlay>(on, number, chosen_text(on, number, usual), 1.0, false);
+}
+
+/// The values of overlay.keys in a line, which breaks where it is wider than half of the picture.
+std::unique_ptr<Overlay> make_parameters_overlay(const OverlayScene& on, std::size_t number) {
+    return std::make_unique<ParameterLine>(on, number);
+}
+
+std::string overlay_key(std::size_t number, const std::string& key) {
+    return fmt::format("overlay.{}.{}", number, key);
+}
+
+}  // namespace fumon

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "figure/overlays/overlay.h"
+
+namespace fumon {
+
+/// How the times of a run are written: whole seconds where its steps are whole, else with as many
+/// decimals as they need.
+struct TimeText {
+    std::string unit;       ///< "s"; "steps" where there are only steps
+    int decimals = 0;       ///< of a time
+    double end = 0.0;       ///< the run's
+    std::int64_t last = 0;  ///< its last step
+
+    /// "300 s"; "1,200 steps".
+    [[nodiscard]] std::string operator()(double time) const;
+};
+
+/// The time text of a scene's run; `first` gives the unit.
+TimeText time_text_of(const Scene& scene, const Snapshot& first);
+
+/// A text with {title}, {seed}, {step}, {time} and {key} filled in, for a step. Throws InputError
+/// without a place for other names.
+std::string filled_text(const std::string& text, const Scene& scene, const TimeText& times,
+                        std::int64_t step, double time);
+
+/// "overlay.2.text".
+std::string overlay_key(std::size_t number, const std::string& key);
+
+}  // namespace fumon

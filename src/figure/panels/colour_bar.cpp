@@ -1,0 +1,166 @@
+#include "figure/panels/colour_bar.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "figure/plot/ticks.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr double bar_tick_text = 0.85;  // of the font size, as are those below
+constexpr double bar_label_text = 0.95;
+constexpr double tick_mark = 0.25;
+constexpr double to_tick_text = 0.4;
+constexpr double to_label = 0.25;
+constexpr double beyond_ends = 0.2;  // by which a label may be longer than its bar
+constexpr int most_ticks = 8;
+constexpr double bar_width = 0.9;
+constexpr double from_frame = 0.8;
+constexpr double to_bar_below = 0.5;
+
+/// A bar's ticks, the room that their texts take, and how large its label is written.
+struct BarLayout {
+    Ticks ticks;
+    double widest = 0.0;
+    double highest = 0.0;
+    double label_size = bar_label_text;
+    double label_height = 0.0;
+};
+
+BarLayout lay_out_bar(const Canvas& canvas, double length, const ColourScale& scale,
+                      BarDirection direction) {
+    const double font = canvas.font_size();
+    const bool upright = direction == BarDirection::upright;
+    BarLayout layout;
+    int most = std::clamp(static_cast<int>(length / ((upright ? 1.5 : 2.2) * font)), 2, most_ticks);
+    for (;; --most) {
+        layout.ticks = linear_ticks(scale.low, scale.high, most);
+        layout.widest = 0.0;
+        for (const std::string& label : layout.ticks.labels) {
+            const auto [width, height] = canvas.text_size(label, bar_tick_text);
+            layout.widest = std::max(layout.widest, width);
+            layout.highest = std::max(layout.highest, height);
+        }
+        const auto count = static_cast<double>(layout.ticks.labels.size());
+        if (upright || most <= 2 || count * (layout.widest + 0.6 * font) <= length) break;
+    }
+    if (scale.label.empty()) return layout;
+    const auto [width, height] = canvas.text_size(scale.label, bar_label_text);
+    const double shrink = std::min(1.0, (length + 2.0 * beyond_ends * font) / width);
+    layout.label_size = bar_label_text * shrink;
+    layout.label_height = height * shrink + to_label * font;
+    return layout;
+}
+
+/// The palette from one end to the other: two pixels a colour, one at the ends, as place() rounds.
+Image gradient(const ColourScale& scale, BarDirection direction) {
+    constexpr int pixels = 510;
+    const bool upright = direction == BarDirection::upright;
+    Image image(upright ? 1 : pixels, upright ? pixels : 1);
+    for (int i = 0; i < pixels; ++i) {
+        const auto& colour = scale.palette[static_cast<std::size_t>((i + 1) / 2)];
+        const int at = upright ? pixels - 1 - i : i;
+        std::copy(colour.begin(), colour.end(), image.rgb.begin() + std::ptrdiff_t{3} * at);
+    }
+    return image;
+}
+
+CanvasBox placed_bar(const Canvas& canvas, const CanvasBox& frame, double below, BarPlace place) {
+    const double font = canvas.font_size();
+    if (place == BarPlace::below)
+        return {frame.x, frame.bottom() + below + to_bar_below * font, frame.width,
+                bar_width * font};
+    return {frame.right() + from_frame * font, frame.y, bar_width * font, frame.height};
+}
+
+}  // namespace
+
+std::size_t ColourScale::place(double value) const {
+    const double last = static_cast<double>(palette.size()) - 1.0;
+    return static_cast<std::size_t>(
+        std::lround(std::clamp((value - low) / (high - low), 0.0, 1.0) * last));
+}
+
+Ink ColourScale::ink(double value) const {
+    const auto& colour = palette[place(value)];
+    constexpr double full = 255.0;
+    return {colour[0] / full, colour[1] / full, colour[2] / full, 1.0};
+}
+
+PanelMargins colour_bar_margins(const Canvas& canvas, const CanvasBox& bar,
+                                const ColourScale& scale, BarDirection direction) {
+    const double font = canvas.font_size();
+    const double thin = 0.5 * canvas.line_width();
+    if (direction == BarDirection::upright) {
+        const BarLayout layout = lay_out_bar(canvas, bar.height, scale, direction);
+        const double half = std::max({thin, beyond_ends * font, 0.5 * layout.highest});
+        return {thin, to_tick_text * font + layout.widest + layout.label_height, half, half};
+    }
+    const BarLayout layout = lay_out_bar(canvas, bar.width, scale, direction);
+    const double half = std::max({thin, beyond_ends * font, 0.5 * layout.widest});
+    return {half, half, thin, to_tick_text * font + layout.highest + layout.label_height};
+}
+
+void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& scale,
+                     BarDirection direction, const Ink& ink) {
+    const double font = canvas.font_size();
+    const double thin = canvas.line_width();
+    const bool upright = direction == BarDirection::upright;
+    const BarLayout layout =
+        lay_out_bar(canvas, upright ? bar.height : bar.width, scale, direction);
+    const double right = bar.x + bar.width;
+    const double bottom = bar.y + bar.height;
+    canvas.draw(gradient(scale, direction), bar);
+    canvas.stroke(
+        std::array<CanvasPoint, 5>{
+            {{bar.x, bar.y}, {right, bar.y}, {right, bottom}, {bar.x, bottom}, {bar.x, bar.y}}},
+        thin, ink);
+    for (std::size_t i = 0; i < layout.ticks.values.size(); ++i) {
+        const double share = (layout.ticks.values[i] - scale.low) / (scale.high - scale.low);
+        const double x = upright ? right : bar.x + bar.width * share;
+        const double y = upright ? bottom - bar.height * share : bottom;
+        const double dx = upright ? font : 0.0;
+        const double dy = upright ? 0.0 : font;
+        canvas.stroke(
+            std::array<CanvasPoint, 2>{{{x, y}, {x + tick_mark * dx, y + tick_mark * dy}}}, thin,
+            ink);
+        canvas.write(layout.ticks.labels[i], {x + to_tick_text * dx, y + to_tick_text * dy},
+                     upright ? CanvasPoint{0.0, 0.5} : CanvasPoint{0.5, 0.0}, ink, bar_tick_text);
+    }
+    if (scale.label.empty()) return;
+    const double away =
+        (to_tick_text + to_label) * font + (upright ? layout.widest : layout.highest);
+    if (upright) {
+        canvas.write(scale.label, {right + away, bar.y + 0.5 * bar.height}, {0.0, 0.5}, ink,
+                     layout.label_size, true);
+    } else {
+        canvas.write(scale.label, {bar.x + 0.5 * bar.width, bottom + away}, {0.5, 0.0}, ink,
+                     layout.label_size);
+    }
+}
+
+PanelMargins with_colour_bar(const Canvas& canvas, const PanelMargins& margins, BarPlace place,
+                             const ColourScale& scale, double width, double height) {
+    if (place == BarPlace::none) return margins;
+    const CanvasBox bar = placed_bar(canvas, {0.0, 0.0, width, height}, margins.below, place);
+    const bool below = place == BarPlace::below;
+    const PanelMargins room =
+        colour_bar_margins(canvas, bar, scale, below ? BarDirection::level : BarDirection::upright);
+    return {std::max(margins.left, room.left - bar.x),
+            std::max(margins.right, bar.right() + room.right - width),
+            std::max(margins.above, room.above - bar.y),
+            std::max(margins.below, bar.bottom() + room.below - height)};
+}
+
+void draw_placed_bar(Canvas& canvas, const CanvasBox& frame, const PanelMargins& margins,
+                     BarPlace place, const ColourScale& scale) {
+    if (place == BarPlace::none) return;
+    draw_colour_bar(canvas, placed_bar(canvas, frame, margins.below, place), scale,
+                    place == BarPlace::below ? BarDirection::level : BarDirection::upright);
+}
+
+}  // namespace fumon

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+
+#include "figure/canvas/furniture.h"
+#include "figure/panels/ground_axes.h"
+
+namespace fumon {
+
+/// A direction of the ground that an arrow shows.
+struct GroundDirection {
+    glm::dvec2 towards{1.0, 0.0};  ///< a unit vector, east and north
+    std::string label;
+};
+
+/// The wind blows toward +x, east.
+inline GroundDirection wind_direction() {
+    return {{1.0, 0.0}, "wind"};
+}
+
+/// Water flows down the slope, toward −y, south.
+inline GroundDirection flow_direction() {
+    return {{0.0, -1.0}, "flow"};
+}
+
+/// What an arrow with its label takes; `length` font sizes where nothing shortens it.
+FurnitureSize ground_arrow_size(const Canvas& canvas, const GroundDirection& direction,
+                                const GroundAxes& axes, double length = 2.6);
+
+/// Draws an arrow that lies on the ground as `axes` show it, and its label above it, or beside it
+/// where it points up or down, into `box`, which has its size.
+void draw_ground_arrow(Canvas& canvas, const GroundDirection& direction, const GroundAxes& axes,
+                       const CanvasBox& box, const Ink& ink = {}, double length = 2.6);
+
+/// What a compass takes: a needle to the north, seen as `axes` show the ground, and the letter N.
+FurnitureSize compass_size(const Canvas& canvas, const GroundAxes& axes, double length = 2.4);
+
+/// Draws a compass into `box`, which has its size.
+void draw_compass(Canvas& canvas, const GroundAxes& axes, const CanvasBox& box, const Ink& ink = {},
+                  double length = 2.4);
+
+}  // namespace fumon

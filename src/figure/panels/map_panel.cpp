@@ -1,0 +1,141 @@
+#include "figure/panels/map_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/elementary_angle.h"
+#include "base/percentile.h"
+#include "base/snapshot_lookup.h"
+#include "figure/canvas/furniture.h"
+#include "figure/panels/arrow_field.h"
+#include "figure/panels/axis_units.h"
+#include "figure/panels/scale_bar.h"
+#include "render/view/water.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr double inset = 0.7;                  // of furniture from the frame's edges, font sizes
+constexpr double longest_bar_of_frame = 0.35;  // of the frame's width
+constexpr double usual_speeds = 0.95;          // share of cells
+constexpr double arrows_apart = 1.7;           // font sizes
+
+}  // namespace
+
+std::optional<MapFlow> water_flow_of(const Snapshot& snapshot) {
+    if (!has_water(snapshot)) return std::nullopt;
+    MapFlow flow;
+    flow.velocity_x = *field_of(snapshot.fields, "velocity_x");
+    flow.velocity_y = *field_of(snapshot.fields, "velocity_y");
+    const Mask dry = dry_cells(snapshot);
+    for (std::size_t i = 0; i < dry.size(); ++i) {
+        if (dry.values()[i] != 0) flow.velocity_x.values()[i] = flow.velocity_y.values()[i] = 0.0;
+    }
+    return flow;
+}
+
+MapPanel::MapPanel(MapPicture picture, MapSettings settings)
+    : picture_(std::move(picture)), settings_(std::move(settings)) {
+    if (!settings_.flow || settings_.flow->fastest > 0.0) return;
+    MapFlow& flow = *settings_.flow;
+    std::vector<float> speeds;
+    for (std::size_t i = 0; i < flow.velocity_x.size(); ++i) {
+        const double speed =
+            elementary::hypot(flow.velocity_x.values()[i], flow.velocity_y.values()[i]);
+        if (speed > 0.0) speeds.push_back(static_cast<float>(speed));
+    }
+    flow.fastest = percentile(speeds, usual_speeds);
+}
+
+double MapPanel::aspect() const {
+    const BedExtent extent = bed_extent(picture_.values, picture_.scale);
+    return extent.width / extent.height;
+}
+
+Axes MapPanel::axes_in(const CanvasBox& frame) const {
+    const BedExtent extent = bed_extent(picture_.values, picture_.scale);
+    const LengthUnit unit =
+        length_unit(picture_.scale.in_metres, std::max(extent.width, extent.height));
+    return {
+        frame,
+        {0.0, extent.width / unit.length, fmt::format("x ({})", unit.symbol)},
+        {0.0, extent.height / unit.length, fmt::format("y ({})", unit.symbol), settings_.y_axis}};
+}
+
+PanelMargins MapPanel::margins(const Canvas& canvas, double width, double height) const {
+    const double thin = 0.5 * canvas.line_width();
+    PanelMargins room{thin, thin, thin, thin};
+    if (settings_.axes) room = axes_in({0.0, 0.0, width, height}).margins(canvas);
+    if (settings_.flow)
+        room.above = std::max(room.above, reference_arrow_room * canvas.font_size());
+    return with_colour_bar(canvas, room, settings_.colour_bar, picture_.colours, width, height);
+}
+
+void MapPanel::draw_flow(Canvas& canvas, const Axes& axes) const {
+    const MapFlow& flow = *settings_.flow;
+    const Grid& u = flow.velocity_x;
+    ArrowField field;
+    field.fastest = flow.fastest;
+    field.unit = flow.unit;
+    field.apart_x = field.apart_y = arrows_apart;
+    field.velocity = [&](double x, double y) -> std::optional<glm::dvec2> {
+        const auto cell = [](double value, double high, int count) {
+            return std::clamp(static_cast<int>(value / high * count), 0, count - 1);
+        };
+        const int column = cell(x, axes.x().high, u.nx());
+        const int row = cell(y, axes.y().high, u.ny());
+        return glm::dvec2(u(column, row), flow.velocity_y(column, row));
+    };
+    draw_arrow_field(canvas, axes, field);
+    draw_reference_arrow(canvas, axes, field);
+}
+
+void MapPanel::draw_furniture(Canvas& canvas, const CanvasBox& frame) const {
+    const double margin = inset * canvas.font_size();
+    const auto plate = [&](Corner corner, const FurnitureSize& size) {
+        const CanvasBox box = corner_box(frame, corner, size, margin);
+        draw_plate(canvas, box);
+        return box;
+    };
+    if (settings_.scale_bar) {
+        const BedExtent extent = bed_extent(picture_.values, picture_.scale);
+        const ScaleBar bar = round_scale_bar(picture_.scale.in_metres, frame.width / extent.width,
+                                             longest_bar_of_frame * frame.width);
+        draw_scale_bar(canvas, bar, plate(settings_.scale_bar_corner, scale_bar_size(canvas, bar)));
+    }
+    if (!settings_.label.empty()) {
+        const auto [width, height] = canvas.text_size(settings_.label, label_text);
+        const CanvasBox box = plate(settings_.label_corner, {width, height});
+        canvas.write(settings_.label, {box.x, box.y}, {0.0, 0.0}, {}, label_text);
+    }
+    if (settings_.arrow) {
+        const FurnitureSize size = ground_arrow_size(canvas, *settings_.arrow, map_axes());
+        draw_ground_arrow(canvas, *settings_.arrow, map_axes(),
+                          plate(settings_.arrow_corner, size));
+    }
+    if (settings_.compass)
+        draw_compass(canvas, map_axes(),
+                     plate(settings_.compass_corner, compass_size(canvas, map_axes())));
+}
+
+void MapPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
+    canvas.draw(map_image(picture_, settings_.blank, settings_.most_pixels), frame);
+    const Axes axes = axes_in(frame);
+    const double thin = 0.5 * canvas.line_width();
+    PanelMargins room{thin, thin, thin, thin};
+    if (settings_.flow) draw_flow(canvas, axes);
+    draw_furniture(canvas, frame);
+    if (settings_.axes) {
+        room = axes.margins(canvas);
+        axes.draw(canvas);
+    } else {
+        outline(canvas, frame, canvas.line_width());
+    }
+    draw_placed_bar(canvas, frame, room, settings_.colour_bar, picture_.colours);
+}
+
+}  // namespace fumon

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "figure/canvas/corner.h"
+#include "figure/canvas/panel.h"
+#include "figure/panels/ground_arrow.h"
+#include "figure/panels/map_picture.h"
+#include "figure/plot/axes.h"
+
+namespace fumon {
+
+/// Velocities over a map, drawn as arrows with one of a round speed above the frame.
+struct MapFlow {
+    Grid velocity_x;  ///< eastward, of the map's cells
+    Grid velocity_y;  ///< northward
+    /// Whose arrow is as long as arrows are apart; 0: that which a twentieth of the moving cells
+    /// exceeds.
+    double fastest = 0.0;
+    std::string unit = "m/s";
+};
+
+/// The velocity of a snapshot's water; none where it has no water.
+std::optional<MapFlow> water_flow_of(const Snapshot& snapshot);
+
+/// What a panel shows of a map and around it.
+struct MapSettings {
+    bool axes = true;  ///< x and y in metres, millimetres, kilometres or sites; else a plain frame
+    bool y_axis = true;  ///< false: only x has numbers (maps side by side)
+    BarPlace colour_bar = BarPlace::right;
+    bool scale_bar = false;
+    Corner scale_bar_corner = Corner::lower_right;
+    std::string label;  ///< within the picture: "t = 100 s"
+    Corner label_corner = Corner::upper_left;
+    std::optional<GroundDirection> arrow;  ///< of the wind or the flow
+    Corner arrow_corner = Corner::upper_right;
+    bool compass = false;
+    Corner compass_corner = Corner::lower_left;
+    Ink blank{1.0, 1.0, 1.0, 1.0};  ///< of cells without a value
+    std::optional<MapFlow> flow;
+    int most_pixels = 2100;  ///< along a side; more cells are averaged
+};
+
+/// A map as a panel: equal scales along both axes, north up, every cell in the colour that the bar
+/// gives to its value.
+class MapPanel : public PanelContent {
+  public:
+    MapPanel(MapPicture picture, MapSettings settings);
+
+    [[nodiscard]] double aspect() const override;
+    [[nodiscard]] PanelMargins margins(const Canvas& canvas, double width,
+                                       double height) const override;
+    void draw(Canvas& canvas, const CanvasBox& frame) const override;
+
+  private:
+    [[nodiscard]] Axes axes_in(const CanvasBox& frame) const;
+    void draw_flow(Canvas& canvas, const Axes& axes) const;
+    void draw_furniture(Canvas& canvas, const CanvasBox& frame) const;
+
+    MapPicture picture_;
+    MapSettings settings_;
+};
+
+}  // namespace fumon

@@ -1,0 +1,190 @@
+#include "figure/panels/map_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "base/elementary_power.h"
+#include "base/error.h"
+#include "base/find_named.h"
+#include "figure/panels/axis_units.h"
+#include "render/colour/colouring.h"
+#include "render/view/water.h"
+
+namespace fumon {
+
+namespace {
+
+/// How a quantity is shown when nothing else is asked for.
+struct Quantity {
+    std::string label;
+    double factor = 1.0;  ///< from the unit of coloured_values to that of the label
+    const char* palette = "viridis";
+};
+
+Quantity quantity_of(Colouring colour_by, const WorldScale& scale,
+                     std::pair<double, double> range) {
+    const double largest = std::max(std::abs(range.first), std::abs(range.second));
+    const auto height = [&](const char* name, const char* palette) {
+        const LengthUnit unit = height_unit(scale.in_metres, largest * scale.height_unit);
+        return Quantity{fmt::format("{} ({})", name, unit.symbol), scale.height_unit / unit.length,
+                        palette};
+    };
+    switch (colour_by) {
+        case Colouring::slope:
+            return {"slope (°)", 1.0, "viridis"};
+        case Colouring::change:
+            return height("change of height", "vik");
+        case Colouring::water_depth: {
+            const LengthUnit unit = height_unit(true, largest);
+            return {fmt::format("depth ({})", unit.symbol), 1.0 / unit.length, "cividis"};
+        }
+        case Colouring::speed:
+            return {"speed (m/s)", 1.0, "viridis"};
+        case Colouring::froude:
+            return {"Froude number", 1.0, "viridis"};
+        default:
+            return height("height", "batlow");
+    }
+}
+
+Palette palette_of(const LookSettings& look, const char* automatic) {
+    Palette palette = read_palette(look.palette == "sand" ? automatic : look.palette);
+    if (look.palette_reversed) std::reverse(palette.begin(), palette.end());
+    return palette;
+}
+
+/// A picture of fewer cells, each the mean of those of `cells` × `cells` that have a value.
+MapPicture coarser(const MapPicture& fine, int cells) {
+    const int nx = (fine.values.nx() + cells - 1) / cells;
+    const int ny = (fine.values.ny() + cells - 1) / cells;
+    MapPicture coarse{Grid(nx, ny), Mask(nx, ny), {}, fine.scale, fine.colours};
+    if (!fine.light.empty()) coarse.light = Field<float>(nx, ny, 1.0F);
+    for (int y = 0; y < ny; ++y) {
+        for (int x = 0; x < nx; ++x) {
+            double sum = 0.0;
+            double light = 0.0;
+            int count = 0;
+            for (int v = y * cells; v < std::min((y + 1) * cells, fine.values.ny()); ++v) {
+                for (int u = x * cells; u < std::min((x + 1) * cells, fine.values.nx()); ++u) {
+                    if (!fine.blank.empty() && fine.blank(u, v) != 0) continue;
+                    sum += fine.values(u, v);
+                    if (!fine.light.empty()) light += static_cast<double>(fine.light(u, v));
+                    ++count;
+                }
+            }
+            coarse.blank(x, y) = count == 0 ? 1 : 0;
+            if (count == 0) continue;
+            coarse.values(x, y) = sum / count;
+            if (!fine.light.empty()) coarse.light(x, y) = static_cast<float>(light / count);
+        }
+    }
+    return coarse;
+}
+
+/// Luminance as a display shows it: sRGB to linear and back (IEC 61966-2-1).
+double linear(double display) {
+    return display <= 0.04045 ? display / 12.92 : elementary::pow((display + 0.055) / 1.055, 2.4);
+}
+
+double display(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear
+                               : 1.055 * elementary::pow(linear, 1.0 / 2.4) - 0.055;
+}
+
+std::uint8_t level(double display_share) {
+    return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(display_share, 0.0, 1.0)));
+}
+
+}  // namespace
+
+std::vector<MapPicture> map_pictures(const LookSettings& look, std::span<const Snapshot> snapshots,
+                                     const Snapshot& first) {
+    std::pair<double, double> range{std::numeric_limits<double>::max(),
+                                    std::numeric_limits<double>::lowest()};
+    std::vector<Field<float>> coloured;
+    for (const Snapshot& snapshot : snapshots) {
+        coloured.push_back(coloured_values(look.colour_by, snapshot, first));
+        const auto [low, high] = colour_range(look, snapshot, coloured.back());
+        range = {std::min(range.first, low), std::max(range.second, high)};
+    }
+    std::vector<MapPicture> pictures;
+    for (std::size_t k = 0; k < snapshots.size(); ++k) {
+        const Snapshot& snapshot = snapshots[k];
+        const Field<float> values = std::exchange(coloured[k], {});
+        const Quantity quantity = quantity_of(look.colour_by, snapshot.scale, range);
+        MapPicture picture;
+        picture.values = Grid(values.nx(), values.ny());
+        std::transform(values.values().begin(), values.values().end(),
+                       picture.values.values().begin(),
+                       [&](float value) { return quantity.factor * static_cast<double>(value); });
+        picture.blank = uncoloured_cells(look.colour_by, snapshot);
+        picture.scale = snapshot.scale;
+        picture.colours = {palette_of(look, quantity.palette), quantity.factor * range.first,
+                           quantity.factor * range.second, quantity.label};
+        pictures.push_back(std::move(picture));
+    }
+    return pictures;
+}
+
+MapPicture map_picture(const LookSettings& look, const Snapshot& snapshot, const Snapshot& first) {
+    return std::move(map_pictures(look, {&snapshot, 1}, first).front());
+}
+
+MapPicture field_picture(const LookSettings& look, const Snapshot& snapshot,
+                         std::string_view name) {
+    const SnapshotField* field = find_named(snapshot.fields, name);
+    if (field == nullptr) throw InputError(fmt::format("the model gives no field \"{}\"", name));
+    MapPicture picture;
+    picture.values = field->values;
+    picture.blank = snapshot.nodata;
+    picture.scale = snapshot.scale;
+    double low = std::numeric_limits<double>::max();
+    double high = std::numeric_limits<double>::lowest();
+    for (std::size_t i = 0; i < picture.values.size(); ++i) {
+        if (!picture.blank.empty() && picture.blank.values()[i] != 0) continue;
+        low = std::min(low, picture.values.values()[i]);
+        high = std::max(high, picture.values.values()[i]);
+    }
+    if (low > high) low = high = 0.0;
+    if (!look.low.is_word()) low = look.low.value;
+    if (!look.high.is_word()) high = look.high.value;
+    if (!(high > low)) high = low + 1.0;
+    const std::string what = field->long_name.empty() ? field->name : field->long_name;
+    picture.colours = {palette_of(look, "viridis"), low, high,
+                       field->unit.empty() || field->unit == "1"
+                           ? what
+                           : fmt::format("{} ({})", what, field->unit)};
+    return picture;
+}
+
+Image map_image(const MapPicture& picture, const Ink& blank, int most) {
+    const int longer = std::max(picture.values.nx(), picture.values.ny());
+    if (longer > most) return map_image(coarser(picture, (longer + most - 1) / most), blank, most);
+    Image image(picture.values.nx(), picture.values.ny());
+    const std::array<std::uint8_t, 3> empty{level(blank.red), level(blank.green),
+                                            level(blank.blue)};
+    for (int row = 0; row < image.height; ++row) {
+        const int y = image.height - 1 - row;
+        std::uint8_t* pixel = image.row(row);
+        for (int x = 0; x < image.width; ++x, pixel += 3) {
+            const bool known = picture.blank.empty() || picture.blank(x, y) == 0;
+            const auto& colour =
+                known ? picture.colours.palette[picture.colours.place(picture.values(x, y))]
+                      : empty;
+            const double light =
+                known && !picture.light.empty() ? static_cast<double>(picture.light(x, y)) : 1.0;
+            for (std::size_t c = 0; c < 3; ++c)
+                pixel[c] =
+                    light == 1.0 ? colour[c] : level(display(light * linear(colour[c] / 255.0)));
+        }
+    }
+    return image;
+}
+
+}  // namespace fumon

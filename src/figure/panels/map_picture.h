@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/snapshot.h"
+#include "figure/panels/colour_bar.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// A field over the ground and the colours that show it: a plain value.
+struct MapPicture {
+    Grid values;         ///< in the unit that the colours' label states; row 0 is the southernmost
+    Mask blank;          ///< 1: a cell without a value; empty: none
+    Field<float> light;  ///< of hill_light, of the same size; empty: not shaded
+    WorldScale scale;
+    ColourScale colours;
+};
+
+/// A picture of what look.colour_by says, with look's palette ("sand", the one for beds seen as
+/// sand, gives way to one that suits the quantity) and range, in metres or millimetres of height
+/// where the snapshot has metres. `first` is the reference of "change". Natural colouring shows the
+/// height. Throws InputError for a quantity of the water where there is none, and where there is no
+/// such palette.
+MapPicture map_picture(const LookSettings& look, const Snapshot& snapshot, const Snapshot& first);
+
+/// The same for several snapshots, of one run or of several, that are seen side by side: one unit,
+/// and one range that holds the ranges of all.
+std::vector<MapPicture> map_pictures(const LookSettings& look, std::span<const Snapshot> snapshots,
+                                     const Snapshot& first);
+
+/// A picture of the model's field of that name, between its least and greatest value where look
+/// does not say. Throws InputError where the model has no such field.
+MapPicture field_picture(const LookSettings& look, const Snapshot& snapshot, std::string_view name);
+
+/// The picture's cells as pixels, north up; blank ones take `blank`. Where a side has more than
+/// `most` cells, k × k of them are averaged first, the smallest k that will do. Light multiplies
+/// luminance and nothing else.
+Image map_image(const MapPicture& picture, const Ink& blank, int most);
+
+}  // namespace fumon

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/snapshot.h"
+#include "figure/canvas/panel.h"
+#include "figure/panels/colour_bar.h"
+#include "figure/plot/axes.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// One row of a field at many times: a plain value.
+struct TimeSpacePicture {
+    Grid values;                ///< nx × records; row n is that of times[n]
+    std::vector<double> times;  ///< ascending, one a record
+    std::string time_label;     ///< "step", "t (s)"
+    double length = 0.0;        ///< along x, metres or sites
+    bool in_metres = false;
+    ColourScale colours;
+};
+
+/// The row `row` of each snapshot (none: the mean over the rows) of what look.colour_by says, as
+/// map_pictures() shows it. At least two snapshots, in the order of their steps. Throws InputError
+/// where they are fewer or `row` is not in the bed, and what map_pictures throws.
+TimeSpacePicture time_space_picture(const LookSettings& look, std::span<const Snapshot> snapshots,
+                                    std::optional<int> row);
+
+/// A row's course over time as a panel: x to the right, time upward, each record from halfway to
+/// the one before to halfway to the next.
+class TimeSpacePanel : public PanelContent {
+  public:
+    explicit TimeSpacePanel(TimeSpacePicture picture, BarPlace colour_bar = BarPlace::right);
+
+    [[nodiscard]] PanelMargins margins(const Canvas& canvas, double width,
+                                       double height) const override;
+    void draw(Canvas& canvas, const CanvasBox& frame) const override;
+
+  private:
+    [[nodiscard]] Axes axes_in(const CanvasBox& frame) const;
+
+    TimeSpacePicture picture_;
+    BarPlace colour_bar_;
+};
+
+}  // namespace fumon

@@ -1,0 +1,178 @@
+#include "figure/panels/view_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace fumon {
+
+namespace {
+
+constexpr double corner_text = 0.95;         // of the font size
+constexpr double furniture_apart = 0.4;      // pieces of furniture, font sizes
+constexpr double bar_off_edge = 0.04;        // of the block's longer side
+constexpr double longest_bar_of_edge = 0.4;  // of the edge
+
+/// An edge of the block on the ground, in metres or sites, and which way is out.
+struct GroundEdge {
+    glm::dvec2 from;
+    glm::dvec2 along;  ///< a unit vector
+    glm::dvec2 outward;
+    double length = 0.0;
+};
+
+/// The edge along x or y that faces the camera most.
+GroundEdge facing_edge(const ViewPicture& picture) {
+    const double width = picture.block.width_x * picture.block.side;
+    const double height = picture.block.width_y * picture.block.side;
+    const std::array<GroundEdge, 4> edges{{{{0.0, 0.0}, {1.0, 0.0}, {0.0, -1.0}, width},
+                                           {{0.0, height}, {1.0, 0.0}, {0.0, 1.0}, width},
+                                           {{0.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, height},
+                                           {{width, 0.0}, {0.0, 1.0}, {1.0, 0.0}, height}}};
+    const glm::dvec2 to_camera(-picture.camera.forward.x, -picture.camera.forward.y);
+    return *std::max_element(
+        edges.begin(), edges.end(), [&](const GroundEdge& a, const GroundEdge& b) {
+            // A little in favour of x, the wind's direction.
+            const auto facing = [&](const GroundEdge& edge) {
+                return glm::dot(edge.outward, to_camera) + 0.1 * std::abs(edge.along.x);
+            };
+            return facing(a) < facing(b);
+        });
+}
+
+}  // namespace
+
+/// Where the furniture stands.
+struct ViewPanel::Placement {
+    GroundBar bar;
+    CanvasBox bar_box;
+    CanvasBox label;
+    CanvasBox heights;  ///< the exaggeration's text
+    CanvasBox arrow;
+    CanvasBox compass;
+    PanelMargins margins;  ///< without the colour bar
+};
+
+ViewPanel::ViewPanel(ViewPicture picture, ViewSettings settings)
+    : picture_(std::move(picture)), settings_(std::move(settings)) {}
+
+double ViewPanel::aspect() const {
+    return static_cast<double>(picture_.image.width) / picture_.image.height;
+}
+
+GroundBar ViewPanel::ground_bar(const CanvasBox& frame) const {
+    const GroundEdge edge = facing_edge(picture_);
+    const glm::dvec2 from = edge.from + bar_off_edge * picture_.block.side * edge.outward;
+    return ground_scale_bar(picture_.in(frame), picture_.in_metres, from, edge.along,
+                            longest_bar_of_edge * edge.length, picture_.block.base);
+}
+
+bool ViewPanel::empty(const CanvasBox& frame, const CanvasBox& box) const {
+    const Image& image = picture_.image;
+    const auto column = [&](double x) {
+        return std::clamp(static_cast<int>((x - frame.x) / frame.width * image.width), 0,
+                          image.width - 1);
+    };
+    const auto row = [&](double y) {
+        return std::clamp(static_cast<int>((y - frame.y) / frame.height * image.height), 0,
+                          image.height - 1);
+    };
+    constexpr int white = 250;
+    for (int y = row(box.y); y <= row(box.bottom()); ++y) {
+        for (int x = column(box.x); x <= column(box.right()); ++x) {
+            const std::uint8_t* pixel = image.row(y) + std::ptrdiff_t{3} * x;
+            if (std::min({pixel[0], pixel[1], pixel[2]}) < white) return false;
+        }
+    }
+    return true;
+}
+
+ViewPanel::Placement ViewPanel::place(const Canvas& canvas, const CanvasBox& frame) const {
+    const double gap = furniture_apart * canvas.font_size();
+    Placement placement;
+    std::vector<CanvasBox> taken;
+    if (settings_.scale_bar) {
+        placement.bar = ground_bar(frame);
+        placement.bar_box = ground_bar_box(canvas, placement.bar);
+        taken.push_back(placement.bar_box);
+    }
+    double next = frame.x;  // of the pieces below the picture
+    const auto put = [&](const FurnitureSize& size, std::initializer_list<Corner> corners) {
+        for (const Corner corner : corners) {
+            const CanvasBox box = corner_box(frame, corner, size, 0.0);
+            const bool free = std::none_of(taken.begin(), taken.end(), [&](const CanvasBox& other) {
+                return overlap(grown(box, gap), other);
+            });
+            if (!free || !within(box, frame) || !empty(frame, grown(box, gap))) continue;
+            taken.push_back(box);
+            return box;
+        }
+        double top = frame.bottom() + gap;
+        for (const CanvasBox& other : taken) {
+            if (other.x < next + size.width + gap && other.right() > next - gap)
+                top = std::max(top, other.bottom() + gap);
+        }
+        const CanvasBox box{next, top, size.width, size.height};
+        next = box.right() + gap;
+        taken.push_back(box);
+        return box;
+    };
+    const auto text = [&](const std::string& words, std::initializer_list<Corner> corners) {
+        const auto [width, height] = canvas.text_size(words, corner_text);
+        return put({width, height}, corners);
+    };
+    using enum Corner;
+    if (!settings_.label.empty())
+        placement.label = text(settings_.label, {upper_left, upper_right, lower_left, lower_right});
+    if (settings_.arrow) {
+        placement.arrow =
+            put(ground_arrow_size(canvas, *settings_.arrow, seen_axes(picture_.in(frame))),
+                {upper_right, lower_left, lower_right, upper_left});
+    }
+    if (settings_.compass) {
+        placement.compass = put(compass_size(canvas, seen_axes(picture_.in(frame))),
+                                {upper_left, lower_left, lower_right, upper_right});
+    }
+    if (settings_.exaggeration && picture_.exaggeration != 1.0) {
+        placement.heights = text(fmt::format("heights × {:g}", picture_.exaggeration),
+                                 {lower_left, lower_right, upper_left, upper_right});
+    }
+    for (const CanvasBox& box : taken) {
+        PanelMargins& room = placement.margins;
+        room.left = std::max(room.left, frame.x - box.x);
+        room.right = std::max(room.right, box.right() - frame.right());
+        room.above = std::max(room.above, frame.y - box.y);
+        room.below = std::max(room.below, box.bottom() - frame.bottom());
+    }
+    return placement;
+}
+
+PanelMargins ViewPanel::margins(const Canvas& canvas, double width, double height) const {
+    return with_colour_bar(canvas, place(canvas, {0.0, 0.0, width, height}).margins,
+                           settings_.colour_bar, settings_.colours, width, height);
+}
+
+void ViewPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
+    const Placement placement = place(canvas, frame);
+    canvas.draw(picture_.image, frame);
+    const GroundAxes axes = seen_axes(picture_.in(frame));
+    const auto text = [&](const std::string& words, const CanvasBox& box) {
+        canvas.write(words, {box.x, box.y}, {0.0, 0.0}, {}, corner_text);
+    };
+    if (settings_.scale_bar) draw_ground_bar(canvas, placement.bar);
+    if (!settings_.label.empty()) text(settings_.label, placement.label);
+    if (settings_.arrow) draw_ground_arrow(canvas, *settings_.arrow, axes, placement.arrow);
+    if (settings_.compass) draw_compass(canvas, axes, placement.compass);
+    if (settings_.exaggeration && picture_.exaggeration != 1.0)
+        text(fmt::format("heights × {:g}", picture_.exaggeration), placement.heights);
+    draw_placed_bar(canvas, frame, placement.margins, settings_.colour_bar, settings_.colours);
+}
+
+}  // namespace fumon

@@ -1,0 +1,75 @@
+#include "figure/panels/view_picture.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+#include "render/view/shown_snapshot.h"
+
+namespace fumon {
+
+namespace {
+
+/// Pixels: columns from left to before right, rows likewise.
+struct PixelBox {
+    int left = 0;
+    int right = 0;
+    int top = 0;
+    int bottom = 0;
+};
+
+/// What differs from the first pixel by more than rounding; everything where nothing does.
+PixelBox content_of(const Image& image) {
+    PixelBox box{image.width, 0, image.height, 0};
+    const std::uint8_t* ground = image.row(0);
+    constexpr int rounding = 3;
+    for (int y = 0; y < image.height; ++y) {
+        const std::uint8_t* pixel = image.row(y);
+        for (int x = 0; x < image.width; ++x, pixel += 3) {
+            bool differs = false;
+            for (int c = 0; c < 3; ++c) differs |= std::abs(pixel[c] - ground[c]) > rounding;
+            if (!differs) continue;
+            box = {std::min(box.left, x), std::max(box.right, x + 1), std::min(box.top, y), y + 1};
+        }
+    }
+    if (box.right <= box.left) return {0, image.width, 0, image.height};
+    return box;
+}
+
+Image cut(const Image& image, const PixelBox& box) {
+    Image part(box.right - box.left, box.bottom - box.top);
+    for (int y = 0; y < part.height; ++y)
+        std::copy_n(image.row(box.top + y) + std::ptrdiff_t{3} * box.left, 3 * part.width,
+                    part.row(y));
+    return part;
+}
+
+}  // namespace
+
+ViewProjection ViewPicture::in(const CanvasBox& frame) const {
+    return {camera,
+            block,
+            {frame.x + whole.x * frame.width, frame.y + whole.y * frame.height,
+             whole.width * frame.width, whole.height * frame.height}};
+}
+
+ViewPicture view_picture(const View& view, const Image& image, const Snapshot& first,
+                         double exaggeration, double progress) {
+    const Snapshot shown = shown_snapshot(first, view.look).value_or(first);
+    ViewPicture picture;
+    picture.block = frame_block(shown, exaggeration, view.look.room);
+    picture.camera = place_camera(view.camera, picture.block,
+                                  static_cast<double>(image.width) / image.height, progress);
+    picture.in_metres = first.scale.in_metres;
+    picture.exaggeration = exaggeration;
+    const PixelBox box = content_of(image);
+    picture.image = cut(image, box);
+    const double width = picture.image.width;
+    const double height = picture.image.height;
+    picture.whole = {-box.left / width, -box.top / height, image.width / width,
+                     image.height / height};
+    return picture;
+}
+
+}  // namespace fumon

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "base/image.h"
+#include "base/snapshot.h"
+#include "figure/panels/ground_axes.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// A shaded view as the renderer drew it on white, cut to what it shows, and where the ground lies
+/// in it: a plain value.
+struct ViewPicture {
+    Image image;
+    Camera camera;
+    Block block;
+    /// The whole of the renderer's picture in terms of the cut one: its left, top, width and
+    /// height, of which the cut picture is (0, 0, 1, 1).
+    CanvasBox whole{0.0, 0.0, 1.0, 1.0};
+    bool in_metres = false;
+    double exaggeration = 1.0;  ///< vertical
+
+    /// The view where the cut picture fills `frame`.
+    [[nodiscard]] ViewProjection in(const CanvasBox& frame) const;
+};
+
+/// A renderer's picture of `snapshot`, framed by `first` with that vertical exaggeration, at a
+/// share of the run; cut to the pixels that differ from the one in its upper left corner. `view`
+/// has look.mode = figure.
+ViewPicture view_picture(const View& view, const Image& image, const Snapshot& first,
+                         double exaggeration, double progress = 0.0);
+
+}  // namespace fumon

@@ -1,0 +1,47 @@
+#include "files/file_lock.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <utility>
+
+#include "files/atomic_file.h"
+
+namespace fumon {
+
+namespace {
+
+/// Whether the file that is open is still the one under its name: whoever held it before may have
+/// taken it away after we opened it.
+bool is_still_there(int descriptor, const std::filesystem::path& file) {
+    struct stat open_one {};
+    struct stat named_one {};
+    return ::fstat(descriptor, &open_one) == 0 && ::stat(file.c_str(), &named_one) == 0 &&
+           open_one.st_dev == named_one.st_dev && open_one.st_ino == named_one.st_ino;
+}
+
+}  // namespace
+
+FileLock::FileLock(std::filesystem::path file) : file_(std::move(file)) {
+    constexpr mode_t everyone_may_read_and_write = 0666;  // less the umask
+    const int descriptor =
+        ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, everyone_may_read_and_write);
+    if (descriptor < 0) refuse_to_write(file_, errno);
+    const bool taken = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (taken || !is_still_there(descriptor, file_)) {
+        ::close(descriptor);
+        return;
+    }
+    descriptor_ = descriptor;
+}
+
+FileLock::~FileLock() {
+    if (descriptor_ < 0) return;
+    ::unlink(file_.c_str());
+    ::close(descriptor_);
+}
+
+}  // namespace fumon

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+namespace fumon {
+
+/// Keeps other fumon programs out of a folder while it exists. However the program ends, the lock
+/// ends with it and leaves no file behind.
+class FolderLock {
+  public:
+    /// Throws InputError if another program holds the lock. Some network file systems cannot lock
+    /// folders; there nothing is locked.
+    explicit FolderLock(const std::filesystem::path& folder);
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+  private:
+    int descriptor_;
+};
+
+}  // namespace fumon

@@ -1,0 +1,87 @@
+#include "files/netcdf/netcdf_definition.h"
+
+#include <fmt/format.h>
+#include <netcdf.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/find_named.h"
+#include "files/netcdf/netcdf_calls.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr std::size_t chunk_bytes = std::size_t{1} << 20;
+
+}  // namespace
+
+void put_text(int file, int variable, const char* name, std::string_view text) {
+    check_netcdf(nc_put_att_text(file, variable, name, text.size(), text.data()));
+}
+
+void put_number(int file, int variable, const char* name, double value) {
+    check_netcdf(nc_put_att_double(file, variable, name, NC_DOUBLE, 1, &value));
+}
+
+std::string unit_in_file(const std::string& unit) {
+    using Known = std::pair<std::string_view, const char*>;
+    constexpr std::array<Known, 21> known{{
+        {"", "1"},          {"step", "1"},   {"steps", "1"},         {"site", "1"},
+        {"sites", "1"},     {"height", "1"}, {"heights", "1"},       {"model height", "1"},
+        {"cell", "1"},      {"cells", "1"},  {"model heights", "1"}, {"grain", "1"},
+        {"grains", "1"},    {"round", "1"},  {"rounds", "1"},        {"times", "1"},
+        {"seconds", "s"},   {"hours", "h"},  {"minutes", "min"},     {"days", "d"},
+        {"per mm", "mm-1"},
+    }};
+    const auto* found = find_by(known, &Known::first, unit);
+    return found == nullptr ? unit : found->second;
+}
+
+void describe(int file, int variable, const std::string& long_name, const std::string& unit) {
+    const std::string in_file = unit_in_file(unit);
+    const bool says_less = in_file == "1" && unit != "1" && !unit.empty();
+    put_text(file, variable, "long_name",
+             says_less ? fmt::format("{} ({})", long_name, unit) : long_name);
+    put_text(file, variable, "units", in_file);
+}
+
+int rows_of_chunk(const Grid& field) {
+    const std::size_t row_bytes = static_cast<std::size_t>(field.nx()) * sizeof(double);
+    const int most = static_cast<int>(
+        std::clamp(chunk_bytes / row_bytes, std::size_t{1}, static_cast<std::size_t>(field.ny())));
+    const int blocks = (field.ny() + most - 1) / most;
+    return (field.ny() + blocks - 1) / blocks;
+}
+
+void fill_with_nan(int file, int variable, std::size_t chunk_values) {
+    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+    check_netcdf(nc_def_var_fill(file, variable, NC_FILL, &not_a_number));
+    constexpr std::size_t slots = 11;
+    constexpr float preemption = 1.0F;
+    check_netcdf(
+        nc_set_var_chunk_cache(file, variable, chunk_values * sizeof(double), slots, preemption));
+}
+
+void compress(int file, int variable) {
+    constexpr int shuffle = 1;
+    constexpr int deflate = 1;
+    constexpr int level = 1;  // most of the gain at a third of level 6's time
+    check_netcdf(nc_def_var_deflate(file, variable, shuffle, deflate, level));
+}
+
+int define_field(int file, const std::array<int, 3>& over, const std::string& name,
+                 const Grid& field) {
+    int variable = 0;
+    check_netcdf(nc_def_var(file, name.c_str(), NC_DOUBLE, 3, over.data(), &variable));
+    const std::array<std::size_t, 3> chunk{1, static_cast<std::size_t>(rows_of_chunk(field)),
+                                           static_cast<std::size_t>(field.nx())};
+    check_netcdf(nc_def_var_chunking(file, variable, NC_CHUNKED, chunk.data()));
+    compress(file, variable);
+    fill_with_nan(file, variable, chunk[1] * chunk[2]);
+    return variable;
+}
+
+}  // namespace fumon

@@ -1,0 +1,180 @@
+#include "files/netcdf/netcdf_layout.h"
+
+#include <fmt/format.h>
+#include <netcdf.h>
+
+#include <array>
+#include <set>
+#include <string_view>
+
+#include "base/quantity_text.h"
+#include "files/netcdf/netcdf_calls.h"
+#include "files/netcdf/netcdf_definition.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr std::size_t chunk_records = 512;  // 4 KiB of a variable over time alone
+
+std::size_t count_of(int cells) {
+    return static_cast<std::size_t>(cells);
+}
+
+/// A letter first, then letters, digits and underscores, as CF recommends, and points.
+void check_names(const Snapshot& first) {
+    std::set<std::string> taken{"time", "step", "x", "y", "bed_height"};
+    const auto check = [&](const std::string& name) {
+        const auto is_letter = [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        };
+        const bool fits = !name.empty() && is_letter(name.front()) &&
+                          std::all_of(name.begin(), name.end(), [&](char c) {
+                              return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '.';
+                          });
+        if (!fits)
+            throw Error(fmt::format(
+                "a field is called \"{}\"; NetCDF names are letters, digits and underscores",
+                name));
+        if (!taken.insert(name).second)
+            throw Error(fmt::format("two fields are called \"{}\"; each needs its own name", name));
+    };
+    for (const SnapshotField& field : first.fields) check(field.name);
+    for (const SnapshotNumber& number : first.numbers) check(number.name);
+    if (!first.section) return;
+    for (const std::string& name : section_variable_names(*first.section)) check(name);
+}
+
+void put_global_attributes(int file, const Snapshot& first, const FieldsText& text) {
+    put_text(file, NC_GLOBAL, "Conventions", "CF-1.9");
+    put_text(file, NC_GLOBAL, "title", text.title);
+    put_text(file, NC_GLOBAL, "source", "fumon " FUMON_VERSION);
+    put_text(file, NC_GLOBAL, "history",
+             "fumon " FUMON_VERSION " computed it from the scene in the attribute scene");
+    put_text(file, NC_GLOBAL, "scene", text.scene);
+    const long long seed = text.seed;
+    check_netcdf(nc_put_att_longlong(file, NC_GLOBAL, "seed", NC_INT64, 1, &seed));
+    put_number(file, NC_GLOBAL, "cell_size_x", first.scale.dx);
+    put_number(file, NC_GLOBAL, "cell_size_y", first.scale.dy);
+    put_text(file, NC_GLOBAL, "cell_size_unit", first.scale.in_metres ? "m" : "sites");
+    put_number(file, NC_GLOBAL, "height_unit", first.scale.height_unit);
+    put_text(file, NC_GLOBAL, "periodic", first.periodic ? "yes" : "no");
+}
+
+struct Dimensions {
+    int time = 0;
+    int y = 0;
+    int x = 0;
+};
+
+/// Defines x or y; its values are written by put_centres.
+int define_axis(int file, int dimension, std::string_view axis, bool in_metres) {
+    const bool eastward = axis == "X";
+    const char* name = eastward ? "x" : "y";
+    int variable = 0;
+    check_netcdf(nc_def_var(file, name, NC_DOUBLE, 1, &dimension, &variable));
+    describe(file, variable,
+             fmt::format("{} {}", in_metres ? "distance" : "site",
+                         eastward ? "eastward (downwind)" : "northward"),
+             in_metres ? "m" : "1");
+    if (in_metres)
+        put_text(file, variable, "standard_name", fmt::format("projection_{}_coordinate", name));
+    put_text(file, variable, "axis", axis);
+    return variable;
+}
+
+void put_centres(int file, int variable, int count, double cell_size) {
+    std::vector<double> centres(count_of(count));
+    for (std::size_t i = 0; i < centres.size(); ++i)
+        centres[i] = (static_cast<double>(i) + 0.5) * cell_size;
+    check_netcdf(nc_put_var_double(file, variable, centres.data()));
+}
+
+int define_over_time(int file, const Dimensions& dimensions, const std::string& name, int type) {
+    int variable = 0;
+    check_netcdf(nc_def_var(file, name.c_str(), type, 1, &dimensions.time, &variable));
+    check_netcdf(nc_def_var_chunking(file, variable, NC_CHUNKED, &chunk_records));
+    return variable;
+}
+
+void describe_time(int file, int variable, const std::string& unit) {
+    const bool counts_steps = unit_in_file(unit) == "1";
+    describe(file, variable, counts_steps ? "step" : "time since the start of the run",
+             counts_steps ? "1" : unit);
+    if (!counts_steps) put_text(file, variable, "axis", "T");
+}
+
+}  // namespace
+
+FieldsLayout define_fields(int file, const Snapshot& first, const FieldsText& text) {
+    check_names(first);
+    put_global_attributes(file, first, text);
+    const Grid& bed = first.bed;
+    const bool in_metres = first.scale.in_metres;
+
+    Dimensions dimensions;
+    check_netcdf(nc_def_dim(file, "time", NC_UNLIMITED, &dimensions.time));
+    check_netcdf(nc_def_dim(file, "y", count_of(bed.ny()), &dimensions.y));
+    check_netcdf(nc_def_dim(file, "x", count_of(bed.nx()), &dimensions.x));
+
+    const std::array<int, 3> cells{dimensions.time, dimensions.y, dimensions.x};
+
+    FieldsLayout layout;
+    layout.rows = rows_of_chunk(bed);
+    layout.bed_factor = first.scale.height_unit;
+    layout.time = define_over_time(file, dimensions, "time", NC_DOUBLE);
+    describe_time(file, layout.time, first.time_unit);
+    layout.step = define_over_time(file, dimensions, "step", NC_INT64);
+    describe(file, layout.step, "steps done", "1");
+    const int y = define_axis(file, dimensions.y, "Y", in_metres);
+    const int x = define_axis(file, dimensions.x, "X", in_metres);
+    layout.bed = define_field(file, cells, "bed_height", bed);
+    describe(file, layout.bed, "height of the bed", in_metres ? "m" : "model heights");
+    if (in_metres) put_text(file, layout.bed, "standard_name", "surface_altitude");
+    for (const SnapshotField& field : first.fields) {
+        layout.fields.push_back(define_field(file, cells, field.name, bed));
+        describe(file, layout.fields.back(), field.long_name, field.unit);
+    }
+    for (const SnapshotNumber& number : first.numbers) {
+        layout.numbers.push_back(define_over_time(file, dimensions, number.name, NC_DOUBLE));
+        describe(file, layout.numbers.back(), in_words(number.name), number.unit);
+    }
+    if (first.section) layout.section = define_section(file, dimensions.time, *first.section);
+    check_netcdf(nc_enddef(file));
+    put_centres(file, y, bed.ny(), first.scale.dy);
+    put_centres(file, x, bed.nx(), first.scale.dx);
+    if (layout.section) put_section_coordinates(file, *layout.section, *first.section);
+    return layout;
+}
+
+namespace {
+
+constexpr std::int64_t index_room = 16 << 10;  // bytes for a variable; 5 KiB were seen at most
+
+std::int64_t variables_of(const Snapshot& first) {
+    std::size_t variables = 5 + first.fields.size() + first.numbers.size();
+    if (first.section) variables += section_variable_names(*first.section).size();
+    return static_cast<std::int64_t>(variables);
+}
+
+}  // namespace
+
+std::int64_t header_room(const Snapshot& first, const FieldsText& text) {
+    const auto characters = static_cast<std::int64_t>(text.title.size() + text.scene.size());
+    std::int64_t nodes = std::int64_t{first.bed.nx()} + first.bed.ny();
+    if (first.section) {
+        const Grid& field = first.section->fields.front().values;
+        nodes += std::int64_t{field.nx()} + field.ny();
+    }
+    return 2 * characters + 8 * nodes + variables_of(first) * index_room;
+}
+
+std::int64_t record_room(const Snapshot& first) {
+    const std::int64_t rows = rows_of_chunk(first.bed);
+    const std::int64_t whole_rows = (first.bed.ny() + rows - 1) / rows * rows;
+    const auto fields = static_cast<std::int64_t>(1 + first.fields.size());
+    const std::int64_t section = first.section ? section_record_bytes(*first.section) : 0;
+    return fields * whole_rows * first.bed.nx() * 8 + section + variables_of(first) * index_room;
+}
+
+}  // namespace fumon

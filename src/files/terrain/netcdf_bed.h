@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "files/terrain/terrain_file.h"
+#include "files/terrain/terrain_format.h"
+
+namespace fumon {
+
+/// Reads a bed from a NetCDF file, fumon's own or another's.
+///
+/// The variable is the one named, else bed_height, else the only numeric one over two horizontal
+/// dimensions, alone or behind a third (time, step …), of which the last record is taken. It is
+/// over (y, x) or (latitude, longitude); coordinates may rise or fall, and must be even (see
+/// netcdf_axis.h). Without coordinates row 0 is the southernmost. Cells equal to _FillValue (or the
+/// type's default) or missing_value, beyond valid_min, valid_max or valid_range, or NaN hold no
+/// data; others are value × scale_factor + add_offset, converted to metres where their unit is
+/// another length ("1" and none are taken as they are).
+/// Cell sizes: lengths become metres; degrees become metres at the middle latitude (coordinates
+/// without a unit are judged by is_geographic); sites and missing coordinates leave them 0. A grid
+/// of a single row or column has square cells. `note` says what was chosen and converted.
+///
+/// Throws InputError "FILE: what; remedy" for a damaged or truncated file, no or several suitable
+/// variables, an unknown name, more than `largest_grid_cells` cells, uneven coordinates, units that
+/// are no lengths, infinite heights, and where no cell holds data.
+Terrain read_netcdf_bed(const std::filesystem::path& file, const std::string& variable,
+                        const std::optional<TerrainWindow>& window = std::nullopt);
+
+/// NetCDF files as a terrain format.
+TerrainFormat netcdf_format();
+
+}  // namespace fumon

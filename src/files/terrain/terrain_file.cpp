@@ -1,0 +1,41 @@
+#include "files/terrain/terrain_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "files/input_file.h"
+#include "files/terrain/terrain_format.h"
+
+namespace fumon {
+
+namespace {
+
+/// Refuses what the scene says of another format.
+void check_query(const std::filesystem::path& file, const TerrainFormat& format,
+                 const TerrainQuery& query) {
+    const auto refuse = [&](std::string_view given, std::string_view why, std::string_view key) {
+        throw InputError(fmt::format("{}: {} for {}, which {}; leave {} out", file.string(), given,
+                                     format.title, why, key));
+    };
+    if (format.has_heights && !query.png_heights.empty())
+        refuse("a height range was given", "holds its own heights", "bed.heights or --heights");
+    if (!format.has_variables && !query.variable.empty())
+        refuse("a variable was named", "has none", "bed.variable");
+    if (!format.has_bands && query.band != 0) refuse("a band was named", "has none", "bed.band");
+}
+
+}  // namespace
+
+Terrain read_terrain(const std::filesystem::path& file, const TerrainQuery& query) {
+    const std::string start = start_of_input_file(file, TerrainFormat::signature_length);
+    const auto formats = terrain_formats();
+    const auto format = std::ranges::find_if(
+        formats, [&](const TerrainFormat& one) { return one.is_one(file, start); });
+    Terrain terrain = format->read(file, query);  // the last format is every other file's
+    check_query(file, *format, query);
+    return terrain;
+}
+
+}  // namespace fumon

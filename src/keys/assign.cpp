@@ -1,0 +1,214 @@
+#include "keys/assign.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+
+namespace fumon {
+
+namespace {
+
+std::vector<std::string> quoted(const std::vector<KeyWord>& words) {
+    std::vector<std::string> all;
+    all.reserve(words.size());
+    for (const KeyWord& known : words) all.push_back(fmt::format("\"{}\"", known.word));
+    return all;
+}
+
+std::vector<std::string> plain(const std::vector<KeyWord>& words) {
+    std::vector<std::string> all;
+    all.reserve(words.size());
+    for (const KeyWord& known : words) all.emplace_back(known.word);
+    return all;
+}
+
+std::string number_text(const char* kind, const KeyNotes& notes) {
+    std::string text = kind;
+    if (const std::string range = notes.range.text(); range != "any") text += " " + range;
+    if (!notes.unit.empty()) text += " (" + notes.unit + ")";
+    return text;
+}
+
+std::string as_written(const toml::node& value) {
+    std::ostringstream text;
+    text << toml::node_view<const toml::node>(value);
+    std::string line = text.str();
+    constexpr std::size_t longest = 60;
+    if (line.size() > longest) line = line.substr(0, longest) + "…";
+    return line;
+}
+
+[[noreturn]] void refuse(const Key& key, const toml::node& value, const Locate& locate) {
+    throw InputError(fmt::format("{}: {} is {}; it takes {}", locate(value.source()), key.path,
+                                 as_written(value), what_it_takes(key)));
+}
+
+std::optional<double> real_of(const toml::node& value) {
+    if (const auto* real = value.as_floating_point()) return real->get();
+    if (const auto* whole = value.as_integer()) return static_cast<double>(whole->get());
+    return std::nullopt;
+}
+
+std::optional<std::int64_t> whole_of(const toml::node& value) {
+    if (const auto* whole = value.as_integer()) return whole->get();
+    if (const auto* real = value.as_floating_point()) {
+        constexpr double exact_limit = 9007199254740992.0;  // 2^53
+        if (std::abs(real->get()) <= exact_limit && std::trunc(real->get()) == real->get()) {
+            return static_cast<std::int64_t>(real->get());
+        }
+    }
+    return std::nullopt;
+}
+
+double checked_real(const Key& key, const toml::node& value, const Locate& locate) {
+    const auto real = real_of(value);
+    if (!real || !std::isfinite(*real) || !key.notes.range.contains(*real))
+        refuse(key, value, locate);
+    return *real;
+}
+
+std::int64_t checked_whole(const Key& key, const toml::node& value, const Locate& locate) {
+    const auto whole = whole_of(value);
+    if (!whole || !key.notes.range.contains(static_cast<double>(*whole)))
+        refuse(key, value, locate);
+    return *whole;
+}
+
+/// The items of a list; a single number counts as a list of one.
+std::vector<const toml::node*> items_of(const toml::node& value) {
+    std::vector<const toml::node*> items;
+    if (const auto* list = value.as_array()) {
+        for (const toml::node& item : *list) items.push_back(&item);
+    } else {
+        items.push_back(&value);
+    }
+    return items;
+}
+
+struct Assign {
+    const Key& key;
+    const toml::node& value;
+    const Locate& locate;
+
+    void operator()(bool* target) const {
+        const auto* truth = value.as_boolean();
+        if (truth == nullptr) refuse(key, value, locate);
+        *target = truth->get();
+    }
+    void operator()(std::int64_t* target) const { *target = checked_whole(key, value, locate); }
+    void operator()(double* target) const { *target = checked_real(key, value, locate); }
+    void operator()(std::string* target) const { *target = checked_text(value); }
+    void operator()(const ChoiceTarget& target) const {
+        const auto* text = value.as_string();
+        if (text == nullptr) refuse(key, value, locate);
+        if (target.choose(text->get())) return;
+        throw InputError(fmt::format("{}: {} is \"{}\"; it takes one of {} ({})",
+                                     locate(value.source()), key.path, text->get(),
+                                     fmt::join(quoted(target.words), ", "),
+                                     suggestion(text->get(), plain(target.words))));
+    }
+    void operator()(const WordOrRealTarget& target) const {
+        if (const auto* text = value.as_string()) {
+            for (const KeyWord& word : target.words) {
+                if (word.word == text->get()) {
+                    *target.value = {text->get(), 0.0};
+                    return;
+                }
+            }
+            refuse(key, value, locate);
+        }
+        *target.value = {"", checked_real(key, value, locate)};
+    }
+    void operator()(const RealListTarget& target) const {
+        std::vector<double> reals;
+        for (const toml::node* item : items_of(value))
+            reals.push_back(checked_real(key, *item, locate));
+        if (reals.size() < target.smallest || reals.size() > target.largest)
+            refuse(key, value, locate);
+        *target.values = reals;
+    }
+    void operator()(const IntegerListTarget& target) const {
+        std::vector<std::int64_t> wholes;
+        for (const toml::node* item : items_of(value))
+            wholes.push_back(checked_whole(key, *item, locate));
+        *target.values = wholes;
+    }
+    void operator()(const TextListTarget& target) const {
+        std::vector<std::string> texts;
+        for (const toml::node* item : items_of(value)) texts.push_back(checked_text(*item));
+        *target.values = texts;
+    }
+
+    [[nodiscard]] std::string checked_text(const toml::node& item) const {
+        const auto* text = item.as_string();
+        if (text == nullptr) refuse(key, item, locate);
+        return text->get();
+    }
+};
+
+template <class Value>
+Value& item_at(const Key& key, std::vector<Value>& values, std::size_t index,
+               const toml::node& value, const Locate& locate) {
+    if (index < values.size()) return values[index];
+    throw InputError(fmt::format("{}: {} has no item {}; it has {} (counted from 0)",
+                                 locate(value.source()), key.path, index, values.size()));
+}
+
+}  // namespace
+
+std::string what_it_takes(const Key& key) {
+    struct Text {
+        const Key& key;
+        std::string operator()(const bool*) const { return "true or false"; }
+        std::string operator()(const std::int64_t*) const {
+            return number_text("a whole number", key.notes);
+        }
+        std::string operator()(const double*) const { return number_text("a number", key.notes); }
+        std::string operator()(const std::string*) const { return "a text in quotes"; }
+        std::string operator()(const ChoiceTarget& target) const {
+            return fmt::format("one of {}", fmt::join(quoted(target.words), ", "));
+        }
+        std::string operator()(const WordOrRealTarget& target) const {
+            return fmt::format("{} or {}", fmt::join(quoted(target.words), ", "),
+                               number_text("a number", key.notes));
+        }
+        std::string operator()(const RealListTarget& target) const {
+            const std::string count =
+                target.smallest == target.largest
+                    ? fmt::format("{}", target.largest)
+                    : fmt::format("{} to {}", target.smallest, target.largest);
+            return number_text(fmt::format("a list of {} numbers", count).c_str(), key.notes);
+        }
+        std::string operator()(const IntegerListTarget&) const {
+            return number_text("a list of whole numbers", key.notes);
+        }
+        std::string operator()(const TextListTarget&) const { return "a list of texts in quotes"; }
+    };
+    return std::visit(Text{key}, key.target);
+}
+
+void assign(const Key& key, const toml::node& value, const Locate& locate) {
+    std::visit(Assign{key, value, locate}, key.target);
+}
+
+void assign_item(const Key& key, std::size_t index, const toml::node& value, const Locate& locate) {
+    if (const auto* reals = std::get_if<RealListTarget>(&key.target)) {
+        item_at(key, *reals->values, index, value, locate) = checked_real(key, value, locate);
+    } else if (const auto* wholes = std::get_if<IntegerListTarget>(&key.target)) {
+        item_at(key, *wholes->values, index, value, locate) = checked_whole(key, value, locate);
+    } else if (const auto* texts = std::get_if<TextListTarget>(&key.target)) {
+        item_at(key, *texts->values, index, value, locate) =
+            Assign{key, value, locate}.checked_text(value);
+    } else {
+        throw InputError(fmt::format("{}: {} is no list; it takes {}", locate(value.source()),
+                                     key.path, what_it_takes(key)));
+    }
+}
+
+}  // namespace fumon

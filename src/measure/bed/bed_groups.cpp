@@ -1,0 +1,156 @@
+#include "measure/bed/bed_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "measure/bed/bed_statistics.h"
+#include "measure/bed/celerity.h"
+#include "measure/bed/crest_height.h"
+#include "measure/bed/crest_lines.h"
+#include "measure/bed/crest_orientation.h"
+#include "measure/bed/dunes.h"
+#include "measure/bed/slopes.h"
+#include "measure/bed/wavelength.h"
+
+namespace fumon {
+
+namespace {
+
+/// What a group finds in beds without holes; nothing in others.
+template <class Finding>
+auto of_whole_beds(Finding find) {
+    using Found = decltype(find(std::declval<const Snapshot&>()));
+    return [find = std::move(find)](const Snapshot& snapshot) -> std::optional<Found> {
+        if (!snapshot.nodata.empty()) return std::nullopt;
+        return find(snapshot);
+    };
+}
+
+/// The bed of the row before.
+struct BedBefore {
+    Grid bed;
+    std::int64_t step = 0;
+};
+
+void carry_before(BedBefore& before, StateCarrier& carrier) {
+    std::vector<std::int64_t> size{before.bed.nx(), before.bed.ny()};
+    carrier.count("step_measured_before", before.step);
+    carrier.values("size_measured_before", std::span(size));
+    std::vector<double> heights(before.bed.values().begin(), before.bed.values().end());
+    carrier.list("bed_measured_before", heights);
+    constexpr std::int64_t longest = std::int64_t{1} << 30;
+    if (size[0] < 0 || size[1] < 0 || size[0] > longest || size[1] > longest ||
+        !std::cmp_equal(size[0] * size[1], heights.size()))
+        carrier.refuse("its bed_measured_before has another size");
+    before.bed = Grid(static_cast<int>(size[0]), static_cast<int>(size[1]));
+    std::ranges::copy(heights, before.bed.values().begin());
+}
+
+struct Crests {
+    CrestOrientation orientation;
+    CrestDefects defects;
+};
+
+}  // namespace
+
+MeasureGroup statistics_group() {
+    return group_of<BedStatistics>(
+        [](const Snapshot& snapshot) { return bed_statistics(snapshot.bed, snapshot.nodata); },
+        {{"mean_height", "heights", "mean of the bed", &BedStatistics::mean},
+         {"standard_deviation", "heights", "of the heights over all cells",
+          &BedStatistics::standard_deviation},
+         {"minimum_height", "heights", "lowest cell", &BedStatistics::minimum},
+         {"maximum_height", "heights", "highest cell", &BedStatistics::maximum},
+         {"total_sand", "heights x cells", "sum of the heights", &BedStatistics::total}});
+}
+
+MeasureGroup wave_group() {
+    using Whole = const Snapshot*;
+    return group_of<Whole>(
+        of_whole_beds([](const Snapshot& snapshot) { return &snapshot; }),
+        {{"wavelength_spectrum", "sites", "along x: centroid of the power spectrum's peak",
+          [](Whole on) { return wavelength_spectrum(on->bed, on->periodic); }},
+         {"wavelength_autocorrelation", "sites", "along x: first peak of the autocorrelation",
+          [](Whole on) { return wavelength_autocorrelation(on->bed, on->periodic); }},
+         {"wavelength_crossings", "sites",
+          "along x: upward crossings with hysteresis (mean +- sd/2)",
+          [](Whole on) { return wavelength_crossings(on->bed, on->periodic); }},
+         {"top_one_percent_height", "heights", "mean of the highest 1 % of the cells",
+          [](Whole on) { return top_one_percent_mean(on->bed); }},
+         {"crest_to_trough_height", "heights", "mean over the waves along x",
+          [](Whole on) { return crest_to_trough_height(on->bed, on->periodic); }}});
+}
+
+MeasureGroup celerity_group() {
+    const auto before = std::make_shared<BedBefore>();
+    MeasureGroup group = group_of<Celerity>(
+        of_whole_beds([before](const Snapshot& snapshot) {
+            Celerity celerity;
+            const std::int64_t steps = snapshot.step - before->step;
+            if (snapshot.periodic && !before->bed.empty() && steps > 0)
+                celerity = celerity_along_x(before->bed, snapshot.bed, steps);
+            *before = {snapshot.bed, snapshot.step};
+            return celerity;
+        }),
+        {{"celerity", "sites/step", "downwind, by correlation with the row before",
+          &Celerity::sites_per_step},
+         {"celerity_correlation", "", "how well the bed before fits when moved so",
+          &Celerity::correlation}});
+    group.carry = [before](StateCarrier& carrier) { carry_before(*before, carrier); };
+    return group;
+}
+
+MeasureGroup slope_group() {
+    return group_of<BedSlopes>(
+        of_whole_beds(
+            [](const Snapshot& snapshot) { return bed_slopes(snapshot.bed, snapshot.periodic); }),
+        {{"stoss_slope", "heights/site", "mean of the sites that rise downwind (face the wind)",
+          &BedSlopes::stoss},
+         {"lee_slope", "heights/site", "mean of the sites that fall downwind", &BedSlopes::lee},
+         {"steep_stoss_slope", "heights/site", "90th percentile of the rises",
+          &BedSlopes::steep_stoss},
+         {"steep_lee_slope", "heights/site", "90th percentile of the falls", &BedSlopes::steep_lee},
+         {"stoss_to_lee_slope", "", "above 1: the upwind side is the steeper one",
+          &BedSlopes::stoss_to_lee}});
+}
+
+MeasureGroup crest_group() {
+    return group_of<Crests>(
+        of_whole_beds([](const Snapshot& snapshot) {
+            const Grid& bed = snapshot.bed;
+            return Crests{
+                crest_orientation(bed, snapshot.periodic),
+                crest_defects(bed, snapshot.periodic, wavelength_spectrum(bed, snapshot.periodic))};
+        }),
+        {{"crest_orientation", "degrees",
+          "of the crests against the normal to the wind, counterclockwise",
+          [](const Crests& crests) { return crests.orientation.degrees; }},
+         {"crest_coherence", "", "1 where all slopes lie along one line, 0 where none is preferred",
+          [](const Crests& crests) { return crests.orientation.coherence; }},
+         {"crest_defects", "", "ends of crest lines, Y-junctions among them",
+          [](const Crests& crests) { return static_cast<double>(crests.defects.ends); }},
+         {"crest_defect_density", "1/site", "pairs of ends over the length of all crests",
+          [](const Crests& crests) { return crests.defects.defect_density; }}});
+}
+
+MeasureGroup dune_group() {
+    return group_of<DuneField>(
+        of_whole_beds([](const Snapshot& snapshot) {
+            return separate_dunes(snapshot.bed, snapshot.periodic);
+        }),
+        {{"dune_count", "", "pieces above 0.3 of the highest cell, of 20 cells or more",
+          [](const DuneField& field) { return static_cast<double>(field.dunes.size()); }},
+         {"dune_cover", "", "share of the cells above that height", &DuneField::covered_share},
+         {"dune_area", "cells", "mean over the dunes", &DuneField::mean_area},
+         {"dune_height", "heights", "mean of their highest cells", &DuneField::mean_height},
+         {"dune_volume", "heights x cells", "mean over the dunes", &DuneField::mean_volume},
+         {"dune_horns_downwind", "", "share of the dunes whose horns point downwind",
+          &DuneField::share_horns_downwind},
+         {"dune_horn_lag", "sites", "mean way of the two ends downwind of the middle",
+          &DuneField::mean_horn_lag}});
+}
+
+}  // namespace fumon

@@ -1,0 +1,142 @@
+#include "measure/bed/dunes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "measure/bed/dune_pieces.h"
+
+namespace fumon {
+
+namespace {
+
+/// One row of a dune, unwrapped: how many cells, the sum of their x, and the easternmost one.
+struct DuneRow {
+    std::int64_t cells = 0;
+    double x_sum = 0.0;
+    int last = 0;
+};
+
+int into_box(int value, int size) {
+    const int rest = value % size;
+    return rest < 0 ? rest + size : rest;
+}
+
+double into_box(double value, int size) {
+    return value - size * std::floor(value / size);
+}
+
+/// Rows in ascending y; an 8-connected piece leaves none out.
+std::vector<DuneRow> rows_of(std::span<const RowRun> runs, int lowest_y) {
+    std::vector<DuneRow> rows;
+    for (const RowRun& run : runs) {
+        const auto index = static_cast<std::size_t>(run.y - lowest_y);
+        if (index >= rows.size()) rows.resize(index + 1);
+        DuneRow& row = rows[index];
+        const int cells = run.last - run.first + 1;
+        row.last = row.cells == 0 ? run.last : std::max(row.last, run.last);
+        row.cells += cells;
+        row.x_sum += 0.5 * cells * (static_cast<double>(run.first) + run.last);
+    }
+    return rows;
+}
+
+/// With rows symmetric about the middle, b drops out of the normal equations of a and c.
+double lag_of_ends(std::span<const DuneRow> rows) {
+    if (rows.size() < 3) return std::numeric_limits<double>::quiet_NaN();
+    const auto count = static_cast<double>(rows.size());
+    const double half_width = 0.5 * (count - 1.0);
+    const double mean_square = (count * count - 1.0) / 12.0;
+    double moment = 0.0;
+    double norm = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double y = static_cast<double>(i) - half_width;
+        const double weight = y * y - mean_square;
+        moment += weight * rows[i].x_sum / static_cast<double>(rows[i].cells);
+        norm += weight * weight;
+    }
+    return moment / norm * half_width * half_width;
+}
+
+/// How far the rows of one side reach beyond the middle one.
+double horn(std::span<const DuneRow> side, int middle_last) {
+    int reach = middle_last;
+    for (const DuneRow& row : side) reach = std::max(reach, row.last);
+    return reach - middle_last;
+}
+
+Dune measured(const Grid& bed, const DunePiece& piece, std::span<const RowRun> runs) {
+    Dune dune;
+    dune.area = piece.cells;
+    double x_sum = 0.0;
+    double y_sum = 0.0;
+    int lowest_y = runs.front().y;
+    for (const RowRun& run : runs) {
+        lowest_y = std::min(lowest_y, run.y);
+        const int y = into_box(run.y, bed.ny());
+        for (int x = run.first; x <= run.last; ++x) {
+            const double height = bed(into_box(x, bed.nx()), y);
+            dune.height = std::max(dune.height, height);
+            dune.volume += height;
+        }
+        const int cells = run.last - run.first + 1;
+        x_sum += 0.5 * cells * (static_cast<double>(run.first) + run.last);
+        y_sum += static_cast<double>(cells) * run.y;
+    }
+    dune.centre_x = into_box(x_sum / static_cast<double>(dune.area), bed.nx());
+    dune.centre_y = into_box(y_sum / static_cast<double>(dune.area), bed.ny());
+    const std::vector<DuneRow> rows = rows_of(runs, lowest_y);
+    dune.horn_lag = lag_of_ends(rows);
+    const std::size_t middle = rows.size() / 2;
+    dune.right_horn = horn(std::span(rows).first(middle), rows[middle].last);
+    dune.left_horn = horn(std::span(rows).subspan(middle), rows[middle].last);
+    return dune;
+}
+
+void set_means(DuneField& field) {
+    if (field.dunes.empty()) return;
+    double area = 0.0;
+    double height = 0.0;
+    double volume = 0.0;
+    double lag = 0.0;
+    int with_lag = 0;
+    int downwind = 0;
+    for (const Dune& dune : field.dunes) {
+        area += static_cast<double>(dune.area);
+        height += dune.height;
+        volume += dune.volume;
+        if (std::isnan(dune.horn_lag)) continue;
+        ++with_lag;
+        lag += dune.horn_lag;
+        if (dune.horn_lag > 0.0) ++downwind;
+    }
+    const auto count = static_cast<double>(field.dunes.size());
+    field.mean_area = area / count;
+    field.mean_height = height / count;
+    field.mean_volume = volume / count;
+    if (with_lag == 0) return;
+    field.mean_horn_lag = lag / with_lag;
+    field.share_horns_downwind = static_cast<double>(downwind) / with_lag;
+}
+
+}  // namespace
+
+DuneField separate_dunes(const Grid& bed, bool periodic, const DuneCriteria& criteria) {
+    DuneField field;
+    if (bed.empty()) return field;
+    const double highest = *std::max_element(bed.values().begin(), bed.values().end());
+    if (!(highest > 0.0)) return field;
+    const DunePieces found = dune_pieces(bed, criteria.level_share * highest, periodic);
+    std::int64_t covered = 0;
+    for (const DunePiece& piece : found.pieces) {
+        covered += piece.cells;
+        if (piece.wraps || piece.cells < criteria.least_cells) continue;
+        field.dunes.push_back(measured(bed, piece, found.runs_of(piece)));
+    }
+    field.covered_share = static_cast<double>(covered) / static_cast<double>(bed.size());
+    set_means(field);
+    return field;
+}
+
+}  // namespace fumon

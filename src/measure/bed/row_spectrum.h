@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "base/grid.h"
+
+namespace fumon {
+
+/// The power |F(k)|² of the bed's departures along x (see row_departures) in wave numbers
+/// k = 0 … nx/2 (cycles per row), summed over the rows. The rows of a bed that is not periodic are
+/// brought to zero at their ends by a Hann window first, which widens a peak to three bins. Empty
+/// for an empty bed.
+std::vector<double> power_along_x(const Grid& bed, bool periodic);
+
+/// The correlation of the bed's departures with themselves shifted by 0, 1, 2 … sites along x, rows
+/// summed, 1 without a shift. Periodic: circular, shifts below nx. Else shifts up to nx/2, the
+/// covariance of each being the mean over the sites that overlap. Empty for a bed without relief
+/// along x.
+std::vector<double> autocorrelation_along_x(const Grid& bed, bool periodic);
+
+/// The circular correlation of `later` shifted back by 0, 1, 2 … nx − 1 sites along x with
+/// `earlier`, rows summed, between −1 and 1: where it is high at shift s, the pattern has moved s
+/// sites toward +x. Both beds periodic and of one size (throws Error). Empty where one of them has
+/// no relief along x.
+std::vector<double> cross_correlation_along_x(const Grid& earlier, const Grid& later);
+
+}  // namespace fumon

@@ -1,0 +1,98 @@
+#include "models/water/finite_volume_strip.h"
+
+#include <algorithm>
+
+namespace fumon::finite_volume {
+
+// In a padded row of w cells, slopes are known at 1 … w−2, the face east of cell k at 1 … w−3, and
+// shares at 2 … w−3.
+
+void Strip::start(int first_x, int count) {
+    first_x_ = first_x;
+    count_ = count;
+    for (int y = 0; y < kept; ++y) std::fill_n(row(shares, y), stride, 1.0);
+    short_of_water_.fill(false);
+}
+
+CellRow Strip::across_x(int y, int from) {
+    return {depth(y) + from, surface(y) + from, velocity_x(y) + from, velocity_y(y) + from,
+            inside(y) + from};
+}
+
+CellRow Strip::across_y(int y, int from) {
+    return {depth(y) + from, surface(y) + from, velocity_y(y) + from, velocity_x(y) + from,
+            inside(y) + from};
+}
+
+HalfSlopes Strip::slopes(Kind kind, int y, int from) {
+    return {row(kind, y) + from, row(kind + 1, y) + from, row(kind + 2, y) + from,
+            row(kind + 3, y) + from};
+}
+
+Fluxes Strip::fluxes(Kind kind, int y, int from) {
+    return {row(kind, y) + from, row(kind + 1, y) + from, row(kind + 2, y) + from,
+            row(kind + 3, y) + from};
+}
+
+void Strip::take_x_fluxes(int y, double gravity) {
+    limited_half_slopes(across_x(y, 0), across_x(y, 1), across_x(y, 2), slopes(x_slopes, y, 1),
+                        padded() - 2);
+    face_fluxes(across_x(y, 1), slopes(x_slopes, y, 1), across_x(y, 2), slopes(x_slopes, y, 2),
+                gravity, fluxes(x_fluxes, y, 1), padded() - 3);
+}
+
+void Strip::take_y_slopes(int y) {
+    limited_half_slopes(across_y(y - 1, 2), across_y(y, 2), across_y(y + 1, 2),
+                        slopes(y_slopes, y, 2), padded() - 4);
+}
+
+void Strip::take_y_fluxes(int y, double gravity) {
+    face_fluxes(across_y(y, 2), slopes(y_slopes, y, 2), across_y(y + 1, 2),
+                slopes(y_slopes, y + 1, 2), gravity, fluxes(y_fluxes, y, 2), padded() - 4);
+}
+
+void Strip::cut_fluxes(int y, double dt_dx, double dt_dy) {
+    const auto slot = static_cast<std::size_t>(y & (kept - 1));
+    const auto slot_south = static_cast<std::size_t>((y - 1) & (kept - 1));
+    const bool was_short = short_of_water_[slot];
+    const double* x_mass = row(x_fluxes, y);
+    const bool is_short =
+        payable_shares(depth(y) + 2, x_mass + 1, x_mass + 2, row(y_fluxes, y - 1) + 2,
+                       row(y_fluxes, y) + 2, dt_dx, dt_dy, row(shares, y) + 2, padded() - 4);
+    short_of_water_[slot] = is_short;
+    if (was_short && !is_short) std::fill_n(row(shares, y), stride, 1.0);
+    if (is_short)
+        cut_to_shares(fluxes(x_fluxes, y, 2), row(shares, y) + 2, row(shares, y) + 3, padded() - 5);
+    if (is_short || short_of_water_[slot_south])
+        cut_to_shares(fluxes(y_fluxes, y - 1, 2), row(shares, y - 1) + 2, row(shares, y) + 2,
+                      padded() - 4);
+}
+
+UpdateInput Strip::update_input(int y) {
+    UpdateInput in;
+    in.cells = across_x(y, margin);
+    in.surface_x = row(x_slopes + 1, y) + margin;
+    in.surface_y = row(y_slopes + 1, y) + margin;
+    in.west = fluxes(x_fluxes, y, margin - 1);
+    in.east = fluxes(x_fluxes, y, margin);
+    in.south = fluxes(y_fluxes, y - 1, margin);
+    in.north = fluxes(y_fluxes, y, margin);
+    return in;
+}
+
+double Strip::outward(int x, int y, Side side) const {
+    const int k = x - first_x_ + margin;
+    switch (side) {
+        case Side::west:
+            return -row(x_fluxes, y)[k - 1];
+        case Side::east:
+            return row(x_fluxes, y)[k];
+        case Side::south:
+            return -row(y_fluxes, y - 1)[k];
+        case Side::north:
+            return row(y_fluxes, y)[k];
+    }
+    return 0.0;
+}
+
+}  // namespace fumon::finite_volume

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "models/water/finite_volume_rows.h"
+
+namespace fumon::finite_volume {
+
+enum class Side { west, east, south, north };
+
+/// What a thread holds while it walks up a block of columns: the last four rows of cells, slopes,
+/// fluxes and shares, so that they stay in the cache from one kernel to the next. Each row goes on
+/// three cells beyond both ends of the block.
+class Strip {
+  public:
+    static constexpr int margin = 3;          ///< cells beyond the block that its update reads
+    static constexpr int widest_block = 512;  ///< cells
+
+    Strip() : values_(static_cast<std::size_t>(fields) * kept * stride) {}
+
+    /// Starts a block of `count` columns from column `first_x` on.
+    void start(int first_x, int count);
+
+    [[nodiscard]] int first_x() const { return first_x_; }
+    [[nodiscard]] int count() const { return count_; }
+    [[nodiscard]] int padded() const { return count_ + 2 * margin; }
+
+    [[nodiscard]] double* depth(int y) { return row(0, y); }
+    [[nodiscard]] double* surface(int y) { return row(1, y); }
+    [[nodiscard]] double* velocity_x(int y) { return row(2, y); }
+    [[nodiscard]] double* velocity_y(int y) { return row(3, y); }
+    [[nodiscard]] double* inside(int y) { return row(4, y); }
+
+    /// Fluxes through the east and west faces of row y.
+    void take_x_fluxes(int y, double gravity);
+    /// Slopes northward of row y, whose neighbours are loaded.
+    void take_y_slopes(int y);
+    /// Fluxes through the faces between row y and the one north of it.
+    void take_y_fluxes(int y, double gravity);
+    /// Cuts the fluxes of row y, and of the faces south of it, to what the cells can pay.
+    void cut_fluxes(int y, double dt_dx, double dt_dy);
+    /// What the update of row y's own cells reads, without the step's start.
+    [[nodiscard]] UpdateInput update_input(int y);
+
+    /// Water through the side of a cell, outward, per metre, m²/s.
+    [[nodiscard]] double outward(int x, int y, Side side) const;
+
+  private:
+    static constexpr int fields = 22;
+    static constexpr int kept = 4;  // rows; a power of two
+    static constexpr int stride = widest_block + 2 * margin + 2;
+
+    enum Kind { cells = 0, x_slopes = 5, y_slopes = 9, x_fluxes = 13, y_fluxes = 17, shares = 21 };
+
+    [[nodiscard]] std::size_t place(int field, int y) const {
+        const auto slot = static_cast<std::size_t>(y & (kept - 1));
+        return (static_cast<std::size_t>(field) * kept + slot) * stride;
+    }
+    double* row(int field, int y) { return values_.data() + place(field, y); }
+    [[nodiscard]] const double* row(int field, int y) const {
+        return values_.data() + place(field, y);
+    }
+    [[nodiscard]] CellRow across_x(int y, int from);
+    [[nodiscard]] CellRow across_y(int y, int from);
+    [[nodiscard]] HalfSlopes slopes(Kind kind, int y, int from);
+    [[nodiscard]] Fluxes fluxes(Kind kind, int y, int from);
+
+    std::vector<double> values_;
+    std::array<bool, kept> short_of_water_{};
+    int first_x_ = 0;
+    int count_ = 0;
+};
+
+}  // namespace fumon::finite_volume

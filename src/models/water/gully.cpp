@@ -1,0 +1,253 @@
+#include "models/water/gully.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "base/multiversion.h"
+#include "base/state_carrier.h"
+#include "base/worker_pool.h"
+#include "models/water/shallow_water.h"
+
+namespace fumon {
+
+namespace {
+
+/// 0, or not a number where one of the row's values is not finite; below 0 where a depth is.
+FUMON_MULTIVERSION
+double fault_of_row(const double* h, const double* u, const double* v, const double* z, int count) {
+    double fault[8] = {};
+    const auto one = [&](int x) {
+        const double shallow = h[x] < 0.0 ? -1.0 : 0.0;
+        return shallow + ((h[x] - h[x]) + (u[x] - u[x])) + ((v[x] - v[x]) + (z[x] - z[x]));
+    };
+    int x = 0;
+    for (; x + 8 <= count; x += 8) {
+        for (int k = 0; k < 8; ++k) fault[k] += one(x + k);
+    }
+    for (; x < count; ++x) fault[0] += one(x);
+    return ((fault[0] + fault[1]) + (fault[2] + fault[3])) +
+           ((fault[4] + fault[5]) + (fault[6] + fault[7]));
+}
+
+[[noreturn]] void report(const Water& water, const Grid& bed, int y, double time) {
+    const auto fail = [&](const char* quantity, double value, const char* unit, int x) {
+        throw Error(
+            fmt::format("{} became {:.4g} {} at cell ({}, {}), t = {:.6g} s; try a smaller "
+                        "model.courant_number or model.time_step, more model.bed_diffusion or "
+                        "model.scheme = \"cip\"",
+                        quantity, value, unit, x, y, time));
+    };
+    for (int x = 0; x < bed.nx(); ++x) {
+        const double depth = water.depth(x, y);
+        if (!(depth >= 0.0) || std::isinf(depth)) fail("the water depth", depth, "m", x);
+        const double u = water.velocity_x(x, y);
+        if (!std::isfinite(u)) fail("the eastward velocity", u, "m/s", x);
+        const double v = water.velocity_y(x, y);
+        if (!std::isfinite(v)) fail("the northward velocity", v, "m/s", x);
+        if (!std::isfinite(bed(x, y))) fail("the bed height", bed(x, y), "m", x);
+    }
+    throw Error(fmt::format("the water in row {} is not what it was, t = {:.6g} s", y, time));
+}
+
+/// Throws Error where a depth is negative or a depth, velocity or bed height is not a finite
+/// number: it names the first such cell, the quantity, the time (s) and what to try.
+void check_water(const Water& water, const Grid& bed, double time, WorkerPool& pool) {
+    std::vector<char> faulty(static_cast<std::size_t>(bed.ny()));
+    pool.for_ranges(bed.ny(), [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            const double fault =
+                fault_of_row(water.depth.row(y).data(), water.velocity_x.row(y).data(),
+                             water.velocity_y.row(y).data(), bed.row(y).data(), bed.nx());
+            faulty[static_cast<std::size_t>(y)] = fault == 0.0 ? 0 : 1;
+        }
+    });
+    const auto first = std::find(faulty.begin(), faulty.end(), 1);
+    if (first != faulty.end()) report(water, bed, static_cast<int>(first - faulty.begin()), time);
+}
+
+/// Throws the Error that the flow has become too fast to follow: it names the fastest cell, its
+/// speed, and `reason`, which says what that asks of the sub-steps.
+void refuse_speed(const Water& water, double time, const std::string& reason) {
+    const auto speed = [&](int x, int y) {
+        const double u = water.velocity_x(x, y);
+        const double v = water.velocity_y(x, y);
+        return std::sqrt(u * u + v * v);
+    };
+    int fastest_x = 0;
+    int fastest_y = 0;
+    for (int y = 0; y < water.depth.ny(); ++y) {
+        for (int x = 0; x < water.depth.nx(); ++x) {
+            if (!(speed(x, y) > speed(fastest_x, fastest_y))) continue;
+            fastest_x = x;
+            fastest_y = y;
+        }
+    }
+    throw Error(
+        fmt::format("the speed became {:.4g} m/s at cell ({}, {}), t = {:.6g} s, so that {}; try a "
+                    "smaller model.time_step, more model.friction_coefficient or "
+                    "model.bed_diffusion",
+                    speed(fastest_x, fastest_y), fastest_x, fastest_y, time, reason));
+}
+
+constexpr int most_substeps = 5000;
+constexpr double metres_per_second = 1.0 / 3.6e6;  // of a millimetre per hour
+
+template <class Value>
+double sum_of(const Grid& grid, const Mask& nodata, Value value) {
+    CompensatedSum sum;
+    for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+        if (nodata.empty() || nodata.values()[cell] == 0) sum.add(value(grid.values()[cell]));
+    }
+    return sum.value();
+}
+
+double share(double error, std::initializer_list<double> amounts) {
+    double largest = 0.0;
+    for (const double amount : amounts) largest = std::max(largest, std::fabs(amount));
+    return largest > 0.0 ? error / largest : 0.0;
+}
+
+void check_time_step(const GullyParameters& parameters, double step_at_one) {
+    if (parameters.substeps != Substeps::fixed || parameters.time_step <= step_at_one) return;
+    throw KeyError(
+        "model.time_step",
+        fmt::format("a fixed model.time_step of {:.4g} s has Courant number {:.3g} at "
+                    "the start; take at most {:.3g} s or model.substeps = \"adaptive\"",
+                    parameters.time_step, parameters.time_step / step_at_one, step_at_one));
+}
+
+}  // namespace
+
+Gully::Gully(const GullyParameters& parameters, ModelSetup setup)
+    : Gully(start_of_gully(parameters, setup), setup.scale, setup.pool) {}
+
+Gully::Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool)
+    : parameters_(start.parameters),
+      domain_(start.domain),
+      scale_(scale),
+      pool_(pool),
+      bed_(start.bed),
+      water_(start.water),
+      scheme_(make_water_scheme(start, pool)),
+      sediment_(parameters_, domain_, bed_.nx(), bed_.ny(), pool),
+      cell_area_(domain_.dx * domain_.dy),
+      wet_area_(cell_area_ * sum_of(bed_, domain_.nodata, [](double) { return 1.0; })),
+      first_water_(water_volume()),
+      first_bed_(bed_volume()) {
+    check_time_step(parameters_, scheme_->step_at_courant_one(water_));
+}
+
+void Gully::step() {
+    double remaining = parameters_.time_step;
+    double elapsed = time();
+    substeps_ = 0;
+    while (remaining > 0.0) {
+        const double dt = sub_step_size(remaining, elapsed);
+        sub_step(dt, elapsed);
+        remaining = dt == remaining ? 0.0 : remaining - dt;
+        if (++substeps_ > most_substeps) {
+            refuse_speed(water_, elapsed,
+                         fmt::format("a step takes more than {} sub-steps", most_substeps));
+        }
+    }
+    ++steps_;
+    check_water(water_, bed_, time(), pool_);
+    counters_ = {rain_.value(), scheme_->left(), sediment_.removed()};
+}
+
+/// An equal share of what remains of the step, as large as the Courant number allows.
+double Gully::sub_step_size(double remaining, double elapsed) const {
+    if (parameters_.substeps == Substeps::fixed) return remaining;
+    const double limit = parameters_.courant_number * scheme_->step_at_courant_one(water_);
+    const double pieces = std::ceil(remaining / limit * (1.0 - 1e-12));
+    if (pieces <= 1.0) return remaining;
+    if (!(pieces <= most_substeps)) {
+        check_water(water_, bed_, elapsed, pool_);
+        refuse_speed(water_, elapsed, fmt::format("a sub-step would be {:.3g} s", limit));
+    }
+    return remaining / pieces;
+}
+
+void Gully::sub_step(double dt, double& elapsed) {
+    const double until = parameters_.rain_until > 0.0 ? parameters_.rain_until : elapsed + dt;
+    const double raining = std::clamp(until - elapsed, 0.0, dt) / dt;
+    const double rain = raining * parameters_.rain * metres_per_second;
+    scheme_->advance(water_, bed_, dt, rain);
+    rain_.add(rain * dt * wet_area_);
+    sediment_.advance(bed_, water_, dt);
+    elapsed += dt;
+}
+
+double Gully::water_volume() const {
+    return cell_area_ * sum_of(water_.depth, domain_.nodata, [](double h) { return h; });
+}
+
+double Gully::bed_volume() const {
+    return cell_area_ * sum_of(bed_, domain_.nodata, [](double z) { return z; });
+}
+
+std::vector<SnapshotNumber> Gully::budgets() const {
+    const double water = water_volume();
+    const double rain = rain_.value();
+    const double left = scheme_->left();
+    const double sediment = bed_volume() - first_bed_;
+    const double removed = sediment_.removed();
+    const double in_relief =
+        cell_area_ * sum_of(bed_, domain_.nodata, [](double z) { return std::fabs(z); });
+    return {
+        {"mean_slope", "m/m", domain_.slope},
+        {"gravity", "m/s2", parameters_.gravity},
+        {"water_volume", "m3", water},
+        {"rain_volume", "m3", rain},
+        {"left_volume", "m3", left},
+        {"water_budget_error", "1",
+         share(((water - first_water_) - rain) + left, {water, first_water_, rain, left})},
+        {"sediment_volume", "m3", sediment},
+        {"sediment_removed", "m3", removed},
+        {"sediment_budget_error", "1", share(sediment + removed, {sediment, removed, in_relief})},
+        {"substeps", "1", static_cast<double>(substeps_)}};
+}
+
+Snapshot Gully::snapshot() const {
+    Snapshot snapshot{steps_, time(), std::string(time_unit()), bed_, domain_.nodata, scale_};
+    snapshot.landform = landform;
+    snapshot.periodic =
+        domain_.edges_x == EdgeKind::periodic && domain_.edges_y == EdgeKind::periodic;
+    snapshot.fields = {{"water_depth", "depth of the water", "m", water_.depth},
+                       {"velocity_x", "eastward velocity of the water", "m/s", water_.velocity_x},
+                       {"velocity_y", "northward velocity of the water", "m/s", water_.velocity_y}};
+    snapshot.numbers = budgets();
+    return snapshot;
+}
+
+std::vector<StateField> Gully::state() const {
+    std::vector<StateField> fields{{"bed", bed_.values()},
+                                   {"water_depth", water_.depth.values()},
+                                   {"velocity_x", water_.velocity_x.values()},
+                                   {"velocity_y", water_.velocity_y.values()}};
+    const auto own = scheme_->state();
+    fields.insert(fields.end(), own.begin(), own.end());
+    fields.push_back({"counters", counters_});
+    return fields;
+}
+
+void Gully::carry(StateCarrier& carrier) {
+    carrier.count("steps", steps_);
+    carrier.count("substeps", substeps_);
+    carrier.values("bed", bed_.values());
+    carrier.values("water_depth", water_.depth.values());
+    carrier.values("velocity_x", water_.velocity_x.values());
+    carrier.values("velocity_y", water_.velocity_y.values());
+    scheme_->carry(carrier);
+    sediment_.carry(carrier);
+    rain_.carry("rain_volume", carrier);
+    carrier.values("counters", counters_);
+}
+
+}  // namespace fumon

@@ -1,0 +1,156 @@
+#include "models/water/gully_setup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/elementary.h"
+#include "base/error.h"
+#include "models/water/cip_scheme.h"
+#include "models/water/finite_volume_scheme.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr double published_slope = 0.04;
+
+bool all_periodic(const WaterDomain& domain) {
+    return domain.edges_x == EdgeKind::periodic && domain.edges_y == EdgeKind::periodic;
+}
+
+EdgeKind decided(EdgeKind edge, bool from_file) {
+    if (edge != EdgeKind::automatic) return edge;
+    return from_file ? EdgeKind::open : EdgeKind::periodic;
+}
+
+WaterDomain domain_of(const GullyParameters& parameters, ModelSetup& setup) {
+    WaterDomain domain;
+    domain.dx = setup.scale.dx;
+    domain.dy = setup.scale.dy;
+    domain.slope = parameters.slope.is_word() ? (setup.from_file ? 0.0 : published_slope)
+                                              : parameters.slope.value;
+    domain.edges_x = decided(parameters.edges_x, setup.from_file);
+    domain.edges_y = decided(parameters.edges_y, setup.from_file);
+    domain.nodata = std::move(setup.nodata);
+    return domain;
+}
+
+void check_scheme(const GullyParameters& parameters, const WaterDomain& domain) {
+    if (parameters.scheme == WaterScheme::finite_volume) return;
+    if (!all_periodic(domain)) {
+        throw KeyError("model.scheme",
+                       "the CIP schemes need periodic edges; take model.scheme = "
+                       "\"finite-volume\" for open edges and walls");
+    }
+    if (!domain.nodata.empty()) {
+        throw KeyError("model.scheme",
+                       "the CIP schemes need a bed without holes, but it has cells without data; "
+                       "take model.scheme = \"finite-volume\" or bed.nodata = \"fill\"");
+    }
+}
+
+void check_motion(const GullyParameters& parameters, const WaterDomain& domain, bool from_file) {
+    const bool dry = parameters.initial_water == InitialWater::dry || parameters.depth == 0.0;
+    if (dry && parameters.rain == 0.0) {
+        throw KeyError(parameters.depth == 0.0 ? "model.depth" : "model.initial_water",
+                       "there is no water at the start and no rain; give model.depth with "
+                       "model.initial_water = \"film\" or \"level\", or set model.rain");
+    }
+    const bool level = parameters.initial_water == InitialWater::level;
+    if (domain.slope == 0.0 && all_periodic(domain) && !from_file && parameters.rain == 0.0 &&
+        parameters.channel_depth == 0.0 && !level) {
+        throw KeyError("model.slope",
+                       "model.slope is 0, and a film on a level periodic plane has nowhere to "
+                       "flow; give a slope, rain, a channel or a terrain file");
+    }
+}
+
+/// √(g h S / C_f), the speed at which friction holds the plane's pull, m/s; 0 for flow at rest.
+double initial_speed(const GullyParameters& parameters, const WaterDomain& domain) {
+    const double friction =
+        parameters.friction_coefficient * (parameters.friction == FrictionLaw::half ? 0.5 : 1.0);
+    switch (parameters.initial_flow) {
+        case InitialFlow::rest:
+            return 0.0;
+        case InitialFlow::automatic:
+            if (friction == 0.0) return 0.0;
+            break;
+        case InitialFlow::uniform:
+            if (friction == 0.0 && domain.slope > 0.0) {
+                throw KeyError("model.initial_flow",
+                               "without friction no uniform flow exists; take "
+                               "model.initial_flow = \"rest\" or a model.friction_coefficient");
+            }
+            break;
+    }
+    if (domain.slope == 0.0) return 0.0;
+    return std::sqrt(parameters.gravity * parameters.depth * domain.slope / friction);
+}
+
+/// A Gaussian trough down the middle of the plane.
+void cut_channel(const GullyParameters& parameters, double dx, Grid& bed) {
+    if (parameters.channel_depth == 0.0) return;
+    const int middle = bed.nx() / 2;
+    for (int x = 0; x < bed.nx(); ++x) {
+        const double across = (x - middle) * dx / parameters.channel_width;
+        const double cut = parameters.channel_depth * elementary::exp(-0.5 * across * across);
+        for (int y = 0; y < bed.ny(); ++y) bed(x, y) -= cut;
+    }
+}
+
+Water water_of(const GullyParameters& parameters, const WaterDomain& domain, const Grid& bed) {
+    const int nx = bed.nx();
+    const int ny = bed.ny();
+    Water water{Grid(nx, ny), Grid(nx, ny), Grid(nx, ny)};
+    const double speed = initial_speed(parameters, domain);
+    for (std::size_t cell = 0; cell < bed.size(); ++cell) {
+        if (!domain.nodata.empty() && domain.nodata.values()[cell] != 0) continue;
+        double& depth = water.depth.values()[cell];
+        switch (parameters.initial_water) {
+            case InitialWater::film:
+                depth = parameters.depth;
+                break;
+            case InitialWater::level:
+                depth = std::max(0.0, parameters.depth - bed.values()[cell]);
+                break;
+            case InitialWater::dry:
+                break;
+        }
+        if (depth > 0.0) water.velocity_y.values()[cell] = -speed;
+    }
+    return water;
+}
+
+}  // namespace
+
+GullyStart start_of_gully(const GullyParameters& parameters, ModelSetup& setup) {
+    GullyStart start;
+    start.parameters = parameters;
+    start.domain = domain_of(parameters, setup);
+    if (start.parameters.scheme == WaterScheme::automatic) {
+        const bool plane = all_periodic(start.domain) && start.domain.nodata.empty();
+        start.parameters.scheme = plane ? WaterScheme::cip : WaterScheme::finite_volume;
+    }
+    check_scheme(start.parameters, start.domain);
+    check_motion(parameters, start.domain, setup.from_file);
+    start.bed = std::move(setup.bed);
+    cut_channel(parameters, start.domain.dx, start.bed);
+    start.water = water_of(parameters, start.domain, start.bed);
+    return start;
+}
+
+std::unique_ptr<ShallowWaterScheme> make_water_scheme(const GullyStart& start, WorkerPool& pool) {
+    switch (start.parameters.scheme) {
+        case WaterScheme::cip:
+        case WaterScheme::cip_as_published:
+            return std::make_unique<CipScheme>(start.parameters, start.domain, start.water, pool);
+        case WaterScheme::automatic:
+        case WaterScheme::finite_volume:
+            break;
+    }
+    return std::make_unique<FiniteVolumeScheme>(start.parameters, start.domain, pool);
+}
+
+}  // namespace fumon

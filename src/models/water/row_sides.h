@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "models/water/sediment_rows.h"
+#include "models/water/shallow_water.h"
+
+namespace fumon {
+
+/// What stands in for a neighbour outside the domain: beyond an edge that is not periodic, or
+/// without data.
+enum class Beyond {
+    on_the_line,  ///< as far as the line through the cell and its other neighbour goes
+    same,         ///< the cell's own value
+    opposite,     ///< its negative, so that nothing passes between them
+};
+
+/// The four neighbours of the cells of a row, as arrays.
+class RowSides {
+  public:
+    explicit RowSides(int nx)
+        : cells_(static_cast<std::size_t>(nx) + 2),
+          west_(static_cast<std::size_t>(nx)),
+          east_(west_),
+          south_(west_),
+          north_(west_) {}
+
+    /// Of row y; they live until the next call. `beyond_x` and `beyond_y` hold at the domain's
+    /// edges; beside cells without data it is `beyond_hole`.
+    sediment::Sides of(const Grid& field, const WaterDomain& domain, int y, Beyond beyond_x,
+                       Beyond beyond_y, Beyond beyond_hole);
+
+  private:
+    const double* beyond_row(const Grid& field, int y, int by, Beyond rule,
+                             std::vector<double>& scratch);
+    void fill_holes(const Grid& field, const WaterDomain& domain, int y, Beyond rule,
+                    const sediment::Sides& plain);
+
+    std::vector<double> cells_;  ///< the row, with a cell past either end
+    std::vector<double> west_, east_, south_, north_;
+};
+
+}  // namespace fumon

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <vector>
+
+#include "base/compensated_sum.h"
+#include "models/shared/bed_diffusion.h"
+#include "models/water/gully_parameters.h"
+#include "models/water/row_sides.h"
+#include "models/water/sediment_rows.h"
+#include "models/water/shallow_water.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// What flowing water does to its bed (Saeki & Okamura 2007, eqs. 4, 5, 12):
+///
+///     ∂z/∂t = transport + D ∇²z      q_s = K_f (K_t U^q S^γ − τ_c)^p u/U     S = |∇z|, mean slope
+///                                                                            included
+/// with the transport as
+///
+///  * incision: −|q_s| / (1 m);
+///  * as printed: the sums of eq. (12), −(q_x[i+1] + q_x[i−1]) / 2dx and the same along y, which
+///    points down the plane as in the paper: a sink that depends on the grid;
+///  * conservative: −∇·q_s by central differences.
+///
+/// S from central differences, one-sided at edges that are not periodic and beside cells without
+/// data. Nothing is transported where the water stands or the bed is level. The diffusion crosses
+/// periodic edges only; it goes by alternating directions (Peaceman & Rachford 1955), or in
+/// explicit turns where cells are without data.
+class Sediment {
+  public:
+    /// Throws KeyError where a bed with cells without data would diffuse in over 10,000 explicit
+    /// turns a step.
+    Sediment(const GullyParameters& parameters, const WaterDomain& domain, int nx, int ny,
+             WorkerPool& pool);
+
+    /// Changes the bed (m, departures from the mean plane) over `dt` seconds of this flow.
+    void advance(Grid& bed, const Water& water, double dt);
+
+    /// What the transport has taken from the domain since the start, m³.
+    [[nodiscard]] double removed() const { return -changed_.value() * domain_.dx * domain_.dy; }
+
+    void carry(StateCarrier& carrier) { changed_.carry("sediment_changed", carrier); }
+
+  private:
+    void find_fluxes(const Grid& bed, const Water& water);
+    void transport_row(const Grid& bed, const Water& water, double dt, int y, RowSides& sides_x,
+                       RowSides& sides_y, std::vector<double>& flux);
+    void diffuse_masked(Grid& bed, double dt);
+
+    SedimentTransport transport_;
+    double diffusion_rate_;  ///< D, m²/s
+    sediment::FluxLaw law_;
+    WaterDomain domain_;
+    int nx_;
+    int ny_;
+    WorkerPool& pool_;
+    BedDiffusion diffusion_;
+    Grid flux_x_;  ///< q_s, m²/s, where its neighbours count
+    Grid flux_y_;
+    Grid change_;  ///< of the bed by transport in a sub-step, m
+    std::vector<double> row_changes_;
+    CompensatedSum changed_;
+};
+
+}  // namespace fumon

@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <limits>
+
+#include "figure/panels/hill_shading.h"
+#include "figure/panels/map_panel.h"
+#include "files/terrain/esri_ascii.h"
+#include "paper/panel_look.h"
+#include "paper/panel_makers.h"
+
+namespace fumon {
+
+namespace {
+
+/// The look that shows a panel's field, where it is one of the renderer's.
+std::optional<LookSettings> look_of_field(const PanelSettings& panel, const Scene& scene) {
+    const auto colouring = colouring_of(panel.field);
+    if (!colouring) return std::nullopt;
+    LookSettings look = look_of(panel, scene);
+    look.colour_by = *colouring;
+    return look;
+}
+
+void share_range(std::vector<MapPicture>& pictures) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const MapPicture& picture : pictures) {
+        low = std::min(low, picture.colours.low);
+        high = std::max(high, picture.colours.high);
+    }
+    for (MapPicture& picture : pictures) {
+        picture.colours.low = low;
+        picture.colours.high = high;
+    }
+}
+
+std::vector<MapPicture> map_pictures_of(const PanelPlan& panel, const Snapshot& first,
+                                        const std::vector<Snapshot>& snapshots) {
+    const Scene& scene = panel.picture->scene;
+    const bool shared = panel.settings.range == PanelRange::shared;
+    const auto look = look_of_field(panel.settings, scene);
+    if (look && shared) return map_pictures(*look, snapshots, first);
+    std::vector<MapPicture> pictures;
+    pictures.reserve(snapshots.size());
+    for (const Snapshot& snapshot : snapshots) {
+        pictures.push_back(
+            look ? map_picture(*look, snapshot, first)
+                 : field_picture(look_of(panel.settings, scene), snapshot, panel.settings.field));
+    }
+    if (shared) share_range(pictures);
+    return pictures;
+}
+
+std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools) {
+    const PanelSettings& settings = subject.panel.settings;
+    std::vector<MapPicture> pictures =
+        map_pictures_of(subject.panel, subject.first, subject.snapshots);
+    if (settings.shading > 0.0) {
+        HillShading shading;
+        shading.strength = settings.shading;
+        shading.from_all_sides = settings.shading_from_all_sides;
+        for (std::size_t k = 0; k < pictures.size(); ++k)
+            pictures[k].light = hill_light(subject.snapshots[k], shading, tools.pool);
+    }
+    const bool shared = settings.range == PanelRange::shared;
+    std::vector<MadePanel> made;
+    for (std::size_t k = 0; k < pictures.size(); ++k) {
+        MapPicture& picture = pictures[k];
+        MapSettings shown;
+        shown.axes = settings.axes;
+        const bool bar = settings.colour_bar && (!shared || k + 1 == pictures.size());
+        shown.colour_bar = bar ? BarPlace::right : BarPlace::none;
+        if (k == 0) {
+            shown.scale_bar = settings.scale_bar;
+            shown.arrow = direction_of(settings.arrow);
+        }
+        if (settings.vectors) shown.flow = water_flow_of(subject.snapshots[k]);
+        MadePanel one;
+        one.data = {{".asc", esri_ascii(picture.values, picture.blank, picture.scale.dx,
+                                        picture.scale.dy)}};
+        one.content = std::make_unique<MapPanel>(std::move(picture), std::move(shown));
+        made.push_back(std::move(one));
+    }
+    return made;
+}
+
+}  // namespace
+
+const PanelMaker panels::map{nullptr, make_maps};
+
+}  // namespace fumon

@@ -1,0 +1,43 @@
+#include <fmt/format.h>
+
+#include "figure/panels/time_space_panel.h"
+#include "files/csv_table.h"
+#include "paper/panel_look.h"
+#include "paper/panel_makers.h"
+
+namespace fumon {
+
+namespace {
+
+/// A time–space diagram as CSV: one row per time and place.
+std::string time_space_csv(const TimeSpacePicture& picture) {
+    std::string text =
+        csv_line({picture.time_label, x_column(picture.in_metres), picture.colours.label});
+    const int cells = picture.values.nx();
+    for (int n = 0; n < picture.values.ny(); ++n) {
+        for (int i = 0; i < cells; ++i) {
+            text += fmt::format("{},{},{}\n", picture.times[static_cast<std::size_t>(n)],
+                                picture.length * (i + 0.5) / cells, picture.values(i, n));
+        }
+    }
+    return text;
+}
+
+std::vector<MadePanel> make_time_space(const PanelSubject& subject, PanelTools& /*tools*/) {
+    const PanelSettings& settings = subject.panel.settings;
+    LookSettings look = look_of(settings, subject.panel.picture->scene);
+    look.colour_by = colouring_of(settings.field).value_or(Colouring::height);
+    TimeSpacePicture picture = time_space_picture(look, subject.snapshots,
+                                                  row_of(settings, subject.snapshots.front().bed));
+    std::vector<MadePanel> made(1);
+    made[0].data = {{".csv", time_space_csv(picture)}};
+    made[0].content = std::make_unique<TimeSpacePanel>(
+        std::move(picture), settings.colour_bar ? BarPlace::right : BarPlace::none);
+    return made;
+}
+
+}  // namespace
+
+const PanelMaker panels::time_space{nullptr, make_time_space};
+
+}  // namespace fumon

@@ -1,0 +1,67 @@
+#include <algorithm>
+#include <cmath>
+
+#include "figure/panels/view_panel.h"
+#include "files/terrain/esri_ascii.h"
+#include "paper/panel_look.h"
+#include "paper/panel_makers.h"
+#include "render/renderer.h"
+
+namespace fumon {
+
+namespace {
+
+/// Metres where the snapshot has them, else model heights.
+Grid heights_of(const Snapshot& snapshot) {
+    Grid heights = snapshot.bed;
+    for (double& height : heights.values()) height *= snapshot.scale.height_unit;
+    return heights;
+}
+
+/// The view of a panel's scene, in the panel's look and as many pixels as its place on the page
+/// has.
+View view_of(const PanelPlan& panel, double width, double dots_per_inch) {
+    View view = panel.picture->scene.view;
+    view.look = look_of(panel.settings, panel.picture->scene);
+    if (const auto colouring = colouring_of(panel.settings.field);
+        colouring && *colouring != Colouring::height)
+        view.look.colour_by = *colouring;
+    constexpr double points_per_inch = 72.0;
+    const double aspect =
+        static_cast<double>(view.image.height) / static_cast<double>(view.image.width);
+    const double pixels = dots_per_inch / points_per_inch * width;
+    view.image.width = std::max<std::int64_t>(16, std::llround(pixels));
+    view.image.height = std::max<std::int64_t>(16, std::llround(pixels * aspect));
+    return view;
+}
+
+std::vector<MadePanel> make_views(const PanelSubject& subject, PanelTools& tools) {
+    const PanelSettings& settings = subject.panel.settings;
+    const auto steps = static_cast<double>(subject.panel.picture->scene.run.steps);
+    const View view = view_of(subject.panel, subject.width, tools.plan.scene.figure.dots_per_inch);
+    if (!tools.context) tools.context = gl::Context::create(tools.backend);
+    Renderer renderer(*tools.context, view, subject.first, subject.panel.picture->scene.run.steps,
+                      tools.pool);
+    std::vector<MadePanel> made;
+    for (const Snapshot& snapshot : subject.snapshots) {
+        const double progress = steps > 0.0 ? static_cast<double>(snapshot.step) / steps : 0.0;
+        ViewSettings shown;
+        shown.scale_bar = settings.scale_bar;
+        shown.arrow = direction_of(settings.arrow);
+        MadePanel one;
+        one.content =
+            std::make_unique<ViewPanel>(view_picture(view, renderer.render(snapshot), subject.first,
+                                                     renderer.exaggeration(), progress),
+                                        std::move(shown));
+        one.data = {{".asc", esri_ascii(heights_of(snapshot), snapshot.nodata, snapshot.scale.dx,
+                                        snapshot.scale.dy)}};
+        made.push_back(std::move(one));
+    }
+    return made;
+}
+
+}  // namespace
+
+const PanelMaker panels::view{nullptr, make_views};
+
+}  // namespace fumon

@@ -1,0 +1,202 @@
+#include "paper/figure_curve.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "base/error.h"
+#include "files/text_source.h"
+#include "scene/placeholders.h"
+
+namespace fumon {
+
+namespace {
+
+using Rows = std::vector<std::size_t>;
+
+/// "column>=value".
+struct Condition {
+    const TableColumn* column = nullptr;
+    std::string relation;
+    std::string text;
+    double value = 0.0;
+    bool is_number = false;
+
+    [[nodiscard]] bool holds(std::size_t row) const {
+        if (!is_number) return (column->text(row) == text) == (relation == "=");
+        const double cell = column->values[row];
+        if (relation == "=") return cell == value;
+        if (relation == "!=") return cell != value;
+        if (relation == "<") return cell < value;
+        if (relation == "<=") return cell <= value;
+        return relation == ">" ? cell > value : cell >= value;
+    }
+};
+
+Condition read_condition(const std::string& text, const Table& table) {
+    const std::size_t start = std::min(text.find_first_of("=<>!"), text.size());
+    const std::size_t after = std::min(text.find_first_not_of("=<>!", start), text.size());
+    Condition condition{table.find(text.substr(0, start)), text.substr(start, after - start),
+                        text.substr(after), 0.0, false};
+    if (condition.relation == "==") condition.relation = "=";
+    const std::vector<std::string> known{"=", "!=", "<", "<=", ">", ">="};
+    const ParsedNumber number = parse_number(condition.text);
+    condition.is_number =
+        number.kind == NumberKind::finite && number.length == condition.text.size();
+    condition.value = number.value;
+    const bool compares = condition.relation != "=" && condition.relation != "!=";
+    if (condition.column == nullptr || condition.text.empty() ||
+        std::find(known.begin(), known.end(), condition.relation) == known.end() ||
+        (compares && !condition.is_number)) {
+        throw InputError(fmt::format(
+            "\"{}\" is no condition; write column=value, column>=value, column<value …", text));
+    }
+    return condition;
+}
+
+Rows chosen_rows(const Table& table, const CurveSettings& settings) {
+    std::vector<Condition> conditions;
+    for (const std::string& text : settings.where)
+        conditions.push_back(read_condition(text, table));
+    const TableColumn& x = *table.find(settings.x);
+    const TableColumn& y = *table.find(settings.y);
+    Rows rows;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        if (!std::isfinite(x.values[row]) || !std::isfinite(y.values[row])) continue;
+        if (std::all_of(conditions.begin(), conditions.end(),
+                        [&](const Condition& condition) { return condition.holds(row); }))
+            rows.push_back(row);
+    }
+    return rows;
+}
+
+/// The rows of each value of a column, in the order in which the values come up.
+std::vector<Rows> groups_of(const Table& table, const std::string& column, const Rows& rows) {
+    if (column.empty()) return {rows};
+    const TableColumn& by = *table.find(column);
+    std::map<std::string, std::size_t> places;
+    std::vector<Rows> groups;
+    for (const std::size_t row : rows) {
+        const auto [place, is_new] = places.emplace(by.text(row), groups.size());
+        if (is_new) groups.emplace_back();
+        groups[place->second].push_back(row);
+    }
+    return groups;
+}
+
+double mean_of(const std::vector<double>& values) {
+    double sum = 0.0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+/// Standard deviation of a sample, or of its mean; 0 for a single value.
+double spread_of(const std::vector<double>& values, CurveSpread spread) {
+    if (values.size() < 2) return 0.0;
+    const auto count = static_cast<double>(values.size());
+    const double mean = mean_of(values);
+    double squares = 0.0;
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    const double deviation = std::sqrt(squares / (count - 1.0));
+    return spread == CurveSpread::standard_error ? deviation / std::sqrt(count) : deviation;
+}
+
+void add_points(CurvePoints& points, const CurveSettings& settings, const Table& table,
+                const Rows& rows) {
+    const TableColumn& x = *table.find(settings.x);
+    const TableColumn& y = *table.find(settings.y);
+    const auto shown = [&](double value) { return (value + settings.offset_y) * settings.scale_y; };
+    if (!settings.average) {
+        for (const std::size_t row : rows) {
+            points.x.push_back(x.values[row] * settings.scale_x);
+            points.y.push_back(shown(y.values[row]));
+        }
+        return;
+    }
+    std::map<double, std::vector<double>> by_x;
+    for (const std::size_t row : rows) by_x[x.values[row]].push_back(shown(y.values[row]));
+    for (const auto& [place, values] : by_x) {
+        points.x.push_back(place * settings.scale_x);
+        points.y.push_back(mean_of(values));
+        points.counts.push_back(static_cast<std::int64_t>(values.size()));
+        if (settings.spread != CurveSpread::none)
+            points.spread.push_back(spread_of(values, settings.spread));
+    }
+}
+
+std::string curve_name(const CurvePlan& curve, const Table& table, const Rows& rows) {
+    const CurveSettings& settings = curve.settings;
+    std::string text = settings.name;
+    if (text.empty() && !settings.group_by.empty()) text = "{" + settings.group_by + "}";
+    return fill_placeholders(text, [&](const std::string& name) -> std::optional<std::string> {
+        if (const TableColumn* column = table.find(name)) return column->text(rows.front());
+        return key_text(curve.scene, name);
+    });
+}
+
+void fit(CurvePoints& points, const CurveSettings& settings) {
+    if (settings.fit == CurveFit::none) return;
+    std::vector<double> x;
+    std::vector<double> y;
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+        if (!settings.fit_low.is_word() && points.x[i] < settings.fit_low.value) continue;
+        if (!settings.fit_high.is_word() && points.x[i] > settings.fit_high.value) continue;
+        x.push_back(points.x[i]);
+        y.push_back(points.y[i]);
+    }
+    points.law = fit_law(settings.fit, x, y);
+    points.law_low = *std::min_element(x.begin(), x.end());
+    points.law_high = *std::max_element(x.begin(), x.end());
+}
+
+}  // namespace
+
+std::vector<CurvePoints> curve_points(const CurvePlan& curve, const Table& table) {
+    const CurveSettings& settings = curve.settings;
+    const Rows rows = chosen_rows(table, settings);
+    if (rows.empty()) throw InputError("no row has numbers in x and y and meets the conditions");
+    std::vector<CurvePoints> curves;
+    for (const Rows& group : groups_of(table, settings.group_by, rows)) {
+        CurvePoints points;
+        points.name = curve_name(curve, table, group);
+        points.x_name = settings.x;
+        points.y_name = settings.y;
+        if (settings.scale_x == 1.0) points.x_unit = table.find(settings.x)->unit;
+        if (settings.scale_y == 1.0) points.y_unit = table.find(settings.y)->unit;
+        add_points(points, settings, table, group);
+        fit(points, settings);
+        curves.push_back(std::move(points));
+    }
+    return curves;
+}
+
+std::string curve_csv(const CurvePoints& points) {
+    std::string text;
+    if (points.law) {
+        text += fmt::format("# fitted to x from {} to {}: {}\n", points.law_low, points.law_high,
+                            points.law->text());
+        for (const auto& [name, value] : points.law->values)
+            text += fmt::format("# {} = {}\n", name, value);
+    }
+    const auto column = [](const std::string& name, const std::string& unit) {
+        return unit.empty() ? name : fmt::format("{} ({})", name, unit);
+    };
+    std::vector<std::string> header{column(points.x_name, points.x_unit),
+                                    column(points.y_name, points.y_unit)};
+    if (!points.spread.empty()) header.push_back("spread");
+    if (!points.counts.empty()) header.push_back("rows");
+    text += csv_line(header);
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+        std::vector<std::string> cells{fmt::format("{}", points.x[i]),
+                                       fmt::format("{}", points.y[i])};
+        if (!points.spread.empty()) cells.push_back(fmt::format("{}", points.spread[i]));
+        if (!points.counts.empty()) cells.push_back(fmt::format("{}", points.counts[i]));
+        text += csv_line(cells);
+    }
+    return text;
+}
+
+}  // namespace fumon

@@ -1,0 +1,119 @@
+#include "paper/figure_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "files/atomic_file.h"
+#include "paper/figure_caption.h"
+#include "run/picture_text.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* figure_keyword = "fumon:figure";
+
+const std::string* text_of(const FigureMetadata& metadata, const std::string& keyword) {
+    for (const auto& [known, text] : metadata) {
+        if (known == keyword) return &text;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+FigureMetadata figure_metadata(const FigurePlan& plan, const FigureSources& sources) {
+    Json origin;
+    origin["scene"] = plan.file;
+    origin["set"] = plan.settings;
+    origin["texts"] = Json::array();
+    for (const SourceText& text : sources.all())
+        origin["texts"].push_back({{"path", text.path}, {"text", text.text}});
+    origin["inputs"] = Json::array();
+    for (const InputFile& input : plan.inputs)
+        origin["inputs"].push_back({{"path", input.path}, {"sha256", input.hash}});
+    FigureMetadata metadata;
+    if (!plan.scene.title.empty()) metadata.emplace_back("Title", plan.scene.title);
+    metadata.emplace_back("Software", "fumon " FUMON_VERSION);
+    metadata.emplace_back(version_keyword, FUMON_VERSION);
+    metadata.emplace_back("fumon:scene", resolved_scene(plan.scene, {}));
+    metadata.emplace_back(figure_keyword,
+                          origin.dump(-1, ' ', true, Json::error_handler_t::replace));
+    return metadata;
+}
+
+bool is_figure(const FigureMetadata& metadata) {
+    return text_of(metadata, figure_keyword) != nullptr;
+}
+
+FigureOrigin read_figure_origin(const FigureMetadata& metadata, const std::string& figure) {
+    FigureOrigin origin;
+    try {
+        const Json json = Json::parse(*text_of(metadata, figure_keyword));
+        origin.scene = json.at("scene");
+        origin.settings = json.at("set").get<std::vector<std::string>>();
+        for (const Json& text : json.at("texts"))
+            origin.texts.push_back({text.at("path"), text.at("text")});
+        for (const Json& input : json.at("inputs"))
+            origin.inputs.push_back({input.at("path"), input.at("sha256")});
+    } catch (const nlohmann::json::exception&) {
+        throw InputError(fmt::format("{}: its {} text is damaged; take an untouched copy", figure,
+                                     figure_keyword));
+    }
+    if (const std::string* version = text_of(metadata, version_keyword)) origin.version = *version;
+    return origin;
+}
+
+void write_files(const std::vector<WholeFile>& files) {
+    std::vector<std::unique_ptr<AtomicFile>> open;
+    for (const WholeFile& file : files) {
+        open.push_back(std::make_unique<AtomicFile>(file.path));
+        open.back()->write(file.bytes);
+    }
+    for (const auto& file : open) file->commit();
+}
+
+PageFormat page_format(const fs::path& file) {
+    const std::string end = file.extension().string();
+    if (end == ".pdf") return PageFormat::pdf;
+    if (end == ".svg") return PageFormat::svg;
+    if (end == ".png") return PageFormat::png;
+    throw InputError(fmt::format("{}: a figure's name ends in .pdf, .svg or .png", file.string()));
+}
+
+DrawnPage draw_figure(const FigurePlan& plan, const FigurePage& made, PageFormat format,
+                      const FigureMetadata& metadata) {
+    try {
+        return draw_page(made.page, format, plan.scene.figure.dots_per_inch, metadata);
+    } catch (const InputError& refusal) {
+        throw InputError(plan.scene.at("figure.width") + refusal.what());
+    }
+}
+
+std::vector<WholeFile> figure_files(const FigurePlan& plan, const FigureSources& sources,
+                                    const FigurePage& made, const fs::path& folder,
+                                    std::vector<std::string>& notes) {
+    const FigureMetadata metadata = figure_metadata(plan, sources);
+    std::vector<WholeFile> files;
+    for (const std::string& format : plan.scene.figure.formats) {
+        const fs::path path = folder / (plan.name + "." + format);
+        DrawnPage drawn = draw_figure(plan, made, page_format(path), metadata);
+        const std::string& missing = drawn.missing_letters;
+        if (!missing.empty() && std::find(notes.begin(), notes.end(), missing) == notes.end())
+            notes.push_back(missing);
+        files.push_back({path, std::move(drawn.bytes)});
+    }
+    files.push_back({folder / (plan.name + ".caption.txt"), figure_caption(plan)});
+    for (const FigureData& data : made.data)
+        files.push_back({folder / fmt::format("{}-{}", plan.name, data.name), data.text});
+    return files;
+}
+
+}  // namespace fumon

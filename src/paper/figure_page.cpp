@@ -1,0 +1,132 @@
+#include "paper/figure_page.h"
+
+#include <cmath>
+
+#include "figure/page/page_grid.h"
+#include "paper/figure_pictures.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr double millimetre = 72.0 / 25.4;  // points
+
+/// How many panels the page's grid has to hold.
+std::size_t pictures_of(const FigurePlan& plan) {
+    std::size_t count = 0;
+    for (const PanelPlan& panel : plan.panels) {
+        if (panel.settings.inset == InsetPlace::none) count += panels_of(panel);
+    }
+    return count;
+}
+
+int columns_for(std::size_t panels, bool narrow) {
+    constexpr std::size_t most_in_a_row = 4;
+    if (panels <= 1) return 1;
+    if (narrow) return 2;
+    if (panels <= 3) return static_cast<int>(panels);
+    if (panels == 4) return 2;
+    if (panels <= 6 || panels == 9) return 3;
+    return static_cast<int>(most_in_a_row);
+}
+
+Page empty_page(const FigurePlan& plan) {
+    const FigureSettings& figure = plan.scene.figure;
+    Page page;
+    if (figure.width.is_word()) {
+        const PageSize size = page_size(figure.width.word);
+        page.width = size.width;
+        page.height = size.height;
+    } else {
+        page.width = figure.width.value * millimetre;
+    }
+    if (!figure.height.is_word()) page.height = figure.height.value * millimetre;
+    constexpr double narrow = 100.0;  // mm
+    page.columns = figure.columns > 0
+                       ? static_cast<int>(figure.columns)
+                       : columns_for(pictures_of(plan), page.width < narrow * millimetre);
+    page.font_size = figure.font_size;
+    page.line_width = 0.5 * figure.line_width;  // curves are twice as wide
+    page.letters = figure.letters;
+    return page;
+}
+
+Corner corner_of(InsetPlace inset) {
+    switch (inset) {
+        case InsetPlace::upper_left:
+            return Corner::upper_left;
+        case InsetPlace::lower_left:
+            return Corner::lower_left;
+        case InsetPlace::lower_right:
+            return Corner::lower_right;
+        default:
+            return Corner::upper_right;
+    }
+}
+
+class Assembly {
+  public:
+    Assembly(const FigurePlan& plan, const FigureRuns& runs, const RunStore& store,
+             const FigureDrawing& drawing)
+        : plan_(plan), pictures_(plan, runs, store, drawing) {
+        made_.page = empty_page(plan);
+    }
+
+    FigurePage assemble() {
+        for (const PanelPlan& panel : plan_.panels) add(panel);
+        return std::move(made_);
+    }
+
+  private:
+    /// "a", or "a-inset" for the data of what stands in it.
+    [[nodiscard]] std::string letter_of_next(const PanelPlan& panel) const {
+        const bool inset = panel.settings.inset != InsetPlace::none;
+        const std::size_t number = made_.page.panels.size() - (inset ? 1 : 0);
+        const std::string letter = panel_letter(number);  // "(a)"
+        return letter.substr(1, letter.size() - 2) + (inset ? "-inset" : "");
+    }
+
+    void add(const PanelPlan& panel) {
+        const PanelSettings& settings = panel.settings;
+        const bool inset = settings.inset != InsetPlace::none;
+        const double share = inset ? settings.inset_size : static_cast<double>(settings.columns);
+        const double width = made_.page.width / made_.page.columns * share;
+        for (MadePanel& one : pictures_.make(panel, width)) {
+            for (FigureData& data : one.data)
+                made_.data.push_back({letter_of_next(panel) + data.name, std::move(data.text)});
+            place(panel, std::move(one.content), std::move(one.title));
+        }
+    }
+
+    void place(const PanelPlan& panel, std::unique_ptr<const PanelContent> content,
+               std::string title) {
+        const PanelSettings& settings = panel.settings;
+        if (settings.inset != InsetPlace::none) {
+            made_.page.panels.back().insets.push_back({std::move(content),
+                                                       corner_of(settings.inset),
+                                                       settings.inset_size, settings.inset_size});
+            return;
+        }
+        PagePanel place;
+        place.content = std::move(content);
+        place.title = std::move(title);
+        place.row = static_cast<int>(settings.row) - 1;
+        place.column = static_cast<int>(settings.column) - 1;
+        place.rows = static_cast<int>(settings.rows);
+        place.columns = static_cast<int>(settings.columns);
+        made_.page.panels.push_back(std::move(place));
+    }
+
+    const FigurePlan& plan_;
+    FigurePictures pictures_;
+    FigurePage made_;
+};
+
+}  // namespace
+
+FigurePage figure_page(const FigurePlan& plan, const FigureRuns& runs, const RunStore& store,
+                       const FigureDrawing& drawing) {
+    return Assembly(plan, runs, store, drawing).assemble();
+}
+
+}  // namespace fumon

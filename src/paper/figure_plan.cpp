@@ -1,0 +1,375 @@
+#include "paper/figure_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "base/error.h"
+#include "base/find_named.h"
+#include "base/nearest_name.h"
+#include "figure/panels/step_text.h"
+#include "keys/keys.h"
+#include "paper/figure_tables.h"
+#include "paper/panel_makers.h"
+#include "run/prepared_run.h"
+#include "scene/overlay_keys.h"
+#include "scene/placeholders.h"
+#include "scene/scene_keys.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string without_colon(std::string place) {
+    while (place.ends_with(' ') || place.ends_with(':')) place.pop_back();
+    return place;
+}
+
+/// Reads one figure.
+class Planner {
+  public:
+    Planner(FigurePlan& plan, FigureSources& sources, FigureRuns& runs, const RunStore* store)
+        : plan_(plan),
+          sources_(sources),
+          runs_(runs),
+          store_(store),
+          text_(sources.scene(plan.file)) {
+        plan_.scene = parse_scene(text_, read_settings(plan_.settings));
+        if (plan_.scene.figure.panels.empty()) {
+            throw InputError(
+                fmt::format("{}: describes no figure; write [[figure.panel]] sections (`fumon "
+                            "describe figure`)",
+                            plan_.file));
+        }
+    }
+
+    /// False when interrupted.
+    bool read() {
+        const std::vector<PanelSettings>& panels = plan_.scene.figure.panels;
+        for (std::size_t p = 0; p < panels.size(); ++p) {
+            PanelPlan panel{panels[p], fmt::format("figure.panel.{}", p), {}, {}};
+            if (shown_by(panel.settings.kind) == PanelShows::curves) {
+                for (std::size_t c = 0; c < panel.settings.curves.size(); ++c) {
+                    auto curve = read_curve(panel.settings.curves[c],
+                                            fmt::format("{}.curve.{}", panel.path, c));
+                    if (!curve) return false;
+                    panel.curves.push_back(std::move(*curve));
+                }
+                check_title(panel, plan_.scene, nullptr);
+            } else {
+                panel.picture = read_picture(panel);
+            }
+            plan_.panels.push_back(std::move(panel));
+        }
+        return true;
+    }
+
+  private:
+    [[noreturn]] void refuse(const std::string& key, const std::string& what) const {
+        throw InputError(plan_.scene.at(key) + what);
+    }
+
+    /// Runs work() and gives the InputErrors that it throws a place.
+    template <class Work>
+    auto at(const std::string& key, const Work& work) const {
+        try {
+            return work();
+        } catch (const InputError& refusal) {
+            refuse(key, refusal.what());
+        }
+    }
+
+    /// The text of another scene, or this one's.
+    [[nodiscard]] SceneText scene_text(const std::string& other, const std::string& key) {
+        if (other.empty()) return text_;
+        return at(key, [&] { return sources_.scene(plan_.scene.directory / other); });
+    }
+
+    /// The changes to a panel's or curve's scene; --set changes the figure's own alone.
+    [[nodiscard]] std::vector<Override> changes(const std::string& other,
+                                                const std::vector<std::string>& set,
+                                                const std::string& key) const {
+        std::vector<Override> all;
+        if (other.empty()) all = read_settings(plan_.settings);
+        for (Override& change : read_settings(set, without_colon(plan_.scene.at(key))))
+            all.push_back(std::move(change));
+        return all;
+    }
+
+    void note(const InitialBed& initial) {
+        for (const InputFile& input : initial.inputs) {
+            const InputFile named = sources_.as_first_named(input);
+            if (find_by(plan_.inputs, &InputFile::path, named.path) == nullptr)
+                plan_.inputs.push_back(named);
+        }
+        if (!initial.note.empty() &&
+            std::find(plan_.notes.begin(), plan_.notes.end(), initial.note) == plan_.notes.end())
+            plan_.notes.push_back(initial.note);
+    }
+
+    std::optional<CurvePlan> read_curve(const CurveSettings& settings, const std::string& path) {
+        CurvePlan curve{settings, path, {}, {}, {}, 0, {}};
+        if (settings.table == CurveTable::file) {
+            curve.table = at(path + ".file", [&] {
+                const SourceText& source = sources_.text(plan_.scene.directory / settings.file);
+                return parse_csv_table({source.path, source.text});
+            });
+            curve.scene = plan_.scene;
+        } else {
+            curve.sweep = make_plan(request(settings, path));
+            if (!curve.sweep) return std::nullopt;
+            add_runs(curve);
+        }
+        check_columns(curve);
+        return curve;
+    }
+
+    SweepRequest request(const CurveSettings& settings, const std::string& path) {
+        const bool of_one_step = needs_fields(settings.table);
+        const std::int64_t seeds = settings.seeds == 0 && of_one_step ? 1 : settings.seeds;
+        SweepRequest request;
+        request.scene = scene_text(settings.scene, path + ".scene");
+        request.settings = changes(settings.scene, settings.set, path + ".set");
+        if (seeds > 0) request.seeds = fmt::format("{}", seeds);
+        const std::string place = without_colon(plan_.scene.at(path));
+        const auto set = [&](const std::string& key, const std::string& value) {
+            request.settings.push_back({key, value, place, 0});
+        };
+        set("output.measurements", "true");
+        set("output.bed_every", "0");
+        set("output.bed_at", "[]");
+        Scene found = parse_scene(request.scene, request.settings);
+        const std::string written = found.bed.file;
+        sources_.find_bed(found);
+        if (found.bed.file != written) set("bed.file", found.bed.file);
+        const bool varies_nothing = settings.over == std::vector<std::string>{"none"};
+        if (varies_nothing || (of_one_step && settings.over.empty())) {
+            set("sweep.over", "[]");
+        } else if (!settings.over.empty()) {
+            request.over = settings.over;
+            request.over_place = without_colon(plan_.scene.at(path + ".over"));
+        }
+        request.finished = [this](const PreparedScene& prepared) {
+            return outline_of(stored_run(prepared.scene, prepared.initial));
+        };
+        return request;
+    }
+
+    [[nodiscard]] std::optional<Snapshot> outline_of(const StoredRun& run) const {
+        return store_ == nullptr ? std::nullopt : store_->outline(run);
+    }
+
+    /// A scene as its run takes it: with its bed file as it lies now, and its bed's size.
+    InitialBed settle(Scene& scene) {
+        sources_.find_bed(scene);
+        InitialBed initial = make_initial_bed(scene);
+        scene.grid.nx = initial.bed.nx();
+        scene.grid.ny = initial.bed.ny();
+        note(initial);
+        return initial;
+    }
+
+    void add_runs(CurvePlan& curve) {
+        const SweepPlan& plan = *curve.sweep;
+        std::optional<InitialBed> initial;
+        for (std::size_t k = 0; k < plan.runs.size(); ++k) {
+            Scene scene = scene_of(plan, plan.runs[k]);
+            if (k == 0 || plan.runs[k].combination != plan.runs[k - 1].combination)
+                initial = settle(scene);
+            sources_.find_bed(scene);
+            scene.grid.nx = initial->bed.nx();
+            scene.grid.ny = initial->bed.ny();
+            StoredRun run = stored_run(scene, *initial);
+            run.label = fmt::format("{}: {}", plan.scene.source, run_label(plan, plan.runs[k]));
+            if (k == 0) describe(curve, scene, *plan.first);
+            if (needs_fields(curve.settings.table)) run.steps.insert(step_of(curve, scene));
+            curve.runs.push_back(runs_.add(std::move(run)));
+        }
+        curve.step = step_of(curve, curve.scene);
+        curve.sweep->first.reset();
+    }
+
+    static bool needs_fields(CurveTable table) {
+        return table == CurveTable::profile || table == CurveTable::section ||
+               table == CurveTable::flights;
+    }
+
+    [[nodiscard]] std::int64_t step_of(const CurvePlan& curve, const Scene& scene) const {
+        const std::int64_t step = curve.settings.step;
+        if (step > scene.run.steps) {
+            refuse(curve.path + ".step",
+                   fmt::format("step {} is after the run's end at {}", step, scene.run.steps));
+        }
+        return step < 0 ? scene.run.steps : step;
+    }
+
+    /// What is known of a curve's table before there is a run.
+    void describe(CurvePlan& curve, const Scene& scene, const Snapshot& first) {
+        curve.scene = scene;
+        name_parameter_keys(curve.scene);
+        const KeyTable keys = scene_keys(curve.scene);
+        for (const std::string& key : varied_keys(*curve.sweep)) {
+            const Key* known = keys.find(key);  // none of a list's item
+            curve.table.columns.push_back({key, known != nullptr ? known->notes.unit : ""});
+        }
+        curve.table.columns.push_back({"seed"});
+        const Table own = at(curve.path + ".table", [&] {
+            try {
+                return curve_columns(curve.settings.table, first);
+            } catch (const InputError& refusal) {
+                throw InputError(
+                    fmt::format("this table {}, not {}", refusal.what(), curve.scene.model.name));
+            }
+        });
+        curve.table.columns.insert(curve.table.columns.end(), own.columns.begin(),
+                                   own.columns.end());
+    }
+
+    void check_columns(const CurvePlan& curve) const {
+        check_column(curve, curve.settings.x, curve.path + ".x");
+        check_column(curve, curve.settings.y, curve.path + ".y");
+        if (!curve.settings.group_by.empty())
+            check_column(curve, curve.settings.group_by, curve.path + ".group_by");
+        for (const std::string& condition : curve.settings.where) {
+            const std::size_t end = condition.find_first_of("=<>!");
+            check_column(curve, condition.substr(0, end), curve.path + ".where");
+        }
+        at(curve.path + ".name", [&] {
+            return fill_placeholders(curve.settings.name, [&](const std::string& name) {
+                return curve.table.find(name) != nullptr ? std::optional<std::string>("")
+                                                         : key_text(curve.scene, name);
+            });
+        });
+    }
+
+    void check_column(const CurvePlan& curve, const std::string& name,
+                      const std::string& key) const {
+        if (curve.table.find(name) != nullptr) return;
+        refuse(key, fmt::format("there is no column \"{}\"; {}", name,
+                                suggestion(name, curve.table.names())));
+    }
+
+    PicturePlan read_picture(const PanelPlan& panel) {
+        const PanelSettings& settings = panel.settings;
+        Scene scene = parse_scene(scene_text(settings.scene, panel.path + ".scene"),
+                                  changes(settings.scene, settings.set, panel.path + ".set"));
+        sources_.find_bed(scene);
+        PreparedScene prepared = prepare_scene(std::move(scene));
+        note(prepared.initial);
+        PicturePlan picture{prepared.scene, 0, settings.steps};
+        StoredRun run = stored_run(prepared.scene, prepared.initial);
+        run.label = fmt::format("{}: seed {}", picture.scene.source, picture.scene.seed);
+        run.steps.insert(0);  // what holds still over a run is taken from its start
+        const Snapshot first = first_of(std::move(prepared), run);
+        const std::int64_t last = picture.scene.run.steps;
+        if (shown_by(settings.kind) == PanelShows::whole_run) {
+            const std::int64_t every =
+                settings.every > 0 ? settings.every : std::max<std::int64_t>(1, last / 200);
+            picture.steps.clear();
+            for (std::int64_t step = 0; step <= last; step += every) picture.steps.push_back(step);
+        }
+        if (picture.steps.empty()) picture.steps = {last};
+        for (const std::int64_t step : picture.steps) {
+            if (step > last) {
+                refuse(panel.path + ".steps",
+                       fmt::format("step {} is after the run's end at {}", step, last));
+            }
+        }
+        check_picture(panel, picture.scene, first);
+        run.steps.insert(picture.steps.begin(), picture.steps.end());
+        picture.run = runs_.add(std::move(run));
+        return picture;
+    }
+
+    /// The first snapshot of a run, checked to have what its scene shows.
+    [[nodiscard]] Snapshot first_of(PreparedScene prepared, const StoredRun& run) const {
+        if (store_ == nullptr || !store_->holds(run))
+            return prepare_run(std::move(prepared), 1).model->snapshot();
+        Snapshot first = store_->snapshot(run, 0);
+        check_shown(prepared.scene, first);
+        return first;
+    }
+
+    void check_picture(const PanelPlan& panel, const Scene& scene, const Snapshot& first) const {
+        const PanelSettings& settings = panel.settings;
+        try {
+            const auto check = maker_of(settings.kind).check;
+            if (check != nullptr) check(settings, scene, first);
+        } catch (const KeyError& fault) {
+            refuse(fmt::format("{}.{}", panel.path, fault.key()), fault.what());
+        }
+        std::vector<std::string> fields{"bed", "change"};
+        for (const SnapshotField& field : first.fields) fields.push_back(field.name);
+        if (std::find(fields.begin(), fields.end(), settings.field) == fields.end()) {
+            refuse(panel.path + ".field",
+                   fmt::format("the model {} has no field \"{}\"; {}", scene.model.name,
+                               settings.field, suggestion(settings.field, fields)));
+        }
+        if (!settings.row_of_bed.is_word() && settings.row_of_bed.value >= first.bed.ny()) {
+            refuse(panel.path + ".row_of_bed",
+                   fmt::format("the bed has {} rows; count them from 0", first.bed.ny()));
+        }
+        check_title(panel, scene, &first);
+    }
+
+    void check_title(const PanelPlan& panel, const Scene& scene, const Snapshot* first) const {
+        at(panel.path + ".title", [&] { return panel_title(panel.settings, scene, first); });
+    }
+
+    FigurePlan& plan_;
+    FigureSources& sources_;
+    FigureRuns& runs_;
+    const RunStore* store_;
+    SceneText text_;
+};
+
+}  // namespace
+
+std::optional<FigurePlan> plan_figure(const std::string& file,
+                                      const std::vector<std::string>& settings,
+                                      FigureSources& sources, FigureRuns& runs,
+                                      const RunStore* store) {
+    FigurePlan plan;
+    plan.file = fs::path(file).lexically_normal().string();
+    plan.name = fs::path(file).stem().string();
+    plan.settings = settings;
+    if (!Planner(plan, sources, runs, store).read()) return std::nullopt;
+    return plan;
+}
+
+std::vector<std::size_t> runs_of(const FigurePlan& plan) {
+    std::set<std::size_t> all;
+    for (const PanelPlan& panel : plan.panels) {
+        if (panel.picture) all.insert(panel.picture->run);
+        for (const CurvePlan& curve : panel.curves)
+            all.insert(curve.runs.begin(), curve.runs.end());
+    }
+    return {all.begin(), all.end()};
+}
+
+std::size_t panels_of(const PanelPlan& panel) {
+    const bool one_each = shown_by(panel.settings.kind) == PanelShows::each_step &&
+                          panel.settings.inset == InsetPlace::none;
+    return one_each ? panel.picture->steps.size() : 1;
+}
+
+std::string panel_title(const PanelSettings& settings, const Scene& scene,
+                        const Snapshot* snapshot) {
+    return fill_placeholders(settings.title,
+                             [&](const std::string& name) -> std::optional<std::string> {
+                                 if (snapshot != nullptr && name == "step")
+                                     return fmt::format("{}", snapshot->step);
+                                 if (snapshot != nullptr && name == "time") {
+                                     if (snapshot->time_unit == "steps")
+                                         return fmt::format("{}", snapshot->step);
+                                     return length_of_time(snapshot->time, snapshot->time_unit);
+                                 }
+                                 return key_text(scene, name);
+                             });
+}
+
+}  // namespace fumon

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "files/csv_table.h"
+#include "paper/figure_runs.h"
+#include "paper/figure_sources.h"
+#include "scene/scene.h"
+#include "sweep/sweep_plan.h"
+
+namespace fumon {
+
+/// The settings of a curve and the runs or the table that it is drawn from.
+struct CurvePlan {
+    CurveSettings settings;
+    std::string path;                ///< of its keys: "figure.panel.0.curve.1"
+    std::optional<SweepPlan> sweep;  ///< none where it is drawn from a file
+    std::vector<std::size_t> runs;   ///< among the figures' runs, in the order of sweep->runs
+    Scene scene;                     ///< of the first run, made ready
+    std::int64_t step = 0;           ///< of profile, section and flights
+    Table table;  ///< of a file: its rows; else the columns alone, with their units
+};
+
+/// What a picture shows: steps of a run.
+struct PicturePlan {
+    Scene scene;  ///< made ready
+    std::size_t run = 0;
+    std::vector<std::int64_t> steps;  ///< in the order in which they are shown
+};
+
+struct PanelPlan {
+    PanelSettings settings;
+    std::string path;  ///< of its keys: "figure.panel.0"
+    std::vector<CurvePlan> curves;
+    std::optional<PicturePlan> picture;
+};
+
+/// A figure with all that it is made from.
+struct FigurePlan {
+    std::string name;  ///< of its files, without their ends
+    std::string file;  ///< the scene's
+    Scene scene;
+    std::vector<std::string> settings;  ///< of --set
+    std::vector<PanelPlan> panels;
+    std::vector<InputFile> inputs;   ///< terrain files
+    std::vector<std::string> notes;  ///< what the user should hear before the start
+};
+
+/// Reads a figure's scene and the other scenes and tables that it names, builds the bed and model
+/// of every combination once, and adds the runs that it needs to `runs`. Of runs that `store` holds
+/// (nullptr: there is none) no model is built. `settings` are of --set and change the figure's
+/// scene. Throws InputError, located, for the first fault that can be known
+/// before any run: also unknown columns, fields, steps and placeholders. Nothing when interrupted.
+std::optional<FigurePlan> plan_figure(const std::string& file,
+                                      const std::vector<std::string>& settings,
+                                      FigureSources& sources, FigureRuns& runs,
+                                      const RunStore* store);
+
+/// The numbers of all runs that a figure needs.
+std::vector<std::size_t> runs_of(const FigurePlan& plan);
+
+/// How many panels of the page it takes: one for each of its steps, or one alone.
+std::size_t panels_of(const PanelPlan& panel);
+
+/// What a panel's title may name: {step}, {time} of a snapshot, and the keys of its scene.
+std::string panel_title(const PanelSettings& settings, const Scene& scene,
+                        const Snapshot* snapshot);
+
+}  // namespace fumon

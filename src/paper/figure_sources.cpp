@@ -1,0 +1,81 @@
+#include "paper/figure_sources.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+#include "files/hash.h"
+#include "files/input_file.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string name_of(const fs::path& file) {
+    return file.lexically_normal().string();
+}
+
+}  // namespace
+
+FigureSources::FigureSources(std::vector<SourceText> texts, std::vector<InputFile> inputs,
+                             FindInput find)
+    : again_(true), inputs_(std::move(inputs)), find_(std::move(find)) {
+    for (SourceText& text : texts) {
+        const std::string name = text.path;
+        texts_[name] = std::move(text);
+    }
+}
+
+const SourceText& FigureSources::text(const fs::path& file) {
+    const std::string name = name_of(file);
+    const auto known = texts_.find(name);
+    if (known != texts_.end()) return known->second;
+    if (again_) {
+        throw InputError(
+            fmt::format("{}: is not among the files that the figure was made from", name));
+    }
+    return texts_[name] = {name, read_input_file(name)};
+}
+
+SceneText FigureSources::scene(const fs::path& file) {
+    const SourceText& source = text(file);
+    return {source.text, source.path, fs::path(source.path).parent_path()};
+}
+
+std::vector<SourceText> FigureSources::all() const {
+    std::vector<SourceText> texts;
+    for (const auto& [name, text] : texts_) texts.push_back(text);
+    return texts;
+}
+
+void FigureSources::find_bed(Scene& scene) const {
+    if (!again_ || bed_kind(scene) != BedKind::file) return;
+    const bool as_it_stands = scene.set_on_command_line("bed.file");
+    const std::string name =
+        name_of(as_it_stands ? fs::path(scene.bed.file) : scene.directory / scene.bed.file);
+    for (const InputFile& input : inputs_) {
+        if (name_of(input.path) == name) {
+            scene.bed.file = fs::absolute(find_(input)).string();
+            return;
+        }
+    }
+    const bool found_before =
+        fs::exists(name) &&
+        std::any_of(inputs_.begin(), inputs_.end(),
+                    [&](const InputFile& input) { return input.hash == hex(file_hash(name)); });
+    if (found_before) return;
+    throw InputError(fmt::format("{}: is not among the files that the figure was made from", name));
+}
+
+InputFile FigureSources::as_first_named(const InputFile& input) const {
+    for (const InputFile& first : inputs_) {
+        if (first.hash == input.hash) return first;
+    }
+    return {name_of(input.path), input.hash};
+}
+
+}  // namespace fumon

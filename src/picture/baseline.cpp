@@ -1,0 +1,306 @@
+#include "picture/baseline.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+#include <tuple>
+
+#include "base/error.h"
+#include "base/find_named.h"
+#include "base/limits.h"
+#include "base/nearest_name.h"
+#include "files/input_file.h"
+#include "keys/assign.h"
+#include "keys/key_value.h"
+#include "picture/fingerprint_text.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr std::string_view head_mark =
+    "# Recorded by `fumon verify --update`, which writes anew all that follows.";
+
+/// A record as its keys are bound.
+struct RecordText {
+    std::string fumon;
+    RenderingEnvironment environment;
+    std::string state;
+    FingerprintText fingerprint;
+
+    void list_head_keys(const std::string& prefix, KeyTable& table) {
+        table.text(prefix + "fumon", fumon, {.help = "version that drew it"});
+        table.text(prefix + "backend", environment.backend, {.help = "osmesa, egl or cairo"});
+        table.text(prefix + "renderer", environment.renderer, {.help = "what drew"});
+        table.text(prefix + "gl_version", environment.gl_version, {.help = "of OpenGL"});
+        table.text(prefix + "mesa_version", environment.mesa_version, {.help = "of Mesa"});
+        table.text(prefix + "llvm_version", environment.llvm_version, {.help = "of LLVM"});
+        table.boolean(prefix + "pinned", environment.pinned, {.help = "drawn with --pinned"});
+        table.text(prefix + "state", state, {.help = "SHA-256 of the model's state"});
+    }
+};
+
+bool good_name(std::string_view name) {
+    const auto good = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '-' || c == '_';
+    };
+    constexpr std::size_t longest = 100;
+    return !name.empty() && name.size() <= longest && std::all_of(name.begin(), name.end(), good);
+}
+
+/// Without the line ends and the mark that it ends with.
+std::string people_part(std::string head) {
+    const auto trim = [&] {
+        while (head.ends_with('\n') || head.ends_with('\r')) head.pop_back();
+    };
+    trim();
+    if (head.ends_with(head_mark)) head.resize(head.size() - head_mark.size());
+    trim();
+    return head;
+}
+
+class Reader {
+  public:
+    explicit Reader(const std::filesystem::path& file)
+        : name_(file.string()), text_(read_input_file(file)) {
+        baseline_.file = file;
+    }
+
+    Baseline read() {
+        const toml::table root = parse();
+        const toml::table* cases = section(root, "cases");
+        const toml::table* recorded = section(root, "recorded");
+        BaselineCase common;
+        KeyTable table;
+        common.list_keys("", table);
+        read_keys(root, "", table, {"cases", "recorded"});
+        if (cases == nullptr || cases->empty()) {
+            throw InputError(fmt::format(
+                "{}:1:1: names no case; write [cases] and below NAME = {{scene = \"FILE.toml\"}}",
+                name_));
+        }
+        for (const auto& [name, value] : *cases) read_case(name, value, common);
+        std::sort(order_.begin(), order_.end());
+        for (const Place& place : order_) baseline_.cases.push_back(cases_.at(place.name));
+        baseline_.head = text_;
+        if (recorded != nullptr && !recorded->empty()) read_records(*recorded);
+        return std::move(baseline_);
+    }
+
+  private:
+    struct Place {
+        toml::source_index line;
+        toml::source_index column;
+        std::string name;
+        [[nodiscard]] bool operator<(const Place& other) const {
+            return std::tie(line, column) < std::tie(other.line, other.column);
+        }
+    };
+
+    [[nodiscard]] std::string locate(const toml::source_region& region) const {
+        return fmt::format("{}:{}:{}", name_, region.begin.line, region.begin.column);
+    }
+
+    [[nodiscard]] toml::table parse() const {
+        try {
+            return toml::parse(text_, name_);
+        } catch (const toml::parse_error& fault) {
+            throw InputError(fmt::format("{}: {}; a baseline is TOML", locate(fault.source()),
+                                         fault.description()));
+        }
+    }
+
+    [[nodiscard]] const toml::table* section(const toml::table& root, std::string_view name) const {
+        const toml::node* node = root.get(name);
+        if (node == nullptr) return nullptr;
+        if (!node->is_table()) {
+            throw InputError(fmt::format("{}: {} is a section; write [{}] and its keys below",
+                                         locate(node->source()), name, name));
+        }
+        return node->as_table();
+    }
+
+    void read_keys(const toml::table& from, const std::string& prefix, const KeyTable& table,
+                   const std::vector<std::string_view>& sections = {}) {
+        for (const auto& [name, value] : from) {
+            if (std::find(sections.begin(), sections.end(), name.str()) != sections.end()) continue;
+            const std::string path = prefix + std::string(name.str());
+            const Key* key = table.find(path);
+            if (key == nullptr) refuse_unknown(locate(name.source()), path, table);
+            assign(*key, value, [this](const auto& region) { return locate(region); });
+        }
+    }
+
+    [[noreturn]] static void refuse_unknown(const std::string& place, const std::string& path,
+                                            const KeyTable& table) {
+        std::vector<std::string> known;
+        for (const Key& key : table.keys()) known.push_back(key.path);
+        throw InputError(
+            fmt::format("{}: unknown key {}; {}", place, path, suggestion(path, known)));
+    }
+
+    void read_case(const toml::key& name, const toml::node& value, const BaselineCase& common) {
+        const std::string place = locate(name.source());
+        BaselineCase one = common;
+        one.name = name.str();
+        one.place = place;
+        if (!good_name(one.name)) {
+            throw InputError(
+                fmt::format("{}: a case is named by letters, digits, \"-\" and \"_\"", place));
+        }
+        if (!value.is_table()) {
+            throw InputError(
+                fmt::format("{}: cases.{} is no section; it takes {{scene = \"FILE.toml\", …}}",
+                            locate(value.source()), one.name));
+        }
+        const std::vector<std::string> shared = std::move(one.settings);
+        one.settings.clear();
+        if (value.as_table()->contains("step")) one.time = -1.0;
+        if (value.as_table()->contains("time")) one.step = -1;
+        KeyTable table;
+        const std::string prefix = fmt::format("cases.{}.", one.name);
+        one.list_keys(prefix, table);
+        read_keys(*value.as_table(), prefix, table);
+        one.settings.insert(one.settings.begin(), shared.begin(), shared.end());
+        if (one.step >= 0 && one.time >= 0.0) {
+            throw InputError(
+                fmt::format("{}: cases.{} has a step and a time; keep one", place, one.name));
+        }
+        if (one.figure) refuse_step_of_figure(one, *value.as_table());
+        if (one.scene.empty()) {
+            throw InputError(
+                fmt::format("{}: {}scene is missing; name a scene file (TOML)", place, prefix));
+        }
+        order_.push_back({name.source().begin.line, name.source().begin.column, one.name});
+        cases_[one.name] = std::move(one);
+    }
+
+    /// A step or time for all cases does not hold for figures; one of its own is wrong.
+    static void refuse_step_of_figure(BaselineCase& one, const toml::table& own) {
+        for (const char* key : {"step", "time"}) {
+            if (!own.contains(key)) continue;
+            throw InputError(
+                fmt::format("{}: cases.{} is a figure, whose panels say their steps themselves; "
+                            "remove {}",
+                            one.place, one.name, key));
+        }
+        one.step = -1;
+        one.time = -1.0;
+    }
+
+    void read_records(const toml::table& recorded) {
+        auto first = std::numeric_limits<toml::source_index>::max();
+        for (const auto& [name, value] : recorded)
+            first = std::min(first, name.source().begin.line);
+        for (const BaselineCase& one : baseline_.cases) {
+            const Place* place = find_named(order_, one.name);
+            if (place->line >= first) {
+                throw InputError(
+                    fmt::format("{}: cases.{} stands behind what is recorded; move it up",
+                                one.place, one.name));
+            }
+        }
+        cut_head(first);
+        for (const auto& [name, value] : recorded) {
+            if (cases_.contains(std::string(name.str()))) {
+                read_record(std::string(name.str()), value);
+            } else {
+                baseline_.orphans.emplace_back(name.str());
+            }
+        }
+    }
+
+    /// The head ends before this line.
+    void cut_head(toml::source_index line) {
+        std::size_t end = 0;
+        for (toml::source_index at = 1; at < line && end != std::string::npos; ++at) {
+            const std::size_t next = text_.find('\n', end);
+            end = next == std::string::npos ? next : next + 1;
+        }
+        baseline_.head = text_.substr(0, end);
+    }
+
+    void read_record(const std::string& name, const toml::node& value) {
+        const std::string prefix = fmt::format("recorded.{}.", name);
+        if (!value.is_table()) {
+            throw InputError(
+                fmt::format("{}: recorded.{} is no section; remove it and run `fumon "
+                            "verify --update`",
+                            locate(value.source()), name));
+        }
+        RecordText record;
+        KeyTable table;
+        record.list_head_keys(prefix, table);
+        record.fingerprint.list_keys(prefix, table);
+        read_keys(*value.as_table(), prefix, table);
+        try {
+            baseline_.records[name] = {record.fumon, record.environment, record.state,
+                                       record.fingerprint.fingerprint()};
+        } catch (const KeyError& fault) {
+            const toml::node* at = value.as_table()->get(fault.key());
+            throw InputError(fmt::format("{}: {}{}",
+                                         locate(at != nullptr ? at->source() : value.source()),
+                                         prefix, fault.what()));
+        }
+    }
+
+    std::string name_;
+    std::string text_;
+    Baseline baseline_;
+    std::vector<Place> order_;
+    std::map<std::string, BaselineCase> cases_;
+};
+
+}  // namespace
+
+void BaselineCase::list_keys(const std::string& prefix, KeyTable& table) {
+    table.text(prefix + "scene", scene, {.help = "a scene file, relative to the baseline"});
+    table.text_list(prefix + "settings", settings,
+                    {.help = "key.path=VALUE each, after those that hold for all cases"});
+    table.integer(
+        prefix + "step", step,
+        {.unit = "steps", .range = {0, largest_step}, .help = "of which step; else the last"});
+    table.real(prefix + "time", time,
+               {.range = {0, largest_step}, .help = "or of which time, in the model's unit"});
+    table.boolean(prefix + "figure", figure, {.help = "the scene's figure, not a frame"});
+    table.boolean(prefix + "picture", picture,
+                  {.help = "keep the expected picture, for SSIM and to look at"});
+    table.real(prefix + "thumbnail_difference", thumbnail_difference,
+               {.unit = "grey levels", .range = {0, 255}, .help = "that passes elsewhere"});
+    table.real(prefix + "tile_ssim", tile_ssim,
+               {.range = {-1, 1}, .help = "of every tile that passes elsewhere"});
+}
+
+std::filesystem::path Baseline::picture_of(const BaselineCase& one) const {
+    return file.parent_path() / file.stem() / (one.name + ".png");
+}
+
+Baseline read_baseline(const std::filesystem::path& file) {
+    return Reader(file).read();
+}
+
+std::string baseline_text(const Baseline& baseline) {
+    std::string text = people_part(baseline.head) + "\n";
+    bool first = true;
+    for (const BaselineCase& one : baseline.cases) {
+        const auto found = baseline.records.find(one.name);
+        if (found == baseline.records.end()) continue;
+        if (first) text += fmt::format("\n{}\n", head_mark);
+        first = false;
+        RecordText record{found->second.fumon, found->second.environment, found->second.state, {}};
+        KeyTable table;
+        record.list_head_keys("", table);
+        text += fmt::format("\n[recorded.{}]\n", one.name);
+        for (const Key& key : table.keys()) {
+            text += fmt::format("{} = {}\n", key.path, value_text(key));
+        }
+        text += fingerprint_text(found->second.fingerprint);
+    }
+    return text;
+}
+
+}  // namespace fumon

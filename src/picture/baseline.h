@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "keys/keys.h"
+#include "picture/compare.h"
+#include "picture/environment.h"
+#include "picture/fingerprint.h"
+
+namespace fumon {
+
+/// One picture under test: of a scene, with settings, at a step or time.
+struct BaselineCase {
+    std::string name;
+    std::string place;                  ///< "file:line:column"
+    std::string scene;                  ///< relative to the baseline file
+    std::vector<std::string> settings;  ///< "key.path=VALUE"
+    std::int64_t step = -1;             ///< negative: the time, else the run's last step
+    double time = -1.0;                 ///< in the model's unit; negative: not by time
+    bool figure = false;                ///< the scene's figure, not a frame
+    bool picture = false;               ///< keep the expected picture beside the baseline
+    double thumbnail_difference = same_to_the_eye_limits.thumbnail;  ///< that passes, grey levels
+    double tile_ssim = same_to_the_eye_limits.tile_ssim;             ///< that passes
+
+    /// Lists its keys under a prefix, bound to it.
+    void list_keys(const std::string& prefix, KeyTable& table);
+};
+
+/// What a case looked like when it was accepted.
+struct BaselineRecord {
+    std::string fumon;  ///< the version that drew it
+    RenderingEnvironment environment;
+    std::string state;  ///< SHA-256 of the model's state, hexadecimal
+    Fingerprint fingerprint;
+};
+
+/// A baseline file: TOML whose first part, `[cases]` and what holds for all of them, is written by
+/// people, and whose rest, a section `[recorded.NAME]` a case, by `fumon verify --update`.
+struct Baseline {
+    std::filesystem::path file;
+    std::string head;  ///< the people's part, as it stands
+    std::vector<BaselineCase> cases;
+    std::map<std::string, BaselineRecord> records;
+    std::vector<std::string> orphans;  ///< recorded names that no case has
+
+    /// Where the expected picture of a case is kept: "sand.toml" → "sand/NAME.png".
+    [[nodiscard]] std::filesystem::path picture_of(const BaselineCase& one) const;
+};
+
+/// Throws InputError "file:line:column: what is wrong; what would be right" for the first fault.
+Baseline read_baseline(const std::filesystem::path& file);
+
+/// The file with these cases' records, in their order. Read again it gives the same.
+std::string baseline_text(const Baseline& baseline);
+
+}  // namespace fumon

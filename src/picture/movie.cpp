@@ -1,0 +1,337 @@
+#include "picture/movie.h"
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavcodec/bsf.h>
+#include <libavformat/avformat.h>
+#include <libavutil/opt.h>
+#include <libswscale/swscale.h>
+}
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "base/error.h"
+#include "files/input_file.h"
+#include "picture/frame_rate.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr int codec_threads = 2;                  // fixed: the bytes depend on it
+constexpr const char* codec_preset = "veryfast";  // 49 ms a frame at 1080p
+
+template <auto release>
+struct Release {
+    template <class Handle>
+    void operator()(Handle* handle) const {
+        release(&handle);
+    }
+};
+struct ReleaseScaler {
+    void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
+};
+/// Closes the file, too, if it is still open.
+struct ReleaseContainer {
+    void operator()(AVFormatContext* container) const {
+        avio_closep(&container->pb);
+        avformat_free_context(container);
+    }
+};
+
+std::string reason(int code) {
+    std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
+    av_strerror(code, text.data(), text.size());
+    return text.data();
+}
+
+int even(int side) {
+    return side + side % 2;
+}
+
+/// Copies an image into an RGB frame of even sides, repeating its last column and row.
+void copy_padded(const Image& image, AVFrame& frame) {
+    const auto row_bytes = static_cast<std::size_t>(3) * static_cast<std::size_t>(image.width);
+    for (int y = 0; y < frame.height; ++y) {
+        const std::uint8_t* source = image.row(std::min(y, image.height - 1));
+        std::uint8_t* target = frame.data[0] + static_cast<std::ptrdiff_t>(y) * frame.linesize[0];
+        std::memcpy(target, source, row_bytes);
+        if (frame.width > image.width) std::memcpy(target + row_bytes, source + row_bytes - 3, 3);
+    }
+}
+
+}  // namespace
+
+struct Movie::Parts {
+    std::filesystem::path file;
+    std::filesystem::path temporary;
+    int width = 0;
+    int height = 0;
+    std::int64_t frames = 0;
+    bool failed = false;
+    bool finished = false;
+
+    std::unique_ptr<AVFormatContext, ReleaseContainer> container;
+    std::unique_ptr<AVCodecContext, Release<avcodec_free_context>> codec;
+    std::unique_ptr<AVBSFContext, Release<av_bsf_free>> without_version;
+    std::unique_ptr<AVFrame, Release<av_frame_free>> rgb;
+    std::unique_ptr<AVFrame, Release<av_frame_free>> yuv;
+    std::unique_ptr<AVPacket, Release<av_packet_free>> packet;
+    std::unique_ptr<SwsContext, ReleaseScaler> scaler;
+    AVStream* stream = nullptr;  ///< the container's
+
+    Parts(const std::filesystem::path& file_, int width_, int height_)
+        : file(file_), temporary(file_), width(width_), height(height_) {
+        temporary += ".part";
+    }
+    Parts(const Parts&) = delete;
+    Parts& operator=(const Parts&) = delete;
+    ~Parts() {
+        if (!finished) abandon();
+    }
+
+    [[noreturn]] void fail(std::string_view why) {
+        failed = true;
+        throw Error(fmt::format("cannot write {}: {}", file.string(), why));
+    }
+    void check(int code) {
+        if (code < 0) fail(reason(code));
+    }
+    /// Errors of buffered writes are kept in the stream, and some muxers forget to pass them on.
+    void check_file() {
+        if (container->pb != nullptr) check(container->pb->error);
+    }
+    template <class Pointer>
+    Pointer checked(Pointer pointer) {
+        if (pointer == nullptr) fail("out of memory");
+        return pointer;
+    }
+    void abandon() {
+        const bool opened = container != nullptr;
+        container.reset();
+        if (opened) ::unlink(temporary.c_str());
+    }
+
+    void open_codec(AVRational rate, int quality);
+    void open_converter();
+    void open_container(AVRational rate);
+    void open_filter();
+    void encode(const AVFrame* frame);
+    void write_filtered(AVPacket* input);
+};
+
+void Movie::Parts::open_codec(AVRational rate, int quality) {
+    const AVCodec* encoder = avcodec_find_encoder_by_name("libx264");
+    if (encoder == nullptr)
+        fail(
+            "libavcodec has no H.264 encoder (libx264); install Debian's libavcodec59 or an FFmpeg "
+            "built with libx264, or write no movie");
+    codec.reset(checked(avcodec_alloc_context3(encoder)));
+    codec->width = even(width);
+    codec->height = even(height);
+    codec->pix_fmt = AV_PIX_FMT_YUV420P;
+    codec->time_base = av_inv_q(rate);
+    codec->framerate = rate;
+    codec->colorspace = AVCOL_SPC_BT709;
+    codec->color_primaries = AVCOL_PRI_BT709;
+    codec->color_trc = AVCOL_TRC_BT709;
+    codec->color_range = AVCOL_RANGE_MPEG;
+    codec->chroma_sample_location = AVCHROMA_LOC_LEFT;
+    codec->thread_count = codec_threads;
+    codec->flags |= AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_GLOBAL_HEADER;
+    check(av_opt_set(codec->priv_data, "preset", codec_preset, 0));
+    check(av_opt_set_double(codec->priv_data, "crf", quality, 0));
+    // The same choices whatever instructions the processor has.
+    check(av_opt_set(codec->priv_data, "x264-params", "cpu-independent=1", 0));
+    check(avcodec_open2(codec.get(), encoder, nullptr));
+}
+
+void Movie::Parts::open_converter() {
+    rgb.reset(checked(av_frame_alloc()));
+    yuv.reset(checked(av_frame_alloc()));
+    packet.reset(checked(av_packet_alloc()));
+    for (AVFrame* frame : {rgb.get(), yuv.get()}) {
+        frame->width = codec->width;
+        frame->height = codec->height;
+        frame->format = frame == rgb.get() ? AV_PIX_FMT_RGB24 : codec->pix_fmt;
+        check(av_frame_get_buffer(frame, 0));
+    }
+    constexpr int accurate = SWS_BILINEAR | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INP;
+    scaler.reset(checked(sws_getContext(codec->width, codec->height, AV_PIX_FMT_RGB24, codec->width,
+                                        codec->height, codec->pix_fmt, accurate, nullptr, nullptr,
+                                        nullptr)));
+    const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
+    constexpr int full_range = 1;
+    constexpr int limited_range = 0;
+    constexpr int unchanged = 1 << 16;  // contrast and saturation, 16.16 fixed point
+    if (sws_setColorspaceDetails(scaler.get(), bt709, full_range, bt709, limited_range, 0,
+                                 unchanged, unchanged) < 0)
+        fail("libswscale cannot convert to BT.709");
+}
+
+void Movie::Parts::open_container(AVRational rate) {
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored))
+        fail("there is something other than a regular file");
+    AVFormatContext* made = nullptr;
+    // "file:" keeps libavformat from reading a protocol out of a name with a colon.
+    const std::string url = "file:" + temporary.string();
+    check(avformat_alloc_output_context2(&made, nullptr, "mp4", url.c_str()));
+    container.reset(made);
+    container->flags |= AVFMT_FLAG_BITEXACT;
+    stream = checked(avformat_new_stream(container.get(), nullptr));
+    check(avcodec_parameters_from_context(stream->codecpar, codec.get()));
+    stream->time_base = codec->time_base;
+    stream->avg_frame_rate = rate;
+    stream->r_frame_rate = rate;
+    ::unlink(temporary.c_str());  // what an interrupted run may have left
+    check(avio_open(&container->pb, url.c_str(), AVIO_FLAG_WRITE));
+    AVDictionary* options = nullptr;
+    av_dict_set(&options, "movflags", "+faststart+use_metadata_tags", 0);
+    const int written = avformat_write_header(container.get(), &options);
+    av_dict_free(&options);
+    check(written);
+    check_file();
+}
+
+/// x264 signs its streams with a version and its settings, in a SEI unit (type 6).
+void Movie::Parts::open_filter() {
+    AVBSFContext* made = nullptr;
+    check(av_bsf_list_parse_str("filter_units=remove_types=6", &made));
+    without_version.reset(made);
+    check(avcodec_parameters_copy(without_version->par_in, stream->codecpar));
+    without_version->time_base_in = codec->time_base;
+    check(av_bsf_init(without_version.get()));
+}
+
+void Movie::Parts::write_filtered(AVPacket* input) {
+    check(av_bsf_send_packet(without_version.get(), input));
+    for (;;) {
+        const int code = av_bsf_receive_packet(without_version.get(), packet.get());
+        if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
+        check(code);
+        packet->stream_index = stream->index;
+        packet->duration = 1;  // frame; the last one would have none
+        av_packet_rescale_ts(packet.get(), codec->time_base, stream->time_base);
+        check(av_interleaved_write_frame(container.get(), packet.get()));
+        check_file();
+    }
+}
+
+/// One frame, or nullptr to drain the encoder.
+void Movie::Parts::encode(const AVFrame* frame) {
+    check(avcodec_send_frame(codec.get(), frame));
+    for (;;) {
+        const int code = avcodec_receive_packet(codec.get(), packet.get());
+        if (code == AVERROR(EAGAIN)) return;
+        if (code == AVERROR_EOF) break;
+        check(code);
+        write_filtered(packet.get());
+    }
+    write_filtered(nullptr);
+}
+
+Movie::Movie(const std::filesystem::path& file, int width, int height, double frames_per_second,
+             int quality)
+    : parts_(std::make_unique<Parts>(file, width, height)) {
+    av_log_set_level(AV_LOG_QUIET);
+    if (width < 1 || height < 1 || !(frames_per_second > 0.0) || !std::isfinite(frames_per_second))
+        parts_->fail(fmt::format("a movie of {} × {} pixels at {} frames per second cannot be made",
+                                 width, height, frames_per_second));
+    const FrameRate rate = frame_rate(frames_per_second);
+    const AVRational rational{rate.frames, rate.seconds};
+    parts_->open_codec(rational, quality);
+    parts_->open_converter();
+    parts_->open_container(rational);
+    parts_->open_filter();
+}
+
+Movie::~Movie() = default;
+
+int Movie::padded_width() const {
+    return even(parts_->width);
+}
+int Movie::padded_height() const {
+    return even(parts_->height);
+}
+
+void Movie::add(const Image& image) {
+    Parts& parts = *parts_;
+    if (parts.failed || parts.finished) parts.fail("it is closed already");
+    if (image.width != parts.width || image.height != parts.height)
+        parts.fail(fmt::format("a frame has {} × {} pixels, the movie {} × {}", image.width,
+                               image.height, parts.width, parts.height));
+    copy_padded(image, *parts.rgb);
+    parts.check(av_frame_make_writable(parts.yuv.get()));
+    const int lines = sws_scale(parts.scaler.get(), parts.rgb->data, parts.rgb->linesize, 0,
+                                parts.rgb->height, parts.yuv->data, parts.yuv->linesize);
+    if (lines != parts.yuv->height) parts.fail("libswscale did not convert a frame");
+    parts.yuv->pts = parts.frames++;
+    parts.encode(parts.yuv.get());
+}
+
+void Movie::finish(const PictureText& texts) {
+    Parts& parts = *parts_;
+    if (parts.finished) return;
+    if (parts.failed) parts.fail("an earlier write failed");
+    if (parts.frames == 0) {
+        parts.abandon();
+        parts.finished = true;
+        return;
+    }
+    parts.encode(nullptr);
+    for (const auto& [keyword, text] : texts)
+        parts.check(av_dict_set(&parts.container->metadata, keyword.c_str(), text.c_str(), 0));
+    parts.check(av_write_trailer(parts.container.get()));
+    parts.check_file();
+    parts.check(avio_closep(&parts.container->pb));
+    std::error_code error;
+    std::filesystem::rename(parts.temporary, parts.file, error);
+    if (error) parts.fail(error.message());
+    parts.finished = true;
+}
+
+std::string movie_encoder() {
+    const auto version = [](unsigned number) {
+        return fmt::format("{}.{}.{}", AV_VERSION_MAJOR(number), AV_VERSION_MINOR(number),
+                           AV_VERSION_MICRO(number));
+    };
+    return fmt::format("libavcodec {}, libavformat {}, libswscale {}", version(avcodec_version()),
+                       version(avformat_version()), version(swscale_version()));
+}
+
+bool is_movie(const std::filesystem::path& file) {
+    constexpr std::size_t size_of_box = 4;  // bytes, before its type
+    constexpr std::string_view type = "ftyp";
+    return start_of_input_file(file, size_of_box + type.size()).ends_with(type);
+}
+
+PictureText read_movie_texts(const std::filesystem::path& file) {
+    av_log_set_level(AV_LOG_QUIET);
+    AVFormatContext* opened = nullptr;
+    const std::string url = "file:" + file.string();
+    const int code =
+        avformat_open_input(&opened, url.c_str(), av_find_input_format("mp4"), nullptr);
+    if (code < 0) {
+        throw InputError(
+            fmt::format("{}: is no MP4 movie or is damaged ({}); take an untouched copy",
+                        file.string(), reason(code)));
+    }
+    PictureText texts;
+    const AVDictionaryEntry* entry = nullptr;
+    while ((entry = av_dict_get(opened->metadata, "", entry, AV_DICT_IGNORE_SUFFIX)) != nullptr)
+        texts.emplace_back(entry->key, entry->value);
+    avformat_close_input(&opened);
+    return texts;
+}
+
+}  // namespace fumon

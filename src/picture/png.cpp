@@ -1,0 +1,156 @@
+#include "picture/png.h"
+
+#include <fmt/format.h>
+#include <png.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <new>
+
+#include "base/error.h"
+#include "files/input_file.h"
+#include "files/png_guard.h"
+#include "files/png_reader.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr int compression_level = 1;                     // a fifth of the time of level 6
+constexpr std::size_t idat_size = std::size_t{1} << 18;  // bytes of one IDAT chunk
+constexpr double metres_per_inch = 0.0254;
+
+struct Writer {
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    PngFailure failure;
+
+    Writer()
+        : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &failure, remember_png_failure,
+                                      ignore_png_warning)) {
+        if (png != nullptr) info = png_create_info_struct(png);
+        if (info == nullptr) {
+            png_destroy_write_struct(&png, nullptr);
+            throw Error("libpng cannot be started: out of memory");
+        }
+    }
+    ~Writer() { png_destroy_write_struct(&png, &info); }
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+};
+
+bool append(std::vector<std::uint8_t>& file, png_const_bytep bytes, std::size_t count) {
+    try {
+        file.insert(file.end(), bytes, bytes + count);
+    } catch (const std::bad_alloc&) {
+        return false;
+    }
+    return true;
+}
+
+void write_to_memory(png_structp png, png_bytep bytes, std::size_t count) {
+    auto* file = static_cast<std::vector<std::uint8_t>*>(png_get_io_ptr(png));
+    if (!append(*file, bytes, count)) png_error(png, "out of memory");
+}
+
+void flush_nothing(png_structp /*png*/) {}
+
+/// The rules of the PNG standard, clause 11.3.3.2.
+void check_keyword(std::string_view keyword) {
+    const auto printable = [](char c) {
+        const auto code = static_cast<unsigned char>(c);
+        return (code >= 32 && code <= 126) || code >= 161;
+    };
+    const bool good = !keyword.empty() && keyword.size() <= 79 && keyword.front() != ' ' &&
+                      keyword.back() != ' ' && keyword.find("  ") == std::string_view::npos &&
+                      std::all_of(keyword.begin(), keyword.end(), printable);
+    if (!good)
+        throw Error(
+            fmt::format("'{}' cannot be a PNG keyword: 1 to 79 printable Latin-1 characters "
+                        "without outer or double spaces",
+                        keyword));
+}
+
+std::vector<png_text> text_chunks(const PictureText& texts) {
+    std::vector<png_text> chunks;
+    for (const auto& [keyword, text] : texts) {
+        check_keyword(keyword);
+        if (text.find('\0') != std::string::npos)
+            throw Error(fmt::format(
+                "the text of '{}' cannot stand in a PNG file: it holds a zero byte", keyword));
+        png_text chunk{};
+        chunk.compression = PNG_ITXT_COMPRESSION_NONE;
+        chunk.key = const_cast<char*>(keyword.c_str());  // libpng copies, and changes neither
+        chunk.text = const_cast<char*>(text.c_str());
+        chunk.itxt_length = text.size();
+        chunks.push_back(chunk);
+    }
+    return chunks;
+}
+
+void check_image(const Image& image) {
+    constexpr int longest_side = 65535;  // pixels; what the reader takes
+    const bool sides = image.width > 0 && image.height > 0 && image.width <= longest_side &&
+                       image.height <= longest_side;
+    const auto bytes = 3LL * image.width * image.height;
+    if (!sides || image.rgb.size() != static_cast<std::size_t>(bytes))
+        throw Error(fmt::format("an image of {} × {} pixels cannot be written as PNG", image.width,
+                                image.height));
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_png(const Image& image, double dots_per_inch,
+                                     const PictureText& texts) {
+    check_image(image);
+    std::vector<png_text> chunks = text_chunks(texts);
+    const double dots_per_metre = std::round(dots_per_inch / metres_per_inch);
+    std::vector<std::uint8_t> file;
+    file.reserve(image.rgb.size() / 4);
+    Writer writer;
+    const bool written = ends_without_png_error(writer.png, [&] {
+        png_structp png = writer.png;
+        png_set_write_fn(png, &file, write_to_memory, flush_nothing);
+        png_set_user_limits(png, 65535, 65535);
+        png_set_IHDR(png, writer.info, static_cast<png_uint_32>(image.width),
+                     static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB,
+                     PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        png_set_compression_level(png, compression_level);
+        png_set_compression_strategy(png, Z_RLE);
+        png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+        png_set_compression_buffer_size(png, idat_size);
+        png_set_sRGB(png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+        if (dots_per_metre >= 1.0 && dots_per_metre <= 0x7FFFFFFF) {
+            const auto density = static_cast<png_uint_32>(dots_per_metre);
+            png_set_pHYs(png, writer.info, density, density, PNG_RESOLUTION_METER);
+        }
+        if (!chunks.empty())
+            png_set_text(png, writer.info, chunks.data(), static_cast<int>(chunks.size()));
+        png_write_info(png, writer.info);
+        for (int y = 0; y < image.height; ++y) png_write_row(png, image.row(y));
+        png_write_end(png, nullptr);
+    });
+    if (!written)
+        throw Error(fmt::format("cannot encode a PNG image: {}", writer.failure.message.data()));
+    return file;
+}
+
+PictureText read_png_texts(const std::filesystem::path& file) {
+    const std::string bytes = read_input_file(file);
+    return PngReader(bytes, file.string()).texts();
+}
+
+Image read_png(const std::filesystem::path& file) {
+    const std::string bytes = read_input_file(file);
+    PngReader reader(bytes, file.string());
+    const PngInfo& info = reader.info();
+    Image image;
+    image.width = info.width;
+    image.height = info.height;
+    image.rgb = reader.rgb();
+    return image;
+}
+
+}  // namespace fumon

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/image.h"
+
+namespace fumon {
+
+/// Keyword → UTF-8 text, written as iTXt in this order.
+using PictureText = std::vector<std::pair<std::string, std::string>>;
+
+/// Of pictures that are for looking at on a screen.
+inline constexpr double screen_dots_per_inch = 96.0;
+
+/// The PNG file of an image: level 1, sub filter, run-length strategy (39 ms at 1080p),
+/// the physical size as pHYs, the texts as iTXt. The same input gives the same bytes.
+std::vector<std::uint8_t> encode_png(const Image& image, double dots_per_inch,
+                                     const PictureText& texts);
+
+/// The iTXt, tEXt and zTXt texts of a PNG file. Throws InputError when it is not a PNG or is
+/// damaged.
+PictureText read_png_texts(const std::filesystem::path& file);
+
+/// The pixels of a PNG file as RGB, 8 bits a channel; 16 bits are rounded to 8, and alpha is
+/// dropped. Throws InputError when it is not a PNG or is damaged.
+Image read_png(const std::filesystem::path& file);
+
+}  // namespace fumon

@@ -1,0 +1,140 @@
+#include "render/colour/colouring.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "base/elementary_angle.h"
+#include "base/find_named.h"
+#include "base/percentile.h"
+#include "base/rounding.h"
+#include "render/view/water.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr double tail = 0.005;  // share of cells that may lie beyond each end of an automatic range
+
+/// The arc tangent of x ≥ 0 in degrees, within 1e-3.
+double degrees_of_slope(double x) {
+    const double arc = elementary::rough_atan(std::min(x, 1.0) / std::max(x, 1.0));
+    return (x > 1.0 ? 0.5 * std::numbers::pi - arc : arc) * 180.0 / std::numbers::pi;
+}
+
+Field<float> slopes(const Snapshot& snapshot) {
+    const Grid& bed = snapshot.bed;
+    const auto known = [&](int x, int y) {
+        return x >= 0 && y >= 0 && x < bed.nx() && y < bed.ny() &&
+               (snapshot.nodata.empty() || snapshot.nodata(x, y) == 0);
+    };
+    // Central differences; one-sided next to the border and to cells without data.
+    const auto derivative = [&](int x, int y, int step_x, int step_y, double spacing) {
+        const bool ahead = known(x + step_x, y + step_y);
+        const bool behind = known(x - step_x, y - step_y);
+        const double high = ahead ? bed(x + step_x, y + step_y) : bed(x, y);
+        const double low = behind ? bed(x - step_x, y - step_y) : bed(x, y);
+        const int cells = (ahead ? 1 : 0) + (behind ? 1 : 0);
+        return cells == 0 ? 0.0 : (high - low) / (cells * spacing);
+    };
+    Field<float> result(bed.nx(), bed.ny());
+    for (int y = 0; y < bed.ny(); ++y) {
+        for (int x = 0; x < bed.nx(); ++x) {
+            const double p = derivative(x, y, 1, 0, snapshot.scale.dx);
+            const double q = derivative(x, y, 0, 1, snapshot.scale.dy);
+            result(x, y) = static_cast<float>(
+                degrees_of_slope(snapshot.scale.height_unit * std::sqrt(p * p + q * q)));
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+bool colours_water(Colouring colour_by) {
+    return colour_by == Colouring::water_depth || colour_by == Colouring::speed ||
+           colour_by == Colouring::froude;
+}
+
+Mask uncoloured_cells(Colouring colour_by, const Snapshot& snapshot) {
+    return colours_water(colour_by) ? dry_cells(snapshot) : snapshot.nodata;
+}
+
+Field<float> coloured_values(Colouring colour_by, const Snapshot& snapshot, const Snapshot& first) {
+    if (colour_by == Colouring::slope) return slopes(snapshot);
+    if (colour_by == Colouring::speed) return water_speed(snapshot);
+    if (colour_by == Colouring::froude) return froude_numbers(snapshot);
+    if (colour_by == Colouring::water_depth) return water_depths(snapshot);
+    Field<float> result(snapshot.bed.nx(), snapshot.bed.ny());
+    const bool change = colour_by == Colouring::change;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const double reference = change ? first.bed.values()[i] : 0.0;
+        result.values()[i] = static_cast<float>(snapshot.bed.values()[i] - reference);
+    }
+    return result;
+}
+
+std::pair<double, double> colour_range(const LookSettings& look, const Snapshot& snapshot,
+                                       const Field<float>& values) {
+    if (!look.low.is_word() && !look.high.is_word()) return {look.low.value, look.high.value};
+    std::vector<float> known;
+    known.reserve(values.size());
+    const Mask without = uncoloured_cells(look.colour_by, snapshot);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (without.empty() || without.values()[i] == 0) known.push_back(values.values()[i]);
+    }
+    double low = percentile(known, tail);
+    double high = percentile(known, 1.0 - tail);
+    if (look.colour_by == Colouring::slope) low = 0.0;
+    if (look.colour_by == Colouring::change) {
+        high = std::max(std::abs(low), std::abs(high));
+        low = -high;
+    }
+    if (!look.low.is_word()) low = look.low.value;
+    if (!look.high.is_word()) high = look.high.value;
+    if (!(high > low)) {  // a flat bed: any range that holds its one value in the middle
+        const double middle = 0.5 * (low + high);
+        return {middle - 0.5, middle + 0.5};
+    }
+    return {low, high};
+}
+
+Palette chosen_palette(const LookSettings& look) {
+    Palette palette = read_palette(look.palette);
+    if (look.palette_reversed) std::reverse(palette.begin(), palette.end());
+    return palette;
+}
+
+Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double, double> range) {
+    Field<std::uint16_t> places(values.nx(), values.ny());
+    const auto low = static_cast<float>(range.first);
+    const float scale = 65535.0F / static_cast<float>(range.second - range.first);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const float place = (values.values()[i] - low) * scale;
+        places.values()[i] =
+            static_cast<std::uint16_t>(nearest(std::min(std::max(place, 0.0F), 65535.0F)));
+    }
+    return places;
+}
+
+const SnapshotField* marked_field(Marking mark, const Snapshot& snapshot) {
+    if (mark == Marking::none) return nullptr;
+    return find_named(snapshot.fields, "last_avalanche");
+}
+
+Field<std::uint8_t> mark_texels(Marking mark, const Snapshot& snapshot) {
+    if (mark == Marking::none) return {1, 1, 0};
+    Field<std::uint8_t> texels(snapshot.bed.nx(), snapshot.bed.ny());
+    const SnapshotField* field = marked_field(mark, snapshot);
+    if (field == nullptr) return texels;
+    constexpr std::uint8_t received = 120;
+    constexpr std::uint8_t toppled = 235;
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const double value = field->values.values()[i];
+        if (value > 0.0) texels.values()[i] = value > 1.0 ? toppled : received;
+    }
+    return texels;
+}
+
+}  // namespace fumon

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "base/snapshot.h"
+#include "render/colour/palette.h"
+#include "render/view/display_bed.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// Whether the colours mean a quantity of the water: its depth, speed or Froude number.
+bool colours_water(Colouring colour_by);
+
+/// 1 for the cells that have no value to colour: those without data and, where the colours mean the
+/// water, dry ones. Empty when all have one.
+Mask uncoloured_cells(Colouring colour_by, const Snapshot& snapshot);
+
+/// What is coloured, for every cell of the bed: heights, slopes in degrees (not exaggerated),
+/// heights less the first ones, or a quantity of the water, 0 in dry cells. Throws InputError for
+/// the latter without water.
+Field<float> coloured_values(Colouring colour_by, const Snapshot& snapshot, const Snapshot& first);
+
+/// The values at the two ends of the palette, in the unit of what is coloured: model heights
+/// (height, change), degrees (slope), m (water-depth), m/s (speed) or 1 (froude). What is not fixed
+/// by look.low and look.high comes from `values`, the snapshot's coloured_values(): the 0.5th and
+/// 99.5th percentile of the bed or of the wet cells, for slope 0 and the 99.5th percentile, for
+/// change the larger of the two tails' 99.5 % on both sides of zero. Natural colouring has the
+/// range of height.
+std::pair<double, double> colour_range(const LookSettings& look, const Snapshot& snapshot,
+                                       const Field<float>& values);
+
+/// The look's palette, the way round that it wants. Throws as read_palette.
+Palette chosen_palette(const LookSettings& look);
+
+/// Values as places in the palette, 0 … 65535.
+Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double, double> range);
+
+/// The field of a snapshot that a marking shows, or nullptr where the model has none.
+const SnapshotField* marked_field(Marking mark, const Snapshot& snapshot);
+
+/// How much each cell stands out, 0 … 255: for the last avalanche, cells that toppled fully and
+/// cells that only received grains by half. A single 0 when nothing is marked.
+Field<std::uint8_t> mark_texels(Marking mark, const Snapshot& snapshot);
+
+}  // namespace fumon

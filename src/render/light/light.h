@@ -1,0 +1,29 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "render/light/sun_sweep.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// Colours and strengths of the light, linear RGB, exposure already in them.
+struct Light {
+    glm::vec3 to_sun{0, 0, 1};  ///< unit vector
+    glm::vec3 sun{1};           ///< irradiance on a surface that faces the sun
+    glm::vec3 sky{1};           ///< irradiance of the whole sky on level ground
+    glm::vec3 haze{1};          ///< what far things fade into, away from the sun
+    glm::vec3 glow{1};          ///< the same towards the sun
+    glm::vec3 zenith{1};        ///< the sky overhead
+};
+
+/// The light of a clear day: the lower the sun, the longer its way through the air, the warmer and
+/// weaker its light (extinction in three bands along the optical air mass, Kasten & Young 1989).
+/// The exposure follows a level sand plain, so that a low sun gives a warm picture, not a black
+/// one.
+Light make_light(const SunSettings& settings);
+
+/// The sun's place and disc for a sweep.
+SunDirection sun_direction(const SunSettings& settings);
+
+}  // namespace fumon

@@ -1,0 +1,220 @@
+#include "render/light/sky_visibility.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "base/elementary_angle.h"
+#include "base/multiversion.h"
+#include "base/worker_pool.h"
+
+namespace fumon {
+
+namespace {
+
+/// Lines swept together: their cells lie side by side in memory (one cache line of floats).
+constexpr int bundle = 16;
+
+/// A family of parallel lattice lines that cross every row: x = first + shear·y.
+struct Family {
+    int shear;
+    float spacing;  ///< length between two cells of a line
+    float weight;   ///< Δφ of one direction over 2π
+};
+
+/// For each cell of a line, the tangent of the horizon's elevation looking back to lower places,
+/// never below the horizontal.
+void sweep_horizon(const float* z, int count, std::ptrdiff_t stride, float* tangent, int* hull) {
+    int top = 0;
+    hull[0] = 0;
+    tangent[0] = 0.0F;
+    for (int i = 1; i < count; ++i) {
+        const float here = z[i * stride];
+        float rise = z[hull[top] * stride] - here;
+        auto run = static_cast<float>(i - hull[top]);
+        while (top > 0) {
+            const float next_rise = z[hull[top - 1] * stride] - here;
+            const auto next_run = static_cast<float>(i - hull[top - 1]);
+            if (next_rise * run < rise * next_run) break;
+            --top;
+            rise = next_rise;
+            run = next_run;
+        }
+        tangent[i] = rise / run;
+        hull[++top] = i;
+    }
+}
+
+/// π/2 − θ − sin θ cos θ and cos² θ for θ = atan t, t ≥ 0.
+inline void sky_above(float t, float& tilted, float& level) {
+    constexpr float quarter = std::numbers::pi_v<float> / 2.0F;
+    const float arc = elementary::rough_atan(std::min(t, 1.0F) / std::max(t, 1.0F));
+    level = 1.0F / (1.0F + t * t);
+    tilted = (t > 1.0F ? arc : quarter - arc) - t * level;
+}
+
+/// Adds both directions of a line to `sum`: `back` and `ahead` are the horizons' tangents in cells.
+FUMON_MULTIVERSION
+void add_sky(const float* __restrict z, int count, const float* __restrict back,
+             const float* __restrict ahead, float spacing, float weight, float* __restrict sum) {
+    const float scale = 1.0F / spacing;
+    for (int i = 0; i < count; ++i) {
+        const float slope = 0.5F * scale * (z[i + 1] - z[i - 1]);
+        float tilted_back = 0.0F;
+        float level_back = 0.0F;
+        float tilted_ahead = 0.0F;
+        float level_ahead = 0.0F;
+        sky_above(std::max(back[i] * scale, 0.0F), tilted_back, level_back);
+        sky_above(std::max(ahead[i] * scale, 0.0F), tilted_ahead, level_ahead);
+        sum[i] += weight * (level_back + level_ahead + slope * (tilted_back - tilted_ahead));
+    }
+}
+
+/// What one thread needs for a line of up to `length` cells.
+struct Scratch {
+    explicit Scratch(int length)
+        : heights(static_cast<std::size_t>(length) + 2),
+          back(static_cast<std::size_t>(length)),
+          ahead(static_cast<std::size_t>(length)),
+          reversed(static_cast<std::size_t>(length)),
+          hull(static_cast<std::size_t>(length)) {}
+    std::vector<float> heights;  ///< with one place of padding at each end
+    std::vector<float> back;
+    std::vector<float> ahead;
+    std::vector<float> reversed;
+    std::vector<int> hull;
+};
+
+/// Sweeps the line in scratch.heights[1 … count] both ways and adds its sky to `sum`.
+void sweep_line(Scratch& scratch, int count, float spacing, float weight, float* sum) {
+    float* z = scratch.heights.data() + 1;
+    // At the ends the slope is taken one-sided, by a padding that continues the line straight on.
+    z[-1] = count > 1 ? 2.0F * z[0] - z[1] : z[0];
+    z[count] = count > 1 ? 2.0F * z[count - 1] - z[count - 2] : z[0];
+    sweep_horizon(z, count, 1, scratch.back.data(), scratch.hull.data());
+    sweep_horizon(z + count - 1, count, -1, scratch.reversed.data(), scratch.hull.data());
+    std::reverse_copy(scratch.reversed.begin(), scratch.reversed.begin() + count,
+                      scratch.ahead.begin());
+    add_sky(z, count, scratch.back.data(), scratch.ahead.data(), spacing, weight, sum);
+}
+
+void sweep_rows(const Field<float>& heights, float spacing, float weight, Field<float>& sum,
+                int begin, int end) {
+    Scratch scratch(heights.nx());
+    for (int y = begin; y < end; ++y) {
+        std::copy_n(heights.row(y).data(), heights.nx(), scratch.heights.begin() + 1);
+        sweep_line(scratch, heights.nx(), spacing, weight, sum.row(y).data());
+    }
+}
+
+/// Sweeps `bundle` neighbouring lines, the first through column `first` of row 0.
+void sweep_bundle(const Field<float>& heights, const Family& family, int first, Scratch& scratch,
+                  std::vector<float>& lines, std::vector<float>& sums, Field<float>& sum) {
+    const int nx = heights.nx();
+    const int ny = heights.ny();
+    const auto length = static_cast<std::size_t>(ny);
+    const auto columns = [&](int y) {
+        const int x0 = first + family.shear * y;
+        return std::array<int, 3>{x0, std::clamp(-x0, 0, bundle), std::clamp(nx - x0, 0, bundle)};
+    };
+    for (int y = 0; y < ny; ++y) {
+        const auto [x0, begin, end] = columns(y);
+        const float* row = heights.row(y).data() + x0;
+        for (int lane = begin; lane < end; ++lane)
+            lines[static_cast<std::size_t>(lane) * length + static_cast<std::size_t>(y)] =
+                row[lane];
+    }
+    for (int lane = 0; lane < bundle; ++lane) {
+        const int x = first + lane;  // at row 0; the rows with 0 ≤ x + shear·y < nx belong to it
+        int begin = 0;
+        int end = ny;
+        if (family.shear > 0) {
+            begin = std::max(0, -x);
+            end = std::min(ny, nx - x);
+        } else if (family.shear < 0) {
+            begin = std::max(0, x - nx + 1);
+            end = std::min(ny, x + 1);
+        } else if (x >= nx) {
+            end = 0;
+        }
+        if (begin >= end) continue;
+        const float* line = lines.data() + static_cast<std::size_t>(lane) * length;
+        float* line_sum = sums.data() + static_cast<std::size_t>(lane) * length;
+        std::fill(line_sum + begin, line_sum + end, 0.0F);
+        std::copy(line + begin, line + end, scratch.heights.begin() + 1);
+        sweep_line(scratch, end - begin, family.spacing, family.weight, line_sum + begin);
+    }
+    for (int y = 0; y < ny; ++y) {
+        const auto [x0, begin, end] = columns(y);
+        float* row = sum.row(y).data() + x0;
+        for (int lane = begin; lane < end; ++lane)
+            row[lane] +=
+                sums[static_cast<std::size_t>(lane) * length + static_cast<std::size_t>(y)];
+    }
+}
+
+void sweep_family(const Field<float>& heights, const Family& family, Field<float>& sum,
+                  WorkerPool& pool) {
+    const int ny = heights.ny();
+    const int first = family.shear > 0 ? -(ny - 1) : 0;
+    const int last = heights.nx() - 1 + (family.shear < 0 ? ny - 1 : 0);
+    const int bundles = (last - first + bundle) / bundle;
+    pool.for_ranges(bundles, [&](int begin, int end) {
+        Scratch scratch(ny);
+        std::vector<float> lines(static_cast<std::size_t>(bundle) * static_cast<std::size_t>(ny));
+        std::vector<float> sums(lines.size());
+        for (int i = begin; i < end; ++i)
+            sweep_bundle(heights, family, first + i * bundle, scratch, lines, sums, sum);
+    });
+}
+
+FUMON_MULTIVERSION
+void multiply_by_normal(const float* __restrict south, const float* __restrict north,
+                        const float* __restrict row, int count, float scale_x, float scale_y,
+                        float* __restrict sum) {
+    for (int x = 1; x + 1 < count; ++x) {
+        const float p = scale_x * (row[x + 1] - row[x - 1]);
+        const float q = scale_y * (north[x] - south[x]);
+        sum[x] = std::min(std::max(sum[x] / std::sqrt(1.0F + p * p + q * q), 0.0F), 1.0F);
+    }
+}
+
+}  // namespace
+
+Field<float> sky_visibility(const Field<float>& heights, float dx, float dy, WorkerPool& pool) {
+    const int nx = heights.nx();
+    const int ny = heights.ny();
+    Field<float> sum(nx, ny, 0.0F);
+    // Each direction stands for the azimuths nearer to it than to its neighbours.
+    const auto diagonal_angle = static_cast<float>(elementary::atan2(dy, dx));
+    constexpr float circle = 2.0F * std::numbers::pi_v<float>;
+    const float weight_x = diagonal_angle / circle;
+    const float weight_y = (0.25F * circle - diagonal_angle) / circle;
+    const float diagonal = std::sqrt(dx * dx + dy * dy);
+    pool.for_ranges(
+        ny, [&](int begin, int end) { sweep_rows(heights, dx, weight_x, sum, begin, end); });
+    sweep_family(heights, {0, dy, weight_y}, sum, pool);
+    sweep_family(heights, {1, diagonal, 0.125F}, sum, pool);
+    sweep_family(heights, {-1, diagonal, 0.125F}, sum, pool);
+    pool.for_ranges(ny, [&](int begin, int end) {
+        std::vector<float> row(static_cast<std::size_t>(nx) + 2);
+        for (int y = begin; y < end; ++y) {
+            const int south = std::max(y - 1, 0);
+            const int north = std::min(y + 1, ny - 1);
+            std::copy_n(heights.row(y).data(), nx, row.begin() + 1);
+            const auto last = static_cast<std::size_t>(nx);
+            row.front() = nx > 1 ? 2.0F * row[1] - row[2] : row[1];
+            row.back() = nx > 1 ? 2.0F * row[last] - row[last - 1] : row[last];
+            const float scale_y =
+                north > south ? 1.0F / (dy * static_cast<float>(north - south)) : 0.0F;
+            multiply_by_normal(heights.row(south).data() - 1, heights.row(north).data() - 1,
+                               row.data(), nx + 2, 0.5F / dx, scale_y, sum.row(y).data() - 1);
+        }
+    });
+    return sum;
+}
+
+}  // namespace fumon

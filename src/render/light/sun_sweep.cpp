@@ -1,0 +1,143 @@
+#include "render/light/sun_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "base/grid.h"
+#include "base/multiversion.h"
+
+namespace fumon {
+
+namespace {
+
+/// The field with x and y exchanged, tile by tile so that both sides stay in the cache.
+template <class Number>
+Field<Number> transposed(const Field<Number>& field) {
+    constexpr int tile = 32;
+    Field<Number> result(field.ny(), field.nx());
+    for (int y0 = 0; y0 < field.ny(); y0 += tile) {
+        for (int x0 = 0; x0 < field.nx(); x0 += tile) {
+            const int y1 = std::min(y0 + tile, field.ny());
+            const int x1 = std::min(x0 + tile, field.nx());
+            for (int x = x0; x < x1; ++x)
+                for (int y = y0; y < y1; ++y) result(y, x) = field(x, y);
+        }
+    }
+    return result;
+}
+
+/// One row's step of the sweep.
+struct RowStep {
+    int count;
+    float fraction;    ///< of the way from a column to the next, where a ray crossed the row before
+    float lower_drop;  ///< how far the limbs' shadows sink between two rows
+    float upper_drop;
+};
+
+/// The shadows of the two limbs over a row: the height each reaches, and how far apart both of its
+/// occluder are. With places of padding at each end.
+struct RowShadow {
+    explicit RowShadow(std::size_t size)
+        : lower(size), lower_width(size), upper(size), upper_width(size) {}
+    std::vector<float> lower;
+    std::vector<float> lower_width;
+    std::vector<float> upper;
+    std::vector<float> upper_width;
+};
+
+/// Arrays of a row's shadow from one column on.
+struct ShadowView {
+    ShadowView(RowShadow& shadow, std::size_t from)
+        : lower(shadow.lower.data() + from),
+          lower_width(shadow.lower_width.data() + from),
+          upper(shadow.upper.data() + from),
+          upper_width(shadow.upper_width.data() + from) {}
+    float* lower;
+    float* lower_width;
+    float* upper;
+    float* upper_width;
+};
+
+FUMON_MULTIVERSION
+void sweep_row(const RowStep& step, const float* __restrict heights, const ShadowView& before,
+               const ShadowView& after, float* __restrict visibility) {
+    const float* __restrict lower_before = before.lower;
+    const float* __restrict lower_width_before = before.lower_width;
+    const float* __restrict upper_before = before.upper;
+    const float* __restrict upper_width_before = before.upper_width;
+    float* __restrict lower = after.lower;
+    float* __restrict lower_width = after.lower_width;
+    float* __restrict upper = after.upper;
+    float* __restrict upper_width = after.upper_width;
+    const float near = 1.0F - step.fraction;
+    const float far = step.fraction;
+    const float widening = step.upper_drop - step.lower_drop;
+    for (int x = 0; x < step.count; ++x) {
+        const float z = heights[x];
+        const float low = near * lower_before[x] + far * lower_before[x + 1] - step.lower_drop;
+        const float high = near * upper_before[x] + far * upper_before[x + 1] - step.upper_drop;
+        const float low_width =
+            near * lower_width_before[x] + far * lower_width_before[x + 1] + widening;
+        const float high_width =
+            near * upper_width_before[x] + far * upper_width_before[x + 1] + widening;
+        const float by_lower = 1.0F + (z - low) / low_width;
+        const float by_upper = (z - high) / high_width;
+        visibility[x] = std::min(std::max(std::min(by_lower, by_upper), 0.0F), 1.0F);
+        lower[x] = z >= low ? z : low;
+        lower_width[x] = z >= low ? 0.0F : low_width;
+        upper[x] = z >= high ? z : high;
+        upper_width[x] = z >= high ? 0.0F : high_width;
+    }
+}
+
+constexpr std::size_t padding = 2;
+
+/// Beyond the border the shadow is that of the border cell: no false light leaks in.
+void close_ends(std::vector<float>& row) {
+    const std::size_t last = row.size() - padding;
+    std::fill_n(row.begin(), padding, row[padding]);
+    std::fill(row.begin() + static_cast<std::ptrdiff_t>(last), row.end(), row[last - 1]);
+}
+
+/// The sweep where the sun stands more along y than along x (in cells): rows follow each other.
+Field<float> sweep_rows(const Field<float>& heights, float dx, float dy, const SunDirection& sun) {
+    const int nx = heights.nx();
+    const int ny = heights.ny();
+    const float columns_per_row = (sun.east / dx) / (std::abs(sun.north) / dy);
+    const float run = dy / std::abs(sun.north);  // horizontal length of a ray between two rows
+    const float whole = std::floor(columns_per_row);
+    const RowStep step{nx, columns_per_row - whole, run * sun.lower_limb, run * sun.upper_limb};
+    const auto shifted = static_cast<std::size_t>(static_cast<float>(padding) + whole);
+
+    Field<float> visibility(nx, ny, 1.0F);
+    RowShadow shadow(static_cast<std::size_t>(nx) + 2 * padding);
+    RowShadow next = shadow;
+    const int first = sun.north > 0.0F ? ny - 1 : 0;
+    const int direction = sun.north > 0.0F ? -1 : 1;
+    std::copy_n(heights.row(first).data(), nx, shadow.lower.begin() + padding);
+    std::copy_n(heights.row(first).data(), nx, shadow.upper.begin() + padding);
+    for (int n = 1; n < ny; ++n) {
+        for (auto* row : {&shadow.lower, &shadow.lower_width, &shadow.upper, &shadow.upper_width})
+            close_ends(*row);
+        const int y = first + n * direction;
+        sweep_row(step, heights.row(y).data(), ShadowView(shadow, shifted),
+                  ShadowView(next, padding), visibility.row(y).data());
+        std::swap(shadow, next);
+    }
+    return visibility;
+}
+
+}  // namespace
+
+Field<float> sun_visibility(const Field<float>& heights, float dx, float dy,
+                            const SunDirection& sun) {
+    if (std::abs(sun.north) / dy >= std::abs(sun.east) / dx)
+        return sweep_rows(heights, dx, dy, sun);
+    const SunDirection turned{sun.north, sun.east, sun.lower_limb, sun.upper_limb};
+    return transposed(sweep_rows(transposed(heights), dy, dx, turned));
+}
+
+}  // namespace fumon

@@ -1,0 +1,187 @@
+#include "render/view/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "base/elementary.h"
+#include "base/units.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr double turn_step =
+    3.0;  // degrees between the azimuths at which a turning block is fitted
+
+/// Sets the three directions of a camera that stands at an azimuth and elevation.
+void aim(Camera& camera, double azimuth, double elevation) {
+    const double sin_a = elementary::sin(azimuth * degree);
+    const double cos_a = elementary::cos(azimuth * degree);
+    const double sin_e = elementary::sin(elevation * degree);
+    const double cos_e = elementary::cos(elevation * degree);
+    camera.forward = -glm::dvec3(sin_a * cos_e, cos_a * cos_e, sin_e);
+    camera.right = glm::dvec3(-cos_a, sin_a, 0.0);
+    camera.up = glm::cross(camera.right, camera.forward);
+}
+
+/// A point along the camera's own axes: right, up, forward.
+glm::dvec3 along_axes(const Camera& camera, const glm::dvec3& point) {
+    return {glm::dot(point, camera.right), glm::dot(point, camera.up),
+            glm::dot(point, camera.forward)};
+}
+
+glm::dvec3 centre(const Block& block) {
+    return {0.0, 0.0, 0.5 * (block.base + block.top)};
+}
+
+/// The block's corners along the axes of every camera of the turn.
+std::vector<glm::dvec3> corners_over_turn(const CameraSettings& settings, const Block& block) {
+    std::vector<glm::dvec3> points;
+    const int count =
+        1 + static_cast<int>(std::ceil(std::min(std::abs(settings.turn), 360.0) / turn_step));
+    for (int i = 0; i < count; ++i) {
+        Camera turned;
+        const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
+        const double turn = std::clamp(settings.turn, -360.0, 360.0);
+        aim(turned, settings.azimuth + share * turn, settings.elevation);
+        for (const glm::dvec3& corner : block_corners(block))
+            points.push_back(along_axes(turned, corner));
+    }
+    return points;
+}
+
+/// The eye (along the camera's axes) nearest to points seen under |x| ≤ half.x·depth and
+/// |y| ≤ half.y·depth. On each axis the points bound two lines; the eye lies where they cross.
+glm::dvec3 fitted_eye(const std::vector<glm::dvec3>& points, const glm::dvec2& half) {
+    double depth = std::numeric_limits<double>::max();
+    glm::dvec2 eye(0.0);
+    for (int axis = 0; axis < 2; ++axis) {
+        double most = std::numeric_limits<double>::lowest();
+        double least = std::numeric_limits<double>::max();
+        for (const glm::dvec3& point : points) {
+            most = std::max(most, point[axis] - half[axis] * point.z);
+            least = std::min(least, point[axis] + half[axis] * point.z);
+        }
+        depth = std::min(depth, (least - most) / (2.0 * half[axis]));
+        eye[axis] = 0.5 * (least + most);
+    }
+    return {eye, depth};
+}
+
+void fit_perspective(Camera& camera, const CameraSettings& settings, const Block& block) {
+    const glm::dvec2 usable = camera.half * (1.0 - 2.0 * settings.margin);
+    const glm::dvec3 eye = fitted_eye(corners_over_turn(settings, block), usable);
+    camera.eye = eye.x * camera.right + eye.y * camera.up + eye.z * camera.forward;
+}
+
+void fit_orthographic(Camera& camera, const CameraSettings& settings, const Block& block,
+                      double aspect) {
+    glm::dvec2 low(std::numeric_limits<double>::max());
+    glm::dvec2 high(std::numeric_limits<double>::lowest());
+    for (const glm::dvec3& point : corners_over_turn(settings, block)) {
+        low = glm::min(low, glm::dvec2(point));
+        high = glm::max(high, glm::dvec2(point));
+    }
+    const glm::dvec2 extent = 0.5 * (high - low) / (1.0 - 2.0 * settings.margin);
+    const double half_height = std::max(extent.y, extent.x / aspect);
+    camera.half = {half_height * aspect, half_height};
+    const glm::dvec2 middle = 0.5 * (low + high);
+    camera.eye = middle.x * camera.right + middle.y * camera.up - 3.0 * camera.forward;
+}
+
+void set_depths(Camera& camera, const Block& block) {
+    double nearest = std::numeric_limits<double>::max();
+    double farthest = std::numeric_limits<double>::lowest();
+    for (const glm::dvec3& corner : block_corners(block)) {
+        const double depth = glm::dot(corner - camera.eye, camera.forward);
+        nearest = std::min(nearest, depth);
+        farthest = std::max(farthest, depth);
+    }
+    // Later beds may stand higher than the framed one.
+    const double room = 0.25 * (farthest - nearest);
+    constexpr double tall = 2.0;  // block lengths; nothing is lost by it without perspective
+    camera.near_depth = camera.perspective ? std::max(nearest - room, 0.02) : nearest - tall;
+    camera.far_depth = std::max(farthest + room, camera.near_depth + 0.1);
+}
+
+}  // namespace
+
+std::vector<glm::dvec3> block_corners(const Block& block) {
+    std::vector<glm::dvec3> corners;
+    corners.reserve(2 * block.outline.size());
+    for (const glm::dvec2& point : block.outline) {
+        corners.emplace_back(point, block.base);
+        corners.emplace_back(point, block.top);
+    }
+    return corners;
+}
+
+Camera place_camera(const CameraSettings& settings, const Block& block, double aspect,
+                    double progress) {
+    CameraSettings used = settings;
+    if (settings.projection == Projection::map) {
+        used.azimuth = 180.0;
+        used.elevation = 90.0;
+        used.turn = 0.0;
+    }
+    Camera camera;
+    camera.perspective = settings.projection == Projection::perspective;
+    aim(camera, used.azimuth + used.turn * progress, used.elevation);
+    const double half_angle = 0.5 * used.field_of_view * degree;
+    const double tangent = elementary::sin(half_angle) / elementary::cos(half_angle);
+    camera.half = {tangent * aspect, tangent};
+    if (!used.distance.is_word()) {
+        camera.eye = centre(block) - used.distance.value * camera.forward;
+        if (!camera.perspective) camera.half *= used.distance.value;
+    } else if (camera.perspective) {
+        fit_perspective(camera, used, block);
+    } else {
+        fit_orthographic(camera, used, block, aspect);
+    }
+    set_depths(camera, block);
+    return camera;
+}
+
+glm::dmat4 clip_matrix(const Camera& camera) {
+    const double n = camera.near_depth;
+    const double f = camera.far_depth;
+    const glm::dvec3 x = camera.right / camera.half.x;
+    const glm::dvec3 y = camera.up / camera.half.y;
+    glm::dmat4 rows(0.0);  // row-major here, transposed on return
+    const auto row = [&](const glm::dvec3& direction, double offset) {
+        return glm::dvec4(direction, offset - glm::dot(direction, camera.eye));
+    };
+    rows[0] = row(x, 0.0);
+    rows[1] = row(y, 0.0);
+    if (camera.perspective) {
+        rows[2] = row(camera.forward * ((f + n) / (f - n)), -2.0 * f * n / (f - n));
+        rows[3] = row(camera.forward, 0.0);
+    } else {
+        rows[2] = row(camera.forward * (2.0 / (f - n)), -(f + n) / (f - n));
+        rows[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
+    }
+    return glm::transpose(rows);
+}
+
+glm::dvec2 project(const Camera& camera, const glm::dvec3& point) {
+    const glm::dvec3 seen = along_axes(camera, point - camera.eye);
+    return glm::dvec2(seen) / (camera.perspective ? camera.half * seen.z : camera.half);
+}
+
+std::array<double, 4> map_rectangle(const View& view, const Snapshot& first) {
+    const Block block = frame_block(first, 1.0);
+    const auto width = static_cast<double>(view.image.width);
+    const auto height = static_cast<double>(view.image.height);
+    CameraSettings settings = view.camera;
+    settings.projection = Projection::map;
+    const Camera camera = place_camera(settings, block, width / height, 0.0);
+    const glm::dvec2 low = project(camera, {-0.5 * block.width_x, -0.5 * block.width_y, 0.0});
+    const glm::dvec2 high = project(camera, {0.5 * block.width_x, 0.5 * block.width_y, 0.0});
+    return {0.5 * (1.0 + low.x) * width, 0.5 * (1.0 - high.y) * height,
+            0.5 * (high.x - low.x) * width, 0.5 * (high.y - low.y) * height};
+}
+
+}  // namespace fumon

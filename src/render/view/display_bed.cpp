@@ -1,0 +1,36 @@
+#include "render/view/display_bed.h"
+
+#include <algorithm>
+
+#include "base/resampling.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr int smooth_enough = 400;  // cells along the longer side
+}  // namespace
+
+int refinement_of(int nx, int ny, int picture_side) {
+    const int longer = std::max(nx, ny);
+    const int wanted = std::min(smooth_enough, picture_side);
+    return std::clamp((wanted + longer - 1) / longer, 1, 32);
+}
+
+DisplayBed display_bed(const Snapshot& snapshot, const Block& block, int refinement) {
+    const Grid& bed = snapshot.bed;
+    Field<float> z(bed.nx(), bed.ny());
+    std::transform(bed.values().begin(), bed.values().end(), z.values().begin(),
+                   [&](double height) { return static_cast<float>(block.z(height)); });
+    DisplayBed shown;
+    if (!snapshot.nodata.empty()) {
+        continue_outward(z, snapshot.nodata, static_cast<float>(block.base));
+        shown.nodata = refined(snapshot.nodata, refinement);
+    }
+    shown.z = refined(z, refinement);
+    shown.dx = static_cast<float>(block.width_x / shown.z.nx());
+    shown.dy = static_cast<float>(block.width_y / shown.z.ny());
+    return shown;
+}
+
+}  // namespace fumon

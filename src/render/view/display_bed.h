@@ -1,0 +1,26 @@
+#pragma once
+
+#include "base/grid.h"
+#include "render/view/block.h"
+
+namespace fumon {
+
+/// A bed as it is shown: heights as z of the block, finer than the model's cells where these are
+/// few.
+struct DisplayBed {
+    Field<float>
+        z;        ///< block lengths; no-data cells next to others continue them, the rest lie low
+    Mask nodata;  ///< empty when nothing is left out
+    float dx = 1.0F;  ///< block lengths
+    float dy = 1.0F;
+};
+
+/// How often each cell is divided: beds of fewer than about 400 cells along the longer side are
+/// refined, so that a paper's 100 × 100 sites do not look faceted, but not beyond the pixels of the
+/// picture's longer side.
+int refinement_of(int nx, int ny, int picture_side);
+
+/// The display bed of a snapshot.
+DisplayBed display_bed(const Snapshot& snapshot, const Block& block, int refinement);
+
+}  // namespace fumon

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+#include "render/view/block.h"
+#include "render/view/camera.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// The block of a view, fixed by the run's first snapshot as it is shown.
+Block framed_block(const View& view, const Snapshot& first);
+
+/// The camera of a view at a step of a run of `last_step` steps, over which it turns.
+Camera camera_at_step(const View& view, const Block& block, std::int64_t step,
+                      std::int64_t last_step);
+
+/// Pixels that one length of the block spans across the picture at the block's middle.
+double pixels_per_length(const Camera& camera, const View& view);
+
+}  // namespace fumon

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "base/snapshot.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// A snapshot as it is drawn, where that is not the snapshot itself:
+///
+/// - a profile (a single row) becomes a strip: look.profile_sites of its sites from
+///   look.profile_start on, a quarter as deep as long and the same all across; where its air is
+///   shown too (look.air, scenic), all of its sites, a third as deep as long. A strip has a section
+///   only then;
+/// - a bed of more than 8192 cells on a side becomes one of fewer cells, each the mean of k × k.
+///
+/// Nothing when the snapshot is drawn as it is.
+std::optional<Snapshot> shown_snapshot(const Snapshot& snapshot, const LookSettings& look);
+
+}  // namespace fumon

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "base/grid.h"
+#include "base/snapshot.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// Depth from which a cell is wet, metres.
+inline constexpr double least_wet_depth = 1e-5;
+
+/// Whether a snapshot has water: the fields "water_depth" (m), "velocity_x" and "velocity_y" (m/s).
+bool has_water(const Snapshot& snapshot);
+
+/// Whether a picture shows water as water: over the bed, by its own looks. A figure does not.
+bool draws_water(const LookSettings& look, const Snapshot& snapshot);
+
+/// 1 where a cell is dry or lies outside the domain. Empty without water.
+Mask dry_cells(const Snapshot& snapshot);
+
+/// The depth in metres of every cell, 0 where it is dry. Throws InputError without water, as do the
+/// two below.
+Field<float> water_depths(const Snapshot& snapshot);
+
+/// The magnitude of the velocity, m/s; 0 where it is dry.
+Field<float> water_speed(const Snapshot& snapshot);
+
+/// The Froude number |u|/√(g h) with g = 9.8 m/s²; 0 where it is dry.
+Field<float> froude_numbers(const Snapshot& snapshot);
+
+/// What is usual in a snapshot's wet cells; all 0 where none is wet.
+struct WaterStatistics {
+    double high_depth = 0.0;    ///< 99th percentile, metres
+    double median_depth = 0.0;  ///< metres
+    double median_froude = 0.0;
+};
+
+WaterStatistics water_statistics(const Snapshot& snapshot);
+
+/// The depth at which the bed is half hidden, metres: look.water_clarity or, if that is "auto",
+/// high_depth · (0.6 + 3.4 (median_depth/high_depth)⁴), so that ponds hide their deepest ground and
+/// a film that is as deep everywhere stays transparent.
+double water_clarity(const LookSettings& look, const WaterStatistics& water);
+
+/// Water on the cells of a display bed. Cells without data are dry.
+struct DisplayWater {
+    Field<float> depth;       ///< metres, ≥ 0
+    Field<float> velocity_x;  ///< m/s
+    Field<float> velocity_y;
+    Field<float> damp;  ///< 1 in wet cells, falling to 0 within two cells around them
+};
+
+DisplayWater display_water(const Snapshot& snapshot, int refinement);
+
+}  // namespace fumon

@@ -1,0 +1,26 @@
+#include "run/drawing.h"
+
+#include <fmt/format.h>
+
+#include "gl/pinned.h"
+
+namespace fumon {
+
+void prepare_drawing(const WorkOptions& work) {
+    if (work.pinned) gl::pin_rendering();
+}
+
+void tell_drawing(const DrawingRecord& drawing, Progress& progress) {
+    const RenderingEnvironment& environment = drawing.environment;
+    if (environment.backend.empty()) return;
+    progress.verbose(fmt::format("{}: {}{}{}{}", environment.backend, environment.renderer,
+                                 environment.gl_version.empty() ? "" : ", OpenGL ",
+                                 environment.gl_version, environment.pinned ? ", pinned" : ""));
+    for (const std::string& line : gl::overridden_by_pinning())
+        progress.verbose("--pinned: " + line);
+    if (!drawing.why_not_pinned.empty()) {
+        progress.note(fmt::format("not pinned, and recorded so: {}", drawing.why_not_pinned));
+    }
+}
+
+}  // namespace fumon

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "run/frame_painter.h"
+#include "run/terminal/progress.h"
+#include "run/terminal/work_options.h"
+
+namespace fumon {
+
+/// Pins rendering if the options ask for it. Call it before any thread starts.
+void prepare_drawing(const WorkOptions& work);
+
+/// Reports which renderer draws, which of the user's settings were overridden, and, if pinning was
+/// asked for but is not possible, why.
+void tell_drawing(const DrawingRecord& drawing, Progress& progress);
+
+}  // namespace fumon

@@ -1,0 +1,47 @@
+#include "run/output_files.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "files/atomic_file.h"
+#include "files/hash.h"
+#include "files/terrain/terrain_format.h"
+#include "picture/png.h"
+#include "run/picture_text.h"
+
+namespace fumon {
+
+FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Picture& picture,
+                        const PictureFacts& facts) {
+    const Snapshot& snapshot = *picture.snapshot;
+    const Sha256 pixels = pixel_hash(*picture.image);
+    const auto write = [&](const std::filesystem::path& file, const PictureText& texts) {
+        write_file(file, encode_png(*picture.image, facts.scene.view.image.dots_per_inch, texts));
+    };
+    if (parts.frames) {
+        write(folder->frame(picture.number),
+              picture_text(facts.resolved, facts.scene, snapshot.step, facts.inputs, pixels,
+                           facts.environment));
+    }
+    if (parts.movie_frames) write(folder->movie_frame(picture.number), {});
+    return {picture.number, snapshot.step, snapshot.time, pixels};
+}
+
+Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameRecord& frame) {
+    const std::filesystem::path file =
+        parts.frames ? folder.frame(frame.number) : folder.movie_frame(frame.number);
+    Image image = read_png(file);
+    if (pixel_hash(image) == frame.pixels) return image;
+    throw Error(
+        fmt::format("{}: its pixels are not those that the run wrote, so the movie cannot "
+                    "be begun again; bring the old file back",
+                    file.string()));
+}
+
+void write_bed(const RunFolder& folder, const Snapshot& snapshot,
+               const std::vector<std::string>& formats) {
+    for (const TerrainBytes& file : bed_files(snapshot, formats))
+        write_file(folder.bed(snapshot.step, file.ending), file.bytes);
+}
+
+}  // namespace fumon

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/image.h"
+#include "picture/environment.h"
+#include "run/frame_list.h"
+#include "run/run_folder.h"
+#include "run/stepper.h"
+#include "scene/initial_bed.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// A frame that was drawn.
+struct Picture {
+    std::int64_t number = 0;
+    SharedSnapshot snapshot;
+    std::shared_ptr<const Image> image;
+};
+
+/// What a run's pictures say of their making.
+struct PictureFacts {
+    const std::string& resolved;  ///< the scene as TOML
+    const Scene& scene;
+    const std::vector<InputFile>& inputs;
+    const RenderingEnvironment& environment;
+};
+
+/// Writes a frame into the folders that a run has for it, if any; `folder` may be nullptr where
+/// there are none. Throws Error.
+FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Picture& picture,
+                        const PictureFacts& facts);
+
+/// Reads a frame that the run wrote before its checkpoint. Throws Error if its pixels have changed.
+Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameRecord& frame);
+
+/// Writes the bed of a snapshot in terrain formats of these names, in metres where there are
+/// metres. Throws Error.
+void write_bed(const RunFolder& folder, const Snapshot& snapshot,
+               const std::vector<std::string>& formats);
+
+}  // namespace fumon

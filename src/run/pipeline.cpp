@@ -1,0 +1,312 @@
+#include "run/pipeline.h"
+
+#include <future>
+#include <memory>
+#include <utility>
+
+#include "base/stopwatch.h"
+#include "base/thread_clock.h"
+#include "base/worker_pool.h"
+#include "files/atomic_file.h"
+#include "files/terrain/terrain_format.h"
+#include "models/shared/check_finite.h"
+#include "models/shared/state_hash.h"
+#include "picture/movie.h"
+#include "run/bounded_queue.h"
+#include "run/output_files.h"
+#include "run/picture_text.h"
+#include "run/stage_threads.h"
+#include "run/step_observers.h"
+#include "run/terminal/interrupt.h"
+#include "run/written_outputs.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr std::size_t items_in_a_queue = 2;  // enough to overlap, few enough for large pictures
+
+/// What is to be drawn: a step, and the measurements up to it that plots show.
+struct Frame {
+    SharedSnapshot snapshot;
+    MeasuredRows rows;
+};
+
+/// One run under way: the queues, and a method for each stage.
+class Pipeline {
+  public:
+    Pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs,
+             const RunOutputs& outputs, const PipelineOptions& options, Progress& progress)
+        : model_(model),
+          scene_(scene),
+          inputs_(inputs),
+          folder_(outputs.folder),
+          movie_(outputs.movie),
+          options_(options),
+          progress_(progress),
+          parts_(folder_ == nullptr ? RunParts{} : run_parts(scene, options.checkpoint_minutes)),
+          pictures_(parts_.frames || movie_),
+          last_step_(options.last_step.value_or(scene.run.steps)),
+          resolved_(resolved_scene(scene, inputs)),
+          first_(options.former != nullptr ? options.former->first : model.snapshot()),
+          written_(options.former != nullptr ? options.former->checkpoint.bed_steps
+                                             : std::vector<std::int64_t>{}) {
+        if (options.former == nullptr) return;
+        const RunCheckpoint& former = options.former->checkpoint;
+        frames_before_ = former.frames.frames;
+        outcome_.steps_before = former.step;
+        outcome_.resumed_at = former.resumed_at;
+        outcome_.resumed_at.push_back(former.step);
+        outcome_.checkpoint = former.step;
+        progress.steps_done = former.step;
+        progress.frames_done = frames_before_;
+    }
+
+    RunOutcome run(const std::function<void(const DrawingRecord&)>& started) {
+        const Stopwatch wall;
+        const double cpu_before = cpu_seconds_of_process();
+        if (pictures_) begin_drawing();
+        try {
+            started(outcome_.drawing);
+        } catch (...) {
+            stages_.abort();
+            throw;
+        }
+        if (pictures_ && folder_ != nullptr)
+            stages_.guard([this] { written_.list_frames(folder_->frame_list(), frames_before_); });
+        progress_.expect(last_step_, pictures_ ? frame_schedule(scene_).count() : 0);
+        stages_.start("fumon-simulate", [this] { simulate(); });
+        if (pictures_) stages_.start("fumon-encode", [this] { write_frames(); });
+        if (movie_) stages_.start("fumon-movie", [this] { write_movie(); });
+        if (parts_.beds) stages_.start("fumon-beds", [this] { write_beds(); });
+        stages_.wait(progress_);
+        stages_.guard([this] { written_.frames().commit(); });
+
+        outcome_.error = stages_.error();
+        if (outcome_.steps_done < last_step_) outcome_.signal = interrupting_signal();
+        outcome_.frames = written_.frames().frames();
+        outcome_.bed_steps = written_.bed_steps();
+        Timing& timing = outcome_.timing;
+        timing.wall = wall.seconds();
+        timing.encoding_wall = frames_wall_ + movie_wall_;
+        timing.encoding_cpu =
+            cpu_seconds_of_process() - cpu_before - timing.simulation_cpu - timing.rendering_cpu;
+        return std::move(outcome_);
+    }
+
+  private:
+    // ---- the stages, in the order in which a frame passes them ----
+
+    void simulate() {
+        std::unique_ptr<Recorder> recorder;
+        try {
+            recorder = make_recorder();
+            if (options_.former != nullptr) recorder->carry(options_.former->measured);
+            const bool at_end = advance(*recorder) == 0;
+            if (!at_end) check_finite(model_.snapshot());
+            outcome_.state = state_hash(model_);
+        } catch (...) {  // what was made before goes its way: the later stages drain their queues
+            stages_.keep(std::current_exception());
+        }
+        outcome_.steps_done = model_.steps_done();
+        outcome_.time = model_.time();
+        outcome_.timing.simulation_cpu = cpu_seconds_of_threads({"fumon-simulate"});
+        to_draw_.close();
+        to_beds_.close();
+        if (!recorder) return;
+        try {
+            recorder->commit();
+        } catch (...) {
+            stages_.keep(std::current_exception());
+        }
+        outcome_.recorded = recorder->recorded();
+    }
+
+    /// Returns the signal that interrupted it, or 0.
+    int advance(Recorder& recorder) {
+        ScheduledSnapshots beds(parts_.beds ? bed_schedule(scene_) : Schedule{},
+                                [&](const auto& snapshot) {
+                                    if (to_beds_.push(snapshot)) written_.send_bed();
+                                });
+        ScheduledSnapshots frames(pictures_ ? frame_schedule(scene_) : Schedule{},
+                                  [&](const auto& snapshot) {
+                                      if (to_draw_.push({snapshot, recorder.rows()}))
+                                          written_.send_frame();
+                                  });
+        CountedSteps count(progress_);
+        std::vector<StepObserver*> observers{&recorder, &beds, &frames, &count};
+        std::optional<Checkpointer> checkpoints;
+        if (folder_ != nullptr && options_.checkpoint_minutes > 0.0) {
+            checkpoints.emplace(*folder_, parts_, options_.checkpoint_minutes, checkpoint_facts(),
+                                written_, recorder,
+                                [this](const std::string& line) { stages_.tell(line); });
+            observers.push_back(&*checkpoints);
+        }
+        Stepper stepper(model_, observers, options_.former != nullptr);
+        const struct Ended {
+            RunOutcome& outcome;
+            const Stepper& stepper;
+            const std::optional<Checkpointer>& checkpoints;
+            ~Ended() {
+                outcome.timing.simulation_wall = stepper.seconds();
+                if (checkpoints && checkpoints->last()) outcome.checkpoint = checkpoints->last();
+            }
+        } ended{outcome_, stepper, checkpoints};
+        return stepper.advance([this](const Model& model) {
+            return model.steps_done() >= last_step_ || stages_.aborted();
+        });
+    }
+
+    void draw(std::promise<void> ready) {
+        WorkerPool pool(options_.threads, "fumon-render");
+        std::unique_ptr<FramePainter> painter;
+        try {
+            painter = make_frame_painter(scene_, first_, options_.backend, pool);
+            outcome_.drawing = painter->record();
+            ready.set_value();
+        } catch (...) {
+            ready.set_exception(std::current_exception());
+            return;
+        }
+        std::int64_t number = frames_before_;
+        while (const auto frame = to_draw_.pop()) {
+            const Stopwatch watch;
+            const Picture picture{
+                number++, frame->snapshot,
+                std::make_shared<const Image>(painter->paint(*frame->snapshot, frame->rows))};
+            outcome_.timing.rendering_wall += watch.seconds();
+            if (!to_frames_.push(picture)) break;
+            if (movie_ && !to_movie_.push(picture)) break;
+        }
+        outcome_.timing.rendering_cpu = cpu_seconds_of_threads({"fumon-render", "llvmpipe"});
+        to_frames_.close();
+        to_movie_.close();
+    }
+
+    void write_frames() {
+        const PictureFacts facts{resolved_, scene_, inputs_, outcome_.drawing.environment};
+        while (const auto picture = to_frames_.pop()) {
+            const Stopwatch watch;
+            const FrameRecord record = write_frame(folder_, parts_, *picture, facts);
+            ++progress_.frames_done;
+            frames_wall_ += watch.seconds();
+            written_.add_frame(record);
+        }
+    }
+
+    void write_movie() {
+        const OutputSettings& output = scene_.output;
+        Movie movie(*movie_, static_cast<int>(scene_.view.image.width),
+                    static_cast<int>(scene_.view.image.height), output.movie_rate,
+                    static_cast<int>(output.movie_quality));
+        std::int64_t frames = 0;
+        if (frames_before_ > 0) {
+            FrameListReader former(folder_->frame_list());
+            for (; frames < frames_before_; ++frames)
+                movie.add(read_frame(*folder_, parts_, former.next()));
+        }
+        while (const auto picture = to_movie_.pop()) {
+            const Stopwatch watch;
+            movie.add(*picture->image);
+            ++frames;
+            movie_wall_ += watch.seconds();
+        }
+        PictureText texts;  // none where the run broke off
+        if (written_.wait_for_all())
+            texts = movie_text(resolved_, scene_, inputs_, written_.frames(),
+                               outcome_.drawing.environment);
+        const Stopwatch watch;
+        movie.finish(texts);
+        movie_wall_ += watch.seconds();
+        outcome_.movie = {frames, movie.padded_width(), movie.padded_height()};
+    }
+
+    void write_beds() {
+        while (const auto snapshot = to_beds_.pop()) {
+            write_bed(*folder_, **snapshot, scene_.output.bed_format);
+            written_.add_bed((*snapshot)->step);
+        }
+    }
+
+    // ---- what they need, and how they end ----
+
+    /// Starts the drawing thread and waits until it is ready. Rethrows the error that keeps it from
+    /// drawing.
+    void begin_drawing() {
+        std::promise<void> ready;
+        auto is_ready = ready.get_future();
+        auto promise = std::make_shared<std::promise<void>>(std::move(ready));
+        stages_.start("fumon-render", [this, promise] { draw(std::move(*promise)); });
+        is_ready.get();
+    }
+
+    [[nodiscard]] std::unique_ptr<Recorder> make_recorder() const {
+        Recording recording;
+        if (folder_ != nullptr) recording.files = folder_->records();
+        recording.resolved = resolved_;
+        recording.plots = pictures_;
+        std::optional<RecordPositions> former;
+        if (options_.former != nullptr) former = options_.former->checkpoint.records;
+        return std::make_unique<Recorder>(scene_, first_, std::move(recording), former);
+    }
+
+    /// What all checkpoints of the run hold.
+    [[nodiscard]] RunCheckpoint checkpoint_facts() const {
+        RunCheckpoint facts;
+        facts.scene = resolved_;
+        facts.inputs = inputs_;
+        facts.drawing = environment_text(outcome_.drawing.environment);
+        facts.resumed_at = outcome_.resumed_at;
+        return facts;
+    }
+
+    void stop() {
+        written_.abort();
+        to_draw_.abort();
+        to_beds_.abort();
+        to_frames_.abort();
+        to_movie_.abort();
+    }
+
+    Model& model_;
+    const Scene& scene_;
+    const std::vector<InputFile>& inputs_;
+    RunFolder* folder_;  ///< none: nothing but the movie is written
+    std::optional<std::filesystem::path> movie_;
+    PipelineOptions options_;
+    Progress& progress_;
+    RunParts parts_;
+    bool pictures_;
+    std::int64_t last_step_;
+    std::string resolved_;
+    Snapshot first_;
+    WrittenOutputs written_;
+    RunOutcome outcome_;
+    std::int64_t frames_before_ = 0;  ///< of a former run
+    double frames_wall_ = 0.0;        // of two threads, added up at the end
+    double movie_wall_ = 0.0;
+
+    BoundedQueue<Frame> to_draw_{items_in_a_queue};
+    BoundedQueue<SharedSnapshot> to_beds_{items_in_a_queue};
+    BoundedQueue<Picture> to_frames_{items_in_a_queue};
+    BoundedQueue<Picture> to_movie_{items_in_a_queue};
+
+    StageThreads stages_{[this] { stop(); }};  // last: joined before what they use goes
+};
+
+}  // namespace
+
+RunOutputs outputs_in(RunFolder& folder, const Scene& scene) {
+    RunOutputs outputs{&folder};
+    if (scene.output.movie) outputs.movie = folder.movie();
+    return outputs;
+}
+
+RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs,
+                        const RunOutputs& outputs, const PipelineOptions& options,
+                        Progress& progress,
+                        const std::function<void(const DrawingRecord&)>& started) {
+    return Pipeline(model, scene, inputs, outputs, options, progress).run(started);
+}
+
+}  // namespace fumon

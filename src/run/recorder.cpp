@@ -1,0 +1,119 @@
+#include "run/recorder.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <exception>
+#include <span>
+#include <utility>
+
+#include "files/avalanche_table.h"
+#include "scene/overlay_keys.h"
+
+namespace fumon {
+
+namespace {
+
+std::vector<std::string> gathered_columns(const Scene& scene, const Recording& recording) {
+    return recording.plots ? plotted_columns(scene) : std::vector<std::string>{};
+}
+
+MeasureSuite suite_for(const Snapshot& first) {
+    return MeasureSuite(measured_landform(first), first);
+}
+
+}  // namespace
+
+Recorder::Recorder(const Scene& scene, const Snapshot& first, Recording recording,
+                   const std::optional<RecordPositions>& former)
+    : suite_(suite_for(first)),
+      plotted_(gathered_columns(scene, recording), suite_.columns(), first) {
+    const bool writes = recording.files.has_value();
+    const bool tabulates = writes && scene.output.measurements;
+    measures_ = tabulates || !plotted_.rows().columns.empty();
+    lists_avalanches_ = writes && scene.output.avalanches;
+    if (measures_) measured_ = measurement_schedule(scene);
+    if (writes) {
+        fielded_ = fields_schedule(scene);
+        paths_ = std::move(*recording.files);
+        text_ = {scene.title, std::move(recording.resolved), scene.seed};
+    }
+    if (former) {
+        const RecordPositions& at = *former;
+        if (at.avalanches >= 0) avalanches_.emplace(paths_.avalanches, at.avalanches);
+        if (at.measurements >= 0) measurements_.emplace(paths_.measurements, at.measurements);
+        if (at.fields >= 0) fields_.emplace(paths_.fields, first, text_, at.fields);
+        return;
+    }
+    if (!tabulates) return;
+    measurements_.emplace(paths_.measurements);
+    std::string header = "step,time";
+    for (const MeasureColumn& column : suite_.columns()) header += "," + column.name;
+    measurements_->write(header + "\n");
+}
+
+bool Recorder::wants(std::int64_t step) const {
+    return measured_.due(step) || fielded_.due(step);
+}
+
+void Recorder::take(const SharedSnapshot& snapshot) {
+    if (measured_.due(snapshot->step)) measure(*snapshot);
+    if (fielded_.due(snapshot->step)) record_fields(*snapshot);
+}
+
+void Recorder::after_step(const Model& model) {
+    const std::span<const Avalanche> avalanches = model.avalanches();
+    if (avalanches.empty()) return;
+    if (measures_) suite_.note(avalanches);
+    if (!lists_avalanches_) return;
+    if (!avalanches_) avalanches_.emplace(paths_.avalanches);
+    avalanches_->add(avalanches);
+}
+
+void Recorder::measure(const Snapshot& snapshot) {
+    const std::vector<double> row = suite_.row(snapshot);
+    plotted_.take(snapshot, row);
+    if (!measurements_) return;
+    std::string line = fmt::format("{},{}", snapshot.step, snapshot.time);
+    for (const double value : row) line += std::isnan(value) ? "," : fmt::format(",{}", value);
+    measurements_->write(line + "\n");
+}
+
+void Recorder::record_fields(const Snapshot& snapshot) {
+    if (!fields_) fields_.emplace(paths_.fields, snapshot, text_);
+    fields_->add(snapshot);
+}
+
+RecordPositions Recorder::sync() {
+    RecordPositions at;
+    if (measurements_) {
+        measurements_->sync();
+        at.measurements = measurements_->length();
+    }
+    if (avalanches_) at.avalanches = avalanches_->sync();
+    if (fields_) {
+        fields_->sync();
+        at.fields = fields_->records();
+    }
+    return at;
+}
+
+void Recorder::commit() {
+    std::exception_ptr first;
+    const auto commit_one = [&](auto& file, bool& written) {
+        if (!file) return;
+        try {
+            file->commit();
+            written = true;
+        } catch (...) {
+            if (!first) first = std::current_exception();
+        }
+        file.reset();
+    };
+    commit_one(avalanches_, recorded_.avalanches);
+    commit_one(fields_, recorded_.fields);
+    commit_one(measurements_, recorded_.measurements);
+    if (first) std::rethrow_exception(first);
+}
+
+}  // namespace fumon

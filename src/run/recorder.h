@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/snapshot.h"
+#include "files/atomic_file.h"
+#include "files/avalanche_table.h"
+#include "files/netcdf/netcdf_fields.h"
+#include "measure/measured_rows.h"
+#include "measure/suite.h"
+#include "run/stepper.h"
+#include "scene/scene.h"
+#include "scene/schedule.h"
+
+namespace fumon {
+
+/// Where a recorder writes.
+struct RecordPaths {
+    std::filesystem::path measurements;
+    std::filesystem::path avalanches;
+    std::filesystem::path fields;
+};
+
+/// How long a recorder's files were when a checkpoint was made; −1: there was no file.
+struct RecordPositions {
+    std::int64_t measurements = -1;  ///< bytes
+    std::int64_t avalanches = -1;    ///< bytes
+    std::int64_t fields = -1;        ///< records
+};
+
+/// What a recorder has written: the files that exist under their final names.
+struct Recorded {
+    bool measurements = false;
+    bool avalanches = false;
+    bool fields = false;
+};
+
+/// What a recorder is made for.
+struct Recording {
+    std::optional<RecordPaths> files;  ///< none: it writes nothing
+    std::string resolved;              ///< the scene as TOML, for fields.nc
+    bool plots = false;                ///< frames are drawn: it gathers what plots over them show
+};
+
+/// Writes what a simulation leaves besides pictures and beds, as its scene asks:
+///
+///     measurements.csv   step, time and the measures of MeasureSuite; an empty cell where a
+///                        measure has no meaning
+///     avalanches.csv     one row an avalanche; no file until there is one
+///     fields.nc          every field of the snapshot, as NetCDF
+///
+/// It also gathers the measurements that plots over the frames show (overlays).
+/// The files get their names by commit(); without it they vanish with the recorder.
+class Recorder : public StepObserver {
+  public:
+    /// `first` is the run's first snapshot. With positions of a former run, goes on with its files.
+    /// Throws Error when a file cannot be made, InputError where one cannot be gone on with.
+    Recorder(const Scene& scene, const Snapshot& first, Recording recording,
+             const std::optional<RecordPositions>& former = std::nullopt);
+
+    /// Whether a step's snapshot is to be recorded.
+    [[nodiscard]] bool wants(std::int64_t step) const override;
+
+    /// Records a snapshot. Throws Error on a full disk or any failed write; the rows before stay
+    /// whole.
+    void take(const SharedSnapshot& snapshot) override;
+
+    /// Takes the step's avalanches. Throws as take().
+    void after_step(const Model& model) override;
+
+    /// The measurements so far that plots over the frames show.
+    [[nodiscard]] const MeasuredRows& rows() const { return plotted_.rows(); }
+
+    /// Puts all that was recorded on disk, and tells how far the files have come.
+    [[nodiscard]] RecordPositions sync();
+    /// Saves or restores what later rows and plots need from earlier rows. Throws as StateCarrier
+    /// does.
+    void carry(StateCarrier& carrier) {
+        suite_.carry(carrier);
+        plotted_.carry(carrier);
+    }
+
+    /// Gives every file its final name, even if one fails; then throws the first Error.
+    void commit();
+    [[nodiscard]] const Recorded& recorded() const { return recorded_; }
+
+  private:
+    void measure(const Snapshot& snapshot);
+    void record_fields(const Snapshot& snapshot);
+
+    RecordPaths paths_;
+    FieldsText text_;
+    Schedule measured_;
+    Schedule fielded_;
+    bool measures_ = false;
+    bool lists_avalanches_ = false;
+    MeasureSuite suite_;
+    RowGatherer plotted_;
+    std::optional<AtomicFile> measurements_;
+    std::optional<AvalancheFile> avalanches_;
+    std::optional<FieldsFile> fields_;
+    Recorded recorded_;
+};
+
+}  // namespace fumon

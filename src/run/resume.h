@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "files/checkpoint.h"
+#include "run/prepared_run.h"
+#include "run/run_checkpoint.h"
+#include "run/run_folder.h"
+#include "run/terminal/work_options.h"
+
+namespace fumon {
+
+/// A run restored from its checkpoint; its model is at the checkpoint's step.
+struct ResumedRun {
+    PreparedRun run;
+    RunCheckpoint checkpoint;
+    Snapshot first;  ///< before the run's first step
+    /// What is left of the checkpoint: what the measures remember.
+    std::unique_ptr<CheckpointReader> rest;
+};
+
+/// Restores the run of a folder that was entered. Throws InputError, with nothing changed, if the
+/// checkpoint is damaged or of another version of fumon, if `asked` (with its settings) is not the
+/// run's scene, if a file that the scene reads has changed, or if frames that the checkpoint counts
+/// are missing.
+ResumedRun resume_run(const RunFolder& folder, const std::string& asked,
+                      const WorkOptions& options);
+
+}  // namespace fumon

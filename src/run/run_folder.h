@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/folder_lock.h"
+#include "run/recorder.h"
+
+namespace fumon {
+
+struct RunCheckpoint;
+
+/// Which folders a run has in its own.
+struct RunParts {
+    bool frames = false;
+    bool movie_frames = false;  ///< of a movie without frames, so that it can be begun again
+    bool beds = false;
+};
+
+/// `checkpoint_minutes`: between checkpoints; 0: none, so that nothing is kept for them.
+RunParts run_parts(const Scene& scene, double checkpoint_minutes);
+
+/// Makes a folder and its parents, if they are not there yet. Throws Error.
+void make_folder(const std::filesystem::path& folder);
+
+/// The folder of one run: run.json, frames/frame_000000.png …, movie.mp4, measurements.csv,
+/// avalanches.csv, fields.nc, beds/bed_00001000.asc (or another terrain format); and while the run
+/// is not complete checkpoint.fumon and frames.fumon (run/frame_list.h) and, where a movie is made
+/// and no frames,
+/// movie_frames/frame_000000.png …, from which the movie can be begun again. One program works in
+/// it at a time.
+class RunFolder {
+  public:
+    /// Makes nothing yet. Throws InputError when the folder already holds a run and `force` is not
+    /// given, or when the path is a file.
+    RunFolder(std::filesystem::path folder, bool force);
+
+    /// Creates the folder (and its parents), locks it and deletes the files of an earlier run.
+    /// Throws Error, and InputError if another program is working in it or has filled it in the
+    /// meantime.
+    void create(const RunParts& parts);
+
+    /// Locks the folder of a run to resume. Throws InputError if it holds no such run or another
+    /// program is working in it.
+    void enter();
+    /// Whether its run.json says that the run is complete.
+    [[nodiscard]] bool is_complete() const;
+    /// Deletes what the run wrote after its checkpoint. Throws Error.
+    void go_on(const RunParts& parts, const RunCheckpoint& checkpoint);
+    /// Deletes what a complete run no longer needs.
+    void tidy() const;
+    /// Takes away the list of frames, which a run without a checkpoint needs no more.
+    void forget_frames() const;
+
+    [[nodiscard]] std::filesystem::path manifest() const { return folder_ / "run.json"; }
+    [[nodiscard]] std::filesystem::path movie() const { return folder_ / "movie.mp4"; }
+    [[nodiscard]] RecordPaths records() const {
+        return {folder_ / "measurements.csv", folder_ / "avalanches.csv", folder_ / "fields.nc"};
+    }
+    [[nodiscard]] std::filesystem::path frame(std::int64_t number) const {
+        return folder_ / frame_name(number);
+    }
+    [[nodiscard]] std::filesystem::path movie_frame(std::int64_t number) const;
+    [[nodiscard]] std::filesystem::path checkpoint() const { return folder_ / "checkpoint.fumon"; }
+    [[nodiscard]] std::filesystem::path frame_list() const { return folder_ / "frames.fumon"; }
+    /// `ending`: of its terrain format, ".asc".
+    [[nodiscard]] std::filesystem::path bed(std::int64_t step, std::string_view ending) const {
+        return folder_ / bed_name(step, ending);
+    }
+    /// The files there are of the bed of a step.
+    [[nodiscard]] std::vector<std::filesystem::path> beds(std::int64_t step) const;
+    [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
+
+    /// Names within the folder, as the manifest lists them.
+    [[nodiscard]] static std::string frame_name(std::int64_t number);
+    [[nodiscard]] static std::string bed_name(std::int64_t step, std::string_view ending);
+
+  private:
+    void refuse_former_run() const;
+    void make_parts(const RunParts& parts) const;
+
+    std::filesystem::path folder_;
+    bool force_;
+    std::optional<FolderLock> lock_;
+};
+
+}  // namespace fumon

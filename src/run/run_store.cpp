@@ -1,0 +1,180 @@
+#include "run/run_store.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "files/atomic_file.h"
+#include "files/file_lock.h"
+#include "files/input_file.h"
+#include "files/netcdf/netcdf_record.h"
+#include "files/snapshot_outline.h"
+#include "models/registry.h"
+#include "models/shared/state_hash.h"
+#include "run/picture_text.h"
+#include "run/prepared_run.h"
+#include "run/recorder.h"
+#include "run/run_folder.h"
+#include "run/run_identity.h"
+#include "run/simulate.h"
+#include "scene/json.h"
+#include "scene/scene_roles.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* manifest_name = "job.json";
+
+void take_away(const fs::path& path) {
+    std::error_code fault;
+    fs::remove_all(path, fault);
+}
+
+void move_to(const fs::path& from, const fs::path& to) {
+    std::error_code fault;
+    fs::rename(from, to, fault);
+    if (fault) throw Error(fmt::format("cannot write {}: {}", to.string(), fault.message()));
+}
+
+void write_manifest(const fs::path& folder, const StoredRun& run, const RunRecord& record,
+                    nlohmann::ordered_json outline) {
+    nlohmann::ordered_json json;
+    json["fumon"] = FUMON_VERSION;
+    json["id"] = hex(run.id);
+    json["label"] = run.label;
+    json["steps"] = record.steps;
+    json["fields_at"] = run.steps;
+    json["wall_seconds"] = record.wall_seconds;
+    json["state_sha256"] = record.state;
+    json["snapshots"] = std::move(outline);
+    write_file(folder / manifest_name, json_text(json, 2) + "\n");
+}
+
+}  // namespace
+
+StoredRun stored_run(const Scene& scene, const InitialBed& initial) {
+    StoredRun run{only_roles(scene, measured_roles), {}, {}, {}, 0.0};
+    Scene& stored = run.scene;
+    if (!initial.inputs.empty()) {
+        stored.bed.file = initial.inputs.front().path;
+        stored.directory.clear();
+    }
+    if (stored.output.measure_every > 0) stored.frames = {};  // they decide nothing then
+    run.id = text_hash(hex(run_id(stored, initial)) + " fumon " FUMON_VERSION);
+    run.work = static_cast<double>(scene.grid.nx) * static_cast<double>(scene.grid.ny) *
+               static_cast<double>(scene.run.steps + 1);
+    return run;
+}
+
+fs::path RunStore::place(const StoredRun& run) const {
+    constexpr std::size_t digits = 16;
+    return folder_ / hex(run.id).substr(0, digits);
+}
+
+fs::path RunStore::measurements(const StoredRun& run) const {
+    return place(run) / "measurements.csv";
+}
+
+fs::path RunStore::avalanches(const StoredRun& run) const {
+    return place(run) / "avalanches.csv";
+}
+
+fs::path RunStore::fields(const StoredRun& run) const {
+    return place(run) / "fields.nc";
+}
+
+std::optional<RunStore::Content> RunStore::content(const StoredRun& run) const {
+    const fs::path manifest = place(run) / manifest_name;
+    std::error_code fault;
+    if (!fs::exists(manifest, fault)) return std::nullopt;
+    try {
+        const auto json = nlohmann::json::parse(read_input_file(manifest));
+        if (json.at("id") != hex(run.id) || !fs::exists(measurements(run))) return std::nullopt;
+        Content content{json.at("fields_at"), read_outline(json.at("snapshots"))};
+        if (!content.steps.empty() && !fs::exists(fields(run))) return std::nullopt;
+        content.outline.landform = find_model(run.scene.model.name)->landform;
+        return content;
+    } catch (const nlohmann::json::exception&) {
+        return std::nullopt;
+    } catch (const InputError&) {
+        return std::nullopt;  // another program has just taken it away, or no bed has its size
+    }
+}
+
+bool RunStore::holds(const StoredRun& run) const {
+    const std::optional<Content> there = content(run);
+    return there && std::ranges::includes(there->steps, run.steps);
+}
+
+std::optional<Snapshot> RunStore::outline(const StoredRun& run) const {
+    std::optional<Content> there = content(run);
+    if (!there) return std::nullopt;
+    return std::move(there->outline);
+}
+
+Snapshot RunStore::snapshot(const StoredRun& run, std::int64_t step) const {
+    std::optional<Snapshot> known = outline(run);
+    if (!known) throw InputError(fmt::format("{}: is damaged; delete it", place(run).string()));
+    return read_fields_snapshot(fields(run), step, std::move(*known));
+}
+
+Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
+                       std::atomic<double>& cell_steps) const {
+    const Stopwatch watch;
+    make_folder(folder_);
+    fs::path lock_file = place(run);
+    lock_file += ".lock";
+    const FileLock lock(lock_file);
+    if (!lock.held()) return Attempt::busy;
+    if (holds(run)) return Attempt::done;
+
+    StoredRun wanted = run;
+    if (const std::optional<Content> there = content(run))
+        wanted.steps.insert(there->steps.begin(), there->steps.end());
+    wanted.scene.output.fields_at.assign(wanted.steps.begin(), wanted.steps.end());
+
+    fs::path made = place(run);
+    made += ".part";
+    take_away(made);  // what a killed program may have left
+    make_folder(made);
+    try {
+        PreparedRun prepared = prepare_run(wanted.scene, threads);
+        if (stored_run(prepared.scene, prepared.initial).id != run.id)
+            throw Error("a file that it reads has changed since the start");
+        const Snapshot first = prepared.model->snapshot();
+        Recorder recorder(
+            prepared.scene, first,
+            {RecordPaths{made / "measurements.csv", made / "avalanches.csv", made / "fields.nc"},
+             resolved_scene(prepared.scene, prepared.initial.inputs)});
+        if (!simulate(prepared, recorder, record.steps, cell_steps)) {
+            take_away(made);
+            return Attempt::interrupted;
+        }
+        record.state = hex(state_hash(*prepared.model));
+        record.wall_seconds = watch.seconds();
+        write_manifest(made, wanted, record, outline_json(first));
+        put(made, run);
+    } catch (...) {
+        take_away(made);
+        throw;
+    }
+    return Attempt::done;
+}
+
+void RunStore::put(const fs::path& made, const StoredRun& run) const {
+    fs::path former = place(run);
+    former += ".former";
+    take_away(former);
+    if (fs::exists(place(run))) move_to(place(run), former);
+    move_to(made, place(run));
+    take_away(former);
+}
+
+}  // namespace fumon

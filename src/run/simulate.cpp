@@ -1,0 +1,50 @@
+#include "run/simulate.h"
+
+#include "run/stepper.h"
+
+namespace fumon {
+
+namespace {
+
+/// Counts for those who wait for many runs.
+class SharedCounts : public StepObserver {
+  public:
+    SharedCounts(std::size_t cells, std::int64_t& steps, std::atomic<double>& cell_steps)
+        : cells_(static_cast<double>(cells)), steps_(steps), cell_steps_(cell_steps) {}
+    void after_step(const Model& model) override {
+        steps_ = model.steps_done();
+        cell_steps_ += cells_;
+    }
+
+  private:
+    double cells_;
+    std::int64_t& steps_;
+    std::atomic<double>& cell_steps_;
+};
+
+/// A failing run keeps what it measured before, if that can still be written.
+void keep(Recorder& recorder) {
+    try {
+        recorder.commit();
+    } catch (const std::exception&) {
+        return;  // the run's own fault is what is told
+    }
+}
+
+}  // namespace
+
+bool simulate(PreparedRun& prepared, Recorder& recorder, std::int64_t& steps,
+              std::atomic<double>& cell_steps) {
+    SharedCounts counted(prepared.initial.bed.size(), steps, cell_steps);
+    Stepper stepper(*prepared.model, {&recorder, &counted});
+    try {
+        if (stepper.advance(at_step(prepared.scene.run.steps)) != 0) return false;
+    } catch (...) {
+        keep(recorder);
+        throw;
+    }
+    recorder.commit();
+    return true;
+}
+
+}  // namespace fumon

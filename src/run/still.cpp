@@ -1,0 +1,81 @@
+#include "run/still.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "base/error.h"
+#include "files/atomic_file.h"
+#include "picture/png.h"
+#include "run/drawing.h"
+#include "run/picture_text.h"
+#include "run/step_observers.h"
+#include "scene/overlay_keys.h"
+
+namespace fumon {
+
+namespace {
+
+int advance(PreparedRun& prepared, const RunEnd& end, Progress& progress) {
+    Model& model = *prepared.model;
+    const bool gathers = prepared.plotted != nullptr;
+    if (!gathers && !plotted_columns(prepared.scene).empty()) {
+        Recording plots_alone;
+        plots_alone.plots = true;
+        prepared.plotted =
+            std::make_unique<Recorder>(prepared.scene, model.snapshot(), std::move(plots_alone));
+    }
+    ShownSteps shown(progress);
+    std::vector<StepObserver*> observers{&shown};
+    if (prepared.plotted) observers.insert(observers.begin(), prepared.plotted.get());
+    const int signal = Stepper(model, std::move(observers), gathers).advance(end);
+    if (signal == 0) progress.clear();
+    return signal;
+}
+
+}  // namespace
+
+int advance_to(PreparedRun& prepared, std::int64_t step, Progress& progress) {
+    progress.expect(step, 0);
+    return advance(prepared, at_step(step), progress);
+}
+
+int advance_to_time(PreparedRun& prepared, double time, const std::string& asked,
+                    Progress& progress) {
+    const std::int64_t last_step = prepared.scene.run.steps;
+    progress.expect(last_step, 0);
+    const RunEnd end = [&](const Model& model) {
+        return model.time() >= time || model.steps_done() >= last_step;
+    };
+    const int signal = advance(prepared, end, progress);
+    if (signal == 0 && prepared.model->time() < time) {
+        throw InputError(fmt::format("{} is after the run's end at {} {}; lengthen run.steps",
+                                     asked, prepared.model->time(), prepared.model->time_unit()));
+    }
+    return signal;
+}
+
+Drawing draw_present(PreparedRun& prepared, const Snapshot& first, const WorkOptions& work) {
+    WorkerPool pool(work.threads, "fumon-render");
+    const auto painter = make_frame_painter(prepared.scene, first, work.backend, pool);
+    const MeasuredRows rows = prepared.plotted ? prepared.plotted->rows() : MeasuredRows{};
+    return {painter->paint(prepared.model->snapshot(), rows), painter->record()};
+}
+
+DrawnStill draw_still(PreparedRun& prepared, const Snapshot& first, const std::string& file,
+                      const WorkOptions& work, Progress& progress) {
+    const Scene& scene = prepared.scene;
+    const auto [image, drawing] = draw_present(prepared, first, work);
+    tell_drawing(drawing, progress);
+    const Sha256 pixels = pixel_hash(image);
+    const auto texts = picture_text(resolved_scene(scene, prepared.initial.inputs), scene,
+                                    prepared.model->steps_done(), prepared.initial.inputs, pixels,
+                                    drawing.environment);
+    write_file(file, encode_png(image, scene.view.image.dots_per_inch, texts));
+    if (drawing.exaggeration != 1.0) {
+        progress.note(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));
+    }
+    return {pixels, drawing.environment};
+}
+
+}  // namespace fumon

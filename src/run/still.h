@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "base/image.h"
+#include "base/snapshot.h"
+#include "files/hash.h"
+#include "run/frame_painter.h"
+#include "run/prepared_run.h"
+#include "run/terminal/progress.h"
+#include "run/terminal/work_options.h"
+
+namespace fumon {
+
+/// Advances the model to a step, showing progress, and gathers what plots over the frames show.
+/// Returns the signal that stopped it early, or 0. Throws as Stepper::advance().
+int advance_to(PreparedRun& prepared, std::int64_t step, Progress& progress);
+
+/// Advances until the model reaches a time. Throws InputError if the run ends before it, naming the
+/// option ("--time 5").
+int advance_to_time(PreparedRun& prepared, double time, const std::string& asked,
+                    Progress& progress);
+
+/// A picture's pixel hash, and what drew it.
+struct DrawnStill {
+    Sha256 pixels{};
+    RenderingEnvironment environment;
+};
+
+/// A picture of the model's present state, and what drew it.
+struct Drawing {
+    Image image;
+    DrawingRecord record;
+};
+
+/// Draws the model's present state as the run's frame of that step; `first` is the run's first.
+Drawing draw_present(PreparedRun& prepared, const Snapshot& first, const WorkOptions& work);
+
+/// The same, written whole with its metadata.
+DrawnStill draw_still(PreparedRun& prepared, const Snapshot& first, const std::string& file,
+                      const WorkOptions& work, Progress& progress);
+
+}  // namespace fumon

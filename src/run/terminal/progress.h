@@ -1,0 +1,46 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+
+#include "base/stopwatch.h"
+#include "run/terminal/status_line.h"
+
+namespace fumon {
+
+/// Reports on standard error how far a run is. The pipeline's threads count; one thread prints.
+class Progress {
+  public:
+    Progress(Verbosity verbosity, std::int64_t cells) : status_(verbosity), cells_(cells) {}
+
+    /// What is to be done. Without frames the line shows steps alone.
+    void expect(std::int64_t steps, std::int64_t frames);
+
+    std::atomic<std::int64_t> steps_done{0};
+    std::atomic<std::int64_t> frames_done{0};
+
+    /// Prints the progress line if it is time to. Called often, by one thread.
+    void show();
+
+    /// Prints a message above the progress line.
+    void note(const std::string& line) { status_.note(line); }        ///< unless quiet
+    void verbose(const std::string& line) { status_.verbose(line); }  ///< only when verbose
+
+    /// Clears the progress line.
+    void clear() { status_.clear(); }
+
+  private:
+    [[nodiscard]] std::string line() const;
+
+    StatusLine status_;
+    std::int64_t cells_;
+    std::int64_t steps_ = 0;
+    std::int64_t frames_ = 0;
+    Stopwatch watch_;
+};
+
+/// "0:07", "12:34", "3:05:10".
+std::string clock_text(double seconds);
+
+}  // namespace fumon

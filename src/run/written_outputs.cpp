@@ -1,0 +1,46 @@
+#include "run/written_outputs.h"
+
+namespace fumon {
+
+void WrittenOutputs::list_frames(const std::filesystem::path& file, std::int64_t frames_before) {
+    frames_ = std::make_unique<FrameList>(file, frames_before);
+    frames_sent_ = frames_before;
+}
+
+void WrittenOutputs::send_frame() {
+    const std::lock_guard lock(mutex_);
+    ++frames_sent_;
+}
+
+void WrittenOutputs::send_bed() {
+    const std::lock_guard lock(mutex_);
+    ++beds_sent_;
+}
+
+void WrittenOutputs::add_frame(const FrameRecord& frame) {
+    const std::lock_guard lock(mutex_);
+    frames_->add(frame);
+    written_.notify_all();
+}
+
+void WrittenOutputs::add_bed(std::int64_t step) {
+    const std::lock_guard lock(mutex_);
+    bed_steps_.push_back(step);
+    written_.notify_all();
+}
+
+bool WrittenOutputs::wait_for_all() {
+    std::unique_lock lock(mutex_);
+    written_.wait(lock, [this] {
+        return aborted_ || (frames_->frames() >= frames_sent_ && bed_steps_.size() >= beds_sent_);
+    });
+    return !aborted_;
+}
+
+void WrittenOutputs::abort() {
+    const std::lock_guard lock(mutex_);
+    aborted_ = true;
+    written_.notify_all();
+}
+
+}  // namespace fumon

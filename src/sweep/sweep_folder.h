@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "files/folder_lock.h"
+#include "run/parallel_runs.h"
+#include "run/recorder.h"
+#include "sweep/sweep_plan.h"
+
+namespace fumon {
+
+/// The folder of a sweep:
+///
+///     sweep.json      what is swept, and which run has which number
+///     runs/0001.csv   measurements of run 1 (0001-avalanches.csv, 0001-fields.nc), and 0001.json,
+///                     written last: the run is done
+///     sweep.csv       all measurements, a row a run and recorded step
+///     runs.csv        what became of each run
+///
+/// A run keeps its number: the runs that a later, larger sweep adds get the next ones. Only one
+/// program works in a folder at a time.
+class SweepFolder {
+  public:
+    /// Opens or creates the folder, locks it, numbers the runs and writes sweep.json. Throws
+    /// InputError, with nothing changed, if the folder holds a sweep with a run that this plan
+    /// lacks (unless `force`, which deletes that sweep) or if another program is working there.
+    SweepFolder(std::filesystem::path folder, const SweepPlan& plan, bool force);
+    SweepFolder(const SweepFolder&) = delete;
+    SweepFolder& operator=(const SweepFolder&) = delete;
+
+    /// The plan's runs in the order of their numbers: run n is plan.runs[order()[n - 1]].
+    [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
+
+    /// The record of a run that is done, else a pending one.
+    [[nodiscard]] RunRecord read_record(std::size_t number) const;
+
+    /// Marks a run as done, after its files. Throws Error.
+    void write_record(std::size_t number, const RunRecord& record) const;
+
+    [[nodiscard]] RecordPaths paths(std::size_t number) const;
+
+    /// Writes runs.csv, and sweep.csv from the files of the runs that are done. Throws Error.
+    /// records[n - 1] is run n's.
+    void write_runs(const std::vector<RunRecord>& records) const;
+    void write_table(const std::vector<RunRecord>& records) const;
+
+    [[nodiscard]] std::filesystem::path table() const { return folder_ / "sweep.csv"; }
+
+  private:
+    [[nodiscard]] std::filesystem::path manifest() const { return folder_ / "sweep.json"; }
+    [[nodiscard]] std::filesystem::path file(std::size_t number, const char* end) const;
+    [[nodiscard]] const SweepRun& run(std::size_t number) const {
+        return plan_.runs[order_[number - 1]];
+    }
+    void number_runs();
+    void clear() const;
+    void write_manifest() const;
+
+    std::filesystem::path folder_;
+    const SweepPlan& plan_;
+    std::vector<std::size_t> order_;
+    std::optional<FolderLock> lock_;
+};
+
+}  // namespace fumon

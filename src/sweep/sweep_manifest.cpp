@@ -1,0 +1,100 @@
+#include "sweep/sweep_manifest.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "scene/json.h"
+
+namespace fumon {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json axes_json(const SweepPlan& plan) {
+    Json axes = Json::array();
+    for (const SweepAxis& axis : plan.axes) {
+        Json values = Json::array();
+        for (const Override& value : axis.values) values.push_back(plain_text(value));
+        axes.push_back({{"keys", axis.keys}, {"values", values}});
+    }
+    return axes;
+}
+
+std::string axis_keys(const Json& axes) {
+    std::vector<std::string> names;
+    for (const Json& axis : axes) {
+        const auto keys = axis.at("keys").get<std::vector<std::string>>();
+        names.push_back(fmt::format("{}", fmt::join(keys, "+")));
+    }
+    return names.empty() ? "no key" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string input_difference(const Json& former, const SweepPlan& plan) {
+    for (const Json& input : former) {
+        const auto path = input.at("path").get<std::string>();
+        const auto hash = input.at("sha256").get<std::string>();
+        const auto same = [&](const InputFile& known) { return known.hash == hash; };
+        if (std::any_of(plan.inputs.begin(), plan.inputs.end(), same)) continue;
+        const auto changed = [&](const InputFile& known) { return known.path == path; };
+        if (std::any_of(plan.inputs.begin(), plan.inputs.end(), changed))
+            return fmt::format("{} has changed since", path);
+    }
+    return {};
+}
+
+std::string value_difference(const Json& former, const Json& now) {
+    for (std::size_t axis = 0; axis < former.size(); ++axis) {
+        const Json& values = now[axis]["values"];
+        for (const Json& value : former[axis].at("values")) {
+            if (std::find(values.begin(), values.end(), value) != values.end()) continue;
+            return fmt::format("it has {}={}, which is no longer among the values",
+                               axis_keys(Json::array({former[axis]})), value.get<std::string>());
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string sweep_manifest(const SweepPlan& plan, const std::vector<std::size_t>& order) {
+    Json json;
+    json["fumon"] = FUMON_VERSION;
+    json["scene"] = plan.base;
+    json["over"] = axes_json(plan);
+    json["seeds"] = {{"first", plan.seeds.first}, {"last", plan.seeds.last}};
+    json["inputs"] = Json::array();
+    for (const InputFile& input : plan.inputs)
+        json["inputs"].push_back({{"path", input.path}, {"sha256", input.hash}});
+    json["runs"] = Json::array();
+    for (const std::size_t run : order) json["runs"].push_back(hex(plan.runs[run].id));
+    return json_text(json, 2) + "\n";
+}
+
+std::vector<std::string> run_ids(const Json& manifest) {
+    return manifest.at("runs").get<std::vector<std::string>>();
+}
+
+std::string difference(const Json& manifest, const SweepPlan& plan) {
+    const auto version = manifest.at("fumon").get<std::string>();
+    if (version != FUMON_VERSION)
+        return fmt::format("it was made by fumon {}, this is {}", version, FUMON_VERSION);
+    const Json axes = axes_json(plan);
+    const Json& former = manifest.at("over");
+    if (axis_keys(former) != axis_keys(axes))
+        return fmt::format("it varies {}, now {}", axis_keys(former), axis_keys(axes));
+    std::string found = scene_difference(manifest.at("scene"), plan.base);
+    if (found.empty()) found = input_difference(manifest.at("inputs"), plan);
+    if (found.empty()) found = value_difference(former, axes);
+    const auto first = manifest.at("seeds").at("first").get<std::int64_t>();
+    const auto last = manifest.at("seeds").at("last").get<std::int64_t>();
+    if (found.empty() && (first < plan.seeds.first || last > plan.seeds.last)) {
+        found = fmt::format("it has the seeds {} to {}, now {} to {}", first, last,
+                            plan.seeds.first, plan.seeds.last);
+    }
+    return found.empty() ? "its runs are others" : found;
+}
+
+}  // namespace fumon

@@ -1,0 +1,128 @@
+#include "verify/verify_case.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "figure/canvas/canvas.h"
+#include "files/atomic_file.h"
+#include "files/hash.h"
+#include "files/scratch_folder.h"
+#include "models/shared/state_hash.h"
+#include "paper/figure_files.h"
+#include "paper/figure_make.h"
+#include "paper/figure_page.h"
+#include "picture/png.h"
+#include "run/prepared_run.h"
+#include "run/still.h"
+#include "run/terminal/interrupt.h"
+#include "scene/read.h"
+
+namespace fumon {
+
+namespace {
+
+/// SHA-256 of the runs' states, one after another; of one run its own.
+std::string state_of(const std::vector<RunRecord>& records) {
+    if (records.size() == 1) return records.front().state;
+    Sha256Stream all;
+    for (const RunRecord& record : records) all.add(record.state.data(), record.state.size());
+    return hex(all.finish());
+}
+
+/// Makes the figure of a case's scene from runs of its own and draws it as pixels. Its state is
+/// that of its runs. Throws InputError where the figure is wrong, Error where a run or a drawing
+/// library fails.
+DrawnCase draw_figure_case(const Baseline& baseline, const BaselineCase& one,
+                           const WorkOptions& work) {
+    FigureSources sources;
+    FigureRuns runs;
+    DrawnCase drawn;
+    const std::filesystem::path scene = baseline.file.parent_path() / one.scene;
+    const auto plan = plan_figure(scene.string(), one.settings, sources, runs, nullptr);
+    const ScratchFolder scratch;
+    std::vector<RunRecord> records;
+    if (plan) {
+        StatusLine status(work.verbosity);
+        records = make_runs(runs, RunStore(scratch.path()), work, status);
+    }
+    drawn.signal = interrupting_signal();
+    if (drawn.signal != 0) return drawn;
+    if (const std::string missing = missing_run(*plan, runs, records); !missing.empty())
+        throw Error(missing);
+    const FigurePage page =
+        figure_page(*plan, runs, RunStore(scratch.path()), {work.backend, work.threads});
+    const std::filesystem::path file = scratch.path() / "figure.png";
+    write_file(file, draw_figure(*plan, page, PageFormat::png, {}).bytes);
+    drawn.image = read_png(file);
+    RenderingEnvironment environment;
+    environment.backend = "cairo";
+    environment.renderer = figure_library();
+    drawn.record = {FUMON_VERSION, environment, state_of(records), fingerprint_of(drawn.image)};
+    return drawn;
+}
+
+/// Runs work() and locates its InputErrors at the case.
+template <class Work>
+auto located(const BaselineCase& one, const Work& work) {
+    try {
+        return work();
+    } catch (const InputError& fault) {
+        throw InputError(fmt::format("{}: cases.{}: {}", one.place, one.name, fault.what()));
+    }
+}
+
+std::int64_t step_of(const BaselineCase& one, const Scene& scene) {
+    if (one.step <= scene.run.steps) return one.step < 0 ? scene.run.steps : one.step;
+    throw InputError(
+        fmt::format("step {} is after the run's end; {} runs {} steps (lengthen it by "
+                    "settings = [\"run.steps={}\"])",
+                    one.step, one.scene, scene.run.steps, one.step));
+}
+
+}  // namespace
+
+Scene scene_of(const Baseline& baseline, const BaselineCase& one) {
+    return located(one, [&] {
+        std::vector<Override> overrides = read_settings(one.settings);
+        for (std::size_t i = 0; i < overrides.size(); ++i)
+            overrides[i].place = fmt::format("settings.{}", i + 1);
+        return parse_scene(read_scene_text(baseline.file.parent_path() / one.scene), overrides);
+    });
+}
+
+DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, const WorkOptions& work) {
+    if (one.figure) return located(one, [&] { return draw_figure_case(baseline, one, work); });
+    Scene scene = scene_of(baseline, one);
+    return located(one, [&] {
+        PreparedRun prepared = prepare_run(std::move(scene), work.threads);
+        Progress progress(work.verbosity, static_cast<std::int64_t>(prepared.initial.bed.size()));
+        const Snapshot first = prepared.model->snapshot();
+        DrawnCase drawn;
+        drawn.signal =
+            one.time >= 0.0
+                ? advance_to_time(prepared, one.time, fmt::format("time {}", one.time), progress)
+                : advance_to(prepared, step_of(one, prepared.scene), progress);
+        if (drawn.signal != 0) return drawn;
+        Drawing drawing = draw_present(prepared, first, work);
+        drawn.record = {FUMON_VERSION, drawing.record.environment, hex(state_hash(*prepared.model)),
+                        fingerprint_of(drawing.image)};
+        drawn.image = std::move(drawing.image);
+        return drawn;
+    });
+}
+
+std::optional<Image> recorded_picture(const Baseline& baseline, const BaselineCase& one,
+                                      const BaselineRecord& record) {
+    const auto file = baseline.picture_of(one);
+    if (!one.picture || !std::filesystem::exists(file)) return std::nullopt;
+    Image image = read_png(file);
+    if (pixel_hash(image) != record.fingerprint.pixels) {
+        throw InputError(fmt::format(
+            "{}: is not the picture that {} recorded for {}; bring it back, or accept a "
+            "new one with `fumon verify --update`",
+            file.string(), baseline.file.string(), one.name));
+    }
+    return image;
+}
+
+}  // namespace fumon

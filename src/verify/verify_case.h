@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "base/image.h"
+#include "picture/baseline.h"
+#include "run/terminal/work_options.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// The scene of a case with its settings. Throws InputError located at the case.
+Scene scene_of(const Baseline& baseline, const BaselineCase& one);
+
+/// A case as it looks now.
+struct DrawnCase {
+    Image image;
+    BaselineRecord record;
+    int signal = 0;  ///< that stopped it before it was drawn, or 0
+};
+
+/// Runs the case's scene to its step or time and draws it. Throws InputError located at the case
+/// where scene, step or bed are wrong, Error where the run or OpenGL fails.
+DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, const WorkOptions& work);
+
+/// The expected picture that is kept beside the baseline; none where the case keeps none or the
+/// file is not there. Throws InputError where it is not the picture that was recorded.
+std::optional<Image> recorded_picture(const Baseline& baseline, const BaselineCase& one,
+                                      const BaselineRecord& record);
+
+}  // namespace fumon

@@ -1,0 +1,192 @@
+#include "verify/verify_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "base/error.h"
+#include "files/input_file.h"
+#include "picture/compare.h"
+#include "picture/markup.h"
+#include "picture/png.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr std::string_view generator = "content=\"fumon verify\"";
+
+// What the pictures of a case are called.
+constexpr const char* expected_kind = "expected";
+constexpr const char* got_kind = "got";
+constexpr const char* thumbnail_kind = "got-thumbnail";
+constexpr const char* difference_kind = "difference";
+
+constexpr const char* page_head = R"html(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="generator" content="fumon verify">
+<title>fumon verify</title>
+<style>
+body { font: 15px/1.4 sans-serif; margin: 2em; background: #fafafa; color: #222; }
+section { margin-bottom: 3em; }
+h2 { font-size: 1.2em; margin: 0; }
+.pictures { display: flex; flex-wrap: wrap; gap: 1em; }
+figure { margin: 0; width: 30em; max-width: 100%; }
+img { width: 100%; border: 1px solid #ccc; image-rendering: pixelated; }
+img.blink { cursor: pointer; }
+</style>
+</head>
+<body>
+<h1>What differs from its baseline</h1>
+)html";
+
+constexpr const char* tail = R"html(<script>
+for (const section of document.querySelectorAll("section.pair")) {
+  const sides = ["expected", "got"].map(kind => section.querySelector("img." + kind));
+  const blink = section.querySelector("img.blink");
+  const caption = blink.parentElement.querySelector("figcaption");
+  let turn = 0, held = false;
+  const show = () => {
+    blink.src = sides[turn].src;
+    caption.textContent = "in turns: " + sides[turn].className + (held ? ", held" : "");
+  };
+  blink.onclick = () => { held = !held; show(); };
+  setInterval(() => { if (!held) { turn = 1 - turn; show(); } }, 700);
+  show();
+}
+</script>
+</body>
+</html>
+)html";
+
+/// RFC 4648.
+std::string base64(std::span<const std::uint8_t> bytes) {
+    constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t three = 0;
+        for (std::size_t j = 0; j < 3; ++j)
+            three = (three << 8U) | (j < count ? bytes[i + j] : std::uint32_t{0});
+        for (std::size_t j = 0; j < 4; ++j)
+            text += j <= count ? digits[(three >> (18 - 6 * j)) & 63U] : '=';
+    }
+    return text;
+}
+
+/// A thumbnail as a picture of its own size.
+Image picture_of(const Thumbnail& thumbnail) {
+    Image image(Thumbnail::width, Thumbnail::height);
+    for (std::size_t i = 0; i < Thumbnail::count; ++i)
+        image.rgb[i] = static_cast<std::uint8_t>(std::lround(thumbnail.levels[i]));
+    return image;
+}
+
+void remove_file(const std::filesystem::path& file) {
+    std::error_code fault;
+    std::filesystem::remove(file, fault);
+    if (fault && fault != std::errc::not_a_directory)
+        throw Error(fmt::format("cannot remove {}: {}", file.string(), fault.message()));
+}
+
+bool same_size(const Image& first, const Image& second) {
+    return first.width == second.width && first.height == second.height;
+}
+
+}  // namespace
+
+VerifyPage::VerifyPage(std::filesystem::path folder) : folder_(std::move(folder)) {
+    if (!std::filesystem::exists(file())) return;
+    constexpr std::size_t head_bytes = 200;
+    if (start_of_input_file(file(), head_bytes).find(generator) == std::string::npos) {
+        throw InputError(
+            fmt::format("{}: is not a page of fumon verify's and would be replaced; name another "
+                        "folder with -o",
+                        file().string()));
+    }
+    remove_file(file());
+}
+
+void VerifyPage::forget(const std::string& suite, const std::string& name) {
+    for (const char* kind : {expected_kind, got_kind, thumbnail_kind, difference_kind})
+        remove_file(picture(suite, name, kind));
+    std::error_code still_used;
+    std::filesystem::remove(folder_ / suite, still_used);
+}
+
+std::filesystem::path VerifyPage::picture(const std::string& suite, const std::string& name,
+                                          std::string_view kind) const {
+    return folder_ / suite / fmt::format("{}-{}.png", name, kind);
+}
+
+void VerifyPage::add(const std::string& suite, const std::string& name, const Verdict& verdict,
+                     const Image& got, const BaselineRecord* record, const Image* expected) {
+    begin();
+    const auto file = [&](const char* kind) { return picture(suite, name, kind); };
+    open_section(suite, name, verdict, record != nullptr);
+    if (record == nullptr) {
+        show(got, file(got_kind), "got", "got");
+    } else {
+        const bool whole = expected != nullptr && same_size(*expected, got);
+        const Image before = whole ? *expected : picture_of(record->fingerprint.thumbnail);
+        const Image after = whole ? got : picture_of(thumbnail_of(got));
+        const std::string of_what = whole ? "" : " (thumbnail)";
+        show(before, file(expected_kind), "expected", "expected" + of_what);
+        show(after, file(whole ? got_kind : thumbnail_kind), "got", "got" + of_what);
+        show(difference_picture(before, after), file(difference_kind), "difference",
+             "difference" + of_what);
+        page_->write(
+            "<figure><img class=\"blink\" alt=\"expected and got in turns\">"
+            "<figcaption></figcaption></figure>\n");
+        if (!whole) show(got, file(got_kind), "whole", "got, whole");
+    }
+    page_->write("</div>\n</section>\n");
+}
+
+void VerifyPage::add(const std::string& suite, const std::string& name, const Verdict& verdict) {
+    begin();
+    open_section(suite, name, verdict, false);
+    page_->write("</div>\n</section>\n");
+}
+
+void VerifyPage::finish() {
+    if (!page_) return;
+    page_->write(tail);
+    page_->commit();
+}
+
+void VerifyPage::begin() {
+    if (page_) return;
+    std::error_code fault;
+    std::filesystem::create_directories(folder_, fault);
+    if (fault) throw Error(fmt::format("cannot make {}: {}", folder_.string(), fault.message()));
+    page_ = std::make_unique<AtomicFile>(file());
+    page_->write(page_head);
+}
+
+void VerifyPage::open_section(const std::string& suite, const std::string& name,
+                              const Verdict& verdict, bool pair) {
+    page_->write(fmt::format("<section{}>\n<h2>{} {}</h2>\n<p>{}</p>\n<div class=\"pictures\">\n",
+                             pair ? " class=\"pair\"" : "", markup_text(suite), markup_text(name),
+                             markup_text(verdict.finding)));
+}
+
+void VerifyPage::show(const Image& image, const std::filesystem::path& file, const char* kind,
+                      const std::string& caption) {
+    std::error_code fault;
+    std::filesystem::create_directories(file.parent_path(), fault);
+    const auto bytes = encode_png(image, screen_dots_per_inch, {});
+    write_file(file, bytes);
+    page_->write(
+        fmt::format("<figure><img class=\"{}\" alt=\"{}\" src=\"data:image/png;base64,{}\">"
+                    "<figcaption>{}</figcaption></figure>\n",
+                    kind, caption, base64(bytes), caption));
+}
+
+}  // namespace fumon

@@ -1,0 +1,78 @@
+#include "measure/bed/slopes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/measured_beds.h"
+
+namespace fumon {
+namespace {
+
+/// Waves of 12 sites that rise 6 heights over `rise` of them and fall over the others.
+Grid sawtooth(int rise) {
+    return test::bed_of(60, 4, [=](int x, int y) {
+        const int site = (x + 5 * y) % 12;
+        return 1.0 + (site < rise ? 6.0 * site / rise : 6.0 * (12 - site) / (12 - rise));
+    });
+}
+
+TEST(BedSlopes, OfASawtoothWithASteepLeeSide) {
+    const BedSlopes found = bed_slopes(sawtooth(10), true);
+    EXPECT_NEAR(found.stoss, 0.6, 1e-12);
+    EXPECT_NEAR(found.lee, 3.0, 1e-12);
+    EXPECT_NEAR(found.steep_stoss, 0.6, 1e-12);
+    EXPECT_NEAR(found.steep_lee, 3.0, 1e-12);
+    EXPECT_NEAR(found.stoss_to_lee, 0.2, 1e-12);
+    // A share p = 1/6 of the slopes is -3, the others 0.6: −(1 − 2p)/√(p(1 − p)).
+    EXPECT_NEAR(found.skewness, -(2.0 / 3.0) / std::sqrt(5.0 / 36.0), 1e-9);
+}
+
+TEST(BedSlopes, OfASawtoothWithASteepStossSide) {
+    const BedSlopes found = bed_slopes(sawtooth(3), true);
+    EXPECT_NEAR(found.stoss, 2.0, 1e-12);
+    EXPECT_NEAR(found.lee, 6.0 / 9.0, 1e-12);
+    EXPECT_NEAR(found.stoss_to_lee, 3.0, 1e-12);
+    EXPECT_GT(found.skewness, 0.5);
+}
+
+TEST(BedSlopes, OfASineAreAlike) {
+    const BedSlopes found = bed_slopes(test::waves(128, 3, 4.0), true);
+    EXPECT_NEAR(found.stoss_to_lee, 1.0, 1e-9);
+    EXPECT_NEAR(found.stoss, 4.0 / 32.0, 1e-3);  // 2 heights in half of 32 sites
+    EXPECT_NEAR(found.steep_stoss, found.steep_lee, 1e-9);
+    EXPECT_NEAR(found.skewness, 0.0, 1e-9);
+}
+
+TEST(BedSlopes, ThePercentileIsTheOneThatNineTenthsDoNotExceed) {
+    // Rises of 1, 2 … 20, then one fall.
+    const Grid bed = test::bed_of(21, 1, [](int x, int) { return 0.5 * x * (x + 1); });
+    const BedSlopes found = bed_slopes(bed, true);
+    EXPECT_DOUBLE_EQ(found.steep_stoss, 18.0);
+    EXPECT_DOUBLE_EQ(found.stoss, 10.5);
+    EXPECT_DOUBLE_EQ(found.lee, 210.0);
+}
+
+TEST(BedSlopes, OfAnOpenBedStopAtItsEdge) {
+    const Grid ramp = test::bed_of(10, 3, [](int x, int) { return 0.25 * x; });
+    const BedSlopes found = bed_slopes(ramp, false);
+    EXPECT_DOUBLE_EQ(found.stoss, 0.25);
+    EXPECT_TRUE(std::isnan(found.lee));
+    EXPECT_TRUE(std::isnan(found.stoss_to_lee));
+}
+
+TEST(BedSlopes, LevelGroundIsOnNeitherSide) {
+    Grid bed(40, 2, 0.0);
+    for (int y = 0; y < 2; ++y) {
+        bed(10, y) = 1.0;
+        bed(11, y) = 2.0;
+    }
+    const BedSlopes found = bed_slopes(bed, true);
+    EXPECT_DOUBLE_EQ(found.stoss, 1.0);
+    EXPECT_DOUBLE_EQ(found.lee, 2.0);
+    EXPECT_TRUE(std::isnan(bed_slopes(Grid(10, 2, 0.7), true).stoss));
+    EXPECT_TRUE(std::isnan(bed_slopes(Grid(10, 2, 0.7), true).skewness));
+}
+
+}  // namespace
+}  // namespace fumon

@@ -1,0 +1,146 @@
+#include "picture/baseline.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "support/pictures.h"
+#include "support/temporary_folder.h"
+
+namespace fumon {
+namespace {
+
+using test::message_of;
+using test::some_picture;
+using test::TemporaryFolder;
+
+const std::string three_cases =
+    "# Dunes, as they were accepted\n"
+    "scene = \"dunes.toml\"\n"
+    "settings = [\"image.width=320\"]\n"
+    "step = 40\n"
+    "\n"
+    "[cases]\n"
+    "perspective = {}                       # the usual look\n"
+    "map = {step = 50, settings = [\"camera.projection=map\"], picture = true}\n"
+    "at_time = {scene = \"other.toml\", time = 2.5, tile_ssim = 0.8, thumbnail_difference = 2}\n";
+
+BaselineRecord some_record(int width) {
+    BaselineRecord record;
+    record.fumon = "0.1.0";
+    record.environment = opengl_environment("osmesa", "llvmpipe (LLVM 15.0.6, 256 bits)",
+                                            "4.5 (Core Profile) Mesa 22.3.6", true);
+    record.state = std::string(64, 'a');
+    record.fingerprint = fingerprint_of(some_picture(width, 30));
+    return record;
+}
+
+Baseline read(const std::string& text) {
+    const TemporaryFolder folder;
+    return read_baseline(folder.file("b.toml", text));
+}
+
+/// The message without the folder.
+std::string fault(const std::string& text) {
+    const TemporaryFolder folder;
+    const auto file = folder.file("b.toml", text);
+    const std::string message = message_of<InputError>([&] { read_baseline(file); });
+    return message.starts_with(folder.path().string())
+               ? message.substr(folder.path().string().size() + 1)
+               : message;
+}
+
+TEST(Baseline, CasesTakeWhatHoldsForAllAndKeepTheirOrder) {
+    const Baseline baseline = read(three_cases);
+    ASSERT_EQ(baseline.cases.size(), 3U);
+    EXPECT_EQ(baseline.head, three_cases);
+
+    const BaselineCase& perspective = baseline.cases[0];
+    EXPECT_EQ(perspective.name, "perspective");
+    EXPECT_EQ(perspective.scene, "dunes.toml");
+    EXPECT_EQ(perspective.settings, std::vector<std::string>{"image.width=320"});
+    EXPECT_EQ(perspective.step, 40);
+    EXPECT_FALSE(perspective.picture);
+    EXPECT_EQ(perspective.tile_ssim, same_to_the_eye_limits.tile_ssim);
+    EXPECT_EQ(perspective.thumbnail_difference, same_to_the_eye_limits.thumbnail);
+
+    const BaselineCase& map = baseline.cases[1];
+    EXPECT_EQ(map.name, "map");
+    EXPECT_EQ(map.settings, (std::vector<std::string>{"image.width=320", "camera.projection=map"}));
+    EXPECT_EQ(map.step, 50);
+    EXPECT_TRUE(map.picture);
+    EXPECT_EQ(baseline.picture_of(map).filename(), "map.png");
+    EXPECT_EQ(baseline.picture_of(map).parent_path().filename(), "b");
+
+    const BaselineCase& at_time = baseline.cases[2];
+    EXPECT_EQ(at_time.scene, "other.toml");
+    EXPECT_EQ(at_time.time, 2.5);
+    EXPECT_LT(at_time.step, 0) << "a time of its own takes the place of the common step";
+    EXPECT_EQ(at_time.tile_ssim, 0.8);
+    EXPECT_EQ(at_time.thumbnail_difference, 2.0);
+}
+
+TEST(Baseline, WrittenAndReadAgainIsTheSame) {
+    Baseline baseline = read(three_cases);
+    baseline.records["map"] = some_record(40);
+    baseline.records["perspective"] = some_record(50);
+    const std::string text = baseline_text(baseline);
+    EXPECT_TRUE(text.starts_with(three_cases)) << "what people wrote stays, comments too";
+
+    const Baseline again = read(text);
+    EXPECT_EQ(again.records.size(), 2U);
+    for (const auto& [name, record] : baseline.records) {
+        EXPECT_EQ(again.records.at(name).fumon, record.fumon);
+        EXPECT_EQ(again.records.at(name).environment, record.environment);
+        EXPECT_EQ(again.records.at(name).state, record.state);
+        EXPECT_EQ(again.records.at(name).fingerprint, record.fingerprint);
+    }
+    EXPECT_EQ(baseline_text(again), text);
+    EXPECT_LT(text.find("[recorded.perspective]"), text.find("[recorded.map]"))
+        << "in the order of the cases";
+}
+
+TEST(Baseline, WhatHasNoCaseIsAnOrphan) {
+    Baseline baseline = read(three_cases);
+    baseline.records["map"] = some_record(40);
+    std::string text = baseline_text(baseline);
+    text.replace(text.find("map = {"), 7, "oblique = {");
+    const Baseline changed = read(text);
+    EXPECT_EQ(changed.orphans, std::vector<std::string>{"map"});
+    EXPECT_EQ(baseline_text(changed).find("recorded.map"), std::string::npos);
+}
+
+TEST(Baseline, FaultsAreLocated) {
+    EXPECT_EQ(fault("scene = \"a.toml\"\n"),
+              "b.toml:1:1: names no case; write [cases] and below NAME = {scene = \"FILE.toml\"}");
+    EXPECT_EQ(fault("[cases]\na = {}\n"),
+              "b.toml:2:1: cases.a.scene is missing; name a scene file (TOML)");
+    EXPECT_EQ(fault("[cases]\na = {scene = 3}\n"),
+              "b.toml:2:14: cases.a.scene is 3; it takes a text in quotes");
+    EXPECT_EQ(fault("[cases]\na = {scene = \"s\", stepp = 3}\n"),
+              "b.toml:2:19: unknown key cases.a.stepp; did you mean \"cases.a.step\"?");
+    EXPECT_EQ(fault("[cases]\na = {scene = \"s\", step = -1}\n"),
+              "b.toml:2:26: cases.a.step is -1; it takes a whole number 0 … 1e+15 (steps)");
+    EXPECT_EQ(fault("[cases]\na = {scene = \"s\", step = 1, time = 2}\n"),
+              "b.toml:2:1: cases.a has a step and a time; keep one");
+    EXPECT_EQ(fault("[cases]\n\"../a\" = {scene = \"s\"}\n"),
+              "b.toml:2:1: a case is named by letters, digits, \"-\" and \"_\"");
+    EXPECT_EQ(fault("[cases]\na = 3\n"),
+              "b.toml:2:5: cases.a is no section; it takes {scene = \"FILE.toml\", …}");
+    EXPECT_EQ(fault("cases = 3\n"),
+              "b.toml:1:9: cases is a section; write [cases] and its keys below");
+    EXPECT_EQ(fault("[cases\n").substr(0, 11), "b.toml:1:7:");
+    EXPECT_EQ(fault("[recorded.a]\nfumon = \"0\"\n[cases]\na = {scene = \"s\"}\n"),
+              "b.toml:4:1: cases.a stands behind what is recorded; move it up");
+    EXPECT_EQ(fault("[cases]\na = {scene = \"s\"}\n[recorded.a]\ncolour = 1\n").substr(0, 42),
+              "b.toml:4:1: unknown key recorded.a.colour;");
+    EXPECT_EQ(fault("[cases]\na = {scene = \"s\"}\n[recorded.a]\nfumon = \"0\"\n"),
+              "b.toml:3:1: recorded.a.size takes [width, height]");
+}
+
+TEST(Baseline, AMissingFileIsOneLine) {
+    const std::string message = message_of<InputError>([] { read_baseline("no.toml"); });
+    EXPECT_TRUE(message.starts_with("no.toml: cannot be read")) << message;
+}
+
+}  // namespace
+}  // namespace fumon

@@ -1,0 +1,108 @@
+#include "render/colour/palette.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "render/colour/colouring.h"
+#include "support/view_beds.h"
+
+namespace fumon {
+namespace {
+
+std::string failure(const std::string& text) {
+    try {
+        parse_palette(text, "p.txt");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Palette, AllThatShipAreReadable) {
+    const auto names = palette_names();
+    for (const char* name : {"sand", "grey", "viridis", "cividis", "magma", "inferno", "plasma",
+                             "batlow", "lapaz", "oslo", "vik"}) {
+        EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
+    }
+    for (const std::string& name : names) EXPECT_NO_THROW(read_palette(name)) << name;
+}
+
+TEST(Palette, PublishedColoursAreTheirs) {
+    using Colour = std::array<std::uint8_t, 3>;
+    EXPECT_EQ(read_palette("viridis").front(), (Colour{68, 1, 84}));
+    EXPECT_EQ(read_palette("viridis").back(), (Colour{253, 231, 37}));
+    EXPECT_EQ(read_palette("batlow").front(), (Colour{1, 25, 89}));
+    EXPECT_EQ(read_palette("batlow").back(), (Colour{250, 204, 250}));
+    EXPECT_EQ(read_palette("grey")[77], (Colour{77, 77, 77}));
+}
+
+TEST(Palette, AnUnknownNameGetsTheNearest) {
+    try {
+        read_palette("viridsi");
+        FAIL() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("did you mean 'viridis'?"), std::string::npos)
+            << error.what();
+    }
+    EXPECT_THROW(read_palette("../palettes/viridis"), InputError);
+}
+
+TEST(Palette, MalformedFilesAreLocated) {
+    EXPECT_EQ(failure("# x\n1 2\n"),
+              "p.txt:2: '1 2' is no colour; three whole numbers 0 … 255 are expected");
+    EXPECT_EQ(failure("1 2 300\n"),
+              "p.txt:1: '1 2 300' is no colour; three whole numbers 0 … 255 are expected");
+    EXPECT_EQ(failure("1 2 3 4\n"),
+              "p.txt:1: '1 2 3 4' has more than the three numbers of a colour");
+    EXPECT_EQ(failure("1 2 3\n"), "p.txt: 1 colours; a palette has 256");
+    std::string long_one;
+    for (int i = 0; i < 257; ++i) long_one += "1 2 3\r\n";
+    EXPECT_EQ(failure(long_one), "p.txt:257: a palette ends after 256 colours");
+}
+
+std::pair<double, double> range_of(const LookSettings& look, const Snapshot& snapshot,
+                                   const Snapshot& first) {
+    return colour_range(look, snapshot, coloured_values(look.colour_by, snapshot, first));
+}
+
+TEST(ColourRange, FollowsWhatIsColoured) {
+    const Snapshot first = wavy_bed(80, 60);
+    Snapshot later = first;
+    for (double& height : later.bed.values()) height += 0.5;
+    LookSettings look;
+    look.colour_by = Colouring::change;
+    const auto [low, high] = range_of(look, later, first);
+    EXPECT_NEAR(low, -0.5, 1e-6);
+    EXPECT_NEAR(high, 0.5, 1e-6);
+    look.colour_by = Colouring::height;
+    const auto heights = range_of(look, first, first);
+    EXPECT_GT(heights.second, heights.first + 1.0);
+    look.low = {"", -3.0};
+    look.high = {"", 8.0};
+    EXPECT_EQ(range_of(look, first, first), (std::pair{-3.0, 8.0}));
+}
+
+TEST(ColourRange, SlopesAreInDegrees) {
+    Snapshot plane;
+    plane.bed = Grid(20, 20);
+    plane.scale = {2.0, 2.0, 4.0, true};
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 20; ++x) plane.bed(x, y) = 0.5 * x;  // 2 m up on 2 m
+    const Field<float> slopes = coloured_values(Colouring::slope, plane, plane);
+    for (const float value : slopes.values()) EXPECT_NEAR(value, 45.0, 1e-2);
+    LookSettings look;
+    look.colour_by = Colouring::slope;
+    EXPECT_EQ(range_of(look, plane, plane).first, 0.0);
+}
+
+TEST(ColourRange, CellsWithoutDataDoNotCount) {
+    const Snapshot bed = masked_bed(60, 50);
+    LookSettings look;
+    look.colour_by = Colouring::height;
+    EXPECT_GT(range_of(look, bed, bed).first, -100.0);
+}
+
+}  // namespace
+}  // namespace fumon

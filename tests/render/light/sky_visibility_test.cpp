@@ -1,0 +1,94 @@
+#include "render/light/sky_visibility.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/worker_pool.h"
+#include "support/view_beds.h"
+
+namespace fumon {
+namespace {
+
+Field<float> as_floats(const Grid& grid) {
+    Field<float> result(grid.nx(), grid.ny());
+    for (std::size_t i = 0; i < grid.size(); ++i)
+        result.values()[i] = static_cast<float>(grid.values()[i]);
+    return result;
+}
+
+TEST(SkyVisibility, APlainSeesAllOfIt) {
+    WorkerPool pool(1);
+    const Field<float> sky = sky_visibility(Field<float>(20, 13, 4.0F), 1.0F, 1.7F, pool);
+    for (const float value : sky.values()) EXPECT_NEAR(value, 1.0F, 2e-5F);
+}
+
+/// In an endless V valley with slopes of angle a the sky is what lies between two planes. Seen from
+/// the bottom of one slope it spans 90° … 2a − 90° from the normal: (sin 90° − sin(2a − 90°)) / 2 =
+/// cos² a.
+TEST(SkyVisibility, AnEndlessValley) {
+    constexpr int nx = 801;
+    constexpr int ny = 1601;
+    WorkerPool pool(2);
+    for (const double degrees : {20.0, 35.0, 50.0}) {
+        const double slope = std::tan(degrees * M_PI / 180.0);
+        Field<float> heights(nx, ny);
+        for (int y = 0; y < ny; ++y) {
+            for (int x = 0; x < nx; ++x)
+                heights(x, y) = static_cast<float>(slope * std::abs(x - nx / 2));
+        }
+        const Field<float> sky = sky_visibility(heights, 1.0F, 1.0F, pool);
+        const double cosine = std::cos(degrees * M_PI / 180.0);
+        EXPECT_NEAR(sky(nx / 2 + 4, ny / 2), cosine * cosine, 0.01) << degrees;
+        EXPECT_NEAR(sky(nx / 2 - 4, ny / 2), cosine * cosine, 0.01) << degrees;
+    }
+}
+
+/// Before a long wall of height h at distance d a level cell loses the share (1 − cos θ)/2 of the
+/// sky, θ = atan(h/d).
+TEST(SkyVisibility, ALongWall) {
+    constexpr int nx = 201;
+    constexpr int ny = 3001;
+    Field<float> heights(nx, ny, 0.0F);
+    for (int y = 0; y < ny; ++y)
+        for (int x = 0; x < 60; ++x) heights(x, y) = 30.0F;
+    WorkerPool pool(2);
+    const Field<float> sky = sky_visibility(heights, 1.0F, 1.0F, pool);
+    for (const int distance : {10, 30, 80}) {
+        const double horizon = std::atan2(30.0, distance);
+        EXPECT_NEAR(sky(59 + distance, ny / 2), 0.5 * (1.0 + std::cos(horizon)), 0.03) << distance;
+    }
+}
+
+TEST(SkyVisibility, IsTheSameForAnyNumberOfThreads) {
+    const Field<float> heights = as_floats(wavy_bed(131, 97).bed);
+    WorkerPool one(1);
+    const Field<float> expected = sky_visibility(heights, 1.0F, 1.3F, one);
+    for (const int threads : {2, 3, 8}) {
+        WorkerPool pool(threads);
+        EXPECT_EQ(sky_visibility(heights, 1.0F, 1.3F, pool), expected) << threads;
+    }
+}
+
+TEST(SkyVisibility, IsTheSameForATurnedBed) {
+    const Field<float> heights = as_floats(wavy_bed(60, 60).bed);
+    Field<float> turned(60, 60);
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 60; ++x) turned(59 - y, x) = heights(x, y);
+    WorkerPool pool(1);
+    const Field<float> sky = sky_visibility(heights, 1.0F, 1.0F, pool);
+    const Field<float> sky_turned = sky_visibility(turned, 1.0F, 1.0F, pool);
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 60; ++x) EXPECT_NEAR(sky_turned(59 - y, x), sky(x, y), 1e-5F);
+}
+
+TEST(SkyVisibility, NarrowBedsWork) {
+    WorkerPool pool(1);
+    for (const auto& [nx, ny] : {std::pair{1, 1}, {1, 9}, {9, 1}, {2, 2}}) {
+        const Field<float> sky = sky_visibility(Field<float>(nx, ny, 1.0F), 1.0F, 1.0F, pool);
+        for (const float value : sky.values()) EXPECT_NEAR(value, 1.0F, 2e-5F);
+    }
+}
+
+}  // namespace
+}  // namespace fumon

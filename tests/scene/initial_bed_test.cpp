@@ -1,0 +1,157 @@
+#include "scene/initial_bed.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "base/error.h"
+#include "scene/read.h"
+
+namespace fumon {
+namespace {
+
+namespace fs = std::filesystem;
+
+class InitialBedTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder_ = fs::temp_directory_path() / ("fumon-initial-bed-" + std::to_string(getpid()));
+        fs::create_directories(folder_);
+        std::ofstream(folder_ / "bed.asc")
+            << "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 4\n"
+               "NODATA_value -9\n1 2 3\n4 -9 6\n";
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    [[nodiscard]] Scene scene(const std::string& model, const std::string& more) const {
+        return parse_scene("[model]\nname = \"" + model + "\"\n[run]\nsteps = 1\n" + more,
+                           "scene.toml", folder_);
+    }
+    [[nodiscard]] std::string refusal(const std::string& more) const {
+        try {
+            make_initial_bed(scene("static", more));
+        } catch (const InputError& fault) {
+            return fault.what();
+        }
+        return "(accepted)";
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(InitialBedTest, ARefinedTerrainKeepsItsPlaneItsMaskAndItsExtent) {
+    std::ofstream plane(folder_ / "plane.asc");
+    plane << "ncols 7\nnrows 7\nxllcorner 0\nyllcorner 0\ncellsize 6\nNODATA_value -9\n";
+    for (int y = 6; y >= 0; --y) {
+        for (int x = 0; x < 7; ++x) plane << (x == 6 && y == 0 ? -9 : 2 * x + 10 * y) << ' ';
+        plane << '\n';
+    }
+    plane.close();
+    const InitialBed initial =
+        make_initial_bed(scene("static", "[bed]\nfile = \"plane.asc\"\nrefine = 3\n"));
+    ASSERT_EQ(initial.bed.nx(), 21);
+    ASSERT_EQ(initial.bed.ny(), 21);
+    EXPECT_DOUBLE_EQ(initial.scale.dx, 2.0);
+    EXPECT_DOUBLE_EQ(initial.scale.dy, 2.0);
+    for (int y = 6; y < 15; ++y) {  // away from the border the bicubic is exact for a plane
+        for (int x = 6; x < 12; ++x)
+            EXPECT_NEAR(initial.bed(x, y), (x - 1) * 2.0 / 3.0 + (y - 1) * 10.0 / 3.0, 1e-12);
+    }
+    EXPECT_EQ(initial.nodata(17, 2), 0);
+    EXPECT_EQ(initial.nodata(18, 2), 1);
+    EXPECT_EQ(initial.nodata(18, 3), 0);
+    EXPECT_NE(refusal("[bed]\nrefine = 3\n[grid]\nnx = 4\n").find("belongs to a terrain file"),
+              std::string::npos);
+}
+
+TEST_F(InitialBedTest, NoiseIsUniformInItsInterval) {
+    const InitialBed initial =
+        make_initial_bed(scene("sand", "[bed]\nlow = 2\nhigh = 5\n[grid]\nnx = 200\nny = 150\n"));
+    double sum = 0.0;
+    double squares = 0.0;
+    for (const double height : initial.bed.values()) {
+        ASSERT_GE(height, 2.0);
+        ASSERT_LT(height, 5.0);
+        sum += height;
+        squares += (height - 3.5) * (height - 3.5);
+    }
+    const auto cells = static_cast<double>(initial.bed.size());
+    EXPECT_NEAR(sum / cells, 3.5, 5 * 0.866 / std::sqrt(cells));
+    EXPECT_NEAR(squares / cells, 0.75, 0.02) << "the variance of a uniform height, 3²/12";
+}
+
+TEST_F(InitialBedTest, NoiseFollowsTheSeed) {
+    const auto bed = [&](const char* seed) {
+        return make_initial_bed(parse_scene(std::string("seed = ") + seed +
+                                                "\n[model]\nname=\"sand\"\n[run]\nsteps=1\n",
+                                            "s", ""))
+            .bed;
+    };
+    EXPECT_EQ(bed("1"), bed("1"));
+    EXPECT_NE(bed("1"), bed("2"));
+}
+
+TEST_F(InitialBedTest, AFlatBed) {
+    const InitialBed initial =
+        make_initial_bed(scene("sand", "[bed]\nkind = \"flat\"\nheight = 1.5\n"));
+    EXPECT_EQ(initial.bed, Grid(100, 100, 1.5));
+    EXPECT_FALSE(initial.scale.in_metres);
+}
+
+TEST_F(InitialBedTest, ATerrainFileComesInMetresAndNorthUp) {
+    const InitialBed initial =
+        make_initial_bed(scene("static", "[bed]\nkind = \"file\"\nfile = \"bed.asc\"\n"));
+    EXPECT_EQ(initial.bed(0, 1), 1.0) << "the file's first row is the northernmost";
+    EXPECT_EQ(initial.bed(2, 0), 6.0);
+    EXPECT_EQ(initial.nodata(1, 0), 1);
+    EXPECT_EQ(initial.scale, (WorldScale{4.0, 4.0, 1.0, true}));
+    ASSERT_EQ(initial.inputs.size(), 1U);
+    EXPECT_EQ(initial.inputs[0].hash.size(), 64U);
+}
+
+TEST_F(InitialBedTest, ForTheSandModelsMetresAreDividedByTheHeightUnit) {
+    const std::string file = "[bed]\nkind = \"file\"\nfile = \"bed.asc\"\nnodata = 8\n";
+    EXPECT_EQ(make_initial_bed(scene("sand", file)).bed(0, 1), 0.25)
+        << "the height unit is the cell size";
+    EXPECT_EQ(make_initial_bed(scene("sand", file + "[grid]\nheight_unit = 0.5\n")).bed(0, 1), 2.0);
+    EXPECT_EQ(make_initial_bed(scene("sand", file)).bed(1, 0), 2.0) << "no data set to 8 m";
+    EXPECT_TRUE(make_initial_bed(scene("sand", file)).nodata.empty());
+}
+
+TEST_F(InitialBedTest, AFileFromTheCommandLineTakesThePlaceOfTheScenesBed) {
+    const std::string file = (folder_ / "bed.asc").string();
+    const Scene scene = parse_scene(
+        "[model]\nname = \"static\"\n[grid]\nnx = 50\nny = 60\ncell_size = 9\n[bed]\nlow = 1\n",
+        "scene.toml", "elsewhere", {"bed.kind=file", "bed.file=" + file});
+    const InitialBed initial = make_initial_bed(scene);
+    EXPECT_EQ(initial.bed.nx(), 3);
+    EXPECT_EQ(initial.scale.dx, 4.0);
+}
+
+TEST_F(InitialBedTest, HolesCanBeFilled) {
+    const InitialBed initial = make_initial_bed(
+        scene("static", "[bed]\nkind = \"file\"\nfile = \"bed.asc\"\nnodata = \"fill\"\n"));
+    EXPECT_TRUE(initial.nodata.empty());
+    EXPECT_GE(initial.bed(1, 0), 1.0);
+    EXPECT_LE(initial.bed(1, 0), 6.0);
+}
+
+TEST_F(InitialBedTest, WhatDoesNotFitTheFileIsRefused) {
+    const std::string file = "[bed]\nkind = \"file\"\nfile = \"bed.asc\"\n";
+    EXPECT_EQ(refusal(file + "[grid]\nnx = 4\n"),
+              "scene.toml:9:6: grid.nx is 4, but bed.asc has 3 cells there; leave the key out for "
+              "a terrain file");
+    EXPECT_EQ(refusal(file + "[grid]\ncell_size = 5\n"),
+              "scene.toml:9:13: grid.cell_size is [5, 5] m, but bed.asc has cells of [4, 4] m; "
+              "leave the key out");
+    EXPECT_EQ(refusal("[bed]\nkind = \"file\"\nfile = \"none.asc\"\n"),
+              "scene.toml:7:8: bed.file \"none.asc\" is not there (looked for " +
+                  (folder_ / "none.asc").string() + "); paths are relative to the scene file");
+}
+
+}  // namespace
+}  // namespace fumon

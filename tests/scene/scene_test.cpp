@@ -1,0 +1,259 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "keys/keys.h"
+#include "models/sand/sand.h"
+#include "scene/describe.h"
+#include "scene/read.h"
+#include "scene/scene_keys.h"
+#include "scene/write.h"
+
+namespace fumon {
+namespace {
+
+const std::string least = "[model]\nname = \"sand\"\n[run]\nsteps = 10\n";
+
+/// The one line that reading a scene is refused with.
+std::string scene_refusal(const std::string& text, const std::vector<std::string>& settings = {}) {
+    try {
+        parse_scene(text, "scene.toml", "", settings);
+    } catch (const InputError& fault) {
+        EXPECT_EQ(fault.exit_status(), 2);
+        EXPECT_EQ(std::string(fault.what()).find('\n'), std::string::npos) << "one line only";
+        return fault.what();
+    }
+    return "(accepted)";
+}
+
+TEST(Scene, DefaultsFillWhatIsNotWritten) {
+    const Scene scene = parse_scene(least, "scene.toml", "");
+    EXPECT_EQ(scene.model.name, "sand");
+    EXPECT_EQ(scene.run.steps, 10);
+    EXPECT_EQ(scene.grid.nx, 100);
+    EXPECT_EQ(scene.view.image.width, 1920);
+}
+
+TEST(Scene, EveryKindOfValueIsRead) {
+    const Scene scene = parse_scene(
+        "title = \"砂丘\"\nseed = 42\n[model]\nname = \"sand\"\n[run]\nsteps = 1e3\n[frames]\nat = "
+        "[5, 7]\n"
+        "[grid]\nnx = 64\ncell_size = [0.5, 1]\nheight_unit = 2\n[bed]\nnodata = "
+        "-3\n[camera]\nprojection = \"map\"\n"
+        "distance = 2.5\n[output]\nmovie = false\n",
+        "scene.toml", "");
+    EXPECT_EQ(scene.title, "砂丘");
+    EXPECT_EQ(scene.seed, 42);
+    EXPECT_EQ(scene.run.steps, 1000) << "1e3 is exact, so it serves as a whole number";
+    EXPECT_EQ(scene.frames.at, (std::vector<std::int64_t>{5, 7}));
+    EXPECT_EQ(scene.grid.cell_size, (std::vector<double>{0.5, 1.0}))
+        << "a whole number serves as a real one";
+    EXPECT_DOUBLE_EQ(scene.grid.height_unit.value, 2.0);
+    EXPECT_DOUBLE_EQ(scene.bed.nodata.value, -3.0);
+    EXPECT_EQ(scene.view.camera.projection, Projection::map);
+    EXPECT_FALSE(scene.view.camera.distance.is_word());
+    EXPECT_FALSE(scene.output.movie);
+}
+
+struct Broken {
+    const char* name;
+    std::string text;
+    std::string line;
+};
+
+void PrintTo(const Broken& broken, std::ostream* out) {
+    *out << broken.name;
+}
+
+class BrokenScene : public testing::TestWithParam<Broken> {};
+
+TEST_P(BrokenScene, IsRefusedWithOneLocatedLine) {
+    EXPECT_EQ(scene_refusal(GetParam().text), GetParam().line);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BrokenScene,
+    testing::Values(
+        Broken{"misspelt_key", least + "[camera]\nazimut = 3\n",
+               "scene.toml:6:1: unknown key camera.azimut; did you mean \"camera.azimuth\"?"},
+        Broken{"wrong_section", least + "[sun]\nfield_of_view = 3\n",
+               "scene.toml:6:1: unknown key sun.field_of_view; did you mean "
+               "\"camera.field_of_view\"?"},
+        Broken{
+            "wrong_type", least + "[camera]\nazimuth = \"north\"\n",
+            "scene.toml:6:11: camera.azimuth is 'north'; it takes a number -360 … 360 (degrees)"},
+        Broken{"out_of_range", least + "[sun]\nelevation = 91\n",
+               "scene.toml:6:13: sun.elevation is 91; it takes a number 1 … 90 (degrees)"},
+        Broken{"fields_after_the_end", least + "[output]\nfields_at = [5, 11]\n",
+               "scene.toml:6:13: output.fields_at names step 11, after the run's end at 10; "
+               "lengthen run.steps or drop it"},
+        Broken{
+            "unknown_model", "[model]\nname = \"sant\"\n",
+            "scene.toml:2:8: unknown model \"sant\"; did you mean \"sand\"? (see `fumon models`)"},
+        Broken{"no_model", "[run]\nsteps = 3\n",
+               "scene.toml:1:1: model.name is missing; write [model] and name = \"…\" (known: "
+               "sand, sandpile, gully, airflow, static)"},
+        Broken{"no_length", "[model]\nname = \"sand\"\n",
+               "scene.toml: run.steps is missing; say how long to run, for example [run] steps = "
+               "1000"},
+        Broken{"unknown_choice", least + "[look]\nmode = \"figur\"\n",
+               "scene.toml:6:8: look.mode is \"figur\"; it takes one of \"scenic\", \"figure\" "
+               "(did you mean \"figure\"?)"},
+        Broken{"bad_toml", "[model\nname = 1\n",
+               "scene.toml:1:7: Error while parsing table header: expected ']', saw '\\n'; a scene "
+               "is TOML: [section] lines and "
+               "key = value lines"},
+        Broken{"key_that_is_none", least + "[:x]\na = 1\n",
+               "scene.toml:5:2: Error while parsing key: expected bare key starting character or "
+               "string delimiter, saw ':'; a scene is TOML: [section] lines and key = value lines"},
+        Broken{"control_characters", "\"two\\nlines\\u001b\" = 1\n" + least,
+               "scene.toml:1:1: unknown key two lines?; `fumon describe sand` lists the known "
+               "ones"},
+        Broken{"section_as_value", "camera = 3\n" + least,
+               "scene.toml:1:1: camera is a section; write [camera] and its keys below"},
+        Broken{"value_as_section", least + "[seed]\nx = 1\n",
+               "scene.toml:5:2: seed is no section; it takes a whole number 0 … "
+               "9.223e+18"},
+        Broken{"not_whole", "seed = 1.5\n" + least,
+               "scene.toml:1:8: seed is 1.5; it takes a whole number 0 … 9.223e+18"},
+        Broken{"two_ways_of_frames", least + "[frames]\nevery = 2\nat = [1]\n",
+               "scene.toml:7:6: two ways to choose frames; keep one of frames.every, frames.at, "
+               "frames.logarithmic"},
+        Broken{"frame_after_the_end", least + "[frames]\nat = [11]\n",
+               "scene.toml:6:6: frames.at names step 11, after the run's end at 10; lengthen "
+               "run.steps or drop it"},
+        Broken{
+            "noise_upside_down", least + "[bed]\nlow = 2\nhigh = 1\n",
+            "scene.toml:7:8: bed.high (1) is below bed.low (2); noise is uniform in [low, high)"},
+        Broken{"too_many_cells", least + "[grid]\nnx = 100000\nny = 100000\n",
+               "scene.toml:7:6: 100000 x 100000 cells are too many; at most 134217728 in all"},
+        Broken{"file_without_name", least + "[bed]\nkind = \"file\"\n",
+               "scene.toml:6:8: bed.file is missing; name the terrain file"},
+        Broken{"infinite", least + "[sun]\nstrength = inf\n",
+               "scene.toml:6:12: sun.strength is inf; it takes a number 0 … 10"},
+        Broken{"item_of_a_list", least + "[frames]\nat = [1, -2]\n",
+               "scene.toml:6:10: frames.at is -2; it takes a list of whole numbers 0 … 1e+15 "
+               "(steps)"}),
+    [](const auto& test) { return test.param.name; });
+
+TEST(SceneFile, WithoutAnEndIsRefused) {
+    try {
+        static_cast<void>(read_scene("/dev/zero"));
+        FAIL() << "it was taken";
+    } catch (const InputError& fault) {
+        EXPECT_STREQ(fault.what(),
+                     "/dev/zero: has more than 16777216 bytes; a scene is a TOML file");
+    }
+}
+
+TEST(Settings, OverrideTheFileInOrder) {
+    const Scene scene =
+        parse_scene(least + "[frames]\nat = [1, 2]\n", "scene.toml", "",
+                    {"run.steps=20", "camera.projection=map", "frames.at.1=9", "seed=7", "seed=8"});
+    EXPECT_EQ(scene.run.steps, 20);
+    EXPECT_EQ(scene.view.camera.projection, Projection::map) << "a bare word is a string";
+    EXPECT_EQ(scene.frames.at, (std::vector<std::int64_t>{1, 9}));
+    EXPECT_EQ(scene.seed, 8);
+}
+
+TEST(Settings, AreLocatedByNumberAndColumn) {
+    EXPECT_EQ(scene_refusal(least, {"seed=1", "sun.elevation=91"}),
+              "--set 2:15: sun.elevation is 91; it takes a number 1 … 90 (degrees)");
+    EXPECT_EQ(scene_refusal(least, {"sun.elevatoin=9"}),
+              "--set 1:1: unknown key sun.elevatoin; did you mean \"sun.elevation\"?");
+    EXPECT_EQ(
+        scene_refusal(least, {"seed"}),
+        "--set 1:1: \"seed\" sets nothing; write key.path=VALUE, for example model.creep_rate=0.2");
+    EXPECT_EQ(scene_refusal(least, {"frames.at=[1, -1]"}),
+              "--set 1:15: frames.at is -1; it takes a list of whole numbers 0 … 1e+15 (steps)");
+    EXPECT_EQ(scene_refusal(least + "[frames]\nat = [1]\n", {"frames.at.3=1"}),
+              "--set 1:13: frames.at has no item 3; it has 1 (counted from 0)");
+}
+
+TEST(Settings, AreUtf8) {
+    EXPECT_EQ(scene_refusal(least, {"title=d\xFCne"}),
+              "--set 1:7: the value of title is not UTF-8; write it in that encoding");
+    EXPECT_EQ(parse_scene(least, "scene.toml", "", {"title=d\xC3\xBCne"}).title, "d\xC3\xBCne");
+}
+
+TEST(Settings, ModelCanBeChosenThere) {
+    EXPECT_EQ(parse_scene("", "scene.toml", "", {"model.name=static"}).model.name, "static");
+}
+
+TEST(ResolvedScene, ReadsBackTheSame) {
+    const Scene scene =
+        parse_scene("title = \"a \\\"quoted\\\" \\\\ title\"\n" + least +
+                        "[grid]\ncell_size = 0.1\n[look]\nlow = -0.25\n[camera]\ndistance = "
+                        "3\n[sun]\ndiameter = 0.30000000000000004\n",
+                    "scene.toml", "");
+    const std::string text = to_toml(scene);
+    const Scene again = parse_scene(text, "again.toml", "");
+    EXPECT_EQ(to_toml(again), text);
+    EXPECT_EQ(again.title, "a \"quoted\" \\ title");
+    EXPECT_EQ(again.view.sun.diameter, 0.30000000000000004);
+}
+
+TEST(ListsOfTables, AreReadAndWrittenBackInOrder) {
+    const std::string text =
+        least +
+        "[[overlay]]\nkind = \"time\"\n[[overlay]]\ncorner = \"lower-right\"\n"
+        "[figure]\nwidth = 100\n[[figure.panel]]\nx_label = \"a\"\n[[figure.panel.curve]]\n"
+        "y = \"one\"\n[[figure.panel.curve]]\ny = \"two\"\n[[figure.panel]]\nkind = \"map\"\n";
+    const Scene scene = parse_scene(text, "scene.toml", "");
+    ASSERT_EQ(scene.view.overlays.size(), 2U);
+    EXPECT_EQ(scene.view.overlays[0].kind, OverlayKind::time);
+    EXPECT_EQ(scene.view.overlays[1].corner, OverlayCorner::lower_right);
+    ASSERT_EQ(scene.figure.panels.size(), 2U);
+    EXPECT_EQ(scene.figure.panels[1].kind, PanelKind::map);
+    ASSERT_EQ(scene.figure.panels[0].curves.size(), 2U);
+    EXPECT_EQ(scene.figure.panels[0].curves[1].y, "two");
+    EXPECT_EQ(scene.figure.width.value, 100.0);
+    const std::string written = to_toml(scene);
+    EXPECT_EQ(to_toml(parse_scene(written, "again.toml", "")), written);
+    EXPECT_NE(written.find("[[figure.panel.curve]]"), std::string::npos) << written;
+}
+
+TEST(ListsOfTables, TakeSettingsAndMoreItems) {
+    const Scene scene = parse_scene(least + "[[overlay]]\n", "scene.toml", "",
+                                    {"overlay.0.size=0.5", "overlay.1.kind=arrow"});
+    ASSERT_EQ(scene.view.overlays.size(), 2U);
+    EXPECT_EQ(scene.view.overlays[0].size, 0.5);
+    EXPECT_EQ(scene.view.overlays[1].kind, OverlayKind::arrow);
+    EXPECT_EQ(scene_refusal(least, {"overlay.7.kind=arrow"}).substr(0, 38),
+              "--set 1:1: unknown key overlay.7.kind;");
+}
+
+TEST(ListsOfTables, WrongOnesAreLocated) {
+    EXPECT_EQ(
+        scene_refusal(least + "[overlay]\nkind = \"time\"\n"),
+        "scene.toml:5:2: overlay is a list of sections; write [[overlay]] and its keys below, "
+        "as often as there are");
+    EXPECT_EQ(
+        scene_refusal("overlay = [1]\n" + least),
+        "scene.toml:1:12: overlay is a list of sections; write [[overlay]] and its keys below");
+    EXPECT_EQ(scene_refusal(least + "[[overlay]]\n[[overlay]]\ncolour = 1\n").substr(0, 46),
+              "scene.toml:7:1: unknown key overlay.1.colour; ");
+    EXPECT_EQ(scene_refusal(least + "[[overlay]]\nkind = \"clock\"\n").substr(0, 43),
+              "scene.toml:6:8: overlay.0.kind is \"clock\"; ");
+}
+
+TEST(Describe, ListsEveryKeyWithTypeUnitDefaultAndRange) {
+    const std::string text = describe_text("scene");
+    EXPECT_NE(text.find("camera.azimuth"), std::string::npos);
+    EXPECT_NE(text.find("number, degrees, 1 … 90 [default 24.0]"), std::string::npos);
+    EXPECT_THROW(describe_text("sant"), InputError);
+    Scene scene;
+    const KeyTable table = scene_keys(scene);
+    for (const Key& key : table.keys()) EXPECT_FALSE(key.notes.help.empty()) << key.path;
+}
+
+TEST(Describe, DefaultsLieWithinTheirRanges) {
+    Scene scene = parse_scene(least, "scene.toml", "");
+    // Reading back the resolved scene checks every default against its own range.
+    EXPECT_NO_THROW(parse_scene(to_toml(scene), "defaults.toml", ""));
+}
+
+}  // namespace
+}  // namespace fumon

@@ -1,0 +1,279 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "models/registry.h"
+#include "picture/baseline.h"
+#include "picture/png.h"
+#include "scene/read.h"
+#include "support/program.h"
+
+namespace fumon::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// A folder with a small scene and a baseline of two cases, of which the map keeps its picture.
+class Verify : public ::testing::Test {
+  protected:
+    Verify() {
+        write_text(folder_ / "scene.toml", small_scene());
+        write_baseline("");
+    }
+
+    /// `settings` go into both cases, behind the first.
+    void write_baseline(const std::string& settings) const {
+        const std::string recorded = read_text(folder_ / "b.toml");
+        const std::size_t mark = recorded.find("\n# Recorded by");
+        write_text(folder_ / "b.toml",
+                   "scene = \"scene.toml\"\nstep = 10\n" + settings +
+                       "[cases]\nperspective = {}\n"
+                       "map = {settings = [\"camera.projection=map\"], picture = true}\n" +
+                       (mark == std::string::npos ? "" : recorded.substr(mark)));
+    }
+
+    [[nodiscard]] Ended verify(const std::vector<std::string>& more = {},
+                               const std::vector<std::string>& environment = {}) const {
+        std::vector<std::string> arguments{"verify", "b.toml"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return fumon(arguments, folder_.path(), environment);
+    }
+
+    void accept() const {
+        const Ended ended = verify({"--update", "--pinned"});
+        ASSERT_EQ(ended.status, 0) << ended.output << ended.errors;
+    }
+
+    ScratchFolder folder_;
+};
+
+TEST_F(Verify, MissingBaselinesFailAndLeaveThePicturesForReview) {
+    const Ended ended = verify({"-o", "out", "--junit", "junit.xml"});
+    EXPECT_EQ(ended.status, 1);
+    EXPECT_EQ(ended.output,
+              "MISSING  b perspective: nothing is recorded; look at the picture, then `fumon "
+              "verify --update`\n"
+              "MISSING  b map: nothing is recorded; look at the picture, then `fumon verify "
+              "--update`\n"
+              "0 of 2 as recorded; see out/index.html\n");
+    EXPECT_EQ(read_png(folder_ / "out/b/map-got.png").width, 64);
+    EXPECT_TRUE(fs::exists(folder_ / "out/index.html"));
+    EXPECT_TRUE(contains(read_text(folder_ / "junit.xml"), "failures=\"2\""));
+    EXPECT_FALSE(contains(read_text(folder_ / "b.toml"), "recorded"));
+}
+
+TEST_F(Verify, PassesAfterUpdateAndLeavesNothing) {
+    const Ended update = verify({"--update", "--pinned"});
+    EXPECT_EQ(update.status, 0) << update.errors;
+    EXPECT_EQ(update.output,
+              "new      b perspective: recorded; look at it before you keep it\n"
+              "new      b map: recorded; look at it before you keep it\n");
+    EXPECT_TRUE(fs::exists(folder_ / "b/map.png"));
+    EXPECT_FALSE(fs::exists(folder_ / "b/perspective.png"));
+
+    const Ended ended = verify();
+    EXPECT_EQ(ended.status, 0) << ended.output;
+    EXPECT_EQ(ended.output,
+              "ok       b perspective: strict: state and pixels as recorded\n"
+              "ok       b map: strict: state and pixels as recorded\n"
+              "2 of 2 as recorded\n");
+    EXPECT_FALSE(fs::exists(folder_ / "verify-out"));
+    EXPECT_EQ(verify({"-q"}).output, "");
+
+    const std::string before = read_text(folder_ / "b.toml");
+    EXPECT_EQ(verify({"--update"}).output,
+              "kept     b perspective: as recorded\n"
+              "kept     b map: as recorded\n");
+    EXPECT_EQ(read_text(folder_ / "b.toml"), before);
+}
+
+TEST_F(Verify, AFigureIsACaseOfThePortableTier) {
+    const std::string page =
+        "[figure]\ndots_per_inch = 60\n[[figure.panel]]\nkind = \"map\"\n[[figure.panel]]\n"
+        "[[figure.panel.curve]]\nseeds = 2\ny = \"standard_deviation\"\n";
+    write_text(folder_ / "scene.toml", small_scene() + page);
+    write_text(folder_ / "b.toml",
+               "scene = \"scene.toml\"\nstep = 10\n[cases]\npage = {figure = true}\n");
+    accept();
+    EXPECT_EQ(verify().output,
+              "ok       b page: portable (text stands in the fonts of the machine): state and "
+              "pixels as recorded\n1 of 1 as recorded\n");
+    write_text(folder_ / "scene.toml", small_scene() + page + "x_logarithmic = true\n");
+    EXPECT_EQ(verify().status, 2) << "a curve has no such key";
+    write_text(folder_ / "scene.toml", small_scene() + "[bed]\nhigh = 0.9\n" + page);
+    const Ended other = verify();
+    EXPECT_EQ(other.status, 1) << other.output << other.errors;
+    EXPECT_TRUE(contains(other.output, "the state differs")) << other.output;
+    write_text(folder_ / "scene.toml", small_scene());
+    EXPECT_EQ(verify().status, 2) << "there is no figure in it";
+    write_text(folder_ / "b.toml",
+               "scene = \"scene.toml\"\n[cases]\npage = {figure = true, step = 3}\n");
+    EXPECT_TRUE(contains(verify().errors, "b.toml:3:1: cases.page is a figure")) << verify().errors;
+}
+
+TEST_F(Verify, AMovedSunShowsOnOnePage) {
+    accept();
+    write_baseline("settings = [\"sun.azimuth=320\"]\n");
+    const Ended ended = verify({"-o", "out", "--junit", "junit.xml"});
+    EXPECT_EQ(ended.status, 1);
+    EXPECT_TRUE(contains(ended.output, "DIFFERS  b map: strict: ")) << ended.output;
+    EXPECT_FALSE(contains(ended.output, "the state differs")) << ended.output;
+    EXPECT_TRUE(contains(ended.output, "smallest tile SSIM")) << ended.output;
+    for (const char* name : {"map-expected.png", "map-got.png", "map-difference.png"})
+        EXPECT_EQ(read_png(folder_ / (std::string("out/b/") + name)).width, 64) << name;
+    EXPECT_EQ(read_png(folder_ / "out/b/map-expected.png"), read_png(folder_ / "b/map.png"));
+    EXPECT_EQ(read_png(folder_ / "out/b/perspective-expected.png").width, 32)
+        << "of which no picture is kept, the thumbnail";
+    EXPECT_EQ(read_png(folder_ / "out/b/perspective-got.png").width, 64);
+
+    const std::string page = read_text(folder_ / "out/index.html");
+    EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
+    EXPECT_TRUE(page.ends_with("</html>\n"));
+    EXPECT_FALSE(contains(page, "http")) << "nothing from outside";
+    for (std::size_t at = page.find("src=\""); at != std::string::npos;
+         at = page.find("src=\"", at + 1))
+        EXPECT_TRUE(page.substr(at + 5).starts_with("data:image/png;base64,iVBORw0KGgo"));
+    EXPECT_TRUE(contains(read_text(folder_ / "junit.xml"), "failures=\"2\" errors=\"0\""));
+
+    const Ended update = verify({"--update"});
+    EXPECT_EQ(update.status, 0);
+    EXPECT_TRUE(contains(update.output, "changed  b map: the pixels change, their thumbnail by "))
+        << update.output;
+    EXPECT_EQ(verify({"-o", "out"}).status, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "out/index.html")) << "the former page would tell otherwise";
+    EXPECT_FALSE(fs::exists(folder_ / "out/b"));
+}
+
+TEST_F(Verify, LeavesAPageOfOthersAlone) {
+    fs::create_directories(folder_ / "site");
+    write_text(folder_ / "site/index.html", "<!DOCTYPE html>\nmine\n");
+    const Ended ended = verify({"-o", "site"});
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_EQ(
+        ended.errors,
+        "site/index.html: is not a page of fumon verify's and would be replaced; name another "
+        "folder with -o\n");
+    EXPECT_EQ(read_text(folder_ / "site/index.html"), "<!DOCTYPE html>\nmine\n");
+}
+
+TEST_F(Verify, OneStepMoreChangesState) {
+    accept();
+    write_text(folder_ / "b.toml", [&] {
+        std::string text = read_text(folder_ / "b.toml");
+        return text.replace(text.find("step = 10"), 9, "step = 11");
+    }());
+    const Ended ended = verify({"-o", "out"});
+    EXPECT_EQ(ended.status, 1);
+    EXPECT_TRUE(contains(ended.output, "DIFFERS  b perspective: strict: the state differs; "))
+        << ended.output;
+}
+
+TEST_F(Verify, AnotherProcessorPassesInThePortableTier) {
+    EXPECT_EQ(verify({"--update"}).status, 0) << "not pinned";
+    const Ended ended = verify({}, {"GALLIUM_OVERRIDE_CPU_CAPS=sse4.1"});
+    EXPECT_EQ(ended.status, 0) << ended.output;
+    EXPECT_TRUE(contains(ended.output, "ok       b map: portable (")) << ended.output;
+}
+
+TEST_F(Verify, AChangedKeptPictureIsWrongInput) {
+    accept();
+    fs::copy_file(folder_ / "b/map.png", folder_ / "b/kept.png");
+    EXPECT_EQ(fumon({"still", "scene.toml", "-o", "b/map.png", "-q"}, folder_.path()).status, 0);
+    const Ended ended = verify();
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_TRUE(contains(ended.output,
+                         "WRONG    b map: b/map.png: is not the picture that b.toml "
+                         "recorded for map; bring it back"))
+        << ended.output;
+    fs::remove(folder_ / "b/map.png");
+    const Ended gone = verify();
+    EXPECT_EQ(gone.status, 1);
+    EXPECT_TRUE(contains(gone.output, "MISSING  b map: its expected picture is not there"))
+        << gone.output;
+}
+
+TEST_F(Verify, WrongInputIsFoundBeforeAnythingIsDrawn) {
+    const auto errors = [&](const std::string& cases) {
+        write_text(folder_ / "b.toml", "[cases]\n" + cases);
+        const Ended ended = verify({"--junit", "junit.xml"});
+        EXPECT_EQ(ended.status, 2) << ended.output;
+        EXPECT_EQ(ended.output, "");
+        EXPECT_FALSE(fs::exists(folder_ / "junit.xml"));
+        return ended.errors;
+    };
+    EXPECT_EQ(errors("a = {scene = \"none.toml\"}\n"),
+              "b.toml:2:1: cases.a: none.toml: cannot be read (No such file or directory); check "
+              "the path\n");
+    EXPECT_EQ(errors("a = {scene = \"scene.toml\", settings = [\"sun.azimut=3\"]}\n"),
+              "b.toml:2:1: cases.a: settings.1:1: unknown key sun.azimut; did you mean "
+              "\"sun.azimuth\"?\n");
+    EXPECT_EQ(errors("a = {scene = \"scene.toml\", stop = 3}\n"),
+              "b.toml:2:28: unknown key cases.a.stop; did you mean \"cases.a.step\"?\n");
+    write_text(folder_ / "b.toml", "[cases]\none = {scene = \"scene.toml\"}\n");
+    accept();
+    write_text(folder_ / "b.toml", [&] {
+        std::string text = read_text(folder_ / "b.toml");
+        return text.replace(text.find("one = {"), 7, "two = {");
+    }());
+    EXPECT_EQ(verify().errors,
+              "b.toml: recorded.one belongs to no case; bring its case back, or let `fumon verify "
+              "--update` remove what is recorded\n");
+    const Ended update = verify({"--update"});
+    EXPECT_TRUE(contains(update.output, "removed  b one: it has no case any more\n"))
+        << update.output;
+    EXPECT_FALSE(contains(read_text(folder_ / "b.toml"), "recorded.one"));
+}
+
+TEST_F(Verify, AStepAfterTheEndIsWrongInput) {
+    write_text(folder_ / "b.toml",
+               "[cases]\na = {scene = \"scene.toml\", step = 21}\n"
+               "b = {scene = \"scene.toml\", time = 21}\n");
+    const Ended ended = verify({"-o", "out"});
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_TRUE(contains(ended.output,
+                         "WRONG    b a: b.toml:2:1: cases.a: step 21 is after the run's end; "))
+        << ended.output;
+    EXPECT_TRUE(contains(
+        ended.output, "WRONG    b b: b.toml:3:1: cases.b: time 21 is after the run's end at 20 "))
+        << ended.output;
+    EXPECT_TRUE(contains(read_text(folder_ / "out/index.html"), "step 21 is after"));
+}
+
+/// Every model's pictures are under test: in both looks, from above and in perspective. What a
+/// section's figure shows has no camera.
+TEST(ImageBaselines, CoverEveryModelLookAndProjection) {
+    std::set<std::tuple<std::string, ViewMode, Projection>> covered;
+    for (const auto& entry : fs::directory_iterator(FUMON_TEST_FOLDER "/images/baselines")) {
+        if (entry.path().extension() != ".toml") continue;
+        const Baseline baseline = read_baseline(entry.path());
+        EXPECT_TRUE(baseline.orphans.empty()) << entry.path();
+        for (const BaselineCase& one : baseline.cases) {
+            EXPECT_TRUE(baseline.records.contains(one.name)) << entry.path() << " " << one.name;
+            const Scene scene = read_scene(baseline.file.parent_path() / one.scene, one.settings);
+            const auto cover = [&](Projection projection) {
+                covered.insert({scene.model.name, scene.view.look.mode, projection});
+            };
+            cover(scene.view.camera.projection);
+            if (scene.model.name == "airflow" && scene.view.look.mode == ViewMode::figure)
+                cover(Projection::map);
+        }
+    }
+    for (const ModelEntry& model : models()) {
+        for (const ViewMode mode : {ViewMode::scenic, ViewMode::figure}) {
+            for (const Projection projection : {Projection::perspective, Projection::map}) {
+                EXPECT_TRUE(covered.contains({std::string(model.name), mode, projection}))
+                    << model.name << ", look " << static_cast<int>(mode) << ", projection "
+                    << static_cast<int>(projection);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace fumon::test
