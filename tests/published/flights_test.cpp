@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <span>
 #include <string>
 
@@ -43,6 +45,9 @@ TEST(PublishedFlights, TheHopLawOfTable3) {
     expect_within(number(snapshot, "hop_base"), 5.19, 0.03, "a of all angles");
     EXPECT_NEAR(number(snapshot, "hop_r_squared"), 0.729, 0.01);
     EXPECT_NEAR(number(snapshot, "hop_line_r_squared"), 0.711, 0.01);
+    // section 3.4: "a positive correlation" of stress and height
+    EXPECT_GT(number(snapshot, "stress_amplitude"), 0.5 * number(snapshot, "stress_mean"));
+    EXPECT_LT(std::abs(number(snapshot, "stress_phase")), std::numbers::pi / 6.0);
     EXPECT_GE(number(snapshot, "largest_grain_reynolds"), 9.0);
     EXPECT_LT(number(snapshot, "largest_grain_reynolds"), 10.0);
 

@@ -27,22 +27,22 @@ struct KilledRun {
 const KilledRun cases[] = {
     {"Sand",
      "seed = 3\n[model]\nname = \"sand\"\norder = \"random-sequential\"\n[grid]\nnx = 100\nny = "
-     "80\n[run]\nsteps = 1500\n[frames]\nevery = 15\n[output]\nfields_every = 50\nbed_every = "
+     "80\n[run]\nsteps = 750\n[frames]\nevery = 15\n[output]\nfields_every = 50\nbed_every = "
      "200\n"},
     {"Profile",
      "[model]\nname = \"sand\"\norder = \"random-sequential\"\ncreep = \"profile\"\n[grid]\nnx = "
-     "4000\nny = 1\n[run]\nsteps = 2000\n[frames]\nevery = 25\n"},
+     "4000\nny = 1\n[run]\nsteps = 800\n[frames]\nevery = 25\n"},
     {"Pile",
      "[model]\nname = \"sandpile\"\norder = \"first-in-first-out\"\ndrop_direction = "
      "\"cycling\"\ngrains_per_step = 20\n[grid]\nnx = 40\nny = 40\n[run]\nsteps = "
-     "2000\n[frames]\nevery = 25\n[output]\nframes = false\nfields_every = 100\n"},
+     "1000\n[frames]\nevery = 25\n[output]\nframes = false\nfields_every = 100\n"},
     {"Gully",
      "[model]\nname = \"gully\"\ntransport = \"as-printed\"\n[bed]\nhigh = 0.01\n[grid]\nnx = "
-     "60\nny = 60\n[run]\nsteps = 700\n[frames]\nevery = 10\n[output]\nfields_every = 20\n"},
+     "60\nny = 60\n[run]\nsteps = 300\n[frames]\nevery = 10\n[output]\nfields_every = 20\n"},
     {"Air",
      "[model]\nname = \"airflow\"\nnz = 24\nflights = true\nshown_paths = 4\nbed_amplitude = "
      "0.1\nlid_speed = 0.2\nlaunch_angles = [10.0]\n[grid]\nnx = 80\n[run]\nsteps = "
-     "1500\n[frames]\nevery = 25\n[output]\nfields_every = 50\n"},
+     "700\n[frames]\nevery = 25\n[output]\nfields_every = 50\n"},
 };
 
 class RandomKills : public ::testing::TestWithParam<KilledRun> {};
