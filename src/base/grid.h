@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "base/geo_reference.h"
 #include "base/large_pages.h"
 
 namespace fumon {
@@ -68,6 +70,7 @@ struct WorldScale {
     double dy = 1.0;           ///< cell size northward, metres (or sites)
     double height_unit = 1.0;  ///< metres per model height
     bool in_metres = false;
+    std::optional<GeoReference> place{};  ///< where the grid lies; none of a grid that lies nowhere
 
     friend bool operator==(const WorldScale&, const WorldScale&) = default;
 };

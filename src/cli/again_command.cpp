@@ -3,7 +3,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "cli/commands.h"
+#include "cli/command.h"
+#include "cli/shared_options.h"
 #include "figure/canvas/figure_metadata.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
@@ -21,6 +22,28 @@
 namespace fumon {
 
 namespace {
+
+struct AgainOptions {
+    std::string picture;
+    std::string output;  ///< empty: NAME-again.png (or .mp4, .pdf, .svg) in the working folder
+    std::string runs;    ///< of a figure: the folder of finished runs; empty: "runs" beside it
+    WorkOptions work;
+};
+
+void declare(CLI::App& command, AgainOptions& options) {
+    command.add_option("PICTURE", options.picture, "a PNG, MP4, PDF or SVG that fumon made")
+        ->required();
+    command
+        .add_option("-o,--output", options.output,
+                    "what is made (default: NAME-again.png, .mp4, .pdf or .svg here)")
+        ->type_name("FILE");
+    command
+        .add_option("--runs", options.runs,
+                    "of a figure: where finished runs are kept (default: runs beside it)")
+        ->type_name("FOLDER");
+    add_work_options(command, options.work);
+    add_drawing_options(command, options.work);
+}
 
 namespace fs = std::filesystem;
 
@@ -162,9 +185,7 @@ int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& w
     return 0;
 }
 
-}  // namespace
-
-int again_command(const AgainOptions& options) {
+int perform(const AgainOptions& options) {
     const InterruptGuard guard;
     if (const FigureMetadata texts = figure_texts(options.picture); is_figure(texts))
         return figure_again(options, read_figure_origin(texts, options.picture));
@@ -180,6 +201,14 @@ int again_command(const AgainOptions& options) {
     }
     return origin.is_movie ? movie_again(std::move(scene), options, origin)
                            : picture_again(std::move(scene), options, work, origin);
+}
+
+}  // namespace
+
+Command again_command() {
+    return make_command<AgainOptions>(
+        "again", "make a picture, movie or figure again from what it says of itself", declare,
+        perform);
 }
 
 }  // namespace fumon

@@ -4,7 +4,8 @@
 
 #include "base/error.h"
 #include "base/tell.h"
-#include "cli/commands.h"
+#include "cli/command.h"
+#include "cli/shared_options.h"
 #include "paper/figure_plan.h"
 #include "run/prepared_run.h"
 #include "scene/read.h"
@@ -12,16 +13,27 @@
 
 namespace fumon {
 
-int check_command(const std::vector<std::string>& scenes,
-                  const std::vector<std::string>& settings) {
+namespace {
+
+struct CheckOptions {
+    std::vector<std::string> scenes;
+    std::vector<std::string> settings;
+};
+
+void declare(CLI::App& command, CheckOptions& options) {
+    command.add_option("SCENE", options.scenes, "scene files")->required();
+    add_settings(command, options.settings, "override a scene key");
+}
+
+int perform(const CheckOptions& options) {
     int status = 0;
     FigureRuns runs;
-    for (const std::string& file : scenes) {
+    for (const std::string& file : options.scenes) {
         try {
-            const PreparedRun prepared = prepare_run(read_scene(file, settings), 1);
+            const PreparedRun prepared = prepare_run(read_scene(file, options.settings), 1);
             if (!prepared.scene.figure.panels.empty()) {
                 FigureSources sources;
-                plan_figure(file, settings, sources, runs, nullptr);
+                plan_figure(file, options.settings, sources, runs, nullptr);
             }
             const std::string line = fmt::format(
                 "{}: fine ({}, {} x {} cells, {} steps, {} frames)\n", file,
@@ -35,6 +47,13 @@ int check_command(const std::vector<std::string>& scenes,
         }
     }
     return status;
+}
+
+}  // namespace
+
+Command check_command() {
+    return make_command<CheckOptions>("check", "say whether scenes are right, and where not",
+                                      declare, perform);
 }
 
 }  // namespace fumon

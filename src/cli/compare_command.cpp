@@ -2,7 +2,8 @@
 
 #include <cstdio>
 
-#include "cli/commands.h"
+#include "cli/command.h"
+#include "cli/shared_options.h"
 #include "files/atomic_file.h"
 #include "picture/compare.h"
 #include "picture/png.h"
@@ -10,6 +11,28 @@
 namespace fumon {
 
 namespace {
+
+struct CompareOptions {
+    std::string first;
+    std::string second;
+    Likeness level = Likeness::same_to_the_eye;  ///< that passes
+    std::string difference;                      ///< a PNG to write; empty: none
+};
+
+void declare(CLI::App& command, CompareOptions& options) {
+    command.add_option("A", options.first, "a PNG file")->required();
+    command.add_option("B", options.second, "another")->required();
+    command.add_option("--diff", options.difference, "draw where they differ")
+        ->type_name("FILE.png");
+    add_choice<Likeness>(command, "--level", options.level,
+                         {{"identical", Likeness::identical},
+                          {"same", Likeness::same_to_the_eye},
+                          {"close", Likeness::close}},
+                         "identical, same or close",
+                         "the least alike that passes: identical, same (default) or close");
+    command.footer(likeness_help() +
+                   "\nExit status: 0 at least --level, 1 less (other sizes too), 2 wrong input.");
+}
 
 void print(const Comparison& comparison) {
     fmt::print(
@@ -27,9 +50,7 @@ void print(const Comparison& comparison) {
     fmt::print("\n");
 }
 
-}  // namespace
-
-int compare_command(const CompareOptions& options) {
+int perform(const CompareOptions& options) {
     const Image first = read_png(options.first);
     const Image second = read_png(options.second);
     if (first.width != second.width || first.height != second.height) {
@@ -46,6 +67,13 @@ int compare_command(const CompareOptions& options) {
                    encode_png(difference_picture(first, second), screen_dots_per_inch, {}));
     }
     return found >= options.level ? 0 : 1;
+}
+
+}  // namespace
+
+Command compare_command() {
+    return make_command<CompareOptions>("compare", "how far two pictures are apart, and a verdict",
+                                        declare, perform);
 }
 
 }  // namespace fumon

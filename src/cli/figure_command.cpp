@@ -6,7 +6,8 @@
 #include <map>
 
 #include "base/error.h"
-#include "cli/commands.h"
+#include "cli/command.h"
+#include "cli/shared_options.h"
 #include "paper/figure_files.h"
 #include "paper/figure_make.h"
 #include "paper/figure_page.h"
@@ -16,6 +17,37 @@
 namespace fumon {
 
 namespace {
+
+struct FigureOptions {
+    std::vector<std::string> scenes;
+    std::string folder;
+    std::string runs;  ///< the folder of finished runs; empty: "runs" in the figures' folder
+    WorkOptions work;
+};
+
+void declare(CLI::App& command, FigureOptions& options) {
+    command.add_option("SCENE", options.scenes, "scene files with [[figure.panel]] sections")
+        ->required();
+    command.add_option("-o,--output", options.folder, "the folder for the figures")
+        ->type_name("DIR")
+        ->required();
+    command
+        .add_option("--runs", options.runs,
+                    "where finished runs are kept and looked for (default: DIR/runs)")
+        ->type_name("FOLDER");
+    add_work_options(command, options.work);
+    add_drawing_options(command, options.work);
+    command.footer(
+        "  fumon figure scenes/figures/*.toml -o out/figures\n"
+        "\n"
+        "DIR/NAME.pdf, .svg and .png are the figure, DIR/NAME.caption.txt says how it was "
+        "made, "
+        "DIR/NAME-a-1.csv is\nthe data of panel (a), curve 1. Runs that are there already are "
+        "not made again.\n"
+        "Exit status: 0 done, 1 some runs or figures failed, 2 wrong input, 130/143 "
+        "interrupted "
+        "(finished runs are kept).");
+}
 
 namespace fs = std::filesystem;
 
@@ -59,9 +91,7 @@ void make_figure(const PlannedFigure& figure, const FigureRuns& runs, const RunS
                             fmt::join(plan.scene.figure.formats, ", .")));
 }
 
-}  // namespace
-
-int figure_command(const FigureOptions& options) {
+int perform(const FigureOptions& options) {
     const InterruptGuard guard;
     StatusLine status(options.work.verbosity);
     std::vector<PlannedFigure> figures;
@@ -91,6 +121,14 @@ int figure_command(const FigureOptions& options) {
         }
     }
     return exit_status;
+}
+
+}  // namespace
+
+Command figure_command() {
+    return make_command<FigureOptions>(
+        "figure", "make a paper's figures: all their runs, pages, captions and data", declare,
+        perform);
 }
 
 }  // namespace fumon

@@ -3,7 +3,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "cli/command.h"
 #include "cli/commands.h"
+#include "cli/shared_options.h"
 #include "keys/key_value.h"
 #include "picture/fingerprint.h"
 #include "picture/fingerprint_text.h"
@@ -13,6 +15,21 @@
 namespace fumon {
 
 namespace {
+
+struct FingerprintOptions {
+    std::vector<std::string> images;
+    bool as_json = false;
+};
+
+void declare(CLI::App& command, FingerprintOptions& options) {
+    command.add_option("IMAGE", options.images, "PNG files")->required();
+    command.add_flag("--json", options.as_json, "as JSON");
+    command.footer(
+        "size     width and height, pixels\n"
+        "pixels   SHA-256 of the pixels (8 bits a channel, without alpha), as run.json has it\n"
+        "dhash    64-bit difference hash: a label, blind to light and shading\n"
+        "red, green, blue   32 x 18 mean levels of boxes of the picture, to a tenth");
+}
 
 using Json = nlohmann::ordered_json;
 
@@ -39,9 +56,7 @@ Json fingerprint_json(const std::string& file, const Fingerprint& fingerprint) {
     return json;
 }
 
-}  // namespace
-
-int fingerprint_command(const FingerprintOptions& options) {
+int perform(const FingerprintOptions& options) {
     Json all = Json::array();
     std::string text;
     for (std::string file : options.images) {
@@ -57,6 +72,14 @@ int fingerprint_command(const FingerprintOptions& options) {
     if (options.as_json) text = json_text(all) + "\n";
     std::fputs(text.c_str(), stdout);
     return 0;
+}
+
+}  // namespace
+
+Command fingerprint_command() {
+    return make_command<FingerprintOptions>(
+        "fingerprint", "what pictures are known by: pixel hash, thumbnail as text, dHash", declare,
+        perform);
 }
 
 }  // namespace fumon

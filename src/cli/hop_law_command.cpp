@@ -6,28 +6,64 @@
 #include <string_view>
 #include <utility>
 
-#include "base/data_files.h"
 #include "base/error.h"
-#include "base/units.h"
-#include "cli/commands.h"
+#include "cli/command.h"
+#include "cli/shared_options.h"
 #include "files/atomic_file.h"
 #include "hop_law/flight_table.h"
 #include "hop_law/hop_law_scene.h"
+#include "hop_law/law_scene.h"
 #include "models/air/airflow.h"
 #include "models/sand/sand.h"
+#include "run/prepared_run.h"
 #include "run/still.h"
 #include "run/terminal/interrupt.h"
 #include "scene/read.h"
-#include "scene/write.h"
 
 namespace fumon {
 
 namespace {
 
-namespace fs = std::filesystem;
+struct HopLawOptions {
+    std::string scene;   ///< of the model airflow
+    std::string output;  ///< the sand scene to write
+    std::string form = "exponential";
+    std::int64_t hops = 1;  ///< in succession
+    std::string into;       ///< the sand scene that gets the law; empty: Terada's ripples
+    std::string flights;    ///< a CSV file of all flights; empty: none
+    WorkOptions work;
+};
 
-/// Section 5 of Terada (2025): the ripples that the law makes where no other sand is asked for.
-constexpr const char* ripples_of_section_5 = "scenes/figures/terada-2025-21.toml";
+void declare(CLI::App& command, HopLawOptions& options) {
+    command.add_option("SCENE", options.scene, "a scene of the model airflow")->required();
+    command.add_option("-o,--output", options.output, "the sand scene to write")
+        ->type_name("LAW.toml")
+        ->required();
+    command
+        .add_option("--form", options.form,
+                    "of the law: exponential (default), linear, table or slope")
+        ->type_name("NAME")
+        ->check(CLI::IsMember({"exponential", "linear", "table", "slope"}).description(""));
+    command.add_option("--hops", options.hops, "hops in succession that count as one (default 1)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10000).description(""));
+    command
+        .add_option("--into", options.into,
+                    "a sand scene of your own that gets the law (default: the ripples of "
+                    "Terada 2025, section 5)")
+        ->type_name("SAND.toml");
+    command.add_option("--flights", options.flights, "write every flight into a table")
+        ->type_name("FILE.csv");
+    add_work_options(command, options.work);
+    command.footer(
+        "  fumon hop-law scenes/terada-hop-law.toml -o out/law.toml\n"
+        "  fumon run out/law.toml -o out/ripples\n"
+        "\n"
+        "The air runs to the scene's last step; then a grain leaves every column at each of "
+        "model.launch_angles.");
+}
+
+namespace fs = std::filesystem;
 
 HopForm form_of(const std::string& name) {
     constexpr std::array<std::pair<std::string_view, HopForm>, 4> forms{
@@ -62,156 +98,7 @@ void check_outputs(const HopLawOptions& options) {
     }
 }
 
-/// The sand that is to hop by the law.
-struct SandSource {
-    SceneText text;
-    Scene scene;
-    bool own = false;  ///< the user's: --into
-};
-
-SandSource sand_source(const std::string& into) {
-    SandSource sand;
-    sand.own = !into.empty();
-    sand.text = read_scene_text(sand.own ? fs::path(into) : data_file(ripples_of_section_5));
-    sand.scene = prepare_run(parse_scene(sand.text, {}), 1).scene;
-    if (sand.scene.model.name != Sand::model_name) {
-        throw InputError(fmt::format("{}a hop law goes into the model {}, not into {}",
-                                     sand.scene.at("model.name"), Sand::model_name,
-                                     sand.scene.model.name));
-    }
-    return sand;
-}
-
-/// Whether the law's scale in metres becomes that of the sand: not where its own is known.
-bool takes_scale(const Scene& sand) {
-    return bed_kind(sand) != BedKind::file && sand.grid.cell_size.empty() &&
-           sand.grid.height_unit.is_word();
-}
-
-const Airflow& airflow_of(const PreparedRun& prepared) {
-    const auto* air = dynamic_cast<const Airflow*>(prepared.model.get());
-    if (air == nullptr) {
-        throw InputError(fmt::format(
-            "{}a hop law is measured in the air of the model {}, which {} has not",
-            prepared.scene.at("model.name"), Airflow::model_name, prepared.scene.model.name));
-    }
-    return *air;
-}
-
-std::string air_line(const PreparedRun& prepared, const Airflow& air) {
-    const std::string steady =
-        air.steady_since()
-            ? fmt::format("steady since {:.4g} s", *air.steady_since())
-            : std::string("not steady yet (model.until_steady = true and more steps go on)");
-    return fmt::format("air of {} (seed {}) after {} steps, {:.4g} s, {}", prepared.scene.source,
-                       prepared.scene.seed, air.steps_done(), air.time(), steady);
-}
-
-std::string grain_line(const Airflow& air, const MeasuredHops& hops, std::int64_t count) {
-    const FlightParameters& flight = air.parameters().flight;
-    return fmt::format("{} grains of {:g} mm and {:g} kg/m^3, {} drag, {}", hops.pooled.flights,
-                       flight.grain_diameter, flight.grain_density,
-                       flight.drag == GrainDrag::stokes ? "Stokes'" : "Schiller and Naumann's",
-                       count == 1 ? std::string("one hop each")
-                                  : fmt::format("{} hops in succession each", count));
-}
-
-/// What to hear of the drag law where grains outran it; else nothing.
-std::string reynolds_warning(const Airflow& air, const MeasuredHops& hops) {
-    constexpr double beyond_stokes = 2.0;  // Terada (2025), section 2.2
-    constexpr double beyond_schiller_naumann = 800.0;
-    const double reached = hops.pooled.reynolds;
-    if (air.parameters().flight.drag == GrainDrag::stokes) {
-        if (reached <= beyond_stokes) return {};
-        return fmt::format(
-            "particle Reynolds numbers reach {:.3g}, beyond Stokes' drag (2); see "
-            "also --set model.drag=\"schiller-naumann\"",
-            reached);
-    }
-    if (reached <= beyond_schiller_naumann) return {};
-    return fmt::format(
-        "particle Reynolds numbers reach {:.3g}, beyond Schiller and Naumann's drag (800)",
-        reached);
-}
-
-std::string scale_line(const MeasuredHops& hops) {
-    return fmt::format(
-        "one model height is the bed's range, {:.4g} mm; one site is a tenth of the "
-        "hop from the crest, {:.4g} mm",
-        hops.height, hops.site);
-}
-
-/// A comment in the scene; what it quotes must not end it.
-std::string comment(std::string line) {
-    for (char& letter : line) {
-        if (static_cast<unsigned char>(letter) < ' ' || letter == '\x7f') letter = '?';
-    }
-    return line.empty() ? "#\n" : "# " + line + "\n";
-}
-
-std::string law_head(const PreparedRun& prepared, const Airflow& air, const MeasuredHops& hops,
-                     const HopLawOptions& options, bool scaled) {
-    std::string text = comment(
-        "Sand that hops by a law measured on grains flown in computed air "
-        "(Terada 2025, sections 4 and 5).");
-    text += comment("Written by fumon " FUMON_VERSION " hop-law: " + air_line(prepared, air) + ";");
-    text += comment(grain_line(air, hops, options.hops) + ".");
-    for (const std::string& setting : options.work.settings) text += comment("--set " + setting);
-    text += comment("Fits, heights above the bed's lowest point: l = a^h - 1 and a straight line.");
-    text += comment("");
-    for (const std::string& line : fit_lines(hops)) text += comment(line);
-    text += comment("");
-    if (const std::string warning = reynolds_warning(air, hops); !warning.empty())
-        text += comment("Note: " + warning + ".");
-    text += comment("The law: " + law_line(hops, form_of(options.form)) + ".");
-    text += comment("Scale (eq. 45): " + scale_line(hops) +
-                    (scaled ? "." : "; the grid keeps a scale of its own."));
-    return text;
-}
-
-/// The files that a scene names, from its own folder, as the written scene reaches them.
-void move_files(const fs::path& output, PreparedRun& sand) {
-    const fs::path folder = fs::absolute(output).parent_path();
-    const auto from_folder = [&](const fs::path& file) {
-        return fs::proximate(fs::absolute(file), folder).string();
-    };
-    const auto move = [&](std::string& file) {
-        if (!file.empty() && fs::path(file).is_relative())
-            file = from_folder(sand.scene.directory / file);
-    };
-    Scene& scene = sand.scene;
-    if (!sand.initial.inputs.empty() && fs::path(scene.bed.file).is_relative())
-        scene.bed.file = from_folder(sand.initial.inputs.front().path);
-    for (PanelSettings& panel : scene.figure.panels) {
-        move(panel.scene);
-        for (CurveSettings& curve : panel.curves) {
-            move(curve.scene);
-            move(curve.file);
-        }
-    }
-}
-
-/// The sand's keys with the law among them, checked as `fumon check` does.
-std::string sand_text(const SandSource& source, const MeasuredHops& hops,
-                      const HopLawOptions& options) {
-    std::vector<Override> settings = law_settings(hops, form_of(options.form));
-    const auto set = [&](const char* key, const std::string& value) {
-        settings.push_back({key, value, "the measured law", 0});
-    };
-    if (takes_scale(source.scene)) {
-        set("grid.cell_size", fmt::format("[{}]", hops.site * metres_per_millimetre));
-        set("grid.height_unit", fmt::format("{}", hops.height * metres_per_millimetre));
-    }
-    if (!source.own) set("title", "Ripples by a hop law measured on computed flights");
-    PreparedRun sand = prepare_run(parse_scene(source.text, settings), 1);
-    if (!source.own) sand.scene.figure = {};  // it tells of the paper's law
-    move_files(options.output, sand);
-    return to_toml(sand.scene);
-}
-
-}  // namespace
-
-int hop_law_command(const HopLawOptions& options) {
+int perform(const HopLawOptions& options) {
     const InterruptGuard guard;
     check_outputs(options);
     const SandSource sand = sand_source(options.into);
@@ -230,8 +117,9 @@ int hop_law_command(const HopLawOptions& options) {
 
     const std::vector<Flight> flights = air.fly_grains(static_cast<int>(options.hops));
     const MeasuredHops hops = measure_hops(flights, air.parameters().flight.launch_angles);
-    law_file.write(law_head(prepared, air, hops, options, takes_scale(sand.scene)) +
-                   sand_text(sand, hops, options));
+    const HopForm form = form_of(options.form);
+    law_file.write(law_scene(prepared, air, hops, sand,
+                             {options.output, form, options.hops, options.work.settings}));
     if (flight_file) {
         flight_file->write(flight_table(flights));
         flight_file->commit();
@@ -241,11 +129,21 @@ int hop_law_command(const HopLawOptions& options) {
     for (const std::string& line : fit_lines(hops)) progress.note(line);
     if (const std::string warning = reynolds_warning(air, hops); !warning.empty())
         progress.note(warning);
-    progress.note(law_line(hops, form_of(options.form)));
+    progress.note(law_line(hops, form));
     progress.note(scale_line(hops));
     progress.note(
         fmt::format("{}: run it with fumon run {} -o DIR", options.output, options.output));
     return 0;
+}
+
+}  // namespace
+
+Command hop_law_command() {
+    return make_command<HopLawOptions>(
+        "hop-law",
+        "fly grains in computed air, fit how far they hop, and write the "
+        "sand scene that hops so",
+        declare, perform);
 }
 
 }  // namespace fumon

@@ -10,8 +10,12 @@
 
 #include "base/error.h"
 #include "base/tell.h"
-#include "cli/commands.h"
+#include "cli/command.h"
+#include "cli/shared_options.h"
+#include "files/avalanche_table.h"
 #include "files/netcdf/netcdf_record.h"
+#include "files/terrain/terrain_format.h"
+#include "measure/pile/avalanche_report.h"
 #include "measure/suite.h"
 #include "models/shared/check_finite.h"
 #include "scene/initial_bed.h"
@@ -20,6 +24,62 @@
 namespace fumon {
 
 namespace {
+
+struct MeasureOptions {
+    std::string bed;
+    std::string heights;      ///< "low:high", metres of black and white of a PNG terrain
+    std::string as;           ///< "bed", "profile", "pile"; empty: by the bed's rows
+    bool open_edges = false;  ///< the bed ends at its edges
+    std::vector<int> drop;    ///< x and y of a pile's drop site; empty: its middle
+    std::string earlier;      ///< a bed of the same run, for celerity
+    std::int64_t steps_between = 0;
+    std::string window;  ///< "low:high", cells: where avalanche sizes are fitted
+    bool as_json = false;
+    std::vector<std::string> settings;
+};
+
+void declare(CLI::App& command, MeasureOptions& options) {
+    command
+        .add_option("BED", options.bed,
+                    terrain_titles() +
+                        " (a run's fields.nc: its last record, water too); or a run's "
+                        "avalanches.csv")
+        ->required();
+    command.add_flag("--json", options.as_json, "as JSON");
+    command
+        .add_option("--as", options.as,
+                    "bed, profile or pile (default: a profile is one row; what a fields.nc "
+                    "holds besides tells water and piles)")
+        ->type_name("KIND")
+        ->check(CLI::IsMember({"bed", "profile", "pile"}).description(""));
+    command.add_flag("--open", options.open_edges,
+                     "the bed ends at its edges (default: it goes on periodically, as the sand "
+                     "models' do)");
+    command.add_option("--drop", options.drop, "the cell on which a pile's grains fell")
+        ->type_name("X Y")
+        ->expected(2)
+        ->check(CLI::NonNegativeNumber.description(""));
+    auto* earlier = command
+                        .add_option("--earlier", options.earlier,
+                                    "a bed of the same run before this one: for celerity")
+                        ->type_name("BED");
+    command.add_option("--steps", options.steps_between, "steps between the two beds")
+        ->type_name("N")
+        ->check(CLI::Range(1.0, 9e18).description(""))
+        ->needs(earlier);
+    command
+        .add_option("--window", options.window,
+                    "sizes over which avalanches.csv is fitted (default 10:100)")
+        ->type_name("LOW:HIGH");
+    add_heights(command, options.heights);
+    add_settings(command, options.settings,
+                 "override a scene key, as grid.cell_size or bed.nodata (repeatable)");
+    command.footer(
+        "Lengths are in metres where the file has them, else in sites; \"undefined\" is what "
+        "has no "
+        "meaning\nfor this bed. `fumon run` writes the same measures over time into "
+        "measurements.csv.");
+}
 
 /// What a run's fields file holds beside the bed: its water or air, the numbers of a pile …
 void add_record(const std::string& file, Snapshot& snapshot) {
@@ -132,9 +192,32 @@ std::string as_json(const MeasureOptions& options, const std::vector<MeasuredVal
     return json.dump(2) + "\n";
 }
 
-}  // namespace
+SizeWindow parse_window(const std::string& text) {
+    if (text.empty()) return {};
+    SizeWindow window;
+    char rest = '\0';
+    long long low = 0;
+    long long high = 0;
+    if (std::sscanf(text.c_str(), "%lld:%lld%c", &low, &high, &rest) != 2) {
+        throw InputError(fmt::format(
+            "--window is \"{}\"; it takes low:high in cells, for example 10:100", text));
+    }
+    window.low = low;
+    window.high = high;
+    return window;
+}
 
-int measure_command(const MeasureOptions& options) {
+int measure_avalanches(const MeasureOptions& options) {
+    AvalancheSizes sizes;
+    sizes.add(read_avalanches(options.bed));
+    const AvalancheFits fits = fit_avalanches(sizes, parse_window(options.window));
+    const std::string text =
+        options.as_json ? avalanche_json(options.bed, sizes, fits) : avalanche_text(sizes, fits);
+    std::fputs(text.c_str(), stdout);
+    return 0;
+}
+
+int perform(const MeasureOptions& options) {
     if (std::filesystem::path(options.bed).extension() == ".csv")
         return measure_avalanches(options);
     if (options.earlier.empty() != (options.steps_between == 0)) {
@@ -145,6 +228,14 @@ int measure_command(const MeasureOptions& options) {
     const std::vector<MeasuredValue> all = measured(options);
     std::fputs((options.as_json ? as_json(options, all) : as_text(all)).c_str(), stdout);
     return 0;
+}
+
+}  // namespace
+
+Command measure_command() {
+    return make_command<MeasureOptions>(
+        "measure", "measure a bed: wavelength, crests, dunes, slopes, a pile's cone, water",
+        declare, perform);
 }
 
 }  // namespace fumon

@@ -5,7 +5,9 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "cli/command.h"
 #include "cli/commands.h"
+#include "cli/shared_options.h"
 #include "run/drawing.h"
 #include "run/manifest.h"
 #include "run/pipeline.h"
@@ -17,6 +19,39 @@
 namespace fumon {
 
 namespace {
+
+struct RunOptions {
+    std::string scene;
+    std::string folder;
+    bool force = false;
+    std::string resume;              ///< the folder of a run to go on with; empty: a new run
+    double checkpoint_every = 10.0;  ///< minutes; 0: no checkpoints
+    WorkOptions work;
+};
+
+void declare(CLI::App& command, RunOptions& options) {
+    command.add_option("SCENE", options.scene, "a scene file (TOML)");
+    auto* folder = command.add_option("-o,--output", options.folder, "the folder for the run")
+                       ->type_name("DIR");
+    auto* force =
+        command.add_flag("--force", options.force, "replace the run that the folder holds");
+    command
+        .add_option("--resume", options.resume,
+                    "go on with the run in this folder from its checkpoint (no SCENE needed)")
+        ->type_name("DIR")
+        ->excludes(folder)
+        ->excludes(force);
+    command
+        .add_option("--checkpoint-every", options.checkpoint_every,
+                    "minutes between checkpoints (default 10; 0: none)")
+        ->type_name("MINUTES")
+        ->check(CLI::Range(0.0, 1e6).description(""));
+    add_work_options(command, options.work);
+    add_drawing_options(command, options.work);
+    command.footer(
+        "Exit status: 0 done, 1 failed, 2 wrong input, 130/143 interrupted (what was made is "
+        "kept).");
+}
 
 void tell_the_end(const RunOutcome& outcome, const PreparedRun& prepared, const RunFolder& folder,
                   Progress& progress) {
@@ -117,9 +152,7 @@ int resume(const RunOptions& options) {
     return work(former.run, folder, options, &former);
 }
 
-}  // namespace
-
-int run_command(const RunOptions& options) {
+int perform(const RunOptions& options) {
     const InterruptGuard guard;
     if (!options.resume.empty()) return resume(options);
     if (options.scene.empty()) throw InputError("fumon run: name a scene, or --resume DIR");
@@ -129,6 +162,14 @@ int run_command(const RunOptions& options) {
     PreparedRun prepared =
         prepare_run(read_scene(options.scene, options.work.settings), options.work.threads);
     return work(prepared, folder, options, nullptr);
+}
+
+}  // namespace
+
+Command run_command() {
+    return make_command<RunOptions>(
+        "run", "run a scene: frames, movie, measurements and manifest into a folder", declare,
+        perform);
 }
 
 }  // namespace fumon

@@ -3,8 +3,12 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "cli/command.h"
 #include "cli/commands.h"
+#include "cli/shared_options.h"
+#include "files/terrain/terrain_format.h"
 #include "run/drawing.h"
+#include "run/prepared_run.h"
 #include "run/still.h"
 #include "run/terminal/interrupt.h"
 #include "scene/read.h"
@@ -13,6 +17,38 @@
 namespace fumon {
 
 namespace {
+
+struct StillOptions {
+    std::string input;   ///< a scene (.toml) or a terrain file
+    std::string output;  ///< a PNG
+    std::optional<std::int64_t> step;
+    std::optional<double> time;
+    std::string heights;  ///< "low:high", metres of black and white of a PNG terrain
+    WorkOptions work;
+};
+
+void declare(CLI::App& command, StillOptions& options) {
+    command.add_option("INPUT", options.input, "a scene (.toml), or terrain: " + terrain_titles())
+        ->required();
+    command.add_option("-o,--output", options.output, "the picture (PNG)")
+        ->type_name("FILE.png")
+        ->required();
+    auto* step =
+        command.add_option("--step", options.step, "of which step (default: the run's last)")
+            ->type_name("N")
+            ->check(CLI::Range(0.0, 9e18).description(""));
+    command.add_option("--time", options.time, "of which time, in the model's unit")
+        ->type_name("T")
+        ->check(CLI::Range(0.0, 9e18).description(""))
+        ->excludes(step);
+    add_heights(command, options.heights);
+    add_work_options(command, options.work);
+    add_drawing_options(command, options.work);
+    command.footer(
+        "A look of your own: --set camera.azimuth=160 --set sun.elevation=15 --set "
+        "image.width=3840 …\n"
+        "(`fumon describe scene` lists every key).");
+}
 
 namespace fs = std::filesystem;
 
@@ -41,9 +77,7 @@ std::int64_t step_of(const StillOptions& options, const Scene& scene) {
     return *options.step;
 }
 
-}  // namespace
-
-int still_command(const StillOptions& options) {
+int perform(const StillOptions& options) {
     const InterruptGuard guard;
     prepare_drawing(options.work);
     PreparedRun prepared = prepare_run(scene_of(options), options.work.threads);
@@ -58,6 +92,13 @@ int still_command(const StillOptions& options) {
     if (signal != 0) return exit_status_of_signal(signal);
     draw_still(prepared, first, options.output, options.work, progress);
     return 0;
+}
+
+}  // namespace
+
+Command still_command() {
+    return make_command<StillOptions>(
+        "still", "one picture: of a step of a scene, or of a terrain file", declare, perform);
 }
 
 }  // namespace fumon

@@ -5,9 +5,10 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "cli/command.h"
 #include "cli/commands.h"
+#include "cli/shared_options.h"
 #include "run/terminal/interrupt.h"
-#include "run/terminal/progress.h"
 #include "sweep/sweep_folder.h"
 #include "sweep/sweep_plan.h"
 #include "sweep/sweep_work.h"
@@ -15,6 +16,47 @@
 namespace fumon {
 
 namespace {
+
+struct SweepOptions {
+    std::string scene;
+    std::vector<std::string> over;  ///< "key=v1,v2" or "key=low:high:count"
+    std::string seeds;              ///< "10" or "1:10"
+    std::string folder;
+    bool force = false;
+    WorkOptions work;
+};
+
+void declare(CLI::App& command, SweepOptions& options) {
+    command.add_option("SCENE", options.scene, "a scene file (TOML)")->required();
+    command
+        .add_option("--over", options.over,
+                    "vary a key: --over key=v1,v2 or key=low:high:count (repeatable: all "
+                    "combinations; default: the scene's sweep.over)")
+        ->type_name("KEY=VALUES")
+        ->allow_extra_args(false);
+    command
+        .add_option("--seeds", options.seeds,
+                    "runs of each combination: how many seeds, from the scene's own on, or "
+                    "first:last (default: the scene's sweep.seeds)")
+        ->type_name("N");
+    command.add_option("-o,--output", options.folder, "the folder for the sweep")
+        ->type_name("DIR")
+        ->required();
+    command.add_flag("--force", options.force, "replace the sweep that the folder holds");
+    add_work_options(command, options.work);
+    command.footer(
+        "  fumon sweep SCENE --over model.creep_rate=0.1:0.5:5 --seeds 10 -o out/creep\n"
+        "  fumon sweep SCENE --over bed.file=a.asc,b.asc --over run.steps=100,200 -o out/beds\n"
+        "  fumon sweep SCENE --over grid.nx+grid.ny=64,128 -o out/sizes    keys that go "
+        "together\n"
+        "\n"
+        "DIR/sweep.csv has a row a run and measured step, DIR/runs.csv a row a run, DIR/runs "
+        "each run's own files.\n"
+        "The same command goes on where it was stopped; with more values or seeds it runs only "
+        "those.\n"
+        "Exit status: 0 done, 1 some runs failed, 2 wrong input, 130/143 interrupted (finished "
+        "runs are kept).");
+}
 
 std::size_t count(const std::vector<RunRecord>& records, RunStatus status) {
     return static_cast<std::size_t>(
@@ -27,9 +69,7 @@ std::string of_runs(std::size_t count, std::size_t all) {
                        with_commas(static_cast<std::int64_t>(all)));
 }
 
-}  // namespace
-
-int sweep_command(const SweepOptions& options) {
+int perform(const SweepOptions& options) {
     const InterruptGuard guard;
     StatusLine status(options.work.verbosity);
     const auto plan =
@@ -72,6 +112,14 @@ int sweep_command(const SweepOptions& options) {
     status.note(fmt::format("{} failed (see runs.csv); the same command tries them again",
                             of_runs(failed, records.size())));
     return 1;
+}
+
+}  // namespace
+
+Command sweep_command() {
+    return make_command<SweepOptions>(
+        "sweep", "run a scene many times, over values and seeds: one table of measurements",
+        declare, perform);
 }
 
 }  // namespace fumon

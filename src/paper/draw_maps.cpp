@@ -3,7 +3,7 @@
 
 #include "figure/panels/hill_shading.h"
 #include "figure/panels/map_panel.h"
-#include "files/terrain/terrain_file.h"
+#include "files/terrain/esri_ascii.h"
 #include "paper/panel_look.h"
 #include "paper/panel_makers.h"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "figure/panels/view_panel.h"
-#include "files/terrain/terrain_file.h"
+#include "files/terrain/esri_ascii.h"
 #include "paper/panel_look.h"
 #include "paper/panel_makers.h"
 #include "render/renderer.h"

@@ -7,6 +7,7 @@
 
 #include "base/thread_clock.h"
 #include "files/atomic_file.h"
+#include "files/terrain/terrain_format.h"
 #include "run/frame_list.h"
 #include "scene/json.h"
 
@@ -123,7 +124,10 @@ void write_final_manifest(const RunFolder& folder, const ManifestFacts& facts,
     }
     json["beds"] = Json::array();
     for (const std::int64_t step : outcome.bed_steps) {
-        json["beds"].push_back({{"step", step}, {"file", RunFolder::bed_name(step)}});
+        for (const std::string& name : facts.scene.output.bed_format) {
+            const std::string_view ending = find_written_format(name)->endings.front();
+            json["beds"].push_back({{"step", step}, {"file", RunFolder::bed_name(step, ending)}});
+        }
     }
     json["performance"] = performance(facts, outcome);
 

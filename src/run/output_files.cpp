@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "files/atomic_file.h"
 #include "files/hash.h"
-#include "files/terrain/terrain_file.h"
+#include "files/terrain/terrain_format.h"
 #include "picture/png.h"
 #include "run/picture_text.h"
 
@@ -38,11 +38,10 @@ Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameReco
                     file.string()));
 }
 
-void write_bed(const RunFolder& folder, const Snapshot& snapshot) {
-    Grid heights = snapshot.bed;
-    for (double& height : heights.values()) height *= snapshot.scale.height_unit;
-    write_file(folder.bed(snapshot.step),
-               esri_ascii(heights, snapshot.nodata, snapshot.scale.dx, snapshot.scale.dy));
+void write_bed(const RunFolder& folder, const Snapshot& snapshot,
+               const std::vector<std::string>& formats) {
+    for (const TerrainBytes& file : bed_files(snapshot, formats))
+        write_file(folder.bed(snapshot.step, file.ending), file.bytes);
 }
 
 }  // namespace fumon

@@ -38,8 +38,9 @@ FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Pi
 /// A frame that the run wrote before its checkpoint. Throws Error where it is no longer the same.
 Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameRecord& frame);
 
-/// Writes the bed of a snapshot as an ESRI ASCII grid, in metres where there are metres. Throws
-/// Error.
-void write_bed(const RunFolder& folder, const Snapshot& snapshot);
+/// Writes the bed of a snapshot in terrain formats of these names, in metres where there are
+/// metres. Throws Error.
+void write_bed(const RunFolder& folder, const Snapshot& snapshot,
+               const std::vector<std::string>& formats);
 
 }  // namespace fumon

@@ -7,6 +7,8 @@
 #include "base/stopwatch.h"
 #include "base/thread_clock.h"
 #include "base/worker_pool.h"
+#include "files/atomic_file.h"
+#include "files/terrain/terrain_format.h"
 #include "models/shared/check_finite.h"
 #include "models/shared/state_hash.h"
 #include "picture/movie.h"
@@ -221,7 +223,7 @@ class Pipeline {
 
     void write_beds() {
         while (const auto snapshot = to_beds_.pop()) {
-            write_bed(*folder_, **snapshot);
+            write_bed(*folder_, **snapshot, scene_.output.bed_format);
             written_.add_bed((*snapshot)->step);
         }
     }

@@ -99,11 +99,12 @@ void Checkpointer::put_on_disk() {
         if (parts_.frames) sync_file(folder_.frame(frames_on_disk_));
         if (parts_.movie_frames) sync_file(folder_.movie_frame(frames_on_disk_));
     }
-    for (; beds_on_disk_ < written_.bed_steps().size(); ++beds_on_disk_)
-        sync_file(folder_.bed(written_.bed_steps()[beds_on_disk_]));
+    for (; beds_on_disk_ < written_.bed_steps().size(); ++beds_on_disk_) {
+        for (const auto& bed : folder_.beds(written_.bed_steps()[beds_on_disk_])) sync_file(bed);
+    }
     if (parts_.frames) sync_folder_of(folder_.frame(0));
     if (parts_.movie_frames) sync_folder_of(folder_.movie_frame(0));
-    if (parts_.beds) sync_folder_of(folder_.bed(0));
+    if (parts_.beds) sync_folder_of(folder_.bed(0, ""));
 }
 
 void CheckpointClock::end() {

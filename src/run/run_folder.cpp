@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "files/input_file.h"
+#include "files/terrain/terrain_format.h"
 #include "run/run_checkpoint.h"
 
 namespace fumon {
@@ -35,6 +36,19 @@ void remove_numbered(const fs::path& folder, const std::string& begin, const std
         const std::int64_t number = std::atoll(name.c_str() + begin.size());
         if (partial || number >= from) fs::remove(entry.path(), fault);
     }
+}
+
+/// Every ending that a file of a bed may have.
+std::vector<std::string> bed_endings() {
+    std::vector<std::string> endings;
+    for (const TerrainFormat& format : terrain_formats())
+        endings.insert(endings.end(), format.endings.begin(), format.endings.end());
+    return endings;
+}
+
+/// Removes the beds of steps from `from` on.
+void remove_beds(const fs::path& folder, std::int64_t from) {
+    for (const std::string& ending : bed_endings()) remove_numbered(folder, "bed_", ending, from);
 }
 
 constexpr const char* movie_frames = "movie_frames";
@@ -82,7 +96,7 @@ void RunFolder::create(const RunParts& parts) {
                                  written.avalanches, written.fields})
         remove_with_temporary(file);
     remove_numbered(folder_ / "frames", "frame_", ".png");
-    remove_numbered(folder_ / "beds", "bed_", ".asc");
+    remove_beds(folder_ / "beds", 0);
     tidy();
     make_parts(parts);
 }
@@ -120,7 +134,7 @@ void RunFolder::go_on(const RunParts& parts, const RunCheckpoint& checkpoint) {
     const std::int64_t frames = checkpoint.frames.frames;
     remove_numbered(folder_ / "frames", "frame_", ".png", frames);
     remove_numbered(folder_ / movie_frames, "frame_", ".png", frames);
-    remove_numbered(folder_ / "beds", "bed_", ".asc", checkpoint.step + 1);
+    remove_beds(folder_ / "beds", checkpoint.step + 1);
     make_parts(parts);
 }
 
@@ -141,12 +155,21 @@ fs::path RunFolder::movie_frame(std::int64_t number) const {
     return folder_ / movie_frames / fmt::format("frame_{:06}.png", number);
 }
 
+std::vector<fs::path> RunFolder::beds(std::int64_t step) const {
+    std::vector<fs::path> files;
+    std::error_code fault;
+    for (const std::string& ending : bed_endings()) {
+        if (fs::exists(bed(step, ending), fault)) files.push_back(bed(step, ending));
+    }
+    return files;
+}
+
 std::string RunFolder::frame_name(std::int64_t number) {
     return fmt::format("frames/frame_{:06}.png", number);
 }
 
-std::string RunFolder::bed_name(std::int64_t step) {
-    return fmt::format("beds/bed_{:08}.asc", step);
+std::string RunFolder::bed_name(std::int64_t step, std::string_view ending) {
+    return fmt::format("beds/bed_{:08}{}", step, ending);
 }
 
 }  // namespace fumon

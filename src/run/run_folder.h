@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "files/folder_lock.h"
 #include "run/recorder.h"
@@ -26,8 +28,9 @@ RunParts run_parts(const Scene& scene, double checkpoint_minutes);
 void make_folder(const std::filesystem::path& folder);
 
 /// The folder of one run: run.json, frames/frame_000000.png …, movie.mp4, measurements.csv,
-/// avalanches.csv, fields.nc, beds/bed_00001000.asc; and while the run is not complete
-/// checkpoint.fumon and frames.fumon (run/frame_list.h) and, where a movie is made and no frames,
+/// avalanches.csv, fields.nc, beds/bed_00001000.asc (or another terrain format); and while the run
+/// is not complete checkpoint.fumon and frames.fumon (run/frame_list.h) and, where a movie is made
+/// and no frames,
 /// movie_frames/frame_000000.png …, from which the movie can be begun again. One program works in
 /// it at a time.
 class RunFolder {
@@ -63,14 +66,17 @@ class RunFolder {
     [[nodiscard]] std::filesystem::path movie_frame(std::int64_t number) const;
     [[nodiscard]] std::filesystem::path checkpoint() const { return folder_ / "checkpoint.fumon"; }
     [[nodiscard]] std::filesystem::path frame_list() const { return folder_ / "frames.fumon"; }
-    [[nodiscard]] std::filesystem::path bed(std::int64_t step) const {
-        return folder_ / bed_name(step);
+    /// `ending`: of its terrain format, ".asc".
+    [[nodiscard]] std::filesystem::path bed(std::int64_t step, std::string_view ending) const {
+        return folder_ / bed_name(step, ending);
     }
+    /// The files there are of the bed of a step.
+    [[nodiscard]] std::vector<std::filesystem::path> beds(std::int64_t step) const;
     [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
 
     /// Names within the folder, as the manifest lists them.
     [[nodiscard]] static std::string frame_name(std::int64_t number);
-    [[nodiscard]] static std::string bed_name(std::int64_t step);
+    [[nodiscard]] static std::string bed_name(std::int64_t step, std::string_view ending);
 
   private:
     void refuse_former_run() const;

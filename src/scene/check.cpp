@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/nearest_name.h"
+#include "files/terrain/terrain_format.h"
 #include "models/registry.h"
 #include "scene/initial_bed.h"
 #include "scene/scene.h"
@@ -201,6 +202,51 @@ bool written(const Scene& scene, const std::string& key) {
     return scene.locations.contains(key);
 }
 
+/// What chooses a part of a terrain file and its cells.
+void check_raster_keys(const Scene& scene, bool from_file) {
+    const BedSettings& bed = scene.bed;
+    const auto belongs_to_file = [&](const char* key, bool given) {
+        if (from_file || !given) return;
+        refuse(scene, key,
+               fmt::format("{} belongs to a terrain file; write bed.kind = \"file\" and bed.file",
+                           key));
+    };
+    belongs_to_file("bed.band", bed.band != 0);
+    belongs_to_file("bed.window", !bed.window.empty());
+    belongs_to_file("bed.resample", bed.resample != 0.0);
+    if (!bed.window.empty() && bed.window.size() != 4) {
+        refuse(scene, "bed.window",
+               fmt::format("bed.window has {} number{}; it takes [west, south, east, north]",
+                           bed.window.size(), bed.window.size() == 1 ? "" : "s"));
+    }
+    if (bed.window.size() == 4 && !(bed.window[0] < bed.window[2] && bed.window[1] < bed.window[3]))
+        refuse(scene, "bed.window",
+               "bed.window must rise both ways; write [west, south, east, north]");
+}
+
+void check_bed_formats(const Scene& scene) {
+    const std::vector<std::string>& names = scene.output.bed_format;
+    if (names.empty())
+        refuse(scene, "output.bed_format",
+               fmt::format("output.bed_format is empty; take {}", written_terrain_formats()));
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const TerrainFormat* format = find_written_format(names[k]);
+        if (format == nullptr) {
+            refuse(scene, "output.bed_format",
+                   fmt::format("output.bed_format has \"{}\"; it takes {}", names[k],
+                               written_terrain_formats()));
+        }
+        if (!format->lacks.empty()) {
+            refuse(scene, "output.bed_format",
+                   fmt::format("this fumon was built without \"{}\"; {}", names[k], format->lacks));
+        }
+        if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(k), names[k]) !=
+            names.begin() + static_cast<std::ptrdiff_t>(k))
+            refuse(scene, "output.bed_format",
+                   fmt::format("output.bed_format has \"{}\" twice", names[k]));
+    }
+}
+
 void check_bed(const Scene& scene) {
     const BedSettings& bed = scene.bed;
     const bool from_file = bed_kind(scene) == BedKind::file;
@@ -222,6 +268,7 @@ void check_bed(const Scene& scene) {
         refuse(scene, "bed.refine",
                "bed.refine belongs to a terrain file; elsewhere take larger grid.nx and grid.ny");
     }
+    check_raster_keys(scene, from_file);
     if (bed.heights.size() == 1)
         refuse(scene, "bed.heights", "bed.heights has one number; it takes [low, high]");
     if (bed.heights.size() == 2 && !(bed.heights[0] < bed.heights[1])) {
@@ -286,6 +333,7 @@ void check_scene(const Scene& scene) {
                "run.steps is missing; say how long to run, for example [run] steps = 1000");
     }
     check_bed(scene);
+    check_bed_formats(scene);
     check_frames(scene);
     check_look(scene);
     check_figure(scene);

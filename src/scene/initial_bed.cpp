@@ -41,6 +41,13 @@ void check_size(const Scene& scene, const char* key, std::int64_t wanted, int fo
                     scene.at(key), key, wanted, scene.bed.file, found));
 }
 
+/// Whether a model height is as long as a cell: where neither the scene nor the model says more.
+bool height_follows_cells(const Scene& scene) {
+    const ModelEntry* model = find_model(scene.model.name);
+    const bool is_terrain = model != nullptr && model->landform == Landform::terrain;
+    return home_of(scene).cell_size == 0.0 && scene.grid.height_unit.is_word() && !is_terrain;
+}
+
 /// Cell size from the scene, from the file, or none. Where both have one they must agree.
 WorldScale scale_of(const Scene& scene, double file_dx, double file_dy) {
     WorldScale scale;
@@ -74,9 +81,7 @@ WorldScale scale_of(const Scene& scene, double file_dx, double file_dy) {
     } else if (!scene.grid.height_unit.is_word()) {
         scale.height_unit = scene.grid.height_unit.value;
     } else {
-        const ModelEntry* model = find_model(scene.model.name);
-        const bool is_terrain = model != nullptr && model->landform == Landform::terrain;
-        scale.height_unit = is_terrain ? 1.0 : scale.dx;
+        scale.height_unit = height_follows_cells(scene) ? scale.dx : 1.0;
     }
     return scale;
 }
@@ -109,6 +114,39 @@ void refine(const Scene& scene, Terrain& terrain) {
     if (!terrain.nodata.empty()) continue_outward(terrain.heights, terrain.nodata, 0.0);
     terrain.heights = refined(terrain.heights, refinement);
     terrain.nodata = refined(terrain.nodata, refinement);
+    if (terrain.place) {
+        terrain.place->dx /= refinement;
+        terrain.place->dy /= refinement;
+    }
+}
+
+TerrainQuery query_of(const BedSettings& bed) {
+    TerrainQuery query{bed.heights, bed.variable, bed.band, std::nullopt};
+    if (bed.window.size() == 4)
+        query.window = {bed.window[0], bed.window[1], bed.window[2], bed.window[3]};
+    return query;
+}
+
+/// Not for a grid in metres from (0, 0), as local ones are and fumon's own.
+bool lies_somewhere(const GeoReference& place) {
+    return place.west != 0.0 || place.south != 0.0 || place.degrees || !place.crs.empty();
+}
+
+/// Brings the terrain onto cells of bed.resample metres.
+void resample(const Scene& scene, Terrain& terrain, WorldScale& scale) {
+    const double size = scene.bed.resample;
+    if (size == 0.0) return;
+    const std::string key = scene.at("bed.resample") + "bed.resample";
+    if (!scale.in_metres) {
+        throw InputError(
+            fmt::format("{} is {} m, but {} does not say how large its cells are; write their size "
+                        "as grid.cell_size",
+                        key, size, scene.bed.file));
+    }
+    terrain = resampled(terrain, scale.dx, scale.dy, size, scene.bed.resample_method, key);
+    if (height_follows_cells(scene)) scale.height_unit = size;
+    scale.dx = size;
+    scale.dy = size;
 }
 
 InitialBed bed_from_file(const Scene& scene) {
@@ -125,17 +163,19 @@ InitialBed bed_from_file(const Scene& scene) {
                         scene.at("bed.file"), scene.bed.file, file.string(),
                         as_it_stands ? "the working folder" : "the scene file"));
     }
-    Terrain terrain = read_terrain(file, scene.bed.heights, scene.bed.variable);
+    Terrain terrain = read_terrain(file, query_of(scene.bed));
+    InitialBed initial;
+    initial.scale = scale_of(scene, terrain.dx, terrain.dy);
+    resample(scene, terrain, initial.scale);
     const int refinement = static_cast<int>(scene.bed.refine);
     check_size(scene, "grid.nx", scene.grid.nx, terrain.heights.nx() * refinement);
     check_size(scene, "grid.ny", scene.grid.ny, terrain.heights.ny() * refinement);
     apply_nodata_rule(scene, terrain);
-
-    InitialBed initial;
-    initial.scale = scale_of(scene, terrain.dx, terrain.dy);
     refine(scene, terrain);
     initial.scale.dx /= refinement;
     initial.scale.dy /= refinement;
+    if (terrain.place && lies_somewhere(*terrain.place))
+        initial.scale.place = std::move(terrain.place);
     initial.bed = std::move(terrain.heights);
     for (double& height : initial.bed.values()) height /= initial.scale.height_unit;
     initial.nodata = std::move(terrain.nodata);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "files/terrain/resample_terrain.h"
 #include "keys/word_or_real.h"
 #include "scene/figure_settings.h"
 
@@ -34,7 +35,11 @@ struct BedSettings {
     std::string file;              ///< file: as written in the scene
     std::vector<double> heights;   ///< file, PNG: metres of black and of white
     std::string variable;          ///< file, NetCDF: the variable to read; empty for the file's own
+    std::int64_t band = 0;         ///< file, GeoTIFF: the band to read; 0: the only or first one
+    std::vector<double> window;    ///< file: west, south, east, north of the part to read, or none
     WordOrReal nodata{"mask", 0.0};
+    double resample = 0.0;  ///< file: size of the model's cells, metres; 0: the file's own cells
+    Resampling resample_method = Resampling::average;
     std::int64_t refine = 1;  ///< file: cells along each side of one of its cells
 };
 
@@ -138,6 +143,7 @@ struct OutputSettings {
     std::int64_t measure_every = 0;  ///< steps between measurements; 0: with every frame
     std::int64_t bed_every = 0;      ///< steps between written beds; 0: none
     std::vector<std::int64_t> bed_at;
+    std::vector<std::string> bed_format{"esri-ascii"};  ///< names of terrain formats
     std::int64_t fields_every = 0;  ///< steps between records of fields.nc; 0: none
     std::vector<std::int64_t> fields_at;
     bool avalanches = true;  ///< avalanches.csv, where the model has avalanches

@@ -1,6 +1,7 @@
 #include "scene/scene_keys.h"
 
 #include "base/limits.h"
+#include "files/terrain/terrain_format.h"
 #include "keys/keys.h"
 #include "models/registry.h"
 #include "scene/figure_keys.h"
@@ -72,20 +73,38 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                {.unit = "model heights", .help = "upper end of the noise; 0.01 for a gully"});
     table.role(KeyRole::run);
     table.text("bed.file", scene.bed.file,
-               {.help = "ESRI ASCII grid, NetCDF (the last record) or grey PNG, heights in metres; "
-                        "relative to "
-                        "the scene file, or with --set to the working folder"});
+               {.help = terrain_titles() +
+                        ", heights in metres; relative to the scene file, or with --set to the "
+                        "working folder"});
     table.role(KeyRole::parameter);
     table.real_list("bed.heights", scene.bed.heights, 0, 2,
                     {.unit = "m", .help = "[low, high]: heights of black and white in a PNG bed"});
     table.text("bed.variable", scene.bed.variable,
-               {.help = "variable of a NetCDF bed; needed where the file has several and no "
-                        "bed_height"});
+               {.help = "variable of a NetCDF bed, of which the last record is taken; needed where "
+                        "the file has several and no bed_height"});
+    table.integer("bed.band", scene.bed.band,
+                  {.range = {0, 65535}, .help = "band of a GeoTIFF bed; 0: its only or first one"});
+    table.real_list("bed.window", scene.bed.window, 0, 4,
+                    {.help = "[west, south, east, north]: the part of a terrain file to read, in "
+                             "the file's coordinates, or in cells from its south-west corner where "
+                             "it has none; empty: all"});
     table.word_or_real(
         "bed.nodata", scene.bed.nodata,
         {{"mask", "cells without data lie outside the domain"},
          {"fill", "filled smoothly from their rim"}},
         {.unit = "m", .help = "cells without data: masked, filled, or set to a height"});
+    table.real("bed.resample", scene.bed.resample,
+               {.unit = "m",
+                .range = {0, 1e7},
+                .help = "size of the cells onto which a terrain file's heights are brought; 0: as "
+                        "they are; grid.cell_size is that of the file's own cells"});
+    table.choice(
+        "bed.resample_method", scene.bed.resample_method,
+        {{Resampling::average, "average", "mean over the new cell: for larger cells"},
+         {Resampling::bilinear, "bilinear",
+          "linear between the four nearest cells: for smaller ones"},
+         {Resampling::nearest, "nearest", "of the cell in which the new one's centre lies"}},
+        {.help = "how bed.resample finds heights"});
     table.integer("bed.refine", scene.bed.refine,
                   {.range = {1, 64},
                    .help = "of a terrain file: each cell becomes n x n, smooth between them "
@@ -276,10 +295,12 @@ void list_output_keys(OutputSettings& output, KeyTable& table) {
     table.integer("output.bed_every", output.bed_every,
                   {.unit = "steps",
                    .range = {0, largest_step},
-                   .help = "write the bed as ESRI ASCII every n steps; 0: not"});
+                   .help = "write the bed every n steps; 0: not"});
     table.integer_list(
         "output.bed_at", output.bed_at,
         {.unit = "steps", .range = {0, largest_step}, .help = "write the bed at these steps too"});
+    table.text_list("output.bed_format", output.bed_format,
+                    {.help = "as what beds are written: " + written_terrain_formats()});
     table.role(KeyRole::record);
     table.integer("output.fields_every", output.fields_every,
                   {.unit = "steps",

@@ -4,22 +4,16 @@
 
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "base/random.h"
+#include "support/ulps.h"
 
 namespace fumon {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-double ulps_off(double value, long double truth) {
-    const auto rounded = static_cast<double>(truth);
-    if (value == rounded) return 0.0;
-    const double unit = std::nextafter(std::fabs(rounded), infinity) - std::fabs(rounded);
-    return static_cast<double>(std::fabs(static_cast<long double>(value) - truth)) / unit;
-}
+using test::infinity;
+using test::ulps_off;
 
 /// Vectors of every direction and length.
 template <class Check>

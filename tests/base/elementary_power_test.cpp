@@ -4,27 +4,18 @@
 
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "base/random.h"
+#include "support/ulps.h"
 
 namespace fumon {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using test::infinity;
+using test::ulps_off;
 
-/// How far a value lies from the true one, in units in the last place of the true one.
-double ulps_off(double value, long double truth) {
-    const auto rounded = static_cast<double>(truth);
-    if (value == rounded) return 0.0;
-    const double below = std::nextafter(std::fabs(rounded), 0.0);
-    const double unit =
-        rounded == 0.0 ? std::numeric_limits<double>::denorm_min() : std::fabs(rounded) - below;
-    return static_cast<double>(std::fabs(static_cast<long double>(value) - truth)) / unit;
-}
-
-struct Range {
+struct PowerRange {
     const char* name;
     double (*base)(RandomStream&);
     double (*exponent)(RandomStream&, double base);
@@ -38,11 +29,11 @@ double any_power(RandomStream& random, double base) {
     return (2.0 * random.uniform() - 1.0) * 745.0 / std::log(base);
 }
 
-void PrintTo(const Range& range, std::ostream* out) {
+void PrintTo(const PowerRange& range, std::ostream* out) {
     *out << range.name;
 }
 
-class Powers : public testing::TestWithParam<Range> {};
+class Powers : public testing::TestWithParam<PowerRange> {};
 
 /// long double has 11 bits more; what it rounds away is the allowance.
 TEST_P(Powers, AreRoundedToTheNearestDouble) {
@@ -61,24 +52,24 @@ TEST_P(Powers, AreRoundedToTheNearestDouble) {
 INSTANTIATE_TEST_SUITE_P(
     All, Powers,
     testing::Values(
-        Range{"Everyday", [](RandomStream& random) { return 10.0 * random.uniform(); },
-              [](RandomStream& random, double) { return 20.0 * random.uniform() - 10.0; }},
-        Range{"Whole",
-              [](RandomStream& random) { return std::floor(1000.0 * random.uniform()) + 1.0; },
-              [](RandomStream& random, double) {
-                  return std::floor(40.0 * random.uniform()) - 20.0;
-              }},
-        Range{"AllMagnitudes", anywhere, any_power},
-        Range{"NearOneToLargeExponents",
-              [](RandomStream& random) {
-                  const double digits = std::floor(52.0 * random.uniform());
-                  return 1.0 + (random.uniform() - 0.5) * std::exp2(-digits);
-              },
-              any_power},
-        Range{"Subnormal", [](RandomStream& random) { return 10.0 * random.uniform(); },
-              [](RandomStream& random, double base) {
-                  return -(708.0 + 37.5 * random.uniform()) / std::log(base);
-              }}),
+        PowerRange{"Everyday", [](RandomStream& random) { return 10.0 * random.uniform(); },
+                   [](RandomStream& random, double) { return 20.0 * random.uniform() - 10.0; }},
+        PowerRange{"Whole",
+                   [](RandomStream& random) { return std::floor(1000.0 * random.uniform()) + 1.0; },
+                   [](RandomStream& random, double) {
+                       return std::floor(40.0 * random.uniform()) - 20.0;
+                   }},
+        PowerRange{"AllMagnitudes", anywhere, any_power},
+        PowerRange{"NearOneToLargeExponents",
+                   [](RandomStream& random) {
+                       const double digits = std::floor(52.0 * random.uniform());
+                       return 1.0 + (random.uniform() - 0.5) * std::exp2(-digits);
+                   },
+                   any_power},
+        PowerRange{"Subnormal", [](RandomStream& random) { return 10.0 * random.uniform(); },
+                   [](RandomStream& random, double base) {
+                       return -(708.0 + 37.5 * random.uniform()) / std::log(base);
+                   }}),
     [](const auto& chosen) { return chosen.param.name; });
 
 TEST(Power, OfTenAreTheDecimalNumbers) {

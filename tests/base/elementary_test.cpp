@@ -3,24 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "base/multiversion.h"
 #include "base/random.h"
+#include "support/ulps.h"
 
 namespace fumon {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// How many units in the last place a value lies from the true one.
-double ulps_off(double value, long double truth) {
-    const double rounded = static_cast<double>(truth);
-    if (value == rounded) return 0.0;
-    const double unit = std::nextafter(std::fabs(rounded), infinity) - std::fabs(rounded);
-    return static_cast<double>(std::fabs(static_cast<long double>(value) - truth)) / unit;
-}
+using test::infinity;
+using test::ulps_off;
 
 template <class Ours, class Truth>
 double worst(Ours ours, Truth truth, double low, double high) {

@@ -24,7 +24,7 @@
 namespace fumon {
 namespace {
 
-using testing::dune_field;
+using test::dune_field;
 
 double cpu_milliseconds() {
     rusage usage{};

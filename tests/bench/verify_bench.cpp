@@ -17,7 +17,7 @@
 namespace fumon {
 namespace {
 
-using testing::some_picture;
+using test::some_picture;
 
 constexpr int width = 1920;
 constexpr int height = 1080;

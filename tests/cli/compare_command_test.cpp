@@ -11,8 +11,6 @@
 namespace fumon::test {
 namespace {
 
-using fumon::testing::some_picture;
-
 /// Three pictures: a, b with a level of one pixel changed by one, and c of another size.
 class Pictures : public ::testing::Test {
   protected:

@@ -12,9 +12,9 @@
 namespace fumon {
 namespace {
 
-using testing::bytes_of;
-using testing::message_of;
-using testing::TemporaryFolder;
+using test::bytes_of;
+using test::message_of;
+using test::TemporaryFolder;
 
 TEST(AtomicFile, BearsItsNameOnlyOnceComplete) {
     const TemporaryFolder folder;
@@ -39,7 +39,7 @@ TEST(AtomicFile, AFailedWriteLeavesWhatWasThereBefore) {
     AtomicFile file(folder / "a.csv");
     file.write("whole row\n");
     {
-        const testing::FileSizeLimit limit(14);
+        const test::FileSizeLimit limit(14);
         EXPECT_THROW(file.write("another row\n"), Error);
     }
     file.write("last\n");
@@ -99,7 +99,7 @@ TEST(AtomicFile, SaysThatADeviceIsFull) {
 
 TEST(AtomicFile, LeavesNothingWhenAWriteFails) {
     const TemporaryFolder folder;
-    const testing::FileSizeLimit limit(10'000);
+    const test::FileSizeLimit limit(10'000);
     EXPECT_EQ(message_of<Error>([&] { write_file(folder / "x.png", std::string(20'000, 'x')); }),
               "cannot write " + (folder / "x.png").string() + ": File too large");
     EXPECT_EQ(folder.entries(), 0);
@@ -107,7 +107,7 @@ TEST(AtomicFile, LeavesNothingWhenAWriteFails) {
 
 TEST(AtomicFile, LeavesNothingOnAFullDisk) {
     const TemporaryFolder folder;
-    const testing::SmallDisk disk(folder.path());
+    const test::SmallDisk disk(folder.path());
     if (!disk.mounted()) GTEST_SKIP() << "this user may not mount a small file system";
     EXPECT_EQ(message_of<Error>([&] { write_file(folder / "x.png", std::string(200'000, 'x')); }),
               "cannot write " + (folder / "x.png").string() + ": No space left on device");

@@ -15,11 +15,11 @@
 namespace fumon {
 namespace {
 
-using testing::bytes_of;
-using testing::message_of;
-using testing::TemporaryFolder;
+using test::bytes_of;
+using test::message_of;
+using test::TemporaryFolder;
 
-const std::string head = "grain,size,duration,topplings,lost\n";
+const std::string table_head = "grain,size,duration,topplings,lost\n";
 
 void expect_same(const Avalanche& found, const Avalanche& expected) {
     EXPECT_EQ(found.grain, expected.grain);
@@ -38,7 +38,7 @@ TEST(AvalancheTable, IsWrittenRowByRow) {
     EXPECT_FALSE(std::filesystem::exists(folder / "avalanches.csv"));
     file.commit();
     EXPECT_EQ(bytes_of(folder / "avalanches.csv"),
-              head + "5,4,1,1,0\n9,12,3,5,2\n60000,256,40,2000,31\n");
+              table_head + "5,4,1,1,0\n9,12,3,5,2\n60000,256,40,2000,31\n");
     EXPECT_EQ(folder.entries(), 1);
 }
 
@@ -46,7 +46,7 @@ TEST(AvalancheTable, OfARunWithoutAvalanchesIsItsHeader) {
     const TemporaryFolder folder;
     AvalancheFile file(folder / "a.csv");
     file.commit();
-    EXPECT_EQ(bytes_of(folder / "a.csv"), head);
+    EXPECT_EQ(bytes_of(folder / "a.csv"), table_head);
     EXPECT_TRUE(read_avalanches(folder / "a.csv").empty());
 }
 
@@ -61,7 +61,7 @@ TEST(AvalancheTable, LeavesNothingWhenNotCommitted) {
 
 TEST(AvalancheTable, SaysThatTheDiskIsFull) {
     const TemporaryFolder folder;
-    const testing::FileSizeLimit limit(100'000);
+    const test::FileSizeLimit limit(100'000);
     AvalancheFile file(folder / "a.csv");
     const std::vector<Avalanche> many(20'000, Avalanche{1, 1, 1, 1, 0});
     EXPECT_EQ(message_of<Error>([&] { file.add(many); }),
@@ -102,13 +102,13 @@ TEST_P(AcceptedTable, IsRead) {
 }
 
 const std::vector<Spelling> spellings{
-    {"Unix", head + "3,4,1,1,0\n7,12,3,5,2\n"},
+    {"Unix", table_head + "3,4,1,1,0\n7,12,3,5,2\n"},
     {"Dos", "grain,size,duration,topplings,lost\r\n3,4,1,1,0\r\n7,12,3,5,2\r\n"},
     {"CarriageReturns", "grain,size,duration,topplings,lost\r3,4,1,1,0\r7,12,3,5,2\r"},
-    {"NoLastLineEnd", head + "3,4,1,1,0\n7,12,3,5,2"},
-    {"BlankLinesAtTheEnd", head + "3,4,1,1,0\n7,12,3,5,2\n\n \r\n\t\n"},
-    {"BlanksBesideNumbers", head + " 3, 4,\t1 ,1,0 \n7,12,3,5,2\n"},
-    {"ByteOrderMark", "\xEF\xBB\xBF" + head + "3,4,1,1,0\n7,12,3,5,2\n"},
+    {"NoLastLineEnd", table_head + "3,4,1,1,0\n7,12,3,5,2"},
+    {"BlankLinesAtTheEnd", table_head + "3,4,1,1,0\n7,12,3,5,2\n\n \r\n\t\n"},
+    {"BlanksBesideNumbers", table_head + " 3, 4,\t1 ,1,0 \n7,12,3,5,2\n"},
+    {"ByteOrderMark", "\xEF\xBB\xBF" + table_head + "3,4,1,1,0\n7,12,3,5,2\n"},
 };
 
 INSTANTIATE_TEST_SUITE_P(AvalancheTable, AcceptedTable, ::testing::ValuesIn(spellings),
@@ -151,27 +151,27 @@ const std::vector<BrokenTable> broken_tables{
          first_line},
     {"NoHeader", "5,4,1,1,0\n",
      ":1:1: '5,4,1,1,0' does not start a table of avalanches" + first_line},
-    {"HeaderOnTheSecondLine", "\n" + head,
+    {"HeaderOnTheSecondLine", "\n" + table_head,
      ":1:1: '' does not start a table of avalanches" + first_line},
-    {"TooFewFields", head + "5,4,1,1,0\n9,12,3\n", ":3:1: 3 fields in '9,12,3'" + five},
-    {"TooManyFields", head + "5,4,1,1,0,\n", ":2:1: 6 fields in '5,4,1,1,0,'" + five},
-    {"SemicolonsInARow", head + "5;4;1;1;0\n", ":2:1: 1 fields in '5;4;1;1;0'" + five},
-    {"BlankLineBetween", head + "5,4,1,1,0\r\n\r\n9,12,3,5,2\r\n",
+    {"TooFewFields", table_head + "5,4,1,1,0\n9,12,3\n", ":3:1: 3 fields in '9,12,3'" + five},
+    {"TooManyFields", table_head + "5,4,1,1,0,\n", ":2:1: 6 fields in '5,4,1,1,0,'" + five},
+    {"SemicolonsInARow", table_head + "5;4;1;1;0\n", ":2:1: 1 fields in '5;4;1;1;0'" + five},
+    {"BlankLineBetween", table_head + "5,4,1,1,0\r\n\r\n9,12,3,5,2\r\n",
      ":3:1: a blank line between rows; take it out, or the rows below it"},
-    {"Word", head + "5,four,1,1,0\n", ":2:3: size is 'four'" + from_one},
-    {"EmptyField", head + "5,4,,1,0\n", ":2:5: duration is ''" + from_one},
-    {"EmptyLastField", head + "5,4,1,1,\n", ":2:9: lost is ''" + from_none},
-    {"Fraction", head + "5,4,1,1.5,0\n", ":2:7: topplings is '1.5'" + from_one},
-    {"Exponent", head + "1e3,4,1,1,0\n", ":2:1: grain is '1e3'" + from_one},
-    {"TwoNumbers", head + "5,4 4,1,1,0\n", ":2:3: size is '4 4'" + from_one},
-    {"ZeroGrain", head + "0,4,1,1,0\n", ":2:1: grain is '0'" + from_one},
-    {"ZeroSize", head + "5,0,1,1,0\n", ":2:3: size is '0'" + from_one},
-    {"ZeroDuration", head + "5,4,0,1,0\n", ":2:5: duration is '0'" + from_one},
-    {"ZeroTopplings", head + "5,4,1,0,0\n", ":2:7: topplings is '0'" + from_one},
-    {"NegativeLost", head + "5,4,1,1, -1\n", ":2:10: lost is '-1'" + from_none},
-    {"TooLarge", head + "5,1000000000000001,1,1,0\n",
+    {"Word", table_head + "5,four,1,1,0\n", ":2:3: size is 'four'" + from_one},
+    {"EmptyField", table_head + "5,4,,1,0\n", ":2:5: duration is ''" + from_one},
+    {"EmptyLastField", table_head + "5,4,1,1,\n", ":2:9: lost is ''" + from_none},
+    {"Fraction", table_head + "5,4,1,1.5,0\n", ":2:7: topplings is '1.5'" + from_one},
+    {"Exponent", table_head + "1e3,4,1,1,0\n", ":2:1: grain is '1e3'" + from_one},
+    {"TwoNumbers", table_head + "5,4 4,1,1,0\n", ":2:3: size is '4 4'" + from_one},
+    {"ZeroGrain", table_head + "0,4,1,1,0\n", ":2:1: grain is '0'" + from_one},
+    {"ZeroSize", table_head + "5,0,1,1,0\n", ":2:3: size is '0'" + from_one},
+    {"ZeroDuration", table_head + "5,4,0,1,0\n", ":2:5: duration is '0'" + from_one},
+    {"ZeroTopplings", table_head + "5,4,1,0,0\n", ":2:7: topplings is '0'" + from_one},
+    {"NegativeLost", table_head + "5,4,1,1, -1\n", ":2:10: lost is '-1'" + from_none},
+    {"TooLarge", table_head + "5,1000000000000001,1,1,0\n",
      ":2:3: size is '1000000000000001'" + from_one},
-    {"FarTooLarge", head + "5,4,99999999999999999999,1,0\n",
+    {"FarTooLarge", table_head + "5,4,99999999999999999999,1,0\n",
      ":2:5: duration is '99999999999999999999'" + from_one},
     {"DosLines", "grain,size,duration,topplings,lost\r\n5,4,1,1,0\r\n6,x,1,1,0\r\n",
      ":3:3: size is 'x'" + from_one},

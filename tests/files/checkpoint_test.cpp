@@ -14,9 +14,9 @@
 namespace fumon {
 namespace {
 
-using testing::bytes_of;
-using testing::message_of;
-using testing::TemporaryFolder;
+using test::bytes_of;
+using test::message_of;
+using test::TemporaryFolder;
 
 /// One of every kind of entry.
 struct Contents {
@@ -51,7 +51,7 @@ void read(const std::string& bytes, Contents& contents) {
     reader.finish();
 }
 
-std::string refusal(const std::string& bytes) {
+std::string checkpoint_refusal(const std::string& bytes) {
     return message_of<InputError>([&] {
         Contents contents;
         read(bytes, contents);
@@ -83,12 +83,12 @@ TEST(Checkpoint, GivesBackWhatWasWrittenBitForBit) {
 TEST(Checkpoint, ADamagedByteAnywhereIsNoticed) {
     const TemporaryFolder folder;
     const std::string whole = written(folder);
-    ASSERT_EQ(refusal(whole), "");
+    ASSERT_EQ(checkpoint_refusal(whole), "");
     for (std::size_t at = 0; at < whole.size(); ++at) {
         for (const int bit : {0, 3, 7}) {
             std::string damaged = whole;
             damaged[at] = static_cast<char>(damaged[at] ^ (1 << bit));
-            EXPECT_NE(refusal(damaged), "") << "byte " << at << ", bit " << bit;
+            EXPECT_NE(checkpoint_refusal(damaged), "") << "byte " << at << ", bit " << bit;
         }
     }
 }
@@ -97,9 +97,9 @@ TEST(Checkpoint, ACutOrLongerFileIsNoticed) {
     const TemporaryFolder folder;
     const std::string whole = written(folder);
     for (std::size_t size = 0; size < whole.size(); ++size)
-        EXPECT_NE(refusal(whole.substr(0, size)), "") << size;
-    EXPECT_NE(refusal(whole + '\0'), "");
-    EXPECT_NE(refusal(whole + whole), "");
+        EXPECT_NE(checkpoint_refusal(whole.substr(0, size)), "") << size;
+    EXPECT_NE(checkpoint_refusal(whole + '\0'), "");
+    EXPECT_NE(checkpoint_refusal(whole + whole), "");
 }
 
 TEST(Checkpoint, TheRefusalSaysWhatIsWrong) {
@@ -107,17 +107,20 @@ TEST(Checkpoint, TheRefusalSaysWhatIsWrong) {
     const std::string whole = written(folder);
     const std::string remedy =
         "; take an untouched copy of it, or run the scene from its start with --force";
-    EXPECT_EQ(refusal("[model]\nname = \"sand\"\n"), "c: is no checkpoint of fumon" + remedy);
-    EXPECT_EQ(refusal(""), "c: is no checkpoint of fumon" + remedy);
-    EXPECT_EQ(refusal(whole.substr(0, 20)), "c: is cut short" + remedy);
-    EXPECT_EQ(refusal(whole.substr(0, whole.size() - 1)), "c: is cut short or damaged" + remedy);
+    EXPECT_EQ(checkpoint_refusal("[model]\nname = \"sand\"\n"),
+              "c: is no checkpoint of fumon" + remedy);
+    EXPECT_EQ(checkpoint_refusal(""), "c: is no checkpoint of fumon" + remedy);
+    EXPECT_EQ(checkpoint_refusal(whole.substr(0, 20)), "c: is cut short" + remedy);
+    EXPECT_EQ(checkpoint_refusal(whole.substr(0, whole.size() - 1)),
+              "c: is cut short or damaged" + remedy);
     std::string other = whole;
     other[checkpoint_magic.size()] = 9;
-    EXPECT_EQ(refusal(other),
+    EXPECT_EQ(checkpoint_refusal(other),
               "c: has format 9, and this fumon reads format 2; go on with the fumon that wrote it");
     other = whole;
     other[40] = static_cast<char>(other[40] ^ 1);
-    EXPECT_EQ(refusal(other), "c: is damaged: its SHA-256 is not the one it carries" + remedy);
+    EXPECT_EQ(checkpoint_refusal(other),
+              "c: is damaged: its SHA-256 is not the one it carries" + remedy);
     EXPECT_NE(
         message_of<InputError>([&] { open_checkpoint(folder / "none"); }).find("cannot be read"),
         std::string::npos);
@@ -167,7 +170,7 @@ TEST(Checkpoint, AFullDiskLeavesTheFormerOne) {
     const TemporaryFolder folder;
     const std::string former = written(folder);
     {
-        const testing::FileSizeLimit limit(1000);
+        const test::FileSizeLimit limit(1000);
         EXPECT_THROW(
             {
                 CheckpointWriter writer(folder / "checkpoint");

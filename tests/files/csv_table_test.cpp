@@ -10,8 +10,6 @@
 namespace fumon::test {
 namespace {
 
-using fumon::testing::message_of;
-
 Table read(std::string_view text) {
     return parse_csv_table({"points.csv", text});
 }

@@ -30,7 +30,7 @@ class FakeModel : public Model {
 
 // FIPS 180-2, appendix B.1: the message "abc".
 TEST(Hash, FileHashMatchesThePublishedVector) {
-    const testing::TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     EXPECT_EQ(hex(file_hash(folder.file("abc", "abc"))),
               "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     EXPECT_EQ(hex(file_hash(folder.file("empty", ""))),
@@ -41,8 +41,8 @@ TEST(Hash, FileHashMatchesThePublishedVector) {
 }
 
 TEST(Hash, FileHashRefusesAMissingFile) {
-    const testing::TemporaryFolder folder;
-    EXPECT_EQ(testing::message_of<InputError>([&] { file_hash(folder / "none"); }),
+    const test::TemporaryFolder folder;
+    EXPECT_EQ(test::message_of<InputError>([&] { file_hash(folder / "none"); }),
               (folder / "none").string() +
                   ": cannot be read: No such file or directory; name a file that exists and that "
                   "you may read");
@@ -50,7 +50,7 @@ TEST(Hash, FileHashRefusesAMissingFile) {
 
 // The expected bytes are spelled out in a file, whose hash is checked above.
 TEST(Hash, PixelHashCoversSizeAndPixels) {
-    const testing::TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     Image image(2, 1);
     image.rgb = {1, 2, 3, 4, 5, 255};
     const std::string bytes("\x02\0\0\0\x01\0\0\0\x01\x02\x03\x04\x05\xFF", 14);
@@ -61,7 +61,7 @@ TEST(Hash, PixelHashCoversSizeAndPixels) {
 }
 
 TEST(Hash, StateHashCoversNameStepAndFieldsInOrder) {
-    const testing::TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     const std::string bytes(
         "fake"
         "\x02\x01\0\0\0\0\0\0"   // 258

@@ -187,7 +187,7 @@ TEST(MeasureSuite, AvalanchesCountWhetherOrNotTheirStepIsMeasured) {
 }
 
 TEST(MeasureSuite, WhatRowsDrawOnGoesOverACheckpoint) {
-    const testing::TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     const auto carried = [&](MeasureSuite& from, MeasureSuite& to) {
         CheckpointWriter writer(folder / "suite");
         from.carry(writer);

@@ -74,39 +74,39 @@ void expect_same(const Model& one, const Model& other) {
         EXPECT_EQ(bits(a.section->paths[i].z), bits(b.section->paths[i].z));
 }
 
-struct Case {
+struct CarriedRun {
     std::string name;
     std::string scene;
     std::int64_t steps = 12;
 };
 
-void PrintTo(const Case& one, std::ostream* out) {
+void PrintTo(const CarriedRun& one, std::ostream* out) {
     *out << one.name;
 }
 
-Case sand(const std::string& name, const std::string& keys, int nx = 40, int ny = 24) {
+CarriedRun sand(const std::string& name, const std::string& keys, int nx = 40, int ny = 24) {
     return {name, "[grid]\nnx = " + std::to_string(nx) + "\nny = " + std::to_string(ny) +
                       "\n[model]\nname = \"sand\"\n" + keys};
 }
-Case pile(const std::string& name, const std::string& keys) {
+CarriedRun pile(const std::string& name, const std::string& keys) {
     return {name,
             "[grid]\nnx = 14\nny = 12\n[model]\nname = \"sandpile\"\ngrains_per_step = 90\n" + keys,
             20};
 }
-Case gully(const std::string& name, const std::string& keys) {
+CarriedRun gully(const std::string& name, const std::string& keys) {
     return {name, "[grid]\nnx = 20\nny = 26\n[model]\nname = \"gully\"\n" + keys};
 }
-Case air(const std::string& name, const std::string& keys) {
+CarriedRun air(const std::string& name, const std::string& keys) {
     return {name,
             "[grid]\nnx = 32\n[model]\nname = \"airflow\"\nnz = 12\nbed_amplitude = 0.1\n" + keys,
             90};
 }
 
-class Carry : public ::testing::TestWithParam<Case> {};
+class Carry : public ::testing::TestWithParam<CarriedRun> {};
 
 TEST_P(Carry, AModelBroughtBackAtAnyStepGoesOnWithTheSameBytes) {
-    const testing::TemporaryFolder folder;
-    const Case& one = GetParam();
+    const TemporaryFolder folder;
+    const CarriedRun& one = GetParam();
     const Built straight(one.scene, 2);
     straight.to(one.steps);
     for (const std::int64_t stop :
@@ -133,7 +133,7 @@ TEST_P(Carry, AModelBroughtBackAtAnyStepGoesOnWithTheSameBytes) {
 INSTANTIATE_TEST_SUITE_P(
     EveryModel, Carry,
     ::testing::Values(
-        Case{"Static", "[grid]\nnx = 9\nny = 8\n[model]\nname = \"static\"\n", 4},
+        CarriedRun{"Static", "[grid]\nnx = 9\nny = 8\n[model]\nname = \"static\"\n", 4},
         sand("Synchronous", ""), sand("RandomSequential", "order = \"random-sequential\"\n"),
         sand("Maxima", "order = \"random-sequential\"\ncreep = \"maxima-only\"\n"),
         sand("Dunes", "hop_length = \"slope\"\nhop_amount = \"slope\"\nlanding = \"split\"\n"),
@@ -162,13 +162,13 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& one) { return one.param.name; });
 
 TEST(CarryOfAModel, AnotherModelsOrSizesStateIsRefused) {
-    const testing::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const Built small(sand("", "").scene, 1);
     CheckpointWriter writer(folder / "state");
     small.model->carry(writer);
     writer.commit();
     const auto refusal = [&](const std::string& scene) {
-        return testing::message_of<InputError>(
+        return message_of<InputError>(
             [&] { Built(scene, 1).model->carry(*open_checkpoint(folder / "state")); });
     };
     EXPECT_NE(refusal(sand("", "", 41).scene).find("its bed has another size"), std::string::npos);
@@ -177,7 +177,7 @@ TEST(CarryOfAModel, AnotherModelsOrSizesStateIsRefused) {
 }
 
 TEST(CarryOfAModel, APileWithImpossibleCellsIsRefused) {
-    const testing::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::string scene = pile("", "").scene;
     const Built built(scene, 1);
     built.to(3);

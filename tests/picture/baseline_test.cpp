@@ -9,9 +9,9 @@
 namespace fumon {
 namespace {
 
-using testing::message_of;
-using testing::some_picture;
-using testing::TemporaryFolder;
+using test::message_of;
+using test::some_picture;
+using test::TemporaryFolder;
 
 const std::string three_cases =
     "# Dunes, as they were accepted\n"

@@ -15,10 +15,10 @@
 namespace fumon {
 namespace {
 
-using testing::dune_field;
-using testing::flat_picture;
-using testing::message_of;
-using testing::some_picture;
+using test::dune_field;
+using test::flat_picture;
+using test::message_of;
+using test::some_picture;
 
 TEST(Compare, TheSamePictureIsIdentical) {
     const Image image = some_picture(101, 67);

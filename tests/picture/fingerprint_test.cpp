@@ -14,10 +14,10 @@
 namespace fumon {
 namespace {
 
-using testing::flat_picture;
-using testing::message_of;
-using testing::some_picture;
-using testing::TemporaryFolder;
+using test::flat_picture;
+using test::message_of;
+using test::some_picture;
+using test::TemporaryFolder;
 
 /// A box's mean by the plain form: over its area in pixels, in long double.
 long double plain_mean(const Image& image, int box_x, int box_y, int channel) {

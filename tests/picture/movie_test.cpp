@@ -20,9 +20,9 @@ extern "C" {
 namespace fumon {
 namespace {
 
-using testing::bytes_of;
-using testing::message_of;
-using testing::TemporaryFolder;
+using test::bytes_of;
+using test::message_of;
+using test::TemporaryFolder;
 
 using Colour = std::array<std::uint8_t, 3>;
 
@@ -252,7 +252,7 @@ std::string fill_up(const std::filesystem::path& file) {
 
 TEST(Movie, LeavesNothingWhenAWriteFails) {
     const TemporaryFolder folder;
-    const testing::FileSizeLimit limit(100'000);
+    const test::FileSizeLimit limit(100'000);
     EXPECT_EQ(fill_up(folder / "m.mp4"),
               "cannot write " + (folder / "m.mp4").string() + ": File too large");
     EXPECT_EQ(folder.entries(), 0);
@@ -260,7 +260,7 @@ TEST(Movie, LeavesNothingWhenAWriteFails) {
 
 TEST(Movie, LeavesNothingOnAFullDisk) {
     const TemporaryFolder folder;
-    const testing::SmallDisk disk(folder.path());
+    const test::SmallDisk disk(folder.path());
     if (!disk.mounted()) GTEST_SKIP() << "this user may not mount a small file system";
     EXPECT_EQ(fill_up(folder / "m.mp4"),
               "cannot write " + (folder / "m.mp4").string() + ": No space left on device");
@@ -273,7 +273,7 @@ TEST(Movie, SaysWhenOnlyTheEndDoesNotFit) {
     make(folder / "whole.mp4", 128, 128, 20);
     const auto whole = std::filesystem::file_size(folder / "whole.mp4");
     for (const std::uintmax_t missing : {1U, 100U, 400U, 1000U}) {
-        const testing::FileSizeLimit limit(whole - missing);
+        const test::FileSizeLimit limit(whole - missing);
         EXPECT_THROW(make(folder / "m.mp4", 128, 128, 20), Error) << missing;
         EXPECT_EQ(folder.entries(), 1) << missing;
     }

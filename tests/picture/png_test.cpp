@@ -14,8 +14,8 @@
 namespace fumon {
 namespace {
 
-using testing::message_of;
-using testing::TemporaryFolder;
+using test::message_of;
+using test::TemporaryFolder;
 
 Image coloured(int width, int height) {
     Image image(width, height);
@@ -107,7 +107,7 @@ TEST(Png, RefusesAnImageThatIsNone) {
     EXPECT_THROW(encode_png(short_of_a_byte, 300.0, {}), Error);
 }
 
-void collect(png_structp png, png_bytep bytes, std::size_t count) {
+void append_bytes(png_structp png, png_bytep bytes, std::size_t count) {
     static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<char*>(bytes), count);
 }
 
@@ -116,7 +116,7 @@ std::string foreign_png(int colour, int interlace) {
     std::string file;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png_create_info_struct(png);
-    png_set_write_fn(png, &file, collect, nullptr);
+    png_set_write_fn(png, &file, append_bytes, nullptr);
     png_set_IHDR(png, info, 2, 1, 8, colour, interlace, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     const std::vector<png_color> palette{{10, 20, 30}, {40, 50, 60}};
@@ -200,7 +200,7 @@ TEST(Png, Rounds16BitsAChannelTo8) {
     std::string bytes;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png_create_info_struct(png);
-    png_set_write_fn(png, &bytes, collect, nullptr);
+    png_set_write_fn(png, &bytes, append_bytes, nullptr);
     png_set_IHDR(png, info, 1, 1, 16, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);

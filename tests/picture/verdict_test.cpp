@@ -11,7 +11,7 @@
 namespace fumon {
 namespace {
 
-using testing::some_picture;
+using test::some_picture;
 
 BaselineRecord record_of(const Image& image) {
     BaselineRecord record;

@@ -5,21 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 
 #include "base/worker_pool.h"
+#include "support/snapshot_number.h"
 
-namespace fumon {
+namespace fumon::test {
 namespace {
-
-double number(const Airflow& model, const std::string& name) {
-    for (const SnapshotNumber& one : model.snapshot().numbers) {
-        if (one.name == name) return one.value;
-    }
-    return std::numeric_limits<double>::quiet_NaN();
-}
 
 struct Box {
     int nx;
@@ -46,9 +39,9 @@ TEST(PublishedAirflow, StressOfTableC1) {
     WorkerPool pool;
     Airflow model(in(table_c1), over(table_c1, pool));
     for (int n = 0; n < 5000; ++n) model.step();
-    EXPECT_NEAR(number(model, "stress_mean"), 0.00949, 0.02 * 0.00949);
-    EXPECT_NEAR(number(model, "stress_amplitude"), 0.01278, 0.02 * 0.01278);
-    EXPECT_NEAR(number(model, "stress_phase"), std::numbers::pi / 14.2,
+    EXPECT_NEAR(number(model.snapshot(), "stress_mean"), 0.00949, 0.02 * 0.00949);
+    EXPECT_NEAR(number(model.snapshot(), "stress_amplitude"), 0.01278, 0.02 * 0.01278);
+    EXPECT_NEAR(number(model.snapshot(), "stress_phase"), std::numbers::pi / 14.2,
                 0.02 * std::numbers::pi / 14.2);  // appendix C's own number
 }
 
@@ -57,8 +50,9 @@ TEST(PublishedAirflow, StressOfTable3RisesWithTheBed) {
     WorkerPool pool;
     Airflow model(in(table_3), over(table_3, pool));
     for (int n = 0; n < 2000; ++n) model.step();
-    EXPECT_GT(number(model, "stress_amplitude"), 0.5 * number(model, "stress_mean"));
-    EXPECT_LT(std::abs(number(model, "stress_phase")), std::numbers::pi / 6.0);
+    EXPECT_GT(number(model.snapshot(), "stress_amplitude"),
+              0.5 * number(model.snapshot(), "stress_mean"));
+    EXPECT_LT(std::abs(number(model.snapshot(), "stress_phase")), std::numbers::pi / 6.0);
 }
 
 /// Table C1's geometry on coarser staircases: the steady state, from an independent spectral
@@ -71,13 +65,13 @@ TEST(PublishedAirflow, SteadyStressOnAStaircase) {
         parameters.until_steady = true;
         Airflow model(parameters, over(box, pool));
         for (int n = 0; n < 20'000; ++n) model.step();
-        EXPECT_EQ(number(model, "steady"), 1.0);
-        EXPECT_GT(number(model, "steady_time"), 0.045);
-        EXPECT_LT(number(model, "steady_time"), 0.080);
+        EXPECT_EQ(number(model.snapshot(), "steady"), 1.0);
+        EXPECT_GT(number(model.snapshot(), "steady_time"), 0.045);
+        EXPECT_LT(number(model.snapshot(), "steady_time"), 0.080);
         StressFit reached;
-        reached.amplitude = number(model, "stress_amplitude");
-        reached.phase = number(model, "stress_phase");
-        reached.mean = number(model, "stress_mean");
+        reached.amplitude = number(model.snapshot(), "stress_amplitude");
+        reached.phase = number(model.snapshot(), "stress_phase");
+        reached.mean = number(model.snapshot(), "stress_mean");
         return reached;
     };
     const StressFit coarse = fit({100, 30, 5e-5, 1e-5});
@@ -96,12 +90,12 @@ TEST(PublishedAirflow, SteadyStressOnAFittedGrid) {
     parameters.scheme = AirSchemeKind::boundary_fitted;
     Airflow model(parameters, over(box, pool));
     for (int n = 0; n < 5000; ++n) model.step();
-    EXPECT_EQ(number(model, "steady"), 1.0);
-    EXPECT_NEAR(number(model, "stress_mean"), 0.01185, 0.02 * 0.01185);
-    EXPECT_NEAR(number(model, "stress_amplitude"), 0.01665, 0.02 * 0.01665);
-    EXPECT_NEAR(number(model, "stress_phase"), std::numbers::pi / 11.08,
+    EXPECT_EQ(number(model.snapshot(), "steady"), 1.0);
+    EXPECT_NEAR(number(model.snapshot(), "stress_mean"), 0.01185, 0.02 * 0.01185);
+    EXPECT_NEAR(number(model.snapshot(), "stress_amplitude"), 0.01665, 0.02 * 0.01665);
+    EXPECT_NEAR(number(model.snapshot(), "stress_phase"), std::numbers::pi / 11.08,
                 0.02 * std::numbers::pi / 11.08);
 }
 
 }  // namespace
-}  // namespace fumon
+}  // namespace fumon::test

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <string>
 
@@ -16,16 +15,10 @@
 #include "numerics/hop_law.h"
 #include "published/sweep_table.h"
 #include "support/program.h"
+#include "support/snapshot_number.h"
 
 namespace fumon::test {
 namespace {
-
-double number(const Snapshot& snapshot, const std::string& name) {
-    for (const SnapshotNumber& one : snapshot.numbers) {
-        if (one.name == name) return one.value;
-    }
-    return std::numeric_limits<double>::quiet_NaN();
-}
 
 /// Table 3 with its cosine, or of its height a flat bed at 2 h0 (appendix B).
 ModelSetup box(int nx, WorkerPool& pool) {
@@ -33,7 +26,7 @@ ModelSetup box(int nx, WorkerPool& pool) {
     return {Grid(nx, 1), {}, {spacing, spacing, 1.0, true}, 1, pool};
 }
 
-AirflowParameters table_3() {
+AirflowParameters air_of_table_3() {
     AirflowParameters parameters;
     parameters.nz = 60;
     parameters.time_step = 2.5e-6;
@@ -44,7 +37,7 @@ AirflowParameters table_3() {
 /// Section 4 finds a = 5.4 per mm, and an exponential better than a line.
 TEST(PublishedFlights, TheHopLawOfTable3) {
     WorkerPool pool;
-    Airflow model(table_3(), box(1200, pool));
+    Airflow model(air_of_table_3(), box(1200, pool));
     for (int n = 0; n < 2000; ++n) model.step();
     const Snapshot snapshot = model.snapshot();
     expect_within(number(snapshot, "hop_base"), 5.19, 0.03, "a of all angles");
@@ -65,7 +58,7 @@ TEST(PublishedFlights, TheHopLawOfTable3) {
 /// Table B1: 0.98, 1.5 and 1.4 mm; in closed form (eqs. B6, B8) 0.9788, 1.5231 and 1.4260 mm.
 TEST(PublishedFlights, OverTheFlatBedOfAppendixB) {
     WorkerPool pool;
-    AirflowParameters parameters = table_3();
+    AirflowParameters parameters = air_of_table_3();
     parameters.nz = 40;  // what is left of table 3's box above 2 h0
     parameters.bed = AirBedShape::given;
     parameters.flight.launch_angles = {20.0, 40.0, 60.0};

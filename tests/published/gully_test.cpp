@@ -9,63 +9,83 @@
 #include <cstdio>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "measure/water/channels.h"
 #include "support/gully_run.h"
+#include "support/temporary_folder.h"
 
 namespace fumon::test {
 namespace {
 
-/// Mean number of channels at each time, over seeds.
-std::map<int, double> mean_channels(const GullyParameters& gully, int side, int seeds,
-                                    const std::vector<int>& times) {
-    std::vector<std::map<int, int>> counts(static_cast<std::size_t>(seeds));
-    WorkerPool pool(2);
-    pool.for_ranges(seeds, [&](int begin, int end) {
-        for (int seed = begin; seed < end; ++seed) {
-            GullyRun run(gully, noise(side, side, 0.01, static_cast<std::uint64_t>(seed) + 1), 1);
-            for (const int time : times) {
-                run.to(time);
-                counts[static_cast<std::size_t>(seed)][time] =
-                    static_cast<int>(find_channels(run.field("water_depth"), {}, 1.0, true).count);
+/// Over how many seeds the channels are counted at a time.
+struct Count {
+    double time;
+    int seeds;
+};
+
+/// The mean number of channels at each time. Later counts take no more seeds than earlier ones.
+std::map<double, double> mean_channels(const GullyParameters& gully, int side,
+                                       const std::vector<Count>& counts) {
+    constexpr int threads = 2;
+    const int seeds = counts.front().seeds;
+    std::vector<std::vector<double>> channels(static_cast<std::size_t>(seeds));
+    WorkerPool pool(threads);
+    pool.for_ranges(threads, [&](int begin, int end) {
+        for (int first = begin; first < end; ++first) {
+            for (int seed = first; seed < seeds; seed += threads) {
+                const auto of_seed = static_cast<std::size_t>(seed);
+                GullyRun run(gully, noise(side, side, 0.01, of_seed + 1), 1);
+                for (const Count& count : counts) {
+                    if (seed >= count.seeds) break;
+                    run.to(count.time);
+                    channels[of_seed].push_back(
+                        find_channels(run.field("water_depth"), {}, 1.0, true).count);
+                }
+                EXPECT_LT(std::fabs(run.number("water_budget_error")), 1e-12);
             }
-            EXPECT_LT(std::fabs(run.number("water_budget_error")), 1e-12);
         }
     });
-    std::map<int, double> means;
-    for (const int time : times) {
-        for (auto& of_seed : counts) means[time] += static_cast<double>(of_seed[time]) / seeds;
+    std::map<double, double> means;
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+        double& mean = means[counts[k].time];
+        for (const auto& of_seed : channels) {
+            if (k < of_seed.size()) mean += of_seed[k] / counts[k].seeds;
+        }
+        std::printf("    slope %g, %d x %d, t = %g: %.2f channels\n", gully.slope.value, side, side,
+                    counts[k].time, mean);
     }
-    for (const auto& [time, mean] : means)
-        std::printf("    slope %g, %d x %d, t = %d: %.2f channels\n", gully.slope.value, side, side,
-                    time, mean);
     return means;
 }
 
-TEST(PublishedGully, ChannelsMergeOnTheFiguresSlope) {
-    const auto means = mean_channels(as_printed(0.04), 100, 5, {100, 500, 1000});
-    EXPECT_NEAR(means.at(100), 2.8, 0.8);
-    EXPECT_NEAR(means.at(500), 2.4, 0.8);
-    EXPECT_NEAR(means.at(1000), 1.4, 0.8);
+/// Single counts scatter by 0.6 at t = 100, so 20 seeds know their mean to 0.14; the published
+/// means are of five.
+constexpr int many_seeds = 20;
+
+TEST(PublishedGully, ChannelsMergeOnTheFiguresSlopeAndSoonerOnAGentleOne) {
+    const auto steep =
+        mean_channels(as_printed(0.04), 100, {{100, many_seeds}, {500, 5}, {1000, 5}});
+    EXPECT_NEAR(steep.at(100), 2.8, 0.5);
+    EXPECT_NEAR(steep.at(500), 2.4, 0.5);
+    EXPECT_NEAR(steep.at(1000), 1.4, 0.5);
+    const auto gentle = mean_channels(as_printed(0.005), 100, {{100, many_seeds}, {500, 5}});
+    EXPECT_NEAR(gentle.at(100), 2.6, 0.5);
+    EXPECT_NEAR(gentle.at(500), 1.0, 0.2);
+    EXPECT_GT(steep.at(100), gentle.at(100) + 0.4) << "twice the error of the difference";
 }
 
 TEST(PublishedGully, FiniteVolumesSpaceChannelsAlike) {
     GullyParameters gully = as_printed(0.04);
     gully.scheme = WaterScheme::finite_volume;
-    const auto channels = mean_channels(gully, 100, 5, {100, 500});
-    EXPECT_NEAR(channels.at(100), 2.8, 0.8);
-    EXPECT_NEAR(channels.at(500), 2.4, 0.8);
-}
-
-TEST(PublishedGully, AGentleSlopeSoonHasOneChannel) {
-    const auto means = mean_channels(as_printed(0.005), 100, 5, {100, 500});
-    EXPECT_NEAR(means.at(100), 2.6, 0.8);
-    EXPECT_NEAR(means.at(500), 1.0, 0.8);
+    const auto channels = mean_channels(gully, 100, {{100, 10}, {500, 4}});
+    EXPECT_NEAR(channels.at(100), 2.8, 0.5);
+    EXPECT_NEAR(channels.at(500), 2.4, 0.5);
 }
 
 TEST(PublishedGully, ALargerPlaneHasMoreChannels) {
-    const auto means = mean_channels(as_printed(0.04), 200, 3, {100, 500, 1000});
+    const auto means = mean_channels(as_printed(0.04), 200, {{100, 3}, {500, 3}, {1000, 3}});
     EXPECT_NEAR(means.at(100), 6.0, 1.5);
     EXPECT_NEAR(means.at(500), 4.0, 1.5);
     EXPECT_NEAR(means.at(1000), 3.0, 1.5);
@@ -125,24 +145,30 @@ TEST(PublishedGully, ConservativeTransportFillsTheChannelAtEverySlope) {
 
 // ---- the steep slope ----
 
-TEST(PublishedGully, TheSteepSlopeNeverSettlesAndKeepsItsWater) {
+/// As printed it never settles: it cuts down until its water runs away, which is one line that says
+/// where, when and what to do. No machine runs on to t = 1000 (tests/README.md, the final state).
+TEST(PublishedGully, TheSteepSlopeCutsDownUntilTheRunStopsWithOneLine) {
     GullyRun run(as_printed(0.1), noise(100, 100, 0.01), 1);
-    try {
-        run.to(1000.0);
-    } catch (const Error& error) {
-        const std::string line = error.what();
-        std::printf("    stopped: %s\n", line.c_str());
-        EXPECT_NE(line.find("m/s at cell ("), std::string::npos);
-        EXPECT_GT(run.gully.time(), 500.0) << "the roll waves of the first minutes are survived";
-        return;
+    double floor = 0.0;
+    for (const double time : {200.0, 400.0, 600.0}) {
+        run.to(time);
+        EXPECT_GE(run.lowest_depth(), 0.0) << time;
+        EXPECT_LT(std::fabs(run.number("water_budget_error")), 1e-12) << time;
+        EXPECT_LT(std::fabs(run.number("sediment_budget_error")), 1e-12) << time;
+        const double before = std::exchange(floor, channel_profile(run.gully.snapshot().bed).floor);
+        std::printf("    slope 0.1, t = %g: floor %.4f\n", time, floor);
+        EXPECT_LT(floor, before - 0.05) << time;
     }
-    const Grid depth = run.field("water_depth");
-    EXPECT_GE(*std::min_element(depth.values().begin(), depth.values().end()), 0.0);
-    EXPECT_LT(std::fabs(run.number("water_budget_error")), 1e-12);
-    EXPECT_LT(std::fabs(run.number("sediment_budget_error")), 1e-12);
-    const double before = channel_profile(run.gully.snapshot().bed).floor;
-    std::printf("    floor %.3f at t = 1000\n", before);
-    EXPECT_LT(before, -0.1) << "still cutting down";
+    const std::string line = message_of<Error>([&] { run.to(1000.0); });
+    std::printf("    stopped: %s\n", line.c_str());
+    EXPECT_TRUE(line.starts_with("the speed became ")) << line;
+    EXPECT_NE(line.find(" m/s at cell ("), std::string::npos) << line;
+    EXPECT_NE(line.find(", t = 885.471 s, "), std::string::npos) << line;
+    EXPECT_TRUE(
+        line.ends_with("; try a smaller model.time_step, more model.friction_coefficient "
+                       "or model.bed_diffusion"))
+        << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos);
 }
 
 }  // namespace

@@ -18,13 +18,13 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kills = 10;  // of each scene: 50 in all
 
-struct Case {
+struct KilledRun {
     const char* name;
     const char* scene;
 };
 
 /// With pictures of all kinds, tables and fields; one makes a movie and keeps no frames.
-const Case cases[] = {
+const KilledRun cases[] = {
     {"Sand",
      "seed = 3\n[model]\nname = \"sand\"\norder = \"random-sequential\"\n[grid]\nnx = 100\nny = "
      "80\n[run]\nsteps = 1500\n[frames]\nevery = 15\n[output]\nfields_every = 50\nbed_every = "
@@ -45,7 +45,7 @@ const Case cases[] = {
      "1500\n[frames]\nevery = 25\n[output]\nfields_every = 50\n"},
 };
 
-class RandomKills : public ::testing::TestWithParam<Case> {};
+class RandomKills : public ::testing::TestWithParam<KilledRun> {};
 
 // SIGKILL at moments drawn uniformly from the run's usual length. The draws are those of a fixed
 // seed, but what they hit depends on the machine.

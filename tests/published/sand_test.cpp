@@ -96,8 +96,9 @@ TEST(PublishedSudo, ProfilesSettleOnALineInTheWind) {
     expect_within(strong.height, 315, 0.04, "profile: highest 1 % at L0 = 200");
     const double at_100 = settled_profile("100", 2).wavelength;
     const double at_300 = settled_profile("300", 2).wavelength;
-    const Line line = line_through({5, 50, 100, 200, 300}, {weak.wavelength, middle.wavelength,
-                                                            at_100, strong.wavelength, at_300});
+    const FittedLine line =
+        line_through({5, 50, 100, 200, 300},
+                     {weak.wavelength, middle.wavelength, at_100, strong.wavelength, at_300});
     expect_within(line.slope, 1.35, 0.1, "profile: slope of wavelength over L0");
     expect_within(line.offset, 79, 0.1, "profile: wavelength on that line at L0 = 0");
     EXPECT_GT(line.r_squared, 0.98);
@@ -145,7 +146,7 @@ TEST(PublishedSudo, ProfilesWithAShadowNeverSettle) {
     }
     off /= static_cast<double>(logarithms_of_height.size());
     expect_within(std::exp(off), 1.0, 0.25, "shadow: height over 0.27 wavelength^0.88, mean");
-    const Line line = line_through(logarithms_of_wavelength, logarithms_of_height);
+    const FittedLine line = line_through(logarithms_of_wavelength, logarithms_of_height);
     expect_within(line.slope, 0.88, 0.12, "shadow: exponent of height over wavelength");
     EXPECT_GT(line.r_squared, 0.9);
 }

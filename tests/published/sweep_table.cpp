@@ -14,7 +14,7 @@ namespace fumon::test {
 
 namespace {
 
-std::vector<std::string> cells_of(const std::string& line) {
+std::vector<std::string> split_cells(const std::string& line) {
     std::vector<std::string> cells;
     std::string cell;
     std::istringstream text(line);
@@ -33,10 +33,10 @@ std::vector<SweepTable::Row> read_table(const std::filesystem::path& file) {
     std::ifstream in(file);
     std::string line;
     std::getline(in, line);
-    const std::vector<std::string> names = cells_of(line);
+    const std::vector<std::string> names = split_cells(line);
     std::vector<SweepTable::Row> rows;
     while (std::getline(in, line)) {
-        const std::vector<std::string> cells = cells_of(line);
+        const std::vector<std::string> cells = split_cells(line);
         EXPECT_EQ(cells.size(), names.size()) << line;
         SweepTable::Row row;
         for (std::size_t k = 0; k < std::min(cells.size(), names.size()); ++k)
@@ -106,7 +106,7 @@ void expect_within(double found, double expected, double share, const std::strin
                 100.0 * (found / expected - 1.0));
 }
 
-Line line_through(const std::vector<double>& x, const std::vector<double>& y) {
+FittedLine line_through(const std::vector<double>& x, const std::vector<double>& y) {
     const auto n = static_cast<double>(x.size());
     double mx = 0.0;
     double my = 0.0;

@@ -47,11 +47,11 @@ class SweepTable {
 void expect_within(double found, double expected, double share, const std::string& what);
 
 /// Slope and R² of the least-squares line y = a + b x.
-struct Line {
+struct FittedLine {
     double offset;
     double slope;
     double r_squared;
 };
-Line line_through(const std::vector<double>& x, const std::vector<double>& y);
+FittedLine line_through(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace fumon::test

@@ -17,21 +17,6 @@
 namespace fumon {
 namespace {
 
-View small_view(int width = 320, int height = 180) {
-    View view;
-    view.image.width = width;
-    view.image.height = height;
-    return view;
-}
-
-Image picture(const View& view, const Snapshot& bed, int threads = 2,
-              gl::Backend backend = gl::Backend::automatic, const RenderLimits& limits = {}) {
-    const auto context = gl::Context::create(backend);
-    WorkerPool pool(threads);
-    Renderer renderer(*context, view, bed, 100, pool, limits);
-    return renderer.render(bed);
-}
-
 struct Difference {
     double share = 0.0;       // of the values that differ
     int beyond_rounding = 0;  // values more than two levels apart
@@ -45,12 +30,6 @@ Difference difference(const Image& a, const Image& b) {
         if (here != 0) result.share += 1.0 / static_cast<double>(a.rgb.size());
     }
     return result;
-}
-
-std::array<int, 3> colour_at(const Image& image, double x, double y) {
-    const std::uint8_t* pixel = image.row(static_cast<int>(y * image.height)) +
-                                3 * static_cast<std::size_t>(x * image.width);
-    return {pixel[0], pixel[1], pixel[2]};
 }
 
 std::array<double, 3> mean_colour(const Image& image) {
@@ -168,9 +147,47 @@ TEST(Renderer, DrawsEverySizeAndProjection) {
     }
 }
 
+struct PixelBox {
+    int left, top, right, bottom;  // right and bottom lie beyond it
+};
+
+/// Around all that is not the figure's white paper.
+PixelBox drawn_box(const Image& image) {
+    PixelBox box{image.width, image.height, 0, 0};
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const std::uint8_t* pixel = image.row(y) + 3 * static_cast<std::size_t>(x);
+            if (pixel[0] == 255 && pixel[1] == 255 && pixel[2] == 255) continue;
+            box = {std::min(box.left, x), std::min(box.top, y), std::max(box.right, x + 1),
+                   std::max(box.bottom, y + 1)};
+        }
+    }
+    return box;
+}
+
 TEST(Renderer, DrawsNarrowAndTinyBeds) {
-    for (const auto& [nx, ny] : {std::pair{1, 1}, {1, 40}, {300, 1}, {2, 3}, {1500, 2}})
-        EXPECT_NO_THROW(picture(small_view(64, 48), wavy_bed(nx, ny))) << nx << " " << ny;
+    for (const auto& [nx, ny] : {std::pair{1, 1}, {1, 40}, {300, 1}, {2, 3}, {1500, 2}}) {
+        View view = small_view(640, 480);
+        view.look.mode = ViewMode::figure;
+        for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+            view.camera.projection = projection;
+            const PixelBox box = drawn_box(picture(view, wavy_bed(nx, ny)));
+            EXPECT_TRUE(box.left > 0 && box.top > 0 && box.right < 640 && box.bottom < 480)
+                << nx << " x " << ny << " is cut off";
+            EXPECT_GT(std::max((box.right - box.left) / 640.0, (box.bottom - box.top) / 480.0),
+                      0.75)
+                << nx << " x " << ny << " does not fill the picture";
+        }
+        view.camera.projection = Projection::map;
+        view.camera.margin = 0.0;
+        const double deep = nx > 1 && ny == 1 ? 0.25 * nx : ny;  // a profile becomes a strip
+        const double site = std::min(640.0 / nx, 480.0 / deep);
+        const PixelBox box = drawn_box(picture(view, wavy_bed(nx, ny)));
+        EXPECT_NEAR(box.right - box.left, nx * site, 2.0) << nx << " x " << ny;
+        EXPECT_NEAR(box.bottom - box.top, deep * site, 2.0) << nx << " x " << ny;
+        EXPECT_NEAR(0.5 * (box.left + box.right), 320.0, 1.0) << nx << " x " << ny;
+        EXPECT_NEAR(0.5 * (box.top + box.bottom), 240.0, 1.0) << nx << " x " << ny;
+    }
 }
 
 TEST(Renderer, LeavesCellsWithoutDataOut) {

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-constexpr const char* air =
+constexpr const char* air_scene =
     "[model]\nname = \"airflow\"\nnz = 15\ntime_step = 1e-5\nlaunch_angles = [20.0, 40.0]\n"
     "[grid]\nnx = 100\ncell_size = 1e-4\n[run]\nsteps = 100\n";
 
@@ -43,7 +43,7 @@ class FaultTest : public ::testing::Test {
   protected:
     void SetUp() override {
         write_text(folder_ / "scene.toml", small_scene());
-        write_text(folder_ / "air.toml", air);
+        write_text(folder_ / "air.toml", air_scene);
         fs::create_directory(folder_ / "disk");
     }
 
@@ -76,7 +76,7 @@ class FaultTest : public ::testing::Test {
 class EveryOutput : public FaultTest, public ::testing::WithParamInterface<Output> {};
 
 TEST_P(EveryOutput, AFullDiskIsOneLine) {
-    const fumon::testing::SmallDisk disk(folder_ / "disk", 32);
+    const SmallDisk disk(folder_ / "disk", 32);
     if (!disk.mounted()) GTEST_SKIP() << "cannot mount a small tmpfs here (needs root)";
     const auto filling = static_cast<std::size_t>(32 - GetParam().room) << 10U;
     write_text(folder_ / "disk/filling", std::string(filling, 'x'));
@@ -87,7 +87,7 @@ TEST_P(EveryOutput, AFullDiskIsOneLine) {
 
 TEST_P(EveryOutput, AReadOnlyFolderIsOneLine) {
     const bool root = geteuid() == 0;
-    const fumon::testing::SmallDisk disk(folder_ / "disk", 64);
+    const SmallDisk disk(folder_ / "disk", 64);
     if (root && !disk.mounted()) GTEST_SKIP() << "root, and cannot mount a disk here";
     if (root) {
         ASSERT_EQ(mount("", (folder_ / "disk").c_str(), "", MS_REMOUNT | MS_RDONLY, nullptr), 0);

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/error.h"
+#include "files/atomic_file.h"
 #include "gl/context.h"
 #include "picture/png.h"
 #include "run/picture_text.h"
@@ -12,19 +15,16 @@
 namespace fumon::test {
 namespace {
 
-/// What a user, or another processor, may bring along.
-const std::vector<std::string> older_processor = {"GALLIUM_OVERRIDE_CPU_CAPS=avx"};
+/// The processors that Mesa can be told to draw for.
+const std::vector<std::string> processors = {"sse2", "sse3", "ssse3", "sse4.1", "avx"};
+
+/// What a user may bring along.
 const std::vector<std::string> odd_settings = {
     "GALLIUM_OVERRIDE_CPU_CAPS=avx", "LP_NUM_THREADS=1", "GALLIVM_PERF=brilinear,nopt",
     "LP_PERF=no_tex,no_mipmap", "LP_NATIVE_VECTOR_WIDTH=256"};
 
-/// With it, pixels that are not pinned differ from an older processor's.
-bool has_fused_arithmetic() {
-#if defined(__x86_64__)
-    return __builtin_cpu_supports("fma");
-#else
-    return false;
-#endif
+std::vector<std::string> drawn_for(const std::string& processor) {
+    return {"GALLIUM_OVERRIDE_CPU_CAPS=" + processor};
 }
 
 class PinnedTest : public ::testing::Test {
@@ -52,20 +52,21 @@ class PinnedTest : public ::testing::Test {
     Ended ended_;
 };
 
+// Whether pixels that are not pinned differ depends on this processor.
 TEST_F(PinnedTest, PixelsAreTheSameWhateverTheProcessorAndTheSettings) {
     const PictureOrigin plain = still("plain.png", {"--quiet"});
-    const PictureOrigin older = still("older.png", {"--quiet"}, older_processor);
-    if (has_fused_arithmetic()) {
-        EXPECT_NE(plain.pixels_hash, older.pixels_hash) << "else nothing is to be seen here";
-    }
     EXPECT_FALSE(plain.environment->pinned);
 
     const PictureOrigin pinned = still("pinned.png", {"--quiet", "--pinned"});
     EXPECT_TRUE(pinned.environment->pinned);
-    EXPECT_EQ(still("b.png", {"--quiet", "--pinned"}, older_processor).pixels_hash,
-              pinned.pixels_hash);
-    EXPECT_EQ(still("c.png", {"--verbose", "--pinned"}, odd_settings).pixels_hash,
-              pinned.pixels_hash);
+    for (const std::string& processor : processors) {
+        const PictureOrigin other =
+            still("other.png", {"--quiet", "--pinned"}, drawn_for(processor));
+        EXPECT_EQ(other.pixels_hash, pinned.pixels_hash) << processor;
+        EXPECT_EQ(*other.environment, *pinned.environment) << processor;
+    }
+    const PictureOrigin odd = still("odd.png", {"--verbose", "--pinned"}, odd_settings);
+    EXPECT_EQ(odd.pixels_hash, pinned.pixels_hash);
     for (const std::string line : {"--pinned: GALLIUM_OVERRIDE_CPU_CAPS=avx is overridden: sse4.1",
                                    "--pinned: LP_NUM_THREADS=1 is overridden: 4",
                                    "--pinned: LP_PERF=no_tex,no_mipmap is "
@@ -106,14 +107,26 @@ TEST_F(PinnedTest, TheManifestSaysWhatDrew) {
 
 TEST_F(PinnedTest, APinnedPictureIsMadeAgainPinned) {
     still("pinned.png", {"--quiet", "--pinned"});
-    const Ended again = fumon({"again", "pinned.png"}, folder_.path(), older_processor);
-    EXPECT_EQ(again.errors, "pinned-again.png: the same pixels as pinned.png\n");
+    for (const std::string& processor : processors) {
+        const Ended again = fumon({"again", "pinned.png"}, folder_.path(), drawn_for(processor));
+        EXPECT_EQ(again.errors, "pinned-again.png: the same pixels as pinned.png\n") << processor;
+    }
+}
 
+TEST_F(PinnedTest, OtherPixelsOfAPictureThatIsNotPinnedAreExplained) {
     still("plain.png", {"--quiet"});
-    const Ended differs = fumon({"again", "plain.png"}, folder_.path(), older_processor);
-    EXPECT_NE(differs.errors.find("neither is pinned, so that pixels depend on the processor"),
+    PictureText texts = read_png_texts(folder_ / "plain.png");
+    const auto recorded = std::find_if(texts.begin(), texts.end(), [](const auto& text) {
+        return text.first == "fumon:pixels-sha256";
+    });
+    ASSERT_NE(recorded, texts.end());
+    recorded->second.front() = recorded->second.front() == '0' ? '1' : '0';
+    write_file(folder_ / "elsewhere.png",
+               encode_png(read_png(folder_ / "plain.png"), screen_dots_per_inch, texts));
+    const Ended again = fumon({"again", "elsewhere.png"}, folder_.path());
+    EXPECT_NE(again.errors.find("neither is pinned, so that pixels depend on the processor"),
               std::string::npos)
-        << differs.errors;
+        << again.errors;
 }
 
 TEST_F(PinnedTest, TextInTheSystemsFontsIsNotPinnedAndThatIsSaid) {

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A short run, and the SHA-256 of what it comes to: a record of state_hashes.txt.
-struct Case {
+struct RecordedRun {
     std::string name;
     std::string model;
     std::vector<std::string> settings;
@@ -24,8 +24,8 @@ struct Case {
     std::string measurements;
 };
 
-std::vector<Case> read_cases() {
-    std::vector<Case> cases;
+std::vector<RecordedRun> read_cases() {
+    std::vector<RecordedRun> cases;
     std::ifstream file(FUMON_TEST_FOLDER "/run/state_hashes.txt");
     for (std::string line; std::getline(file, line);) {
         std::istringstream words(line);
@@ -44,7 +44,7 @@ std::vector<Case> read_cases() {
     return cases;
 }
 
-void PrintTo(const Case& run, std::ostream* out) {
+void PrintTo(const RecordedRun& run, std::ostream* out) {
     *out << run.name;
 }
 
@@ -53,12 +53,12 @@ const std::vector<std::string> lesser_library = {
     "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX512VL,-AVX512DQ,-AVX512BW,-AVX512CD,-AVX2,-FMA,"
     "-FMA4,-AVX,-AVX2_Usable,-FMA_Usable,-AVX_Usable"};
 
-class Reproducible : public ::testing::TestWithParam<Case> {
+class Reproducible : public ::testing::TestWithParam<RecordedRun> {
   protected:
     /// Runs the case and compares it with its record.
     void expect_as_recorded(int threads, const std::vector<std::string>& environment = {},
                             const std::string& program = FUMON_PROGRAM) {
-        const Case& run = GetParam();
+        const RecordedRun& run = GetParam();
         const ScratchFolder folder;
         write_text(folder / "scene.toml", "seed = 11\n[model]\nname = \"" + run.model + "\"\n");
         fs::copy_file(FUMON_SCENES_FOLDER "/../assets/terrain/west_bijou_gully.asc",

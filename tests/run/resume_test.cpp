@@ -241,7 +241,7 @@ TEST_F(ResumeTest, FromAnotherFolderTheTerrainIsFoundAndAChangeNoticed) {
 
 TEST_F(ResumeTest, AFullDiskForACheckpointDoesNotEndTheRun) {
     fs::create_directories(out("small"));
-    const fumon::testing::SmallDisk disk(out("small"), 256);
+    const SmallDisk disk(out("small"), 256);
     if (!disk.mounted()) GTEST_SKIP() << "cannot mount a small tmpfs here (needs root)";
     scene(scene_of("name = \"sand\"\n", 250, 200, 60));
     const Ended ended =

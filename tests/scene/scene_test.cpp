@@ -17,7 +17,7 @@ namespace {
 const std::string least = "[model]\nname = \"sand\"\n[run]\nsteps = 10\n";
 
 /// The one line that reading a scene is refused with.
-std::string refusal(const std::string& text, const std::vector<std::string>& settings = {}) {
+std::string scene_refusal(const std::string& text, const std::vector<std::string>& settings = {}) {
     try {
         parse_scene(text, "scene.toml", "", settings);
     } catch (const InputError& fault) {
@@ -70,7 +70,7 @@ void PrintTo(const Broken& broken, std::ostream* out) {
 class BrokenScene : public testing::TestWithParam<Broken> {};
 
 TEST_P(BrokenScene, IsRefusedWithOneLocatedLine) {
-    EXPECT_EQ(refusal(GetParam().text), GetParam().line);
+    EXPECT_EQ(scene_refusal(GetParam().text), GetParam().line);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -159,21 +159,21 @@ TEST(Settings, OverrideTheFileInOrder) {
 }
 
 TEST(Settings, AreLocatedByNumberAndColumn) {
-    EXPECT_EQ(refusal(least, {"seed=1", "sun.elevation=91"}),
+    EXPECT_EQ(scene_refusal(least, {"seed=1", "sun.elevation=91"}),
               "--set 2:15: sun.elevation is 91; it takes a number 1 … 90 (degrees)");
-    EXPECT_EQ(refusal(least, {"sun.elevatoin=9"}),
+    EXPECT_EQ(scene_refusal(least, {"sun.elevatoin=9"}),
               "--set 1:1: unknown key sun.elevatoin; did you mean \"sun.elevation\"?");
     EXPECT_EQ(
-        refusal(least, {"seed"}),
+        scene_refusal(least, {"seed"}),
         "--set 1:1: \"seed\" sets nothing; write key.path=VALUE, for example model.creep_rate=0.2");
-    EXPECT_EQ(refusal(least, {"frames.at=[1, -1]"}),
+    EXPECT_EQ(scene_refusal(least, {"frames.at=[1, -1]"}),
               "--set 1:15: frames.at is -1; it takes a list of whole numbers 0 … 1e+15 (steps)");
-    EXPECT_EQ(refusal(least + "[frames]\nat = [1]\n", {"frames.at.3=1"}),
+    EXPECT_EQ(scene_refusal(least + "[frames]\nat = [1]\n", {"frames.at.3=1"}),
               "--set 1:13: frames.at has no item 3; it has 1 (counted from 0)");
 }
 
 TEST(Settings, AreUtf8) {
-    EXPECT_EQ(refusal(least, {"title=d\xFCne"}),
+    EXPECT_EQ(scene_refusal(least, {"title=d\xFCne"}),
               "--set 1:7: the value of title is not UTF-8; write it in that encoding");
     EXPECT_EQ(parse_scene(least, "scene.toml", "", {"title=d\xC3\xBCne"}).title, "d\xC3\xBCne");
 }
@@ -221,21 +221,21 @@ TEST(ListsOfTables, TakeSettingsAndMoreItems) {
     ASSERT_EQ(scene.view.overlays.size(), 2U);
     EXPECT_EQ(scene.view.overlays[0].size, 0.5);
     EXPECT_EQ(scene.view.overlays[1].kind, OverlayKind::arrow);
-    EXPECT_EQ(refusal(least, {"overlay.7.kind=arrow"}).substr(0, 38),
+    EXPECT_EQ(scene_refusal(least, {"overlay.7.kind=arrow"}).substr(0, 38),
               "--set 1:1: unknown key overlay.7.kind;");
 }
 
 TEST(ListsOfTables, WrongOnesAreLocated) {
     EXPECT_EQ(
-        refusal(least + "[overlay]\nkind = \"time\"\n"),
+        scene_refusal(least + "[overlay]\nkind = \"time\"\n"),
         "scene.toml:5:2: overlay is a list of sections; write [[overlay]] and its keys below, "
         "as often as there are");
     EXPECT_EQ(
-        refusal("overlay = [1]\n" + least),
+        scene_refusal("overlay = [1]\n" + least),
         "scene.toml:1:12: overlay is a list of sections; write [[overlay]] and its keys below");
-    EXPECT_EQ(refusal(least + "[[overlay]]\n[[overlay]]\ncolour = 1\n").substr(0, 46),
+    EXPECT_EQ(scene_refusal(least + "[[overlay]]\n[[overlay]]\ncolour = 1\n").substr(0, 46),
               "scene.toml:7:1: unknown key overlay.1.colour; ");
-    EXPECT_EQ(refusal(least + "[[overlay]]\nkind = \"clock\"\n").substr(0, 43),
+    EXPECT_EQ(scene_refusal(least + "[[overlay]]\nkind = \"clock\"\n").substr(0, 43),
               "scene.toml:6:8: overlay.0.kind is \"clock\"; ");
 }
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-namespace fumon::testing {
+namespace fumon::test {
 
 /// The exit status and all words of a command line.
 struct Spoken {
@@ -23,4 +23,4 @@ inline Spoken run_command(const std::string& command) {
     return spoken;
 }
 
-}  // namespace fumon::testing
+}  // namespace fumon::test

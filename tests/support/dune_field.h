@@ -4,7 +4,7 @@
 
 #include "base/snapshot.h"
 
-namespace fumon::testing {
+namespace fumon::test {
 
 /// Transverse dunes that carry ripples, moved downwind by `shift` of a wavelength.
 inline Snapshot dune_field(int cells, double shift) {
@@ -32,4 +32,4 @@ inline Snapshot dune_field(int cells, double shift) {
     return snapshot;
 }
 
-}  // namespace fumon::testing
+}  // namespace fumon::test

@@ -7,7 +7,7 @@
 #include "figure/page/page.h"
 #include "figure/plot/plot.h"
 
-namespace fumon::testing {
+namespace fumon::test {
 
 /// A panel with a given aspect and margins, which draws to the ends of both.
 class PlainPanel : public PanelContent {
@@ -51,4 +51,4 @@ inline PagePanel panel_of(Plot plot, std::string title = "") {
     return panel;
 }
 
-}  // namespace fumon::testing
+}  // namespace fumon::test

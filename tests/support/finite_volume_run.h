@@ -30,6 +30,12 @@ inline Grid noise(int nx, int ny, double height, std::uint64_t seed = 1) {
     return grid;
 }
 
+inline GullyParameters without_friction() {
+    GullyParameters parameters;
+    parameters.friction_coefficient = 0.0;
+    return parameters;
+}
+
 inline Water still(const Grid& depth) {
     return {depth, Grid(depth.nx(), depth.ny()), Grid(depth.nx(), depth.ny())};
 }

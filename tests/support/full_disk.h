@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-namespace fumon::testing {
+namespace fumon::test {
 
 /// Lets no file of this process grow beyond a number of bytes ("File too large") while it lives:
 /// what a full disk looks like to a program, without needing one.
@@ -51,4 +51,4 @@ class SmallDisk {
     bool mounted_ = false;
 };
 
-}  // namespace fumon::testing
+}  // namespace fumon::test

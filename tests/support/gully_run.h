@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -50,6 +51,10 @@ struct GullyRun {
             if (field.name == name) return field.values;
         }
         return {};
+    }
+    [[nodiscard]] double lowest_depth() const {
+        const Grid depth = field("water_depth");
+        return *std::min_element(depth.values().begin(), depth.values().end());
     }
 
     WorkerPool pool;

@@ -9,7 +9,7 @@
 
 #include "support/command.h"
 
-namespace fumon::testing {
+namespace fumon::test {
 
 inline void must(int status) {
     if (status != NC_NOERR) throw std::runtime_error(nc_strerror(status));
@@ -118,4 +118,4 @@ class NetcdfContent {
     int id_ = -1;
 };
 
-}  // namespace fumon::testing
+}  // namespace fumon::test

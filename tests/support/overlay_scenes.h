@@ -33,7 +33,7 @@ inline std::string overlay(const std::string& kind, const std::string& corner,
 }
 
 /// A wavy bed; `cell` in metres, or 0 without metres.
-inline Snapshot bed_of(int nx, int ny, double cell) {
+inline Snapshot overlay_bed(int nx, int ny, double cell) {
     Snapshot snapshot = wavy_bed(nx, ny);
     snapshot.time_unit = "steps";
     if (cell > 0.0) snapshot.scale = {cell, cell, 1.0, true};

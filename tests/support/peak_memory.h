@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-namespace fumon::testing {
+namespace fumon::test {
 
 /// The most bytes of address space that this process ever had, those it asked for and never touched
 /// included.
@@ -17,4 +17,4 @@ inline std::size_t peak_memory() {
     return 0;
 }
 
-}  // namespace fumon::testing
+}  // namespace fumon::test

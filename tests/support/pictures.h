@@ -5,7 +5,7 @@
 
 #include "base/image.h"
 
-namespace fumon::testing {
+namespace fumon::test {
 
 /// A picture with gradients and edges in all channels.
 inline Image some_picture(int width, int height) {
@@ -27,4 +27,4 @@ inline Image flat_picture(int width, int height, std::uint8_t level) {
     return image;
 }
 
-}  // namespace fumon::testing
+}  // namespace fumon::test

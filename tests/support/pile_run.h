@@ -58,14 +58,6 @@ inline double total(const Grid& bed) {
     return std::accumulate(bed.values().begin(), bed.values().end(), 0.0);
 }
 
-inline double number(const Snapshot& snapshot, const std::string& name) {
-    for (const SnapshotNumber& one : snapshot.numbers) {
-        if (one.name == name) return one.value;
-    }
-    ADD_FAILURE() << "no number " << name;
-    return 0.0;
-}
-
 /// Names a case that failed.
 inline std::string text(const SandpileParameters& pile) {
     return "direction " + std::to_string(static_cast<int>(pile.direction)) + ", toward " +

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace fumon::testing {
+namespace fumon::test {
 
 /// A fresh folder that is deleted with all it holds.
 class TemporaryFolder {
@@ -63,4 +63,4 @@ std::string message_of(const Work& work) {
     return "";
 }
 
-}  // namespace fumon::testing
+}  // namespace fumon::test

@@ -8,8 +8,6 @@
 namespace fumon::test {
 namespace {
 
-using fumon::testing::message_of;
-
 std::vector<std::string> values(const std::string& text) {
     std::vector<std::string> all;
     for (const Override& value : read_axis(text, "--over 1").values)

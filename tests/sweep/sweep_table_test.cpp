@@ -9,9 +9,6 @@
 namespace fumon::test {
 namespace {
 
-using fumon::testing::bytes_of;
-using fumon::testing::TemporaryFolder;
-
 TEST(SweepTable, QuotesOnlyWhatNeedsIt) {
     EXPECT_EQ(csv_line({"a", "", "b c"}), "a,,b c\n");
     EXPECT_EQ(csv_line({"a,b", "say \"x\"", "two\nlines"}),

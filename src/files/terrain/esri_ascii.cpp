@@ -108,7 +108,7 @@ void read_cells(const TextSource& source, const EsriHeader& header, Terrain& ter
 
 }  // namespace
 
-Terrain parse_esri_ascii(const TextSource& source) {
+Terrain parse_esri_ascii(const TextSource& source, const std::optional<TerrainWindow>& window) {
     const EsriHeader header = read_esri_header(source);
     Terrain terrain;
     terrain.dx = header.dx;
@@ -125,8 +125,11 @@ Terrain parse_esri_ascii(const TextSource& source) {
         source.fail(
             header.end, "every cell is no-data",
             fmt::format("at least one height must differ from the NODATA_value {}", header.nodata));
-    if (is_geographic(extent)) {
-        const double middle = extent.south + 0.5 * extent.height;
+    const bool degrees = is_geographic(extent);
+    terrain.place = {header.west, header.south, header.dx, header.dy, degrees};
+    crop(terrain, window, source.name);
+    if (degrees) {
+        const double middle = terrain.place->south + 0.5 * header.dy * terrain.heights.ny();
         const MetricCells cells = cells_from_degrees(header.dx, header.dy, middle);
         terrain.dx = cells.dx;
         terrain.dy = cells.dy;

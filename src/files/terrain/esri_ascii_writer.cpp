@@ -1,10 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
-#include "files/terrain/terrain_file.h"
+#include "files/input_file.h"
+#include "files/terrain/esri_ascii.h"
+#include "files/terrain/geographic.h"
+#include "files/terrain/geotiff.h"
 
 namespace fumon {
 
@@ -18,6 +22,17 @@ void append(std::string& text, Number value) {
     text.append(digits.data(), end);
 }
 
+/// A coordinate, without an exponent, which some readers do not take there.
+void append_coordinate(std::string& text, std::string_view word, double value) {
+    std::array<char, 400> digits{};  // of the largest double
+    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                            std::chars_format::fixed);
+    text += word;
+    text += ' ';
+    text.append(digits.data(), end);
+    text += '\n';
+}
+
 template <class Number>
 void append_line(std::string& text, std::string_view word, Number value) {
     text += word;
@@ -26,25 +41,85 @@ void append_line(std::string& text, std::string_view word, Number value) {
     text += '\n';
 }
 
-/// −9999, or the first of −99999, −999999 … that is no cell's height.
-double unused_value(const Grid& heights) {
+/// The .prj beside a grid.
+std::filesystem::path prj_of(std::filesystem::path grid) {
+    return grid.replace_extension(".prj");
+}
+
+/// The coordinate reference system that stands beside a grid; empty where there is none.
+std::string crs_beside(const std::filesystem::path& grid) {
+    constexpr std::size_t longest = 65536;  // bytes; a system takes a few thousand at most
+    std::error_code fault;
+    if (!std::filesystem::is_regular_file(prj_of(grid), fault)) return {};
+    const std::string text = start_of_input_file(prj_of(grid), longest);
+    const auto is_printed = [](char letter) { return static_cast<unsigned char>(letter) >= 0x20; };
+    const auto first = std::ranges::find_if(text, is_printed);
+    const auto end = std::ranges::find_if_not(first, text.end(), is_printed);  // of its one line
+    return {first, end};
+}
+
+Terrain read_esri_ascii(const std::filesystem::path& file, const TerrainQuery& query) {
+    const std::string bytes = read_input_file(file);
+    Terrain terrain = parse_esri_ascii({file.string(), bytes}, query.window);
+    if (std::string crs = crs_beside(file); !crs.empty()) terrain.place->crs = std::move(crs);
+    return terrain;
+}
+
+/// Whether a grid that is written where it lies is read back as what it is.
+bool reads_back(const TerrainOutput& terrain) {
+    const WorldScale& scale = terrain.scale;
+    const GeoReference& place = *scale.place;
+    if (!place.degrees) {
+        constexpr double tolerance = 1e-6;
+        return std::abs(place.dx / scale.dx - 1.0) < tolerance &&
+               std::abs(place.dy / scale.dy - 1.0) < tolerance;
+    }
+    return is_geographic({place.west, place.south, place.dx * terrain.heights.nx(),
+                          place.dy * terrain.heights.ny(), place.dx, place.dy,
+                          relief(terrain.heights, terrain.nodata)});
+}
+
+std::vector<TerrainBytes> write_esri_ascii(const TerrainOutput& terrain) {
+    const auto& [heights, nodata, scale] = terrain;
+    if (!scale.in_metres || !scale.place || !reads_back(terrain))
+        return {{".asc", esri_ascii(heights, nodata, scale.dx, scale.dy)}};
+    const GeoReference& place = *scale.place;
+    const double dx = place.degrees ? place.dx : scale.dx;
+    const double dy = place.degrees ? place.dy : scale.dy;
+    std::vector<TerrainBytes> files{
+        {".asc", esri_ascii(heights, nodata, dx, dy, place.west, place.south)}};
+    if (!place.crs.empty()) files.push_back({".prj", esri_projection(place.crs) + "\n"});
+    return files;
+}
+
+}  // namespace
+
+double unused_height(const Grid& heights) {
     double value = -9999.0;
     const auto cells = heights.values();
     while (std::find(cells.begin(), cells.end(), value) != cells.end()) value = value * 10.0 - 9.0;
     return value;
 }
 
-}  // namespace
+TerrainFormat esri_ascii_format() {
+    return {.name = "esri-ascii",
+            .title = "an ESRI ASCII grid",
+            .is_one = [](const std::filesystem::path&, std::string_view) { return true; },
+            .read = read_esri_ascii,
+            .write = write_esri_ascii,
+            .endings = {".asc", ".prj"}};
+}
 
-std::string esri_ascii(const Grid& heights, const Mask& nodata, double dx, double dy) {
+std::string esri_ascii(const Grid& heights, const Mask& nodata, double dx, double dy, double west,
+                       double south) {
     constexpr std::size_t usual_cell = 20;  // characters: 17 digits, sign, point, space
-    const double nodata_value = unused_value(heights);
+    const double nodata_value = unused_height(heights);
     std::string text;
     text.reserve(usual_cell * heights.size() + 200);
     append_line(text, "ncols", heights.nx());
     append_line(text, "nrows", heights.ny());
-    append_line(text, "xllcorner", 0.0);
-    append_line(text, "yllcorner", 0.0);
+    append_coordinate(text, "xllcorner", west);
+    append_coordinate(text, "yllcorner", south);
     if (dx == dy) {
         append_line(text, "cellsize", dx);
     } else {

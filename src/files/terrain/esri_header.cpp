@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/limits.h"
+#include "files/terrain/terrain_format.h"
 
 namespace fumon {
 
@@ -100,9 +101,9 @@ void refuse_what_is_no_grid(const TextSource& source, std::size_t start) {
     for (std::size_t i = start; i < std::min(source.text.size(), start + looked_at); ++i) {
         const auto code = static_cast<unsigned char>(source.text[i]);
         if (code < 0x20 && !is_space(source.text[i]) && source.text[i] != end_of_dos_text)
-            source.fail(i, "this is a binary file",
-                        "terrain is read from ESRI ASCII grids (gdal_translate -of AAIGrid makes "
-                        "them), NetCDF files and grey PNG images");
+            source.fail(
+                i, "this is a binary file",
+                "terrain is " + terrain_titles() + " (gdal_translate -of AAIGrid makes one)");
     }
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/limits.h"
+#include "files/input_file.h"
 #include "files/length_unit.h"
 #include "files/netcdf/netcdf_axis.h"
 #include "files/netcdf/netcdf_input.h"
@@ -177,8 +178,19 @@ void complete_spacing(NetcdfAxis& x, NetcdfAxis& y) {
     borrow(y, x);
 }
 
-void set_cell_sizes(const NetcdfInput& input, const NetcdfAxis& x, const NetcdfAxis& y,
-                    Terrain& terrain) {
+/// The coordinate reference system of a variable as CF tells it; empty where it does not.
+std::string crs_of(const NetcdfInput& input, int variable) {
+    const auto mapping = input.text(variable, "grid_mapping");
+    const auto holder = mapping ? input.find_variable(*mapping) : std::nullopt;
+    if (!holder) return {};
+    const auto crs = input.text(*holder, "crs_wkt");
+    return crs ? *crs : input.text(*holder, "spatial_ref").value_or("");
+}
+
+/// Where the grid lies, in metres or degrees; none of one in sites or without coordinates.
+std::optional<GeoReference> place_of_grid(const NetcdfInput& input, const BedVariable& bed,
+                                          const NetcdfAxis& x, const NetcdfAxis& y,
+                                          Terrain& terrain) {
     if (!y.has_coordinates)
         add_note(terrain,
                  fmt::format("no coordinates for {}: its first row is taken for the southernmost, "
@@ -188,13 +200,11 @@ void set_cell_sizes(const NetcdfInput& input, const NetcdfAxis& x, const NetcdfA
         add_note(terrain, fmt::format("no coordinates for {}: its first column is taken for the "
                                       "westernmost, and the cell size is unknown",
                                       x.name));
-    if (!x.has_coordinates || !y.has_coordinates) return;
+    if (!x.has_coordinates || !y.has_coordinates) return std::nullopt;
     if (x.unit != y.unit)
         input.refuse(fmt::format("{} and {} have units of different kinds", x.name, y.name),
                      "both are lengths, or both degrees");
-    if (x.unit == AxisUnit::sites || x.spacing == 0.0 || y.spacing == 0.0) return;
-    terrain.dx = x.spacing;
-    terrain.dy = y.spacing;
+    if (x.unit == AxisUnit::sites || x.spacing == 0.0 || y.spacing == 0.0) return std::nullopt;
     const GridExtent extent{x.lowest - 0.5 * x.spacing,
                             y.lowest - 0.5 * y.spacing,
                             x.spacing * static_cast<double>(x.count),
@@ -204,18 +214,28 @@ void set_cell_sizes(const NetcdfInput& input, const NetcdfAxis& x, const NetcdfA
                             relief(terrain.heights, terrain.nodata)};
     const bool in_degrees =
         x.unit == AxisUnit::degrees || (x.unit == AxisUnit::unsaid && is_geographic(extent));
-    if (!in_degrees) return;
-    const double middle = extent.south + 0.5 * extent.height;
+    return GeoReference{extent.west, extent.south, x.spacing,
+                        y.spacing,   in_degrees,   crs_of(input, bed.variable)};
+}
+
+void set_cell_sizes(const NetcdfInput& input, Terrain& terrain) {
+    if (!terrain.place) return;
+    const GeoReference& place = *terrain.place;
+    terrain.dx = place.dx;
+    terrain.dy = place.dy;
+    if (!place.degrees) return;
+    const double middle = place.south + 0.5 * place.dy * terrain.heights.ny();
     if (std::abs(middle) >= 90.0)
         input.refuse(fmt::format("the middle latitude is {:.6g}°", middle),
                      "latitudes lie between -90 and 90");
-    const MetricCells cells = cells_from_degrees(x.spacing, y.spacing, middle);
+    const MetricCells cells = cells_from_degrees(place.dx, place.dy, middle);
     terrain.dx = cells.dx;
     terrain.dy = cells.dy;
     add_note(terrain, cells.note);
 }
 
-Terrain read_bed(const NetcdfInput& input, const std::string& variable) {
+Terrain read_bed(const NetcdfInput& input, const std::string& variable,
+                 const std::optional<TerrainWindow>& window) {
     const BedVariable bed = choose_bed_variable(input, variable);
     check_size(input, bed);
     NetcdfAxis x = read_netcdf_axis(input, bed.x);
@@ -226,22 +246,47 @@ Terrain read_bed(const NetcdfInput& input, const std::string& variable) {
     turn_north_up(terrain.heights, y.descending, x.descending);
     convert_values(input, bed, terrain);
     complete_spacing(x, y);
-    set_cell_sizes(input, x, y, terrain);
+    terrain.place = place_of_grid(input, bed, x, y, terrain);
+    crop(terrain, window, input.name());
+    set_cell_sizes(input, terrain);
     return terrain;
+}
+
+Terrain read_netcdf_format(const std::filesystem::path& file, const TerrainQuery& query) {
+    if (!is_netcdf(start_of_input_file(file, netcdf_signature_length))) {
+        throw InputError(
+            fmt::format("{}: is not a NetCDF file; such a file starts with \"CDF\" or "
+                        "\"HDF\", so it may be damaged or bear a wrong name",
+                        file.string()));
+    }
+    return read_netcdf_bed(file, query.variable, query.window);
 }
 
 }  // namespace
 
-Terrain read_netcdf_bed(const std::filesystem::path& file, const std::string& variable) {
+Terrain read_netcdf_bed(const std::filesystem::path& file, const std::string& variable,
+                        const std::optional<TerrainWindow>& window) {
     const NetcdfLock lock;
     try {
-        return read_bed(NetcdfInput(file), variable);
+        return read_bed(NetcdfInput(file), variable, window);
     } catch (const NetcdfFault& fault) {
         throw InputError(fmt::format(
             "{}: cannot be read as NetCDF: {}; it may be cut short, damaged, or still being "
             "written: copy it again",
             file.string(), fault.what()));
     }
+}
+
+TerrainFormat netcdf_format() {
+    return {.name = "netcdf",
+            .title = "a NetCDF file",
+            .is_one =
+                [](const std::filesystem::path& file, std::string_view start) {
+                    const auto ending = file.extension();
+                    return is_netcdf(start) || ending == ".nc" || ending == ".nc4";
+                },
+            .read = read_netcdf_format,
+            .has_variables = true};
 }
 
 }  // namespace fumon

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "files/terrain/terrain_file.h"
+#include "files/terrain/terrain_format.h"
 
 namespace fumon {
 
@@ -23,6 +25,10 @@ namespace fumon {
 /// Throws InputError "FILE: what; remedy" for a damaged or truncated file, no or several suitable
 /// variables, an unknown name, more than `largest_grid_cells` cells, uneven coordinates, units that
 /// are no lengths, infinite heights, and where no cell holds data.
-Terrain read_netcdf_bed(const std::filesystem::path& file, const std::string& variable);
+Terrain read_netcdf_bed(const std::filesystem::path& file, const std::string& variable,
+                        const std::optional<TerrainWindow>& window = std::nullopt);
+
+/// NetCDF files as a terrain format.
+TerrainFormat netcdf_format();
 
 }  // namespace fumon

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "files/input_file.h"
 #include "files/png_reader.h"
 
 namespace fumon {
@@ -82,6 +83,21 @@ Terrain parse_png_heights(std::string_view bytes, const std::string& name,
             "smoother",
             std::abs(range[1] - range[0]) / white);
     return terrain;
+}
+
+TerrainFormat png_heights_format() {
+    return {.name = "png",
+            .title = "a PNG image",
+            .is_one = [](const std::filesystem::path&,
+                         std::string_view start) { return is_png(start); },
+            .read =
+                [](const std::filesystem::path& file, const TerrainQuery& query) {
+                    Terrain terrain =
+                        parse_png_heights(read_input_file(file), file.string(), query.png_heights);
+                    crop(terrain, query.window, file.string());
+                    return terrain;
+                },
+            .has_heights = false};
 }
 
 }  // namespace fumon

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "files/terrain/terrain_file.h"
+#include "files/terrain/terrain_format.h"
 
 namespace fumon {
 
@@ -16,5 +17,8 @@ namespace fumon {
 /// finite.
 Terrain parse_png_heights(std::string_view bytes, const std::string& name,
                           const std::vector<double>& range);
+
+/// Grey PNG images as a terrain format.
+TerrainFormat png_heights_format();
 
 }  // namespace fumon

@@ -2,53 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "files/input_file.h"
-#include "files/netcdf/netcdf_input.h"
-#include "files/png_reader.h"
-#include "files/terrain/esri_ascii.h"
-#include "files/terrain/netcdf_bed.h"
-#include "files/terrain/png_heights.h"
+#include "files/terrain/terrain_format.h"
 
 namespace fumon {
 
 namespace {
 
-void refuse_heights(const std::filesystem::path& file, std::string_view kind) {
-    throw InputError(
-        fmt::format("{}: a height range was given for {}, which holds its own heights; leave "
-                    "bed.heights or --heights out",
-                    file.string(), kind));
-}
-
-void refuse_variable(const std::filesystem::path& file, std::string_view kind) {
-    throw InputError(
-        fmt::format("{}: a variable was named for {}, which has none; leave "
-                    "bed.variable out",
-                    file.string(), kind));
+/// Refuses what the scene says of another format.
+void check_query(const std::filesystem::path& file, const TerrainFormat& format,
+                 const TerrainQuery& query) {
+    const auto refuse = [&](std::string_view given, std::string_view why, std::string_view key) {
+        throw InputError(fmt::format("{}: {} for {}, which {}; leave {} out", file.string(), given,
+                                     format.title, why, key));
+    };
+    if (format.has_heights && !query.png_heights.empty())
+        refuse("a height range was given", "holds its own heights", "bed.heights or --heights");
+    if (!format.has_variables && !query.variable.empty())
+        refuse("a variable was named", "has none", "bed.variable");
+    if (!format.has_bands && query.band != 0) refuse("a band was named", "has none", "bed.band");
 }
 
 }  // namespace
 
-Terrain read_terrain(const std::filesystem::path& file, const std::vector<double>& png_heights,
-                     const std::string& variable) {
-    if (is_netcdf(start_of_input_file(file, netcdf_signature_length))) {
-        if (!png_heights.empty()) refuse_heights(file, "a NetCDF file");
-        return read_netcdf_bed(file, variable);
-    }
-    if (const auto extension = file.extension(); extension == ".nc" || extension == ".nc4")
-        throw InputError(
-            fmt::format("{}: is not a NetCDF file; such a file starts with \"CDF\" or "
-                        "\"HDF\", so it may be damaged or bear a wrong name",
-                        file.string()));
-    const std::string bytes = read_input_file(file);
-    if (is_png(bytes)) {
-        if (!variable.empty()) refuse_variable(file, "a PNG image");
-        return parse_png_heights(bytes, file.string(), png_heights);
-    }
-    Terrain terrain = parse_esri_ascii({file.string(), bytes});
-    if (!png_heights.empty()) refuse_heights(file, "an ESRI ASCII grid");
-    if (!variable.empty()) refuse_variable(file, "an ESRI ASCII grid");
+Terrain read_terrain(const std::filesystem::path& file, const TerrainQuery& query) {
+    const std::string start = start_of_input_file(file, TerrainFormat::signature_length);
+    const auto formats = terrain_formats();
+    const auto format = std::ranges::find_if(
+        formats, [&](const TerrainFormat& one) { return one.is_one(file, start); });
+    Terrain terrain = format->read(file, query);  // the last format is every other file's
+    check_query(file, *format, query);
     return terrain;
 }
 

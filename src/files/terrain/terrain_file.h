@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/grid.h"
+#include "files/terrain/terrain_window.h"
 
 namespace fumon {
 
@@ -16,24 +19,24 @@ struct Terrain {
     double dy = 0.0;
     std::string
         note;  ///< what was converted and the user should hear ("degrees to metres at …"); or empty
+    std::optional<GeoReference> place{};  ///< where it lies; none where the file does not say
 };
 
-/// Reads an ESRI ASCII grid (see esri_ascii.h) or, by its signature, a 16-bit (or 8-bit) grey PNG
-/// (see png_heights.h) or a NetCDF file (see netcdf_bed.h). `png_heights` are the metres of black
-/// and of white, {} for other files; `variable` is the NetCDF variable to read, "" for what the
-/// file itself suggests and for other files.
-/// Cell sizes in degrees are recognised (see geographic.h for the rule) and converted at the
-/// mid-latitude (dx ≠ dy), which `note` says. At most 2^27 cells are read. Throws InputError
-/// "file:line: what is wrong; what would be right" for every malformed file ("file: …" where there
-/// are no lines).
-Terrain read_terrain(const std::filesystem::path& file, const std::vector<double>& png_heights,
-                     const std::string& variable = {});
+/// What a scene says of how its terrain file is to be read.
+struct TerrainQuery {
+    std::vector<double> png_heights{};      ///< metres of black and of white of a PNG; else empty
+    std::string variable{};                 ///< of a NetCDF file; empty for what it suggests itself
+    std::int64_t band = 0;                  ///< of a GeoTIFF, from 1; 0 for its only or first one
+    std::optional<TerrainWindow> window{};  ///< the part to read; none for all
+};
 
-/// Writes heights (metres or model heights) as an ESRI ASCII grid, north row first, with the fewest
-/// digits that read back as the same double (17 at most) and the origin (0, 0). No-data cells
-/// become −9999, or −99999 and so on where that is a height. dx ≠ dy is written as dx and dy lines,
-/// as GDAL does; both are greater than 0.
-std::string esri_ascii(const Grid& heights, const Mask& nodata, double dx, double dy);
+/// Reads a terrain file of any of the formats in terrain_format.h, told by its first bytes: the
+/// whole of it, or a window.
+/// Cell sizes in degrees are recognised (see geographic.h for the rule) and converted at the
+/// mid-latitude of what is read (dx ≠ dy), which `note` says. At most 2^27 cells are read. Throws
+/// InputError "file:line: what is wrong; what would be right" for every malformed file ("file: …"
+/// where there are no lines), and for a query that the format has no use for.
+Terrain read_terrain(const std::filesystem::path& file, const TerrainQuery& query = {});
 
 /// Fills no-data cells smoothly from their rim: the discrete Laplace equation on the holes, with no
 /// slope across the grid's edge; the other cells stay as they are. Exact for up to 300,000 hole

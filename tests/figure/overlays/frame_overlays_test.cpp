@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -18,7 +19,6 @@
 namespace fumon {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr std::array corners{"upper-left", "upper-middle", "upper-right",
                              "lower-left", "lower-middle", "lower-right"};
 constexpr std::array kinds{"title",      "time",       "scale-bar", "arrow",
@@ -35,7 +35,7 @@ int changed_pixels(const Image& before, const Image& after, const CanvasBox& box
 }
 
 TEST(FrameOverlays, EveryKindInEveryCornerStaysInThePictureAndApart) {
-    const Snapshot first = bed_of(120, 90, 0.5);
+    const Snapshot first = overlay_bed(120, 90, 0.5);
     for (const auto& [width, height] : {std::pair{1920, 1080}, std::pair{480, 270}}) {
         const CanvasBox picture{0.0, 0.0, static_cast<double>(width), static_cast<double>(height)};
         for (std::size_t turn = 0; turn < corners.size(); ++turn) {
@@ -67,7 +67,7 @@ TEST(FrameOverlays, EveryKindInEveryCornerStaysInThePictureAndApart) {
 }
 
 TEST(FrameOverlays, SeveralInOneCornerStandBelowOneAnotherInTheScenesOrder) {
-    const Snapshot first = bed_of(120, 90, 0.5);
+    const Snapshot first = overlay_bed(120, 90, 0.5);
     for (const char* corner : corners) {
         std::string overlays;
         for (const char* kind : kinds) overlays += overlay(kind, corner);
@@ -78,7 +78,7 @@ TEST(FrameOverlays, SeveralInOneCornerStandBelowOneAnotherInTheScenesOrder) {
 }
 
 TEST(FrameOverlays, WhatIsSwitchedOffIsNotThere) {
-    const Snapshot first = bed_of(60, 40, 0.5);
+    const Snapshot first = overlay_bed(60, 40, 0.5);
     const Scene scene = scene_of(
         overlay("title", "upper-left", "show = false") + overlay("time", "upper-left"), 640, 360);
     const Scene alone = scene_of(overlay("time", "upper-left"), 640, 360);
@@ -97,7 +97,7 @@ TEST(FrameOverlays, WhatIsSwitchedOffIsNotThere) {
 }
 
 TEST(FrameOverlays, APlateIsBlendedInDisplayValues) {
-    const Snapshot first = bed_of(60, 40, 0.5);
+    const Snapshot first = overlay_bed(60, 40, 0.5);
     for (const double opacity : {0.0, 0.25, 0.6, 1.0}) {
         const Scene scene =
             scene_of(overlay("time", "upper-left", fmt::format("opacity = {}", opacity)), 640, 360);
@@ -129,7 +129,7 @@ TEST(ScaleBarOverlay, IsAsLongAsItsMetresInMapsAndOrthographicViews) {
     for (const char* projection : {"map", "orthographic"}) {
         for (const auto& [nx, ny, cell] :
              {std::tuple{120, 90, 0.5}, {64, 200, 3.0}, {300, 40, 0.002}, {90, 90, 0.0}}) {
-            const Snapshot first = bed_of(nx, ny, cell);
+            const Snapshot first = overlay_bed(nx, ny, cell);
             const Scene scene = scene_of(
                 overlay("scale-bar", "lower-left", "opacity = 0.0"), 1280, 720,
                 fmt::format("[camera]\nprojection = \"{}\"\nazimuth = 230\nelevation = 35\n",
@@ -213,7 +213,7 @@ std::array<double, 2> long_axis(const std::vector<CanvasPoint>& arrow) {
 }
 
 TEST(ArrowOverlay, PointsWhereTheCameraSeesTheWindBlowAlsoWhileItTurns) {
-    const Snapshot first = bed_of(100, 100, 1.0);
+    const Snapshot first = overlay_bed(100, 100, 1.0);
     for (const double elevation : {88.0, 50.0}) {
         for (const double azimuth : {180.0, 200.0, 155.0, 20.0, 330.0}) {
             const std::string camera = fmt::format(
@@ -230,10 +230,11 @@ TEST(ArrowOverlay, PointsWhereTheCameraSeesTheWindBlowAlsoWhileItTurns) {
                 Image image = grey(1280, 720);
                 over.draw(image, {snapshot, {}, {}});
                 const auto seen = long_axis(largest_dark_patch(image));
-                const double angle =
-                    (azimuth + 12.0 * static_cast<double>(step) / 1200.0) * pi / 180.0;
+                const double angle = (azimuth + 12.0 * static_cast<double>(step) / 1200.0) *
+                                     std::numbers::pi / 180.0;
                 const double across = -std::cos(angle);
-                const double down = std::sin(angle) * std::sin(elevation * pi / 180.0);
+                const double down =
+                    std::sin(angle) * std::sin(elevation * std::numbers::pi / 180.0);
                 const double length = std::hypot(across, down);
                 EXPECT_GT((seen[0] * across + seen[1] * down) / length, 0.995)
                     << azimuth << " " << elevation << " step " << step << ": " << seen[0] << " "
@@ -253,7 +254,7 @@ std::string refusal(const Scene& scene, const Snapshot& first) {
 }
 
 TEST(FrameOverlays, NameWhatDoesNotFit) {
-    const Snapshot first = bed_of(60, 40, 0.5);
+    const Snapshot first = overlay_bed(60, 40, 0.5);
     const auto refused = [&](const std::string& overlays, const std::string& more = "",
                              int width = 640, int height = 360) {
         return refusal(scene_of(overlays, width, height, more), first);
@@ -312,7 +313,7 @@ TEST(FrameOverlays, StandOverASectionsFigureAndAStripToo) {
     over.draw(image, {section, {}, {}});
     EXPECT_EQ(over.placed().size(), 3U);
 
-    Snapshot profile = bed_of(400, 1, 0.0);
+    Snapshot profile = overlay_bed(400, 1, 0.0);
     const Scene strip = scene_of(
         overlay("scale-bar", "upper-left") + overlay("plot", "upper-right", "y = \"celerity\""),
         1280, 720);

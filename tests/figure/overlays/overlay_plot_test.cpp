@@ -39,7 +39,7 @@ TEST(LivePlot, ShowsTheRowsSoFarOverTheWholeRun) {
 }
 
 TEST(LivePlot, IsDrawnAgainForEveryNewRowAndOnlyThen) {
-    const Snapshot first = bed_of(60, 40, 0.0);
+    const Snapshot first = overlay_bed(60, 40, 0.0);
     const Scene scene = scene_of(overlay("plot", "lower-right"), 640, 360);
     FrameOverlays over(scene, first);
     const auto drawn = [&](int rows) {
@@ -77,7 +77,7 @@ TEST(GrowingRange, HoldsAllValuesAndChangesSeldom) {
 
 TEST(TimeText, IsReadableAndAsFineAsTheSteps) {
     Scene scene = scene_of("", 640, 360);
-    Snapshot first = bed_of(10, 10, 0.0);
+    Snapshot first = overlay_bed(10, 10, 0.0);
     const TimeText steps = time_text_of(scene, first);
     EXPECT_EQ(filled_text("step {step}", scene, steps, 1200, 1200.0), "step 1,200");
     EXPECT_EQ(filled_text("{title}: {model.creep_rate}, seed {seed}", scene, steps, 0, 0.0),

@@ -17,15 +17,15 @@
 namespace fumon {
 namespace {
 
-using testing::message_of;
-using testing::panel_of;
-using testing::series_of;
+using test::message_of;
+using test::panel_of;
+using test::series_of;
 
 constexpr std::array<PageFormat, 3> formats{PageFormat::pdf, PageFormat::svg, PageFormat::png};
 
 /// What a program that reads figures says; a failure where it is missing or refuses.
 std::string said_by(const std::string& command) {
-    const testing::Spoken spoken = testing::run_command(command);
+    const test::Spoken spoken = test::run_command(command);
     EXPECT_EQ(spoken.status, 0) << command << ": " << spoken.words
                                 << "(poppler-utils and librsvg2-bin are installed by .ci/install)";
     return spoken.words;
@@ -122,7 +122,7 @@ TEST(FigureFile, RefusesMetadataThatItCannotCarryOrRead) {
 }
 
 TEST(FigureFile, AsPdfIsReadByPoppler) {
-    const testing::TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     const DrawnPage page = draw_page(sample_page(), PageFormat::pdf, 72.0, sample_metadata());
     const std::string file = folder.file("figure.pdf", page.bytes).string();
     const std::string info = said_by("pdfinfo " + file);
@@ -141,7 +141,7 @@ TEST(FigureFile, AsPdfIsReadByPoppler) {
 }
 
 TEST(FigureFile, HoldsImagesWithTheirOwnPixelsUnlessTheyAreCoarse) {
-    const testing::TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     for (const auto& [size, copies] : {std::pair{72.0 * 6 / 400, 1}, {72.0 * 6 / 50, 6}}) {
         Canvas canvas(PageFormat::pdf, 100.0, 100.0, 72.0, 8.0);
         canvas.draw(chequered(), {10.0, 10.0, size, size / 1.5});
@@ -180,7 +180,7 @@ double largest_difference(const Image& a, const Image& b) {
 }
 
 TEST(FigureFile, ShowsTheSameInEveryFormat) {
-    const testing::TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     Page page = sample_page();
     page.height = 180.0;
     const auto file = [&](PageFormat format, const std::string& name) {

@@ -13,10 +13,10 @@
 namespace fumon {
 namespace {
 
-using testing::message_of;
-using testing::panel_of;
-using testing::PlainPanel;
-using testing::series_of;
+using test::message_of;
+using test::panel_of;
+using test::PlainPanel;
+using test::series_of;
 
 /// Numbers that are the same with every standard library.
 class Dice {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "figure/panels/axis_units.h"
 #include "figure/panels/colour_bar.h"
@@ -12,8 +13,6 @@
 
 namespace fumon {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 ViewProjection projection_of(const CameraSettings& camera, const Snapshot& snapshot) {
     const Block block = frame_block(snapshot, 1.0);
@@ -103,7 +102,7 @@ TEST(GroundAxes, PointAsTheCameraSees) {
         camera.azimuth = azimuth;
         // The camera looks from `azimuth` to the opposite one: ground towards it moves down the
         // picture, shortened by the sine of 30 degrees; ground at right angles keeps its length.
-        const double a = azimuth * pi / 180.0;
+        const double a = azimuth * std::numbers::pi / 180.0;
         const GroundAxes axes = seen_axes(projection_of(camera, snapshot));
         EXPECT_NEAR(axes.east.x, -std::cos(a), 1e-6) << azimuth;
         EXPECT_NEAR(axes.east.y, 0.5 * std::sin(a), 1e-6) << azimuth;

@@ -15,8 +15,8 @@
 namespace fumon {
 namespace {
 
-using testing::message_of;
-using testing::series_of;
+using test::message_of;
+using test::series_of;
 
 constexpr CanvasBox frame{60.0, 20.0, 200.0, 130.0};
 

@@ -19,12 +19,12 @@
 namespace fumon {
 namespace {
 
-using testing::bytes_of;
-using testing::message_of;
-using testing::NetcdfContent;
-using testing::TemporaryFolder;
+using test::bytes_of;
+using test::message_of;
+using test::NetcdfContent;
+using test::TemporaryFolder;
 
-const FieldsText text{"a title", "seed = 7\n[model]\nname = \"sand\"\n", 7};
+const FieldsText fields_text{"a title", "seed = 7\n[model]\nname = \"sand\"\n", 7};
 
 double height(std::int64_t step, int x, int y) {
     return std::sin(0.3 * x + 0.7 * y) + 0.01 * static_cast<double>(step);
@@ -58,7 +58,7 @@ std::size_t cell(int x, int y, std::size_t record = 0, std::size_t nx = 7, std::
 }
 
 void write_records(const std::filesystem::path& path, int records) {
-    FieldsFile file(path, snapshot(0), text);
+    FieldsFile file(path, snapshot(0), fields_text);
     for (int i = 0; i < records; ++i) file.add(snapshot(10 * i));
     file.commit();
 }
@@ -102,7 +102,7 @@ TEST(NetcdfFields, SaysWhatItHolds) {
     EXPECT_EQ(content.text("", "Conventions"), "CF-1.9");
     EXPECT_EQ(content.text("", "title"), "a title");
     EXPECT_EQ(content.text("", "source"), "fumon " FUMON_VERSION);
-    EXPECT_EQ(content.text("", "scene"), text.scene);
+    EXPECT_EQ(content.text("", "scene"), fields_text.scene);
     EXPECT_EQ(content.number("", "seed"), 7.0);
     EXPECT_EQ(content.number("", "cell_size_x"), 2.0);
     EXPECT_EQ(content.number("", "cell_size_y"), 3.0);
@@ -128,7 +128,7 @@ TEST(NetcdfFields, SaysSitesWhereThereAreNoMetres) {
     first.scale = {};
     first.time_unit = "steps";
     first.periodic = true;
-    FieldsFile file(folder / "fields.nc", first, text);
+    FieldsFile file(folder / "fields.nc", first, fields_text);
     file.add(first);
     file.commit();
     const NetcdfContent content(folder / "fields.nc");
@@ -151,7 +151,7 @@ TEST(NetcdfFields, FieldsOfSeveralChunksComeBackWhole) {
     constexpr int ny = 401;  // three chunks, the last shorter
     Snapshot first = snapshot(3, nx, ny);
     first.fields.clear();
-    FieldsFile file(folder / "fields.nc", first, text);
+    FieldsFile file(folder / "fields.nc", first, fields_text);
     file.add(first);
     file.add(first);
     file.commit();
@@ -192,7 +192,7 @@ TEST(NetcdfFields, BearsItsNameOnlyOnceCommitted) {
     folder.file("fields.nc", "old");
     folder.file("fields.nc.part", "left by a killed run");
     {
-        FieldsFile file(folder / "fields.nc", snapshot(0), text);
+        FieldsFile file(folder / "fields.nc", snapshot(0), fields_text);
         file.add(snapshot(0));
         EXPECT_EQ(bytes_of(folder / "fields.nc"), "old");
         EXPECT_TRUE(std::filesystem::exists(folder / "fields.nc.part"));
@@ -211,7 +211,7 @@ TEST_P(KilledRun, LeavesAFileThatOpens) {
     const int records = GetParam();
     const pid_t child = fork();
     if (child == 0) {
-        FieldsFile file(folder / "fields.nc", snapshot(0), text);
+        FieldsFile file(folder / "fields.nc", snapshot(0), fields_text);
         for (int i = 0; i < records; ++i) file.add(snapshot(i));
         kill(getpid(), SIGKILL);
     }
@@ -233,7 +233,7 @@ INSTANTIATE_TEST_SUITE_P(AfterRecords, KilledRun, ::testing::Values(0, 1, 2, 70,
 
 /// Adds until the disk is full; what is left must be every record before.
 void fill_up(const std::filesystem::path& path, const std::string& reason) {
-    FieldsFile file(path, snapshot(0, 50, 50), text);
+    FieldsFile file(path, snapshot(0, 50, 50), fields_text);
     std::string message;
     for (int i = 0; i < 1000 && message.empty(); ++i)
         message = message_of<Error>([&] { file.add(snapshot(i, 50, 50)); });
@@ -254,32 +254,33 @@ void fill_up(const std::filesystem::path& path, const std::string& reason) {
 
 TEST(NetcdfFields, AFullDiskSpoilsNothing) {
     const TemporaryFolder folder;
-    const testing::SmallDisk disk(folder.path(), 1024);
+    const test::SmallDisk disk(folder.path(), 1024);
     if (!disk.mounted()) GTEST_SKIP() << "this user may not mount a small file system";
     fill_up(folder / "fields.nc", "No space left on device");
 }
 
 TEST(NetcdfFields, ALimitOnFilesSpoilsNothing) {
     const TemporaryFolder folder;
-    const testing::FileSizeLimit limit(1'000'000);
+    const test::FileSizeLimit limit(1'000'000);
     fill_up(folder / "fields.nc", "File too large");
 }
 
 TEST(NetcdfFields, LeavesNothingWhereItCannotBegin) {
     const TemporaryFolder folder;
     const auto missing = folder / "no-such-folder/fields.nc";
-    EXPECT_EQ(message_of<Error>([&] { FieldsFile(missing, snapshot(0), text); }),
+    EXPECT_EQ(message_of<Error>([&] { FieldsFile(missing, snapshot(0), fields_text); }),
               "cannot write " + missing.string() + ": No such file or directory");
-    EXPECT_EQ(message_of<Error>([&] { FieldsFile("/dev/null", snapshot(0), text); }),
+    EXPECT_EQ(message_of<Error>([&] { FieldsFile("/dev/null", snapshot(0), fields_text); }),
               "cannot write /dev/null: it is a pipe or a device; NetCDF needs a file on disk");
-    const testing::FileSizeLimit limit(10'000);
-    EXPECT_NE(message_of<Error>([&] { FieldsFile(folder / "fields.nc", snapshot(0), text); }), "");
+    const test::FileSizeLimit limit(10'000);
+    EXPECT_NE(
+        message_of<Error>([&] { FieldsFile(folder / "fields.nc", snapshot(0), fields_text); }), "");
     EXPECT_EQ(folder.entries(), 0);
 }
 
 TEST(NetcdfFields, RefusesRecordsOfAnotherForm) {
     const TemporaryFolder folder;
-    FieldsFile file(folder / "fields.nc", snapshot(0), text);
+    FieldsFile file(folder / "fields.nc", snapshot(0), fields_text);
     const auto refusal = [&](const Snapshot& other) {
         return message_of<Error>([&] { file.add(other); });
     };
@@ -308,7 +309,7 @@ TEST(NetcdfFields, RefusesNamesThatDoNotDo) {
     const auto refusal = [&](const std::string& name) {
         Snapshot first = snapshot(0);
         first.fields.front().name = name;
-        return message_of<Error>([&] { FieldsFile(folder / "fields.nc", first, text); });
+        return message_of<Error>([&] { FieldsFile(folder / "fields.nc", first, fields_text); });
     };
     EXPECT_EQ(
         refusal("water depth"),
@@ -347,7 +348,7 @@ TEST(NetcdfFields, MemoryDoesNotGrowWithTheRecords) {
 #endif
     const TemporaryFolder folder;
     const Snapshot record = snapshot(0, 32, 32);
-    FieldsFile file(folder / "fields.nc", record, text);
+    FieldsFile file(folder / "fields.nc", record, fields_text);
     std::size_t early = 0;
     for (int i = 0; i < 3000; ++i) {  // 24 KiB each, 72 MiB in all
         file.add(record);
@@ -363,7 +364,7 @@ TEST(NetcdfFields, NcdumpShowsIt) {
     if (std::system("command -v ncdump > /dev/null") != 0) GTEST_SKIP() << "no ncdump here";
     const TemporaryFolder folder;
     write_records(folder / "fields.nc", 2);
-    const auto spoken = testing::run_command("ncdump -h " + (folder / "fields.nc").string());
+    const auto spoken = test::run_command("ncdump -h " + (folder / "fields.nc").string());
     EXPECT_EQ(spoken.status, 0);
     for (const char* line :
          {"time = UNLIMITED ; // (2 currently)", "double time(time) ;", "int64 step(time) ;",
@@ -383,7 +384,7 @@ TEST(NetcdfFields, XarrayOpensItWithoutAWarning) {
     Snapshot first = snapshot(0);
     first.scale = {};
     first.time_unit = "steps";
-    FieldsFile file(folder / "sites.nc", first, text);
+    FieldsFile file(folder / "sites.nc", first, fields_text);
     file.add(first);
     file.commit();
     const auto script = folder.file("check.py", R"(
@@ -411,9 +412,9 @@ assert sites.time.values.tolist() == [0.0] and sites.time.dtype == "float64"
 assert sites.x.values[0] == 0.5 and sites.x.attrs["units"] == "1"
 print("all is well")
 )");
-    const auto spoken = testing::run_command("/usr/bin/python3 " + script.string() + " " +
-                                             (folder / "metres.nc").string() + " " +
-                                             (folder / "sites.nc").string());
+    const auto spoken =
+        test::run_command("/usr/bin/python3 " + script.string() + " " +
+                          (folder / "metres.nc").string() + " " + (folder / "sites.nc").string());
     EXPECT_EQ(spoken.status, 0);
     EXPECT_EQ(spoken.words, "all is well\n");
 }

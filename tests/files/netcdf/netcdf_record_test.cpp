@@ -12,8 +12,8 @@
 namespace fumon {
 namespace {
 
-using testing::message_of;
-using testing::TemporaryFolder;
+using test::message_of;
+using test::TemporaryFolder;
 
 Snapshot slope_with_water(std::int64_t step) {
     Snapshot snapshot;
@@ -95,7 +95,7 @@ TEST(NetcdfRecord, IsNothingInOtherFilesAndAnErrorInDamagedOnes) {
     std::ofstream(folder / "bed.asc") << "ncols 2\n";
     EXPECT_FALSE(read_fields_record(folder / "bed.asc"));
     {
-        const testing::NetcdfMaker others(folder / "others.nc");
+        const test::NetcdfMaker others(folder / "others.nc");
         static_cast<void>(others.dimension("x", 3));
     }
     EXPECT_FALSE(read_fields_record(folder / "others.nc"));
@@ -122,11 +122,11 @@ class Forged {
         maker_.values(bed, std::vector<std::size_t>(over.size(), 2),
                       std::vector<double>(std::size_t{1} << over.size(), 1.0));
     }
-    [[nodiscard]] const testing::NetcdfMaker& maker() const { return maker_; }
+    [[nodiscard]] const test::NetcdfMaker& maker() const { return maker_; }
     [[nodiscard]] const std::vector<int>& time_y_and_x() const { return over_; }
 
   private:
-    testing::NetcdfMaker maker_;
+    test::NetcdfMaker maker_;
     std::vector<int> over_;
 };
 
@@ -143,7 +143,7 @@ TEST(NetcdfRecord, PathsOfTwoLengthsEndWithTheShorter) {
     const TemporaryFolder folder;
     {
         const Forged forged(folder / "forged.nc", 3);
-        const testing::NetcdfMaker& maker = forged.maker();
+        const test::NetcdfMaker& maker = forged.maker();
         const int time = forged.time_y_and_x().front();
         const int along = maker.dimension("section_x", 2);
         const int up = maker.dimension("z", 2);
@@ -171,7 +171,7 @@ TEST(NetcdfRecord, ALoneScalarIsNoPath) {
     const TemporaryFolder folder;
     {
         const Forged forged(folder / "forged.nc", 3);
-        const testing::NetcdfMaker& maker = forged.maker();
+        const test::NetcdfMaker& maker = forged.maker();
         const int time = forged.time_y_and_x().front();
         const int along = maker.dimension("section_x", 2);
         const int up = maker.dimension("z", 2);
@@ -190,7 +190,7 @@ TEST(NetcdfRecord, FieldsBeyondTheLimitAreRefusedBeforeMemoryIsAskedFor) {
     const TemporaryFolder folder;
     {
         const Forged forged(folder / "forged.nc", 3);
-        const testing::NetcdfMaker& maker = forged.maker();
+        const test::NetcdfMaker& maker = forged.maker();
         const int along = maker.dimension("section_x", 1000000);
         const int up = maker.dimension("z", 1000000);
         static_cast<void>(maker.axis("section_x", along, "m"));

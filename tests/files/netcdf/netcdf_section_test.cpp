@@ -18,12 +18,12 @@
 namespace fumon {
 namespace {
 
-using testing::bytes_of;
-using testing::message_of;
-using testing::NetcdfContent;
-using testing::TemporaryFolder;
+using test::bytes_of;
+using test::message_of;
+using test::NetcdfContent;
+using test::TemporaryFolder;
 
-const FieldsText text{"air over a ripple", "seed = 3\n[model]\nname = \"airflow\"\n", 3};
+const FieldsText air_text{"air over a ripple", "seed = 3\n[model]\nname = \"airflow\"\n", 3};
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 double speed(std::int64_t step, int i, int k) {
@@ -64,7 +64,7 @@ SnapshotSection section(std::int64_t step, int nx = 5, int nz = 4) {
     return made;
 }
 
-Snapshot snapshot(std::int64_t step, const SnapshotSection& section) {
+Snapshot air_snapshot(std::int64_t step, const SnapshotSection& section) {
     Snapshot made;
     made.step = step;
     made.time = 0.1 * static_cast<double>(step);
@@ -77,13 +77,13 @@ Snapshot snapshot(std::int64_t step, const SnapshotSection& section) {
     return made;
 }
 
-Snapshot snapshot(std::int64_t step) {
-    return snapshot(step, section(step));
+Snapshot air_snapshot(std::int64_t step) {
+    return air_snapshot(step, section(step));
 }
 
 void write_steps(const std::filesystem::path& file, const std::vector<std::int64_t>& steps) {
-    FieldsFile fields(file, snapshot(0), text);
-    for (const std::int64_t step : steps) fields.add(snapshot(step));
+    FieldsFile fields(file, air_snapshot(0), air_text);
+    for (const std::int64_t step : steps) fields.add(air_snapshot(step));
     fields.commit();
 }
 
@@ -204,8 +204,8 @@ TEST(NetcdfSection, MayHaveNoPathsAndSeveralChunks) {
     const TemporaryFolder folder;
     SnapshotSection wide = section(1, 700, 401);  // three chunks, the last shorter
     wide.paths.clear();
-    FieldsFile file(folder / "fields.nc", snapshot(1, wide), text);
-    file.add(snapshot(1, wide));
+    FieldsFile file(folder / "fields.nc", air_snapshot(1, wide), air_text);
+    file.add(air_snapshot(1, wide));
     file.commit();
     const auto record = read_fields_record(folder / "fields.nc");
     ASSERT_TRUE(record && record->section);
@@ -221,7 +221,7 @@ TEST(NetcdfSection, SameRecordsGiveTheSameBytes) {
 }
 
 /// Values that do not compress, and paths of many points.
-Snapshot rough(std::int64_t step) {
+Snapshot rough_air(std::int64_t step) {
     SnapshotSection made = section(step, 200, 180);
     std::uint64_t state = 12345 + static_cast<std::uint64_t>(step);
     const auto next = [&] {
@@ -233,16 +233,16 @@ Snapshot rough(std::int64_t step) {
     }
     made.paths = {path(20000 + 600 * step, 10.0), path(5, 40.0), path(700, 70.0)};
     for (double& place : made.paths[0].z) place = next();
-    return snapshot(step, made);
+    return air_snapshot(step, made);
 }
 
 TEST(NetcdfSection, AFullDiskSpoilsNothing) {
     const TemporaryFolder folder;
-    const testing::FileSizeLimit limit(6'000'000);
-    FieldsFile file(folder / "fields.nc", rough(0), text);
+    const test::FileSizeLimit limit(6'000'000);
+    FieldsFile file(folder / "fields.nc", rough_air(0), air_text);
     std::string message;
     for (int i = 0; i < 100 && message.empty(); ++i)
-        message = message_of<Error>([&] { file.add(rough(i)); });
+        message = message_of<Error>([&] { file.add(rough_air(i)); });
     EXPECT_NE(message.find("File too large; its next record needs up to "), std::string::npos)
         << message;
     const auto records = file.records();
@@ -250,17 +250,17 @@ TEST(NetcdfSection, AFullDiskSpoilsNothing) {
     file.commit();
     const auto record = read_fields_record(folder / "fields.nc");
     ASSERT_TRUE(record && record->section);
-    const Snapshot last = rough(records - 1);
+    const Snapshot last = rough_air(records - 1);
     EXPECT_EQ(record->section->fields[1].values, last.section->fields[1].values);
     EXPECT_EQ(record->section->paths[0].x, last.section->paths[0].x);
 }
 
 TEST(NetcdfSection, ARecordNeedsNoMoreThanIsSetAside) {
     const TemporaryFolder folder;
-    FieldsFile file(folder / "fields.nc", rough(0), text);
+    FieldsFile file(folder / "fields.nc", rough_air(0), air_text);
     auto size = std::filesystem::file_size(folder / "fields.nc.part");
     for (std::int64_t step = 0; step < 60; step += 5) {
-        const Snapshot next = rough(step);
+        const Snapshot next = rough_air(step);
         file.add(next);
         const auto grown = std::filesystem::file_size(folder / "fields.nc.part");
         EXPECT_LE(grown - size, static_cast<std::uintmax_t>(record_room(next))) << step;
@@ -270,7 +270,7 @@ TEST(NetcdfSection, ARecordNeedsNoMoreThanIsSetAside) {
 
 TEST(NetcdfSection, RefusesRecordsOfAnotherForm) {
     const TemporaryFolder folder;
-    FieldsFile file(folder / "fields.nc", snapshot(0), text);
+    FieldsFile file(folder / "fields.nc", air_snapshot(0), air_text);
     const auto refusal = [&](const Snapshot& other) {
         return message_of<Error>([&] { file.add(other); });
     };
@@ -278,35 +278,35 @@ TEST(NetcdfSection, RefusesRecordsOfAnotherForm) {
         "cannot write " + (folder / "fields.nc").string() +
         ": step 4 has another section, in its spacing, fields, curves or number of paths; all "
         "records of a file are alike";
-    Snapshot without = snapshot(4);
+    Snapshot without = air_snapshot(4);
     without.section.reset();
     EXPECT_EQ(refusal(without), other_section);
     SnapshotSection other = section(4);
     other.dz = 0.5;
-    EXPECT_EQ(refusal(snapshot(4, other)), other_section);
+    EXPECT_EQ(refusal(air_snapshot(4, other)), other_section);
     other = section(4);
     other.curves.pop_back();
-    EXPECT_EQ(refusal(snapshot(4, other)), other_section);
+    EXPECT_EQ(refusal(air_snapshot(4, other)), other_section);
     other = section(4);
     other.fields[1].name = "vorticity";
-    EXPECT_EQ(refusal(snapshot(4, other)), other_section);
+    EXPECT_EQ(refusal(air_snapshot(4, other)), other_section);
     other = section(4);
     other.paths.pop_back();
-    EXPECT_EQ(refusal(snapshot(4, other)), other_section);
-    EXPECT_EQ(refusal(snapshot(4, section(4, 5, 7))), other_section);
+    EXPECT_EQ(refusal(air_snapshot(4, other)), other_section);
+    EXPECT_EQ(refusal(air_snapshot(4, section(4, 5, 7))), other_section);
     other = section(4);
     other.fields[1].values = Grid(5, 3);
-    EXPECT_NE(refusal(snapshot(4, other)).find("pressure has 5 x 3 nodes, the section 5 x 4"),
+    EXPECT_NE(refusal(air_snapshot(4, other)).find("pressure has 5 x 3 nodes, the section 5 x 4"),
               std::string::npos);
     other = section(4);
     other.curves[1].values.pop_back();
-    EXPECT_NE(
-        refusal(snapshot(4, other)).find("flight_length_12.5 has 4 values, the section 5 columns"),
-        std::string::npos);
+    EXPECT_NE(refusal(air_snapshot(4, other))
+                  .find("flight_length_12.5 has 4 values, the section 5 columns"),
+              std::string::npos);
     other = section(4);
     other.paths[0].z.pop_back();
-    EXPECT_NE(refusal(snapshot(4, other)).find("a path has 6 x and 5 z"), std::string::npos);
-    file.add(snapshot(5));
+    EXPECT_NE(refusal(air_snapshot(4, other)).find("a path has 6 x and 5 z"), std::string::npos);
+    file.add(air_snapshot(5));
     file.commit();
     EXPECT_EQ(NetcdfContent(folder / "fields.nc").values("step"), (std::vector<double>{5}));
 }
@@ -314,28 +314,29 @@ TEST(NetcdfSection, RefusesRecordsOfAnotherForm) {
 TEST(NetcdfSection, RefusesWhatNoFileCanHold) {
     const TemporaryFolder folder;
     const auto refusal = [&](const Snapshot& first) {
-        return message_of<Error>([&] { FieldsFile(folder / "fields.nc", first, text); });
+        return message_of<Error>([&] { FieldsFile(folder / "fields.nc", first, air_text); });
     };
     SnapshotSection first = section(0);
     first.curves[0].name = "velocity_x";
-    EXPECT_EQ(refusal(snapshot(0, first)),
+    EXPECT_EQ(refusal(air_snapshot(0, first)),
               "two fields are called \"velocity_x\"; each needs its own name");
     first = section(0);
     first.fields[0].name = "z";
-    EXPECT_EQ(refusal(snapshot(0, first)), "two fields are called \"z\"; each needs its own name");
+    EXPECT_EQ(refusal(air_snapshot(0, first)),
+              "two fields are called \"z\"; each needs its own name");
     first = section(0);
     first.curves[0].name = "lid_speed";
-    EXPECT_EQ(refusal(snapshot(0, first)),
+    EXPECT_EQ(refusal(air_snapshot(0, first)),
               "two fields are called \"lid_speed\"; each needs its own name");
-    Snapshot rows = snapshot(0);
+    Snapshot rows = air_snapshot(0);
     rows.bed = Grid(5, 3);
     const std::string too_small = "it has 2 x 2 nodes or more, and its bed one row";
     EXPECT_NE(
         refusal(rows).find("a section of 5 x 4 nodes stands on a bed of 5 x 3 cells; " + too_small),
         std::string::npos);
-    EXPECT_NE(refusal(snapshot(0, section(0, 1, 4))).find(too_small), std::string::npos);
-    EXPECT_NE(refusal(snapshot(0, section(0, 5, 1))).find(too_small), std::string::npos);
-    Snapshot bare = snapshot(0);
+    EXPECT_NE(refusal(air_snapshot(0, section(0, 1, 4))).find(too_small), std::string::npos);
+    EXPECT_NE(refusal(air_snapshot(0, section(0, 5, 1))).find(too_small), std::string::npos);
+    Snapshot bare = air_snapshot(0);
     bare.section = std::make_shared<const SnapshotSection>();
     EXPECT_NE(refusal(bare).find(too_small), std::string::npos);
     EXPECT_EQ(folder.entries(), 0);
@@ -347,7 +348,7 @@ TEST(NetcdfSection, NcdumpShowsIt) {
     if (std::system("command -v ncdump > /dev/null") != 0) GTEST_SKIP() << "no ncdump here";
     const TemporaryFolder folder;
     write_steps(folder / "fields.nc", {0, 4});
-    const auto spoken = testing::run_command("ncdump -h " + (folder / "fields.nc").string());
+    const auto spoken = test::run_command("ncdump -h " + (folder / "fields.nc").string());
     EXPECT_EQ(spoken.status, 0);
     for (const char* line :
          {"z = 4 ;", "section_x = 5 ;", "path_point = UNLIMITED ; // (10 currently)",
@@ -379,8 +380,8 @@ assert air.path_x.dims == ("time", "path", "path_point"), air.path_x.dims
 assert air.path_x.notnull().sum("path_point").values.tolist() == [[2, 2], [6, 10]]
 print("all is well")
 )");
-    const auto spoken = testing::run_command("/usr/bin/python3 " + script.string() + " " +
-                                             (folder / "fields.nc").string());
+    const auto spoken = test::run_command("/usr/bin/python3 " + script.string() + " " +
+                                          (folder / "fields.nc").string());
     EXPECT_EQ(spoken.status, 0);
     EXPECT_EQ(spoken.words, "all is well\n");
 }
@@ -388,14 +389,14 @@ print("all is well")
 /// A file of six records that was left after `stopped` and gone on with after `kept` of them.
 std::string gone_on_with(const TemporaryFolder& folder, std::int64_t stopped, std::int64_t kept,
                          const char* left) {
-    const auto record = [](std::int64_t step) { return snapshot(step, section(step)); };
+    const auto record = [](std::int64_t step) { return air_snapshot(step, section(step)); };
     {
-        FieldsFile file(folder / "first.nc", record(0), text);
+        FieldsFile file(folder / "first.nc", record(0), air_text);
         for (std::int64_t step = 0; step < stopped; ++step) file.add(record(step));
         file.sync();
         std::filesystem::copy_file(folder / "first.nc.part", folder / left);
     }
-    FieldsFile file(folder / "on.nc", record(0), text, kept);
+    FieldsFile file(folder / "on.nc", record(0), air_text, kept);
     EXPECT_EQ(file.records(), kept);
     EXPECT_FALSE(std::filesystem::exists(folder / "on.nc.former"));
     for (std::int64_t step = kept; step < 6; ++step) file.add(record(step));
@@ -405,8 +406,8 @@ std::string gone_on_with(const TemporaryFolder& folder, std::int64_t stopped, st
 
 TEST(NetcdfSection, AFileThatIsGoneOnWithGetsTheBytesOfOneInOneGo) {
     const TemporaryFolder whole;
-    FieldsFile file(whole / "whole.nc", snapshot(0, section(0)), text);
-    for (std::int64_t step = 0; step < 6; ++step) file.add(snapshot(step, section(step)));
+    FieldsFile file(whole / "whole.nc", air_snapshot(0, section(0)), air_text);
+    for (std::int64_t step = 0; step < 6; ++step) file.add(air_snapshot(step, section(step)));
     file.commit();
     const std::string bytes = bytes_of(whole / "whole.nc");
     for (const char* left : {"on.nc.part", "on.nc", "on.nc.former"}) {
@@ -425,7 +426,7 @@ TEST(NetcdfSection, WhatCannotBeGoneOnWithIsRefusedAndStays) {
     const TemporaryFolder folder;
     const auto refusal = [&](std::int64_t records) {
         return message_of<InputError>(
-            [&] { FieldsFile(folder / "on.nc", snapshot(0, section(0)), text, records); });
+            [&] { FieldsFile(folder / "on.nc", air_snapshot(0, section(0)), air_text, records); });
     };
     EXPECT_NE(refusal(0).find("on.nc: is not there"), std::string::npos);
     EXPECT_NE(message_of<InputError>([&] {

@@ -11,8 +11,8 @@
 namespace fumon {
 namespace {
 
-using testing::message_of;
-using testing::TemporaryFolder;
+using test::message_of;
+using test::TemporaryFolder;
 
 struct BrokenFile {
     std::string name;
@@ -35,18 +35,18 @@ TEST_P(BrokenTerrain, IsRefusedInOneLine) {
 
 const std::string sizes = "ncols 2\nnrows 2\n";
 const std::string origin = "xllcorner 0\nyllcorner 0\n";
-const std::string head = sizes + origin + "cellsize 1\n";
+const std::string grid_head = sizes + origin + "cellsize 1\n";
 const std::string all_words =
     "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize (or dx and dy), "
     "NODATA_value";
 const std::string use_instead =
-    "; terrain is read from ESRI ASCII grids (gdal_translate -of AAIGrid makes them), NetCDF files "
-    "and grey PNG images";
+    "; terrain is a NetCDF file, a GeoTIFF, a PNG image or an ESRI ASCII grid (gdal_translate -of "
+    "AAIGrid makes one)";
 
 const std::vector<BrokenFile> broken_files{
     {"Empty", "", ":1: the file is empty; an ESRI ASCII grid starts with its ncols line"},
     {"Blank", "\n \r\n\t", ":1: the file is empty; an ESRI ASCII grid starts with its ncols line"},
-    {"Binary", std::string("II*\0\x08\0\0\0", 8), ":1: this is a binary file" + use_instead},
+    {"Binary", std::string("II,\0\x08\0\0\0", 8), ":1: this is a binary file" + use_instead},
     {"Utf16", std::string("\xFF\xFEn\0c\0", 6), ":1: this is a binary file" + use_instead},
     {"Prose", "Dear reader,\nthis is no grid\n",
      ":1: 'Dear' does not start an ESRI ASCII grid; its header has " + all_words},
@@ -66,9 +66,9 @@ const std::vector<BrokenFile> broken_files{
      ":3: unknown header word 'cellsise'; known are " + all_words},
     {"Twice", sizes + "NCOLS 2\n1 2\n3 4\n",
      ":3: NCOLS stands here again (first on line 1); keep one of the two lines"},
-    {"BothOrigins", head + "xllcenter 0\n1 2\n3 4\n",
+    {"BothOrigins", grid_head + "xllcenter 0\n1 2\n3 4\n",
      ":6: xllcorner and xllcenter exclude each other; keep one of the two lines"},
-    {"BothCellSizes", head + "dx 1\ndy 1\n1 2\n3 4\n",
+    {"BothCellSizes", grid_head + "dx 1\ndy 1\n1 2\n3 4\n",
      ":6: cellsize and dx exclude each other; keep one of the two lines"},
     {"NoValue", "ncols\nnrows 2\n", ":1: ncols has no value; write one number after ncols"},
     {"WordForNumber", "ncols two\n",
@@ -100,29 +100,29 @@ const std::vector<BrokenFile> broken_files{
      ":3: cellsize is '0'; write a cell size greater than 0"},
     {"NegativeCellSize", sizes + "dx 1\ndy -30\n1 2\n3 4\n",
      ":4: dy is '-30'; write a cell size greater than 0"},
-    {"WordForHeight", head + "1 2\n3 abc\n",
+    {"WordForHeight", grid_head + "1 2\n3 abc\n",
      ":7: height 'abc' (row 2, column 2) is not a number; write a number or the NODATA_value"},
-    {"MisspeltFirstHeight", head + "1x 2\n3 4\n",
+    {"MisspeltFirstHeight", grid_head + "1x 2\n3 4\n",
      ":6: height '1x' (row 1, column 1) is not a number; write a number or the NODATA_value"},
-    {"DecimalComma", head + "1 2\n3,5 4\n",
+    {"DecimalComma", grid_head + "1 2\n3,5 4\n",
      ":7: height '3,5' (row 2, column 1) is not a number; write a decimal point, and spaces "
      "between "
      "numbers"},
-    {"LongWord", head + "1 2 3 " + std::string(100, 'z'),
+    {"LongWord", grid_head + "1 2 3 " + std::string(100, 'z'),
      ":6: height '" + std::string(40, 'z') +
          "…' (row 2, column 2) is not a number; write a number or the NODATA_value"},
     {"CarriageReturns", "ncols 2\rnrows 2\r\ncellsize 1\r1 2\r3 abc\r",
      ":5: height 'abc' (row 2, column 2) is not a number; write a number or the NODATA_value"},
-    {"InfiniteHeight", head + "1 2\ninf 4\n",
+    {"InfiniteHeight", grid_head + "1 2\ninf 4\n",
      ":7: height 'inf' (row 2, column 1) is infinite; write a finite number or the NODATA_value"},
-    {"OverflowingHeight", head + "1 -1e400\n3 4\n",
+    {"OverflowingHeight", grid_head + "1 -1e400\n3 4\n",
      ":6: height '-1e400' (row 1, column 2) is infinite; write a finite number or the "
      "NODATA_value"},
-    {"TooFew", head + "1 2.000\n3\n\n",
+    {"TooFew", grid_head + "1 2.000\n3\n\n",
      ":7: 3 heights where ncols × nrows = 2 × 2 = 4 are needed; correct the header or the rows"},
-    {"TooMany", head + "1 2\n3 4\n5 6 7\n",
+    {"TooMany", grid_head + "1 2\n3 4\n5 6 7\n",
      ":8: 7 heights where ncols × nrows = 2 × 2 = 4 are needed; correct the header or the rows"},
-    {"AllNoData", head + "NODATA_value -1\n-1 -1\n-1 nan\n",
+    {"AllNoData", grid_head + "NODATA_value -1\n-1 -1\n-1 nan\n",
      ":7: every cell is no-data; at least one height must differ from the NODATA_value -1"},
 };
 
@@ -163,9 +163,9 @@ TEST(TerrainFile, RefusesAFileBeyondTheLimitWithoutReadingIt) {
 
 TEST(TerrainFile, RefusesAHeightRangeForAnEsriGrid) {
     const TemporaryFolder folder;
-    const auto file = folder.file("a.asc", head + "1 2 3 4");
+    const auto file = folder.file("a.asc", grid_head + "1 2 3 4");
     EXPECT_EQ(message_of<InputError>([&] {
-                  read_terrain(file, {0.0, 1.0});
+                  read_terrain(file, {{0.0, 1.0}});
               }),
               file.string() +
                   ": a height range was given for an ESRI ASCII grid, which holds its own "

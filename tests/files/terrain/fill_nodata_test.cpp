@@ -106,7 +106,7 @@ TEST(FillNoData, ReturnsAWholeBedAsItIs) {
 
 TEST(FillNoData, RefusesABedWithoutData) {
     EXPECT_EQ(
-        testing::message_of<InputError>([] { fill_nodata(Grid(4, 3), Mask(4, 3, 1)); }),
+        test::message_of<InputError>([] { fill_nodata(Grid(4, 3), Mask(4, 3, 1)); }),
         "every cell is no-data, so there is nothing to fill from; give a terrain with at least "
         "one height");
 }

@@ -20,10 +20,10 @@
 namespace fumon {
 namespace {
 
-using testing::bytes_of;
-using testing::message_of;
-using testing::NetcdfMaker;
-using testing::TemporaryFolder;
+using test::bytes_of;
+using test::message_of;
+using test::NetcdfMaker;
+using test::TemporaryFolder;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -33,7 +33,7 @@ class NetcdfBed : public ::testing::Test {
     std::filesystem::path path = folder / "bed.nc";
 
     [[nodiscard]] Terrain read(const std::string& variable = "") const {
-        return read_terrain(path, {}, variable);
+        return read_terrain(path, {.variable = variable});
     }
     /// The refusal without the file's name before it.
     [[nodiscard]] std::string refusal(const std::string& variable = "") const {
@@ -409,13 +409,13 @@ TEST_F(NetcdfBed, WhatIsNoNetcdfFileIsRefused) {
 TEST_F(NetcdfBed, KeysOfOtherFilesAreRefused) {
     make(path, {});
     EXPECT_EQ(message_of<InputError>([&] {
-                  (void)read_terrain(path, {0, 850});
+                  (void)read_terrain(path, {{0, 850}});
               }),
               path.string() +
                   ": a height range was given for a NetCDF file, which holds its own heights; "
                   "leave bed.heights or --heights out");
     const auto esri = folder.file("bed.asc", "ncols 1\nnrows 1\ncellsize 1\n5\n");
-    EXPECT_EQ(message_of<InputError>([&] { (void)read_terrain(esri, {}, "z"); }),
+    EXPECT_EQ(message_of<InputError>([&] { (void)read_terrain(esri, {.variable = "z"}); }),
               esri.string() +
                   ": a variable was named for an ESRI ASCII grid, which has none; "
                   "leave bed.variable out");
@@ -437,7 +437,8 @@ TEST_F(NetcdfBed, ASceneStartsFromOne) {
         parse_scene(begin + "file = \"bed.nc\"\nvariable = \"z\"\n", "scene.toml", folder.path());
     const InitialBed initial = make_initial_bed(scene);
     EXPECT_EQ(initial.bed(2, 1), 6.0);
-    EXPECT_EQ(initial.scale, (WorldScale{10.0, 5.0, 1.0, true}));
+    EXPECT_EQ(initial.scale,
+              (WorldScale{10.0, 5.0, 1.0, true, GeoReference{5.0, 2.5, 10.0, 5.0}}));
     EXPECT_EQ(
         message_of<InputError>([] {
             parse_scene("[model]\nname = \"static\"\n[bed]\nvariable = \"z\"\n", "scene.toml", "");

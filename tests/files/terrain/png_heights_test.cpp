@@ -14,8 +14,8 @@
 namespace fumon {
 namespace {
 
-using testing::message_of;
-using testing::TemporaryFolder;
+using test::message_of;
+using test::TemporaryFolder;
 
 void collect(png_structp png, png_bytep bytes, std::size_t count) {
     static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<char*>(bytes), count);
@@ -57,7 +57,7 @@ TEST(PngHeights, Reads16BitGrey) {
         const auto file =
             folder.file("bed.png", png_file(2, 2, 16, PNG_COLOR_TYPE_GRAY,
                                             {0, 0, 0xFF, 0xFF, 0x33, 0x33, 0x01, 0x00}, interlace));
-        const Terrain terrain = read_terrain(file, {-10.0, 40.0});
+        const Terrain terrain = read_terrain(file, {{-10.0, 40.0}});
         EXPECT_EQ(terrain.heights(0, 1), -10.0);  // the top row is the northernmost
         EXPECT_EQ(terrain.heights(1, 1), 40.0);
         EXPECT_NEAR(terrain.heights(0, 0), 0.0, 1e-13);
@@ -71,7 +71,7 @@ TEST(PngHeights, Reads16BitGrey) {
 TEST(PngHeights, Reads8BitGreyAndSaysSo) {
     const TemporaryFolder folder;
     const auto file = folder.file("bed.png", png_file(3, 1, 8, PNG_COLOR_TYPE_GRAY, {0, 255, 51}));
-    const Terrain terrain = read_terrain(file, {0.0, 100.0});
+    const Terrain terrain = read_terrain(file, {{0.0, 100.0}});
     EXPECT_EQ(terrain.heights(1, 0), 100.0);
     EXPECT_NEAR(terrain.heights(2, 0), 20.0, 1e-13);
     EXPECT_EQ(
@@ -83,7 +83,9 @@ TEST(PngHeights, RefusesOtherPictures) {
     const TemporaryFolder folder;
     const auto refusal = [&](const std::string& bytes) {
         const auto file = folder.file("bed.png", bytes);
-        const std::string message = message_of<InputError>([&] { read_terrain(file, {0.0, 1.0}); });
+        const std::string message = message_of<InputError>([&] {
+            read_terrain(file, {{0.0, 1.0}});
+        });
         return message.substr(std::min(message.size(), file.string().size()));
     };
     EXPECT_EQ(refusal(png_file(1, 1, 8, PNG_COLOR_TYPE_RGB, {1, 2, 3})),
@@ -107,7 +109,7 @@ TEST(PngHeights, SaysWhereTheRangeIsWritten) {
               (file.string() + ": a PNG image does not say how high its terrain is")
                   .append(range_remedy));
     for (const std::vector<double>& range : {std::vector{1.0}, {2.0, 2.0}, {0.0, HUGE_VAL}})
-        EXPECT_EQ(message_of<InputError>([&] { read_terrain(file, range); }),
+        EXPECT_EQ(message_of<InputError>([&] { read_terrain(file, {range}); }),
                   (file.string() +
                    ": the height range of the PNG image is not two different finite numbers")
                       .append(range_remedy));
@@ -120,7 +122,7 @@ TEST(PngHeights, RefusesEveryTruncation) {
     for (std::size_t length = 8; length < whole.size(); ++length) {
         const auto file = folder.file("bed.png", whole.substr(0, length));
         EXPECT_EQ(message_of<InputError>([&] {
-                      read_terrain(file, {0.0, 1.0});
+                      read_terrain(file, {{0.0, 1.0}});
                   }),
                   file.string() + ": is a damaged PNG file (the file ends early); make it again")
             << length;
@@ -135,7 +137,7 @@ TEST(PngHeights, RefusesEveryFlippedBit) {
         std::string damaged = whole;
         damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
         const auto file = folder.file("bed.png", damaged);
-        EXPECT_THROW(read_terrain(file, {0.0, 1.0}), InputError) << "bit " << bit;
+        EXPECT_THROW(read_terrain(file, {{0.0, 1.0}}), InputError) << "bit " << bit;
     }
 }
 
@@ -164,7 +166,9 @@ TEST(PngHeights, RefusesAHugePictureInAFewBytes) {
     };
     const auto refusal = [&](std::uint32_t width, std::uint32_t height) {
         const auto file = folder.file("bed.png", with_size(width, height));
-        const std::string message = message_of<InputError>([&] { read_terrain(file, {0.0, 1.0}); });
+        const std::string message = message_of<InputError>([&] {
+            read_terrain(file, {{0.0, 1.0}});
+        });
         return message.substr(std::min(message.size(), file.string().size()));
     };
     EXPECT_EQ(refusal(60000, 60000), ": has 60000 × 60000 pixels; at most 268435456 are read");
@@ -182,12 +186,12 @@ TEST(PngHeights, RefusesAHugeChunkInAFewBytes) {
     constexpr std::size_t behind_header = 33;
     bytes.insert(behind_header, std::string("\x60\0\0\0iTXt", 8));
     const auto file = folder.file("bed.png", bytes);
-    const std::size_t before = testing::peak_memory();
+    const std::size_t before = test::peak_memory();
     EXPECT_EQ(message_of<InputError>([&] {
-                  read_terrain(file, {0.0, 1.0});
+                  read_terrain(file, {{0.0, 1.0}});
               }),
               file.string() + ": is a damaged PNG file (the file ends early); make it again");
-    EXPECT_LT(testing::peak_memory() - before, std::size_t{64} << 20U);
+    EXPECT_LT(test::peak_memory() - before, std::size_t{64} << 20U);
 }
 
 }  // namespace

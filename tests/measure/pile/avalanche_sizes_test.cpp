@@ -53,7 +53,7 @@ TEST(AvalancheSizes, WithoutAnyHasNoBins) {
 }
 
 TEST(AvalancheSizes, RefusesWhatIsNoAvalanche) {
-    using testing::message_of;
+    using test::message_of;
     AvalancheSizes sizes;
     EXPECT_EQ(message_of<Error>([&] { sizes.add(0); }),
               "an avalanche has from 1 to 1000000000000000 cells, not 0");

@@ -14,7 +14,7 @@
 namespace fumon {
 namespace {
 
-using testing::message_of;
+using test::message_of;
 
 /// Independent draws from p(s) ∝ weight(s) on the window, by searching its cumulative sums.
 template <class Weight>

@@ -240,7 +240,7 @@ TEST(GrainFlight, SameBytesAtAnyNumberOfThreads) {
     }
 }
 
-std::string refusal(const std::function<void()>& work) {
+std::string flight_refusal(const std::function<void()>& work) {
     try {
         work();
     } catch (const Error& fault) {
@@ -266,10 +266,11 @@ TEST(GrainFlight, RefusesGrainsThatDoNotComeDown) {
     const SnapshotSection windy =
         couette_section(100, 61, 0.025 * millimetre, 1000.0, [](double) { return bed_height; });
     const std::vector<Launch> launches{{0.0, 1.0}, {1.25 * millimetre, 80.0}, {0.0, 70.0}};
-    EXPECT_EQ(refusal([&] { static_cast<void>(GrainFlights(windy, {}, {}, pool).fly(launches)); }),
-              "the grain launched at x = 0.00125 m at 80 degrees leaves through the lid (z = "
-              "0.0015 m) after 0.00027 s; raise the lid, or try a smaller model.launch_angles or "
-              "slower air");
+    EXPECT_EQ(
+        flight_refusal([&] { static_cast<void>(GrainFlights(windy, {}, {}, pool).fly(launches)); }),
+        "the grain launched at x = 0.00125 m at 80 degrees leaves through the lid (z = "
+        "0.0015 m) after 0.00027 s; raise the lid, or try a smaller model.launch_angles or "
+        "slower air");
     SnapshotSection lifting = appendix_b();
     FlightParameters dust;
     dust.grain_diameter = 0.02;
@@ -278,7 +279,7 @@ TEST(GrainFlight, RefusesGrainsThatDoNotComeDown) {
             lifting.fields[1].values(i, k) = k > 20 ? 0.1 * (1.0 - k / 40.0) : 0.0;
     }
     EXPECT_EQ(
-        refusal([&] {
+        flight_refusal([&] {
             static_cast<void>(GrainFlights(lifting, dust, {}, pool).fly({launches.data() + 1, 1}));
         }),
         "the grain launched at x = 0.00125 m at 80 degrees is not down after 2 s; try a "
@@ -301,11 +302,11 @@ TEST(GrainFlight, RefusesStepsTooLongForTheDragAndAnglesNamedTwice) {
     }
     parameters = {};
     parameters.launch_angles = {10.0, 20.0, 10.0};
-    EXPECT_EQ(refusal([&] { const GrainFlights flights(section, parameters, {}, pool); }),
+    EXPECT_EQ(flight_refusal([&] { const GrainFlights flights(section, parameters, {}, pool); }),
               "model.launch_angles has 10 degrees twice; name it once");
     SnapshotSection bare = section;
     bare.curves.pop_back();
-    EXPECT_EQ(refusal([&] { const GrainFlights flights(bare, {}, {}, pool); }),
+    EXPECT_EQ(flight_refusal([&] { const GrainFlights flights(bare, {}, {}, pool); }),
               "grains cannot fly in a section without the curve bed_shear_stress");
 }
 

@@ -11,9 +11,12 @@
 #include "models/pile/sandpile.h"
 #include "support/pile_run.h"
 #include "support/plain_pile.h"
+#include "support/snapshot_number.h"
 
 namespace fumon {
 namespace {
+
+using test::number;
 
 /// Grain by grain: heights, directions, avalanches and losses.
 void compare(const SandpileParameters& parameters, const Grid& bed, int grains,

@@ -14,27 +14,30 @@
 #include "models/registry.h"
 #include "support/pile_run.h"
 #include "support/plain_pile.h"
+#include "support/snapshot_number.h"
 
 namespace fumon {
 namespace {
 
+using test::number;
+
 // ---- the vector without randomness ----
 
-struct Vector {
+struct PileVector {
     int grains;
     double highest, resident;
     std::size_t avalanches;
     std::int64_t topplings;
 };
 
-void PrintTo(const Vector& vector, std::ostream* out) {
+void PrintTo(const PileVector& vector, std::ostream* out) {
     *out << vector.grains << " grains";
 }
 
-class SandpileVectors : public testing::TestWithParam<Vector> {};
+class SandpileVectors : public testing::TestWithParam<PileVector> {};
 
 TEST_P(SandpileVectors, AreMetExactly) {
-    const Vector& expected = GetParam();
+    const PileVector& expected = GetParam();
     PileRun run(cycling(), flat(16, 16));
     run.step(expected.grains);
     const Grid bed = run.model.snapshot().bed;
@@ -45,8 +48,8 @@ TEST_P(SandpileVectors, AreMetExactly) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Centre, SandpileVectors,
-                         testing::Values(Vector{1000, 16, 1000, 332, 2293},
-                                         Vector{5000, 19, 2053, 1690, 52974}),
+                         testing::Values(PileVector{1000, 16, 1000, 332, 2293},
+                                         PileVector{5000, 19, 2053, 1690, 52974}),
                          [](const auto& test) { return std::to_string(test.param.grains); });
 
 TEST(Topple, MovesGrainsToThreeCellsAroundTheDirection) {
@@ -281,7 +284,7 @@ TEST(Sandpile, EveryRuleMakesADifference) {
 
 // ---- refusals ----
 
-std::string refusal(const SandpileParameters& pile, const Grid& bed, const Mask& nodata = {}) {
+std::string pile_refusal(const SandpileParameters& pile, const Grid& bed, const Mask& nodata = {}) {
     WorkerPool pool(1);
     try {
         const Sandpile model(pile, {bed, nodata, {}, 1, pool});
@@ -292,42 +295,42 @@ std::string refusal(const SandpileParameters& pile, const Grid& bed, const Mask&
 }
 
 TEST(Sandpile, RefusesWhatDoesNotFit) {
-    EXPECT_EQ(refusal({}, flat(9, 9), Mask(9, 9, 1)),
+    EXPECT_EQ(pile_refusal({}, flat(9, 9), Mask(9, 9, 1)),
               "bed.file: the bed has cells without data, on which no grain can lie; write "
               "bed.nodata = \"fill\" or give them a height");
-    EXPECT_EQ(refusal({}, Grid(9, 9, 0.375)),
+    EXPECT_EQ(pile_refusal({}, Grid(9, 9, 0.375)),
               "bed.kind: a pile is made of whole grains, but the bed has a height of 0.375; write "
               "bed.kind = \"flat\", or give it whole heights from 0 to 1000000");
-    EXPECT_NE(refusal({}, Grid(9, 9, -1.0)), "(accepted)");
-    EXPECT_NE(refusal({}, Grid(9, 9, std::nan(""))), "(accepted)");
-    EXPECT_NE(refusal({}, Grid(9, 9, 2e6)), "(accepted)");
-    EXPECT_EQ(refusal({}, Grid(9, 9, 3.0)), "(accepted)");
+    EXPECT_NE(pile_refusal({}, Grid(9, 9, -1.0)), "(accepted)");
+    EXPECT_NE(pile_refusal({}, Grid(9, 9, std::nan(""))), "(accepted)");
+    EXPECT_NE(pile_refusal({}, Grid(9, 9, 2e6)), "(accepted)");
+    EXPECT_EQ(pile_refusal({}, Grid(9, 9, 3.0)), "(accepted)");
 
     SandpileParameters pile;
     pile.threshold = 1;
-    EXPECT_EQ(refusal(pile, flat(9, 9)),
+    EXPECT_EQ(pile_refusal(pile, flat(9, 9)),
               "model.threshold: model.threshold is 1; even a single grain would leave its cell "
               "below the one it falls on, so take 2 or more");
     pile = {};
     pile.grains_per_topple = 4;
-    EXPECT_EQ(refusal(pile, flat(9, 9)),
+    EXPECT_EQ(pile_refusal(pile, flat(9, 9)),
               "model.grains_per_topple: model.grains_per_topple is 4 with model.threshold = 5: a "
               "cell that gives 4 may end below one that gets 2; take at most 3, or a threshold of "
               "6 or more");
     pile.threshold = 6;
-    EXPECT_EQ(refusal(pile, flat(9, 9)), "(accepted)");
+    EXPECT_EQ(pile_refusal(pile, flat(9, 9)), "(accepted)");
 
     pile = {};
     pile.drop_x = {4, 9};
     pile.drop_y = {4};
-    EXPECT_EQ(refusal(pile, flat(9, 9)),
+    EXPECT_EQ(pile_refusal(pile, flat(9, 9)),
               "model.drop_y: model.drop_x has 2 numbers and model.drop_y 1; give each drop site "
               "both");
     pile.drop_y = {4, 4};
-    EXPECT_EQ(refusal(pile, flat(9, 9)),
+    EXPECT_EQ(pile_refusal(pile, flat(9, 9)),
               "model.drop_x: model.drop_x names 9, off the grid of grid.nx = 9; it takes 0 to 8");
     pile.drop_x = {4, 8};
-    EXPECT_EQ(refusal(pile, flat(9, 9)), "(accepted)");
+    EXPECT_EQ(pile_refusal(pile, flat(9, 9)), "(accepted)");
 }
 
 TEST(Sandpile, IsListed) {

@@ -56,14 +56,14 @@ SandParameters dunes() {
 
 // ---- the vectors without randomness ----
 
-struct Vector {
+struct SandVector {
     std::string name;
     SandParameters parameters;
     int steps;
     double squares, h00, h32, h51;
 };
 
-void PrintTo(const Vector& vector, std::ostream* out) {
+void PrintTo(const SandVector& vector, std::ostream* out) {
     *out << vector.name;
 }
 
@@ -81,14 +81,14 @@ SandParameters ripples(Landing landing) {
     return sand;
 }
 
-class SandVectors : public ::testing::TestWithParam<Vector> {};
+class SandVectors : public ::testing::TestWithParam<SandVector> {};
 
 TEST_P(SandVectors, AreMetToTenDigits) {
     Grid bed(16, 12);
     for (int y = 0; y < 12; ++y) {
         for (int x = 0; x < 16; ++x) bed(x, y) = 3.0 * ((7 * x + 13 * y + 3 * x * y) % 17) / 17.0;
     }
-    const Vector& expected = GetParam();
+    const SandVector& expected = GetParam();
     const Grid found = after(expected.parameters, bed, expected.steps);
     double squares = 0.0;
     for (const double height : found.values()) squares += height * height;
@@ -100,18 +100,18 @@ TEST_P(SandVectors, AreMetToTenDigits) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, SandVectors,
-    ::testing::Values(Vector{"start", ripples(Landing::round), 0, 596.8961937716, 0.0, 2.4705882353,
-                             2.1176470588},
-                      Vector{"maxima_only_creep", creep_alone(Creep::maxima_only), 3,
-                             560.9683938865, 0.0904534314, 2.0550183824, 1.7305720588},
-                      Vector{"every_cell_creep", creep_alone(Creep::every_cell), 3, 529.0770740420,
-                             0.3969747753, 2.0721678922, 1.7941609477},
-                      Vector{"ripples_truncated", ripples(Landing::truncate), 1, 556.0997359862,
-                             0.2202941176, 2.1605882353, 1.9301470588},
-                      Vector{"ripples_rounded", ripples(Landing::round), 20, 465.4362261638,
-                             1.1878520316, 1.2278098875, 1.6621619066},
-                      Vector{"dunes_central", dunes(), 20, 562.2105857811, 0.9948564948,
-                             0.8995708218, 2.3076933846}),
+    ::testing::Values(SandVector{"start", ripples(Landing::round), 0, 596.8961937716, 0.0,
+                                 2.4705882353, 2.1176470588},
+                      SandVector{"maxima_only_creep", creep_alone(Creep::maxima_only), 3,
+                                 560.9683938865, 0.0904534314, 2.0550183824, 1.7305720588},
+                      SandVector{"every_cell_creep", creep_alone(Creep::every_cell), 3,
+                                 529.0770740420, 0.3969747753, 2.0721678922, 1.7941609477},
+                      SandVector{"ripples_truncated", ripples(Landing::truncate), 1, 556.0997359862,
+                                 0.2202941176, 2.1605882353, 1.9301470588},
+                      SandVector{"ripples_rounded", ripples(Landing::round), 20, 465.4362261638,
+                                 1.1878520316, 1.2278098875, 1.6621619066},
+                      SandVector{"dunes_central", dunes(), 20, 562.2105857811, 0.9948564948,
+                                 0.8995708218, 2.3076933846}),
     [](const auto& test) { return test.param.name; });
 
 // ---- every combination of options ----
@@ -350,7 +350,7 @@ TEST(Sand, ALongProfileIsTheSameForAnyNumberOfThreads) {
 
 // ---- refusals ----
 
-std::string refusal(const SandParameters& sand, const Grid& bed, const Mask& nodata = {}) {
+std::string sand_refusal(const SandParameters& sand, const Grid& bed, const Mask& nodata = {}) {
     WorkerPool pool(1);
     try {
         const Sand model(sand, {bed, nodata, {}, 1, pool});
@@ -361,33 +361,33 @@ std::string refusal(const SandParameters& sand, const Grid& bed, const Mask& nod
 }
 
 TEST(Sand, RefusesWhatDoesNotFit) {
-    EXPECT_EQ(refusal({}, Grid(10, 10, 1.0), Mask(10, 10, 1)),
+    EXPECT_EQ(sand_refusal({}, Grid(10, 10, 1.0), Mask(10, 10, 1)),
               "the bed has cells without data, over which sand cannot hop; write bed.nodata = "
               "\"fill\" or give them a "
               "height");
-    EXPECT_EQ(refusal({}, Grid(10, 10, 4.0)),
+    EXPECT_EQ(sand_refusal({}, Grid(10, 10, 4.0)),
               "the highest sand (4 heights of grid.height_unit = 1 m) would hop 13 sites, further "
               "than the box of 10; "
               "raise grid.height_unit, lower the bed or shorten the hops");
-    EXPECT_EQ(refusal(dunes(), Grid(9, 9, 1.0)),
+    EXPECT_EQ(sand_refusal(dunes(), Grid(9, 9, 1.0)),
               "hops of up to 10 sites (model.hop_base + model.hop_slope_factor) exceed the box of "
               "9 sites; take a wider "
               "grid or shorter hops");
     SandParameters fast_creep;
     fast_creep.creep_rate = 0.8;
-    EXPECT_EQ(refusal(fast_creep, Grid(20, 20, 1.0)),
+    EXPECT_EQ(sand_refusal(fast_creep, Grid(20, 20, 1.0)),
               "model.creep_rate is 0.8; with every-cell creep it takes a number > 0 and ≤ 0.75");
     fast_creep.creep = Creep::maxima_only;
-    EXPECT_EQ(refusal(fast_creep, Grid(20, 20, 1.0)), "(accepted)");
+    EXPECT_EQ(sand_refusal(fast_creep, Grid(20, 20, 1.0)), "(accepted)");
     SandParameters table;
     table.hop_length = HopLength::tabulated;
     table.hop_table_heights = {0.0, 1.0, 1.0};
     table.hop_table_lengths = {2.0, 3.0};
-    EXPECT_EQ(refusal(table, Grid(20, 20, 1.0)),
+    EXPECT_EQ(sand_refusal(table, Grid(20, 20, 1.0)),
               "the tabulated hop law needs at least two points, and a length for each height; "
               "there are 3 in model.hop_table_heights and 2 in model.hop_table_lengths");
     table.hop_table_lengths.push_back(4.0);
-    EXPECT_EQ(refusal(table, Grid(20, 20, 1.0)),
+    EXPECT_EQ(sand_refusal(table, Grid(20, 20, 1.0)),
               "model.hop_table_heights must rise, but 1 follows 1");
 }
 

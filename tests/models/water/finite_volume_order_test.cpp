@@ -11,12 +11,6 @@ namespace {
 
 constexpr double gravity = 9.8;
 
-GullyParameters without_friction() {
-    GullyParameters parameters;
-    parameters.friction_coefficient = 0.0;
-    return parameters;
-}
-
 /// Mean |h − exact| of a dam break on `cells` cells over 20 m after 1 s.
 double dam_break_error(int cells, double left, double right) {
     WorkerPool pool(1);

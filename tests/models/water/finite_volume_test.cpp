@@ -11,12 +11,6 @@
 namespace fumon {
 namespace {
 
-GullyParameters without_friction() {
-    GullyParameters parameters;
-    parameters.friction_coefficient = 0.0;
-    return parameters;
-}
-
 WaterDomain domain_with(EdgeKind edges_x, EdgeKind edges_y, double slope = 0.0) {
     WaterDomain domain;
     domain.edges_x = edges_x;
@@ -225,12 +219,9 @@ TEST(FiniteVolume, BlocksOfColumnsJoinWithoutASeam) {
     }
 }
 
-/// Elevation data as people have it, which is not part of the project.
 TEST(FiniteVolume, RainOnARealGullyRunsOffAndIsAccountedFor) {
-    const std::filesystem::path file =
-        std::filesystem::path(FUMON_REAL_TERRAIN_FOLDER) / "west_bijou_gully.asc";
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << "no real terrain lies at " << file;
-    const Terrain terrain = read_terrain(file, {});
+    const Terrain terrain =
+        read_terrain(std::filesystem::path(FUMON_TERRAIN_FOLDER) / "west_bijou_gully.asc", {});
     WorkerPool pool(2);
     WaterDomain domain = domain_with(EdgeKind::open, EdgeKind::open);
     domain.dx = terrain.dx;

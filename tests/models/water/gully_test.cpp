@@ -11,10 +11,6 @@
 namespace fumon::test {
 namespace {
 
-double lowest(const Grid& grid) {
-    return *std::min_element(grid.values().begin(), grid.values().end());
-}
-
 double largest_difference(const Grid& a, const Grid& b) {
     double largest = 0.0;
     for (std::size_t cell = 0; cell < a.size(); ++cell)
@@ -36,7 +32,7 @@ TEST(Gully, KeepsWaterAndCountsSediment) {
         EXPECT_LT(std::fabs(run.number("water_budget_error")), 1e-12);
         EXPECT_LT(std::fabs(run.number("sediment_budget_error")), 1e-12);
         EXPECT_NEAR(run.number("rain_volume"), 60.0 * 50.0 / 3.6e6 * 37 * 29 * 1.5, 1e-9);
-        EXPECT_GE(lowest(run.field("water_depth")), 0.0);
+        EXPECT_GE(run.lowest_depth(), 0.0);
     }
 }
 
@@ -111,7 +107,7 @@ TEST(Gully, DryGroundGetsWetByRainAndStaysPositive) {
     gully.channel_depth = 0.3;
     GullyRun run(gully, noise(48, 24, 0.02));
     run.to(100.0);
-    EXPECT_GE(lowest(run.field("water_depth")), 0.0);
+    EXPECT_GE(run.lowest_depth(), 0.0);
     EXPECT_NEAR(run.number("water_volume"), 30.05 * 100.0 / 3.6e6 * 48 * 24, 1e-9);
     EXPECT_LT(std::fabs(run.number("water_budget_error")), 1e-12);
 }
@@ -129,7 +125,7 @@ TEST(Gully, WaterThatFallsOffAPlateauLeavesItDryNotNegative) {
     GullyRun run(gully, bed);
     for (int k = 0; k < 200; ++k) {
         run.gully.step();
-        ASSERT_GE(lowest(run.field("water_depth")), 0.0);
+        ASSERT_GE(run.lowest_depth(), 0.0);
     }
     EXPECT_LT(run.field("water_depth")(32, 1), 0.01) << "the plateau's edge has drained";
     EXPECT_LT(std::fabs(run.number("water_budget_error")), 1e-12);
@@ -216,8 +212,8 @@ TEST(Gully, SubStepsFollowTheFlow) {
 
 // ---- faults ----
 
-std::string refusal(const GullyParameters& parameters, const std::string& key, Mask nodata = {},
-                    bool from_file = false) {
+std::string gully_refusal(const GullyParameters& parameters, const std::string& key,
+                          Mask nodata = {}, bool from_file = false) {
     try {
         const GullyRun run(parameters, Grid(8, 8), 1, 1.0, 1.0, std::move(nodata), from_file);
     } catch (const KeyError& error) {
@@ -236,34 +232,35 @@ TEST(Gully, RefusesWhatDoesNotGoTogetherInOneLine) {
         change(gully);
         return gully;
     };
-    EXPECT_NE(refusal(with([](auto& p) {
-                          p.substeps = Substeps::fixed;
-                          p.time_step = 1.0;
-                      }),
-                      "model.time_step")
+    EXPECT_NE(gully_refusal(with([](auto& p) {
+                                p.substeps = Substeps::fixed;
+                                p.time_step = 1.0;
+                            }),
+                            "model.time_step")
                   .find("Courant number 1.25 at the start; take at most 0.799 s"),
               std::string::npos);
-    refusal(with([](auto& p) { p.slope = {"", 0.0}; }), "model.slope");
-    refusal(with([](auto& p) { p.initial_water = InitialWater::dry; }), "model.initial_water");
-    refusal(with([](auto& p) { p.depth = 0.0; }), "model.depth");
-    refusal(with([](auto& p) {
-                p.friction_coefficient = 0.0;
-                p.initial_flow = InitialFlow::uniform;
-            }),
-            "model.initial_flow");
-    const std::string edges = refusal(with([](auto& p) {
-                                          p.scheme = WaterScheme::cip;
-                                          p.edges_x = EdgeKind::wall;
-                                      }),
-                                      "model.scheme");
+    gully_refusal(with([](auto& p) { p.slope = {"", 0.0}; }), "model.slope");
+    gully_refusal(with([](auto& p) { p.initial_water = InitialWater::dry; }),
+                  "model.initial_water");
+    gully_refusal(with([](auto& p) { p.depth = 0.0; }), "model.depth");
+    gully_refusal(with([](auto& p) {
+                      p.friction_coefficient = 0.0;
+                      p.initial_flow = InitialFlow::uniform;
+                  }),
+                  "model.initial_flow");
+    const std::string edges = gully_refusal(with([](auto& p) {
+                                                p.scheme = WaterScheme::cip;
+                                                p.edges_x = EdgeKind::wall;
+                                            }),
+                                            "model.scheme");
     EXPECT_NE(edges.find("take model.scheme = \"finite-volume\""), std::string::npos);
     Mask hole(8, 8);
     hole(3, 3) = 1;
-    const std::string holes = refusal(with([](auto& p) {
-                                          p.scheme = WaterScheme::cip_as_published;
-                                          p.edges_x = p.edges_y = EdgeKind::periodic;
-                                      }),
-                                      "model.scheme", hole, true);
+    const std::string holes = gully_refusal(with([](auto& p) {
+                                                p.scheme = WaterScheme::cip_as_published;
+                                                p.edges_x = p.edges_y = EdgeKind::periodic;
+                                            }),
+                                            "model.scheme", hole, true);
     EXPECT_NE(holes.find("bed.nodata = \"fill\""), std::string::npos);
 }
 

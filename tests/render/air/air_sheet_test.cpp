@@ -16,21 +16,6 @@
 namespace fumon {
 namespace {
 
-View small_view() {
-    View view;
-    view.image.width = 320;
-    view.image.height = 180;
-    return view;
-}
-
-Image picture(const View& view, const Snapshot& snapshot, int threads = 2,
-              const RenderLimits& limits = {}) {
-    const auto context = gl::Context::create(gl::Backend::automatic);
-    WorkerPool pool(threads);
-    Renderer renderer(*context, view, snapshot, 100, pool, limits);
-    return renderer.render(snapshot);
-}
-
 /// With as much of the section left as `keep` leaves of a copy.
 template <class Keep>
 Snapshot with_section(Snapshot snapshot, Keep keep) {
@@ -151,7 +136,7 @@ TEST(AirSheet, IsTheSameForAnyNumberOfThreadsAndTiles) {
         EXPECT_EQ(picture(view, snapshot), expected) << raster_threads;
     }
     unsetenv("LP_NUM_THREADS");
-    const Image tiled = picture(view, snapshot, 2, {256});
+    const Image tiled = picture(view, snapshot, 2, gl::Backend::automatic, {256});
     int beyond_rounding = 0;
     for (std::size_t i = 0; i < tiled.rgb.size(); ++i)
         beyond_rounding += std::abs(int{tiled.rgb[i]} - int{expected.rgb[i]}) > 2 ? 1 : 0;

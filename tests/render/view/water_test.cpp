@@ -33,7 +33,7 @@ View map_view(int side = 200) {
     return view;
 }
 
-View figure_view(Colouring colour_by) {
+View map_figure(Colouring colour_by) {
     View view = map_view();
     view.look.mode = ViewMode::figure;
     view.look.colour_by = colour_by;
@@ -42,21 +42,13 @@ View figure_view(Colouring colour_by) {
     return view;
 }
 
-Image picture(const View& view, const Snapshot& first, const Snapshot& snapshot, int threads = 2) {
+/// The frame of a run that began with another snapshot.
+Image later_picture(const View& view, const Snapshot& first, const Snapshot& snapshot,
+                    int threads = 2) {
     const auto context = gl::Context::create(gl::Backend::automatic);
     WorkerPool pool(threads);
     Renderer renderer(*context, view, first, 100, pool);
     return renderer.render(snapshot);
-}
-
-Image picture(const View& view, const Snapshot& snapshot) {
-    return picture(view, snapshot, snapshot);
-}
-
-std::array<int, 3> colour_at(const Image& image, double x, double y) {
-    const std::uint8_t* pixel = image.row(static_cast<int>(y * image.height)) +
-                                3 * static_cast<std::size_t>(x * image.width);
-    return {pixel[0], pixel[1], pixel[2]};
 }
 
 /// The mean colour of the picture's part x0 … x1, from 0.2 to 0.8 of its height.
@@ -96,7 +88,7 @@ TEST(Water, ChangesOnlyWetCellsAndTheirRim) {
     const Snapshot dry = under_water(flat_bed(100, 100), 0.0, 0.0);
     const Snapshot wet = half_wet(0.05);
     const Image without = picture(view, dry);
-    const Image with = picture(view, dry, wet);
+    const Image with = later_picture(view, dry, wet);
     int changed = 0;
     int beyond = 0;
     for (int y = 0; y < 200; ++y) {
@@ -166,7 +158,7 @@ TEST(Water, StandsOnTheBed) {
     view.look.room = {"", 40.0};
     const Snapshot dry = under_water(flat_bed(100, 100), 0.0, 0.0);
     const auto top_row = [&](const Snapshot& snapshot) {
-        const Image image = picture(view, dry, snapshot);
+        const Image image = later_picture(view, dry, snapshot);
         const auto background = colour_at(image, 0.5, 0.0);
         int row = 0;
         while (row < 299 && std::abs(colour_at(image, 0.5, row / 300.0)[0] - background[0]) < 25)
@@ -180,8 +172,9 @@ TEST(Water, GivesTheSamePixelsForAnyNumberOfThreads) {
     const Snapshot stream = under_water(wavy_bed(120, 90), 0.5, 3.0);
     View view = map_view();
     view.camera.projection = Projection::perspective;
-    const Image expected = picture(view, stream, stream, 1);
-    for (const int threads : {2, 5}) EXPECT_EQ(picture(view, stream, stream, threads), expected);
+    const Image expected = later_picture(view, stream, stream, 1);
+    for (const int threads : {2, 5})
+        EXPECT_EQ(later_picture(view, stream, stream, threads), expected);
 }
 
 TEST(Water, CellsWithoutDataAreNotDrawnWhateverTheirWater) {
@@ -203,7 +196,7 @@ TEST(WaterMap, DepthsHaveThePalettesColoursAndDryCellsNone) {
     Snapshot pools = half_wet(0.010);
     for (int y = 0; y < 100; ++y)
         for (int x = 0; x < 25; ++x) pools.fields[0].values(x, y) = 0.012;
-    View view = figure_view(Colouring::water_depth);
+    View view = map_figure(Colouring::water_depth);
     view.look.low = {"", 0.008};
     view.look.high = {"", 0.012};
     const Palette palette = read_palette("viridis");
@@ -223,7 +216,7 @@ TEST(WaterMap, DepthsHaveThePalettesColoursAndDryCellsNone) {
 
 TEST(WaterMap, ShadingIsAShare) {
     Snapshot relief = under_water(wavy_bed(100, 100), 0.01, 0.2);
-    View view = figure_view(Colouring::height);
+    View view = map_figure(Colouring::height);
     const auto spread = [&](double shading) {
         view.look.shading = shading;
         view.look.low = {"", -100.0};  // one colour everywhere
@@ -269,7 +262,7 @@ TEST(WaterMap, AutomaticRangesAreThoseOfWetCells) {
 TEST(WaterMap, NeedsWater) {
     for (const Colouring colour_by :
          {Colouring::water_depth, Colouring::speed, Colouring::froude}) {
-        const View view = figure_view(colour_by);
+        const View view = map_figure(colour_by);
         EXPECT_THROW(picture(view, flat_bed(20, 20)), InputError);
     }
 }
@@ -304,16 +297,16 @@ TEST(Datum, ABedThatSinksAsAWholeStaysWhereItWas) {
     for (double& height : sunk.bed.values()) height -= 8.0;
     View view = map_view();
     view.camera.projection = Projection::perspective;
-    const Image before = picture(view, first, first);
-    const Image mean = picture(view, first, sunk);
+    const Image before = later_picture(view, first, first);
+    const Image mean = later_picture(view, first, sunk);
     std::size_t different = 0;
     for (std::size_t i = 0; i < mean.rgb.size(); ++i) {
         if (std::abs(int{mean.rgb[i]} - int{before.rgb[i]}) > 2) ++different;
     }
     EXPECT_LT(different, mean.rgb.size() / 1000);
     view.look.datum = Datum::first;
-    EXPECT_EQ(picture(view, first, first), before);
-    EXPECT_NE(picture(view, first, sunk), mean);
+    EXPECT_EQ(later_picture(view, first, first), before);
+    EXPECT_NE(later_picture(view, first, sunk), mean);
 }
 
 }  // namespace

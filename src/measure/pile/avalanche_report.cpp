@@ -1,14 +1,9 @@
+#include "measure/pile/avalanche_report.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
-
-#include "base/error.h"
-#include "cli/commands.h"
-#include "files/avalanche_table.h"
-#include "measure/pile/avalanche_sizes.h"
-#include "measure/pile/power_law.h"
 
 namespace fumon {
 
@@ -18,39 +13,26 @@ using Json = nlohmann::ordered_json;
 
 constexpr int resamples = 200;
 
-struct Fits {
-    SizeWindow window;
-    LineFit raw;
-    LineFit logarithmic;
-    LikelihoodFit likelihood;
-    double probability;
-};
-
-SizeWindow parse_window(const std::string& text) {
-    if (text.empty()) return {};
-    SizeWindow window;
-    char rest = '\0';
-    long long low = 0;
-    long long high = 0;
-    if (std::sscanf(text.c_str(), "%lld:%lld%c", &low, &high, &rest) != 2) {
-        throw InputError(fmt::format(
-            "--window is \"{}\"; it takes low:high in cells, for example 10:100", text));
-    }
-    window.low = low;
-    window.high = high;
-    return window;
-}
-
-Fits fit(const AvalancheSizes& sizes, SizeWindow window) {
-    return {window, fit_raw_bins(sizes, window), fit_logarithmic_bins(sizes, window),
-            fit_likelihood(sizes, window), power_law_probability(sizes, window, resamples)};
-}
-
 std::string number(double value) {
     return std::isnan(value) ? "undefined" : fmt::format("{:.4g}", value);
 }
 
-std::string as_text(const AvalancheSizes& sizes, const Fits& fits) {
+Json line_json(const LineFit& line) {
+    return {{"slope", line.slope},
+            {"standard_error", line.standard_error},
+            {"intercept_log10", line.intercept},
+            {"r_squared", line.r_squared},
+            {"points", line.points}};
+}
+
+}  // namespace
+
+AvalancheFits fit_avalanches(const AvalancheSizes& sizes, SizeWindow window) {
+    return {window, fit_raw_bins(sizes, window), fit_logarithmic_bins(sizes, window),
+            fit_likelihood(sizes, window), power_law_probability(sizes, window, resamples)};
+}
+
+std::string avalanche_text(const AvalancheSizes& sizes, const AvalancheFits& fits) {
     std::string text = fmt::format("{} avalanches, the largest of {} cells\n\n", sizes.avalanches(),
                                    sizes.largest());
     text += "sizes (cells)      count  share of the avalanches per size\n";
@@ -80,15 +62,8 @@ std::string as_text(const AvalancheSizes& sizes, const Fits& fits) {
     return text;
 }
 
-Json line_json(const LineFit& line) {
-    return {{"slope", line.slope},
-            {"standard_error", line.standard_error},
-            {"intercept_log10", line.intercept},
-            {"r_squared", line.r_squared},
-            {"points", line.points}};
-}
-
-std::string as_json(const std::string& file, const AvalancheSizes& sizes, const Fits& fits) {
+std::string avalanche_json(const std::string& file, const AvalancheSizes& sizes,
+                           const AvalancheFits& fits) {
     Json json{{"file", file},
               {"avalanches", sizes.avalanches()},
               {"largest_size", sizes.largest()},
@@ -112,17 +87,6 @@ std::string as_json(const std::string& file, const AvalancheSizes& sizes, const 
                                             {"density", bin.density}});
     }
     return json.dump(2) + "\n";
-}
-
-}  // namespace
-
-int measure_avalanches(const MeasureOptions& options) {
-    AvalancheSizes sizes;
-    sizes.add(read_avalanches(options.bed));
-    const Fits fits = fit(sizes, parse_window(options.window));
-    std::fputs((options.as_json ? as_json(options.bed, sizes, fits) : as_text(sizes, fits)).c_str(),
-               stdout);
-    return 0;
 }
 
 }  // namespace fumon

@@ -1,0 +1,31 @@
+#include "cli/commands.h"
+
+// A command a line: COMMAND(name) is what name_command() of cli/name_command.cpp returns.
+#define FUMON_COMMANDS(COMMAND) \
+    COMMAND(run)                \
+    COMMAND(sweep)              \
+    COMMAND(figure)             \
+    COMMAND(still)              \
+    COMMAND(hop_law)            \
+    COMMAND(again)              \
+    COMMAND(measure)            \
+    COMMAND(fingerprint)        \
+    COMMAND(compare)            \
+    COMMAND(verify)             \
+    COMMAND(check)              \
+    COMMAND(models)             \
+    COMMAND(describe)
+
+namespace fumon {
+
+#define FUMON_DECLARED(name) Command name##_command();
+FUMON_COMMANDS(FUMON_DECLARED)
+#undef FUMON_DECLARED
+
+std::vector<Command> commands() {
+#define FUMON_LISTED(name) name##_command(),
+    return {FUMON_COMMANDS(FUMON_LISTED)};
+#undef FUMON_LISTED
+}
+
+}  // namespace fumon

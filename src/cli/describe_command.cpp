@@ -1,0 +1,36 @@
+#include <cstdio>
+#include <string>
+
+#include "cli/command.h"
+#include "scene/describe.h"
+
+namespace fumon {
+
+namespace {
+
+struct DescribeOptions {
+    std::string what;
+    bool as_json = false;
+};
+
+void declare(CLI::App& command, DescribeOptions& options) {
+    command.add_option("WHAT", options.what,
+                       "\"scene\" (the keys of every scene) or a model; nothing: all");
+    command.add_flag("--json", options.as_json, "as JSON");
+}
+
+int perform(const DescribeOptions& options) {
+    const std::string text =
+        options.as_json ? describe_json(options.what) : describe_text(options.what);
+    std::fputs(text.c_str(), stdout);
+    return 0;
+}
+
+}  // namespace
+
+Command describe_command() {
+    return make_command<DescribeOptions>(
+        "describe", "list scene keys with type, unit, default and range", declare, perform);
+}
+
+}  // namespace fumon

@@ -1,0 +1,44 @@
+// In the place of geotiff.cpp and geotiff_writer.cpp where fumon is built without GDAL.
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "files/terrain/geotiff.h"
+#include "files/terrain/geotiff_signature.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr const char* remedy =
+    "install libgdal-dev (apt-get install libgdal-dev) and build fumon again";
+
+Terrain refuse_geotiff(const std::filesystem::path& file, const TerrainQuery&) {
+    throw InputError(fmt::format(
+        "{}: is a GeoTIFF, and this fumon was built without GDAL; {}, or make an ESRI ASCII grid "
+        "of it (gdal_translate -of AAIGrid)",
+        file.string(), remedy));
+}
+
+std::vector<TerrainBytes> write_no_geotiff(const TerrainOutput&) {
+    throw Error(fmt::format("a GeoTIFF cannot be written without GDAL; {}", remedy));
+}
+
+}  // namespace
+
+TerrainFormat geotiff_format() {
+    return {.name = "geotiff",
+            .title = "a GeoTIFF",
+            .is_one = is_geotiff,
+            .read = refuse_geotiff,
+            .write = write_no_geotiff,
+            .endings = {".tif"},
+            .has_bands = true,
+            .lacks = remedy};
+}
+
+std::string esri_projection(const std::string& crs) {
+    return crs;
+}
+
+}  // namespace fumon

@@ -1,0 +1,125 @@
+#include "files/terrain/geotiff_writer.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+
+#include "base/error.h"
+#include "files/terrain/esri_ascii.h"
+#include "files/terrain/gdal_dataset.h"
+#include "files/terrain/gdal_functions.h"
+#include "files/terrain/geotiff.h"
+
+namespace fumon {
+
+namespace {
+
+/// A coordinate reference system read from WKT of any kind; holds none where it is not understood.
+class SpatialReference {
+  public:
+    explicit SpatialReference(const std::string& text)
+        : handle_(gdal().OSRNewSpatialReference(nullptr)) {
+        std::string copy = text;  // which the call moves through
+        char* place = copy.data();
+        understood_ = gdal().OSRImportFromWkt(handle_, &place) == OGRERR_NONE;
+    }
+    ~SpatialReference() { gdal().OSRDestroySpatialReference(handle_); }
+    SpatialReference(const SpatialReference&) = delete;
+    SpatialReference& operator=(const SpatialReference&) = delete;
+
+    [[nodiscard]] OGRSpatialReferenceH get() const { return handle_; }
+    [[nodiscard]] bool understood() const { return understood_; }
+
+  private:
+    OGRSpatialReferenceH handle_;
+    bool understood_ = false;
+};
+
+/// A file in memory, under the one name that is in use while GDAL is locked.
+class MemoryFile {
+  public:
+    static constexpr const char* name = "/vsimem/fumon-terrain.tif";
+
+    MemoryFile() = default;
+    ~MemoryFile() { gdal().VSIUnlink(name); }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+
+    [[nodiscard]] static std::string bytes() {
+        vsi_l_offset length = 0;
+        const GByte* begin = gdal().VSIGetMemFileBuffer(name, &length, FALSE);
+        if (begin == nullptr) return {};
+        return {begin, begin + length};
+    }
+};
+
+void place(GDALDatasetH dataset, const TerrainOutput& terrain) {
+    const WorldScale& scale = terrain.scale;
+    if (!scale.in_metres) return;
+    const GeoReference place = scale.place.value_or(GeoReference{0.0, 0.0, scale.dx, scale.dy});
+    const double north = place.south + place.dy * terrain.heights.ny();
+    std::array<double, 6> transform{place.west, place.dx, 0.0, north, 0.0, -place.dy};
+    gdal().GDALSetGeoTransform(dataset, transform.data());
+    if (place.crs.empty()) return;
+    const SpatialReference crs(place.crs);
+    if (crs.understood()) gdal().GDALSetSpatialRef(dataset, crs.get());
+}
+
+void write_rows(GDALRasterBandH band, const TerrainOutput& terrain) {
+    const auto& [heights, nodata, scale] = terrain;
+    const double missing = nodata.empty() ? 0.0 : unused_height(heights);
+    if (!nodata.empty()) gdal().GDALSetRasterNoDataValue(band, missing);
+    if (scale.in_metres) gdal().GDALSetRasterUnitType(band, "m");
+    std::vector<double> row(static_cast<std::size_t>(heights.nx()));
+    for (int y = heights.ny() - 1; y >= 0; --y) {
+        for (int x = 0; x < heights.nx(); ++x) {
+            const bool hole = !nodata.empty() && nodata(x, y) != 0;
+            row[static_cast<std::size_t>(x)] = hole ? missing : heights(x, y);
+        }
+        const CPLErr status =
+            gdal().GDALRasterIO(band, GF_Write, 0, heights.ny() - 1 - y, heights.nx(), 1,
+                                row.data(), heights.nx(), 1, GDT_Float64, 0, 0);
+        if (status != CE_None) return;  // the session knows why
+    }
+}
+
+}  // namespace
+
+std::vector<TerrainBytes> write_geotiff(const TerrainOutput& terrain) {
+    const GdalSession session;
+    const MemoryFile file;
+    const std::array<const char*, 4> options{"COMPRESS=DEFLATE", "PREDICTOR=3", "NUM_THREADS=1",
+                                             nullptr};
+    GdalDataset dataset(gdal().GDALCreate(gdal().GDALGetDriverByName("GTiff"), MemoryFile::name,
+                                          terrain.heights.nx(), terrain.heights.ny(), 1,
+                                          GDT_Float64, options.data()));
+    if (dataset.get() != nullptr) {
+        place(dataset.get(), terrain);
+        write_rows(gdal().GDALGetRasterBand(dataset.get(), 1), terrain);
+        dataset.close();
+    }
+    std::string bytes = MemoryFile::bytes();
+    if (!session.fault().empty() || bytes.empty())
+        throw Error(fmt::format("a bed cannot be written as a GeoTIFF: {}", session.fault()));
+    std::vector<TerrainBytes> files;
+    files.push_back({".tif", std::move(bytes)});
+    return files;
+}
+
+std::string esri_projection(const std::string& crs) {
+    // WKT 1, as .prj files have it, stays as it is: its words do not end in CRS.
+    if (crs.substr(0, crs.find('[')).find("CRS") == std::string::npos) return crs;
+    const GdalSession session;
+    const SpatialReference reference(crs);
+    if (!reference.understood()) return crs;
+    constexpr std::array<const char*, 3> form{"FORMAT=WKT1_ESRI", "MULTILINE=NO", nullptr};
+    char* text = nullptr;
+    std::string projection = crs;
+    if (gdal().OSRExportToWktEx(reference.get(), &text, form.data()) == OGRERR_NONE)
+        projection = text;
+    gdal().VSIFree(text);
+    return projection;
+}
+
+}  // namespace fumon

@@ -1,0 +1,213 @@
+#include "verify/verification.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "files/atomic_file.h"
+#include "picture/junit.h"
+#include "picture/png.h"
+#include "run/drawing.h"
+#include "run/terminal/interrupt.h"
+#include "verify/verify_case.h"
+#include "verify/verify_page.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A baseline and what its part of the output folder is called.
+struct Suite {
+    Baseline baseline;
+    std::string name;
+};
+
+/// Reads all before anything is drawn, scenes included, so that a wrong line is found at once.
+std::vector<Suite> read_suites(const VerificationOptions& options) {
+    std::vector<Suite> suites;
+    std::set<std::string> names;
+    for (const std::string& file : options.baselines) {
+        Suite suite{read_baseline(file), fs::path(file).stem().string()};
+        for (int n = 2; !names.insert(suite.name).second; ++n)
+            suite.name = fmt::format("{}-{}", fs::path(file).stem().string(), n);
+        for (const BaselineCase& one : suite.baseline.cases) scene_of(suite.baseline, one);
+        if (!suite.baseline.orphans.empty() && !options.update) {
+            throw InputError(
+                fmt::format("{}: recorded.{} belongs to no case; bring its case back, or let "
+                            "`fumon verify --update` remove what is recorded",
+                            file, suite.baseline.orphans.front()));
+        }
+        suites.push_back(std::move(suite));
+    }
+    return suites;
+}
+
+bool any_pinned(const std::vector<Suite>& suites) {
+    return std::any_of(suites.begin(), suites.end(), [](const Suite& suite) {
+        const auto& records = suite.baseline.records;
+        return std::any_of(records.begin(), records.end(),
+                           [](const auto& named) { return named.second.environment.pinned; });
+    });
+}
+
+const char* word_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::as_recorded:
+            return "ok";
+        case Outcome::differs:
+            return "DIFFERS";
+        case Outcome::missing:
+            return "MISSING";
+        case Outcome::failed:
+            return "FAILED";
+        case Outcome::wrong_input:
+            return "WRONG";
+    }
+    return "";
+}
+
+class Verification {
+  public:
+    Verification(const VerificationOptions& options, std::vector<Suite> suites)
+        : options_(options), suites_(std::move(suites)), page_(options.folder) {
+        work_ = options.work;
+        work_.pinned = work_.pinned || any_pinned(suites_);
+        if (work_.verbosity == Verbosity::normal) work_.verbosity = Verbosity::quiet;
+        prepare_drawing(work_);
+    }
+
+    int run() {
+        for (Suite& suite : suites_) {
+            const std::string before = baseline_text(suite.baseline);
+            for (const BaselineCase& one : suite.baseline.cases) {
+                page_.forget(suite.name, one.name);
+                const Stopwatch watch;
+                const Verdict verdict = look_at(suite, one);
+                if (signal_ != 0) return stop();
+                cases_.push_back(
+                    {suite.baseline.file.string(), one.name, verdict, watch.seconds()});
+            }
+            if (options_.update) rewrite(suite, before);
+        }
+        page_.finish();
+        if (!options_.junit.empty()) write_file(options_.junit, junit_xml(cases_));
+        return conclude();
+    }
+
+  private:
+    Verdict look_at(Suite& suite, const BaselineCase& one) {
+        try {
+            const DrawnCase drawn = draw_case(suite.baseline, one, work_);
+            signal_ = drawn.signal;
+            if (signal_ != 0) return {};
+            return options_.update ? accept(suite, one, drawn) : check(suite, one, drawn);
+        } catch (const Error& fault) {
+            const bool wrong = dynamic_cast<const InputError*>(&fault) != nullptr;
+            Verdict verdict{wrong ? Outcome::wrong_input : Outcome::failed, fault.what()};
+            tell(word_of(verdict.outcome), suite, one, verdict.finding);
+            if (!options_.update) page_.add(suite.name, one.name, verdict);
+            return verdict;
+        }
+    }
+
+    Verdict check(const Suite& suite, const BaselineCase& one, const DrawnCase& drawn) {
+        const auto found = suite.baseline.records.find(one.name);
+        const BaselineRecord* record =
+            found == suite.baseline.records.end() ? nullptr : &found->second;
+        std::optional<Image> expected;
+        if (record != nullptr) expected = kept_picture(suite.baseline, one, *record);
+        const Image* kept = expected ? &*expected : nullptr;
+        Verdict verdict = judge(one, record, drawn.record, drawn.image, kept);
+        if (verdict.outcome != Outcome::as_recorded || !options_.quietly())
+            tell(word_of(verdict.outcome), suite, one, verdict.finding);
+        if (verdict.outcome != Outcome::as_recorded)
+            page_.add(suite.name, one.name, verdict, drawn.image, record, kept);
+        return verdict;
+    }
+
+    Verdict accept(Suite& suite, const BaselineCase& one, const DrawnCase& drawn) {
+        const auto found = suite.baseline.records.find(one.name);
+        const bool fresh = found == suite.baseline.records.end();
+        const std::string changed = fresh ? "" : changes(found->second, drawn.record);
+        suite.baseline.records[one.name] = drawn.record;
+        if (one.picture) keep_picture(suite.baseline, one, drawn);
+        if (fresh) {
+            tell("new", suite, one, "recorded; look at it before you keep it");
+        } else if (!changed.empty()) {
+            tell("changed", suite, one, changed);
+        } else if (!options_.quietly()) {
+            tell("kept", suite, one, "as recorded");
+        }
+        return {Outcome::as_recorded, fresh ? "recorded" : changed};
+    }
+
+    static void keep_picture(const Baseline& baseline, const BaselineCase& one,
+                             const DrawnCase& drawn) {
+        const fs::path file = baseline.picture_of(one);
+        const auto bytes = encode_png(drawn.image, screen_dots_per_inch, {});
+        std::error_code fault;
+        fs::create_directories(file.parent_path(), fault);
+        if (fault)
+            throw Error(
+                fmt::format("cannot make {}: {}", file.parent_path().string(), fault.message()));
+        write_file(file, bytes);
+    }
+
+    void rewrite(Suite& suite, const std::string& before) const {
+        for (const std::string& name : suite.baseline.orphans)
+            fmt::print("{:<8} {} {}: it has no case any more\n", "removed", suite.name, name);
+        const std::string after = baseline_text(suite.baseline);
+        if (after != before || !suite.baseline.orphans.empty())
+            write_file(suite.baseline.file, after);
+    }
+
+    static void tell(const char* word, const Suite& suite, const BaselineCase& one,
+                     const std::string& text) {
+        fmt::print("{:<8} {} {}: {}\n", word, suite.name, one.name, text);
+        std::fflush(stdout);
+    }
+
+    int stop() {
+        page_.finish();
+        return exit_status_of_signal(signal_);
+    }
+
+    [[nodiscard]] std::size_t count(Outcome outcome) const {
+        return static_cast<std::size_t>(
+            std::count_if(cases_.begin(), cases_.end(),
+                          [&](const JunitCase& one) { return one.verdict.outcome == outcome; }));
+    }
+
+    [[nodiscard]] int conclude() const {
+        const std::size_t good = count(Outcome::as_recorded);
+        if (!options_.update && !options_.quietly()) {
+            fmt::print("{} of {} as recorded{}{}\n", good, cases_.size(),
+                       page_.has_cases() ? "; see " : "",
+                       page_.has_cases() ? page_.file().string() : "");
+        }
+        if (count(Outcome::wrong_input) > 0) return 2;
+        return good == cases_.size() ? 0 : 1;
+    }
+
+    const VerificationOptions& options_;
+    std::vector<Suite> suites_;
+    VerifyPage page_;
+    WorkOptions work_;
+    std::vector<JunitCase> cases_;
+    int signal_ = 0;
+};
+
+}  // namespace
+
+int verify(const VerificationOptions& options) {
+    return Verification(options, read_suites(options)).run();
+}
+
+}  // namespace fumon
