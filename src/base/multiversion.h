@@ -9,8 +9,8 @@
 #define FUMON_MULTIVERSION
 #endif
 
-/// Before a loop whose rounds do not depend on each other, though the compiler cannot see that its
-/// arrays are apart.
+/// Placed before a loop whose iterations are independent, which the compiler cannot see because its
+/// arrays might overlap.
 #if defined(__GNUC__) && !defined(__clang__)
 #define FUMON_INDEPENDENT _Pragma("GCC ivdep")
 #else

@@ -10,7 +10,7 @@
 
 namespace fumon {
 
-/// A field beside the bed that a model shows: the cells of the last avalanche, water depth …
+/// A field that a model shows besides the bed: the cells of the last avalanche, the water depth …
 struct SnapshotField {
     std::string name;       ///< as files and scenes call it: "last_avalanche"
     std::string long_name;  ///< what it is, in a few words
@@ -44,15 +44,16 @@ struct SnapshotSection {
     std::vector<GrainPath> paths;
 };
 
-/// A number that a model keeps count of, beside its fields.
+/// A number that a model keeps besides its fields.
 struct SnapshotNumber {
     std::string name;  ///< "lost_grains"
     std::string unit;
     double value = 0.0;
 };
 
-/// An immutable picture of a model between two steps: all that the renderer, the measurements and
-/// the writers ever see of it. `bed` is in model heights; `scale` ties it to metres.
+/// An immutable copy of what a model shows between two steps. It is all that the renderer, the
+/// measures and the writers ever see of the model. `bed` is in model heights; `scale` relates these
+/// to metres.
 struct Snapshot {
     std::int64_t step = 0;
     double time = 0.0;

@@ -9,11 +9,10 @@
 
 namespace fumon {
 
-/// Takes a state away, as into a checkpoint, or brings it back. Whoever holds a state names its
-/// values one after the other, and the same list serves both ways: what is saved and what is
-/// restored cannot come apart. Taking away leaves the values as they are; bringing back replaces
-/// them, and throws InputError where what comes is named otherwise, of another kind or of another
-/// length.
+/// Saves a state, for example to a checkpoint, or restores it. The owner of the state names its
+/// values one after the other, and the same list serves both directions, so that what is saved and
+/// what is restored cannot differ. Saving leaves the values as they are; restoring replaces them,
+/// and throws InputError if a stored value has another name, kind or length.
 class StateCarrier {
   public:
     StateCarrier() = default;
@@ -28,7 +27,7 @@ class StateCarrier {
     virtual void list(std::string_view name, std::vector<std::int64_t>& values) = 0;
     virtual void text(std::string_view name, std::string& text) = 0;
 
-    /// Throws InputError "FILE: WHY; take …" for a value that has come and cannot be.
+    /// Throws InputError "FILE: WHY; take …" for a restored value that is impossible.
     [[noreturn]] virtual void refuse(const std::string& why) const = 0;
 
     void value(std::string_view name, double& one) { values(name, std::span(&one, 1)); }

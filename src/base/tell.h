@@ -5,8 +5,8 @@
 
 namespace fumon {
 
-/// Writes text to standard error as it is. Where that cannot be written any more (a closed pipe, a
-/// full disk) the text is dropped: work goes on without being watched.
+/// Writes text to standard error as it is. If that is no longer possible (a closed pipe, a full
+/// disk), the text is dropped and work continues.
 inline void tell(const std::string& text) {
     if (std::fputs(text.c_str(), stderr) < 0) std::clearerr(stderr);
 }

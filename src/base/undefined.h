@@ -4,7 +4,7 @@
 
 namespace fumon {
 
-/// What a measure is where a bed does not have it.
+/// The value of a measure that a bed does not have.
 inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace fumon

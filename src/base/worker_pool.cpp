@@ -24,8 +24,8 @@ WorkerPool::~WorkerPool() {
     wake_.notify_all();
 }
 
-/// Looks for a moment whether it has come to pass: waking a sleeping thread costs about 20 µs, as
-/// much as a small grid's step.
+/// Polls for a moment whether the condition holds, since waking a sleeping thread costs about 20
+/// µs, as much as a step of a small grid.
 template <class Condition>
 void WorkerPool::look_a_moment(Condition condition) {
     constexpr int looks = 2000;  // some 20 µs

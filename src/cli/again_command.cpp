@@ -207,8 +207,7 @@ int perform(const AgainOptions& options) {
 
 Command again_command() {
     return make_command<AgainOptions>(
-        "again", "make a picture, movie or figure again from what it says of itself", declare,
-        perform);
+        "again", "make a picture, movie or figure again from its own metadata", declare, perform);
 }
 
 }  // namespace fumon

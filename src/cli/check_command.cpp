@@ -52,7 +52,7 @@ int perform(const CheckOptions& options) {
 }  // namespace
 
 Command check_command() {
-    return make_command<CheckOptions>("check", "say whether scenes are right, and where not",
+    return make_command<CheckOptions>("check", "check scenes, and say where they are wrong",
                                       declare, perform);
 }
 

@@ -15,8 +15,8 @@ namespace fumon {
 namespace {
 
 constexpr const char* opening =
-    "fumon simulates how wind and water shape sand, and draws it: a scene file in, a shaded\n"
-    "time-lapse out, without a display.\n";
+    "fumon simulates how wind and water shape sand and draws the result, without a display:\n"
+    "a scene file goes in; frames, a movie and measurements come out.\n";
 
 constexpr const char* examples =
     "Try:\n"
@@ -28,9 +28,8 @@ constexpr const char* examples =
     "  fumon still SCENE --step 500 -o dunes.png                 one picture of a run\n"
     "  fumon still terrain.asc -o terrain.png                    a terrain file of your own\n"
     "  fumon again dunes.png                                     the same picture from itself\n"
-    "  fumon describe sand                                       every key of a model\n"
-    "\n"
-    "`fumon COMMAND --help` tells more of one command.\n";
+    "  fumon describe sand                                       every key of a model\n\n"
+    "`fumon COMMAND --help` says more about one command.\n";
 
 /// All commands, and the body of the one that was given.
 struct CommandLine {

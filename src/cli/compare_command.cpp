@@ -72,7 +72,7 @@ int perform(const CompareOptions& options) {
 }  // namespace
 
 Command compare_command() {
-    return make_command<CompareOptions>("compare", "how far two pictures are apart, and a verdict",
+    return make_command<CompareOptions>("compare", "compare two pictures, and give a verdict",
                                         declare, perform);
 }
 

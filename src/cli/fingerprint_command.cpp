@@ -78,8 +78,8 @@ int perform(const FingerprintOptions& options) {
 
 Command fingerprint_command() {
     return make_command<FingerprintOptions>(
-        "fingerprint", "what pictures are known by: pixel hash, thumbnail as text, dHash", declare,
-        perform);
+        "fingerprint", "print fingerprints of pictures: pixel hash, thumbnail as text, dHash",
+        declare, perform);
 }
 
 }  // namespace fumon

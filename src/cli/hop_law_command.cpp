@@ -141,8 +141,7 @@ int perform(const HopLawOptions& options) {
 Command hop_law_command() {
     return make_command<HopLawOptions>(
         "hop-law",
-        "fly grains in computed air, fit how far they hop, and write the "
-        "sand scene that hops so",
+        "fly grains in computed air, fit how far they hop, and write a sand scene with that law",
         declare, perform);
 }
 

@@ -48,13 +48,12 @@ void declare(CLI::App& command, MeasureOptions& options) {
     command.add_flag("--json", options.as_json, "as JSON");
     command
         .add_option("--as", options.as,
-                    "bed, profile or pile (default: a profile is one row; what a fields.nc "
-                    "holds besides tells water and piles)")
+                    "bed, profile or pile (default: one row is a profile; a fields.nc shows "
+                    "whether it is water or a pile)")
         ->type_name("KIND")
         ->check(CLI::IsMember({"bed", "profile", "pile"}).description(""));
     command.add_flag("--open", options.open_edges,
-                     "the bed ends at its edges (default: it goes on periodically, as the sand "
-                     "models' do)");
+                     "the bed ends at its edges (default: periodic, as in the sand models)");
     command.add_option("--drop", options.drop, "the cell on which a pile's grains fell")
         ->type_name("X Y")
         ->expected(2)

@@ -37,7 +37,7 @@ void declare(CLI::App& command, RunOptions& options) {
         command.add_flag("--force", options.force, "replace the run that the folder holds");
     command
         .add_option("--resume", options.resume,
-                    "go on with the run in this folder from its checkpoint (no SCENE needed)")
+                    "resume the run in this folder from its checkpoint (no SCENE needed)")
         ->type_name("DIR")
         ->excludes(folder)
         ->excludes(force);

@@ -9,7 +9,7 @@ void add_thread_options(CLI::App& command, WorkOptions& work) {
         ->type_name("N")
         ->check(CLI::Range(1, 1024).description(""));
     auto* quiet = command.add_flag_callback(
-        "-q,--quiet", [&work] { work.verbosity = Verbosity::quiet; }, "say nothing but errors");
+        "-q,--quiet", [&work] { work.verbosity = Verbosity::quiet; }, "print errors only");
     command
         .add_flag_callback(
             "-v,--verbose", [&work] { work.verbosity = Verbosity::verbose; }, "say more")

@@ -98,7 +98,7 @@ int perform(const StillOptions& options) {
 
 Command still_command() {
     return make_command<StillOptions>(
-        "still", "one picture: of a step of a scene, or of a terrain file", declare, perform);
+        "still", "draw one picture, of a step of a scene or of a terrain file", declare, perform);
 }
 
 }  // namespace fumon

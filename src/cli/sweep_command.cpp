@@ -48,12 +48,11 @@ void declare(CLI::App& command, SweepOptions& options) {
         "  fumon sweep SCENE --over model.creep_rate=0.1:0.5:5 --seeds 10 -o out/creep\n"
         "  fumon sweep SCENE --over bed.file=a.asc,b.asc --over run.steps=100,200 -o out/beds\n"
         "  fumon sweep SCENE --over grid.nx+grid.ny=64,128 -o out/sizes    keys that go "
-        "together\n"
-        "\n"
-        "DIR/sweep.csv has a row a run and measured step, DIR/runs.csv a row a run, DIR/runs "
-        "each run's own files.\n"
-        "The same command goes on where it was stopped; with more values or seeds it runs only "
-        "those.\n"
+        "together\n\n"
+        "DIR/sweep.csv has one row per run and measured step, DIR/runs.csv one row per run, "
+        "DIR/runs each run's files.\n"
+        "The same command resumes where it was stopped; with more values or seeds it makes only "
+        "the new runs.\n"
         "Exit status: 0 done, 1 some runs failed, 2 wrong input, 130/143 interrupted (finished "
         "runs are kept).");
 }
@@ -118,7 +117,7 @@ int perform(const SweepOptions& options) {
 
 Command sweep_command() {
     return make_command<SweepOptions>(
-        "sweep", "run a scene many times, over values and seeds: one table of measurements",
+        "sweep", "run a scene many times, over values and seeds, into one table of measurements",
         declare, perform);
 }
 

@@ -14,11 +14,12 @@ void declare(CLI::App& command, VerificationOptions& options) {
     command.add_option("BASELINE", options.baselines, "baseline files (TOML)")->required();
     command
         .add_option("-o,--output", options.folder,
-                    "folder for pictures and index.html of what does not pass (default "
-                    "verify-out; not made when all does)")
+                    "folder for the pictures that do not pass and index.html (default verify-out; "
+                    "not made if all pass)")
         ->type_name("DIR");
     command.add_option("--junit", options.junit, "write JUnit XML")->type_name("FILE.xml");
-    command.add_flag("--update", options.update, "record what is drawn now, and say what changed");
+    command.add_flag("--update", options.update,
+                     "record the pictures as they are now, and say what changed");
     add_thread_options(command, options.work);
     add_drawing_options(command, options.work);
     command.footer(
@@ -45,7 +46,7 @@ int perform(const VerificationOptions& options) {
 
 Command verify_command() {
     return make_command<VerificationOptions>(
-        "verify", "are pictures still what their baselines say? with a page of what is not",
+        "verify", "check that pictures are still as recorded, with a page of those that are not",
         declare, perform);
 }
 

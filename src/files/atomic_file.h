@@ -7,16 +7,16 @@
 
 namespace fumon {
 
-/// A file that appears whole or not at all: written under a temporary name ("NAME.part") in the
-/// same folder and renamed by commit(). An uncommitted file is deleted, but one that goes on with a
-/// former program's is kept.
+/// A file that appears complete or not at all: it is written under a temporary name ("NAME.part")
+/// in the same folder, and commit() renames it. An uncommitted file is deleted, unless it continues
+/// the file of an earlier program.
 class AtomicFile {
   public:
     /// Throws Error when the temporary file cannot be made.
     explicit AtomicFile(std::filesystem::path file);
-    /// Goes on with a file that a former program left, whether under its temporary name or its own:
-    /// after its first `length` bytes, what comes behind them is cut off. Throws InputError where
-    /// it is shorter or not there, Error where it cannot be written.
+    /// Continues a file that an earlier program left under its temporary or final name, after its
+    /// first `length` bytes; the rest is cut off. Throws InputError if the file is shorter or
+    /// missing, Error if it cannot be written.
     AtomicFile(std::filesystem::path file, std::int64_t length);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
@@ -40,11 +40,11 @@ class AtomicFile {
 /// The temporary name under which a file is written.
 std::filesystem::path temporary_name(std::filesystem::path file);
 
-/// Puts the entries of the folder that holds a file on disk, so that its name outlasts a power
-/// failure; where the file system cannot do so, it is trusted.
+/// Flushes the entries of a file's folder to disk, so that its name survives a power failure. File
+/// systems that cannot do this are trusted.
 void sync_folder_of(const std::filesystem::path& file);
 
-/// Puts a whole file that was written before on disk. Throws Error on failure.
+/// Flushes a complete file that was written earlier to disk. Throws Error on failure.
 void sync_file(const std::filesystem::path& file);
 
 /// What a path leads to: a link stays a link, and what it points to is written.

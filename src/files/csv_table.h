@@ -9,7 +9,7 @@
 
 namespace fumon {
 
-/// One column of a table: a value a row, not a number where the cell is empty or a word.
+/// One column of a table: a value for each row, NaN if the cell is empty or a word.
 struct TableColumn {
     std::string name;
     std::string unit{};  ///< empty where there is none or it is not known

@@ -4,8 +4,8 @@
 
 namespace fumon {
 
-/// A lock file, held until the object goes, which takes the file away. Where the file system has no
-/// locks one goes without.
+/// A lock file, held until the object is destroyed, which deletes the file. On file systems without
+/// locks nothing is locked.
 class FileLock {
   public:
     /// Tries once. Throws Error where the file cannot be made.

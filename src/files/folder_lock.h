@@ -4,12 +4,12 @@
 
 namespace fumon {
 
-/// Keeps other programs of fumon out of a folder while it lives; however the program ends, the lock
-/// ends with it, and it leaves no file behind.
+/// Keeps other fumon programs out of a folder while it exists. However the program ends, the lock
+/// ends with it and leaves no file behind.
 class FolderLock {
   public:
-    /// Throws InputError where another one holds it. Some network file systems have no locks for
-    /// folders; there one goes without.
+    /// Throws InputError if another program holds the lock. Some network file systems cannot lock
+    /// folders; there nothing is locked.
     explicit FolderLock(const std::filesystem::path& folder);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;

@@ -5,21 +5,20 @@
 
 namespace fumon::gl {
 
-/// Makes Mesa's llvmpipe draw the same pixels on every x86-64 processor, one version of Mesa and
-/// LLVM given: by its environment, of which a fixed level of the processor (SSE 4.1, without FMA;
-/// about a fifth slower), a fixed number of raster threads and no switch that changes what it
-/// draws. What the user has set otherwise is overridden. For the whole process; to be called before
-/// its other threads start. Throws Error where a context was made before: Mesa reads its
-/// environment once.
+/// Makes Mesa's llvmpipe draw the same pixels on every x86-64 processor, given one version of Mesa
+/// and LLVM. Sets environment variables: a fixed processor level (SSE 4.1, without FMA; about a
+/// fifth slower), a fixed number of raster threads, and no switch that changes what is drawn; the
+/// user's own settings of these are overridden. Applies to the whole process; call it before other
+/// threads start. Throws Error if a context was made before, since Mesa reads its environment once.
 void pin_rendering();
 
 [[nodiscard]] bool rendering_is_pinned();
 
-/// What of the user's environment was overridden, one line a variable.
+/// The user's environment variables that were overridden, one line for each.
 [[nodiscard]] const std::vector<std::string>& overridden_by_pinning();
 
-/// Why this renderer's pixels are not fixed by it, or empty where they are: only llvmpipe's are,
-/// and on x86-64 only.
+/// Why pinning does not fix this renderer's pixels; empty if it does. It works for llvmpipe on
+/// x86-64 only.
 [[nodiscard]] std::string why_not_pinned(const std::string& renderer);
 
 }  // namespace fumon::gl

@@ -17,7 +17,7 @@ using Locate = std::function<std::string(const toml::source_region&)>;
 /// item).
 void assign(const Key& key, const toml::node& value, const Locate& locate);
 
-/// Sets item `index` of a list key. Throws InputError when the key is no list or has no such item.
+/// Sets item `index` of a list key. Throws InputError if the key is not a list or has no such item.
 void assign_item(const Key& key, std::size_t index, const toml::node& value, const Locate& locate);
 
 /// "a whole number", "one of \"a\", \"b\"", … : what a key takes, with unit and range.

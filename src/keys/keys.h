@@ -26,7 +26,7 @@ struct Range {
     [[nodiscard]] std::string text() const;
 };
 
-/// What a user needs to know of a key besides its type.
+/// The unit, range and help of a key.
 struct KeyNotes {
     std::string unit{};  ///< "sites", "m", "degrees"; empty for none
     Range range{};

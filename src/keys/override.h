@@ -6,7 +6,7 @@
 
 namespace fumon {
 
-/// A value given to a scene key from outside the scene's file.
+/// A value for a scene key that comes from outside the scene's file.
 struct Override {
     std::string path;        ///< of the key: "model.creep_rate", or of a list's item: "frames.at.0"
     std::string value;       ///< TOML, else a bare string

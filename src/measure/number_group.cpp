@@ -14,7 +14,7 @@ MeasureGroup number_group(const Snapshot& first, std::span<const MeasureColumn> 
     for (const SnapshotNumber& number : first.numbers) {
         if (find_named(taken, number.name) != nullptr) continue;
         measures.push_back({number.name, number.unit == "1" ? "" : number.unit,
-                            "as the model itself keeps it", [name = number.name](Found snapshot) {
+                            "kept by the model itself", [name = number.name](Found snapshot) {
                                 return number_of(*snapshot, name).value_or(undefined);
                             }});
     }

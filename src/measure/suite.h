@@ -29,12 +29,13 @@ struct MeasuredValue {
 /// cells by dx·dy.
 MeasuredValue in_world_units(const MeasuredValue& measured, const WorldScale& scale);
 
-/// What a run measures, row by row: the columns follow from the landform, and rows may draw on
-/// earlier ones (celerity) and on all avalanches so far. Water and air live in metres and seconds
-/// and are measured in them; the numbers that their models keep are columns too, by their names.
+/// What a run measures, row by row. The landform decides the columns; rows may depend on earlier
+/// ones (celerity) and on all avalanches so far. Water and air are measured in metres and seconds,
+/// the units of their models; the numbers that these models keep are columns too, under their own
+/// names.
 class MeasureSuite {
   public:
-    /// `first` is a snapshot such as will be measured: which numbers and curves it has.
+    /// `first` is like the snapshots that will be measured: it has the same numbers and curves.
     explicit MeasureSuite(Landform landform, const Snapshot& first = {});
     ~MeasureSuite();
     MeasureSuite(const MeasureSuite&) = delete;
@@ -43,13 +44,13 @@ class MeasureSuite {
     /// In the order of a row's values; step and time are not among them.
     [[nodiscard]] const std::vector<MeasureColumn>& columns() const;
 
-    /// Takes note of a step's avalanches, whether or not the step is measured.
+    /// Records a step's avalanches, whether or not the step is measured.
     void note(std::span<const Avalanche> avalanches);
 
     /// One value a column; NaN where a measure has no meaning for this bed.
     [[nodiscard]] std::vector<double> row(const Snapshot& snapshot);
 
-    /// Carries what later rows draw on. Throws as StateCarrier.
+    /// Saves or restores what later rows need. Throws as StateCarrier does.
     void carry(StateCarrier& carrier);
 
   private:

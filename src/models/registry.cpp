@@ -14,7 +14,7 @@ namespace fumon {
 namespace {
 
 template <class Parameters, class Kind>
-constexpr ModelEntry entry(std::string_view help, ModelHome home = {}) {
+constexpr ModelEntry entry(std::string_view help, ModelDefaults home = {}) {
     return {Kind::model_name,
             help,
             Kind::landform,

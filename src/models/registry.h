@@ -13,8 +13,8 @@ namespace fumon {
 
 class KeyTable;
 
-/// What a model's bed is where the scene does not say.
-struct ModelHome {
+/// A model's defaults for keys of [grid] and [bed] that the scene does not set.
+struct ModelDefaults {
     bool starts_bare = false;  ///< its usual initial bed is flat, not noise
     /// Usual cell size, metres, of a model that lives in metres and seconds, whose heights are
     /// metres; 0 for one that lives in sites and model heights.
@@ -24,13 +24,13 @@ struct ModelHome {
     bool on_profile = false;  ///< its bed is a single row: grid.ny is 1 where it is not written
 };
 
-/// One model as scenes know it. Parameters travel as a value in `std::any`; only the model's own
-/// functions look inside.
+/// One model as scenes know it. Its parameters are held in a `std::any`, into which only the
+/// model's own functions look.
 struct ModelEntry {
     std::string_view name;
     std::string_view help;  ///< one line
     Landform landform;      ///< of its snapshots
-    ModelHome home;
+    ModelDefaults home;
     std::any (*default_parameters)();
     /// Lists the keys `model.*` of these parameters, bound to them.
     void (*list_keys)(std::any& parameters, KeyTable& table);

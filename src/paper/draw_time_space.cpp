@@ -9,7 +9,7 @@ namespace fumon {
 
 namespace {
 
-/// A time–space diagram as CSV: a row a time and place.
+/// A time–space diagram as CSV: one row per time and place.
 std::string time_space_csv(const TimeSpacePicture& picture) {
     std::string text =
         csv_line({picture.time_label, x_column(picture.in_metres), picture.colours.label});

@@ -9,7 +9,7 @@
 
 namespace fumon {
 
-/// What a figure says of its own making: all that it was made from but the terrain files.
+/// A figure's record of how it was made: everything that it was made from except the terrain files.
 struct FigureOrigin {
     std::string scene;                  ///< the path of its scene
     std::vector<std::string> settings;  ///< of --set

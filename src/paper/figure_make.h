@@ -10,16 +10,16 @@
 
 namespace fumon {
 
-/// Makes the runs that are not in the store, on all threads, the longest first. Returns what became
-/// of each, failed ones told.
+/// Makes the runs that are not in the store, on all threads, longest first. Reports failed runs,
+/// and returns what became of each.
 std::vector<RunRecord> make_runs(const FigureRuns& runs, const RunStore& store,
                                  const WorkOptions& work, StatusLine& status);
 
-/// Why a figure cannot be made: its first run that failed; empty where all are there.
+/// Why a figure cannot be made: its first run that failed; empty if all are stored.
 std::string missing_run(const FigurePlan& plan, const FigureRuns& runs,
                         const std::vector<RunRecord>& records);
 
-/// Tells that an interrupt stopped the work, and returns the exit status.
+/// Reports that an interrupt stopped the work, and returns the exit status.
 int tell_interrupted(StatusLine& status, const std::vector<RunRecord>& records);
 
 }  // namespace fumon

@@ -13,9 +13,9 @@ struct FigurePage {
     std::vector<FigureData> data;
 };
 
-/// Feeds a figure's panels from its runs, which are all there. Throws InputError, located, where no
-/// row is left for a curve, and where the page is too small for its panels; Error where a fit fails
-/// or OpenGL does.
+/// Builds the panels of a figure from its runs, all of which must be stored. Throws a located
+/// InputError if a curve has no rows left or the page is too small for its panels, and Error if a
+/// fit or OpenGL fails.
 FigurePage figure_page(const FigurePlan& plan, const FigureRuns& runs, const RunStore& store,
                        const FigureDrawing& drawing);
 

@@ -73,7 +73,7 @@ class Planner {
         throw InputError(plan_.scene.at(key) + what);
     }
 
-    /// Runs something whose refusals have no place of their own.
+    /// Runs work() and gives the InputErrors that it throws a place.
     template <class Work>
     auto at(const std::string& key, const Work& work) const {
         try {

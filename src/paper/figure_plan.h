@@ -13,7 +13,7 @@
 
 namespace fumon {
 
-/// What a curve of a plot is drawn from.
+/// The settings of a curve and the runs or the table that it is drawn from.
 struct CurvePlan {
     CurveSettings settings;
     std::string path;                ///< of its keys: "figure.panel.0.curve.1"

@@ -10,7 +10,8 @@
 
 namespace fumon {
 
-/// How far two pictures of one size are apart. A pixel is changed where any of its three levels is.
+/// How far two pictures of the same size are apart. A pixel counts as changed if any of its three
+/// levels differs.
 struct Comparison {
     int largest = 0;           ///< difference of a level, 0 … 255
     std::int64_t changed = 0;  ///< pixels
@@ -29,8 +30,8 @@ enum class Likeness { different, close, same_to_the_eye, identical };
 /// "different", "close", "same to the eye", "identical".
 std::string_view name_of(Likeness likeness);
 
-/// What two pictures may differ by at a level: both must hold. The README says what each lets
-/// through, as measured.
+/// How much two pictures may differ at a level; both limits must hold. assets/guide/verify.md lists
+/// what each lets through, as measured.
 struct LikenessLimits {
     double thumbnail;  ///< grey levels, at most
     double tile_ssim;  ///< of the least similar tile, at least

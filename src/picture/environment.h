@@ -4,7 +4,7 @@
 
 namespace fumon {
 
-/// What drew a picture, as far as its pixels depend on it.
+/// The software that drew a picture, as far as its pixels depend on it.
 struct RenderingEnvironment {
     std::string backend;       ///< "osmesa", "egl", or "cairo" for flat figures; empty: unknown
     std::string renderer;      ///< GL_RENDERER, or the libraries of flat figures

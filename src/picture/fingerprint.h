@@ -36,13 +36,14 @@ struct Thumbnail {
     }
 };
 
-/// What a picture is known by, from the strictest to the bluntest.
+/// A picture's fingerprint, from the strictest part to the bluntest.
 struct Fingerprint {
     int width = 0;   ///< pixels
     int height = 0;  ///< pixels
     Sha256 pixels{};
     Thumbnail thumbnail;  ///< rounded to tenths of a grey level
-    /// A label to find pictures that look alike by; it misses a change of light or of shading.
+    /// A label for finding pictures that look alike; it does not notice a change of light or
+    /// shading.
     std::uint64_t difference_hash = 0;
 
     friend bool operator==(const Fingerprint&, const Fingerprint&) = default;

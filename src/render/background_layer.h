@@ -11,7 +11,7 @@
 
 namespace fumon {
 
-/// What surrounds the block: plain and sky, or white paper in figure mode.
+/// Draws what surrounds the block: plain and sky, or white paper in figure mode.
 class BackgroundLayer {
   public:
     BackgroundLayer(const View& view, const Block& block, const FloorMap& floor);

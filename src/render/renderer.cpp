@@ -31,8 +31,8 @@ Datum chosen_datum(const LookSettings& look, const Snapshot& first) {
     return has_water(first) ? Datum::mean : Datum::first;
 }
 
-/// The block as one frame stands in it: its heights are counted from the first bed's mean or from
-/// the frame's own.
+/// The block of one frame, with heights counted from the mean of the first bed or of the frame's
+/// own bed.
 Block block_of_frame(const Block& block, const Snapshot& snapshot, Datum datum) {
     Block framed = block;
     if (datum == Datum::mean)

@@ -19,9 +19,10 @@ struct RenderLimits {
     int tile_samples = 4096;  ///< samples along each side of the largest tile
 };
 
-/// Turns snapshots into pictures of one view. Everything that must hold still over a run (framing,
-/// automatic exaggeration, the reference of "change") is taken from the first snapshot, so that a
-/// still of step n is the run's frame of step n. Lives on the thread of its context.
+/// Turns snapshots into pictures of one view. Everything that must not change during a run
+/// (framing, automatic exaggeration, the reference of "change") is taken from the first snapshot,
+/// so that a still of step n equals the run's frame of step n. Used on the thread of its context
+/// only.
 class Renderer {
   public:
     /// `last_step` is the run's length, over which the camera turns. Throws InputError where the

@@ -22,8 +22,8 @@ class TerrainLayer {
   public:
     TerrainLayer(const View& view, const Block& block);
 
-    /// Takes the heights of a snapshot, meshing the bed anew where its stride or domain changed.
-    /// `water_depth`, in block lengths, stands on the bed where it is given.
+    /// Takes the heights of a snapshot and meshes the bed anew if its stride or domain has changed.
+    /// `water_depth`, in block lengths, is added to the bed if given.
     void set_bed(const DisplayBed& bed, const Field<float>* water_depth, int stride,
                  ViewOrder order);
 

@@ -38,7 +38,7 @@ std::vector<std::uint8_t> streak_texels() {
     return texels;
 }
 
-/// How much the depth rises to the east and to the north, two numbers a cell; `scale_x` and
+/// The rise of the depth to the east and to the north, two numbers per cell; `scale_x` and
 /// `scale_y` turn a difference of depth between neighbours into a slope.
 std::vector<float> depth_slopes(const Field<float>& depth, double scale_x, double scale_y) {
     const int nx = depth.nx();

@@ -6,11 +6,11 @@
 
 namespace fumon {
 
-/// Pins what will be drawn where that is asked for: before any thread starts.
+/// Pins rendering if the options ask for it. Call it before any thread starts.
 void prepare_drawing(const WorkOptions& work);
 
-/// Says what draws, what of the user's settings was overridden for it, and why it is not pinned
-/// though that was asked for.
+/// Reports which renderer draws, which of the user's settings were overridden, and, if pinning was
+/// asked for but is not possible, why.
 void tell_drawing(const DrawingRecord& drawing, Progress& progress);
 
 }  // namespace fumon

@@ -15,7 +15,7 @@ namespace fumon {
 
 class WorkerPool;
 
-/// What drew, for the manifest and the pictures.
+/// The renderer and its settings, for the manifest and the pictures.
 struct DrawingRecord {
     RenderingEnvironment environment;  ///< its backend is empty where nothing was drawn
     std::string why_not_pinned;        ///< empty where it is, or where that was not asked for
@@ -23,13 +23,13 @@ struct DrawingRecord {
     std::string text_library;  ///< that writes on the frames; empty where there is no text
 };
 
-/// Why what has text on it is not pinned.
+/// Why a picture with text is not pinned.
 inline constexpr const char* text_is_not_pinned = "its text is set in the system's fonts";
 
-/// Draws the frames of a run: a section's flat figure where look.mode is "figure" and the model has
-/// a section, which needs no OpenGL, else the view of the bed; over both the scene's overlays.
-/// Pixels of a section's figure and of overlays depend on the system's fonts and on the versions of
-/// the text libraries. Lives on one thread.
+/// Draws the frames of a run: the view of the bed, or the flat figure of a section if look.mode is
+/// "figure" and the model has a section (this needs no OpenGL). The scene's overlays are drawn on
+/// top. Pixels of a section's figure and of overlays depend on the system's fonts and on the
+/// versions of the text libraries. Lives on one thread.
 class FramePainter {
   public:
     virtual ~FramePainter() = default;

@@ -35,7 +35,7 @@ struct PictureFacts {
 FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Picture& picture,
                         const PictureFacts& facts);
 
-/// A frame that the run wrote before its checkpoint. Throws Error where it is no longer the same.
+/// Reads a frame that the run wrote before its checkpoint. Throws Error if its pixels have changed.
 Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameRecord& frame);
 
 /// Writes the bed of a snapshot in terrain formats of these names, in metres where there are

@@ -20,7 +20,7 @@
 namespace fumon {
 
 namespace {
-/// The runs under way: threads that take one after the other.
+/// The threads that work on the runs; each takes the next run when it has finished one.
 class ParallelRuns {
   public:
     ParallelRuns(const std::vector<RunTask>& tasks, std::vector<RunRecord>& records)

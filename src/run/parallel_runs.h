@@ -13,7 +13,7 @@ namespace fumon {
 
 enum class RunStatus { pending, done, failed };
 
-/// What became of a run.
+/// The outcome of a run.
 struct RunRecord {
     RunStatus status = RunStatus::pending;
     std::int64_t steps = 0;
@@ -22,16 +22,16 @@ struct RunRecord {
     std::string message;  ///< why it failed, on one line
 };
 
-/// How an attempt at a run ended: `busy` when another program is at it.
+/// How an attempt at a run ended; `busy`: another program is working on it.
 enum class Attempt { done, interrupted, busy };
 
-/// A run that waits to be done.
+/// A run that has yet to be made.
 struct RunTask {
     std::size_t number = 0;  ///< its record is records[number - 1]
     std::string name;        ///< "run 3 (model.creep_rate=0.2, seed 3)"
     double work = 0.0;       ///< cell-steps
-    /// Does it on so many threads, fills the record and adds to the cell-steps done; what it throws
-    /// makes the run a failed one.
+    /// Makes the run on that many threads, fills in its record and adds to the cell-steps done. If
+    /// it throws, the run counts as failed.
     std::function<Attempt(int threads, RunRecord& record, std::atomic<double>& cell_steps)> body;
 };
 
@@ -39,10 +39,10 @@ struct RunTask {
 std::string run_progress_text(std::size_t done, std::size_t runs, std::size_t failed,
                               double seconds, double share);
 
-/// Does all tasks in their order, `threads` at once (0: one per processor), each on a thread of its
-/// own, or on several where there are fewer runs than threads. A run that fails is told on standard
-/// error and the others go on; a busy one is tried again behind the others; an interrupt drops the
-/// runs in flight, which stay pending.
+/// Makes all runs in order, `threads` at a time (0: one per processor), each on one thread, or on
+/// several if there are fewer runs than threads. A run that fails is reported on standard error and
+/// the others continue; a busy one is tried again after the others; an interrupt drops the runs in
+/// flight, which stay pending.
 void do_runs(const std::vector<RunTask>& tasks, int threads, StatusLine& status,
              std::vector<RunRecord>& records);
 

@@ -19,7 +19,7 @@ namespace fumon {
 /// The keyword of a text that holds the version of the fumon that wrote it.
 inline constexpr const char* version_keyword = "fumon:version";
 
-/// What a picture says of its own making.
+/// A picture's record of how it was made.
 struct PictureOrigin {
     std::string scene;  ///< resolved, as TOML; its bed.file as reached from the working folder
     std::int64_t step = 0;

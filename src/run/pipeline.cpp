@@ -230,7 +230,8 @@ class Pipeline {
 
     // ---- what they need, and how they end ----
 
-    /// Starts the drawing thread and waits until it can draw. Throws what keeps it from that.
+    /// Starts the drawing thread and waits until it is ready. Rethrows the error that keeps it from
+    /// drawing.
     void begin_drawing() {
         std::promise<void> ready;
         auto is_ready = ready.get_future();

@@ -28,7 +28,7 @@ struct MovieRecord {
     int height = 0;
 };
 
-/// Where a run's seconds went, since it was started or gone on with.
+/// Where a run's time went, since it was started or resumed.
 struct Timing {
     double wall = 0.0;
     double simulation_wall = 0.0;  ///< inside the model's steps
@@ -40,7 +40,7 @@ struct Timing {
     double encoding_cpu = 0.0;
 };
 
-/// What a run came to, however it ended. Everything listed is whole and on disk.
+/// The result of a run, however it ended. Every file listed is complete and on disk.
 struct RunOutcome {
     std::int64_t steps_done = 0;
     double time = 0.0;
@@ -58,7 +58,7 @@ struct RunOutcome {
     std::exception_ptr error;                ///< the first, or none
 };
 
-/// A run to go on with from its checkpoint.
+/// A run to resume from its checkpoint.
 struct FormerRun {
     const RunCheckpoint& checkpoint;
     const Snapshot& first;   ///< the run's, before its first step
@@ -84,10 +84,10 @@ RunOutputs outputs_in(RunFolder& folder, const Scene& scene);
 
 /// Runs a scene: simulation thread → bounded queue → drawing thread → bounded queues → encoder
 /// threads → files in order. Memory does not grow with the number of frames. The first error stops
-/// every stage; an interrupt lets what is in flight finish, and leaves a checkpoint. `started` is
+/// every stage; an interrupt lets frames in flight finish and leaves a checkpoint. `started` is
 /// called once when the painter and the view are ready and before the first file is written;
-/// nothing is written when it throws or is never reached. Throws only what happens before that;
-/// later errors are in the outcome.
+/// nothing is written when it throws or is never reached. Throws only errors from before that;
+/// later ones are in the outcome.
 RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs,
                         const RunOutputs& outputs, const PipelineOptions& options,
                         Progress& progress,

@@ -24,7 +24,7 @@ struct RecordPaths {
     std::filesystem::path fields;
 };
 
-/// How far a recorder's files had come when a checkpoint was made; −1 where there was none.
+/// How long a recorder's files were when a checkpoint was made; −1: there was no file.
 struct RecordPositions {
     std::int64_t measurements = -1;  ///< bytes
     std::int64_t avalanches = -1;    ///< bytes
@@ -45,7 +45,7 @@ struct Recording {
     bool plots = false;                ///< frames are drawn: it gathers what plots over them show
 };
 
-/// What a simulation writes besides pictures and beds, as its scene wants it:
+/// Writes what a simulation leaves besides pictures and beds, as its scene asks:
 ///
 ///     measurements.csv   step, time and the measures of MeasureSuite; an empty cell where a
 ///                        measure has no meaning
@@ -76,13 +76,14 @@ class Recorder : public StepObserver {
 
     /// Puts all that was recorded on disk, and tells how far the files have come.
     [[nodiscard]] RecordPositions sync();
-    /// Carries what later rows and plots draw on of earlier rows. Throws as StateCarrier.
+    /// Saves or restores what later rows and plots need from earlier rows. Throws as StateCarrier
+    /// does.
     void carry(StateCarrier& carrier) {
         suite_.carry(carrier);
         plotted_.carry(carrier);
     }
 
-    /// Gives every file its name, even when one fails; then throws the first Error.
+    /// Gives every file its final name, even if one fails; then throws the first Error.
     void commit();
     [[nodiscard]] const Recorded& recorded() const { return recorded_; }
 

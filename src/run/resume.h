@@ -11,7 +11,7 @@
 
 namespace fumon {
 
-/// A run taken up from its checkpoint: its model stands at the checkpoint's step.
+/// A run restored from its checkpoint; its model is at the checkpoint's step.
 struct ResumedRun {
     PreparedRun run;
     RunCheckpoint checkpoint;
@@ -20,10 +20,10 @@ struct ResumedRun {
     std::unique_ptr<CheckpointReader> rest;
 };
 
-/// Takes up the run of a folder that was entered. Throws InputError, with nothing changed, for a
-/// checkpoint that is damaged or of another version of fumon, where `asked` (or settings)
-/// say another scene than the run's, where a file that the scene reads has changed, and where
-/// frames that the checkpoint counts are gone.
+/// Restores the run of a folder that was entered. Throws InputError, with nothing changed, if the
+/// checkpoint is damaged or of another version of fumon, if `asked` (with its settings) is not the
+/// run's scene, if a file that the scene reads has changed, or if frames that the checkpoint counts
+/// are missing.
 ResumedRun resume_run(const RunFolder& folder, const std::string& asked,
                       const WorkOptions& options);
 

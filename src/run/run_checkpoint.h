@@ -18,10 +18,10 @@
 
 namespace fumon {
 
-/// What a run has done so far, between two steps: all outputs of the steps up to `step` are on
-/// disk, and nothing else counts. In the file the model's state and what its measures remember
-/// follow (Model::carry, Recorder::carry). Random numbers need no place in it: they are functions
-/// of seed and step.
+/// The progress of a run between two steps: all outputs of the steps up to `step` are on disk, and
+/// later ones are ignored. In the file the states of the model and of its measures follow
+/// (Model::carry, Recorder::carry). Random numbers need no entry, since they are functions of seed
+/// and step.
 struct RunCheckpoint {
     std::string version;            ///< of the fumon that wrote it
     std::string scene;              ///< resolved, as TOML: all that decides results and outputs
@@ -37,8 +37,8 @@ struct RunCheckpoint {
     void carry(StateCarrier& carrier);
 };
 
-/// When the next checkpoint is due: so many minutes after the last one, but late enough that
-/// writing them takes at most a fiftieth of the run.
+/// Decides when the next checkpoint is due: a number of minutes after the last one, but late enough
+/// that writing checkpoints takes at most a fiftieth of the run.
 class CheckpointClock {
   public:
     /// No minutes: never.

@@ -39,18 +39,19 @@ class RunFolder {
     /// given, or when the path is a file.
     RunFolder(std::filesystem::path folder, bool force);
 
-    /// Makes the folder (and its parents), locks it and takes a former run's files away. Throws
-    /// Error, and InputError where another program is at work in it or has been since.
+    /// Creates the folder (and its parents), locks it and deletes the files of an earlier run.
+    /// Throws Error, and InputError if another program is working in it or has filled it in the
+    /// meantime.
     void create(const RunParts& parts);
 
-    /// Locks the folder of a run to go on with. Throws InputError where there is no such run, or
-    /// another program is at work in it.
+    /// Locks the folder of a run to resume. Throws InputError if it holds no such run or another
+    /// program is working in it.
     void enter();
     /// Whether its run.json says that the run is complete.
     [[nodiscard]] bool is_complete() const;
-    /// Takes away what the run made after its checkpoint. Throws Error.
+    /// Deletes what the run wrote after its checkpoint. Throws Error.
     void go_on(const RunParts& parts, const RunCheckpoint& checkpoint);
-    /// Takes away what a complete run needs no more.
+    /// Deletes what a complete run no longer needs.
     void tidy() const;
     /// Takes away the list of frames, which a run without a checkpoint needs no more.
     void forget_frames() const;

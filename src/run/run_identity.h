@@ -16,8 +16,8 @@ inline constexpr std::array measured_roles{KeyRole::run, KeyRole::parameter, Key
 inline constexpr std::array recorded_roles{KeyRole::run, KeyRole::parameter, KeyRole::sampling,
                                            KeyRole::label, KeyRole::record};
 
-/// What a run of this scene, made ready, is known by: every key that decides what it records, and
-/// the content of its bed file, wherever that lies. How it looks does not matter.
+/// Identifies the run of a prepared scene: hashes every key that decides what it records, and the
+/// content of its bed file, wherever that lies. How it looks does not matter.
 Sha256 run_id(const Scene& scene, const InitialBed& initial);
 
 }  // namespace fumon

@@ -15,7 +15,7 @@
 
 namespace fumon {
 
-/// A run whose results figures are made from.
+/// A run from whose results figures are made.
 struct StoredRun {
     Scene scene;  ///< made ready: with its bed file as reached from the working folder
     std::set<std::int64_t> steps;  ///< whose fields are wanted
@@ -24,8 +24,8 @@ struct StoredRun {
     double work = 0.0;             ///< cell-steps
 };
 
-/// The run of a scene: what does not decide its results (title, looks, figure, files) left out. Its
-/// bed is only asked for its files and scale.
+/// The run of a scene, without what does not decide its results (title, looks, figure, files). Of
+/// its bed only the files and the scale are used.
 StoredRun stored_run(const Scene& scene, const InitialBed& initial);
 
 /// A folder of finished runs, by what decides their results:
@@ -34,8 +34,8 @@ StoredRun stored_run(const Scene& scene, const InitialBed& initial);
 ///                          fields.nc, and job.json, which says what they hold and what
 ///                          snapshots of the run have in common
 ///
-/// A run appears whole or not at all, so that it does not matter when a program is killed, and
-/// several programs may work in one folder: each run has a lock file while one of them is at it.
+/// A run appears complete or not at all, so a program may be killed at any time, and several
+/// programs may work in one folder: a run has a lock file while one of them works on it.
 class RunStore {
   public:
     explicit RunStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -50,8 +50,8 @@ class RunStore {
     /// The snapshot of a step whose fields are there. Throws InputError where they are damaged.
     [[nodiscard]] Snapshot snapshot(const StoredRun& run, std::int64_t step) const;
 
-    /// Makes a run, unless it is there by now. One that is there with other steps is made again
-    /// with these and those. Throws as the run does.
+    /// Makes a run, unless it is stored by now. One that is stored with other steps is made again
+    /// with both sets of steps. Throws what the run throws.
     Attempt make(const StoredRun& run, int threads, RunRecord& record,
                  std::atomic<double>& cell_steps) const;
 

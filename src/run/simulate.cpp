@@ -22,7 +22,7 @@ class SharedCounts : public StepObserver {
     std::atomic<double>& cell_steps_;
 };
 
-/// What a failing run has measured before is kept where it can be.
+/// A failing run keeps what it measured before, if that can still be written.
 void keep(Recorder& recorder) {
     try {
         recorder.commit();

@@ -8,9 +8,9 @@
 
 namespace fumon {
 
-/// Runs a model to its scene's end, recording what is due, without pictures. `steps` is how far it
-/// has come, `cell_steps` grows with every step. False when interrupted, with no file made. Commits
-/// the records; a run that fails keeps what it has measured and throws.
+/// Runs a model to the end of its scene without pictures and records what is due. `steps` holds the
+/// steps done so far; `cell_steps` grows with every step. Commits the records at the end. Returns
+/// false if interrupted, having made no file; a run that fails keeps its measurements and throws.
 bool simulate(PreparedRun& prepared, Recorder& recorder, std::int64_t& steps,
               std::atomic<double>& cell_steps);
 

@@ -17,8 +17,8 @@ namespace fumon {
 /// Returns the signal that stopped it early, or 0. Throws as Stepper::advance().
 int advance_to(PreparedRun& prepared, std::int64_t step, Progress& progress);
 
-/// Advances until the model's time reaches the wanted one. Throws InputError where the run ends
-/// before, naming what was asked ("--time 5").
+/// Advances until the model reaches a time. Throws InputError if the run ends before it, naming the
+/// option ("--time 5").
 int advance_to_time(PreparedRun& prepared, double time, const std::string& asked,
                     Progress& progress);
 

@@ -187,8 +187,8 @@ class FigureCheck {
     const Scene& scene_;
 };
 
-/// The rules that span keys of a figure: what a panel of its kind must have and cannot have, ranges
-/// that rise, logarithmic axes above 0. Throws InputError located at the key to change.
+/// Checks the rules that involve several keys of a figure: what a panel of its kind must and cannot
+/// have, rising ranges, logarithmic axes above 0. Throws InputError located at the key to change.
 void check_figure(const Scene& scene) {
     if (scene.figure.panels.empty()) return;
     FigureCheck(scene).check();

@@ -33,7 +33,7 @@ constexpr std::array<Topic, 2> topics{
       "and\n"
       "the [[figure.panel.curve]] and [[figure.panel.box]] of a panel, from 0"},
      {"overlay", "overlay.",
-      "Keys of what stands over the frames. N counts the [[overlay]] of a scene, from 0"}}};
+      "Keys of the overlays on the frames. N counts the [[overlay]] sections of a scene, from 0"}}};
 
 const Topic* topic_of(const std::string& path) {
     for (const Topic& topic : topics) {

@@ -144,9 +144,8 @@ void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& 
     table.word_or_real(path + ".high", panel.high, {{"auto", "from the data"}},
                        {.help = "value at its end"});
     table.text(path + ".palette", panel.palette, {.help = "empty: the scene's look.palette"});
-    table.boolean(
-        path + ".palette_reversed", panel.palette_reversed,
-        {.help = "begin with its end; without a palette here: with the other end than the scene"});
+    table.boolean(path + ".palette_reversed", panel.palette_reversed,
+                  {.help = "reversed; without a palette of its own, the opposite of the scene's"});
     table.real(path + ".shading", panel.shading,
                {.range = {0, 1}, .help = "hill shading of a map; 0: the colours alone"});
     table.boolean(path + ".shading_from_all_sides", panel.shading_from_all_sides,
@@ -198,7 +197,7 @@ void list_panel_keys(PanelSettings& panel, const std::string& path, KeyTable& ta
 
 void list_one_overlay(OverlaySettings& overlay, const std::string& path, KeyTable& table) {
     table.choice(path + ".kind", overlay.kind, choices_of(overlay_kinds),
-                 {.help = "what stands over the frames"});
+                 {.help = "what is drawn over the frames"});
     table.boolean(path + ".show", overlay.show, {.help = "false switches it off"});
     table.choice(path + ".corner", overlay.corner,
                  {{OverlayCorner::upper_left, "upper-left", "the upper left corner"},
@@ -207,7 +206,7 @@ void list_one_overlay(OverlaySettings& overlay, const std::string& path, KeyTabl
                   {OverlayCorner::lower_left, "lower-left", "the lower left corner"},
                   {OverlayCorner::lower_middle, "lower-middle", "the middle of the lower edge"},
                   {OverlayCorner::lower_right, "lower-right", "the lower right corner"}},
-                 {.help = "where it stands; several in one corner stand below one another"});
+                 {.help = "where it is placed; several in one corner are stacked"});
     table.text(path + ".text", overlay.text,
                {.help = "title, time; plot: its heading. {title}, {step}, {time}, {seed} and "
                         "{model.creep_rate} stand for values; empty: as usual"});
@@ -240,7 +239,7 @@ void list_figure_keys(FigureSettings& figure, KeyTable& table) {
                         {"slide", "254 mm; 142.9 mm high, 16:9"}},
                        {.unit = "mm", .range = {20, 2000}, .help = "of the page"});
     table.word_or_real("figure.height", figure.height,
-                       {{"auto", "as high as its panels; of a slide 142.9 mm"}},
+                       {{"auto", "as high as its panels need; 142.9 mm for a slide"}},
                        {.unit = "mm", .range = {20, 2000}, .help = "of the page"});
     table.integer("figure.columns", figure.columns,
                   {.range = {0, 100}, .help = "of the grid of panels; 0: by their number"});

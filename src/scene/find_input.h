@@ -7,9 +7,9 @@
 
 namespace fumon {
 
-/// Where an input of a picture, movie or run (`what`, at `place`) lies now: from the working folder
-/// as recorded, else below the place's own folder or one of its parents. Throws InputError where it
-/// is not there or is no longer what it was then.
+/// Finds an input of a picture, movie or run (`what`, at `place`): first the recorded path from the
+/// working folder, then below the folder of `place` or one of its parents. Throws InputError if the
+/// file is missing or its content has changed.
 std::filesystem::path find_input(const InputFile& input, const std::filesystem::path& place,
                                  std::string_view what);
 

@@ -16,9 +16,9 @@ namespace fumon {
 
 namespace {
 
-ModelHome home_of(const Scene& scene) {
+ModelDefaults home_of(const Scene& scene) {
     const ModelEntry* model = find_model(scene.model.name);
-    return model != nullptr ? model->home : ModelHome{};
+    return model != nullptr ? model->home : ModelDefaults{};
 }
 
 /// Cells northward: one for a model on a profile, unless the scene says otherwise.
@@ -70,7 +70,7 @@ WorldScale scale_of(const Scene& scene, double file_dx, double file_dy) {
         scale.dy = file_dy;
         scale.in_metres = true;
     }
-    const ModelHome home = home_of(scene);
+    const ModelDefaults home = home_of(scene);
     if (home.cell_size > 0.0) {
         if (!scale.in_metres) scale = {home.cell_size, home.cell_size, 1.0, true};
         if (!scene.grid.height_unit.is_word() && scene.grid.height_unit.value != 1.0) {

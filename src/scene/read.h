@@ -23,7 +23,7 @@ Scene parse_scene(std::string_view text, const std::string& source,
                   const std::filesystem::path& directory,
                   const std::vector<std::string>& settings = {});
 
-/// A scene's file as it was when it was read.
+/// The text of a scene's file when it was read.
 struct SceneText {
     std::string text;
     std::string source;               ///< names it in messages

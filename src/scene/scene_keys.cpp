@@ -21,7 +21,7 @@ void list_run_keys(Scene& scene, KeyTable& table) {
     table.integer("run.steps", scene.run.steps,
                   {.unit = "steps",
                    .range = {0, largest_step},
-                   .help = "length of the run (required, but for static)",
+                   .help = "length of the run (required, except for static)",
                    .required = true});
     table.role(KeyRole::sampling);
     table.integer("frames.every", scene.frames.every,
@@ -51,7 +51,7 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
     table.real_list("grid.cell_size", scene.grid.cell_size, 0, 2,
                     {.unit = "m",
                      .range = {0, 1e7, true},
-                     .help = "one number or [dx, dy]; without it lengths read \"sites\""});
+                     .help = "one number or [dx, dy]; without it lengths are in sites"});
     table.word_or_real("grid.height_unit", scene.grid.height_unit,
                        {{"auto",
                          "1 m for models in metres (static, gully, airflow), else the cell size dx "
@@ -59,8 +59,8 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                        {.unit = "m", .range = {0, 1e7, true}, .help = "metres per model height"});
     table.choice("bed.kind", scene.bed.kind,
                  {{BedKind::automatic, "auto",
-                   "the file of bed.file, else as the model starts: the sandpile flat, "
-                   "others with noise"},
+                   "the terrain file if bed.file names one, else flat for the sandpile and noise "
+                   "for others"},
                   {BedKind::flat, "flat", "one height everywhere"},
                   {BedKind::noise, "noise", "uniform random heights in [low, high)"},
                   {BedKind::file, "file", "a terrain file"}},
@@ -107,7 +107,7 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
         {.help = "how bed.resample finds heights"});
     table.integer("bed.refine", scene.bed.refine,
                   {.range = {1, 64},
-                   .help = "of a terrain file: each cell becomes n x n, smooth between them "
+                   .help = "splits each cell of a terrain file into n x n, smooth in between "
                            "(bicubic); grid.cell_size is that of the file's own cells"});
 }
 
@@ -181,7 +181,7 @@ void list_view_keys(View& view, KeyTable& table) {
              "sand, grey, viridis, cividis, magma, inferno, plasma, batlow, lapaz, oslo, vik (for "
              "change), or any NAME of assets/palettes/NAME.txt"});
     table.boolean("look.palette_reversed", look.palette_reversed,
-                  {.help = "begin with the palette's end, such as dark for deep with grey"});
+                  {.help = "reversed, such as dark for deep with grey"});
     table.word_or_real("look.low", look.low, {{"auto", "from the frame"}},
                        {.help = "value at the palette's start, in the unit of colour_by"});
     table.word_or_real("look.high", look.high, {{"auto", "from the frame"}},
@@ -196,7 +196,7 @@ void list_view_keys(View& view, KeyTable& table) {
                        {{"auto", "as far as the model's landforms usually grow"}},
                        {.unit = "model heights",
                         .range = {0, 1e7},
-                        .help = "what the picture leaves free above the first bed"});
+                        .help = "space kept free above the first bed"});
     table.choice(
         "look.datum", look.datum,
         {{Datum::automatic, "auto", "mean for models with water, else first"},
@@ -248,10 +248,9 @@ void list_view_keys(View& view, KeyTable& table) {
 
 void list_section_keys(SectionSettings& section, KeyTable& table) {
     table.role(KeyRole::look);
-    table.text_list(
-        "section.panels", section.panels,
-        {.help = "of the figure of a section: velocity, pressure, stress, flights, "
-                 "flight-law, paths; empty: the first three, where the model has them"});
+    table.text_list("section.panels", section.panels,
+                    {.help = "panels of a section's figure: velocity, pressure, stress, flights, "
+                             "flight-law, paths; empty: the first three, if the model has them"});
     table.choice(
         "section.arrows", section.arrows,
         {{SectionArrows::arrows, "arrows", "at evenly spaced places, with a reference arrow"},
@@ -305,7 +304,7 @@ void list_output_keys(OutputSettings& output, KeyTable& table) {
     table.integer("output.fields_every", output.fields_every,
                   {.unit = "steps",
                    .range = {0, largest_step},
-                   .help = "record all fields in fields.nc (NetCDF) every n steps; 0: not"});
+                   .help = "record all fields in fields.nc (NetCDF) every n steps; 0: never"});
     table.integer_list("output.fields_at", output.fields_at,
                        {.unit = "steps",
                         .range = {0, largest_step},
@@ -318,7 +317,7 @@ void list_sweep_keys(SweepSettings& sweep, KeyTable& table) {
     table.role(KeyRole::sweep);
     table.text_list(
         "sweep.over", sweep.over,
-        {.help = "what `fumon sweep` varies, as its --over: \"key=v1,v2\", "
+        {.help = "what `fumon sweep` varies, written as for --over: \"key=v1,v2\", "
                  "\"key=low:high:count\", \"key+key=v1,v2\" for keys that go together"});
     table.integer("sweep.seeds", sweep.seeds,
                   {.unit = "seeds",

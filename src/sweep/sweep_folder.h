@@ -21,14 +21,13 @@ namespace fumon {
 ///     sweep.csv       all measurements, a row a run and recorded step
 ///     runs.csv        what became of each run
 ///
-/// A run keeps its number for good: what a later, larger sweep adds gets the next numbers. Only one
+/// A run keeps its number: the runs that a later, larger sweep adds get the next ones. Only one
 /// program works in a folder at a time.
 class SweepFolder {
   public:
-    /// Opens or makes the folder, takes its lock, numbers the runs and writes sweep.json. Throws
-    /// InputError, with nothing changed, when the folder holds a sweep with a run that this plan
-    /// has not (unless `force`, which takes that sweep away) or when another program is at work
-    /// there.
+    /// Opens or creates the folder, locks it, numbers the runs and writes sweep.json. Throws
+    /// InputError, with nothing changed, if the folder holds a sweep with a run that this plan
+    /// lacks (unless `force`, which deletes that sweep) or if another program is working there.
     SweepFolder(std::filesystem::path folder, const SweepPlan& plan, bool force);
     SweepFolder(const SweepFolder&) = delete;
     SweepFolder& operator=(const SweepFolder&) = delete;

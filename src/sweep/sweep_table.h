@@ -12,9 +12,9 @@ struct TablePart {
     std::filesystem::path file;
 };
 
-/// Joins measurements to one tidy CSV: `names`, then the columns of all files in the order in which
-/// they first come up; a cell that a file has no column for stays empty. One row is held at a time.
-/// Throws Error when a file cannot be read or the table not be written.
+/// Joins measurements into one tidy CSV: `names`, then the columns of all files in the order in
+/// which they first occur; a cell stays empty if its file lacks the column. Holds one row at a
+/// time. Throws Error if a file cannot be read or the table cannot be written.
 void write_table(const std::filesystem::path& table, const std::vector<std::string>& names,
                  const std::vector<TablePart>& parts);
 

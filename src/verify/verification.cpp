@@ -29,7 +29,8 @@ struct Suite {
     std::string name;
 };
 
-/// Reads all before anything is drawn, scenes included, so that a wrong line is found at once.
+/// Reads all baselines and their scenes before anything is drawn, so that a mistake is found at
+/// once.
 std::vector<Suite> read_suites(const VerificationOptions& options) {
     std::vector<Suite> suites;
     std::set<std::string> names;
@@ -122,7 +123,7 @@ class Verification {
         const BaselineRecord* record =
             found == suite.baseline.records.end() ? nullptr : &found->second;
         std::optional<Image> expected;
-        if (record != nullptr) expected = kept_picture(suite.baseline, one, *record);
+        if (record != nullptr) expected = recorded_picture(suite.baseline, one, *record);
         const Image* kept = expected ? &*expected : nullptr;
         Verdict verdict = judge(one, record, drawn.record, drawn.image, kept);
         if (verdict.outcome != Outcome::as_recorded || !options_.quietly())

@@ -61,7 +61,7 @@ DrawnCase draw_figure_case(const Baseline& baseline, const BaselineCase& one,
     return drawn;
 }
 
-/// What work() throws as wrong input, located at the case.
+/// Runs work() and locates its InputErrors at the case.
 template <class Work>
 auto located(const BaselineCase& one, const Work& work) {
     try {

@@ -12,8 +12,8 @@
 
 namespace fumon {
 
-/// The folder of what did not pass: pictures, and index.html, one page without anything from
-/// outside that shows them side by side and in turns. Made by the first case that is added; memory
+/// The folder of cases that did not pass: their pictures, and index.html, a self-contained page
+/// that shows them side by side and in turns. Created with the first case that is added; memory
 /// does not grow with their number.
 class VerifyPage {
   public:

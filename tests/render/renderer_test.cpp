@@ -11,6 +11,7 @@
 #include "base/worker_pool.h"
 #include "gl/context.h"
 #include "render/tiles.h"
+#include "support/drawn_picture.h"
 #include "support/missing_library.h"
 #include "support/view_beds.h"
 

@@ -3,9 +3,9 @@
 #include <array>
 #include <cstddef>
 
+#include "base/worker_pool.h"
 #include "gl/context.h"
 #include "render/renderer.h"
-#include "support/worker_pool.h"
 
 namespace fumon {
 

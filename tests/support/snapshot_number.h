@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "models/model.h"
+#include "base/snapshot.h"
 
 namespace fumon::test {
 

@@ -24,13 +24,13 @@ inline CanvasBox grown(const CanvasBox& box, double room) {
     return {box.x - room, box.y - room, box.width + 2.0 * room, box.height + 2.0 * room};
 }
 
-/// Whether boxes share more than their edges, give or take `slack`.
+/// Whether boxes overlap by more than their edges, within a tolerance of `slack`.
 inline bool overlap(const CanvasBox& a, const CanvasBox& b, double slack = 0.0) {
     return a.x + slack < b.right() && b.x + slack < a.right() && a.y + slack < b.bottom() &&
            b.y + slack < a.bottom();
 }
 
-/// Whether `inner` lies in `outer`, give or take `slack`.
+/// Whether `inner` lies within `outer`, with a tolerance of `slack`.
 inline bool within(const CanvasBox& inner, const CanvasBox& outer, double slack = 0.0) {
     return inner.x >= outer.x - slack && inner.y >= outer.y - slack &&
            inner.right() <= outer.right() + slack && inner.bottom() <= outer.bottom() + slack;

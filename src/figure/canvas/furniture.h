@@ -21,7 +21,7 @@ inline CanvasBox corner_box(const CanvasBox& frame, Corner corner, const Furnitu
             size.height};
 }
 
-/// A pale ground that keeps furniture legible over a picture: `box` and a little around it.
+/// A pale background, a little larger than `box`, that keeps text and bars legible over a picture.
 inline void draw_plate(Canvas& canvas, const CanvasBox& box,
                        const Ink& ink = {1.0, 1.0, 1.0, 0.8}) {
     canvas.fill(grown(box, 0.35 * canvas.font_size()), ink);

@@ -138,7 +138,7 @@ void lay_over(Image& image, const CanvasLayer& layer, int left, int top) {
 
 }  // namespace
 
-/// An overlay and how it looked last.
+/// An overlay with its layer as last drawn, used again while its text is the same.
 struct FrameOverlays::DrawnOverlay {
     std::unique_ptr<Overlay> overlay;
     double opacity = 0.0;

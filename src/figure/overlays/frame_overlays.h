@@ -14,15 +14,16 @@ struct PlacedOverlay {
     double font_size = 0.0;
 };
 
-/// All that stands over the frames of a run, drawn by the same code as the furniture of figures.
+/// All overlays on the frames of a run, drawn by the same code as scale bars, arrows and colour
+/// bars in figures.
 ///
 /// Overlays of one corner stand below one another, in the scene's order; their places are the same
 /// in all frames. Nothing overlaps or leaves the picture: where there is too little room, texts
 /// without a size of their own become smaller, down to 6 pixels. Each overlay is drawn on a pale
-/// plate into a layer of its own, which is kept while it looks the same, and laid over the frame in
-/// sRGB, the space in which Cairo also blends text and plate: an opacity then looks as it does in
-/// figures and in other programs. Pixels depend on the system's fonts and on the versions of Cairo
-/// and Pango.
+/// plate into a layer of its own, which is reused while its content stays the same. Layers are
+/// blended over the frame in sRGB, in which Cairo also blends text and plate, so that an opacity
+/// looks as it does in figures and in other programs. Pixels depend on the system's fonts and on
+/// the versions of Cairo and Pango.
 class FrameOverlays {
   public:
     /// The overlays of a scene that are shown; the scene outlives them, and `first` is the run's

@@ -22,7 +22,7 @@ CanvasBox text_box(const Canvas& canvas, const std::string& text, const LabelPla
 /// Takes the place within the frame that covers least, the first among equals, and adds the text to
 /// the clutter.
 PlotLabel best_place(const Canvas& canvas, const std::string& text, const CanvasBox& frame,
-                     const std::vector<LabelPlace>& places, Clutter& clutter) {
+                     const std::vector<LabelPlace>& places, CoveredArea& clutter) {
     const LabelPlace* best = &places.front();
     int least = std::numeric_limits<int>::max();
     for (const LabelPlace& place : places) {
@@ -78,7 +78,7 @@ PlotDrawing::PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox
                          double stretch)
     : axes(canvas, plot, frame, stretch) {
     const double gap = 0.4 * canvas.font_size();
-    Clutter clutter = clutter_of_series(canvas, plot, axes);
+    CoveredArea clutter = clutter_of_series(canvas, plot, axes);
     std::vector<CanvasBox> stated;
     for (const PlotBox& box : plot.boxes) {
         const CanvasPoint low = axes.at(box.x_low, box.y_low);
@@ -98,7 +98,7 @@ PlotDrawing::PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox
         clutter.boxes.push_back({frame.x + share.x * frame.width, frame.y + share.y * frame.height,
                                  share.width * frame.width, share.height * frame.height});
     margins = axes.margins(canvas);
-    Clutter with_boxes = clutter;
+    CoveredArea with_boxes = clutter;
     with_boxes.boxes.insert(with_boxes.boxes.end(), stated.begin(), stated.end());
     legend = place_legend(canvas, plot, axes, margins, with_boxes);
     if (legend && legend->inside) clutter.boxes.push_back(legend->box);
@@ -111,7 +111,7 @@ PlotDrawing::PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox
         if (plot.boxes[i].label.empty()) continue;
         const auto [width, height] = canvas.text_size(plot.boxes[i].label, tick_text);
         const bool fits = width <= stated[i].width - gap && height <= stated[i].height;
-        Clutter others = clutter;
+        CoveredArea others = clutter;
         for (std::size_t j = 0; j < stated.size(); ++j) {
             if (j != i) others.boxes.push_back(stated[j]);
         }

@@ -21,8 +21,8 @@ struct PlotLabel {
     CanvasPoint anchor;
 };
 
-/// What covers a plot's frame: that which a legend or a label should not stand on.
-struct Clutter {
+/// The parts of a plot's frame that are covered, where a legend or label should not be placed.
+struct CoveredArea {
     std::vector<std::pair<CanvasPoint, CanvasPoint>> segments;
     std::vector<CanvasBox> boxes;
     /// Lines for reference, which a legend hides rather than values.
@@ -34,7 +34,7 @@ struct Clutter {
     [[nodiscard]] int references_within(const CanvasBox& box) const;
 };
 
-/// One plot in one frame: all that has to be found before it is drawn.
+/// One plot in one frame, with everything that must be determined before drawing.
 struct PlotDrawing {
     /// `stretch` of PlotAxes.
     PlotDrawing(const Canvas& canvas, const Plot& plot, const CanvasBox& frame, double stretch);
@@ -56,12 +56,12 @@ std::vector<SeriesLook> series_looks(const Plot& plot);
 void draw_series(Canvas& canvas, const Plot& plot, const PlotAxes& axes);
 
 /// What the series of a plot cover.
-Clutter clutter_of_series(const Canvas& canvas, const Plot& plot, const PlotAxes& axes);
+CoveredArea clutter_of_series(const Canvas& canvas, const Plot& plot, const PlotAxes& axes);
 
 /// A legend for a plot; none where no series has a label or the plot wants none. `margins` are
 /// those of the axes.
 std::optional<LegendBox> place_legend(const Canvas& canvas, const Plot& plot, const PlotAxes& axes,
-                                      const PanelMargins& margins, const Clutter& clutter);
+                                      const PanelMargins& margins, const CoveredArea& clutter);
 
 void draw_legend(Canvas& canvas, const Plot& plot, const LegendBox& legend);
 

@@ -106,7 +106,7 @@ bool touches(const std::pair<CanvasPoint, CanvasPoint>& segment, const CanvasBox
 
 /// Within the frame, where it covers nothing; over references only if there is no other place.
 std::optional<LegendBox> free_place(const Entries& entries, const CanvasBox& frame, double font,
-                                    const Clutter& clutter) {
+                                    const CoveredArea& clutter) {
     const double gap = apart * font;
     std::optional<LegendBox> over_references;
     for (int columns = 1; columns <= entries.count(); ++columns) {
@@ -140,7 +140,7 @@ LegendBox below(const Entries& entries, const CanvasBox& frame, const PanelMargi
 
 }  // namespace
 
-int Clutter::within(const CanvasBox& box) const {
+int CoveredArea::within(const CanvasBox& box) const {
     return static_cast<int>(
         std::count_if(boxes.begin(), boxes.end(),
                       [&box](const CanvasBox& one) { return overlap(one, box); }) +
@@ -148,13 +148,13 @@ int Clutter::within(const CanvasBox& box) const {
                       [&box](const auto& one) { return touches(one, box); }));
 }
 
-int Clutter::references_within(const CanvasBox& box) const {
+int CoveredArea::references_within(const CanvasBox& box) const {
     return static_cast<int>(std::count_if(references.begin(), references.end(),
                                           [&box](const auto& one) { return touches(one, box); }));
 }
 
 std::optional<LegendBox> place_legend(const Canvas& canvas, const Plot& plot, const PlotAxes& axes,
-                                      const PanelMargins& margins, const Clutter& clutter) {
+                                      const PanelMargins& margins, const CoveredArea& clutter) {
     const Entries entries = entries_of(canvas, plot);
     if (entries.series.empty() || plot.legend == LegendPlace::none) return std::nullopt;
     const double font = canvas.font_size();

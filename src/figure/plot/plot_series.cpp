@@ -206,8 +206,8 @@ void draw_sample(Canvas& canvas, const PlotSeries& series, const SeriesLook& loo
                     std::max(marker_size(canvas, series), 0.36 * font), look.ink);
 }
 
-Clutter clutter_of_series(const Canvas& canvas, const Plot& plot, const PlotAxes& axes) {
-    Clutter clutter;
+CoveredArea clutter_of_series(const Canvas& canvas, const Plot& plot, const PlotAxes& axes) {
+    CoveredArea clutter;
     for (const PlotSeries& series : plot.series) {
         if (has_line(series) || series.kind == SeriesKind::band) {
             for (const auto& piece : pieces_of(series, axes)) {

@@ -7,7 +7,7 @@
 
 namespace fumon {
 
-/// How fast a pattern moves along x.
+/// The speed at which a pattern moves along x.
 struct Celerity {
     /// Sites a step, positive downwind (+x); NaN where the pattern was not found again.
     double sites_per_step = std::numeric_limits<double>::quiet_NaN();

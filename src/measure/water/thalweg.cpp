@@ -34,15 +34,15 @@ class WindowedDepth {
 };
 
 /// From each column of a row, which step (−1, 0, 1) leads to the best way through the rows before.
-struct BestWays {
+struct BestPaths {
     std::vector<double> sums;             ///< of the depth, of the ways that end in the last row
     std::vector<std::vector<int>> steps;  ///< row by row
 };
 
-BestWays best_ways(const WindowedDepth& depth, int ny) {
+BestPaths best_ways(const WindowedDepth& depth, int ny) {
     const int width = depth.width();
     const auto columns = static_cast<std::size_t>(width);
-    BestWays ways{std::vector<double>(columns, 0.0), {}};
+    BestPaths ways{std::vector<double>(columns, 0.0), {}};
     std::vector<double> before(columns);
     for (int y = 0; y < ny; ++y) {
         std::swap(before, ways.sums);
@@ -66,7 +66,7 @@ BestWays best_ways(const WindowedDepth& depth, int ny) {
 }
 
 std::vector<int> best_way(const WindowedDepth& depth, int ny) {
-    const BestWays ways = best_ways(depth, ny);
+    const BestPaths ways = best_ways(depth, ny);
     std::vector<int> columns(static_cast<std::size_t>(ny));
     auto column = static_cast<int>(std::ranges::max_element(ways.sums) - ways.sums.begin());
     for (std::size_t y = columns.size(); y-- > 0;) {

@@ -28,7 +28,7 @@ class AirScheme {
     [[nodiscard]] virtual double largest_divergence() const = 0;
     /// All that the next step depends on.
     [[nodiscard]] virtual std::vector<StateField> state() const = 0;
-    /// Carries that, and what fields() depends on beside it.
+    /// Saves or restores that, and what else fields() depends on.
     virtual void carry(StateCarrier& carrier) = 0;
 };
 

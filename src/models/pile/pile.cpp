@@ -5,7 +5,7 @@
 
 #include "base/state_carrier.h"
 #include "models/pile/toppling.h"
-#include "models/shared/loop_watch.h"
+#include "models/shared/cycle_detector.h"
 
 namespace fumon {
 
@@ -194,7 +194,7 @@ void Pile::topple(std::size_t cell, TopplingDraws& draws, Received received) {
 /// cell now lies far below, and the cell itself.
 template <bool toward_direction>
 void Pile::sweep_until_rest(TopplingDraws& draws, Avalanche& avalanche) {
-    LoopWatch watch;
+    CycleDetector watch;
     bool toppled = true;
     while (toppled) {
         toppled = false;
@@ -224,7 +224,7 @@ void Pile::empty_queue(TopplingDraws& draws, Avalanche& avalanche) {
         waiting_.insert(cell);
         next_queue_.push_back(cell);
     };
-    LoopWatch watch;
+    CycleDetector watch;
     for (std::size_t cell = waiting_.next(0); cell != CellSet::none; cell = waiting_.next(cell + 1))
         queue_.push_back(cell);
     while (!queue_.empty()) {

@@ -37,7 +37,7 @@ namespace fumon {
 /// Nothing proves that the published rule comes to rest from any bed: it moves grains uphill too,
 /// where a cell's direction does not point at what makes it unstable. From an empty bed it always
 /// has; with g = 1 and direction = mean, rough beds are known on which grains go round for ever.
-/// That is noticed (LoopWatch). With g = 1 and toward_direction each topple lowers Σ h², so it
+/// That is noticed (CycleDetector). With g = 1 and toward_direction each topple lowers Σ h², so it
 /// ends.
 ///
 /// The published direction average is biased: on 64 × 64 cells the pile's centroid lies 11 cells

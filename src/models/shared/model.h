@@ -22,8 +22,8 @@ struct StateField {
     std::span<const double> values;
 };
 
-/// What a model is built on: the initial bed (model heights), its scale, the seed, and the threads
-/// it may use. Its results must not depend on how many those are.
+/// What a model is built from: the initial bed (model heights), its scale, the seed, and the
+/// threads that it may use. Results must not depend on the number of threads.
 struct ModelSetup {
     Grid bed;
     Mask nodata;
@@ -33,8 +33,8 @@ struct ModelSetup {
     bool from_file = false;  ///< the bed is a terrain file's
 };
 
-/// A landform model: it owns its state and advances it, and knows nothing of threads of the
-/// pipeline, of files or of OpenGL.
+/// A landform model: it owns its state and advances it. It knows nothing of the pipeline's threads,
+/// of files or of OpenGL.
 class Model {
   public:
     Model() = default;
@@ -60,10 +60,10 @@ class Model {
     /// Every field that the next step depends on, in declared order.
     [[nodiscard]] virtual std::vector<StateField> state() const = 0;
 
-    /// Carries, between two steps, everything beside scene and bed that the next steps, snapshots
-    /// and times depend on, counters and sums included. A model that was just built on the same
-    /// setup and gets it goes on with the same bytes as the one it was taken from. Throws as
-    /// StateCarrier; the model is of no use then.
+    /// Saves or restores, between two steps, everything besides scene and bed on which the next
+    /// steps, snapshots and times depend, including counters and sums. A model newly built from the
+    /// same setup that restores this state continues with the same bytes as the one that saved it.
+    /// Throws as StateCarrier does; the model must not be used after that.
     virtual void carry(StateCarrier& carrier) = 0;
 };
 

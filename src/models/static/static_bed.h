@@ -11,7 +11,7 @@ class KeyTable;
 
 struct StaticParameters {};
 
-/// Shows a bed as it is: every step leaves it alone. Cells without data are allowed.
+/// Shows a bed as it is; steps do not change it. Cells without data are allowed.
 class StaticBed : public Model {
   public:
     static constexpr std::string_view model_name = "static";

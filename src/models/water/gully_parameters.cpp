@@ -21,9 +21,9 @@ void list_flow_keys(GullyParameters& gully, KeyTable& table) {
                {.unit = "s", .range = {0, 1000, true}, .help = "of one step"});
     table.choice(
         "model.substeps", gully.substeps,
-        {{Substeps::adaptive, "adaptive", "as many in a step as model.courant_number asks for"},
+        {{Substeps::adaptive, "adaptive", "as many as model.courant_number demands"},
          {Substeps::fixed, "fixed", "one a step, as published; refused beyond Courant number 1"}},
-        {.help = "how a step is cut"});
+        {.help = "how a step is divided"});
     table.real("model.courant_number", gully.courant_number,
                {.range = {0, 0.5, true},
                 .help = "largest (|u| + sqrt(g h)) dt / dx + the same in y, of a sub-step"});
@@ -63,7 +63,7 @@ void list_flow_keys(GullyParameters& gully, KeyTable& table) {
     table.real("model.rain", gully.rain,
                {.unit = "mm/h", .range = {0, 1e5}, .help = "on every cell"});
     table.real("model.rain_until", gully.rain_until,
-               {.unit = "s", .range = {0, 1e12}, .help = "when it ends; 0: not"});
+               {.unit = "s", .range = {0, 1e12}, .help = "when the rain ends; 0: never"});
     table.choice("model.friction", gully.friction,
                  {{FrictionLaw::full, "full", "tau = rho C_f |u| u (eq. 6)"},
                   {FrictionLaw::half, "half", "tau = rho C_f |u| u / 2 (eq. 9)"}},

@@ -31,8 +31,8 @@ struct WaterDomain {
 ///     ∂h/∂t + ∇·(h u) = rain             τ = ρ C_f |u| u, or half of it   (Saeki & Okamura 2007,
 ///                                                                          eqs. 1–3, 6, 9)
 ///
-/// where the mean plane pulls toward −y. What a scheme keeps beside the water (the gradients of
-/// CIP) is its own.
+/// where the mean plane pulls toward −y. A scheme may keep a state of its own besides the water
+/// (for CIP, gradients).
 class ShallowWaterScheme {
   public:
     ShallowWaterScheme() = default;
@@ -50,10 +50,10 @@ class ShallowWaterScheme {
     /// Volume that left over open edges and into cells without data since the start, m³.
     [[nodiscard]] virtual double left() const { return 0.0; }
 
-    /// What the next sub-step depends on beside the water and the bed, in a fixed order.
+    /// What the next sub-step depends on besides the water and the bed, in a fixed order.
     [[nodiscard]] virtual std::vector<StateField> state() const { return {}; }
 
-    /// Carries that, and what has left.
+    /// Saves or restores that, and the volume that has left.
     virtual void carry(StateCarrier& carrier) = 0;
 };
 

@@ -8,9 +8,9 @@
 
 namespace fumon {
 
-/// The block of terrain as it stands before the camera, fixed by the run's first snapshot. Lengths
-/// are in units of the block's longer side; the origin lies under its centre, x points east, y
-/// north, z up. A cell covers dx × dy, so a bed of nx × ny cells measures nx·dx by ny·dy.
+/// The block of terrain in front of the camera, fixed by the run's first snapshot. Lengths are in
+/// units of the block's longer side; the origin lies under its centre, x points east, y north, z
+/// up. A cell covers dx × dy, so a bed of nx × ny cells measures nx·dx by ny·dy.
 struct Block {
     double side = 1.0;          ///< the longer side, in the snapshot's lengths (metres or sites)
     double width_x = 1.0;       ///< extent eastward, in sides

@@ -2,8 +2,8 @@
 
 namespace fumon {
 
-/// While one lives, SIGINT and SIGTERM only leave a mark (a second one ends the program at once),
-/// and SIGPIPE is ignored so that a closed pipe is an ordinary write error.
+/// While one exists, SIGINT and SIGTERM only set a flag (a second one ends the program at once),
+/// and SIGPIPE is ignored, so that a closed pipe is an ordinary write error.
 class InterruptGuard {
   public:
     InterruptGuard();
@@ -12,7 +12,7 @@ class InterruptGuard {
     InterruptGuard& operator=(const InterruptGuard&) = delete;
 };
 
-/// The signal that asked us to stop, or 0.
+/// The signal that asked the program to stop, or 0.
 int interrupting_signal();
 
 /// The exit status of a program that this signal stopped: 128 + signal, as shells have it.

@@ -9,7 +9,7 @@
 
 namespace fumon {
 
-/// Tells on standard error how far a run is. The pipeline's threads count; one thread shows.
+/// Reports on standard error how far a run is. The pipeline's threads count; one thread prints.
 class Progress {
   public:
     Progress(Verbosity verbosity, std::int64_t cells) : status_(verbosity), cells_(cells) {}
@@ -20,14 +20,14 @@ class Progress {
     std::atomic<std::int64_t> steps_done{0};
     std::atomic<std::int64_t> frames_done{0};
 
-    /// Shows the line when it is time for it. Called by one thread, often.
+    /// Prints the progress line if it is time to. Called often, by one thread.
     void show();
 
-    /// A lasting line, above the live one.
+    /// Prints a message above the progress line.
     void note(const std::string& line) { status_.note(line); }        ///< unless quiet
     void verbose(const std::string& line) { status_.verbose(line); }  ///< only when verbose
 
-    /// Takes the live line away.
+    /// Clears the progress line.
     void clear() { status_.clear(); }
 
   private:

@@ -8,8 +8,8 @@ namespace fumon {
 
 enum class Verbosity { quiet, normal, verbose };
 
-/// Standard error while something is under way: one live line on a terminal, a plain line now and
-/// then elsewhere, and lasting lines above it. Used by one thread.
+/// Progress on standard error: one line that is rewritten on a terminal, a plain line now and then
+/// elsewhere, and messages above it. Used by one thread.
 class StatusLine {
   public:
     explicit StatusLine(Verbosity verbosity);
@@ -22,12 +22,12 @@ class StatusLine {
     void show(const std::string& text);
     void restart();
 
-    /// A lasting line, above the live one.
+    /// Prints a message above the progress line.
     void note(const std::string& text);     ///< unless quiet
     void verbose(const std::string& text);  ///< only when verbose
     void error(const std::string& text);    ///< always
 
-    /// Takes the live line away.
+    /// Clears the progress line.
     void clear();
 
   private:

@@ -8,7 +8,7 @@
 
 namespace fumon {
 
-/// What every command that simulates or draws may be told.
+/// The options of every command that simulates or draws.
 struct WorkOptions {
     std::vector<std::string> settings;  ///< key.path=VALUE
     gl::Backend backend = gl::Backend::automatic;

@@ -26,8 +26,8 @@
 namespace fumon {
 namespace {
 
-using testing::message_of;
-using testing::TemporaryFolder;
+using test::message_of;
+using test::TemporaryFolder;
 namespace fs = std::filesystem;
 
 const std::string utm = "EPSG:32613";
@@ -312,7 +312,7 @@ TEST_F(Geotiff, DamagedFilesGiveOneLine) {
         raster.values[k] += static_cast<double>(k * k % 97);
     raster.options = {"COMPRESS=DEFLATE"};
     const fs::path file = write(folder_.path() / "dem.tif", raster);
-    const std::string whole = testing::bytes_of(file);
+    const std::string whole = test::bytes_of(file);
     ::testing::internal::CaptureStderr();
     for (const std::size_t length :
          {std::size_t{8}, std::size_t{20}, whole.size() / 2, whole.size() - 40}) {
@@ -335,7 +335,7 @@ TEST_F(Geotiff, NoSingleWrongByteBreaksTheReader) {
     Raster raster;
     raster.options = {"COMPRESS=DEFLATE"};
     const fs::path file = write(folder_.path() / "dem.tif", raster);
-    const std::string whole = testing::bytes_of(file);
+    const std::string whole = test::bytes_of(file);
     int read = 0;
     int refused = 0;
     for (std::size_t k = 0; k < whole.size(); ++k) {

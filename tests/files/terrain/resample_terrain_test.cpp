@@ -13,7 +13,7 @@
 namespace fumon {
 namespace {
 
-using testing::message_of;
+using test::message_of;
 
 /// z = 3x + 5y at the centres of cells of `dx` × `dy`, which lie from (100, 200) on.
 Terrain plane(int nx, int ny, double dx, double dy) {

@@ -13,8 +13,8 @@
 namespace fumon {
 namespace {
 
-using testing::message_of;
-using testing::TemporaryFolder;
+using test::message_of;
+using test::TemporaryFolder;
 
 std::vector<double> values_of(const Grid& grid) {
     return {grid.values().begin(), grid.values().end()};

@@ -11,6 +11,7 @@
 #include "render/air_layer.h"
 #include "render/renderer.h"
 #include "render/view/shown_snapshot.h"
+#include "support/drawn_picture.h"
 #include "support/section_beds.h"
 
 namespace fumon {

@@ -16,6 +16,7 @@
 #include "render/colour/palette.h"
 #include "render/renderer.h"
 #include "render/view/block.h"
+#include "support/drawn_picture.h"
 #include "support/water_beds.h"
 
 namespace fumon {

@@ -1,4 +1,4 @@
-#include "models/shared/loop_watch.h"
+#include "models/shared/cycle_detector.h"
 
 #include "base/error.h"
 
@@ -16,9 +16,10 @@ std::uint64_t mix(std::uint64_t digest, std::uint64_t value) {
 
 }  // namespace
 
-void LoopWatch::compare(std::int64_t topplings, std::int64_t draws,
-                        std::span<const std::size_t> changed, std::span<const std::int32_t> cells,
-                        std::span<const std::size_t> queue) {
+void CycleDetector::compare(std::int64_t topplings, std::int64_t draws,
+                            std::span<const std::size_t> changed,
+                            std::span<const std::int32_t> cells,
+                            std::span<const std::size_t> queue) {
     topplings_at_last_look_ = topplings;
     std::uint64_t digest = changed.size();
     for (const std::size_t cell : changed)

@@ -6,11 +6,11 @@
 
 namespace fumon {
 
-/// Notices a pile that will never come to rest. The published rule moves grains along a cell's
+/// Detects a pile that will never come to rest. The published rule moves grains along a cell's
 /// direction even where that is uphill, so a ring of cells beside a deep hole can hand grains round
-/// for ever (seen on rough beds, most of all with one grain per topple). Toppling without draws is
-/// deterministic: if the pile comes back to a state that it has had, it goes round.
-class LoopWatch {
+/// for ever (seen on rough beds, most of all with one grain per topple). Toppling without random
+/// draws is deterministic: a pile that returns to an earlier state repeats itself for ever.
+class CycleDetector {
   public:
     /// To be called between two rounds of toppling, with everything the next round depends on: the
     /// cells that the avalanche has changed, all packed cells, and the queue if there is one.
