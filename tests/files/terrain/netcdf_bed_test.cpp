@@ -437,8 +437,7 @@ TEST_F(NetcdfBed, ASceneStartsFromOne) {
         parse_scene(begin + "file = \"bed.nc\"\nvariable = \"z\"\n", "scene.toml", folder.path());
     const InitialBed initial = make_initial_bed(scene);
     EXPECT_EQ(initial.bed(2, 1), 6.0);
-    EXPECT_EQ(initial.scale,
-              (WorldScale{10.0, 5.0, 1.0, true, GeoReference{5.0, 2.5, 10.0, 5.0}}));
+    EXPECT_EQ(initial.scale, (WorldScale{10.0, 5.0, 1.0, true, GeoReference{5.0, 2.5, 10.0, 5.0}}));
     EXPECT_EQ(
         message_of<InputError>([] {
             parse_scene("[model]\nname = \"static\"\n[bed]\nvariable = \"z\"\n", "scene.toml", "");
