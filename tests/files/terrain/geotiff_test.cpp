@@ -21,6 +21,7 @@
 #include "base/error.h"
 #include "files/terrain/terrain_file.h"
 #include "files/terrain/terrain_format.h"
+#include "support/grid_values.h"
 #include "support/temporary_folder.h"
 
 namespace fumon {
@@ -28,6 +29,7 @@ namespace {
 
 using test::message_of;
 using test::TemporaryFolder;
+using test::values_of;
 namespace fs = std::filesystem;
 
 const std::string utm = "EPSG:32613";
@@ -69,10 +71,6 @@ fs::path write(const fs::path& file, const Raster& raster) {
     }
     GDALClose(dataset);
     return file;
-}
-
-std::vector<double> values_of(const Grid& grid) {
-    return {grid.values().begin(), grid.values().end()};
 }
 
 class Geotiff : public ::testing::Test {

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "files/terrain/terrain_file.h"
 #include "files/terrain/terrain_format.h"
+#include "support/grid_values.h"
 #include "support/temporary_folder.h"
 
 namespace fumon {
@@ -15,10 +16,7 @@ namespace {
 
 using test::message_of;
 using test::TemporaryFolder;
-
-std::vector<double> values_of(const Grid& grid) {
-    return {grid.values().begin(), grid.values().end()};
-}
+using test::values_of;
 
 /// Three by two cells of 10 m from (500, 200), heights 1 … 6 as they stand in the file.
 std::filesystem::path grid_file(const TemporaryFolder& folder) {

@@ -17,7 +17,7 @@
 namespace fumon {
 namespace {
 
-Grid noise(int nx, int ny, double low, double high, std::uint64_t seed) {
+Grid random_bed(int nx, int ny, double low, double high, std::uint64_t seed) {
     Grid bed(nx, ny);
     for (int y = 0; y < ny; ++y) {
         RandomStream stream(seed, static_cast<std::uint32_t>(y), 0, Purpose::initial_bed);
@@ -151,7 +151,7 @@ std::vector<SandParameters> all_options() {
 }
 
 TEST(Sand, IsConservedWithEveryOption) {
-    const Grid bed = noise(31, 23, 0.5, 1.5, 2);
+    const Grid bed = random_bed(31, 23, 0.5, 1.5, 2);
     const double before = bed_statistics(bed, {}).total;
     for (const SandParameters& sand : all_options()) {
         const double total = bed_statistics(after(sand, bed, 60), {}).total;
@@ -160,7 +160,7 @@ TEST(Sand, IsConservedWithEveryOption) {
 }
 
 TEST(Sand, TheSameForAnyNumberOfThreadsWithEveryOption) {
-    const Grid bed = noise(31, 23, 0.5, 1.5, 3);
+    const Grid bed = random_bed(31, 23, 0.5, 1.5, 3);
     for (const SandParameters& sand : all_options()) {
         const Grid one = after(sand, bed, 5, 1);
         for (const int threads : {2, 3, 8})
@@ -169,7 +169,7 @@ TEST(Sand, TheSameForAnyNumberOfThreadsWithEveryOption) {
 }
 
 TEST(Sand, EveryOptionMakesADifference) {
-    const Grid bed = noise(31, 23, 0.0, 1.5, 4);
+    const Grid bed = random_bed(31, 23, 0.0, 1.5, 4);
     const auto differs = [&](SandParameters base, auto change) {
         SandParameters changed = base;
         change(changed);
@@ -201,7 +201,7 @@ TEST(Sand, ATableOfTheLinearLawIsTheLinearLaw) {
     table.hop_length = HopLength::tabulated;
     table.hop_table_heights = {-1.0, 0.0, 0.5, 3.0};
     table.hop_table_lengths = {5.0, 5.0, 6.0, 11.0};  // L = 5 + 2 h between 0 and 3
-    const Grid bed = noise(40, 30, 0.0, 1.0, 8);
+    const Grid bed = random_bed(40, 30, 0.0, 1.0, 8);
     EXPECT_EQ(after(table, bed, 4), after(linear, bed, 4));
     table.hop_table_lengths.back() = 9.0;
     EXPECT_NE(after(table, bed, 4), after(linear, bed, 4));
@@ -210,7 +210,7 @@ TEST(Sand, ATableOfTheLinearLawIsTheLinearLaw) {
 TEST(Sand, OneRowAndHopsAroundTheBoxAreFine) {
     SandParameters sand;
     sand.hop_base = 7.0;  // the box is 7 wide: sand lands where it started, or further round
-    const Grid bed = noise(7, 1, 0.0, 1.0, 5);
+    const Grid bed = random_bed(7, 1, 0.0, 1.0, 5);
     sand.hop_per_height = 0.0;
     const Grid found = after(sand, bed, 5);
     EXPECT_NEAR(bed_statistics(found, {}).total, bed_statistics(bed, {}).total, 1e-13);
@@ -219,7 +219,7 @@ TEST(Sand, OneRowAndHopsAroundTheBoxAreFine) {
 TEST(Sand, NothingStaysBelowZeroWhenAmountsAreLimited) {
     SandParameters sand;
     sand.amount = 0.9;
-    const Grid found = after(sand, noise(40, 30, 0.0, 1.0, 6), 100);
+    const Grid found = after(sand, random_bed(40, 30, 0.0, 1.0, 6), 100);
     for (const double height : found.values()) EXPECT_GE(height, 0.0);
 }
 
@@ -265,7 +265,7 @@ TEST(MaximaCreep, IsThePlainSweepBitForBit) {
                                                                  {67, 33}}) {
         for (std::uint64_t seed = 1; seed <= 120; ++seed) {
             const double low = seed % 4 == 0 ? -1.0 : 0.0;  // beds of Sudo's rule dip below zero
-            Grid fast = noise(nx, ny, low, 1.0 + low, seed);
+            Grid fast = random_bed(nx, ny, low, 1.0 + low, seed);
             if (seed % 2 == 0) {  // plateaus: neighbours of the same height
                 for (double& height : fast.values()) height = std::floor(height * 6.0);
             }
@@ -306,7 +306,7 @@ void plain_profile_creep(std::span<double> row, double creep_rate, double flank_
 
 /// Noise, plateaus, a slope that never ends (where a guess never comes true), or one constant.
 Grid profile_bed(int nx, std::uint64_t seed) {
-    Grid bed = noise(nx, 1, 40.0, 60.0, seed);
+    Grid bed = random_bed(nx, 1, 40.0, 60.0, seed);
     for (int x = 0; x < nx; ++x) {
         if (seed % 4 == 1) bed(x, 0) = std::floor(bed(x, 0) / 4.0);
         if (seed % 4 == 2) bed(x, 0) = 1e4 - 0.1 * x;
@@ -342,7 +342,7 @@ TEST(Sand, ALongProfileIsTheSameForAnyNumberOfThreads) {
     SandParameters profile = sudo();
     profile.creep = Creep::profile;
     profile.hop_base = 50.0;
-    const Grid bed = noise(50000, 1, 48.5, 51.5, 7);
+    const Grid bed = random_bed(50000, 1, 48.5, 51.5, 7);
     const Grid one = after(profile, bed, 20, 1);
     for (const int threads : {2, 3, 8}) EXPECT_EQ(after(profile, bed, 20, threads), one);
     EXPECT_NEAR(bed_statistics(one, {}).total, bed_statistics(bed, {}).total, 1e-6);

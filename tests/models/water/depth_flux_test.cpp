@@ -30,7 +30,7 @@ Grid carried(const Grid& depth, const Grid& u, const Grid& v, double dt) {
     return after;
 }
 
-double sum(const Grid& grid) {
+double sum_of(const Grid& grid) {
     double total = 0.0;
     for (const double value : grid.values()) total += value;
     return total;
@@ -45,7 +45,7 @@ TEST(DepthFlux, FlowThatTearsWaterApartTakesNoMoreThanThereIs) {
     for (double& speed : v.values()) speed -= 0.8;
     const Grid after = carried(depth, u, v, 0.9);
     EXPECT_GE(*std::min_element(after.values().begin(), after.values().end()), 0.0);
-    EXPECT_NEAR(sum(after), sum(depth), 1e-12 * sum(depth));
+    EXPECT_NEAR(sum_of(after), sum_of(depth), 1e-12 * sum_of(depth));
 }
 
 TEST(DepthFlux, AWaveComesRoundWithLittleLoss) {
