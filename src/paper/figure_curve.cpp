@@ -41,7 +41,7 @@ Condition read_condition(const std::string& text, const Table& table) {
     const std::size_t after = std::min(text.find_first_not_of("=<>!", start), text.size());
     Condition condition{table.find(text.substr(0, start)), text.substr(start, after - start),
                         text.substr(after), 0.0, false};
-    if (condition.relation == "==") condition.relation = "=";
+    if (condition.relation == "==") condition.relation.pop_back();
     const std::vector<std::string> known{"=", "!=", "<", "<=", ">", ">="};
     const ParsedNumber number = parse_number(condition.text);
     condition.is_number =

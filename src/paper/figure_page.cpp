@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "figure/page/page_grid.h"
-#include "paper/figure_pictures.h"
+#include "paper/panel_makers.h"
 
 namespace fumon {
 
@@ -68,7 +68,8 @@ class Assembly {
   public:
     Assembly(const FigurePlan& plan, const FigureRuns& runs, const RunStore& store,
              const FigureDrawing& drawing)
-        : plan_(plan), pictures_(plan, runs, store, drawing) {
+        : plan_(plan), tools_{plan,   runs, store, drawing.backend, WorkerPool(drawing.threads),
+                              nullptr} {
         made_.page = empty_page(plan);
     }
 
@@ -86,12 +87,33 @@ class Assembly {
         return letter.substr(1, letter.size() - 2) + (inset ? "-inset" : "");
     }
 
+    /// The panels of a run, `width` points being the room for a frame on the page.
+    std::vector<MadePanel> make(const PanelPlan& panel, double width) {
+        Snapshot first;
+        std::vector<Snapshot> snapshots;
+        if (panel.picture) {
+            const auto at = [&](std::int64_t step) {
+                return tools_.store.snapshot(tools_.runs[panel.picture->run], step);
+            };
+            first = at(0);
+            for (const std::int64_t step : panel.picture->steps) snapshots.push_back(at(step));
+        }
+        std::vector<MadePanel> made =
+            maker_of(panel.settings.kind).make({panel, first, snapshots, width}, tools_);
+        const Scene& scene = panel.picture ? panel.picture->scene : plan_.scene;
+        for (std::size_t k = 0; k < made.size(); ++k) {
+            made[k].title =
+                panel_title(panel.settings, scene, snapshots.empty() ? nullptr : &snapshots[k]);
+        }
+        return made;
+    }
+
     void add(const PanelPlan& panel) {
         const PanelSettings& settings = panel.settings;
         const bool inset = settings.inset != InsetPlace::none;
         const double share = inset ? settings.inset_size : static_cast<double>(settings.columns);
         const double width = made_.page.width / made_.page.columns * share;
-        for (MadePanel& one : pictures_.make(panel, width)) {
+        for (MadePanel& one : make(panel, width)) {
             for (FigureData& data : one.data)
                 made_.data.push_back({letter_of_next(panel) + data.name, std::move(data.text)});
             place(panel, std::move(one.content), std::move(one.title));
@@ -118,7 +140,7 @@ class Assembly {
     }
 
     const FigurePlan& plan_;
-    FigurePictures pictures_;
+    PanelTools tools_;
     FigurePage made_;
 };
 

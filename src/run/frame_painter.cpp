@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "figure/canvas/canvas.h"
+#include "figure/overlays/frame_overlays.h"
 #include "figure/panels/section_figure.h"
 #include "gl/pinned.h"
 #include "render/renderer.h"
-#include "run/overlay_painter.h"
 #include "scene/overlay_keys.h"
 
 namespace fumon {
@@ -57,6 +57,34 @@ class SectionPainter : public FramePainter {
   private:
     View view_;
     double exaggeration_;
+};
+
+/// Lays a scene's overlays over what another painter draws.
+class OverlayPainter : public FramePainter {
+  public:
+    /// The scene outlives it. Throws what FrameOverlays throws.
+    OverlayPainter(std::unique_ptr<FramePainter> under, const Scene& scene, const Snapshot& first)
+        : under_(std::move(under)), overlays_(scene, first) {}
+
+    Image paint(const Snapshot& snapshot, const MeasuredRows& rows) override {
+        Image image = under_->paint(snapshot, rows);
+        overlays_.draw(image, {snapshot, rows, under_->colour_range()});
+        return image;
+    }
+    [[nodiscard]] std::pair<double, double> colour_range() const override {
+        return under_->colour_range();
+    }
+    [[nodiscard]] DrawingRecord record() const override {
+        DrawingRecord record = under_->record();
+        record.text_library = figure_library();
+        record.environment.pinned = false;
+        if (gl::rendering_is_pinned()) record.why_not_pinned = text_is_not_pinned;
+        return record;
+    }
+
+  private:
+    std::unique_ptr<FramePainter> under_;
+    FrameOverlays overlays_;
 };
 
 std::unique_ptr<FramePainter> make_bare_painter(const Scene& scene, const Snapshot& first,

@@ -44,6 +44,7 @@ class Pipeline {
           movie_(outputs.movie),
           options_(options),
           progress_(progress),
+          clock_(options.checkpoint_minutes),
           parts_(folder_ == nullptr ? RunParts{} : run_parts(scene, options.checkpoint_minutes)),
           pictures_(parts_.frames || movie_),
           last_step_(options.last_step.value_or(scene.run.steps)),
@@ -136,9 +137,8 @@ class Pipeline {
         CountedSteps count(progress_);
         std::vector<StepObserver*> observers{&recorder, &beds, &frames, &count};
         std::optional<Checkpointer> checkpoints;
-        if (folder_ != nullptr && options_.checkpoint_minutes > 0.0) {
-            checkpoints.emplace(*folder_, parts_, options_.checkpoint_minutes, checkpoint_facts(),
-                                written_, recorder,
+        if (folder_ != nullptr && clock_.on()) {
+            checkpoints.emplace(*folder_, parts_, clock_, checkpoint_facts(), written_, recorder,
                                 [this](const std::string& line) { stages_.tell(line); });
             observers.push_back(&*checkpoints);
         }
@@ -275,6 +275,7 @@ class Pipeline {
     std::optional<std::filesystem::path> movie_;
     PipelineOptions options_;
     Progress& progress_;
+    CheckpointClock clock_;
     RunParts parts_;
     bool pictures_;
     std::int64_t last_step_;

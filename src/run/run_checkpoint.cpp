@@ -49,12 +49,13 @@ void RunCheckpoint::carry(StateCarrier& carrier) {
     carrier.list("resumed_at", resumed_at);
 }
 
-Checkpointer::Checkpointer(const RunFolder& folder, const RunParts& parts, double minutes,
-                           RunCheckpoint fixed, WrittenOutputs& written, Recorder& recorder,
+Checkpointer::Checkpointer(const RunFolder& folder, const RunParts& parts,
+                           const CheckpointClock& clock, RunCheckpoint fixed,
+                           WrittenOutputs& written, Recorder& recorder,
                            std::function<void(const std::string&)> tell)
     : folder_(folder),
       parts_(parts),
-      clock_(minutes),
+      clock_(clock),
       now_(std::move(fixed)),
       written_(written),
       recorder_(recorder),

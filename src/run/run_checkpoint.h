@@ -60,9 +60,9 @@ class CheckpointClock {
 /// comes.
 class Checkpointer : public StepObserver {
   public:
-    /// `fixed` is what a checkpoint holds that stays the same over the run; `minutes` between
-    /// checkpoints, 0: none; `tell` takes what is to be told of one that cannot be written.
-    Checkpointer(const RunFolder& folder, const RunParts& parts, double minutes,
+    /// `clock` says when; `fixed` is what a checkpoint holds that stays the same over the run;
+    /// `tell` takes what is to be told of one that cannot be written.
+    Checkpointer(const RunFolder& folder, const RunParts& parts, const CheckpointClock& clock,
                  RunCheckpoint fixed, WrittenOutputs& written, Recorder& recorder,
                  std::function<void(const std::string&)> tell);
 

@@ -49,20 +49,20 @@ bool StageThreads::aborted() {
 
 void StageThreads::tell(const std::string& line) {
     const std::lock_guard lock(mutex_);
-    if (line != told_) to_tell_ = told_ = line;
+    if (line != told_) to_tell_.push_back(told_ = line);
 }
 
 void StageThreads::wait(Progress& progress) {
     constexpr std::chrono::milliseconds between_looks{50};
     std::unique_lock lock(mutex_);
-    while (!all_done_.wait_for(lock, between_looks, [this] { return running_ == 0; })) {
-        const std::string line = std::exchange(to_tell_, {});
+    for (bool done = false; !done;) {
+        done = all_done_.wait_for(lock, between_looks, [this] { return running_ == 0; });
+        const std::vector<std::string> lines = std::exchange(to_tell_, {});
         lock.unlock();
-        if (!line.empty()) progress.note(line);
-        progress.show();
+        for (const std::string& line : lines) progress.note(line);
+        if (!done) progress.show();
         lock.lock();
     }
-    if (!to_tell_.empty()) progress.note(to_tell_);
     lock.unlock();
     threads_.clear();
 }

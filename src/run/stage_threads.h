@@ -26,7 +26,7 @@ class StageThreads {
     void keep(const std::exception_ptr& error);
     void abort();
     [[nodiscard]] bool aborted();
-    /// Has the thread that waits say something lasting, the same thing once.
+    /// Has the thread that waits say something lasting, the same thing once in succession.
     void tell(const std::string& line);
 
     /// Waits until all stages have ended, showing the progress.
@@ -38,7 +38,7 @@ class StageThreads {
     std::function<void()> stop_;
     std::mutex mutex_;
     std::condition_variable all_done_;
-    std::string to_tell_;
+    std::vector<std::string> to_tell_;
     std::string told_;
     int running_ = 0;
     bool aborted_ = false;
