@@ -35,7 +35,7 @@ const KilledRun cases[] = {
     {"Pile",
      "[model]\nname = \"sandpile\"\norder = \"first-in-first-out\"\ndrop_direction = "
      "\"cycling\"\ngrains_per_step = 20\n[grid]\nnx = 40\nny = 40\n[run]\nsteps = "
-     "1000\n[frames]\nevery = 25\n[output]\nframes = false\nfields_every = 100\n"},
+     "2500\n[frames]\nevery = 25\n[output]\nframes = false\nfields_every = 100\n"},
     {"Gully",
      "[model]\nname = \"gully\"\ntransport = \"as-printed\"\n[bed]\nhigh = 0.01\n[grid]\nnx = "
      "60\nny = 60\n[run]\nsteps = 300\n[frames]\nevery = 10\n[output]\nfields_every = 20\n"},

@@ -247,7 +247,7 @@ TEST_F(ResumeTest, AFullDiskForACheckpointDoesNotEndTheRun) {
     const Ended ended =
         run({"run", "scene.toml", "-o", "small/out", "--checkpoint-every", "0.00001"});
     EXPECT_EQ(ended.status, 0) << ended.errors;
-    EXPECT_EQ(ended.errors.rfind("no checkpoint of step ", 0), 0U) << ended.errors;
+    EXPECT_TRUE(ended.errors.starts_with("no checkpoint of step ")) << ended.errors;
     EXPECT_NE(
         ended.errors.find(": cannot write small/out/checkpoint.fumon: No space left on device; "
                           "the run goes on\n"),
