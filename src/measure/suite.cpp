@@ -102,7 +102,7 @@ constexpr SuiteGroup entry(unsigned landforms) {
             landforms};
 }
 
-/// Every group, in the order of its columns. A new measure is a line here.
+/// Every group, in the order of its columns. A new group is a line here.
 constexpr std::array suite_groups{
     entry<statistics_group>(everywhere),
     entry<wave_group>(on_beds_and_profiles),
