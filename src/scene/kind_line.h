@@ -19,6 +19,7 @@ struct KindLine {
 template <class Kind, class Shows, std::size_t count>
 std::vector<Choice<Kind>> choices_of(const std::array<KindLine<Kind, Shows>, count>& kinds) {
     std::vector<Choice<Kind>> choices;
+    choices.reserve(count);
     for (const KindLine<Kind, Shows>& kind : kinds) choices.push_back(kind.choice);
     return choices;
 }
