@@ -2,6 +2,7 @@
 
 #include "files/terrain/netcdf_bed.h"
 
+#include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_record.h"
 #include "fuzz_input.h"
 
