@@ -1,6 +1,6 @@
 // Part of every program under AddressSanitizer. At a program's end the leak checker stops all its
-// threads; beside those of an OpenGL driver, which EGL keeps to the very end, it crashes now and then.
-// So a program that ends with more threads than one is not checked for leaks; all else of
+// threads; beside those of an OpenGL driver, which EGL keeps to the very end, it crashes now and
+// then. So a program that ends with more threads than one is not checked for leaks; all else of
 // AddressSanitizer stays.
 
 #include <filesystem>
