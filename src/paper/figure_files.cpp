@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "files/atomic_file.h"
+#include "outputs/output_claims.h"
+#include "outputs/own_file.h"
 #include "paper/figure_caption.h"
 #include "run/picture_text.h"
 
@@ -71,6 +74,49 @@ FigureOrigin read_figure_origin(const FigureMetadata& metadata, const std::strin
     return origin;
 }
 
+namespace {
+
+/// Whether a name ends as that of data, NAME-a-1.csv: a panel's letter, perhaps "-inset", perhaps a
+/// curve's number, and .csv or .asc.
+bool ends_as_data(std::string_view end) {
+    const auto skip = [&end](auto is_one) {
+        const auto* const first = end.begin();
+        end.remove_prefix(
+            static_cast<std::size_t>(std::find_if_not(first, end.end(), is_one) - first));
+        return end.begin() != first;
+    };
+    const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    if (!end.starts_with('-')) return false;
+    end.remove_prefix(1);
+    if (!skip(is_letter)) return false;
+    constexpr std::string_view inset = "-inset";
+    if (end.starts_with(inset)) end.remove_prefix(inset.size());
+    if (end.starts_with('-')) {
+        end.remove_prefix(1);
+        if (!skip(is_digit)) return false;
+    }
+    return end == ".csv" || end == ".asc";
+}
+
+}  // namespace
+
+void claim_figure(const FigurePlan& plan, const fs::path& folder, const OutputClaims& claims) {
+    const auto file = [&](const std::string& end) { return folder / (plan.name + end); };
+    bool is_there = false;
+    for (const char* end : {".pdf", ".svg", ".png"})
+        is_there = is_there || says_that_fumon_made_it(file(end));
+    for (const std::string& format : plan.scene.figure.formats)
+        claims.check(file("." + format), false);
+    claims.check(file(".caption.txt"), false);
+    std::error_code fault;
+    for (const auto& entry : fs::directory_iterator(folder, fault)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with(plan.name) && ends_as_data(name.substr(plan.name.size())))
+            claims.check(entry.path(), is_there);
+    }
+}
+
 void write_files(const std::vector<WholeFile>& files) {
     std::vector<std::unique_ptr<AtomicFile>> open;
     for (const WholeFile& file : files) {
@@ -81,11 +127,11 @@ void write_files(const std::vector<WholeFile>& files) {
 }
 
 PageFormat page_format(const fs::path& file) {
-    const std::string end = file.extension().string();
-    if (end == ".pdf") return PageFormat::pdf;
+    static constexpr std::array<std::string_view, 3> endings{".pdf", ".svg", ".png"};
+    check_ending(file, "a figure", endings);
+    const std::string end = small_ending(file);
     if (end == ".svg") return PageFormat::svg;
-    if (end == ".png") return PageFormat::png;
-    throw InputError(fmt::format("{}: a figure's name ends in .pdf, .svg or .png", file.string()));
+    return end == ".png" ? PageFormat::png : PageFormat::pdf;
 }
 
 DrawnPage draw_figure(const FigurePlan& plan, const FigurePage& made, PageFormat format,
