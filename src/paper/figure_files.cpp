@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "figure/page/page_grid.h"
 #include "files/atomic_file.h"
 #include "outputs/output_claims.h"
 #include "outputs/own_file.h"
@@ -76,44 +77,46 @@ FigureOrigin read_figure_origin(const FigureMetadata& metadata, const std::strin
 
 namespace {
 
-/// Whether a name ends as that of data, NAME-a-1.csv: a panel's letter, perhaps "-inset", perhaps a
+/// What follows a panel's letter in a name of data, NAME-a-1.csv: perhaps "-inset", perhaps a
 /// curve's number, and .csv or .asc.
 bool ends_as_data(std::string_view end) {
-    const auto skip = [&end](auto is_one) {
-        const auto* const first = end.begin();
-        end.remove_prefix(
-            static_cast<std::size_t>(std::find_if_not(first, end.end(), is_one) - first));
-        return end.begin() != first;
-    };
-    const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
-    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-    if (!end.starts_with('-')) return false;
-    end.remove_prefix(1);
-    if (!skip(is_letter)) return false;
     constexpr std::string_view inset = "-inset";
     if (end.starts_with(inset)) end.remove_prefix(inset.size());
     if (end.starts_with('-')) {
-        end.remove_prefix(1);
-        if (!skip(is_digit)) return false;
+        const std::size_t digits = end.find_first_not_of("0123456789", 1);
+        if (digits == 1 || digits == std::string_view::npos) return false;
+        end.remove_prefix(digits);
     }
     return end == ".csv" || end == ".asc";
+}
+
+/// Whether a file is called as data of one of the figure's panels.
+bool is_called_as_data(std::string_view name, const FigurePlan& plan) {
+    std::size_t panels = 0;
+    for (const PanelPlan& panel : plan.panels) panels += panels_of(panel);
+    for (std::size_t n = 0; n < panels; ++n) {
+        const std::string letter = panel_letter(n);  // "(a)"
+        const std::string begin = plan.name + "-" + letter.substr(1, letter.size() - 2);
+        if (name.starts_with(begin) && ends_as_data(name.substr(begin.size()))) return true;
+    }
+    return false;
 }
 
 }  // namespace
 
 void claim_figure(const FigurePlan& plan, const fs::path& folder, const OutputClaims& claims) {
     const auto file = [&](const std::string& end) { return folder / (plan.name + end); };
-    bool is_there = false;
+    bool made_before = false;
     for (const char* end : {".pdf", ".svg", ".png"})
-        is_there = is_there || says_that_fumon_made_it(file(end));
+        made_before = made_before || says_that_fumon_made_it(file(end));
     for (const std::string& format : plan.scene.figure.formats)
         claims.check(file("." + format), false);
     claims.check(file(".caption.txt"), false);
     std::error_code fault;
     for (const auto& entry : fs::directory_iterator(folder, fault)) {
-        const std::string name = entry.path().filename().string();
-        if (name.starts_with(plan.name) && ends_as_data(name.substr(plan.name.size())))
-            claims.check(entry.path(), is_there);
+        fs::path data = entry.path();
+        if (data.extension() == ".part") data.replace_extension();
+        if (is_called_as_data(data.filename().string(), plan)) claims.check(data, made_before);
     }
 }
 

@@ -130,6 +130,7 @@ TEST_F(ReplacedFiles, WhatARunLeavesUnfinishedSaysWhatItMayWrite) {
     ASSERT_EQ(failed.status, 1) << failed.errors;
     const auto manifest = read_manifest(folder_ / "out");
     EXPECT_EQ(manifest["status"], "failed");
+    ASSERT_TRUE(manifest.contains("may_write"));
     EXPECT_TRUE(manifest["may_write"]["files"].is_array());
     ASSERT_EQ(plain_run("out", {"--force"}).status, 0);
     EXPECT_FALSE(read_manifest(folder_ / "out").contains("may_write"));
