@@ -145,6 +145,7 @@ void check_ending(const fs::path& file, std::string_view what,
 
 void check_output_folder(const fs::path& folder, std::string_view what) {
     std::error_code fault;
+    if (folder.empty()) throw InputError(fmt::format("name a folder for {} with -o", what));
     if (same_file(folder, "/")) {
         throw InputError(
             fmt::format("{} is the root of the file system; name a folder for {} with -o",

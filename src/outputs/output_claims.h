@@ -63,9 +63,9 @@ inline constexpr std::array<std::string_view, 1> junit_ending{".xml"};
 /// A file's ending in small letters: ".png".
 std::string small_ending(const std::filesystem::path& file);
 
-/// Throws InputError for the root of the file system and for a file, Error where the folder or, if
-/// it is not there yet, the first one above it cannot be written. Leaves no trace. `what`: what the
-/// folder is for, "the run".
+/// Throws InputError for the root of the file system, a file and an empty path, Error where the
+/// folder or, if it is not there yet, the first one above it cannot be written. Leaves no trace.
+/// `what`: what the folder is for, "the run".
 void check_output_folder(const std::filesystem::path& folder, std::string_view what);
 
 /// Throws InputError "FILE is there already …; …--force replaces it".

@@ -44,7 +44,7 @@ TEST(CsvTable, WritesWhatItReads) {
 }
 
 TEST(CsvTable, ATextIsNoFormulaToASpreadsheetAndReadsBackAsItWas) {
-    const std::vector<std::string> texts{"=1+1", "+a",  "-x.asc",    "@SUM(1)",  "\t=1", "\r=1",
+    const std::vector<std::string> texts{"=1+1", "+a",  "-x.asc",   "@SUM(1)",  "\t=1", "\r=1",
                                          "'=1",  "''@", "=1,\"2\"", "'quoted'", "a=1"};
     EXPECT_EQ(csv_line(texts),
               "'=1+1,'+a,'-x.asc,'@SUM(1),'\t=1,\"'\r=1\",''=1,'''@,\"'=1,\"\"2\"\"\",'quoted',"

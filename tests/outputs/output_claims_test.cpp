@@ -135,6 +135,7 @@ TEST_F(Claims, AFolderForOutputsIsNoRootAndNoFileAndCanBeWritten) {
     fs::remove(folder_ / "root");
     EXPECT_EQ(refused(input_), input_.string() + " is a file; name a folder for the run with -o");
     EXPECT_NE(refused(input_ / "a/b").find("cannot make the folder"), std::string::npos);
+    EXPECT_EQ(refused(""), "name a folder for the run with -o");
     EXPECT_NE(refused("/proc/no/such").find("cannot make the folder"), std::string::npos);
     EXPECT_EQ(refused(folder_ / "new/and/newer/"), "");
     EXPECT_EQ(refused(folder_.path()), "");
