@@ -8,6 +8,7 @@
 #include "figure/canvas/figure_metadata.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
+#include "outputs/output_claims.h"
 #include "paper/figure_files.h"
 #include "paper/figure_make.h"
 #include "paper/figure_page.h"
@@ -18,6 +19,7 @@
 #include "run/terminal/interrupt.h"
 #include "scene/find_input.h"
 #include "scene/read.h"
+#include "scene/scene_files.h"
 
 namespace fumon {
 
@@ -27,6 +29,7 @@ struct AgainOptions {
     std::string picture;
     std::string output;  ///< empty: NAME-again.png (or .mp4, .pdf, .svg) in the working folder
     std::string runs;    ///< of a figure: the folder of finished runs; empty: "runs" beside it
+    bool force = false;
     WorkOptions work;
 };
 
@@ -41,6 +44,7 @@ void declare(CLI::App& command, AgainOptions& options) {
         .add_option("--runs", options.runs,
                     "of a figure: where finished runs are kept (default: runs beside it)")
         ->type_name("FOLDER");
+    add_force(command, options.force);
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
 }
@@ -60,33 +64,47 @@ std::string why_different(const PictureOrigin& origin, const RenderingEnvironmen
     return versions + "; " + reason;
 }
 
-fs::path output_of(const AgainOptions& options) {
+/// `usual`: the ending of the file unless -o says another.
+fs::path output_of(const AgainOptions& options, std::string_view usual) {
     if (!options.output.empty()) return options.output;
-    const fs::path picture = options.picture;
-    return picture.stem().string() + "-again" + picture.extension().string();
+    return fs::path(options.picture).stem().string() + "-again" + std::string(usual);
+}
+
+/// Claims the file to write; `inputs`: what is read beside the picture.
+void claim_output(const AgainOptions& options, const fs::path& output,
+                  const std::vector<fs::path>& inputs) {
+    OutputClaims claims(options.force);
+    claims.reads(options.picture);
+    claims.reads(inputs);
+    claims.writes(output);
 }
 
 /// The texts of a figure's file; none where it is another picture.
 FigureMetadata figure_texts(const fs::path& picture) {
-    const std::string end = picture.extension().string();
+    const std::string end = small_ending(picture);
     if (end != ".pdf" && end != ".svg" && end != ".png") return {};
     return read_figure_metadata(read_input_file(picture), picture.string());
 }
 
 int figure_again(const AgainOptions& options, const FigureOrigin& origin) {
-    const fs::path output = output_of(options);
+    const fs::path output = output_of(options, small_ending(options.picture));
     const PageFormat format = page_format(output);
     StatusLine status(options.work.verbosity);
+    std::vector<fs::path> inputs;
     FigureSources sources(origin.texts, origin.inputs, [&](const InputFile& input) {
-        return find_input(input, options.picture, "figure");
+        return inputs.emplace_back(find_input(input, options.picture, "figure"));
     });
     std::vector<std::string> settings = origin.settings;
     settings.insert(settings.end(), options.work.settings.begin(), options.work.settings.end());
     FigureRuns runs;
-    const RunStore store(options.runs.empty() ? fs::path(options.picture).parent_path() / "runs"
-                                              : fs::path(options.runs));
+    const fs::path kept = options.runs.empty() ? fs::path(options.picture).parent_path() / "runs"
+                                               : fs::path(options.runs);
+    const RunStore store(kept);
     const auto plan = plan_figure(origin.scene, settings, sources, runs, &store);
     if (!plan) return tell_interrupted(status, {});
+    for (const InputFile& input : plan->inputs) inputs.emplace_back(input.path);
+    claim_output(options, output, inputs);
+    check_output_folder(kept, "the runs");
     const std::vector<RunRecord> records = make_runs(runs, store, options.work, status);
     if (interrupting_signal() != 0) return tell_interrupted(status, records);
     if (const std::string missing = missing_run(*plan, runs, records); !missing.empty())
@@ -96,7 +114,7 @@ int figure_again(const AgainOptions& options, const FigureOrigin& origin) {
     const DrawnPage drawn = draw_figure(*plan, made, format, figure_metadata(*plan, sources));
     write_file(output, drawn.bytes);
     if (!drawn.missing_letters.empty()) status.note(drawn.missing_letters);
-    const bool other_format = output.extension() != fs::path(options.picture).extension();
+    const bool other_format = small_ending(output) != small_ending(options.picture);
     if (other_format || !options.work.settings.empty()) {
         status.note(fmt::format("{}: made", output.string()));
     } else if (drawn.bytes == read_input_file(options.picture)) {
@@ -149,7 +167,8 @@ int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& o
     if (!origin.inputs.empty()) prepared.initial.inputs = origin.inputs;
     PipelineOptions how{options.work.backend, options.work.threads};
     how.last_step = origin.step;
-    const fs::path output = output_of(options);
+    const fs::path output = output_of(options, movie_ending.front());
+    claim_output(options, output, scene_files(prepared.scene));
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(prepared.initial.bed.size()));
     const Sha256 before = file_hash(options.picture);
@@ -166,12 +185,13 @@ int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& o
 int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& work,
                   const PictureOrigin& origin) {
     PreparedRun prepared = prepare_run(std::move(scene), work.threads);
+    const fs::path output = output_of(options, png_ending.front());
+    claim_output(options, output, scene_files(prepared.scene));
     Progress progress(work.verbosity, static_cast<std::int64_t>(prepared.initial.bed.size()));
     const Snapshot first = prepared.model->snapshot();
     if (const int signal = advance_to(prepared, origin.step, progress); signal != 0)
         return exit_status_of_signal(signal);
 
-    const fs::path output = output_of(options);
     const DrawnStill still = draw_still(prepared, first, output.string(), work, progress);
     const std::string pixels = hex(still.pixels);
     if (origin.pixels_hash.empty() || !options.work.settings.empty()) {
@@ -190,6 +210,9 @@ int perform(const AgainOptions& options) {
     if (const FigureMetadata texts = figure_texts(options.picture); is_figure(texts))
         return figure_again(options, read_figure_origin(texts, options.picture));
     const PictureOrigin origin = read_origin(options.picture);
+    if (!options.output.empty())
+        check_ending(options.output, origin.is_movie ? "a movie" : "a picture",
+                     origin.is_movie ? movie_ending : png_ending);
     WorkOptions work = options.work;
     work.pinned = work.pinned || (origin.environment && origin.environment->pinned);
     prepare_drawing(work);

@@ -29,6 +29,8 @@ constexpr const char* examples =
     "  fumon still terrain.asc -o terrain.png                    a terrain file of your own\n"
     "  fumon again dunes.png                                     the same picture from itself\n"
     "  fumon describe sand                                       every key of a model\n\n"
+    "Commands replace what fumon made, never what they read, and files of others only with "
+    "--force.\n"
     "`fumon COMMAND --help` says more about one command.\n";
 
 /// All commands, and the body of the one that was given.

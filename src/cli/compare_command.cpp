@@ -5,6 +5,7 @@
 #include "cli/command.h"
 #include "cli/shared_options.h"
 #include "files/atomic_file.h"
+#include "outputs/output_claims.h"
 #include "picture/compare.h"
 #include "picture/png.h"
 
@@ -17,6 +18,7 @@ struct CompareOptions {
     std::string second;
     Likeness level = Likeness::same_to_the_eye;  ///< that passes
     std::string difference;                      ///< a PNG to write; empty: none
+    bool force = false;
 };
 
 void declare(CLI::App& command, CompareOptions& options) {
@@ -24,6 +26,7 @@ void declare(CLI::App& command, CompareOptions& options) {
     command.add_option("B", options.second, "another")->required();
     command.add_option("--diff", options.difference, "draw where they differ")
         ->type_name("FILE.png");
+    add_force(command, options.force);
     add_choice<Likeness>(command, "--level", options.level,
                          {{"identical", Likeness::identical},
                           {"same", Likeness::same_to_the_eye},
@@ -50,7 +53,17 @@ void print(const Comparison& comparison) {
     fmt::print("\n");
 }
 
+void check_difference(const CompareOptions& options) {
+    if (options.difference.empty()) return;
+    check_ending(options.difference, "a picture", png_ending);
+    OutputClaims claims(options.force);
+    claims.reads(options.first);
+    claims.reads(options.second);
+    claims.writes(options.difference);
+}
+
 int perform(const CompareOptions& options) {
+    check_difference(options);
     const Image first = read_png(options.first);
     const Image second = read_png(options.second);
     if (first.width != second.width || first.height != second.height) {
@@ -64,7 +77,7 @@ int perform(const CompareOptions& options) {
     fmt::print("{}\n", name_of(found));
     if (!options.difference.empty()) {
         write_file(options.difference,
-                   encode_png(difference_picture(first, second), screen_dots_per_inch, {}));
+                   encode_png(difference_picture(first, second), screen_dots_per_inch, own_text()));
     }
     return found >= options.level ? 0 : 1;
 }

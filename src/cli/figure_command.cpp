@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
+#include "outputs/output_claims.h"
 #include "paper/figure_files.h"
 #include "paper/figure_make.h"
 #include "paper/figure_page.h"
@@ -22,6 +23,7 @@ struct FigureOptions {
     std::vector<std::string> scenes;
     std::string folder;
     std::string runs;  ///< the folder of finished runs; empty: "runs" in the figures' folder
+    bool force = false;
     WorkOptions work;
 };
 
@@ -35,6 +37,7 @@ void declare(CLI::App& command, FigureOptions& options) {
         .add_option("--runs", options.runs,
                     "where finished runs are kept and looked for (default: DIR/runs)")
         ->type_name("FOLDER");
+    add_force(command, options.force);
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
     command.footer(
@@ -77,7 +80,7 @@ bool plan_all(const FigureOptions& options, const RunStore& store,
 }
 
 void make_figure(const PlannedFigure& figure, const FigureRuns& runs, const RunStore& store,
-                 const FigureOptions& options, StatusLine& status) {
+                 const FigureOptions& options, const OutputClaims& claims, StatusLine& status) {
     const FigurePlan& plan = figure.plan;
     const FigurePage page =
         figure_page(plan, runs, store, {options.work.backend, options.work.threads});
@@ -85,10 +88,23 @@ void make_figure(const PlannedFigure& figure, const FigureRuns& runs, const RunS
     const std::vector<WholeFile> files =
         figure_files(plan, figure.sources, page, options.folder, notes);
     make_folder(options.folder);
+    claim_figure(plan, options.folder, claims);
     write_files(files);
     for (const std::string& note : notes) status.note(fmt::format("{}: {}", plan.file, note));
     status.note(fmt::format("{}.{}", (fs::path(options.folder) / plan.name).string(),
                             fmt::join(plan.scene.figure.formats, ", .")));
+}
+
+/// Claims the files of all figures; none may replace what any of them is made from.
+OutputClaims claim_figures(const FigureOptions& options,
+                           const std::vector<PlannedFigure>& figures) {
+    OutputClaims claims(options.force);
+    for (const PlannedFigure& figure : figures) {
+        for (const SourceText& text : figure.sources.all()) claims.reads(text.path);
+        for (const InputFile& input : figure.plan.inputs) claims.reads(input.path);
+    }
+    for (const PlannedFigure& figure : figures) claim_figure(figure.plan, options.folder, claims);
+    return claims;
 }
 
 int perform(const FigureOptions& options) {
@@ -96,14 +112,13 @@ int perform(const FigureOptions& options) {
     StatusLine status(options.work.verbosity);
     std::vector<PlannedFigure> figures;
     FigureRuns runs;
-    const RunStore store(options.runs.empty() ? fs::path(options.folder) / "runs"
-                                              : fs::path(options.runs));
+    const fs::path kept =
+        options.runs.empty() ? fs::path(options.folder) / "runs" : fs::path(options.runs);
+    check_output_folder(options.folder, "the figures");
+    check_output_folder(kept, "the runs");
+    const RunStore store(kept);
     if (!plan_all(options, store, figures, runs)) return tell_interrupted(status, {});
-    std::error_code fault;
-    if (fs::exists(options.folder, fault) && !fs::is_directory(options.folder, fault)) {
-        throw InputError(
-            fmt::format("{} is a file; name a folder for the figures with -o", options.folder));
-    }
+    const OutputClaims claims = claim_figures(options, figures);
     const std::vector<RunRecord> records = make_runs(runs, store, options.work, status);
     if (interrupting_signal() != 0) return tell_interrupted(status, records);
 
@@ -114,7 +129,7 @@ int perform(const FigureOptions& options) {
             if (const std::string missing = missing_run(figure.plan, runs, records);
                 !missing.empty())
                 throw Error(missing);
-            make_figure(figure, runs, store, options, status);
+            make_figure(figure, runs, store, options, claims, status);
         } catch (const Error& failure) {
             status.error(failure.what());
             exit_status = std::max(exit_status, failure.exit_status());

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <filesystem>
-#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -14,11 +12,12 @@
 #include "hop_law/hop_law_scene.h"
 #include "hop_law/law_scene.h"
 #include "models/air/airflow.h"
-#include "models/sand/sand.h"
+#include "outputs/output_claims.h"
 #include "run/prepared_run.h"
 #include "run/still.h"
 #include "run/terminal/interrupt.h"
 #include "scene/read.h"
+#include "scene/scene_files.h"
 
 namespace fumon {
 
@@ -31,6 +30,7 @@ struct HopLawOptions {
     std::int64_t hops = 1;  ///< in succession
     std::string into;       ///< the sand scene that gets the law; empty: Terada's ripples
     std::string flights;    ///< a CSV file of all flights; empty: none
+    bool force = false;
     WorkOptions work;
 };
 
@@ -54,6 +54,7 @@ void declare(CLI::App& command, HopLawOptions& options) {
         ->type_name("SAND.toml");
     command.add_option("--flights", options.flights, "write every flight into a table")
         ->type_name("FILE.csv");
+    add_force(command, options.force);
     add_work_options(command, options.work);
     command.footer(
         "  fumon hop-law scenes/terada-hop-law.toml -o out/law.toml\n"
@@ -62,8 +63,6 @@ void declare(CLI::App& command, HopLawOptions& options) {
         "The air runs to the scene's last step; then a grain leaves every column at each of "
         "model.launch_angles.");
 }
-
-namespace fs = std::filesystem;
 
 HopForm form_of(const std::string& name) {
     constexpr std::array<std::pair<std::string_view, HopForm>, 4> forms{
@@ -77,37 +76,26 @@ HopForm form_of(const std::string& name) {
     throw InputError(fmt::format("--form {}: it takes exponential, linear, table or slope", name));
 }
 
-bool same_file(const std::string& one, const std::string& other) {
-    if (one.empty() || other.empty()) return false;
-    std::error_code fault;
-    const auto whole = [&](const std::string& file) {
-        return fs::weakly_canonical(fs::absolute(file, fault), fault);
-    };
-    return whole(one) == whole(other);
-}
-
-void check_outputs(const HopLawOptions& options) {
-    for (const std::string& output : {options.output, options.flights}) {
-        if (!same_file(output, options.scene) && !same_file(output, options.into)) continue;
-        throw InputError(
-            fmt::format("{} is read, and would be replaced; write to another file", output));
-    }
-    if (same_file(options.output, options.flights)) {
-        throw InputError(
-            fmt::format("-o and --flights both name {}; give each its own file", options.output));
-    }
+/// Claims the outputs; a table of flights is fumon's where the law that stands there names it.
+void claim_outputs(const HopLawOptions& options, const SandSource& sand, const Scene& air) {
+    OutputClaims claims(options.force);
+    for (const std::string& scene : {options.scene, options.into}) claims.reads(scene);
+    claims.reads(scene_files(air));
+    claims.reads(scene_files(sand.scene));
+    claims.writes(options.output);
+    if (!options.flights.empty())
+        claims.writes(options.flights, names_flights(options.output, options.flights));
 }
 
 int perform(const HopLawOptions& options) {
     const InterruptGuard guard;
-    check_outputs(options);
+    check_ending(options.output, "a scene", scene_ending);
+    if (!options.flights.empty()) check_ending(options.flights, "a table", table_ending);
     const SandSource sand = sand_source(options.into);
     PreparedRun prepared =
         prepare_run(read_scene(options.scene, options.work.settings), options.work.threads);
     const Airflow& air = airflow_of(prepared);
-    AtomicFile law_file(options.output);  // what cannot be written is refused before the work
-    std::optional<AtomicFile> flight_file;
-    if (!options.flights.empty()) flight_file.emplace(options.flights);
+    claim_outputs(options, sand, prepared.scene);
 
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(prepared.initial.bed.size()));
@@ -118,12 +106,11 @@ int perform(const HopLawOptions& options) {
     const std::vector<Flight> flights = air.fly_grains(static_cast<int>(options.hops));
     const MeasuredHops hops = measure_hops(flights, air.parameters().flight.launch_angles);
     const HopForm form = form_of(options.form);
-    law_file.write(law_scene(prepared, air, hops, sand,
-                             {options.output, form, options.hops, options.work.settings}));
-    if (flight_file) {
-        flight_file->write(flight_table(flights));
-        flight_file->commit();
-    }
+    AtomicFile law_file(options.output);
+    law_file.write(
+        law_scene(prepared, air, hops, sand,
+                  {options.output, form, options.hops, options.work.settings, options.flights}));
+    if (!options.flights.empty()) write_file(options.flights, flight_table(flights));
     law_file.commit();
     progress.note(air_line(prepared, air));
     for (const std::string& line : fit_lines(hops)) progress.note(line);

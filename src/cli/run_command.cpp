@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <filesystem>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "base/number_text.h"
@@ -15,6 +18,7 @@
 #include "run/resume.h"
 #include "run/terminal/interrupt.h"
 #include "scene/read.h"
+#include "scene/scene_files.h"
 
 namespace fumon {
 
@@ -33,8 +37,9 @@ void declare(CLI::App& command, RunOptions& options) {
     command.add_option("SCENE", options.scene, "a scene file (TOML)");
     auto* folder = command.add_option("-o,--output", options.folder, "the folder for the run")
                        ->type_name("DIR");
-    auto* force =
-        command.add_flag("--force", options.force, "replace the run that the folder holds");
+    auto* force = add_force(command, options.force,
+                            "replace the run that the folder holds, and files of "
+                            "others that are in its way");
     command
         .add_option("--resume", options.resume,
                     "resume the run in this folder from its checkpoint (no SCENE needed)")
@@ -101,7 +106,8 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
                                   with_commas(former->checkpoint.step),
                                   with_commas(scene.run.steps)));
     }
-    const ManifestFacts facts{scene, prepared.initial, prepared.pool->size()};
+    const ManifestFacts facts{scene, prepared.initial, prepared.pool->size(),
+                              planned_files(scene, options.checkpoint_every)};
     const auto started = [&](const DrawingRecord& drawing) {
         tell_drawing(drawing, progress);
         if (!drawing.environment.backend.empty())
@@ -145,7 +151,7 @@ int resume(const RunOptions& options) {
     if (folder.is_complete()) {
         Progress(options.work.verbosity, 0)
             .note(fmt::format("{}: the run is complete, nothing is left to do", options.resume));
-        folder.tidy();
+        if (std::filesystem::exists(folder.checkpoint())) folder.tidy();
         return 0;
     }
     ResumedRun former = resume_run(folder, options.scene, options.work);
@@ -161,6 +167,9 @@ int perform(const RunOptions& options) {
     prepare_drawing(options.work);
     PreparedRun prepared =
         prepare_run(read_scene(options.scene, options.work.settings), options.work.threads);
+    std::vector<std::filesystem::path> inputs = scene_files(prepared.scene);
+    inputs.emplace_back(options.scene);
+    folder.check(planned_files(prepared.scene, options.checkpoint_every), std::move(inputs));
     return work(prepared, folder, options, nullptr);
 }
 

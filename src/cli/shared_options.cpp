@@ -36,6 +36,10 @@ void add_settings(CLI::App& command, std::vector<std::string>& settings, const c
     command.add_option("--set", settings, help)->type_name("KEY=VALUE")->allow_extra_args(false);
 }
 
+CLI::Option* add_force(CLI::App& command, bool& force, const char* help) {
+    return command.add_flag("--force", force, help);
+}
+
 void add_heights(CLI::App& command, std::string& heights) {
     command.add_option("--heights", heights, "metres of black and white of a PNG terrain")
         ->type_name("LOW:HIGH");

@@ -25,6 +25,12 @@ void add_drawing_options(CLI::App& command, WorkOptions& work);
 /// --set, described by `help`.
 void add_settings(CLI::App& command, std::vector<std::string>& settings, const char* help);
 
+/// --force; by default described as the rule of OutputClaims.
+CLI::Option* add_force(CLI::App& command, bool& force,
+                       const char* help =
+                           "replace files that fumon did not make, too (never "
+                           "what is read)");
+
 /// --heights of a PNG terrain.
 void add_heights(CLI::App& command, std::string& heights);
 

@@ -7,11 +7,13 @@
 #include "cli/commands.h"
 #include "cli/shared_options.h"
 #include "files/terrain/terrain_format.h"
+#include "outputs/output_claims.h"
 #include "run/drawing.h"
 #include "run/prepared_run.h"
 #include "run/still.h"
 #include "run/terminal/interrupt.h"
 #include "scene/read.h"
+#include "scene/scene_files.h"
 #include "scene/terrain_scene.h"
 
 namespace fumon {
@@ -24,6 +26,7 @@ struct StillOptions {
     std::optional<std::int64_t> step;
     std::optional<double> time;
     std::string heights;  ///< "low:high", metres of black and white of a PNG terrain
+    bool force = false;
     WorkOptions work;
 };
 
@@ -42,6 +45,7 @@ void declare(CLI::App& command, StillOptions& options) {
         ->check(CLI::Range(0.0, 9e18).description(""))
         ->excludes(step);
     add_heights(command, options.heights);
+    add_force(command, options.force);
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
     command.footer(
@@ -79,8 +83,13 @@ std::int64_t step_of(const StillOptions& options, const Scene& scene) {
 
 int perform(const StillOptions& options) {
     const InterruptGuard guard;
+    check_ending(options.output, "a picture", png_ending);
     prepare_drawing(options.work);
     PreparedRun prepared = prepare_run(scene_of(options), options.work.threads);
+    OutputClaims claims(options.force);
+    claims.reads(options.input);
+    claims.reads(scene_files(prepared.scene));
+    claims.writes(options.output);
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(prepared.initial.bed.size()));
     if (!prepared.initial.note.empty()) progress.note(prepared.initial.note);

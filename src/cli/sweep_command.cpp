@@ -42,7 +42,8 @@ void declare(CLI::App& command, SweepOptions& options) {
     command.add_option("-o,--output", options.folder, "the folder for the sweep")
         ->type_name("DIR")
         ->required();
-    command.add_flag("--force", options.force, "replace the sweep that the folder holds");
+    add_force(command, options.force,
+              "replace the sweep that the folder holds, and files of others that are in its way");
     add_work_options(command, options.work);
     command.footer(
         "  fumon sweep SCENE --over model.creep_rate=0.1:0.5:5 --seeds 10 -o out/creep\n"

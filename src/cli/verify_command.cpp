@@ -20,6 +20,7 @@ void declare(CLI::App& command, VerificationOptions& options) {
     command.add_option("--junit", options.junit, "write JUnit XML")->type_name("FILE.xml");
     command.add_flag("--update", options.update,
                      "record the pictures as they are now, and say what changed");
+    add_force(command, options.force);
     add_thread_options(command, options.work);
     add_drawing_options(command, options.work);
     command.footer(

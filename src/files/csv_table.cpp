@@ -29,6 +29,29 @@ CellNumber number_of(std::string_view cell) {
     return {true, number.kind == NumberKind::finite ? number.value : nothing};
 }
 
+/// Whether a cell that begins so is a formula to a spreadsheet.
+bool begins_a_formula(std::string_view cell) {
+    return !cell.empty() && std::string_view("=+-@\t\r\n").find(cell.front()) != cell.npos;
+}
+
+/// Whether a cell is a text that apostrophes stand before, if any do, and else a formula.
+bool is_marked_formula(std::string_view cell) {
+    const std::size_t apostrophes = std::min(cell.find_first_not_of('\''), cell.size());
+    return begins_a_formula(cell.substr(apostrophes));
+}
+
+/// A cell as it stands in a file: a text that a spreadsheet would take for a formula gets an
+/// apostrophe before it. Numbers stay as they are.
+std::string harmless(const std::string& cell) {
+    return is_marked_formula(cell) && !number_of(cell).is_number ? "'" + cell : cell;
+}
+
+/// What harmless() was given.
+std::string as_meant(std::string cell) {
+    if (cell.starts_with('\'') && is_marked_formula(cell)) cell.erase(0, 1);
+    return cell;
+}
+
 class CsvReader {
   public:
     explicit CsvReader(const TextSource& source) : source_(source) {
@@ -59,7 +82,7 @@ class CsvReader {
     std::vector<std::string> line() {
         std::vector<std::string> cells;
         for (;;) {
-            cells.push_back(at('"') ? quoted() : plain());
+            cells.push_back(as_meant(at('"') ? quoted() : plain()));
             if (!at(',')) return cells;
             ++place_;
         }
@@ -173,8 +196,9 @@ Table parse_csv_table(const TextSource& source) {
 
 std::string csv_line(const std::vector<std::string>& cells) {
     std::string line;
-    for (const std::string& cell : cells) {
-        if (&cell != &cells.front()) line += ',';
+    for (const std::string& text : cells) {
+        if (&text != &cells.front()) line += ',';
+        const std::string cell = harmless(text);
         if (cell.find_first_of(",\"\r\n") == std::string::npos) {
             line += cell;
             continue;

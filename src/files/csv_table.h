@@ -39,12 +39,15 @@ struct Table {
 TableColumn even_column(const std::string& name, const std::string& text, std::size_t rows);
 
 /// Reads comma-separated values (RFC 4180; lines end in LF, CRLF or CR, a UTF-8 byte order mark and
-/// empty lines are passed over, lines that begin with '#' are comments) with a header line. Throws
+/// empty lines are passed over, lines that begin with '#' are comments) with a header line. The
+/// apostrophe that csv_line() puts before a text is taken away. Throws
 /// InputError "file:line: what; remedy" for a missing header, a column named twice, a row with
 /// another number of cells, and a quote without end.
 Table parse_csv_table(const TextSource& source);
 
-/// One line of such a file, ended by LF: cells with a comma, quote or line break are quoted.
+/// One line of such a file, ended by LF: cells with a comma, quote or line break are quoted. A cell
+/// that is no number and begins with =, +, -, @, a tab or a line break, which spreadsheets take for
+/// a formula, gets an apostrophe before it.
 std::string csv_line(const std::vector<std::string>& cells);
 
 }  // namespace fumon

@@ -5,7 +5,9 @@
 #include "base/data_files.h"
 #include "base/error.h"
 #include "base/units.h"
+#include "files/input_file.h"
 #include "models/sand/sand.h"
+#include "outputs/own_file.h"
 #include "scene/initial_bed.h"
 #include "scene/write.h"
 
@@ -41,13 +43,21 @@ std::string comment(std::string line) {
     return line.empty() ? "#\n" : "# " + line + "\n";
 }
 
+/// Names the table of flights as seen from the law.
+std::string flights_line(const fs::path& law, const fs::path& flights) {
+    const fs::path folder = fs::absolute(law).parent_path();
+    return comment("Every flight: " + fs::proximate(fs::absolute(flights), folder).string());
+}
+
 std::string law_head(const PreparedRun& prepared, const Airflow& air, const MeasuredHops& hops,
                      const LawSettings& settings, bool scaled) {
     std::string text = comment(
         "Sand that hops by a law measured on grains flown in computed air "
         "(Terada 2025, sections 4 and 5).");
-    text += comment("Written by fumon " FUMON_VERSION " hop-law: " + air_line(prepared, air) + ";");
+    text += comment(std::string(own_scene_mark.substr(2)) +
+                    FUMON_VERSION " hop-law: " + air_line(prepared, air) + ";");
     text += comment(grain_line(air, hops, settings.hops) + ".");
+    if (!settings.flights.empty()) text += flights_line(settings.output, settings.flights);
     for (const std::string& setting : settings.settings) text += comment("--set " + setting);
     text += comment("Fits, heights above the bed's lowest point: l = a^h - 1 and a straight line.");
     text += comment("");
@@ -156,6 +166,12 @@ std::string scale_line(const MeasuredHops& hops) {
         "one model height is the bed's range, {:.4g} mm; one site is a tenth of the "
         "hop from the crest, {:.4g} mm",
         hops.height, hops.site);
+}
+
+bool names_flights(const fs::path& law, const fs::path& flights) {
+    std::error_code fault;
+    if (!fs::is_regular_file(law, fault) || !says_that_fumon_made_it(law)) return false;
+    return read_input_file(law).find("\n" + flights_line(law, flights)) != std::string::npos;
 }
 
 std::string law_scene(const PreparedRun& prepared, const Airflow& air, const MeasuredHops& hops,

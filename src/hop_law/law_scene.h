@@ -32,12 +32,16 @@ struct LawSettings {
     HopForm form = HopForm::exponential;
     std::int64_t hops = 1;              ///< in succession that count as one
     std::vector<std::string> settings;  ///< KEY=VALUE that the air was told
+    std::filesystem::path flights{};    ///< the table of all flights; empty: none
 };
 
 /// A scene file: in comments how the law was measured, then the sand's keys with the law among
 /// them, checked as `fumon check` does. Throws InputError.
 std::string law_scene(const PreparedRun& prepared, const Airflow& air, const MeasuredHops& hops,
                       const SandSource& sand, const LawSettings& settings);
+
+/// Whether a scene that law_scene() wrote names this file as the table of its flights.
+bool names_flights(const std::filesystem::path& law, const std::filesystem::path& flights);
 
 /// Which air was flown in, in a line.
 std::string air_line(const PreparedRun& prepared, const Airflow& air);

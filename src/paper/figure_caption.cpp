@@ -8,6 +8,7 @@
 #include "figure/page/page_grid.h"
 #include "keys/key_value.h"
 #include "keys/keys.h"
+#include "outputs/own_file.h"
 #include "scene/scene_keys.h"
 
 namespace fumon {
@@ -117,7 +118,8 @@ std::string figure_caption(const FigurePlan& plan) {
     }
     for (const InputFile& input : plan.inputs)
         text += fmt::format("\n{}: SHA-256 {}.", input.path, input.hash);
-    return text + "\nMade from " + plan.file + " by fumon " FUMON_VERSION ".\n";
+    return fmt::format("{}\n{}{}{}{}.\n", text, own_caption_mark, plan.file, own_caption_maker,
+                       FUMON_VERSION);
 }
 
 }  // namespace fumon

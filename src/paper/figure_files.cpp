@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "figure/page/page_grid.h"
 #include "files/atomic_file.h"
+#include "outputs/output_claims.h"
+#include "outputs/own_file.h"
 #include "paper/figure_caption.h"
 #include "run/picture_text.h"
 
@@ -71,6 +75,51 @@ FigureOrigin read_figure_origin(const FigureMetadata& metadata, const std::strin
     return origin;
 }
 
+namespace {
+
+/// What follows a panel's letter in a name of data, NAME-a-1.csv: perhaps "-inset", perhaps a
+/// curve's number, and .csv or .asc.
+bool ends_as_data(std::string_view end) {
+    constexpr std::string_view inset = "-inset";
+    if (end.starts_with(inset)) end.remove_prefix(inset.size());
+    if (end.starts_with('-')) {
+        const std::size_t digits = end.find_first_not_of("0123456789", 1);
+        if (digits == 1 || digits == std::string_view::npos) return false;
+        end.remove_prefix(digits);
+    }
+    return end == ".csv" || end == ".asc";
+}
+
+/// Whether a file is called as data of one of the figure's panels.
+bool is_called_as_data(std::string_view name, const FigurePlan& plan) {
+    std::size_t panels = 0;
+    for (const PanelPlan& panel : plan.panels) panels += panels_of(panel);
+    for (std::size_t n = 0; n < panels; ++n) {
+        const std::string letter = panel_letter(n);  // "(a)"
+        const std::string begin = plan.name + "-" + letter.substr(1, letter.size() - 2);
+        if (name.starts_with(begin) && ends_as_data(name.substr(begin.size()))) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void claim_figure(const FigurePlan& plan, const fs::path& folder, const OutputClaims& claims) {
+    const auto file = [&](const std::string& end) { return folder / (plan.name + end); };
+    bool made_before = false;
+    for (const char* end : {".pdf", ".svg", ".png"})
+        made_before = made_before || says_that_fumon_made_it(file(end));
+    for (const std::string& format : plan.scene.figure.formats)
+        claims.check(file("." + format), false);
+    claims.check(file(".caption.txt"), false);
+    std::error_code fault;
+    for (const auto& entry : fs::directory_iterator(folder, fault)) {
+        fs::path data = entry.path();
+        if (data.extension() == ".part") data.replace_extension();
+        if (is_called_as_data(data.filename().string(), plan)) claims.check(data, made_before);
+    }
+}
+
 void write_files(const std::vector<WholeFile>& files) {
     std::vector<std::unique_ptr<AtomicFile>> open;
     for (const WholeFile& file : files) {
@@ -81,11 +130,11 @@ void write_files(const std::vector<WholeFile>& files) {
 }
 
 PageFormat page_format(const fs::path& file) {
-    const std::string end = file.extension().string();
-    if (end == ".pdf") return PageFormat::pdf;
+    static constexpr std::array<std::string_view, 3> endings{".pdf", ".svg", ".png"};
+    check_ending(file, "a figure", endings);
+    const std::string end = small_ending(file);
     if (end == ".svg") return PageFormat::svg;
-    if (end == ".png") return PageFormat::png;
-    throw InputError(fmt::format("{}: a figure's name ends in .pdf, .svg or .png", file.string()));
+    return end == ".png" ? PageFormat::png : PageFormat::pdf;
 }
 
 DrawnPage draw_figure(const FigurePlan& plan, const FigurePage& made, PageFormat format,

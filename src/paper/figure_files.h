@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "outputs/output_claims.h"
 #include "paper/figure_page.h"
 #include "paper/figure_plan.h"
 
@@ -27,6 +28,11 @@ bool is_figure(const FigureMetadata& metadata);
 
 /// Reads the origin back. Throws InputError where the text is damaged; `figure` names it.
 FigureOrigin read_figure_origin(const FigureMetadata& metadata, const std::string& figure);
+
+/// Checks that a figure's files may be written into a folder: its data are fumon's where its PDF,
+/// SVG or PNG file is. Throws as OutputClaims::check().
+void claim_figure(const FigurePlan& plan, const std::filesystem::path& folder,
+                  const OutputClaims& claims);
 
 /// A file in memory.
 struct WholeFile {

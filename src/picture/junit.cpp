@@ -50,9 +50,8 @@ std::string case_xml(const JunitCase& one) {
 }  // namespace
 
 std::string junit_xml(const std::vector<JunitCase>& cases) {
-    std::string xml = fmt::format(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"fumon verify\" {}>\n",
-        totals(cases));
+    std::string xml = fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{} {}>\n",
+                                  own_junit_mark, totals(cases));
     for (std::size_t begin = 0; begin < cases.size();) {
         std::size_t end = begin;
         while (end < cases.size() && cases[end].suite == cases[begin].suite) ++end;

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "picture/verdict.h"
 
 namespace fumon {
+
+/// How the report's outermost element begins, by which it is known again.
+inline constexpr std::string_view own_junit_mark = "<testsuites name=\"fumon verify\"";
 
 /// One case of a JUnit report.
 struct JunitCase {

@@ -20,6 +20,7 @@ extern "C" {
 #include <utility>
 
 #include "base/error.h"
+#include "files/atomic_file.h"
 #include "files/input_file.h"
 #include "picture/frame_rate.h"
 
@@ -90,8 +91,11 @@ struct Movie::Parts {
     AVStream* stream = nullptr;  ///< the container's
 
     Parts(const std::filesystem::path& file_, int width_, int height_)
-        : file(file_), temporary(file_), width(width_), height(height_) {
-        temporary += ".part";
+        : file(resolved_link(file_)),
+          temporary(temporary_name(file)),
+          width(width_),
+          height(height_) {
+        if (!takes_a_rename(file)) fail("it is a pipe or a device; a movie needs a file on disk");
     }
     Parts(const Parts&) = delete;
     Parts& operator=(const Parts&) = delete;

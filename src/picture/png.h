@@ -14,6 +14,12 @@ namespace fumon {
 /// Keyword → UTF-8 text, written as iTXt in this order.
 using PictureText = std::vector<std::pair<std::string, std::string>>;
 
+/// The text of a picture that says no more than that it is fumon's. It is the same in every
+/// version.
+inline PictureText own_text() {
+    return {{"Software", "fumon"}};
+}
+
 /// Of pictures that are for looking at on a screen.
 inline constexpr double screen_dots_per_inch = 96.0;
 

@@ -38,6 +38,7 @@ Json manifest_head(const ManifestFacts& facts, const std::string& status,
         json["inputs"].push_back({{"path", input.path}, {"sha256", input.hash}});
     }
     if (!initial.note.empty()) json["note"] = initial.note;
+    if (status != "complete") json["may_write"] = files_json(facts.files);
     json["scene"] = scene_json(facts.scene);
     const RenderingEnvironment& environment = drawing.environment;
     if (!environment.backend.empty()) {

@@ -13,6 +13,7 @@ struct ManifestFacts {
     const Scene& scene;
     const InitialBed& initial;
     int threads = 0;
+    RunFiles files{};  ///< that the run may write
 };
 
 void write_running_manifest(const RunFolder& folder, const ManifestFacts& facts,

@@ -211,7 +211,7 @@ class Pipeline {
             ++frames;
             movie_wall_ += watch.seconds();
         }
-        PictureText texts;  // none where the run broke off
+        PictureText texts = own_text();  // where the run broke off
         if (written_.wait_for_all())
             texts = movie_text(resolved_, scene_, inputs_, written_.frames(),
                                outcome_.drawing.environment);

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "files/input_file.h"
 #include "files/terrain/terrain_format.h"
+#include "outputs/output_claims.h"
 #include "run/run_checkpoint.h"
 
 namespace fumon {
@@ -24,20 +25,6 @@ void remove_with_temporary(const fs::path& file) {
     fs::remove(file.string() + ".part", fault);
 }
 
-/// Removes files of ours numbered `from` or more (by their beginning and end) from one folder, and
-/// nothing else.
-void remove_numbered(const fs::path& folder, const std::string& begin, const std::string& end,
-                     std::int64_t from = 0) {
-    std::error_code fault;
-    for (const auto& entry : fs::directory_iterator(folder, fault)) {
-        const std::string name = entry.path().filename().string();
-        const bool partial = name.ends_with(end + ".part");
-        if (!name.starts_with(begin) || (!name.ends_with(end) && !partial)) continue;
-        const std::int64_t number = std::atoll(name.c_str() + begin.size());
-        if (partial || number >= from) fs::remove(entry.path(), fault);
-    }
-}
-
 /// Every ending that a file of a bed may have.
 std::vector<std::string> bed_endings() {
     std::vector<std::string> endings;
@@ -46,9 +33,10 @@ std::vector<std::string> bed_endings() {
     return endings;
 }
 
-/// Removes the beds of steps from `from` on.
-void remove_beds(const fs::path& folder, std::int64_t from) {
-    for (const std::string& ending : bed_endings()) remove_numbered(folder, "bed_", ending, from);
+/// A link to a folder stays.
+void remove_empty_folder(const fs::path& folder) {
+    std::error_code fault;
+    if (!fs::is_symlink(folder, fault)) fs::remove(folder, fault);
 }
 
 constexpr const char* movie_frames = "movie_frames";
@@ -71,17 +59,39 @@ RunParts run_parts(const Scene& scene, double checkpoint_minutes) {
 }
 
 RunFolder::RunFolder(fs::path folder, bool force) : folder_(std::move(folder)), force_(force) {
-    std::error_code fault;
-    if (fs::exists(folder_, fault) && !fs::is_directory(folder_, fault)) {
-        throw InputError(
-            fmt::format("{} is a file; name a folder for the run with -o", folder_.string()));
-    }
+    check_output_folder(folder_, "the run");
     refuse_former_run();
+}
+
+void RunFolder::check(RunFiles planned, std::vector<fs::path> inputs) {
+    planned_ = std::move(planned);
+    inputs_ = std::move(inputs);
+    const auto check_part = [this](const char* part, bool is_planned) {
+        std::error_code fault;
+        if (is_planned && fs::exists(folder_ / part, fault))
+            check_output_folder(folder_ / part, "the run");
+    };
+    check_part("frames", planned_.frames > 0);
+    check_part(movie_frames, planned_.movie_frames > 0);
+    check_part("beds", !planned_.beds.endings.empty());
+    check_files();
+}
+
+void RunFolder::check_files() const {
+    const RunFiles former = listed_files(manifest());
+    OutputClaims claims(force_);
+    claims.reads(inputs_);
+    for (const std::string& name : files_called_as_a_runs(folder_)) {
+        const bool listed = former.contains(name);
+        if (!listed && !force_) refuse_to_replace(folder_ / name);
+        if (listed || planned_.contains(name)) claims.check(folder_ / name, true);
+    }
 }
 
 void RunFolder::refuse_former_run() const {
     std::error_code fault;
     if (force_ || !fs::exists(manifest(), fault)) return;
+    if (listed_files(manifest()).files.empty()) refuse_to_replace(manifest());
     throw InputError(fmt::format(
         "{} already holds a run; name another folder, or --force replaces it{}", folder_.string(),
         fs::exists(checkpoint(), fault) ? ", and --resume goes on with it" : ""));
@@ -91,14 +101,26 @@ void RunFolder::create(const RunParts& parts) {
     make_folder(folder_);
     lock_.emplace(folder_);
     refuse_former_run();  // one that began and ended while this one was being set up
-    const RecordPaths written = records();
-    for (const fs::path& file : {checkpoint(), manifest(), movie(), written.measurements,
-                                 written.avalanches, written.fields})
-        remove_with_temporary(file);
-    remove_numbered(folder_ / "frames", "frame_", ".png");
-    remove_beds(folder_ / "beds", 0);
-    tidy();
+    check_files();
+    remove_former_files();
     make_parts(parts);
+}
+
+void RunFolder::remove_former_files() const {
+    const RunFiles former = listed_files(manifest());
+    for (const std::string& name : files_called_as_a_runs(folder_)) {
+        const bool goes = former.contains(name) || planned_.contains(name);
+        if (goes && name != "run.json") remove_file(name);
+    }
+    remove_empty_folder(folder_ / movie_frames);
+    remove_file("run.json");  // last: until then it says whose the others are
+}
+
+void RunFolder::remove_file(const std::string& name) const {
+    const std::string part = name.substr(0, name.find('/'));
+    std::error_code fault;
+    if (part != name && fs::is_symlink(folder_ / part, fault)) return;
+    fs::remove(folder_ / name, fault);
 }
 
 void RunFolder::make_parts(const RunParts& parts) const {
@@ -131,20 +153,27 @@ void RunFolder::go_on(const RunParts& parts, const RunCheckpoint& checkpoint) {
     if (checkpoint.records.measurements < 0) remove_with_temporary(written.measurements);
     if (checkpoint.records.avalanches < 0) remove_with_temporary(written.avalanches);
     if (checkpoint.records.fields < 0) remove_with_temporary(written.fields);
-    const std::int64_t frames = checkpoint.frames.frames;
-    remove_numbered(folder_ / "frames", "frame_", ".png", frames);
-    remove_numbered(folder_ / movie_frames, "frame_", ".png", frames);
-    remove_beds(folder_ / "beds", checkpoint.step + 1);
+    RunFiles before;
+    before.frames = checkpoint.frames.frames;
+    before.movie_frames = checkpoint.frames.frames;
+    const RunFiles run = listed_files(manifest());
+    for (const std::string& name : files_called_as_a_runs(folder_)) {
+        if (name.find('/') == std::string::npos || !run.contains(name)) continue;
+        const std::int64_t step = step_of_bed(name);
+        const bool later = step >= 0 ? step > checkpoint.step : !before.contains(name);
+        if (later || name.ends_with(".part")) remove_file(name);
+    }
     make_parts(parts);
 }
 
 void RunFolder::tidy() const {
-    std::error_code fault;
-    fs::remove(checkpoint(), fault);
+    for (const std::string& name : files_called_as_a_runs(folder_)) {
+        if (name.starts_with(movie_frames)) remove_file(name);
+    }
+    remove_empty_folder(folder_ / movie_frames);
+    remove_file("fields.nc.former");
     forget_frames();
-    fs::remove(records().fields.string() + ".former", fault);
-    remove_numbered(folder_ / movie_frames, "frame_", ".png");
-    fs::remove(folder_ / movie_frames, fault);
+    remove_file("checkpoint.fumon");  // last: while it is there, a complete run is to be tidied
 }
 
 void RunFolder::forget_frames() const {

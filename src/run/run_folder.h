@@ -9,6 +9,7 @@
 
 #include "files/folder_lock.h"
 #include "run/recorder.h"
+#include "run/run_files.h"
 
 namespace fumon {
 
@@ -36,12 +37,18 @@ void make_folder(const std::filesystem::path& folder);
 class RunFolder {
   public:
     /// Makes nothing yet. Throws InputError when the folder already holds a run and `force` is not
-    /// given, or when the path is a file.
+    /// given, or when the path is a file or the root of the file system.
     RunFolder(std::filesystem::path folder, bool force);
 
-    /// Creates the folder (and its parents), locks it and deletes the files of an earlier run.
-    /// Throws Error, and InputError if another program is working in it or has filled it in the
-    /// meantime.
+    /// Checks, by the rule of OutputClaims, that a run may write its files; a file that is called
+    /// as a run calls its own is in the way, too. Throws InputError, and Error where the folder
+    /// cannot be written. `inputs`: what the run reads.
+    void check(RunFiles planned, std::vector<std::filesystem::path> inputs);
+
+    /// Creates the folder (and its parents), locks it, checks again and deletes the files of an
+    /// earlier run, as its run.json lists them, and what is in the way of those that were planned.
+    /// Nothing is deleted in a folder that `frames` or `beds` only links to. Throws Error, and
+    /// InputError if another program is working in it or has filled it in the meantime.
     void create(const RunParts& parts);
 
     /// Locks the folder of a run to resume. Throws InputError if it holds no such run or another
@@ -81,10 +88,15 @@ class RunFolder {
 
   private:
     void refuse_former_run() const;
+    void check_files() const;
+    void remove_former_files() const;
+    void remove_file(const std::string& name) const;
     void make_parts(const RunParts& parts) const;
 
     std::filesystem::path folder_;
     bool force_;
+    RunFiles planned_;
+    std::vector<std::filesystem::path> inputs_;
     std::optional<FolderLock> lock_;
 };
 

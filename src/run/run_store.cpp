@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -32,9 +33,36 @@ namespace fs = std::filesystem;
 
 constexpr const char* manifest_name = "job.json";
 
-void take_away(const fs::path& path) {
+/// What lies in the folder of a stored run.
+constexpr std::array<const char*, 4> stored_files{"measurements.csv", "avalanches.csv", "fields.nc",
+                                                  manifest_name};
+
+/// Deletes the files of a stored run and its folder. What else lies there stays, and the folder
+/// with it.
+void take_away(const fs::path& folder) {
     std::error_code fault;
-    fs::remove_all(path, fault);
+    if (fs::is_symlink(folder, fault)) return;
+    for (const char* name : stored_files) {
+        fs::remove(folder / name, fault);
+        fs::remove(temporary_name(folder / name), fault);
+    }
+    fs::remove(folder, fault);
+}
+
+/// A run that is made anew takes the place of the folder, so nothing else may lie there.
+void refuse_other_files(const fs::path& folder) {
+    std::error_code fault;
+    for (const auto& entry : fs::directory_iterator(folder, fault)) {
+        const std::string name = entry.path().filename().string();
+        const auto is_its = [&name](const char* stored) {
+            return name == stored || name == temporary_name(stored);
+        };
+        if (std::ranges::any_of(stored_files, is_its)) continue;
+        throw InputError(fmt::format(
+            "{}: is no file of a stored run, and would be replaced with its folder; move it "
+            "elsewhere",
+            entry.path().string()));
+    }
 }
 
 void move_to(const fs::path& from, const fs::path& to) {
@@ -142,6 +170,9 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
 
     fs::path made = place(run);
     made += ".part";
+    fs::path former = place(run);
+    former += ".former";
+    for (const fs::path& folder : {place(run), made, former}) refuse_other_files(folder);
     take_away(made);  // what a killed program may have left
     make_folder(made);
     try {

@@ -149,10 +149,14 @@ void resample(const Scene& scene, Terrain& terrain, WorldScale& scale) {
     scale.dy = size;
 }
 
+/// Whether a scene's terrain file is not looked for from the scene's folder.
+bool named_from_here(const Scene& scene) {
+    return std::filesystem::path(scene.bed.file).is_absolute() ||
+           scene.set_on_command_line("bed.file");
+}
+
 InitialBed bed_from_file(const Scene& scene) {
-    const std::filesystem::path written = scene.bed.file;
-    const bool as_it_stands = written.is_absolute() || scene.set_on_command_line("bed.file");
-    const std::filesystem::path file = as_it_stands ? written : scene.directory / written;
+    const std::filesystem::path file = bed_path(scene);
     std::error_code fault;
     if (!std::filesystem::exists(file, fault) && !scene.locations.contains("bed.file")) {
         throw InputError(fmt::format("{}: is not there; check the path", file.string()));
@@ -161,7 +165,7 @@ InitialBed bed_from_file(const Scene& scene) {
         throw InputError(
             fmt::format("{}bed.file \"{}\" is not there (looked for {}); paths are relative to {}",
                         scene.at("bed.file"), scene.bed.file, file.string(),
-                        as_it_stands ? "the working folder" : "the scene file"));
+                        named_from_here(scene) ? "the working folder" : "the scene file"));
     }
     Terrain terrain = read_terrain(file, query_of(scene.bed));
     InitialBed initial;
@@ -197,6 +201,11 @@ Grid noise(const Scene& scene) {
 }
 
 }  // namespace
+
+std::filesystem::path bed_path(const Scene& scene) {
+    return named_from_here(scene) ? std::filesystem::path(scene.bed.file)
+                                  : scene.directory / scene.bed.file;
+}
 
 BedKind bed_kind(const Scene& scene) {
     if (scene.bed.kind != BedKind::automatic) return scene.bed.kind;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct InitialBed {
 
 /// The kind of bed that a scene starts from, where bed.kind is "auto" too.
 BedKind bed_kind(const Scene& scene);
+
+/// Where the terrain file of a scene lies: as it stands on the command line, else as seen from the
+/// scene's folder.
+std::filesystem::path bed_path(const Scene& scene);
 
 /// Builds the initial bed of a scene: flat, uniform noise from the scene's seed, or a terrain file,
 /// whose metres are divided by the height unit. Throws InputError located at the scene's key when a

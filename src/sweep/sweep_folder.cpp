@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "files/atomic_file.h"
 #include "files/csv_table.h"
 #include "files/input_file.h"
+#include "outputs/output_claims.h"
 #include "run/run_folder.h"
 #include "sweep/sweep_manifest.h"
 #include "sweep/sweep_table.h"
@@ -31,14 +33,32 @@ const char* status_name(RunStatus status) {
     }
 }
 
-/// Whether a name is one of ours: 0001.csv, 0001-fields.nc, 0001.json.part …
-bool is_run_file(const std::string& name) {
-    const std::size_t digits = name.find_first_not_of("0123456789");
-    constexpr std::size_t fewest_digits = 4;
-    if (digits == std::string::npos || digits < fewest_digits) return false;
-    std::string end = name.substr(digits);
-    if (end.ends_with(".part")) end.resize(end.size() - std::string(".part").size());
-    return end == ".csv" || end == ".json" || end == "-avalanches.csv" || end == "-fields.nc";
+/// The number of the run that a file is called as one of, 0001.csv, 0001-fields.nc, 0001.json.part
+/// …; −1 of any other.
+std::int64_t number_of_run(std::string_view name) {
+    constexpr std::string_view temporary = ".part";
+    if (name.ends_with(temporary)) name.remove_suffix(temporary.size());
+    for (const std::string_view end : {".csv", ".json", "-avalanches.csv", "-fields.nc"}) {
+        if (!name.ends_with(end)) continue;
+        const std::string_view digits = name.substr(0, name.size() - end.size());
+        std::int64_t number = -1;
+        std::from_chars(digits.data(), digits.data() + digits.size(), number);
+        if (number > 0 && fmt::format("{:04}", number) == digits) return number;
+    }
+    return -1;
+}
+
+/// How many runs the sweep of a sweep.json has; −1 where it is not there or is no manifest of
+/// fumon's.
+std::int64_t listed_runs(const fs::path& manifest) {
+    try {
+        const auto json = nlohmann::ordered_json::parse(read_input_file(manifest));
+        return json.contains("fumon") ? static_cast<std::int64_t>(run_ids(json).size()) : -1;
+    } catch (const nlohmann::json::exception&) {
+        return -1;
+    } catch (const InputError&) {
+        return -1;
+    }
 }
 
 }  // namespace
@@ -46,16 +66,15 @@ bool is_run_file(const std::string& name) {
 SweepFolder::SweepFolder(fs::path folder, const SweepPlan& plan, bool force)
     : folder_(std::move(folder)), plan_(plan) {
     std::error_code fault;
+    check_output_folder(folder_, "the sweep");
+    if (fs::exists(folder_ / "runs", fault)) check_output_folder(folder_ / "runs", "the sweep");
     const bool there = fs::exists(folder_, fault);
-    if (there && !fs::is_directory(folder_, fault)) {
-        throw InputError(
-            fmt::format("{} is a file; name a folder for the sweep with -o", folder_.string()));
-    }
     if (there) lock_.emplace(folder_);
     if (there && !force) number_runs();
+    const std::vector<fs::path> former = former_files(force);
     make_folder(folder_ / "runs");
     if (!there) lock_.emplace(folder_);
-    if (force) clear();
+    if (force) remove_files(former);
     if (order_.empty()) {
         for (std::size_t k = 0; k < plan_.runs.size(); ++k) order_.push_back(k);
     }
@@ -91,13 +110,38 @@ void SweepFolder::number_runs() {
     }
 }
 
-void SweepFolder::clear() const {
+std::vector<fs::path> SweepFolder::former_files(bool force) const {
+    const std::int64_t listed = listed_runs(manifest());
+    const auto planned = static_cast<std::int64_t>(plan_.runs.size());
+    OutputClaims claims(force);
+    claims.reads(plan_.scene.source);
+    for (const InputFile& input : plan_.inputs) claims.reads(input.path);
+    std::vector<fs::path> files;
+    const auto add = [&](const fs::path& file, bool is_listed, bool is_planned) {
+        if (!is_listed && !force) refuse_to_replace(file);
+        if (!is_listed && !is_planned) return;
+        claims.check(file, true);
+        files.push_back(file);
+    };
     std::error_code fault;
     for (const auto& entry : fs::directory_iterator(folder_ / "runs", fault)) {
-        if (is_run_file(entry.path().filename().string())) fs::remove(entry.path(), fault);
+        const std::int64_t number = number_of_run(entry.path().filename().string());
+        if (number > 0) add(entry.path(), number <= listed, number <= planned);
     }
-    for (const char* name : {"sweep.csv", "runs.csv", "sweep.json"})
-        fs::remove(folder_ / name, fault);
+    for (const char* name : {"runs.csv", "sweep.csv", "sweep.json"}) {
+        for (const fs::path& file : {folder_ / name, temporary_name(folder_ / name)}) {
+            if (fs::exists(fs::symlink_status(file, fault))) add(file, listed >= 0, true);
+        }
+    }
+    return files;
+}
+
+void SweepFolder::remove_files(const std::vector<fs::path>& files) const {
+    std::error_code fault;
+    const bool is_linked = fs::is_symlink(folder_ / "runs", fault);
+    for (const fs::path& file : files) {
+        if (!is_linked || file.parent_path().filename() != "runs") fs::remove(file, fault);
+    }
 }
 
 void SweepFolder::write_manifest() const {

@@ -27,7 +27,10 @@ class SweepFolder {
   public:
     /// Opens or creates the folder, locks it, numbers the runs and writes sweep.json. Throws
     /// InputError, with nothing changed, if the folder holds a sweep with a run that this plan
-    /// lacks (unless `force`, which deletes that sweep) or if another program is working there.
+    /// lacks (unless `force`, which deletes that sweep's files, as its sweep.json lists them), if
+    /// it holds files that are called as a sweep's and belong to none (unless `force`, which
+    /// replaces those in the way), if the sweep reads what it would replace, or if another program
+    /// is working there; Error where it cannot be written.
     SweepFolder(std::filesystem::path folder, const SweepPlan& plan, bool force);
     SweepFolder(const SweepFolder&) = delete;
     SweepFolder& operator=(const SweepFolder&) = delete;
@@ -57,7 +60,9 @@ class SweepFolder {
         return plan_.runs[order_[number - 1]];
     }
     void number_runs();
-    void clear() const;
+    /// The files that a new sweep replaces, checked by the rule of OutputClaims.
+    [[nodiscard]] std::vector<std::filesystem::path> former_files(bool force) const;
+    void remove_files(const std::vector<std::filesystem::path>& files) const;
     void write_manifest() const;
 
     std::filesystem::path folder_;

@@ -10,10 +10,12 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "files/atomic_file.h"
+#include "outputs/output_claims.h"
 #include "picture/junit.h"
 #include "picture/png.h"
 #include "run/drawing.h"
 #include "run/terminal/interrupt.h"
+#include "scene/scene_files.h"
 #include "verify/verify_case.h"
 #include "verify/verify_page.h"
 
@@ -50,6 +52,43 @@ std::vector<Suite> read_suites(const VerificationOptions& options) {
     return suites;
 }
 
+/// Claims a baseline and its pictures to be recorded; a picture is fumon's where its case is
+/// recorded.
+void claim_records(const Baseline& baseline, OutputClaims& updates) {
+    updates.writes(baseline.file, true);
+    for (const BaselineCase& one : baseline.cases) {
+        if (!one.picture) continue;
+        const fs::path file = baseline.picture_of(one);
+        check_output_folder(file.parent_path(), "the pictures");
+        updates.check(file, baseline.records.contains(one.name));
+    }
+}
+
+/// Claims what is going to be written. A baseline and the pictures that it keeps are read, and
+/// replaced only where they are what is to be updated.
+OutputClaims claim_outputs(const VerificationOptions& options, const std::vector<Suite>& suites) {
+    OutputClaims claims(options.force);
+    OutputClaims updates(options.force);
+    for (const Suite& suite : suites) {
+        claims.reads(suite.baseline.file);
+        for (const BaselineCase& one : suite.baseline.cases) {
+            const Scene scene = scene_of(suite.baseline, one);
+            for (OutputClaims* both : {&claims, &updates}) {
+                both->reads(scene.source);
+                both->reads(scene_files(scene));
+            }
+            if (one.picture) claims.reads(suite.baseline.picture_of(one));
+        }
+    }
+    if (options.update) {
+        for (const Suite& suite : suites) claim_records(suite.baseline, updates);
+    }
+    if (!options.update || fs::exists(options.folder))
+        check_output_folder(options.folder, "the pictures");
+    if (!options.junit.empty()) claims.writes(options.junit);
+    return claims;
+}
+
 bool any_pinned(const std::vector<Suite>& suites) {
     return std::any_of(suites.begin(), suites.end(), [](const Suite& suite) {
         const auto& records = suite.baseline.records;
@@ -77,7 +116,14 @@ const char* word_of(Outcome outcome) {
 class Verification {
   public:
     Verification(const VerificationOptions& options, std::vector<Suite> suites)
-        : options_(options), suites_(std::move(suites)), page_(options.folder) {
+        : options_(options),
+          suites_(std::move(suites)),
+          claims_(claim_outputs(options, suites_)),
+          page_(options.folder, claims_) {
+        for (const Suite& suite : suites_) {
+            for (const BaselineCase& one : suite.baseline.cases)
+                page_.check(suite.name, one.name, claims_);
+        }
         work_ = options.work;
         work_.pinned = work_.pinned || any_pinned(suites_);
         if (work_.verbosity == Verbosity::normal) work_.verbosity = Verbosity::quiet;
@@ -85,6 +131,7 @@ class Verification {
     }
 
     int run() {
+        page_.forget();
         for (Suite& suite : suites_) {
             const std::string before = baseline_text(suite.baseline);
             for (const BaselineCase& one : suite.baseline.cases) {
@@ -152,7 +199,7 @@ class Verification {
     static void keep_picture(const Baseline& baseline, const BaselineCase& one,
                              const DrawnCase& drawn) {
         const fs::path file = baseline.picture_of(one);
-        const auto bytes = encode_png(drawn.image, screen_dots_per_inch, {});
+        const auto bytes = encode_png(drawn.image, screen_dots_per_inch, own_text());
         std::error_code fault;
         fs::create_directories(file.parent_path(), fault);
         if (fault)
@@ -199,6 +246,7 @@ class Verification {
 
     const VerificationOptions& options_;
     std::vector<Suite> suites_;
+    OutputClaims claims_;
     VerifyPage page_;
     WorkOptions work_;
     std::vector<JunitCase> cases_;
@@ -208,6 +256,7 @@ class Verification {
 }  // namespace
 
 int verify(const VerificationOptions& options) {
+    if (!options.junit.empty()) check_ending(options.junit, "a JUnit report", junit_ending);
     return Verification(options, read_suites(options)).run();
 }
 

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
 #include "base/error.h"
-#include "files/input_file.h"
+#include "outputs/own_file.h"
 #include "picture/compare.h"
 #include "picture/markup.h"
 #include "picture/png.h"
@@ -16,19 +17,21 @@ namespace fumon {
 
 namespace {
 
-constexpr std::string_view generator = "content=\"fumon verify\"";
-
 // What the pictures of a case are called.
 constexpr const char* expected_kind = "expected";
 constexpr const char* got_kind = "got";
 constexpr const char* thumbnail_kind = "got-thumbnail";
 constexpr const char* difference_kind = "difference";
+constexpr std::array<const char*, 4> kinds{expected_kind, got_kind, thumbnail_kind,
+                                           difference_kind};
 
-constexpr const char* page_head = R"html(<!DOCTYPE html>
+constexpr const char* page_start = R"html(<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
-<meta name="generator" content="fumon verify">
+<meta name="generator" )html";
+
+constexpr const char* page_head = R"html(>
 <title>fumon verify</title>
 <style>
 body { font: 15px/1.4 sans-serif; margin: 2em; background: #fafafa; color: #222; }
@@ -101,23 +104,34 @@ bool same_size(const Image& first, const Image& second) {
 
 }  // namespace
 
-VerifyPage::VerifyPage(std::filesystem::path folder) : folder_(std::move(folder)) {
-    if (!std::filesystem::exists(file())) return;
-    constexpr std::size_t head_bytes = 200;
-    if (start_of_input_file(file(), head_bytes).find(generator) == std::string::npos) {
-        throw InputError(
-            fmt::format("{}: is not a page of fumon verify's and would be replaced; name another "
-                        "folder with -o",
-                        file().string()));
-    }
+VerifyPage::VerifyPage(std::filesystem::path folder, const OutputClaims& claims)
+    : folder_(std::move(folder)) {
+    if (!std::filesystem::exists(folder_)) return;
+    lock_.emplace(folder_);
+    claims.check(file(), false);
+}
+
+void VerifyPage::forget() {
     remove_file(file());
 }
 
+void VerifyPage::check(const std::string& suite, const std::string& name,
+                       const OutputClaims& claims) const {
+    for (const char* kind : kinds) claims.check(picture(suite, name, kind), false);
+}
+
 void VerifyPage::forget(const std::string& suite, const std::string& name) {
-    for (const char* kind : {expected_kind, got_kind, thumbnail_kind, difference_kind})
-        remove_file(picture(suite, name, kind));
-    std::error_code still_used;
-    std::filesystem::remove(folder_ / suite, still_used);
+    std::error_code fault;
+    const std::filesystem::path folder = folder_ / suite;
+    if (std::filesystem::is_symlink(folder, fault)) return;
+    bool any = false;
+    for (const char* kind : kinds) {
+        const std::filesystem::path file = picture(suite, name, kind);
+        if (!std::filesystem::exists(file, fault) || !says_that_fumon_made_it(file)) continue;
+        remove_file(file);
+        any = true;
+    }
+    if (any) std::filesystem::remove(folder, fault);  // unless something is left in it
 }
 
 std::filesystem::path VerifyPage::picture(const std::string& suite, const std::string& name,
@@ -166,7 +180,10 @@ void VerifyPage::begin() {
     std::error_code fault;
     std::filesystem::create_directories(folder_, fault);
     if (fault) throw Error(fmt::format("cannot make {}: {}", folder_.string(), fault.message()));
+    if (!lock_) lock_.emplace(folder_);
     page_ = std::make_unique<AtomicFile>(file());
+    page_->write(page_start);
+    page_->write(own_page_mark);
     page_->write(page_head);
 }
 
@@ -181,7 +198,7 @@ void VerifyPage::show(const Image& image, const std::filesystem::path& file, con
                       const std::string& caption) {
     std::error_code fault;
     std::filesystem::create_directories(file.parent_path(), fault);
-    const auto bytes = encode_png(image, screen_dots_per_inch, {});
+    const auto bytes = encode_png(image, screen_dots_per_inch, own_text());
     write_file(file, bytes);
     page_->write(
         fmt::format("<figure><img class=\"{}\" alt=\"{}\" src=\"data:image/png;base64,{}\">"

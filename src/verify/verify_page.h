@@ -2,11 +2,14 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "base/image.h"
 #include "files/atomic_file.h"
+#include "files/folder_lock.h"
+#include "outputs/output_claims.h"
 #include "picture/baseline.h"
 #include "picture/verdict.h"
 
@@ -17,11 +20,18 @@ namespace fumon {
 /// does not grow with their number.
 class VerifyPage {
   public:
-    /// Deletes the page that an earlier run left there. Throws InputError where index.html is
-    /// something else.
-    explicit VerifyPage(std::filesystem::path folder);
+    /// Locks the folder if it is there. Throws InputError where the claims forbid the page or
+    /// another program is working there.
+    VerifyPage(std::filesystem::path folder, const OutputClaims& claims);
 
-    /// Deletes the pictures that an earlier run left of a case. Throws Error.
+    /// Throws as OutputClaims::check() where the pictures of a case may not be written.
+    void check(const std::string& suite, const std::string& name, const OutputClaims& claims) const;
+
+    /// Deletes the page that an earlier run left there. Throws Error.
+    void forget();
+
+    /// Deletes the pictures that an earlier run left of a case, and nothing of others'. Throws
+    /// Error.
     void forget(const std::string& suite, const std::string& name);
 
     /// Writes DIR/SUITE/NAME-got.png and, where `record` is not null, -expected.png and
@@ -48,6 +58,7 @@ class VerifyPage {
               const std::string& caption);
 
     std::filesystem::path folder_;
+    std::optional<FolderLock> lock_;
     std::unique_ptr<AtomicFile> page_;
 };
 

@@ -43,6 +43,21 @@ TEST(CsvTable, WritesWhatItReads) {
     EXPECT_EQ(read(csv_line(cells)).names(), cells);
 }
 
+TEST(CsvTable, ATextIsNoFormulaToASpreadsheetAndReadsBackAsItWas) {
+    const std::vector<std::string> texts{"=1+1", "+a",  "-x.asc",   "@SUM(1)",  "\t=1", "\r=1",
+                                         "'=1",  "''@", "=1,\"2\"", "'quoted'", "a=1"};
+    EXPECT_EQ(csv_line(texts),
+              "'=1+1,'+a,'-x.asc,'@SUM(1),'\t=1,\"'\r=1\",''=1,'''@,\"'=1,\"\"2\"\"\",'quoted',"
+              "a=1\n");
+    EXPECT_EQ(read(csv_line(texts)).names(), texts);
+    EXPECT_EQ(read("kind\n" + csv_line({"=1+1"})).columns[0].words.front(), "=1+1");
+}
+
+TEST(CsvTable, NumbersStayNumbers) {
+    const std::vector<std::string> numbers{"-0.5", "+3", "-1e-5", "-inf", "-.5", "7"};
+    EXPECT_EQ(csv_line(numbers), "-0.5,+3,-1e-5,-inf,-.5,7\n");
+}
+
 TEST(CsvTable, SaysWhatIsWrong) {
     const auto refusal = [](std::string_view text) {
         return message_of<InputError>([&] { read(text); });

@@ -208,6 +208,60 @@ TEST_F(FigureTest, TheSecondTimeNothingIsSimulatedAndTheBytesAreTheSame) {
     }
 }
 
+TEST_F(FigureTest, FilesOfOthersAndWhatItReadsAreNotReplaced) {
+    const std::string of_a_file =
+        "[figure]\nformats = [\"svg\"]\n[[figure.panel]]\nx_label = \"x\"\n"
+        "[[figure.panel.curve]]\ntable = \"file\"\nfile = \"FILE\"\nx = \"x\"\ny = \"y\"\n";
+    const auto page_of = [&](const std::string& file) {
+        std::string page = of_a_file;
+        write_text(folder_ / "page.toml", page.replace(page.find("FILE"), 4, file));
+    };
+    const std::string points = "x,y\n1,2\n2,4.5\n3,6\n";
+    write_text(folder_ / "points.csv", points);
+    page_of("points.csv");
+    for (const char* name : {"page.svg", "page.caption.txt", "page-a-1.csv", "page-a-7.csv"}) {
+        fs::create_directories(folder_ / "out");
+        write_text(folder_ / "out" / name, points);
+        const Ended ended = figure("page.toml");
+        EXPECT_EQ(ended.status, 2);
+        EXPECT_EQ(ended.errors, "out/" + std::string(name) +
+                                    ": is there already, and nothing says that fumon made it; name "
+                                    "another output, or --force replaces it\n");
+        EXPECT_EQ(text("out/" + std::string(name)), points);
+        fs::remove_all(folder_ / "out");
+    }
+    fs::create_directories(folder_ / "out");
+    for (const char* name : {"page-notes.csv", "page-a-1.txt", "pages-a-1.csv", "page.csv"})
+        write_text(folder_ / "out" / name, points);
+    ASSERT_EQ(figure("page.toml").status, 0) << "files of other names are in nobody's way";
+    ASSERT_EQ(figure("page.toml").status, 0) << "and its own are replaced";
+    EXPECT_EQ(text("out/page-notes.csv"), points);
+
+    fs::copy_file(folder_ / "points.csv", folder_ / "out/page-a-1.csv",
+                  fs::copy_options::overwrite_existing);
+    page_of("out/page-a-1.csv");
+    const Ended reads = figure("page.toml", {"--force"});
+    EXPECT_EQ(reads.status, 2);
+    EXPECT_EQ(reads.errors,
+              "out/page-a-1.csv is read, and would be replaced; write to another file\n");
+    EXPECT_EQ(text("out/page-a-1.csv"), points);
+}
+
+TEST_F(FigureTest, FilesOfOthersInAStoredRunStopItFromBeingMadeAnew) {
+    write_scene("pictures.toml", pictures);
+    ASSERT_EQ(figure("pictures.toml").status, 0);
+    const std::string notes = "out/runs/" + runs()[0] + "/notes.txt";
+    write_text(folder_ / notes, "mine");
+    write_scene("pictures.toml", pictures + "[[figure.panel]]\nkind = \"map\"\nsteps = [7]\n");
+    const Ended ended = figure("pictures.toml");
+    EXPECT_NE(ended.status, 0);
+    EXPECT_NE(ended.errors.find(notes + ": is no file of a stored run"), std::string::npos)
+        << ended.errors;
+    EXPECT_EQ(text(notes), "mine");
+    fs::remove(folder_ / notes);
+    EXPECT_EQ(figure("pictures.toml").status, 0);
+}
+
 TEST_F(FigureTest, EveryFormatMakesTheSameBytesAgain) {
     write_scene("pictures.toml", pictures);
     write_text(folder_ / "points.csv", "x,y\n1,2\n2,4.5\n3,6\n");

@@ -155,10 +155,9 @@ TEST_F(Verify, LeavesAPageOfOthersAlone) {
     write_text(folder_ / "site/index.html", "<!DOCTYPE html>\nmine\n");
     const Ended ended = verify({"-o", "site"});
     EXPECT_EQ(ended.status, 2);
-    EXPECT_EQ(
-        ended.errors,
-        "site/index.html: is not a page of fumon verify's and would be replaced; name another "
-        "folder with -o\n");
+    EXPECT_EQ(ended.errors,
+              "site/index.html: is there already, and nothing says that fumon made it; name "
+              "another output, or --force replaces it\n");
     EXPECT_EQ(read_text(folder_ / "site/index.html"), "<!DOCTYPE html>\nmine\n");
 }
 

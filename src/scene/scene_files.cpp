@@ -1,0 +1,46 @@
+#include "scene/scene_files.h"
+
+#include <string>
+
+#include "base/error.h"
+#include "scene/initial_bed.h"
+#include "scene/read.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void add_bed(const Scene& scene, std::vector<fs::path>& files) {
+    if (scene.bed.file.empty()) return;
+    files.push_back(bed_path(scene));
+    files.push_back(fs::path(files.back()).replace_extension(".prj"));  // its coordinates' system
+}
+
+void add_other_scene(const Scene& scene, const std::string& other, std::vector<fs::path>& files) {
+    if (other.empty()) return;
+    files.push_back(scene.directory / other);
+    try {
+        add_bed(read_scene(files.back()), files);
+    } catch (const InputError&) {
+        // whoever draws the figure says what is wrong with it
+    }
+}
+
+}  // namespace
+
+std::vector<fs::path> scene_files(const Scene& scene) {
+    std::vector<fs::path> files;
+    add_bed(scene, files);
+    for (const PanelSettings& panel : scene.figure.panels) {
+        add_other_scene(scene, panel.scene, files);
+        for (const CurveSettings& curve : panel.curves) {
+            add_other_scene(scene, curve.scene, files);
+            if (!curve.file.empty()) files.push_back(scene.directory / curve.file);
+        }
+    }
+    return files;
+}
+
+}  // namespace fumon
