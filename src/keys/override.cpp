@@ -1,9 +1,9 @@
 #include "keys/override.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include "base/error.h"
+#include "keys/toml_text.h"
 
 namespace fumon {
 
@@ -30,12 +30,8 @@ std::vector<Override> read_settings(const std::vector<std::string>& settings,
 std::string plain_text(const Override& override) {
     const std::string& value = override.value;
     if (value.empty() || (value.front() != '"' && value.front() != '\'')) return value;
-    try {
-        const toml::table holder = toml::parse("value = " + value);
-        return holder["value"].value_or(value);
-    } catch (const toml::parse_error&) {
-        return value;  // no TOML: a bare string that begins with a quote
-    }
+    const auto holder = parse_toml_value(value);
+    return holder ? (*holder)["value"].value_or(value) : value;
 }
 
 }  // namespace fumon

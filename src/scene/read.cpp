@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <charconv>
@@ -15,6 +14,7 @@
 #include "base/nearest_name.h"
 #include "base/utf8.h"
 #include "keys/assign.h"
+#include "keys/toml_text.h"
 #include "models/registry.h"
 #include "scene/check.h"
 #include "scene/scene_keys.h"
@@ -47,14 +47,11 @@ Setting parse_setting(const Override& given) {
         throw InputError(fmt::format("{}: the value of {} is not UTF-8; write it in that encoding",
                                      setting.locate({}), given.path));
     }
-    try {
-        setting.holder = toml::parse("value = " + given.value);
-        if (setting.holder.size() == 1) return setting;
-    } catch (const toml::parse_error&) {
-        // not TOML: a bare string, below
+    if (auto holder = parse_toml_value(given.value)) {
+        setting.holder = std::move(*holder);
+    } else {
+        setting.holder.insert_or_assign("value", given.value);  // a bare string
     }
-    setting.holder = toml::table{};
-    setting.holder.insert_or_assign("value", given.value);
     return setting;
 }
 
@@ -284,14 +281,8 @@ Scene parse_scene(const SceneText& scene_text, const std::vector<Override>& over
     std::vector<Setting> settings;
     settings.reserve(overrides.size());
     for (const Override& override : overrides) settings.push_back(parse_setting(override));
-    toml::table root;
-    try {
-        root = toml::parse(scene_text.text, scene.source);
-    } catch (const toml::parse_error& fault) {
-        throw InputError(fmt::format(
-            "{}:{}:{}: {}; a scene is TOML: [section] lines and key = value lines", scene.source,
-            fault.source().begin.line, fault.source().begin.column, fault.description()));
-    }
+    const toml::table root = parse_toml(scene_text.text, scene.source,
+                                        "a scene is TOML: [section] lines and key = value lines");
     Reader(scene, std::move(settings)).read(root);
     return scene;
 }
