@@ -169,9 +169,22 @@ Place place_of(std::string_view text, std::size_t offset) {
     return place;
 }
 
+/// Whether a text begins as the pictures and movies do that fumon makes.
+bool is_picture(std::string_view text) {
+    constexpr std::size_t brand = 4;  // where an MP4 says that it is one
+    return text.starts_with("\x89PNG") || text.starts_with("%PDF-") || text.starts_with("<?xml") ||
+           text.starts_with("<svg") ||
+           text.substr(std::min(brand, text.size())).starts_with("ftyp");
+}
+
 }  // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& name, std::string_view remedy) {
+    if (is_picture(text)) {
+        throw InputError(
+            fmt::format("{}: is a picture; {}; what fumon has drawn, `fumon again {}` makes again",
+                        name, remedy, name));
+    }
     const std::size_t deep = NestingScan(text).first_deeper_than(deepest_toml);
     if (deep < text.size()) {
         const Place place = place_of(text, deep);
