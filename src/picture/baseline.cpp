@@ -68,6 +68,13 @@ class Reader {
     explicit Reader(const std::filesystem::path& file)
         : name_(file.string()), text_(read_input_file(file)) {
         baseline_.file = file;
+        const std::string stem = file.stem().string();
+        if (stem == "." || stem == "..") {
+            throw InputError(
+                fmt::format("{}: expected pictures are kept in a folder of this name without its "
+                            "ending, which would be \"{}\"; rename it",
+                            name_, stem));
+        }
     }
 
     Baseline read() {

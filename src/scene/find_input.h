@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "scene/initial_bed.h"
@@ -8,9 +9,13 @@
 namespace fumon {
 
 /// Finds an input of a picture, movie or run (`what`, at `place`): first the recorded path from the
-/// working folder, then below the folder of `place` or one of its parents. Throws InputError if the
-/// file is missing or its content has changed.
+/// working folder, then below the folder of `place` or one of its parents. Throws InputError if no
+/// file there has the recorded content; it does not say whether there is another one, since a
+/// picture of others may name any path.
 std::filesystem::path find_input(const InputFile& input, const std::filesystem::path& place,
                                  std::string_view what);
+
+/// Whether a path leads to a regular file of this SHA-256 that can be read.
+bool has_hash(const std::filesystem::path& file, const std::string& hash);
 
 }  // namespace fumon

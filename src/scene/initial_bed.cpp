@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -11,6 +12,7 @@
 #include "files/hash.h"
 #include "files/terrain/terrain_file.h"
 #include "models/registry.h"
+#include "scene/trust.h"
 
 namespace fumon {
 
@@ -106,6 +108,7 @@ void refine(const Scene& scene, Terrain& terrain) {
     if (refinement == 1) return;
     const std::int64_t cells =
         static_cast<std::int64_t>(terrain.heights.size()) * refinement * refinement;
+    check_limits(scene, cells, 0);
     if (cells > largest_grid_cells) {
         throw InputError(fmt::format(
             "{}bed.refine is {}: {} x {} cells would become {}; at most {}", scene.at("bed.refine"),
@@ -143,10 +146,31 @@ void resample(const Scene& scene, Terrain& terrain, WorldScale& scale) {
                         "as grid.cell_size",
                         key, size, scene.bed.file));
     }
+    const double cells =
+        static_cast<double>(terrain.heights.size()) * (scale.dx / size) * (scale.dy / size);
+    check_limits(scene, static_cast<std::int64_t>(std::min(cells, 1e18)), 0);
     terrain = resampled(terrain, scale.dx, scale.dy, size, scene.bed.resample_method, key);
     if (height_follows_cells(scene)) scale.height_unit = size;
     scale.dx = size;
     scale.dy = size;
+}
+
+InputError no_bed_in(const Scene& scene, const std::filesystem::path& file) {
+    return InputError(
+        fmt::format("{}{} is not there or is no bed that can be read; --trust says "
+                    "which",
+                    scene.at("bed.file"), file.string()));
+}
+
+/// The file as it is asked for. Where others named it, what is wrong with it tells nothing of what
+/// is in it, nor whether it is there.
+Terrain read_bed_file(const Scene& scene, const std::filesystem::path& file) {
+    try {
+        return read_terrain(file, query_of(scene.bed));
+    } catch (const InputError&) {
+        if (may_tell_of_bed(scene)) throw;
+        throw no_bed_in(scene, file);
+    }
 }
 
 InitialBed bed_from_file(const Scene& scene) {
@@ -154,6 +178,8 @@ InitialBed bed_from_file(const Scene& scene) {
     const bool as_it_stands = written.is_absolute() || scene.set_on_command_line("bed.file");
     const std::filesystem::path file = as_it_stands ? written : scene.directory / written;
     std::error_code fault;
+    if (!std::filesystem::exists(file, fault) && !may_tell_of_bed(scene))
+        throw no_bed_in(scene, file);
     if (!std::filesystem::exists(file, fault) && !scene.locations.contains("bed.file")) {
         throw InputError(fmt::format("{}: is not there; check the path", file.string()));
     }
@@ -163,7 +189,7 @@ InitialBed bed_from_file(const Scene& scene) {
                         scene.at("bed.file"), scene.bed.file, file.string(),
                         as_it_stands ? "the working folder" : "the scene file"));
     }
-    Terrain terrain = read_terrain(file, query_of(scene.bed));
+    Terrain terrain = read_bed_file(scene, file);
     InitialBed initial;
     initial.scale = scale_of(scene, terrain.dx, terrain.dy);
     resample(scene, terrain, initial.scale);
@@ -206,7 +232,11 @@ BedKind bed_kind(const Scene& scene) {
 
 InitialBed make_initial_bed(const Scene& scene) {
     const BedKind kind = bed_kind(scene);
-    if (kind == BedKind::file) return bed_from_file(scene);
+    if (kind == BedKind::file) {
+        InitialBed initial = bed_from_file(scene);
+        check_limits(scene, static_cast<std::int64_t>(initial.bed.size()), scene.run.steps);
+        return initial;
+    }
     InitialBed initial;
     initial.scale = scale_of(scene, 0.0, 0.0);
     initial.bed = kind == BedKind::noise

@@ -171,6 +171,7 @@ struct Scene {
 
     std::filesystem::path directory;               ///< where relative files are looked for
     std::string source;                            ///< the file's name, for messages
+    bool trusted = true;                           ///< the user named it; else scene/trust.h holds
     std::map<std::string, std::string> locations;  ///< key path → "file:line:column"
 
     /// "file:line:column: " of a key, or of the file where the key is not written.

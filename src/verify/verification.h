@@ -13,6 +13,7 @@ struct VerificationOptions {
     std::string folder = "verify-out";  ///< made only when something does not pass
     std::string junit;                  ///< a file of JUnit XML; empty: none
     bool update = false;                ///< record instead of comparing
+    bool trust = false;                 ///< what the baselines name, without limits
     WorkOptions work;
 
     [[nodiscard]] bool quietly() const { return work.verbosity == Verbosity::quiet; }
