@@ -241,8 +241,9 @@ int perform(const AgainOptions& options) {
     WorkOptions work = options.work;
     work.pinned = work.pinned || (origin.environment && origin.environment->pinned);
     prepare_drawing(work);
-    Scene scene = parse_scene({origin.scene, options.picture, "", options.trust},
-                              read_settings(options.work.settings));
+    Scene scene =
+        parse_scene({origin.scene, options.picture, "", options.trust, hashes_of(origin.inputs)},
+                    read_settings(options.work.settings));
     check_limits(scene, 1, origin.step);
     find_bed(scene, origin, options.picture);
     return origin.is_movie ? movie_again(std::move(scene), options, origin)

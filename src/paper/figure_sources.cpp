@@ -43,7 +43,8 @@ const SourceText& FigureSources::text(const fs::path& file) {
 
 SceneText FigureSources::scene(const fs::path& file) {
     const SourceText& source = text(file);
-    return {source.text, source.path, fs::path(source.path).parent_path(), trusted_};
+    return {source.text, source.path, fs::path(source.path).parent_path(), trusted_,
+            again_ ? hashes_of(inputs_) : nullptr};
 }
 
 std::vector<SourceText> FigureSources::all() const {

@@ -29,6 +29,12 @@ fs::path find_input(const InputFile& input, const fs::path& place, std::string_v
                     place.string(), input.path, what, input.hash.substr(0, 12)));
 }
 
+std::shared_ptr<const std::vector<std::string>> hashes_of(const std::vector<InputFile>& inputs) {
+    auto hashes = std::make_shared<std::vector<std::string>>();
+    for (const InputFile& input : inputs) hashes->push_back(input.hash);
+    return hashes;
+}
+
 bool has_hash(const fs::path& file, const std::string& hash) {
     std::error_code fault;
     if (!fs::is_regular_file(file, fault)) return false;

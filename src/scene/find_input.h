@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/initial_bed.h"
 
@@ -14,6 +16,9 @@ namespace fumon {
 /// picture of others may name any path.
 std::filesystem::path find_input(const InputFile& input, const std::filesystem::path& place,
                                  std::string_view what);
+
+/// The hashes of inputs, for Scene::bed_hashes.
+std::shared_ptr<const std::vector<std::string>> hashes_of(const std::vector<InputFile>& inputs);
 
 /// Whether a path leads to a regular file of this SHA-256 that can be read.
 bool has_hash(const std::filesystem::path& file, const std::string& hash);

@@ -12,6 +12,7 @@
 #include "files/hash.h"
 #include "files/terrain/terrain_file.h"
 #include "models/registry.h"
+#include "scene/find_input.h"
 #include "scene/trust.h"
 
 namespace fumon {
@@ -155,6 +156,16 @@ void resample(const Scene& scene, Terrain& terrain, WorldScale& scale) {
     scale.dy = size;
 }
 
+/// A scene from a picture's metadata opens no file that the metadata does not list.
+void check_listed(const Scene& scene, const std::filesystem::path& file) {
+    if (!scene.bed_hashes || scene.set_on_command_line("bed.file")) return;
+    const auto& hashes = *scene.bed_hashes;
+    if (std::ranges::any_of(hashes, [&](const auto& hash) { return has_hash(file, hash); })) return;
+    throw InputError(fmt::format(
+        "{}{} is not one of the files whose SHA-256 the metadata lists, or is not there as it was",
+        scene.at("bed.file"), file.string()));
+}
+
 InputError no_bed_in(const Scene& scene, const std::filesystem::path& file) {
     return InputError(
         fmt::format("{}{} is not there or is no bed that can be read; --trust says "
@@ -177,6 +188,7 @@ InitialBed bed_from_file(const Scene& scene) {
     const std::filesystem::path written = scene.bed.file;
     const bool as_it_stands = written.is_absolute() || scene.set_on_command_line("bed.file");
     const std::filesystem::path file = as_it_stands ? written : scene.directory / written;
+    check_listed(scene, file);
     std::error_code fault;
     if (!std::filesystem::exists(file, fault) && !may_tell_of_bed(scene))
         throw no_bed_in(scene, file);

@@ -324,6 +324,7 @@ Scene parse_scene(const SceneText& scene_text, const std::vector<Override>& over
     scene.source = scene_text.source;
     scene.directory = scene_text.directory;
     scene.trusted = scene_text.trusted;
+    scene.bed_hashes = scene_text.bed_hashes;
     std::vector<Setting> settings;
     settings.reserve(overrides.size());
     Faults faults(scene.source);

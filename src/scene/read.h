@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,7 @@ struct SceneText {
     std::string source;               ///< names it in messages
     std::filesystem::path directory;  ///< where its relative files are looked for
     bool trusted = true;              ///< see Scene::trusted
+    std::shared_ptr<const std::vector<std::string>> bed_hashes{};  ///< see Scene::bed_hashes
 };
 
 /// Throws InputError when the file cannot be read.

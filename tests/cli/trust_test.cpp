@@ -124,6 +124,40 @@ TEST_F(Trust, DamagedMetadataIsRefusedWithoutACrash) {
     EXPECT_EQ(refusal(), "picture.png: its fumon:inputs text is damaged; take an untouched copy\n");
 }
 
+TEST_F(Trust, AFigureKeepsTheSameRules) {
+    write_text(folder_ / "secret.asc", "the first line\n");
+    const auto refused = [&](const std::string& scene) {
+        const nlohmann::json origin{{"scene", "s.toml"},
+                                    {"set", nlohmann::json::array()},
+                                    {"texts", {{{"path", "s.toml"}, {"text", scene}}}},
+                                    {"inputs", nlohmann::json::array()}};
+        write_file(folder_ / "picture.png",
+                   encode_png(Image(16, 16), 96, {{"fumon:figure", origin.dump()}}));
+        return refusal();
+    };
+    const std::string map = "[figure]\nwidth = \"single\"\n[[figure.panel]]\nkind = \"map\"\n";
+    const std::string plot =
+        "[figure]\nwidth = \"single\"\n[[figure.panel]]\nkind = \"plot\"\n"
+        "[[figure.panel.curve]]\ny = \"mean_height\"\n";
+    const std::string sand = "[model]\nname = \"sand\"\n[run]\nsteps = 5\n";
+    EXPECT_NE(refused(of_bed("secret.asc") + map).find("not among the files"), std::string::npos);
+    EXPECT_NE(refused(sand + map + "set = [\"bed.file=secret.asc\"]\n").find("not among the files"),
+              std::string::npos);
+    EXPECT_NE(refused(sand + plot + "over = [\"bed.file=secret.asc,none.asc\"]\n")
+                  .find("secret.asc is not one of the files whose SHA-256 the metadata lists"),
+              std::string::npos);
+    EXPECT_NE(refused(sand + plot + "table = \"file\"\nfile = \"secret.asc\"\n")
+                  .find("not among the files"),
+              std::string::npos);
+    EXPECT_NE(refused(sand + "[grid]\nnx = 9000\nny = 9000\n" + map).find("cells are more than"),
+              std::string::npos);
+    EXPECT_NE(refused("[model]\nname = \"sand\"\n[grid]\nnx = 1000\nny = 1000\n[run]\nsteps = "
+                      "900000\n" +
+                      plot + "seeds = 5\n")
+                  .find("its runs take 4.5e+12 cell-steps"),
+              std::string::npos);
+}
+
 TEST_F(Trust, ABaselineTellsNothingOfTheFilesThatItNames) {
     write_text(folder_ / "secret", "the first line\n");
     write_text(folder_ / "b.toml", "[cases]\na = {scene = \"secret\"}\n");
