@@ -36,14 +36,39 @@ std::size_t distance(std::string_view a, std::string_view b) {
     return last[b.size()];
 }
 
+std::vector<std::string_view> parts_of(std::string_view name) {
+    std::vector<std::string_view> parts;
+    for (std::size_t start = 0; start <= name.size();) {
+        const std::size_t end = std::min(name.find('.', start), name.size());
+        parts.push_back(name.substr(start, end - start));
+        start = end + 1;
+    }
+    return parts;
+}
+
+std::size_t most_off(std::string_view word) {
+    return std::max<std::size_t>(1, word.size() / 3);
+}
+
+/// Whether each part of a dotted name is near its own: "camera.target" means no "camera.margin",
+/// however much else they share.
+bool parts_are_near(std::string_view wrong, std::string_view name) {
+    const auto a = parts_of(wrong);
+    const auto b = parts_of(name);
+    if (a.size() != b.size()) return true;
+    return std::equal(a.begin(), a.end(), b.begin(), [](std::string_view p, std::string_view q) {
+        return distance(p, q) <= most_off(p);
+    });
+}
+
 }  // namespace
 
 std::string nearest_name(std::string_view wrong, const std::vector<std::string>& known) {
     std::string nearest;
-    std::size_t smallest = std::max<std::size_t>(1, wrong.size() / 3) + 1;
+    std::size_t smallest = most_off(wrong) + 1;
     for (const std::string& name : known) {
         const std::size_t off = distance(wrong, name);
-        if (off < smallest) {
+        if (off < smallest && parts_are_near(wrong, name)) {
             smallest = off;
             nearest = name;
         }

@@ -10,6 +10,7 @@
 #include "base/number_text.h"
 #include "cli/command.h"
 #include "cli/commands.h"
+#include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "run/drawing.h"
 #include "run/manifest.h"
@@ -34,7 +35,8 @@ struct RunOptions {
 };
 
 void declare(CLI::App& command, RunOptions& options) {
-    command.add_option("SCENE", options.scene, "a scene file (TOML)");
+    command.add_option("SCENE", options.scene,
+                       "a scene file (TOML), or the name of one that fumon ships");
     auto* folder = command.add_option("-o,--output", options.folder, "the folder for the run")
                        ->type_name("DIR");
     auto* force = add_force(command, options.force,
@@ -46,11 +48,10 @@ void declare(CLI::App& command, RunOptions& options) {
         ->type_name("DIR")
         ->excludes(folder)
         ->excludes(force);
-    command
-        .add_option("--checkpoint-every", options.checkpoint_every,
-                    "minutes between checkpoints (default 10; 0: none)")
-        ->type_name("MINUTES")
-        ->check(CLI::Range(0.0, 1e6).description(""));
+    constexpr double most_minutes = 1e6;
+    add_number(command, "--checkpoint-every", options.checkpoint_every, 0, most_minutes,
+               "minutes between checkpoints (default 10; 0: none)")
+        ->type_name("MINUTES");
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
     command.footer(
@@ -154,8 +155,14 @@ int resume(const RunOptions& options) {
         if (std::filesystem::exists(folder.checkpoint())) folder.tidy();
         return 0;
     }
-    ResumedRun former = resume_run(folder, options.scene, options.work);
+    ResumedRun former = resume_run(folder, scene_argument(options.scene), options.work);
     return work(former.run, folder, options, &former);
+}
+
+PreparedRun prepare(const RunOptions& options) {
+    const EndAtOnce nothing_is_written;
+    return prepare_run(read_scene(scene_argument(options.scene), options.work.settings),
+                       options.work.threads);
 }
 
 int perform(const RunOptions& options) {
@@ -165,10 +172,9 @@ int perform(const RunOptions& options) {
     if (options.folder.empty()) throw InputError("fumon run: name a folder for the run with -o");
     RunFolder folder(options.folder, options.force);
     prepare_drawing(options.work);
-    PreparedRun prepared =
-        prepare_run(read_scene(options.scene, options.work.settings), options.work.threads);
+    PreparedRun prepared = prepare(options);
     std::vector<std::filesystem::path> inputs = scene_files(prepared.scene);
-    inputs.emplace_back(options.scene);
+    inputs.emplace_back(scene_argument(options.scene));
     folder.check(planned_files(prepared.scene, options.checkpoint_every), std::move(inputs));
     return work(prepared, folder, options, nullptr);
 }

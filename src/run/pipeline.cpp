@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/give_up.h"
 #include "base/stopwatch.h"
 #include "base/thread_clock.h"
 #include "base/worker_pool.h"
@@ -84,7 +85,8 @@ class Pipeline {
         stages_.guard([this] { written_.frames().commit(); });
 
         outcome_.error = stages_.error();
-        if (outcome_.steps_done < last_step_) outcome_.signal = interrupting_signal();
+        if (outcome_.steps_done < last_step_ || outcome_.gave_up)
+            outcome_.signal = interrupting_signal();
         outcome_.frames = written_.frames().frames();
         outcome_.bed_steps = written_.bed_steps();
         Timing& timing = outcome_.timing;
@@ -104,8 +106,10 @@ class Pipeline {
             recorder = make_recorder();
             if (options_.former != nullptr) recorder->carry(options_.former->measured);
             const bool at_end = advance(*recorder) == 0;
-            if (!at_end) check_finite(model_.snapshot());
-            outcome_.state = state_hash(model_);
+            if (!at_end && !outcome_.gave_up) check_finite(model_.snapshot());
+            if (!outcome_.gave_up) outcome_.state = state_hash(model_);
+        } catch (const GivenUp&) {
+            outcome_.gave_up = true;
         } catch (...) {  // what was made before goes its way: the later stages drain their queues
             stages_.keep(std::current_exception());
         }
@@ -135,13 +139,14 @@ class Pipeline {
                                           written_.send_frame();
                                   });
         CountedSteps count(progress_);
-        std::vector<StepObserver*> observers{&recorder, &beds, &frames, &count};
+        std::vector<StepObserver*> observers{&recorder, &beds, &frames};
         std::optional<Checkpointer> checkpoints;
         if (folder_ != nullptr && clock_.on()) {
             checkpoints.emplace(*folder_, parts_, clock_, checkpoint_facts(), written_, recorder,
                                 [this](const std::string& line) { stages_.tell(line); });
             observers.push_back(&*checkpoints);
         }
+        observers.push_back(&count);
         Stepper stepper(model_, observers, options_.former != nullptr);
         const struct Ended {
             RunOutcome& outcome;
@@ -149,6 +154,7 @@ class Pipeline {
             const std::optional<Checkpointer>& checkpoints;
             ~Ended() {
                 outcome.timing.simulation_wall = stepper.seconds();
+                outcome.gave_up = stepper.gave_up();
                 if (checkpoints && checkpoints->last()) outcome.checkpoint = checkpoints->last();
             }
         } ended{outcome_, stepper, checkpoints};
@@ -175,6 +181,7 @@ class Pipeline {
                 number++, frame->snapshot,
                 std::make_shared<const Image>(painter->paint(*frame->snapshot, frame->rows))};
             outcome_.timing.rendering_wall += watch.seconds();
+            progress_.seconds_of_frames += watch.seconds();
             if (!to_frames_.push(picture)) break;
             if (movie_ && !to_movie_.push(picture)) break;
         }

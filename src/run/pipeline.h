@@ -55,6 +55,7 @@ struct RunOutcome {
     std::vector<std::int64_t> resumed_at;    ///< steps from which it was gone on with
     std::optional<std::int64_t> checkpoint;  ///< the step of the last one that was written
     int signal = 0;                          ///< that stopped the run early, or 0
+    bool gave_up = false;                    ///< it did so within a step: there is no state
     std::exception_ptr error;                ///< the first, or none
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -11,6 +12,8 @@
 #include "files/hash.h"
 #include "files/terrain/terrain_file.h"
 #include "models/registry.h"
+#include "scene/find_input.h"
+#include "scene/trust.h"
 
 namespace fumon {
 
@@ -106,6 +109,7 @@ void refine(const Scene& scene, Terrain& terrain) {
     if (refinement == 1) return;
     const std::int64_t cells =
         static_cast<std::int64_t>(terrain.heights.size()) * refinement * refinement;
+    check_limits(scene, cells, 0);
     if (cells > largest_grid_cells) {
         throw InputError(fmt::format(
             "{}bed.refine is {}: {} x {} cells would become {}; at most {}", scene.at("bed.refine"),
@@ -143,6 +147,9 @@ void resample(const Scene& scene, Terrain& terrain, WorldScale& scale) {
                         "as grid.cell_size",
                         key, size, scene.bed.file));
     }
+    const double cells =
+        static_cast<double>(terrain.heights.size()) * (scale.dx / size) * (scale.dy / size);
+    check_limits(scene, static_cast<std::int64_t>(std::min(cells, 1e18)), 0);
     terrain = resampled(terrain, scale.dx, scale.dy, size, scene.bed.resample_method, key);
     if (height_follows_cells(scene)) scale.height_unit = size;
     scale.dx = size;
@@ -155,9 +162,40 @@ bool named_from_here(const Scene& scene) {
            scene.set_on_command_line("bed.file");
 }
 
+/// A scene from a picture's metadata opens no file that the metadata does not list.
+void check_listed(const Scene& scene, const std::filesystem::path& file) {
+    if (!scene.bed_hashes || scene.set_on_command_line("bed.file")) return;
+    const auto& hashes = *scene.bed_hashes;
+    if (std::ranges::any_of(hashes, [&](const auto& hash) { return has_hash(file, hash); })) return;
+    throw InputError(fmt::format(
+        "{}{} is not one of the files whose SHA-256 the metadata lists, or is not there as it was",
+        scene.at("bed.file"), file.string()));
+}
+
+InputError no_bed_in(const Scene& scene, const std::filesystem::path& file) {
+    return InputError(
+        fmt::format("{}{} is not there or is no bed that can be read; --trust says "
+                    "which",
+                    scene.at("bed.file"), file.string()));
+}
+
+/// The file as it is asked for. Where others named it, what is wrong with it tells nothing of what
+/// is in it, nor whether it is there.
+Terrain read_bed_file(const Scene& scene, const std::filesystem::path& file) {
+    try {
+        return read_terrain(file, query_of(scene.bed));
+    } catch (const InputError&) {
+        if (may_tell_of_bed(scene)) throw;
+        throw no_bed_in(scene, file);
+    }
+}
+
 InitialBed bed_from_file(const Scene& scene) {
     const std::filesystem::path file = bed_path(scene);
+    check_listed(scene, file);
     std::error_code fault;
+    if (!std::filesystem::exists(file, fault) && !may_tell_of_bed(scene))
+        throw no_bed_in(scene, file);
     if (!std::filesystem::exists(file, fault) && !scene.locations.contains("bed.file")) {
         throw InputError(fmt::format("{}: is not there; check the path", file.string()));
     }
@@ -167,7 +205,7 @@ InitialBed bed_from_file(const Scene& scene) {
                         scene.at("bed.file"), scene.bed.file, file.string(),
                         named_from_here(scene) ? "the working folder" : "the scene file"));
     }
-    Terrain terrain = read_terrain(file, query_of(scene.bed));
+    Terrain terrain = read_bed_file(scene, file);
     InitialBed initial;
     initial.scale = scale_of(scene, terrain.dx, terrain.dy);
     resample(scene, terrain, initial.scale);
@@ -215,7 +253,11 @@ BedKind bed_kind(const Scene& scene) {
 
 InitialBed make_initial_bed(const Scene& scene) {
     const BedKind kind = bed_kind(scene);
-    if (kind == BedKind::file) return bed_from_file(scene);
+    if (kind == BedKind::file) {
+        InitialBed initial = bed_from_file(scene);
+        check_limits(scene, static_cast<std::int64_t>(initial.bed.size()), scene.run.steps);
+        return initial;
+    }
     InitialBed initial;
     initial.scale = scale_of(scene, 0.0, 0.0);
     initial.bed = kind == BedKind::noise

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -169,8 +170,12 @@ struct Scene {
     SweepSettings sweep;
     FigureSettings figure;
 
-    std::filesystem::path directory;               ///< where relative files are looked for
-    std::string source;                            ///< the file's name, for messages
+    std::filesystem::path directory;  ///< where relative files are looked for
+    std::string source;               ///< the file's name, for messages
+    bool trusted = true;              ///< the user named it; else scene/trust.h holds
+    /// Where set, the SHA-256 (hexadecimal) that its bed file may have, unless that stands on the
+    /// command line: those that a picture's metadata lists.
+    std::shared_ptr<const std::vector<std::string>> bed_hashes;
     std::map<std::string, std::string> locations;  ///< key path → "file:line:column"
 
     /// "file:line:column: " of a key, or of the file where the key is not written.

@@ -16,6 +16,8 @@ TEST(NearestName, FindsMissingSwappedAndWrongLetters) {
 
 TEST(NearestName, FindsNothingFarOff) {
     EXPECT_EQ(nearest_name("wind", known), "");
+    EXPECT_EQ(nearest_name("camera.target", {"camera.margin"}), "") << "half of the letters differ";
+    EXPECT_EQ(nearest_name("jet", {"grey", "vik"}), "");
     EXPECT_EQ(suggestion("wind", {"a", "b"}), "known: a, b");
 }
 

@@ -162,7 +162,7 @@ TEST_F(ResumeTest, WhatIsSaidOfARunThatCannotOrNeedNotGoOn) {
     write_text(out() / "run.json", manifest.dump());
     expect_refusal({"run", "--resume", "out"}, "stopped before its first checkpoint");
     expect_refusal({"run", "--resume", "scene.toml"}, "scene.toml is a file");
-    expect_refusal({"run", "--resume", "out", "-o", "other"}, "excludes");
+    expect_refusal({"run", "--resume", "out", "-o", "other"}, "do not go together");
     expect_refusal({"run", "-o", "other"}, "name a scene");
     expect_refusal({"run", "scene.toml"}, "name a folder");
 }
@@ -232,7 +232,7 @@ TEST_F(ResumeTest, FromAnotherFolderTheTerrainIsFoundAndAChangeNoticed) {
     uninterrupted();
     ASSERT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
     write_text(folder_ / "data/bed.asc", grid + "\n");
-    expect_refusal({"run", "--resume", "out"}, "data/bed.asc has changed since the run was made");
+    expect_refusal({"run", "--resume", "out"}, "data/bed.asc as it was when the run was made");
     write_text(folder_ / "data/bed.asc", grid);
     const Ended ended = fumon({"run", "--resume", "../out", "-q"}, folder_ / "elsewhere");
     EXPECT_EQ(ended.status, 0) << ended.errors;

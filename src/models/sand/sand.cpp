@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/give_up.h"
 #include "base/random.h"
 #include "base/worker_pool.h"
 #include "models/sand/profile_creep.h"
@@ -140,6 +141,7 @@ void Sand::hop_rows_and_creep() {
         hop(begin - 1);
         hop(begin);
         for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
             hop(y + 1);
             creep_row(row(y - 1), row(y), row(y + 1), parameters_.creep_rate, next_.row(y));
         }
@@ -157,6 +159,7 @@ void Sand::hop_rows() {
         RowHops hops(parameters_, bed_.nx());
         Picks picks;
         for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
             hop_row(hops, picks, y, in_place ? bed_.row(y) : next_.row(y));
         }
     });
@@ -197,8 +200,10 @@ void Sand::creep_profiles() {
         profile_creep(bed_.row(0), p.creep_rate, p.flank_rate, next_.row(0), &pool_);
     } else {
         pool_.for_ranges(bed_.ny(), [&](int begin, int end) {
-            for (int y = begin; y < end; ++y)
+            for (int y = begin; y < end; ++y) {
+                give_up_if_asked();
                 profile_creep(bed_.row(y), p.creep_rate, p.flank_rate, next_.row(y));
+            }
         });
     }
     std::swap(bed_, next_);

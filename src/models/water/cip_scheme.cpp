@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/give_up.h"
 #include "base/multiversion.h"
 #include "base/state_carrier.h"
 #include "base/worker_pool.h"
@@ -155,6 +156,7 @@ void CipScheme::advect_and_accelerate(const cip::SubStep& step, Water& water, co
         std::vector<double> advected_v(static_cast<std::size_t>(nx_));
         PaddedGrid bed_row(nx_, 1);
         for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
             const auto advect = [&](Carried& carried, double* value) {
                 cip::advect_row({around(carried.value, y), around(carried.gradient_x, y),
                                  around(carried.gradient_y, y)},
@@ -198,6 +200,7 @@ void CipScheme::advect_and_accelerate(const cip::SubStep& step, Water& water, co
 void CipScheme::thin_as_published(const cip::SubStep& step, double rain) {
     pool_.for_ranges(ny_, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
             cip::thin_row(depth_.value.row(y), depth_.next.row(y), around(u_.next, y),
                           around(v_.next, y), step, rain, nx_, depth_.next.row(y),
                           depth_.gained.row(y));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/give_up.h"
 #include "base/multiversion.h"
 #include "base/state_carrier.h"
 #include "base/worker_pool.h"
@@ -148,6 +149,7 @@ void Gully::step() {
     double elapsed = time();
     substeps_ = 0;
     while (remaining > 0.0) {
+        give_up_if_asked();
         const double dt = sub_step_size(remaining, elapsed);
         sub_step(dt, elapsed);
         remaining = dt == remaining ? 0.0 : remaining - dt;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/give_up.h"
 #include "base/worker_pool.h"
 
 namespace fumon {
@@ -65,7 +66,10 @@ void Sediment::advance(Grid& bed, const Water& water, double dt) {
         RowSides sides_x(nx_);
         RowSides sides_y(nx_);
         std::vector<double> flux(static_cast<std::size_t>(nx_));
-        for (int y = begin; y < end; ++y) transport_row(bed, water, dt, y, sides_x, sides_y, flux);
+        for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
+            transport_row(bed, water, dt, y, sides_x, sides_y, flux);
+        }
         if (!masked) diffusion_.first_half(bed, change_, begin, end);
     });
     for (const double change : row_changes_) changed_.add(change);
@@ -82,6 +86,7 @@ void Sediment::find_fluxes(const Grid& bed, const Water& water) {
         RowSides sides(nx_);
         std::vector<double> flux(static_cast<std::size_t>(nx_));
         for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
             const double* u = water.velocity_x.row(y).data();
             const double* v = water.velocity_y.row(y).data();
             constexpr Beyond line = Beyond::on_the_line;
@@ -142,6 +147,7 @@ void Sediment::diffuse_masked(Grid& bed, double dt) {
             RowSides scratch(nx_);
             constexpr Beyond same = Beyond::same;
             for (int y = begin; y < end; ++y) {
+                give_up_if_asked();
                 const sediment::Sides sides = scratch.of(bed, domain_, y, same, same, same);
                 for (int x = 0; x < nx_; ++x) {
                     const double here = bed(x, y);

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "base/tell.h"
+#include "run/terminal/tell.h"
 
 namespace fumon {
 
