@@ -106,6 +106,8 @@ class Pipeline {
             const bool at_end = advance(*recorder) == 0;
             if (!at_end) check_finite(model_.snapshot());
             outcome_.state = state_hash(model_);
+            outcome_.doubt = model_.doubt();
+            if (!outcome_.doubt.empty()) stages_.tell("implausible: " + outcome_.doubt);
         } catch (...) {  // what was made before goes its way: the later stages drain their queues
             stages_.keep(std::current_exception());
         }
@@ -135,7 +137,8 @@ class Pipeline {
                                           written_.send_frame();
                                   });
         CountedSteps count(progress_);
-        std::vector<StepObserver*> observers{&recorder, &beds, &frames, &count};
+        ToldDoubt doubt([this](const std::string& line) { stages_.tell("implausible: " + line); });
+        std::vector<StepObserver*> observers{&recorder, &beds, &frames, &count, &doubt};
         std::optional<Checkpointer> checkpoints;
         if (folder_ != nullptr && clock_.on()) {
             checkpoints.emplace(*folder_, parts_, clock_, checkpoint_facts(), written_, recorder,

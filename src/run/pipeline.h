@@ -50,6 +50,7 @@ struct RunOutcome {
     MovieRecord movie;
     DrawingRecord drawing;
     Sha256 state{};
+    std::string doubt;  ///< the model's, of its last state
     Timing timing;
     std::int64_t steps_before = 0;           ///< done before it was gone on with
     std::vector<std::int64_t> resumed_at;    ///< steps from which it was gone on with
