@@ -33,6 +33,7 @@ class FigureCheck {
                 refuse(path + ".inset",
                        "an inset stands in the panel before it; this is the first");
             check_place(panels[p], path);
+            check_keys_of_kind(panels[p], path);
             if (shown_by(panels[p].kind) == PanelShows::curves) {
                 check_plot(panels[p], path);
             } else {
@@ -84,23 +85,56 @@ class FigureCheck {
         }
     }
 
+    /// Refuses keys that a panel of this kind would not read, unless they say what it shows anyhow.
+    void check_keys_of_kind(const PanelSettings& panel, const std::string& path) const {
+        using enum PanelKind;
+        const std::vector<PanelKind> pictures{map, view, profile, time_space, section};
+        const std::vector<PanelKind> coloured{map, view, time_space, section};
+        const std::vector<std::pair<std::vector<const char*>, std::vector<PanelKind>>> keys_of{
+            {{"x_label", "y_label", "x_logarithmic", "y_logarithmic", "x_low", "x_high", "y_low",
+              "y_high", "legend"},
+             {plot}},
+            {{"scene", "set"}, pictures},
+            {{"steps"}, {map, view, profile, section}},
+            {{"every"}, {time_space}},
+            {{"row_of_bed"}, {profile, time_space}},
+            {{"field"}, {map, time_space}},
+            {{"low", "high", "palette", "palette_reversed"}, coloured},
+            {{"colour_bar"}, {map, time_space, section}},
+            {{"range", "shading", "shading_from_all_sides", "axes", "vectors"}, {map}},
+            {{"scale_bar"}, {map, view}},
+            {{"arrow"}, {map, view, profile}},
+            {{"section"}, {section}}};
+        for (const auto& [keys, kinds] : keys_of) {
+            if (std::ranges::find(kinds, panel.kind) != kinds.end()) continue;
+            for (const char* key : keys) {
+                const std::string written = fmt::format("{}.{}", path, key);
+                if (!scene_.locations.contains(written)) continue;
+                if (key == std::string_view("colour_bar") && !panel.colour_bar) continue;
+                if (key == std::string_view("range") && panel.range == PanelRange::own) continue;
+                refuse(written, fmt::format("belongs to {}; a {} panel would not show it",
+                                            names_of(kinds), word_of(panel.kind)));
+            }
+        }
+    }
+
+    static std::string_view word_of(PanelKind kind) {
+        return panel_kinds[static_cast<std::size_t>(kind)].choice.word;
+    }
+
+    /// "map and view panels".
+    static std::string names_of(const std::vector<PanelKind>& kinds) {
+        std::string names;
+        for (std::size_t k = 0; k < kinds.size(); ++k) {
+            if (k > 0) names += k + 1 == kinds.size() ? " and " : ", ";
+            names += word_of(kinds[k]);
+        }
+        return names + " panels";
+    }
+
     void check_plot(const PanelSettings& panel, const std::string& path) const {
         if (panel.curves.empty() && panel.boxes.empty())
             refuse(path + ".kind", "the plot shows nothing; add [[figure.panel.curve]]");
-        const PanelSettings usual;
-        const std::array<std::pair<const char*, bool>, 6> of_pictures{
-            {{"scene", !panel.scene.empty()},
-             {"set", !panel.set.empty()},
-             {"steps", !panel.steps.empty()},
-             {"every", panel.every > 0},
-             {"field", panel.field != usual.field},
-             {"section", panel.section != usual.section}}};
-        for (const auto& [key, given] : of_pictures) {
-            if (given) {
-                refuse(fmt::format("{}.{}", path, key),
-                       "belongs to pictures; a plot's curves have keys of their own");
-            }
-        }
         check_range(panel.x_low, panel.x_high, path, "x", panel.x_logarithmic);
         check_range(panel.y_low, panel.y_high, path, "y", panel.y_logarithmic);
         for (std::size_t c = 0; c < panel.curves.size(); ++c)
@@ -178,10 +212,6 @@ class FigureCheck {
         const PanelShows shows = shown_by(panel.kind);
         if (shows == PanelShows::each_step && panel.row > 0 && panel.steps.size() > 1)
             refuse(path + ".row", "several steps are several panels; place them in reading order");
-        if (shows == PanelShows::whole_run && !panel.steps.empty())
-            refuse(path + ".steps", "a time-space panel shows the whole run; write every");
-        if (shows == PanelShows::each_step && !panel.row_of_bed.is_word())
-            refuse(path + ".row_of_bed", "belongs to profile and time-space panels");
     }
 
     const Scene& scene_;
