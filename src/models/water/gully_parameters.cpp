@@ -50,12 +50,14 @@ void list_flow_keys(GullyParameters& gully, KeyTable& table) {
                         "0: none"});
     table.real("model.channel_width", gully.channel_width,
                {.unit = "m", .range = {0, 1e6, true}, .help = "the trough's standard deviation"});
-    table.choice("model.initial_water", gully.initial_water,
-                 {{InitialWater::film, "film", "model.depth everywhere"},
-                  {InitialWater::level, "level",
-                   "up to model.depth above the plane (height 0), deeper in the trough"},
-                  {InitialWater::dry, "dry", "none: it takes rain"}},
-                 {.help = "the water at the start"});
+    table.choice(
+        "model.initial_water", gully.initial_water,
+        {{InitialWater::film, "film", "model.depth everywhere"},
+         {InitialWater::level, "level",
+          "a level surface with model.depth in the mean over all cells: deeper in the trough, none "
+          "on what stands above it"},
+         {InitialWater::dry, "dry", "none: it takes rain"}},
+        {.help = "the water at the start"});
     table.real("model.depth", gully.depth,
                {.unit = "m", .range = {0, 1e4}, .help = "h of the water at the start"});
     table.choice("model.initial_flow", gully.initial_flow,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "base/elementary.h"
 #include "base/error.h"
@@ -131,11 +132,31 @@ void cut_channel(const GullyParameters& parameters, double dx, Grid& bed) {
     }
 }
 
+/// The height of a level surface over the bed, under which the water is `depth` deep in the mean.
+double level_of(double depth, const Grid& bed, const Mask& nodata) {
+    std::vector<double> heights;
+    heights.reserve(bed.size());
+    for (std::size_t cell = 0; cell < bed.size(); ++cell) {
+        if (nodata.empty() || nodata.values()[cell] == 0) heights.push_back(bed.values()[cell]);
+    }
+    std::ranges::sort(heights);
+    const double volume = depth * static_cast<double>(heights.size());
+    double below = 0.0;  // sum of the heights that the water covers
+    for (std::size_t covered = 1; covered <= heights.size(); ++covered) {
+        below += heights[covered - 1];
+        const double level = (volume + below) / static_cast<double>(covered);
+        if (covered == heights.size() || level <= heights[covered]) return level;
+    }
+    return 0.0;
+}
+
 Water water_of(const GullyParameters& parameters, const WaterDomain& domain, const Grid& bed) {
     const int nx = bed.nx();
     const int ny = bed.ny();
     Water water{Grid(nx, ny), Grid(nx, ny), Grid(nx, ny)};
     const double speed = initial_speed(parameters, domain);
+    const bool is_level = parameters.initial_water == InitialWater::level;
+    const double level = is_level ? level_of(parameters.depth, bed, domain.nodata) : 0.0;
     for (std::size_t cell = 0; cell < bed.size(); ++cell) {
         if (!domain.nodata.empty() && domain.nodata.values()[cell] != 0) continue;
         double& depth = water.depth.values()[cell];
@@ -144,7 +165,7 @@ Water water_of(const GullyParameters& parameters, const WaterDomain& domain, con
                 depth = parameters.depth;
                 break;
             case InitialWater::level:
-                depth = std::max(0.0, parameters.depth - bed.values()[cell]);
+                depth = std::max(0.0, level - bed.values()[cell]);
                 break;
             case InitialWater::dry:
                 break;

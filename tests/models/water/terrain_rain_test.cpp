@@ -163,7 +163,7 @@ TEST(RainOnTerrain, ABankDoesNotPressOnThePondBelowIt) {
         gully.slope = 0.0;
         gully.relief = relief;
         gully.initial_water = InitialWater::level;
-        gully.depth = 2.0;  // of a pond between the banks
+        gully.depth = 1.0;  // in the mean: a pond between the banks
         gully.transport = SedimentTransport::none;
         GullyRun run(gully, bed);
         run.to(5.0);
@@ -173,7 +173,7 @@ TEST(RainOnTerrain, ABankDoesNotPressOnThePondBelowIt) {
         return speed;
     };
     EXPECT_LT(fastest(Relief::steep), 0.01);
-    EXPECT_GT(fastest(Relief::gentle), 0.5) << "what the key is for";
+    EXPECT_GT(fastest(Relief::gentle), 0.3) << "what the key is for";
 }
 
 TEST(RainOnTerrain, RefusesKeysThatWouldDoNothing) {
