@@ -294,6 +294,11 @@ void check_bed(const Scene& scene) {
         refuse(scene, "bed.variable",
                "bed.variable belongs to a NetCDF bed; write bed.kind = \"file\" and bed.file");
     }
+    if (!from_file && !bed.nodata_value.is_word()) {
+        refuse(
+            scene, "bed.nodata_value",
+            "bed.nodata_value belongs to a terrain file; write bed.kind = \"file\" and bed.file");
+    }
     if (!from_file && bed.refine != 1) {
         refuse(scene, "bed.refine",
                "bed.refine belongs to a terrain file; elsewhere take larger grid.nx and grid.ny");
