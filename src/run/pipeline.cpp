@@ -1,5 +1,7 @@
 #include "run/pipeline.h"
 
+#include <fmt/format.h>
+
 #include <future>
 #include <memory>
 #include <utility>
@@ -304,6 +306,15 @@ RunOutputs outputs_in(RunFolder& folder, const Scene& scene) {
     RunOutputs outputs{&folder};
     if (scene.output.movie) outputs.movie = folder.movie();
     return outputs;
+}
+
+std::string padding_text(const std::string& file, const MovieRecord& movie,
+                         const ImageSettings& frames) {
+    if (movie.frames == 0 || (movie.width == frames.width && movie.height == frames.height))
+        return {};
+    return fmt::format(
+        "{} is {} x {}: H.264 needs even sides, so the edge of the {} x {} frames is repeated",
+        file, movie.width, movie.height, frames.width, frames.height);
 }
 
 RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs,

@@ -80,6 +80,10 @@ struct RunOutputs {
     std::optional<std::filesystem::path> movie{};
 };
 
+/// One line on a movie that is larger than its frames; empty where it is not, or was not made.
+std::string padding_text(const std::string& file, const MovieRecord& movie,
+                         const ImageSettings& frames);
+
 /// A folder for all outputs that a scene wants.
 RunOutputs outputs_in(RunFolder& folder, const Scene& scene);
 
