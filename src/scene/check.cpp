@@ -85,36 +85,59 @@ class FigureCheck {
         }
     }
 
-    /// Refuses keys that a panel of this kind would not read, unless they say what it shows anyhow.
+    /// Refuses what a panel of this kind would not show.
     void check_keys_of_kind(const PanelSettings& panel, const std::string& path) const {
         using enum PanelKind;
+        const std::vector<PanelKind> plots{plot};
         const std::vector<PanelKind> pictures{map, view, profile, time_space, section};
+        const std::vector<PanelKind> stepped{map, view, profile, section};
         const std::vector<PanelKind> coloured{map, view, time_space, section};
-        const std::vector<std::pair<std::vector<const char*>, std::vector<PanelKind>>> keys_of{
-            {{"x_label", "y_label", "x_logarithmic", "y_logarithmic", "x_low", "x_high", "y_low",
-              "y_high", "legend"},
-             {plot}},
-            {{"scene", "set"}, pictures},
-            {{"steps"}, {map, view, profile, section}},
-            {{"every"}, {time_space}},
-            {{"row_of_bed"}, {profile, time_space}},
-            {{"field"}, {map, time_space}},
-            {{"low", "high", "palette", "palette_reversed"}, coloured},
-            {{"colour_bar"}, {map, time_space, section}},
-            {{"range", "shading", "shading_from_all_sides", "axes", "vectors"}, {map}},
-            {{"scale_bar"}, {map, view}},
-            {{"arrow"}, {map, view, profile}},
-            {{"section"}, {section}}};
-        for (const auto& [keys, kinds] : keys_of) {
-            if (std::ranges::find(kinds, panel.kind) != kinds.end()) continue;
-            for (const char* key : keys) {
-                const std::string written = fmt::format("{}.{}", path, key);
-                if (!scene_.locations.contains(written)) continue;
-                if (key == std::string_view("colour_bar") && !panel.colour_bar) continue;
-                if (key == std::string_view("range") && panel.range == PanelRange::own) continue;
-                refuse(written, fmt::format("belongs to {}; a {} panel would not show it",
-                                            names_of(kinds), word_of(panel.kind)));
-            }
+        const std::vector<PanelKind> maps{map};
+        const PanelSettings usual;
+        struct Asked {
+            const char* key;
+            bool given;  ///< otherwise than it is where nothing is said
+            const std::vector<PanelKind>& kinds;
+        };
+        const std::vector<PanelKind> along_rows{profile, time_space};
+        const std::vector<PanelKind> of_fields{map, time_space};
+        const std::vector<PanelKind> with_ground{map, view};
+        const std::vector<PanelKind> with_arrow{map, view, profile};
+        const std::vector<PanelKind> over_time{time_space};
+        const std::vector<PanelKind> sections{section};
+        const std::vector<Asked> all{
+            {"x_label", panel.x_label != usual.x_label, plots},
+            {"y_label", panel.y_label != usual.y_label, plots},
+            {"x_logarithmic", panel.x_logarithmic, plots},
+            {"y_logarithmic", panel.y_logarithmic, plots},
+            {"x_low", panel.x_low != usual.x_low, plots},
+            {"x_high", panel.x_high != usual.x_high, plots},
+            {"y_low", panel.y_low != usual.y_low, plots},
+            {"y_high", panel.y_high != usual.y_high, plots},
+            {"legend", panel.legend != usual.legend, plots},
+            {"scene", panel.scene != usual.scene, pictures},
+            {"set", panel.set != usual.set, pictures},
+            {"steps", panel.steps != usual.steps, stepped},
+            {"every", panel.every != usual.every, over_time},
+            {"row_of_bed", panel.row_of_bed != usual.row_of_bed, along_rows},
+            {"field", panel.field != usual.field, of_fields},
+            {"low", panel.low != usual.low, coloured},
+            {"high", panel.high != usual.high, coloured},
+            {"palette", panel.palette != usual.palette, coloured},
+            {"palette_reversed", panel.palette_reversed, coloured},
+            {"shading", panel.shading != usual.shading, maps},
+            {"shading_from_all_sides", panel.shading_from_all_sides, maps},
+            {"axes", panel.axes != usual.axes, maps},
+            {"vectors", panel.vectors, maps},
+            {"scale_bar", panel.scale_bar, with_ground},
+            {"arrow", panel.arrow != usual.arrow, with_arrow},
+            {"section", panel.section != usual.section, sections}};
+        for (const Asked& asked : all) {
+            if (!asked.given || std::ranges::find(asked.kinds, panel.kind) != asked.kinds.end())
+                continue;
+            refuse(fmt::format("{}.{}", path, asked.key),
+                   fmt::format("belongs to {}; a {} panel would not show it", names_of(asked.kinds),
+                               word_of(panel.kind)));
         }
     }
 

@@ -402,7 +402,7 @@ TEST_F(FigureTest, WhatIsWrongIsOneLocatedLine) {
          "bad.toml:17:11: figure.panel.0.x_label: belongs to plot panels; a map panel would not "
          "show it"},
         {"[[figure.panel]]\nkind = \"profile\"\ny_low = 0.0\n", "belongs to plot panels"},
-        {"[[figure.panel]]\nkind = \"view\"\naxes = true\n", "belongs to map panels"},
+        {"[[figure.panel]]\nkind = \"view\"\naxes = false\n", "belongs to map panels"},
         {plot + "palette = \"grey\"\n" + curve.substr(plot.size()), "a plot panel would not show"},
         {map + "steps = [21]\n", "step 21 is after the run's end at 20"},
         {map + "field = \"water_depth\"\n", "the model sand has no field \"water_depth\""},
