@@ -215,6 +215,9 @@ int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& o
     if (outcome.error) std::rethrow_exception(outcome.error);
     if (outcome.signal != 0) return exit_status_of_signal(outcome.signal);
     compare_movies(output.string(), before, options, origin, progress);
+    const ImageSettings& image = prepared.scene.view.image;
+    if (const std::string text = padding_text(output.string(), outcome.movie, image); !text.empty())
+        progress.note(text);
     return 0;
 }
 

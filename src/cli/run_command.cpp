@@ -71,13 +71,8 @@ void tell_the_end(const RunOutcome& outcome, const PreparedRun& prepared, const 
         timing.simulation_wall > 0.0 ? 1e-6 * cell_steps / timing.simulation_wall : 0.0,
         folder.path().string()));
     const ImageSettings& image = prepared.scene.view.image;
-    if (outcome.movie.frames > 0 &&
-        (outcome.movie.width != image.width || outcome.movie.height != image.height)) {
-        progress.note(fmt::format(
-            "movie.mp4 is {} x {}: H.264 needs even sides, so the edge of the {} x {} frames is "
-            "repeated",
-            outcome.movie.width, outcome.movie.height, image.width, image.height));
-    }
+    if (const std::string text = padding_text("movie.mp4", outcome.movie, image); !text.empty())
+        progress.note(text);
 }
 
 void tell_of_drawing(const DrawingRecord& now, const RunCheckpoint& former, Progress& progress) {

@@ -106,6 +106,7 @@ void write_final_manifest(const RunFolder& folder, const ManifestFacts& facts,
     json["steps_done"] = outcome.steps_done;
     json["time"] = outcome.time;
     if (!outcome.error && !outcome.gave_up) json["state_sha256"] = hex(outcome.state);
+    if (!outcome.doubt.empty()) json["implausible"] = outcome.doubt;
     if (!outcome.resumed_at.empty()) json["resumed_at_steps"] = outcome.resumed_at;
     if (outcome.checkpoint && status_of(outcome) != "complete") {
         json["checkpoint"] = {{"step", *outcome.checkpoint},

@@ -1,5 +1,7 @@
 #include "run/pipeline.h"
 
+#include <fmt/format.h>
+
 #include <future>
 #include <memory>
 #include <utility>
@@ -107,7 +109,11 @@ class Pipeline {
             if (options_.former != nullptr) recorder->carry(options_.former->measured);
             const bool at_end = advance(*recorder) == 0;
             if (!at_end && !outcome_.gave_up) check_finite(model_.snapshot());
-            if (!outcome_.gave_up) outcome_.state = state_hash(model_);
+            if (!outcome_.gave_up) {
+                outcome_.state = state_hash(model_);
+                outcome_.doubt = model_.doubt();
+                if (!outcome_.doubt.empty()) stages_.tell("implausible: " + outcome_.doubt);
+            }
         } catch (const GivenUp&) {
             outcome_.gave_up = true;
         } catch (...) {  // what was made before goes its way: the later stages drain their queues
@@ -139,7 +145,8 @@ class Pipeline {
                                           written_.send_frame();
                                   });
         CountedSteps count(progress_);
-        std::vector<StepObserver*> observers{&recorder, &beds, &frames};
+        ToldDoubt doubt([this](const std::string& line) { stages_.tell("implausible: " + line); });
+        std::vector<StepObserver*> observers{&recorder, &beds, &frames, &doubt};
         std::optional<Checkpointer> checkpoints;
         if (folder_ != nullptr && clock_.on()) {
             checkpoints.emplace(*folder_, parts_, clock_, checkpoint_facts(), written_, recorder,
@@ -308,6 +315,15 @@ RunOutputs outputs_in(RunFolder& folder, const Scene& scene) {
     RunOutputs outputs{&folder};
     if (scene.output.movie) outputs.movie = folder.movie();
     return outputs;
+}
+
+std::string padding_text(const std::string& file, const MovieRecord& movie,
+                         const ImageSettings& frames) {
+    if (movie.frames == 0 || (movie.width == frames.width && movie.height == frames.height))
+        return {};
+    return fmt::format(
+        "{} is {} x {}: H.264 needs even sides, so the edge of the {} x {} frames is repeated",
+        file, movie.width, movie.height, frames.width, frames.height);
 }
 
 RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs,

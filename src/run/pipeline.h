@@ -50,6 +50,7 @@ struct RunOutcome {
     MovieRecord movie;
     DrawingRecord drawing;
     Sha256 state{};
+    std::string doubt;  ///< the model's, of its last state
     Timing timing;
     std::int64_t steps_before = 0;           ///< done before it was gone on with
     std::vector<std::int64_t> resumed_at;    ///< steps from which it was gone on with
@@ -79,6 +80,10 @@ struct RunOutputs {
     RunFolder* folder = nullptr;  ///< of frames, beds, records and checkpoints
     std::optional<std::filesystem::path> movie{};
 };
+
+/// One line on a movie that is larger than its frames; empty where it is not, or was not made.
+std::string padding_text(const std::string& file, const MovieRecord& movie,
+                         const ImageSettings& frames);
 
 /// A folder for all outputs that a scene wants.
 RunOutputs outputs_in(RunFolder& folder, const Scene& scene);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <utility>
 
 #include "base/stopwatch.h"
@@ -56,6 +57,24 @@ class ShownSteps : public StepObserver {
   private:
     CountedSteps counted_;
     Progress& progress_;
+};
+
+/// Tells the first doubt that a model has of its state.
+class ToldDoubt : public StepObserver {
+  public:
+    using Receiver = std::function<void(const std::string&)>;
+    explicit ToldDoubt(Receiver receiver) : receiver_(std::move(receiver)) {}
+    void after_step(const Model& model) override {
+        if (told_) return;
+        const std::string doubt = model.doubt();
+        if (doubt.empty()) return;
+        told_ = true;
+        receiver_(doubt);
+    }
+
+  private:
+    Receiver receiver_;
+    bool told_ = false;
 };
 
 }  // namespace fumon

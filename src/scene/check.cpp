@@ -34,6 +34,7 @@ class FigureCheck {
                 refuse(path + ".inset",
                        "an inset stands in the panel before it; this is the first");
             check_place(panels[p], path);
+            check_keys_of_kind(panels[p], path);
             if (shown_by(panels[p].kind) == PanelShows::curves) {
                 check_plot(panels[p], path);
             } else {
@@ -85,23 +86,79 @@ class FigureCheck {
         }
     }
 
+    /// Refuses what a panel of this kind would not show.
+    void check_keys_of_kind(const PanelSettings& panel, const std::string& path) const {
+        using enum PanelKind;
+        const std::vector<PanelKind> plots{plot};
+        const std::vector<PanelKind> pictures{map, view, profile, time_space, section};
+        const std::vector<PanelKind> stepped{map, view, profile, section};
+        const std::vector<PanelKind> coloured{map, view, time_space, section};
+        const std::vector<PanelKind> maps{map};
+        const PanelSettings usual;
+        struct Asked {
+            const char* key;
+            bool given;  ///< otherwise than it is where nothing is said
+            const std::vector<PanelKind>& kinds;
+        };
+        const std::vector<PanelKind> along_rows{profile, time_space};
+        const std::vector<PanelKind> of_fields{map, time_space};
+        const std::vector<PanelKind> with_ground{map, view};
+        const std::vector<PanelKind> with_arrow{map, view, profile};
+        const std::vector<PanelKind> over_time{time_space};
+        const std::vector<PanelKind> sections{section};
+        const std::vector<Asked> all{
+            {"x_label", panel.x_label != usual.x_label, plots},
+            {"y_label", panel.y_label != usual.y_label, plots},
+            {"x_logarithmic", panel.x_logarithmic, plots},
+            {"y_logarithmic", panel.y_logarithmic, plots},
+            {"x_low", panel.x_low != usual.x_low, plots},
+            {"x_high", panel.x_high != usual.x_high, plots},
+            {"y_low", panel.y_low != usual.y_low, plots},
+            {"y_high", panel.y_high != usual.y_high, plots},
+            {"legend", panel.legend != usual.legend, plots},
+            {"scene", panel.scene != usual.scene, pictures},
+            {"set", panel.set != usual.set, pictures},
+            {"steps", panel.steps != usual.steps, stepped},
+            {"every", panel.every != usual.every, over_time},
+            {"row_of_bed", panel.row_of_bed != usual.row_of_bed, along_rows},
+            {"field", panel.field != usual.field, of_fields},
+            {"low", panel.low != usual.low, coloured},
+            {"high", panel.high != usual.high, coloured},
+            {"palette", panel.palette != usual.palette, coloured},
+            {"palette_reversed", panel.palette_reversed, coloured},
+            {"shading", panel.shading != usual.shading, maps},
+            {"shading_from_all_sides", panel.shading_from_all_sides, maps},
+            {"axes", panel.axes != usual.axes, maps},
+            {"vectors", panel.vectors, maps},
+            {"scale_bar", panel.scale_bar, with_ground},
+            {"arrow", panel.arrow != usual.arrow, with_arrow},
+            {"section", panel.section != usual.section, sections}};
+        for (const Asked& asked : all) {
+            if (!asked.given || std::ranges::find(asked.kinds, panel.kind) != asked.kinds.end())
+                continue;
+            refuse(fmt::format("{}.{}", path, asked.key),
+                   fmt::format("belongs to {}; a {} panel would not show it", names_of(asked.kinds),
+                               word_of(panel.kind)));
+        }
+    }
+
+    static std::string_view word_of(PanelKind kind) {
+        return panel_kinds[static_cast<std::size_t>(kind)].choice.word;
+    }
+
+    /// "map and view panels".
+    static std::string names_of(const std::vector<PanelKind>& kinds) {
+        std::string names;
+        for (std::size_t k = 0; k < kinds.size(); ++k) {
+            if (k > 0) names += k + 1 == kinds.size() ? " and " : ", ";
+            names += word_of(kinds[k]);
+        }
+        return names + " panels";
+    }
+
     void check_plot(const PanelSettings& panel, const std::string& path) const {
         if (panel.curves.empty() && panel.boxes.empty())
             refuse(path + ".kind", "the plot shows nothing; add [[figure.panel.curve]]");
-        const PanelSettings usual;
-        const std::array<std::pair<const char*, bool>, 6> of_pictures{
-            {{"scene", !panel.scene.empty()},
-             {"set", !panel.set.empty()},
-             {"steps", !panel.steps.empty()},
-             {"every", panel.every > 0},
-             {"field", panel.field != usual.field},
-             {"section", panel.section != usual.section}}};
-        for (const auto& [key, given] : of_pictures) {
-            if (given) {
-                refuse(fmt::format("{}.{}", path, key),
-                       "belongs to pictures; a plot's curves have keys of their own");
-            }
-        }
         check_range(panel.x_low, panel.x_high, path, "x", panel.x_logarithmic);
         check_range(panel.y_low, panel.y_high, path, "y", panel.y_logarithmic);
         for (std::size_t c = 0; c < panel.curves.size(); ++c)
@@ -179,10 +236,6 @@ class FigureCheck {
         const PanelShows shows = shown_by(panel.kind);
         if (shows == PanelShows::each_step && panel.row > 0 && panel.steps.size() > 1)
             refuse(path + ".row", "several steps are several panels; place them in reading order");
-        if (shows == PanelShows::whole_run && !panel.steps.empty())
-            refuse(path + ".steps", "a time-space panel shows the whole run; write every");
-        if (shows == PanelShows::each_step && !panel.row_of_bed.is_word())
-            refuse(path + ".row_of_bed", "belongs to profile and time-space panels");
     }
 
     const Scene& scene_;
@@ -269,6 +322,11 @@ void check_bed(const Scene& scene, Faults& faults) {
     if (!from_file && !bed.variable.empty()) {
         refuse("bed.variable",
                "bed.variable belongs to a NetCDF bed; write bed.kind = \"file\" and bed.file");
+    }
+    if (!from_file && !bed.nodata_value.is_word()) {
+        refuse(
+            "bed.nodata_value",
+            "bed.nodata_value belongs to a terrain file; write bed.kind = \"file\" and bed.file");
     }
     if (!from_file && bed.refine != 1) {
         refuse("bed.refine",

@@ -89,6 +89,65 @@ WorldScale scale_of(const Scene& scene, double file_dx, double file_dy) {
     return scale;
 }
 
+/// Takes the cells of height bed.nodata_value out of a terrain.
+void take_out_nodata_value(const Scene& scene, Terrain& terrain) {
+    const WordOrReal& value = scene.bed.nodata_value;
+    if (value.is_word()) return;
+    std::int64_t cells = 0;
+    const bool masked = !terrain.nodata.empty();
+    for (std::size_t cell = 0; cell < terrain.heights.size(); ++cell) {
+        double& height = terrain.heights.values()[cell];
+        if (height != value.value || (masked && terrain.nodata.values()[cell] != 0)) continue;
+        if (terrain.nodata.empty())
+            terrain.nodata = Mask(terrain.heights.nx(), terrain.heights.ny());
+        terrain.nodata.values()[cell] = 1;
+        height = 0.0;
+        ++cells;
+    }
+    if (cells == 0) {
+        throw InputError(
+            fmt::format("{}bed.nodata_value is {:g} m, but no cell of {} has that height; leave "
+                        "the key out",
+                        scene.at("bed.nodata_value"), value.value, scene.bed.file));
+    }
+    if (cells == static_cast<std::int64_t>(terrain.heights.size())) {
+        throw InputError(fmt::format("{}bed.nodata_value is {:g} m, the height of every cell of {}",
+                                     scene.at("bed.nodata_value"), value.value, scene.bed.file));
+    }
+}
+
+/// One line on heights that no ground has and no file has declared as no data; or empty.
+std::string heights_in_doubt(const Terrain& terrain) {
+    constexpr double beyond_all_ground = 3e4;  // m; the highest mountain known, on Mars, has 22 km
+    constexpr double customary = -9999.0;      // for no data
+    constexpr double far_below = 1000.0;       // m, from other ground
+    double lowest = beyond_all_ground;
+    for (std::size_t cell = 0; cell < terrain.heights.size(); ++cell) {
+        const double height = terrain.heights.values()[cell];
+        const bool known = terrain.nodata.empty() || terrain.nodata.values()[cell] == 0;
+        if (known && height > -beyond_all_ground && height != customary)
+            lowest = std::min(lowest, height);
+    }
+    std::int64_t cells = 0;
+    std::size_t first = 0;
+    for (std::size_t cell = 0; cell < terrain.heights.size(); ++cell) {
+        if (!terrain.nodata.empty() && terrain.nodata.values()[cell] != 0) continue;
+        const double height = terrain.heights.values()[cell];
+        const bool strange = std::abs(height) >= beyond_all_ground ||
+                             (height == customary && lowest - height > far_below);
+        if (!strange) continue;
+        if (cells == 0) first = cell;
+        ++cells;
+    }
+    if (cells == 0) return {};
+    const auto nx = static_cast<std::size_t>(terrain.heights.nx());
+    return fmt::format(
+        "{} of {} cells have heights that no ground has, the first {:g} m at cell ({}, {}): where "
+        "they stand for no data, say so by bed.nodata_value = {:g}",
+        cells, terrain.heights.size(), terrain.heights.values()[first], first % nx, first / nx,
+        terrain.heights.values()[first]);
+}
+
 void apply_nodata_rule(const Scene& scene, Terrain& terrain) {
     if (terrain.nodata.empty()) return;
     const WordOrReal& rule = scene.bed.nodata;
@@ -206,6 +265,10 @@ InitialBed bed_from_file(const Scene& scene) {
                         named_from_here(scene) ? "the working folder" : "the scene file"));
     }
     Terrain terrain = read_bed_file(scene, file);
+    take_out_nodata_value(scene, terrain);
+    if (const std::string doubt = heights_in_doubt(terrain); !doubt.empty())
+        terrain.note += (terrain.note.empty() ? "" : "; ") + doubt;
+    const std::string note = terrain.note;
     InitialBed initial;
     initial.scale = scale_of(scene, terrain.dx, terrain.dy);
     resample(scene, terrain, initial.scale);
@@ -222,7 +285,7 @@ InitialBed bed_from_file(const Scene& scene) {
     for (double& height : initial.bed.values()) height /= initial.scale.height_unit;
     initial.nodata = std::move(terrain.nodata);
     initial.inputs.push_back({file.lexically_normal().string(), hex(file_hash(file))});
-    initial.note = terrain.note;
+    initial.note = note;
     return initial;
 }
 

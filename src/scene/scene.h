@@ -39,6 +39,7 @@ struct BedSettings {
     std::int64_t band = 0;         ///< file, GeoTIFF: the band to read; 0: the only or first one
     std::vector<double> window;    ///< file: west, south, east, north of the part to read, or none
     WordOrReal nodata{"mask", 0.0};
+    WordOrReal nodata_value{"auto", 0.0};  ///< m, that stands for no data; auto: the file says
     double resample = 0.0;  ///< file: size of the model's cells, metres; 0: the file's own cells
     Resampling resample_method = Resampling::average;
     std::int64_t refine = 1;  ///< file: cells along each side of one of its cells

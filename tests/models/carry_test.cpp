@@ -211,6 +211,9 @@ INSTANTIATE_TEST_SUITE_P(
         gully("Rain",
               "scheme = \"finite-volume\"\nedges_x = \"open\"\nedges_y = \"wall\"\nrain = "
               "500\nrain_until = 0.65\ninitial_water = \"dry\"\ntime_step = 0.15\n"),
+        gully("SteepCip", "scheme = \"cip\"\nrelief = \"steep\"\nrain = 100\n"),
+        gully("SteepSheet",
+              "scheme = \"finite-volume\"\nrelief = \"steep\"\ntransport = \"conservative\"\n"),
         gully("SubSteps", "time_step = 0.9\ndepth = 0.05\n"),
         air("Staircase", "flights = true\nshown_paths = 2\nlid_speed = 0.2\n"),
         air("SecondOrder", "advection = \"second-order\"\n"),

@@ -139,6 +139,19 @@ TEST(Movie, PlaysBackWithItsColours) {
     }
 }
 
+TEST(Movie, TakesItsQuality) {
+    const TemporaryFolder folder;
+    const auto size = [&](int quality) {
+        Movie movie(folder / "m.mp4", 64, 48, 30.0, quality);
+        for (std::uint64_t i = 0; i < 3; ++i) movie.add(noise(64, 48, i));
+        movie.finish();
+        return std::filesystem::file_size(folder / "m.mp4");
+    };
+    const auto fine = size(0);
+    EXPECT_GT(fine, 2 * size(30));
+    EXPECT_GT(size(30), size(51));
+}
+
 TEST(Movie, StartsWithItsIndex) {
     const TemporaryFolder folder;
     make(folder / "m.mp4", 64, 48, 5);

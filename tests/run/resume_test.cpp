@@ -320,6 +320,9 @@ TEST_F(ResumeTest, AMovieIsMadeAgainFromItself) {
     EXPECT_EQ(again.errors, "again.mp4: the same bytes as out/movie.mp4\n");
     EXPECT_EQ(read_text(folder_ / "again.mp4"), read_text(out() / "movie.mp4"));
     EXPECT_EQ(fs::exists(folder_ / "again.mp4.part"), false);
+    const Ended odd = run({"again", "out/movie.mp4", "-o", "odd.mp4", "--set", "image.width=63"});
+    EXPECT_NE(odd.errors.find("odd.mp4 is 64 x 48: H.264 needs even sides"), std::string::npos)
+        << odd.errors;
 
     std::string other = read_text(out() / "movie.mp4");
     for (const auto& [then, now] :

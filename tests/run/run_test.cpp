@@ -153,6 +153,18 @@ TEST_F(RunTest, AnOddSizeIsPaddedInTheMovieAndSaid) {
     EXPECT_EQ(read_png(folder_ / "out/frames/frame_000000.png").width, 65);
 }
 
+TEST_F(RunTest, TheMovieHasTheQualityThatIsAsked) {
+    const auto size = [&](const std::string& quality) {
+        const std::string folder = "quality" + quality;
+        const Ended ended = run({"--set", "run.steps=1", "--set", "frames.every=1", "--set",
+                                 "output.movie_quality=" + quality},
+                                folder);
+        EXPECT_EQ(ended.status, 0) << ended.errors;
+        return fs::file_size(folder_ / folder / "movie.mp4");
+    };
+    EXPECT_GT(2 * size("0"), 3 * size("51"));
+}
+
 TEST_F(RunTest, StillsAndAgainGiveTheFrameOfTheRun) {
     ASSERT_EQ(run({"--set", "camera.turn=90"}).status, 0);
     ASSERT_EQ(fumon({"still", "scene.toml", "--step", "15", "-o", "still.png", "-q", "--set",

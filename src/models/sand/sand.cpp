@@ -148,6 +148,17 @@ void Sand::hop_rows_and_creep() {
     });
 }
 
+std::string Sand::doubt() const {
+    if (parameters_.hop_length != HopLength::exponential) return {};
+    const double highest = *std::max_element(bed_.values().begin(), bed_.values().end());
+    const double longest = RowHops(parameters_, bed_.nx()).length(highest, 0.0);
+    if (longest <= bed_.nx()) return {};
+    return fmt::format(
+        "by step {} the highest sand ({:.4g} heights) hops {:.4g} sites, round the box of {}: take "
+        "a wider grid.nx, less sand (bed.high) or a shorter model.exponential_length",
+        steps_, highest, longest, bed_.nx());
+}
+
 /// The bed after the hops takes the place of the bed before them.
 void Sand::hop_rows() {
     const bool in_place = parameters_.order == HopOrder::random_sequential;

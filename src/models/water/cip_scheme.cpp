@@ -66,6 +66,7 @@ void copy_row(const PaddedGrid& from, Grid& to, int y) {
 CipScheme::CipScheme(const GullyParameters& parameters, const WaterDomain& domain,
                      const Water& start, WorkerPool& pool)
     : as_published_(parameters.scheme == WaterScheme::cip_as_published),
+      steep_(parameters.relief == Relief::steep),
       nx_(start.depth.nx()),
       ny_(start.depth.ny()),
       domain_(domain),
@@ -162,6 +163,10 @@ void CipScheme::advect_and_accelerate(const cip::SubStep& step, Water& water, co
                                  around(carried.gradient_y, y)},
                                 u_.value.row(y), v_.value.row(y), step, nx_,
                                 {value, carried.next_x.row(y), carried.next_y.row(y)});
+                if (steep_) {
+                    cip::hold_advected_row(around(carried.value, y), u_.value.row(y),
+                                           v_.value.row(y), nx_, value);
+                }
             };
             advect(u_, advected_u.data());
             advect(v_, advected_v.data());
@@ -180,9 +185,9 @@ void CipScheme::advect_and_accelerate(const cip::SubStep& step, Water& water, co
                                                  u_.next.row(y), v_.next.row(y), u_.gained.row(y),
                                                  v_.gained.row(y));
             } else {
-                cip::accelerate_row(depth, ground, step, nx_, advected_u.data(), advected_v.data(),
-                                    u_.next.row(y), v_.next.row(y), u_.gained.row(y),
-                                    v_.gained.row(y));
+                const auto accelerate = steep_ ? cip::accelerate_row_steep : cip::accelerate_row;
+                accelerate(depth, ground, step, nx_, advected_u.data(), advected_v.data(),
+                           u_.next.row(y), v_.next.row(y), u_.gained.row(y), v_.gained.row(y));
             }
             for (Carried* carried : {&u_, &v_}) {
                 carried->next.wrap(y);
@@ -218,6 +223,10 @@ void CipScheme::turn_velocity_gradients(const cip::SubStep& step, int y) {
 void CipScheme::turn_gradient(const cip::SubStep& step, Carried& carried, int y) const {
     cip::turn_gradient_row(around(carried.gained, y), around(u_.value, y), around(v_.value, y),
                            step, nx_, carried.next_x.row(y), carried.next_y.row(y));
+    if (steep_) {
+        cip::hold_gradient_row(around(carried.next, y), nx_, carried.next_x.row(y),
+                               carried.next_y.row(y));
+    }
     carried.next_x.wrap(y);
     carried.next_y.wrap(y);
 }
