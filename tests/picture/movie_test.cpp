@@ -244,8 +244,7 @@ TEST(Movie, NamesFileAndReasonWhereItCannotBegin) {
     EXPECT_EQ(message_of<Error>([&] { Movie(missing, 32, 32, 30.0, 18); }),
               "cannot write " + missing.string() + ": No such file or directory");
     EXPECT_EQ(message_of<Error>([&] { Movie(folder.path(), 32, 32, 30.0, 18); }),
-              "cannot write " + folder.path().string() +
-                  ": there is something other than a regular file");
+              "cannot write " + folder.path().string() + ": Is a directory");
     EXPECT_FALSE(std::filesystem::exists(folder.path().string() + ".part"));
     EXPECT_THROW(Movie(folder / "m.mp4", 0, 32, 30.0, 18), Error);
     EXPECT_THROW(Movie(folder / "m.mp4", 32, 32, 0.0, 18), Error);
