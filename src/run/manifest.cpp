@@ -125,10 +125,11 @@ void write_final_manifest(const RunFolder& folder, const ManifestFacts& facts,
                          {"frames_per_second", facts.scene.output.movie_rate}};
     }
     json["beds"] = Json::array();
-    for (const std::int64_t step : outcome.bed_steps) {
+    for (const BedRecord& bed : outcome.beds) {
         for (const std::string& name : facts.scene.output.bed_format) {
             const std::string_view ending = find_written_format(name)->endings.front();
-            json["beds"].push_back({{"step", step}, {"file", RunFolder::bed_name(step, ending)}});
+            json["beds"].push_back(
+                {{"step", bed.step}, {"file", RunFolder::bed_name(bed.step, ending)}});
         }
     }
     json["performance"] = performance(facts, outcome);

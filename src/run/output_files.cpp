@@ -15,8 +15,12 @@ FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Pi
                         const PictureFacts& facts) {
     const Snapshot& snapshot = *picture.snapshot;
     const Sha256 pixels = pixel_hash(*picture.image);
+    Sha256 written{};
     const auto write = [&](const std::filesystem::path& file, const PictureText& texts) {
-        write_file(file, encode_png(*picture.image, facts.scene.view.image.dots_per_inch, texts));
+        const std::vector<std::uint8_t> bytes =
+            encode_png(*picture.image, facts.scene.view.image.dots_per_inch, texts);
+        written = bytes_hash(bytes);
+        write_file(file, bytes);
     };
     if (parts.frames) {
         write(folder->frame(picture.number),
@@ -24,7 +28,7 @@ FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Pi
                            facts.environment));
     }
     if (parts.movie_frames) write(folder->movie_frame(picture.number), {});
-    return {picture.number, snapshot.step, snapshot.time, pixels};
+    return {picture.number, snapshot.step, snapshot.time, pixels, written};
 }
 
 Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameRecord& frame) {
@@ -38,10 +42,14 @@ Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameReco
                     file.string()));
 }
 
-void write_bed(const RunFolder& folder, const Snapshot& snapshot,
-               const std::vector<std::string>& formats) {
-    for (const TerrainBytes& file : bed_files(snapshot, formats))
+BedRecord write_bed(const RunFolder& folder, const Snapshot& snapshot,
+                    const std::vector<std::string>& formats) {
+    BedRecord bed{snapshot.step, {}};
+    for (const TerrainBytes& file : bed_files(snapshot, formats)) {
+        bed.files.push_back({file.ending, text_hash(file.bytes)});
         write_file(folder.bed(snapshot.step, file.ending), file.bytes);
+    }
+    return bed;
 }
 
 }  // namespace fumon

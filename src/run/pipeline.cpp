@@ -53,17 +53,17 @@ class Pipeline {
           last_step_(options.last_step.value_or(scene.run.steps)),
           resolved_(resolved_scene(scene, inputs)),
           first_(options.former != nullptr ? options.former->first : model.snapshot()),
-          written_(options.former != nullptr ? options.former->checkpoint.bed_steps
-                                             : std::vector<std::int64_t>{}) {
+          written_(options.former != nullptr ? options.former->checkpoint.beds
+                                             : std::vector<BedRecord>{}) {
         if (options.former == nullptr) return;
         const RunCheckpoint& former = options.former->checkpoint;
-        frames_before_ = former.frames.frames;
+        former_frames_ = former.frames;
         outcome_.steps_before = former.step;
         outcome_.resumed_at = former.resumed_at;
         outcome_.resumed_at.push_back(former.step);
         outcome_.checkpoint = former.step;
         progress.steps_done = former.step;
-        progress.frames_done = frames_before_;
+        progress.frames_done = former_frames_.frames;
     }
 
     RunOutcome run(const std::function<void(const DrawingRecord&)>& started) {
@@ -77,7 +77,7 @@ class Pipeline {
             throw;
         }
         if (pictures_ && folder_ != nullptr)
-            stages_.guard([this] { written_.list_frames(folder_->frame_list(), frames_before_); });
+            stages_.guard([this] { written_.list_frames(folder_->frame_list(), former_frames_); });
         progress_.expect(last_step_, pictures_ ? frame_schedule(scene_).count() : 0);
         stages_.start("fumon-simulate", [this] { simulate(); });
         if (pictures_) stages_.start("fumon-encode", [this] { write_frames(); });
@@ -90,7 +90,7 @@ class Pipeline {
         if (outcome_.steps_done < last_step_ || outcome_.gave_up)
             outcome_.signal = interrupting_signal();
         outcome_.frames = written_.frames().frames();
-        outcome_.bed_steps = written_.bed_steps();
+        outcome_.beds = written_.beds();
         Timing& timing = outcome_.timing;
         timing.wall = wall.seconds();
         timing.encoding_wall = frames_wall_ + movie_wall_;
@@ -181,7 +181,7 @@ class Pipeline {
             ready.set_exception(std::current_exception());
             return;
         }
-        std::int64_t number = frames_before_;
+        std::int64_t number = former_frames_.frames;
         while (const auto frame = to_draw_.pop()) {
             const Stopwatch watch;
             const Picture picture{
@@ -214,9 +214,9 @@ class Pipeline {
                     static_cast<int>(scene_.view.image.height), output.movie_rate,
                     static_cast<int>(output.movie_quality));
         std::int64_t frames = 0;
-        if (frames_before_ > 0) {
+        if (former_frames_.frames > 0) {
             FrameListReader former(folder_->frame_list());
-            for (; frames < frames_before_; ++frames)
+            for (; frames < former_frames_.frames; ++frames)
                 movie.add(read_frame(*folder_, parts_, former.next()));
         }
         while (const auto picture = to_movie_.pop()) {
@@ -237,8 +237,7 @@ class Pipeline {
 
     void write_beds() {
         while (const auto snapshot = to_beds_.pop()) {
-            write_bed(*folder_, **snapshot, scene_.output.bed_format);
-            written_.add_bed((*snapshot)->step);
+            written_.add_bed(write_bed(*folder_, **snapshot, scene_.output.bed_format));
         }
     }
 
@@ -297,8 +296,8 @@ class Pipeline {
     Snapshot first_;
     WrittenOutputs written_;
     RunOutcome outcome_;
-    std::int64_t frames_before_ = 0;  ///< of a former run
-    double frames_wall_ = 0.0;        // of two threads, added up at the end
+    FrameCount former_frames_;
+    double frames_wall_ = 0.0;  // of two threads, added up at the end
     double movie_wall_ = 0.0;
 
     BoundedQueue<Frame> to_draw_{items_in_a_queue};

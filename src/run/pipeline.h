@@ -45,7 +45,7 @@ struct RunOutcome {
     std::int64_t steps_done = 0;
     double time = 0.0;
     std::int64_t frames = 0;  ///< their records stand in the folder's list of frames
-    std::vector<std::int64_t> bed_steps;
+    std::vector<BedRecord> beds;
     Recorded recorded;
     MovieRecord movie;
     DrawingRecord drawing;

@@ -29,8 +29,8 @@ struct RunCheckpoint {
     std::string drawing;            ///< what drew the frames, in words
     std::int64_t step = 0;
     RecordPositions records;
-    FrameCount frames;  ///< their records stand in the list of frames
-    std::vector<std::int64_t> bed_steps;
+    FrameCount frames;  ///< their records, with their hashes, stand in the list of frames
+    std::vector<BedRecord> beds;
     std::vector<std::int64_t> resumed_at;  ///< steps from which the run was gone on with
 
     /// Throws as StateCarrier.

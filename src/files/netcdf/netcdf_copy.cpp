@@ -12,10 +12,10 @@ namespace fumon {
 
 namespace {
 
-void copy_number(const NetcdfInput& from, int to, int variable, std::size_t record) {
+void copy_number(const NetcdfInput& from, RecordValues& to, int variable, std::size_t record) {
     double value = 0.0;
     check_netcdf(nc_get_var1_double(from.id(), variable, &record, &value));
-    check_netcdf(nc_put_var1_double(to, variable, &record, &value));
+    to.put(variable, record, value);
 }
 
 bool fits(const SnapshotSection* section, const SectionLayout& layout) {
@@ -26,8 +26,8 @@ bool fits(const SnapshotSection* section, const SectionLayout& layout) {
 
 }  // namespace
 
-void copy_record(const NetcdfInput& from, int to, const FieldsLayout& layout, int nx, int ny,
-                 std::size_t record) {
+void copy_record(const NetcdfInput& from, RecordValues& to, const FieldsLayout& layout, int nx,
+                 int ny, std::size_t record) {
     std::vector<double> block;
     const auto copy_field = [&](int variable) {
         for (int y = 0; y < ny; y += layout.rows) {
@@ -38,8 +38,7 @@ void copy_record(const NetcdfInput& from, int to, const FieldsLayout& layout, in
             block.resize(rows * cells);
             check_netcdf(
                 nc_get_vara_double(from.id(), variable, start.data(), count.data(), block.data()));
-            check_netcdf(
-                nc_put_vara_double(to, variable, start.data(), count.data(), block.data()));
+            to.put(variable, start, count, block.data());
         }
     };
     copy_field(layout.bed);
@@ -52,7 +51,7 @@ void copy_record(const NetcdfInput& from, int to, const FieldsLayout& layout, in
     }
     long long step = 0;
     check_netcdf(nc_get_var1_longlong(from.id(), layout.step, &record, &step));
-    check_netcdf(nc_put_var1_longlong(to, layout.step, &record, &step));
+    to.put(layout.step, record, step);
     copy_number(from, to, layout.time, record);
 }
 

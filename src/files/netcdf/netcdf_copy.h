@@ -4,13 +4,14 @@
 
 #include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_layout.h"
+#include "files/netcdf/netcdf_values.h"
 
 namespace fumon {
 
 /// Copies one record of nx × ny cells between two fields files of the same definitions, value by
 /// value and in the order in which a FieldsFile writes it, so that the bytes come out the same.
 /// Throws NetcdfFault. The caller holds the NetcdfLock.
-void copy_record(const NetcdfInput& from, int to, const FieldsLayout& layout, int nx, int ny,
-                 std::size_t record);
+void copy_record(const NetcdfInput& from, RecordValues& to, const FieldsLayout& layout, int nx,
+                 int ny, std::size_t record);
 
 }  // namespace fumon

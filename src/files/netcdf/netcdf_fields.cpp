@@ -15,12 +15,13 @@
 #include <utility>
 #include <vector>
 
-#include "files/atomic_file.h"
+#include "files/appended_file.h"
 #include "files/disk_space.h"
 #include "files/netcdf/netcdf_calls.h"
 #include "files/netcdf/netcdf_copy.h"
 #include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_layout.h"
+#include "files/netcdf/netcdf_values.h"
 
 namespace fumon {
 
@@ -73,6 +74,47 @@ RecordForm form_of(const Snapshot& snapshot) {
             names_of(snapshot.fields), names_of(snapshot.numbers), form_of(snapshot.section.get())};
 }
 
+std::filesystem::path former_name(const std::filesystem::path& file) {
+    std::filesystem::path former = resolved_link(file);
+    former += ".former";
+    return former;
+}
+
+/// Copies the first records of a former file, calling `before` each. Says why they are not those;
+/// empty where they are.
+template <class Before>
+std::string copy_records(const std::filesystem::path& former, const FieldsBeginning& beginning,
+                         RecordValues& to, const FieldsLayout& layout, int nx, int ny,
+                         const Before& before) {
+    try {
+        const NetcdfInput input(former);
+        const std::vector<int> over = input.dimensions(layout.time);
+        const std::size_t there = over.size() == 1 ? input.dimension_length(over.front()) : 0;
+        if (std::cmp_less(there, beginning.records))
+            return fmt::format("has {} records of {}", there, beginning.records);
+        for (std::size_t record = 0; std::cmp_less(record, beginning.records); ++record) {
+            before();
+            copy_record(input, to, layout, nx, ny, record);
+        }
+        return to.hash() == beginning.hash ? "" : "has changed since it was written";
+    } catch (const NetcdfFault& fault) {
+        return fmt::format("cannot be read: {}", fault.what());
+    } catch (const InputError& fault) {
+        return fmt::format("cannot be read: {}", fault.what());
+    }
+}
+
+/// The variables of a file as it would be made, held in memory alone.
+FieldsLayout layout_of(const Snapshot& first) {
+    int scratch = closed;
+    check_netcdf(nc_create("fields", NC_NETCDF4 | NC_DISKLESS, &scratch));
+    const struct Closed {
+        int file;
+        ~Closed() { nc_abort(file); }
+    } at_end{scratch};
+    return define_fields(scratch, first, {});
+}
+
 bool has_size(const Grid& grid, const RecordForm& form) {
     return grid.nx() == form.nx && grid.ny() == form.ny;
 }
@@ -105,48 +147,39 @@ class FieldsFile::Parts {
 
     /// Where the records of a former run lie from now on.
     static std::filesystem::path set_aside(const std::filesystem::path& file) {
-        const std::filesystem::path target = resolved_link(file);
-        std::filesystem::path former = target;
-        former += ".former";
+        std::filesystem::path former = former_name(file);
+        const std::filesystem::path left = left_fields(file);
         std::error_code fault;
-        if (std::filesystem::exists(former, fault)) return former;  // a copy of it was broken off
-        for (const std::filesystem::path& left : {temporary_name(target), target}) {
-            if (!std::filesystem::exists(left, fault)) continue;
-            std::filesystem::rename(left, former, fault);
-            if (fault) refuse_to_write(former, fault.value());
-            return former;
-        }
-        throw InputError(fmt::format("{}: is not there; run the scene from its start with --force",
-                                     file.string()));
+        if (!std::filesystem::exists(left, fault))
+            throw InputError(
+                fmt::format("{}: cannot go on with it: it is not there", left.string()));
+        if (left != former) std::filesystem::rename(left, former, fault);
+        if (fault) refuse_to_write(former, fault.value());
+        return former;
     }
 
-    void copy(const std::filesystem::path& former, std::int64_t records) {
+    void copy(const std::filesystem::path& former, const FieldsBeginning& beginning) {
         const NetcdfLock lock;
-        try {
-            const NetcdfInput input(former);
-            const auto there = input.dimension_length(input.dimensions(layout_.time).front());
-            if (std::cmp_less(there, records))
-                throw NetcdfFault(fmt::format("it has {} records of {}", there, records));
-            for (; records_ < records; ++records_) {
+        const std::string differs =
+            copy_records(former, beginning, *values_, layout_, form_.nx, form_.ny, [&] {
+                flush();
                 reserve(record_room_);
-                copy_record(input, netcdf_, layout_, form_.nx, form_.ny,
-                            static_cast<std::size_t>(records_));
-                check_netcdf(nc_sync(netcdf_));
-            }
-        } catch (const NetcdfFault& fault) {
+                ++records_;
+            });
+        if (!differs.empty()) {
             throw InputError(
-                fmt::format("{}: cannot go on with it: {}; run the scene from its start with "
-                            "--force",
-                            former.string(), fault.what()));
+                fmt::format("{}: cannot go on with it: it {}", former.string(), differs));
         }
+        flush();
         std::error_code fault;
         sync();
         std::filesystem::remove(former, fault);
         keep_ = true;
     }
 
-    void sync() const {
+    FieldsBeginning sync() const {
         if (::fsync(descriptor_) != 0) refuse_to_write(file_, errno);
+        return {records_, values_->hash()};
     }
 
     Parts& operator=(const Parts&) = delete;
@@ -190,6 +223,7 @@ class FieldsFile::Parts {
             check_netcdf(nc_create(part_.c_str(), NC_NETCDF4 | NC_CLOBBER, &netcdf_));
             reserve(header_room(first, text) + record_room(first));  // making it gave that back
             layout_ = define_fields(netcdf_, first, text);
+            values_.emplace(netcdf_);
             check_netcdf(nc_sync(netcdf_));
         } catch (const NetcdfFault& fault) {
             fail(fault);
@@ -210,6 +244,11 @@ class FieldsFile::Parts {
         if (netcdf_ != closed) nc_close(std::exchange(netcdf_, closed));
         if (descriptor_ >= 0) ::close(std::exchange(descriptor_, closed));
         if (!part_.empty() && !keep_) ::unlink(part_.c_str());
+    }
+
+    void flush() const {
+        const int status = nc_sync(netcdf_);
+        if (status != NC_NOERR) fail(NetcdfFault(nc_strerror(status)));
     }
 
     [[noreturn]] void fail(const NetcdfFault& fault) const {
@@ -286,22 +325,16 @@ class FieldsFile::Parts {
 
     /// The time comes last: a record whose time is not the _FillValue is complete.
     void write(const Snapshot& snapshot) {
+        const auto record = static_cast<std::size_t>(records_);
         write_field(layout_.bed, snapshot.bed, snapshot.nodata, layout_.bed_factor);
         for (std::size_t i = 0; i < layout_.fields.size(); ++i)
             write_field(layout_.fields[i], snapshot.fields[i].values, snapshot.nodata, 1.0);
         for (std::size_t i = 0; i < layout_.numbers.size(); ++i)
-            write_number(layout_.numbers[i], snapshot.numbers[i].value);
-        const std::size_t record = static_cast<std::size_t>(records_);
-        if (layout_.section) write_section(netcdf_, *layout_.section, record, *snapshot.section);
-        const long long step = snapshot.step;
-        check_netcdf(nc_put_var1_longlong(netcdf_, layout_.step, &record, &step));
-        write_number(layout_.time, snapshot.time);
+            values_->put(layout_.numbers[i], record, snapshot.numbers[i].value);
+        if (layout_.section) write_section(*values_, *layout_.section, record, *snapshot.section);
+        values_->put(layout_.step, record, static_cast<long long>(snapshot.step));
+        values_->put(layout_.time, record, snapshot.time);
         check_netcdf(nc_sync(netcdf_));
-    }
-
-    void write_number(int variable, double value) const {
-        const std::size_t record = static_cast<std::size_t>(records_);
-        check_netcdf(nc_put_var1_double(netcdf_, variable, &record, &value));
     }
 
     /// In blocks of the chunks' rows, so that a block and no field is copied.
@@ -322,8 +355,7 @@ class FieldsFile::Parts {
             const std::array<std::size_t, 3> start{static_cast<std::size_t>(records_),
                                                    static_cast<std::size_t>(y), 0};
             const std::array<std::size_t, 3> count{1, rows, nx};
-            check_netcdf(
-                nc_put_vara_double(netcdf_, variable, start.data(), count.data(), block_.data()));
+            values_->put(variable, start, count, block_.data());
         }
     }
 
@@ -335,6 +367,7 @@ class FieldsFile::Parts {
     int descriptor_ = closed;       ///< of the .part, for setting space aside
     int netcdf_ = closed;
     FieldsLayout layout_;
+    std::optional<RecordValues> values_;
     std::vector<double> block_;
     std::int64_t records_ = 0;
     bool broken_ = false;
@@ -345,10 +378,10 @@ FieldsFile::FieldsFile(const std::filesystem::path& file, const Snapshot& first,
     : parts_(std::make_unique<Parts>(file, first, text)) {}
 
 FieldsFile::FieldsFile(const std::filesystem::path& file, const Snapshot& first,
-                       const FieldsText& text, std::int64_t records) {
-    const std::filesystem::path former = Parts::set_aside(file);
+                       const FieldsText& text, const FieldsBeginning& former) {
+    const std::filesystem::path set_aside = Parts::set_aside(file);
     parts_ = std::make_unique<Parts>(file, first, text);
-    parts_->copy(former, records);
+    parts_->copy(set_aside, former);
 }
 
 FieldsFile::~FieldsFile() = default;
@@ -361,12 +394,30 @@ std::int64_t FieldsFile::records() const {
     return parts_->records();
 }
 
-void FieldsFile::sync() {
-    parts_->sync();
+FieldsBeginning FieldsFile::sync() {
+    return parts_->sync();
 }
 
 void FieldsFile::commit() {
     parts_->commit();
+}
+
+std::filesystem::path left_fields(const std::filesystem::path& file) {
+    std::error_code fault;
+    const std::filesystem::path former = former_name(file);  // a copy of it was broken off
+    return std::filesystem::exists(former, fault) ? former : left_name(file);
+}
+
+std::string difference(const std::filesystem::path& file, const Snapshot& first,
+                       const FieldsBeginning& beginning) {
+    const std::filesystem::path left = left_fields(file);
+    std::error_code fault;
+    if (!std::filesystem::exists(left, fault)) return "is not there";
+    if (!std::filesystem::is_regular_file(left, fault)) return "is no file";
+    const NetcdfLock lock;
+    RecordValues hashed(std::nullopt);
+    return copy_records(left, beginning, hashed, layout_of(first), first.bed.nx(), first.bed.ny(),
+                        [] {});
 }
 
 }  // namespace fumon

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "base/sha256.h"
 #include "base/snapshot.h"
 
 namespace fumon {
@@ -14,6 +15,12 @@ struct FieldsText {
     std::string title;
     std::string scene;      ///< the resolved scene as TOML
     std::int64_t seed = 1;  ///< of the scene
+};
+
+/// The first records of a fields file that grows.
+struct FieldsBeginning {
+    std::int64_t records = -1;  ///< −1: there was no file
+    Sha256 hash{};              ///< of their values (RecordValues)
 };
 
 /// A NetCDF-4 file of a run's fields over (time, y, x), and of its section's over (time, z,
@@ -40,12 +47,12 @@ class FieldsFile {
     /// or over a bed of several rows.
     FieldsFile(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text);
     /// Goes on with the file that a run of the same first snapshot and text left, whether under its
-    /// temporary name or its own: makes it anew with copies of its first `records` records, so that
-    /// it gets the bytes of a file that was written in one go. The former one stays as NAME.former
-    /// until then, and an uncommitted file is kept. Throws InputError where the former one is not
-    /// there, cannot be read or has fewer records.
+    /// temporary name or its own: makes it anew with copies of its first records, so that it gets
+    /// the bytes of a file that was written in one go. The former one stays as NAME.former until
+    /// then, and an uncommitted file is kept. Throws InputError where the former one is not there,
+    /// cannot be read or has not these records.
     FieldsFile(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text,
-               std::int64_t records);
+               const FieldsBeginning& former);
     ~FieldsFile();
     FieldsFile(const FieldsFile&) = delete;
     FieldsFile& operator=(const FieldsFile&) = delete;
@@ -58,7 +65,7 @@ class FieldsFile {
     [[nodiscard]] std::int64_t records() const;
 
     /// Puts all records on disk (fsync). Throws Error on failure.
-    void sync();
+    [[nodiscard]] FieldsBeginning sync();
 
     /// Closes the file and gives it its name. Throws Error on failure.
     void commit();
@@ -67,5 +74,13 @@ class FieldsFile {
     class Parts;
     std::unique_ptr<Parts> parts_;
 };
+
+/// Under which name a run that was stopped left its fields file: NAME.former, NAME.part or NAME.
+std::filesystem::path left_fields(const std::filesystem::path& file);
+
+/// Why the file that a run of this first snapshot left does not begin with these records: "is not
+/// there", "has 2 records of 7" …; empty where it does. Reads them all.
+std::string difference(const std::filesystem::path& file, const Snapshot& first,
+                       const FieldsBeginning& beginning);
 
 }  // namespace fumon

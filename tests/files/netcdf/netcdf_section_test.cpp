@@ -390,14 +390,19 @@ print("all is well")
 std::string gone_on_with(const TemporaryFolder& folder, std::int64_t stopped, std::int64_t kept,
                          const char* left) {
     const auto record = [](std::int64_t step) { return air_snapshot(step, section(step)); };
+    FieldsBeginning beginning;
     {
         FieldsFile file(folder / "first.nc", record(0), air_text);
-        for (std::int64_t step = 0; step < stopped; ++step) file.add(record(step));
-        file.sync();
+        for (std::int64_t step = 0; step < kept; ++step) file.add(record(step));
+        beginning = file.sync();
+        for (std::int64_t step = kept; step < stopped; ++step) file.add(record(step));
+        EXPECT_EQ(file.sync().records, std::max(stopped, kept));
         std::filesystem::copy_file(folder / "first.nc.part", folder / left);
     }
-    FieldsFile file(folder / "on.nc", record(0), air_text, kept);
+    EXPECT_EQ(difference(folder / "on.nc", record(0), beginning), "");
+    FieldsFile file(folder / "on.nc", record(0), air_text, beginning);
     EXPECT_EQ(file.records(), kept);
+    EXPECT_EQ(file.sync().hash, beginning.hash);
     EXPECT_FALSE(std::filesystem::exists(folder / "on.nc.former"));
     for (std::int64_t step = kept; step < 6; ++step) file.add(record(step));
     file.commit();
@@ -424,19 +429,35 @@ TEST(NetcdfSection, AFileThatIsGoneOnWithGetsTheBytesOfOneInOneGo) {
 
 TEST(NetcdfSection, WhatCannotBeGoneOnWithIsRefusedAndStays) {
     const TemporaryFolder folder;
-    const auto refusal = [&](std::int64_t records) {
-        return message_of<InputError>(
-            [&] { FieldsFile(folder / "on.nc", air_snapshot(0, section(0)), air_text, records); });
+    const auto first = air_snapshot(0, section(0));
+    FieldsBeginning beginning{3};
+    const auto expect_refusal = [&](const std::string& left, const std::string& why) {
+        EXPECT_TRUE(difference(folder / "on.nc", first, beginning).starts_with(why));
+        const std::string what = message_of<InputError>(
+            [&] { FieldsFile(folder / "on.nc", first, air_text, beginning); });
+        EXPECT_NE(what.find(left + ": cannot go on with it: it " + why), std::string::npos) << what;
     };
-    EXPECT_NE(refusal(0).find("on.nc: is not there"), std::string::npos);
-    EXPECT_NE(message_of<InputError>([&] {
-                  gone_on_with(folder, 2, 3, "on.nc.part");
-              }).find("on.nc.former: cannot go on with it: it has 2 records of 3"),
-              std::string::npos);
-    EXPECT_EQ(folder.entries(), 1);
-    folder.file("on.nc.former", "no NetCDF");
-    EXPECT_NE(refusal(1).find("on.nc.former: cannot go on with it: "), std::string::npos);
+    expect_refusal("on.nc", "is not there");
+    folder.file("on.nc", "no NetCDF");
+    expect_refusal("on.nc.former", "cannot be read: ");
     EXPECT_EQ(bytes_of(folder / "on.nc.former"), "no NetCDF");
+    const auto write_two = [&](double time) {
+        FieldsFile file(folder / "on.nc.former", first, air_text);
+        Snapshot record = first;
+        file.add(record);
+        record.time = time;
+        file.add(record);
+        const FieldsBeginning written = file.sync();
+        file.commit();
+        return written;
+    };
+    const FieldsBeginning two = write_two(1.0);
+    expect_refusal("on.nc.former", "has 2 records of 3");
+    beginning = two;
+    EXPECT_EQ(difference(folder / "on.nc", first, beginning), "");
+    write_two(1.5);
+    expect_refusal("on.nc.former", "has changed since it was written");
+    EXPECT_EQ(folder.entries(), 1);
 }
 
 }  // namespace
