@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -9,6 +10,7 @@
 
 int main(int count, char** values) {
     fumon::explain_crashes();
+    std::signal(SIGXFSZ, SIG_IGN);  // what exceeds the limit on files is a failed write (EFBIG)
     try {
         return fumon::run_command_line(std::vector<std::string>(values + 1, values + count));
     } catch (const fumon::Error& error) {

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "cli/commands.h"
+#include "run/build_identity.h"
 
 namespace fumon {
 
@@ -38,7 +39,8 @@ struct CommandLine {
 
     CommandLine() {
         app.footer(examples);
-        app.set_version_flag("--version", std::string("fumon " FUMON_VERSION));
+        app.set_version_flag("--version", fmt::format("fumon {} (sources {})", FUMON_VERSION,
+                                                      short_sources(this_build())));
         app.set_help_flag("-h,--help", "this help");
         app.require_subcommand(1);
         app.get_formatter()->column_width(34);

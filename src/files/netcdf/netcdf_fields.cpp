@@ -22,6 +22,7 @@
 #include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_layout.h"
 #include "files/netcdf/netcdf_values.h"
+#include "files/open_files.h"
 
 namespace fumon {
 
@@ -252,6 +253,7 @@ class FieldsFile::Parts {
     }
 
     [[noreturn]] void fail(const NetcdfFault& fault) const {
+        if (const int shortage = shortage_of_open_files()) refuse_to_write(file_, shortage);
         throw Error(fmt::format("cannot write {}: {}; is its disk full or broken?", file_.string(),
                                 fault.what()));
     }
