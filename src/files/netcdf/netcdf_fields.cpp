@@ -81,30 +81,6 @@ std::filesystem::path former_name(const std::filesystem::path& file) {
     return former;
 }
 
-/// Copies the first records of a former file, calling `before` each. Says why they are not those;
-/// empty where they are.
-template <class Before>
-std::string copy_records(const std::filesystem::path& former, const FieldsBeginning& beginning,
-                         RecordValues& to, const FieldsLayout& layout, int nx, int ny,
-                         const Before& before) {
-    try {
-        const NetcdfInput input(former);
-        const std::vector<int> over = input.dimensions(layout.time);
-        const std::size_t there = over.size() == 1 ? input.dimension_length(over.front()) : 0;
-        if (std::cmp_less(there, beginning.records))
-            return fmt::format("has {} records of {}", there, beginning.records);
-        for (std::size_t record = 0; std::cmp_less(record, beginning.records); ++record) {
-            before();
-            copy_record(input, to, layout, nx, ny, record);
-        }
-        return to.hash() == beginning.hash ? "" : "has changed since it was written";
-    } catch (const NetcdfFault& fault) {
-        return fmt::format("cannot be read: {}", fault.what());
-    } catch (const InputError& fault) {
-        return fmt::format("cannot be read: {}", fault.what());
-    }
-}
-
 /// The variables of a file as it would be made, held in memory alone.
 FieldsLayout layout_of(const Snapshot& first) {
     int scratch = closed;
