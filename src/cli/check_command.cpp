@@ -8,7 +8,7 @@
 #include "cli/shared_options.h"
 #include "paper/figure_plan.h"
 #include "run/prepared_run.h"
-#include "run/terminal/tell.h"
+#include "base/tell.h"
 #include "scene/read.h"
 #include "scene/schedule.h"
 

@@ -10,6 +10,7 @@
 #include "base/give_up.h"
 #include "cli/commands.h"
 #include "cli/usage.h"
+#include "run/build_identity.h"
 #include "run/terminal/interrupt.h"
 
 namespace fumon {
@@ -42,7 +43,8 @@ struct CommandLine {
 
     CommandLine() {
         app.footer(examples);
-        app.set_version_flag("--version", std::string("fumon " FUMON_VERSION), "the version");
+        app.set_version_flag("--version", fmt::format("fumon {} (sources {})", FUMON_VERSION,
+                                                      short_sources(this_build())));
         app.set_help_flag("-h,--help", "this help");
         app.require_subcommand(1);
         app.get_formatter()->column_width(34);

@@ -18,7 +18,7 @@
 #include "measure/pile/avalanche_report.h"
 #include "measure/suite.h"
 #include "models/shared/check_finite.h"
-#include "run/terminal/tell.h"
+#include "base/tell.h"
 #include "scene/initial_bed.h"
 #include "scene/terrain_scene.h"
 

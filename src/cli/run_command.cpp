@@ -85,6 +85,14 @@ void tell_of_drawing(const DrawingRecord& now, const RunCheckpoint& former, Prog
                     differs));
 }
 
+void tell_of_build(const BuildIdentity& then, Progress& progress) {
+    if (then.tools == this_build().tools) return;
+    progress.note(fmt::format(
+        "steps so far were computed by a fumon from the same sources built otherwise: {} then, "
+        "{} now",
+        then.tools, this_build().tools));
+}
+
 /// Makes a run that is prepared, in the folder; returns the exit status.
 int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
          const ResumedRun* former) {
@@ -101,6 +109,7 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
         progress.note(fmt::format("goes on from step {} of {}",
                                   with_commas(former->checkpoint.step),
                                   with_commas(scene.run.steps)));
+        tell_of_build(former->checkpoint.build, progress);
     }
     const ManifestFacts facts{scene, prepared.initial, prepared.pool->size(),
                               planned_files(scene, options.checkpoint_every)};

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "files/open_files.h"
 
 namespace fumon {
 
@@ -249,6 +250,7 @@ std::unique_ptr<CheckpointReader> open_checkpoint(const std::filesystem::path& f
     auto stream = std::make_unique<std::ifstream>();
     if (std::filesystem::is_regular_file(file, fault)) stream->open(file, std::ios::binary);
     if (!stream->is_open()) {
+        refuse_shortage_of_open_files(file);
         throw InputError(fmt::format("{}: cannot be read: {}; run the scene from its start",
                                      file.string(),
                                      fault ? fault.message() : "there is no such file"));

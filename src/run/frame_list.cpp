@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "files/open_files.h"
 
 namespace fumon {
 
@@ -105,6 +106,7 @@ FrameListReader::FrameListReader(const std::filesystem::path& file)
 FrameRecord FrameListReader::next() {
     FrameBytes bytes{};
     if (!bytes_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+        if (!bytes_.is_open()) refuse_shortage_of_open_files(file_);
         throw InputError(
             fmt::format("{}: the list of the run's frames ends after {}; bring it back, or run the "
                         "scene from its start with --force",

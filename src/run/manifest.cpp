@@ -8,6 +8,7 @@
 #include "base/thread_clock.h"
 #include "files/atomic_file.h"
 #include "files/terrain/terrain_format.h"
+#include "run/build_identity.h"
 #include "run/frame_list.h"
 #include "scene/json.h"
 
@@ -22,6 +23,7 @@ Json manifest_head(const ManifestFacts& facts, const std::string& status,
     const InitialBed& initial = facts.initial;
     Json json;
     json["fumon"] = FUMON_VERSION;
+    json["sources_sha256"] = this_build().sources;
     json["status"] = status;
     json["title"] = facts.scene.title;
     json["model"] = facts.scene.model.name;

@@ -21,12 +21,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void check_version(const RunCheckpoint& checkpoint, const std::string& file) {
-    if (checkpoint.version == FUMON_VERSION) return;
+/// Another compiler and other flags give the same results; other sources may not.
+void check_program(const RunCheckpoint& checkpoint, const std::string& file) {
+    std::string then = checkpoint.version;
+    std::string now = FUMON_VERSION;
+    if (then == now && checkpoint.build.sources == this_build().sources) return;
+    if (then == now) {
+        then += fmt::format(" from sources {}", short_sources(checkpoint.build));
+        now = fmt::format("from sources {}", short_sources(this_build()));
+    }
     throw InputError(
-        fmt::format("{}: was written by fumon {}, this is {}; go on with that version, or run the "
+        fmt::format("{}: was written by fumon {}, this is {}; go on with that one, or run the "
                     "scene from its start with --force",
-                    file, checkpoint.version, FUMON_VERSION));
+                    file, then, now));
 }
 
 /// `now` is the scene that is asked for.
@@ -143,7 +150,7 @@ ResumedRun resume_run(const RunFolder& folder, const std::string& asked,
     resumed.rest = open_checkpoint(folder.checkpoint());
     RunCheckpoint& checkpoint = resumed.checkpoint;
     checkpoint.carry(*resumed.rest);
-    check_version(checkpoint, file);
+    check_program(checkpoint, file);
     WorkOptions work = options;
     work.pinned = work.pinned || parse_environment(checkpoint.drawing).pinned;
     prepare_drawing(work);

@@ -59,6 +59,8 @@ void carry_beds(std::vector<BedRecord>& beds, StateCarrier& carrier) {
 
 void RunCheckpoint::carry(StateCarrier& carrier) {
     carrier.text("fumon", version);
+    carrier.text("sources", build.sources);
+    carrier.text("tools", build.tools);
     carrier.text("scene", scene);
     carry_inputs(inputs, carrier);
     carrier.text("drawing", drawing);
@@ -107,6 +109,7 @@ void Checkpointer::write(Model& model) {
     } ended{clock_};
     put_on_disk();
     now_.version = FUMON_VERSION;
+    now_.build = this_build();
     now_.step = model.steps_done();
     now_.frames = written_.frames().sync();
     now_.beds = written_.beds();

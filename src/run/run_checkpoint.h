@@ -9,6 +9,7 @@
 #include "base/state_carrier.h"
 #include "base/stopwatch.h"
 #include "models/shared/model.h"
+#include "run/build_identity.h"
 #include "run/frame_list.h"
 #include "run/recorder.h"
 #include "run/run_folder.h"
@@ -24,6 +25,7 @@ namespace fumon {
 /// and step.
 struct RunCheckpoint {
     std::string version;            ///< of the fumon that wrote it
+    BuildIdentity build;            ///< likewise
     std::string scene;              ///< resolved, as TOML: all that decides results and outputs
     std::vector<InputFile> inputs;  ///< what the scene reads
     std::string drawing;            ///< what drew the frames, in words

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "run/build_identity.h"
 #include "support/program.h"
 
 namespace fumon::test {
@@ -116,7 +117,8 @@ TEST(CommandLine, HelpTeaches) {
 
 TEST(CommandLine, VersionModelsAndDescribe) {
     const ScratchFolder folder;
-    EXPECT_EQ(fumon({"--version"}, folder.path()).output, "fumon " FUMON_VERSION "\n");
+    EXPECT_EQ(fumon({"--version"}, folder.path()).output,
+              "fumon " FUMON_VERSION " (sources " + short_sources(this_build()) + ")\n");
     const Ended models = fumon({"models"}, folder.path());
     EXPECT_EQ(models.status, 0);
     EXPECT_NE(models.output.find("sand"), std::string::npos);

@@ -4,10 +4,13 @@
 #include <csignal>
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 #include <thread>
 
 #include "files/checkpoint.h"
+#include "files/hash.h"
+#include "run/build_identity.h"
 #include "run/run_checkpoint.h"
 #include "support/full_disk.h"
 #include "support/program.h"
@@ -190,9 +193,73 @@ TEST_F(ResumeTest, ADamagedOrForeignCheckpointIsRefusedWithTheReason) {
         other.carry(writer);
         writer.commit();
     }
-    expect_refusal({"run", "--resume", "out"}, "was written by fumon 0.0.9");
+    expect_refusal({"run", "--resume", "out"},
+                   "was written by fumon 0.0.9, this is " FUMON_VERSION ";");
+    other.version = FUMON_VERSION;
+    other.build.sources = "0123456789abcdef";
+    {
+        CheckpointWriter writer(file);
+        other.carry(writer);
+        writer.commit();
+    }
+    expect_refusal({"run", "--resume", "out"}, "was written by fumon " FUMON_VERSION
+                                               " from sources 0123456789ab, this is from sources " +
+                                                   short_sources(this_build()) + ";");
     EXPECT_EQ(read_text(out() / "run.json"), manifest) << "nothing has changed";
     EXPECT_TRUE(fs::exists(out() / "measurements.csv"));
+}
+
+TEST_F(ResumeTest, TheSameSourcesHaveOneIdentityWhereverTheyLie) {
+    std::set<std::string> written;
+    const auto identity = [&](const std::string& root) {
+        const Ended ended = fumon({"-D", "ROOT=" + (folder_ / root).string(), "-D", "TOOLS=a b",
+                                   "-D", "TO=" + (folder_ / "identity.cpp").string(), "-P",
+                                   FUMON_SOURCES_FOLDER "/build_identity.cmake"},
+                                  folder_.path(), {}, FUMON_CMAKE);
+        EXPECT_EQ(ended.status, 0) << ended.errors;
+        return read_text(folder_ / "identity.cpp");
+    };
+    for (const char* root : {"one", "two"}) {
+        for (const char* folder : {"src/base", "shaders", "assets/palettes"})
+            fs::create_directories(folder_ / root / folder);
+        for (const char* file : {"CMakeLists.txt", "src/CMakeLists.txt", "src/base/a.cpp",
+                                 "src/base/a.h", "shaders/a.glsl", "assets/palettes/a.txt"})
+            write_text(folder_ / root / file, file);
+    }
+    const std::string one = identity("one");
+    EXPECT_NE(one.find("R\"(a b)\""), std::string::npos) << one;
+    write_text(folder_ / "two/src/base/a.cpp~", "an editor's");
+    EXPECT_EQ(identity("two"), one);
+    for (const char* file : {"src/base/a.h", "shaders/a.glsl", "assets/palettes/a.txt"}) {
+        write_text(folder_ / "two" / file, "changed");
+        EXPECT_TRUE(written.insert(identity("two")).second) << file;
+    }
+    fs::rename(folder_ / "one/src/base/a.cpp", folder_ / "one/src/base/b.cpp");
+    EXPECT_NE(identity("one"), one);
+    EXPECT_FALSE(written.contains(one));
+}
+
+TEST_F(ResumeTest, AnotherBuildOfTheSameSourcesGoesOnAndSaysSo) {
+    scene(sand_scene(3000));
+    uninterrupted();
+    ASSERT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
+    const fs::path file = out() / "checkpoint.fumon";
+    std::string bytes = read_text(file);
+    const std::string tools = this_build().tools;
+    const std::size_t at = bytes.find(tools);
+    ASSERT_NE(at, std::string::npos);
+    bytes.replace(at, 3, "XYZ");  // as long, and with the hash that belongs to it
+    const std::string_view hashed(bytes.data(), bytes.size() - 32);
+    const Sha256 hash = text_hash(hashed);
+    std::copy(hash.begin(), hash.end(), bytes.end() - 32);
+    write_text(file, bytes);
+    const Ended ended = run({"run", "--resume", "out"});
+    EXPECT_EQ(ended.status, 0);
+    EXPECT_NE(ended.errors.find("from the same sources built otherwise: XYZ" + tools.substr(3) +
+                                " then, " + tools + " now\n"),
+              std::string::npos)
+        << ended.errors;
+    expect_same_run(out("whole"), out());
 }
 
 TEST_F(ResumeTest, AnotherSceneIsRefusedAndTheSameOneTaken) {

@@ -1,9 +1,11 @@
 #include "files/netcdf/netcdf_copy.h"
 
+#include <fmt/format.h>
 #include <netcdf.h>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "files/netcdf/netcdf_section_record.h"
@@ -53,6 +55,27 @@ void copy_record(const NetcdfInput& from, RecordValues& to, const FieldsLayout& 
     check_netcdf(nc_get_var1_longlong(from.id(), layout.step, &record, &step));
     to.put(layout.step, record, step);
     copy_number(from, to, layout.time, record);
+}
+
+std::string copy_records(const std::filesystem::path& former, const FieldsBeginning& beginning,
+                         RecordValues& to, const FieldsLayout& layout, int nx, int ny,
+                         const std::function<void()>& before) {
+    try {
+        const NetcdfInput input(former);
+        const std::vector<int> over = input.dimensions(layout.time);
+        const std::size_t there = over.size() == 1 ? input.dimension_length(over.front()) : 0;
+        if (std::cmp_less(there, beginning.records))
+            return fmt::format("has {} records of {}", there, beginning.records);
+        for (std::size_t record = 0; std::cmp_less(record, beginning.records); ++record) {
+            before();
+            copy_record(input, to, layout, nx, ny, record);
+        }
+        return to.hash() == beginning.hash ? "" : "has changed since it was written";
+    } catch (const NetcdfFault& fault) {
+        return fmt::format("cannot be read: {}", fault.what());
+    } catch (const InputError& fault) {
+        return fmt::format("cannot be read: {}", fault.what());
+    }
 }
 
 }  // namespace fumon

@@ -22,6 +22,7 @@
 #include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_layout.h"
 #include "files/netcdf/netcdf_values.h"
+#include "files/open_files.h"
 
 namespace fumon {
 
@@ -78,30 +79,6 @@ std::filesystem::path former_name(const std::filesystem::path& file) {
     std::filesystem::path former = resolved_link(file);
     former += ".former";
     return former;
-}
-
-/// Copies the first records of a former file, calling `before` each. Says why they are not those;
-/// empty where they are.
-template <class Before>
-std::string copy_records(const std::filesystem::path& former, const FieldsBeginning& beginning,
-                         RecordValues& to, const FieldsLayout& layout, int nx, int ny,
-                         const Before& before) {
-    try {
-        const NetcdfInput input(former);
-        const std::vector<int> over = input.dimensions(layout.time);
-        const std::size_t there = over.size() == 1 ? input.dimension_length(over.front()) : 0;
-        if (std::cmp_less(there, beginning.records))
-            return fmt::format("has {} records of {}", there, beginning.records);
-        for (std::size_t record = 0; std::cmp_less(record, beginning.records); ++record) {
-            before();
-            copy_record(input, to, layout, nx, ny, record);
-        }
-        return to.hash() == beginning.hash ? "" : "has changed since it was written";
-    } catch (const NetcdfFault& fault) {
-        return fmt::format("cannot be read: {}", fault.what());
-    } catch (const InputError& fault) {
-        return fmt::format("cannot be read: {}", fault.what());
-    }
 }
 
 /// The variables of a file as it would be made, held in memory alone.
@@ -252,6 +229,7 @@ class FieldsFile::Parts {
     }
 
     [[noreturn]] void fail(const NetcdfFault& fault) const {
+        if (const int shortage = shortage_of_open_files()) refuse_to_write(file_, shortage);
         throw Error(fmt::format("cannot write {}: {}; is its disk full or broken?", file_.string(),
                                 fault.what()));
     }

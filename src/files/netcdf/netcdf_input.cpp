@@ -8,6 +8,7 @@
 
 #include "base/limits.h"
 #include "files/netcdf/netcdf_classic.h"
+#include "files/open_files.h"
 
 namespace fumon {
 
@@ -47,7 +48,9 @@ bool is_netcdf(std::string_view start) {
 NetcdfInput::NetcdfInput(const std::filesystem::path& file) : name_(file.string()) {
     refuse_damaged_classic_file(file);
     // An absolute path is never taken for an address on the network.
-    check_netcdf(nc_open(std::filesystem::absolute(file).c_str(), NC_NOWRITE, &id_));
+    const int status = nc_open(std::filesystem::absolute(file).c_str(), NC_NOWRITE, &id_);
+    if (status != NC_NOERR) refuse_shortage_of_open_files(file);
+    check_netcdf(status);
 }
 
 NetcdfInput::~NetcdfInput() {

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "run/terminal/tell.h"
+#include "base/tell.h"
 
 namespace fumon {
 

@@ -1,4 +1,4 @@
-#include "base/crash.h"
+#include "cli/crash.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
