@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/crash.h"
 #include "base/error.h"
 #include "cli/command_line.h"
+#include "cli/crash.h"
 
 int main(int count, char** values) {
     fumon::explain_crashes();

@@ -3,12 +3,12 @@
 #include <cstdio>
 
 #include "base/error.h"
+#include "base/tell.h"
 #include "cli/command.h"
 #include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "paper/figure_plan.h"
 #include "run/prepared_run.h"
-#include "base/tell.h"
 #include "scene/read.h"
 #include "scene/schedule.h"
 

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "base/tell.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
 #include "files/avalanche_table.h"
@@ -18,7 +19,6 @@
 #include "measure/pile/avalanche_report.h"
 #include "measure/suite.h"
 #include "models/shared/check_finite.h"
-#include "base/tell.h"
 #include "scene/initial_bed.h"
 #include "scene/terrain_scene.h"
 
