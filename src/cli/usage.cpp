@@ -52,7 +52,7 @@ bool ends_with(const std::string& text, const std::string& end, std::string& bef
 
 /// What CLI11 says of a fault, in other words.
 std::string plain_words(const CLI::ParseError& fault) {
-    const std::string text = fault.what();
+    std::string text = fault.what();
     const std::string kind = fault.get_name();
     const std::string option = text.substr(0, text.find(':'));
     std::string one;
