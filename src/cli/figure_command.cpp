@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
 
@@ -9,6 +10,7 @@
 #include "cli/command.h"
 #include "cli/scene_argument.h"
 #include "cli/shared_options.h"
+#include "files/folder_lock.h"
 #include "outputs/output_claims.h"
 #include "paper/figure_files.h"
 #include "paper/figure_make.h"
@@ -55,6 +57,9 @@ void declare(CLI::App& command, FigureOptions& options) {
 
 namespace fs = std::filesystem;
 
+/// For which time another program, putting its figures into the same folder, is waited for.
+constexpr std::chrono::seconds patience_with_others{10};
+
 /// A figure and the texts that it was read from.
 struct PlannedFigure {
     FigureSources sources;
@@ -90,6 +95,7 @@ void make_figure(const PlannedFigure& figure, const FigureRuns& runs, const RunS
     const std::vector<WholeFile> files =
         figure_files(plan, figure.sources, page, options.folder, notes);
     make_folder(options.folder);
+    const FolderLock lock(options.folder, patience_with_others);
     claim_figure(plan, options.folder, claims);
     write_files(files);
     for (const std::string& note : notes) status.note(fmt::format("{}: {}", plan.file, note));
@@ -105,6 +111,8 @@ OutputClaims claim_figures(const FigureOptions& options,
         for (const SourceText& text : figure.sources.all()) claims.reads(text.path);
         for (const InputFile& input : figure.plan.inputs) claims.reads(input.path);
     }
+    if (!fs::exists(options.folder)) return claims;
+    const FolderLock lock(options.folder, patience_with_others);
     for (const PlannedFigure& figure : figures) claim_figure(figure.plan, options.folder, claims);
     return claims;
 }

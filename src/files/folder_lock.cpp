@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <thread>
 
 #include "base/error.h"
 #include "files/atomic_file.h"
@@ -12,14 +13,19 @@
 
 namespace fumon {
 
-FolderLock::FolderLock(const std::filesystem::path& folder)
+FolderLock::FolderLock(const std::filesystem::path& folder, std::chrono::seconds longest_wait)
     : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (descriptor_ < 0) {
         if (errno == EMFILE || errno == ENFILE) refuse_to_write(folder, errno);
         tell_not_locked(folder, errno);
         return;
     }
-    if (lock_descriptor(descriptor_, folder)) return;
+    const auto end = std::chrono::steady_clock::now() + longest_wait;
+    for (;;) {
+        if (lock_descriptor(descriptor_, folder)) return;
+        if (std::chrono::steady_clock::now() >= end) break;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
     ::close(descriptor_);
     throw InputError(fmt::format(
         "another fumon is at work in {}; wait for it or name another folder", folder.string()));

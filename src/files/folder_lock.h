@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 
 namespace fumon {
@@ -8,10 +9,11 @@ namespace fumon {
 /// ends with it and leaves no file behind.
 class FolderLock {
   public:
-    /// Throws InputError if another program holds the lock, Error if too many files are open. Some
-    /// network file systems cannot lock folders; there nothing is locked, and standard error says
-    /// so.
-    explicit FolderLock(const std::filesystem::path& folder);
+    /// Throws InputError if another program still holds the lock after `longest_wait`, Error if too
+    /// many files are open. Some network file systems cannot lock folders; there nothing is locked,
+    /// and standard error says so.
+    explicit FolderLock(const std::filesystem::path& folder,
+                        std::chrono::seconds longest_wait = {});
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;

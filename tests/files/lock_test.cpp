@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <optional>
+#include <thread>
 
 #include "base/error.h"
 #include "files/file_lock.h"
@@ -42,6 +44,18 @@ TEST(Lock, OneHolderAtATime) {
     const FileLock other(folder / "a.lock");
     EXPECT_TRUE(one.held());
     EXPECT_FALSE(other.held());
+}
+
+TEST(Lock, AFolderIsWaitedForAsLongAsIsAsked) {
+    const TemporaryFolder folder;
+    std::optional<FolderLock> lock(folder.path());
+    std::thread holder([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        lock.reset();
+    });
+    EXPECT_EQ(message_of<InputError>([&] { FolderLock(folder.path(), std::chrono::seconds(60)); }),
+              "");
+    holder.join();
 }
 
 TEST(Lock, WhereThereAreNoneItIsSaidOnceAndWorkGoesOn) {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <optional>
 #include <sstream>
 #include <thread>
 
 #include "base/image.h"
+#include "files/folder_lock.h"
 #include "files/hash.h"
 #include "picture/png.h"
 #include "support/program.h"
@@ -420,6 +422,25 @@ TEST_F(FigureTest, TwoAtOnceShareTheRuns) {
     EXPECT_EQ(runs().size(), 6U);
     ASSERT_EQ(figure("plots.toml", {"--set", "run.steps=300"}, "fresh").status, 0);
     EXPECT_EQ(text("out/plots.pdf"), text("fresh/plots.pdf"));
+}
+
+TEST_F(FigureTest, OthersThatArePuttingTheirFilesThereAreWaitedFor) {
+    write_scene("plots.toml", curves);
+    ASSERT_EQ(figure("plots.toml", {}).status, 0);
+    for (const char* end : {".pdf", ".svg", ".png"})
+        fs::rename(folder_ / ("out/plots" + std::string(end)),
+                   folder_ / ("kept" + std::string(end)));
+    write_text(folder_ / "out/plots.pdf.part", "half of");
+    std::optional<FolderLock> lock(folder_ / "out");
+    Program program({"figure", "plots.toml", "-o", "out"}, folder_.path());
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    fs::remove(folder_ / "out/plots.pdf.part");
+    for (const char* end : {".pdf", ".svg", ".png"})
+        fs::rename(folder_ / ("kept" + std::string(end)),
+                   folder_ / ("out/plots" + std::string(end)));
+    lock.reset();
+    const Ended ended = program.wait();
+    EXPECT_EQ(ended.status, 0) << ended.errors;
 }
 
 TEST_F(FigureTest, ARunThatFailsIsNamedAndOtherFiguresAreMade) {
