@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cerrno>
 #include <string_view>
 #include <system_error>
 
 #include "base/error.h"
+#include "files/input_file.h"
 
 namespace fumon {
 
@@ -94,6 +96,7 @@ FrameListReader::FrameListReader(const std::filesystem::path& file)
 FrameRecord FrameListReader::next() {
     FrameBytes bytes{};
     if (!bytes_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+        if (bytes_.bad()) refuse_to_read(file_, EIO);
         throw InputError(
             fmt::format("{}: the list of the run's frames ends after {}; bring it back, or run the "
                         "scene from its start with --force",

@@ -198,6 +198,7 @@ void VerifyPage::show(const Image& image, const std::filesystem::path& file, con
                       const std::string& caption) {
     std::error_code fault;
     std::filesystem::create_directories(file.parent_path(), fault);
+    if (fault) refuse_to_write(file.parent_path(), fault.value());
     const auto bytes = encode_png(image, screen_dots_per_inch, own_text());
     write_file(file, bytes);
     page_->write(

@@ -41,9 +41,11 @@ INSTANTIATE_TEST_SUITE_P(
               {"models", "--loud"},
               "fumon models: The following argument was not expected: --loud; try `fumon models "
               "--help`"},
-        Wrong{"missing_scene",
-              {"run", "no.toml", "-o", "x"},
-              "no.toml: cannot be read (No such file or directory); check the path"},
+        Wrong{
+            "missing_scene",
+            {"run", "no.toml", "-o", "x"},
+            "no.toml: cannot be read: No such file or directory; name a file that exists and that "
+            "you may read"},
         Wrong{"missing_terrain",
               {"still", "no.asc", "-o", "x.png"},
               "no.asc: is not there; check the path"},

@@ -12,10 +12,11 @@ namespace fumon {
 
 namespace {
 
-void copy_number(const NetcdfInput& from, int to, int variable, std::size_t record) {
+void copy_number(const NetcdfInput& from, std::size_t record, int to, int variable,
+                 std::size_t at) {
     double value = 0.0;
     check_netcdf(nc_get_var1_double(from.id(), variable, &record, &value));
-    check_netcdf(nc_put_var1_double(to, variable, &record, &value));
+    check_netcdf(nc_put_var1_double(to, variable, &at, &value));
 }
 
 bool fits(const SnapshotSection* section, const SectionLayout& layout) {
@@ -26,8 +27,8 @@ bool fits(const SnapshotSection* section, const SectionLayout& layout) {
 
 }  // namespace
 
-void copy_record(const NetcdfInput& from, int to, const FieldsLayout& layout, int nx, int ny,
-                 std::size_t record) {
+void copy_record(const NetcdfInput& from, std::size_t record, int to, const FieldsLayout& layout,
+                 int nx, int ny, std::size_t at) {
     std::vector<double> block;
     const auto copy_field = [&](int variable) {
         for (int y = 0; y < ny; y += layout.rows) {
@@ -38,22 +39,23 @@ void copy_record(const NetcdfInput& from, int to, const FieldsLayout& layout, in
             block.resize(rows * cells);
             check_netcdf(
                 nc_get_vara_double(from.id(), variable, start.data(), count.data(), block.data()));
+            const std::array<std::size_t, 3> target{at, start[1], 0};
             check_netcdf(
-                nc_put_vara_double(to, variable, start.data(), count.data(), block.data()));
+                nc_put_vara_double(to, variable, target.data(), count.data(), block.data()));
         }
     };
     copy_field(layout.bed);
     for (const int field : layout.fields) copy_field(field);
-    for (const int number : layout.numbers) copy_number(from, to, number, record);
+    for (const int number : layout.numbers) copy_number(from, record, to, number, at);
     if (layout.section) {
         const auto section = read_section(from, record);
         if (!fits(section.get(), *layout.section)) throw NetcdfFault("it has another section");
-        write_section(to, *layout.section, record, *section);
+        write_section(to, *layout.section, at, *section);
     }
     long long step = 0;
     check_netcdf(nc_get_var1_longlong(from.id(), layout.step, &record, &step));
-    check_netcdf(nc_put_var1_longlong(to, layout.step, &record, &step));
-    copy_number(from, to, layout.time, record);
+    check_netcdf(nc_put_var1_longlong(to, layout.step, &at, &step));
+    copy_number(from, record, to, layout.time, at);
 }
 
 }  // namespace fumon

@@ -7,10 +7,10 @@
 
 namespace fumon {
 
-/// Copies one record of nx × ny cells between two fields files of the same definitions, value by
-/// value and in the order in which a FieldsFile writes it, so that the bytes come out the same.
-/// Throws NetcdfFault. The caller holds the NetcdfLock.
-void copy_record(const NetcdfInput& from, int to, const FieldsLayout& layout, int nx, int ny,
-                 std::size_t record);
+/// Copies one record of nx × ny cells to record `at` of another fields file of the same definition,
+/// value by value and in the order in which a FieldsFile writes it, so that the bytes come out the
+/// same. Throws NetcdfFault. The caller holds the NetcdfLock.
+void copy_record(const NetcdfInput& from, std::size_t record, int to, const FieldsLayout& layout,
+                 int nx, int ny, std::size_t at);
 
 }  // namespace fumon

@@ -1,354 +1,179 @@
 #include "files/netcdf/netcdf_fields.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <netcdf.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <limits>
+#include <charconv>
 #include <optional>
-#include <span>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "files/atomic_file.h"
-#include "files/disk_space.h"
 #include "files/netcdf/netcdf_calls.h"
-#include "files/netcdf/netcdf_copy.h"
+#include "files/netcdf/netcdf_form.h"
 #include "files/netcdf/netcdf_input.h"
-#include "files/netcdf/netcdf_layout.h"
+#include "files/netcdf/netcdf_piece.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr int closed = -1;
+namespace fs = std::filesystem;
 
-/// What the sections of every record have in common.
-struct SectionForm {
-    double dx = 0.0;
-    double dz = 0.0;
-    int nz = 0;
-    std::vector<std::string> fields;
-    std::vector<std::string> curves;
-    std::size_t paths = 0;
+constexpr int piece_digits = 6;
 
-    bool operator==(const SectionForm&) const = default;
+fs::path piece_path(const fs::path& file, std::int64_t number) {
+    fs::path piece = file;
+    piece += fmt::format(".{:0{}}", number, piece_digits);
+    return piece;
+}
+
+/// A closed file of records, of which the first `used` belong to the whole.
+struct ClosedPiece {
+    fs::path path;
+    std::int64_t records = 0;
+    std::int64_t used = 0;
 };
 
-/// What every record of a file has in common.
-struct RecordForm {
-    int nx = 0;
-    int ny = 0;
-    WorldScale scale;
-    std::vector<std::string> fields;
-    std::vector<std::string> numbers;
-    std::optional<SectionForm> section;
-};
-
-template <class Named>
-std::vector<std::string> names_of(const std::vector<Named>& list) {
-    std::vector<std::string> names;
-    names.reserve(list.size());
-    for (const Named& entry : list) names.push_back(entry.name);
-    return names;
+[[noreturn]] void refuse_piece(const fs::path& piece, std::string_view why) {
+    throw InputError(
+        fmt::format("{}: cannot go on with it: {}; run the scene from its start with --force",
+                    piece.string(), why));
 }
 
-std::optional<SectionForm> form_of(const SnapshotSection* section) {
-    if (section == nullptr) return std::nullopt;
-    return SectionForm{section->dx,
-                       section->dz,
-                       section->fields.empty() ? 0 : section->fields.front().values.ny(),
-                       names_of(section->fields),
-                       names_of(section->curves),
-                       section->paths.size()};
-}
-
-RecordForm form_of(const Snapshot& snapshot) {
-    return {snapshot.bed.nx(),         snapshot.bed.ny(),          snapshot.scale,
-            names_of(snapshot.fields), names_of(snapshot.numbers), form_of(snapshot.section.get())};
-}
-
-bool has_size(const Grid& grid, const RecordForm& form) {
-    return grid.nx() == form.nx && grid.ny() == form.ny;
+std::int64_t records_of(const fs::path& piece) {
+    const NetcdfLock lock;
+    try {
+        const NetcdfInput input(piece);
+        int time = 0;
+        check_netcdf(nc_inq_dimid(input.id(), "time", &time));
+        return static_cast<std::int64_t>(input.dimension_length(time));
+    } catch (const NetcdfFault& fault) {
+        refuse_piece(piece, fault.what());
+    }
 }
 
 }  // namespace
 
+std::int64_t number_of_fields_piece(std::string_view name, std::string_view file) {
+    if (!name.starts_with(file)) return 0;
+    name.remove_prefix(file.size());
+    if (!name.starts_with('.')) return 0;
+    name.remove_prefix(1);
+    std::int64_t number = 0;
+    std::from_chars(name.data(), name.data() + name.size(), number);
+    return number > 0 && fmt::format("{:0{}}", number, piece_digits) == name ? number : 0;
+}
+
+void remove_fields_pieces(const fs::path& file) {
+    std::error_code fault;
+    const fs::path folder = fs::absolute(file).parent_path();
+    for (const auto& entry : fs::directory_iterator(folder, fault)) {
+        const std::string name = entry.path().filename().string();
+        if (number_of_fields_piece(name, file.filename().string()) > 0)
+            fs::remove(entry.path(), fault);
+    }
+}
+
 class FieldsFile::Parts {
   public:
-    Parts(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text)
-        : file_(resolved_link(file)),
-          part_(std::filesystem::absolute(file_)),  // which is never taken for a network address
-          form_(form_of(first)) {
-        part_ = temporary_name(part_);
-        if (!takes_a_rename(file_))
-            throw Error(fmt::format(
-                "cannot write {}: it is a pipe or a device; NetCDF needs a file on disk",
-                file_.string()));
-        check_whole(first);
-        record_room_ = record_room(first);
-        try {
-            make(first, text);
-        } catch (...) {
-            discard();
-            throw;
-        }
-    }
+    Parts(const fs::path& file, const Snapshot& first, FieldsText text)
+        : file_(resolved_link(file)), outline_(outline_of(first)), text_(std::move(text)) {}
 
-    ~Parts() { discard(); }
-    Parts(const Parts&) = delete;
+    void begin() { open_.emplace(file_, outline_, text_); }
 
-    /// Where the records of a former run lie from now on.
-    static std::filesystem::path set_aside(const std::filesystem::path& file) {
-        const std::filesystem::path target = resolved_link(file);
-        std::filesystem::path former = target;
-        former += ".former";
+    /// Finds what a former run left, and takes its first `records`.
+    void go_on(std::int64_t records) {
         std::error_code fault;
-        if (std::filesystem::exists(former, fault)) return former;  // a copy of it was broken off
-        for (const std::filesystem::path& left : {temporary_name(target), target}) {
-            if (!std::filesystem::exists(left, fault)) continue;
-            std::filesystem::rename(left, former, fault);
-            if (fault) refuse_to_write(former, fault.value());
-            return former;
+        if (fs::exists(file_, fault)) {  // all pieces were joined
+            remove_fields_pieces(file_);
+            fs::rename(file_, piece_path(file_, 1), fault);
+            if (fault) refuse_to_write(piece_path(file_, 1), fault.value());
         }
-        throw InputError(fmt::format("{}: is not there; run the scene from its start with --force",
-                                     file.string()));
-    }
-
-    void copy(const std::filesystem::path& former, std::int64_t records) {
-        const NetcdfLock lock;
-        try {
-            const NetcdfInput input(former);
-            const auto there = input.dimension_length(input.dimensions(layout_.time).front());
-            if (std::cmp_less(there, records))
-                throw NetcdfFault(fmt::format("it has {} records of {}", there, records));
-            for (; records_ < records; ++records_) {
-                reserve(record_room_);
-                copy_record(input, netcdf_, layout_, form_.nx, form_.ny,
-                            static_cast<std::size_t>(records_));
-                check_netcdf(nc_sync(netcdf_));
+        while (total_ < records) {
+            const fs::path path = piece_path(file_, next_number());
+            if (!fs::exists(path, fault)) {
+                throw InputError(fmt::format(
+                    "{}: is not there; run the scene from its start with --force", path.string()));
             }
-        } catch (const NetcdfFault& fault) {
-            throw InputError(
-                fmt::format("{}: cannot go on with it: {}; run the scene from its start with "
-                            "--force",
-                            former.string(), fault.what()));
+            const std::int64_t there = records_of(path);
+            if (there == 0) refuse_piece(path, "it has no records");
+            const std::int64_t used = std::min(there, records - total_);
+            closed_.push_back({path, there, used});
+            total_ += used;
         }
-        std::error_code fault;
-        sync();
-        std::filesystem::remove(former, fault);
-        keep_ = true;
+        for (std::int64_t later = next_number();; ++later) {  // that the checkpoint does not count
+            if (!fs::remove(piece_path(file_, later), fault)) break;
+        }
+        fs::remove(temporary_name(file_), fault);
     }
-
-    void sync() const {
-        if (::fsync(descriptor_) != 0) refuse_to_write(file_, errno);
-    }
-
-    Parts& operator=(const Parts&) = delete;
 
     void add(const Snapshot& snapshot) {
-        check_form(snapshot);
-        if (broken_)
-            throw Error(fmt::format("cannot write {}: an earlier record failed", file_.string()));
-        reserve(record_room(snapshot));
-        const NetcdfLock lock;
-        try {
-            write(snapshot);
-        } catch (const NetcdfFault& fault) {
-            broken_ = true;
-            fail(fault);
-        }
-        ++records_;
+        if (!open_) begin();
+        open_->add(snapshot);
+        ++total_;
+    }
+
+    void sync() {
+        if (!open_ || open_->records() == 0) return;
+        close_piece();
+        sync_folder_of(file_);
     }
 
     void commit() {
-        const NetcdfLock lock;
-        const int status = nc_close(std::exchange(netcdf_, closed));
-        release_space(descriptor_);
-        if (broken_ || status != NC_NOERR) check_opens();
-        if (::rename(part_.c_str(), file_.c_str()) != 0) refuse_to_write(file_, errno);
-        part_.clear();
+        if (closed_.empty()) {
+            if (open_) open_->close_as(file_);
+            open_.reset();
+            return;
+        }
+        if (open_ && open_->records() > 0) close_piece();
+        open_.reset();
+        if (closed_.size() == 1 && closed_.front().used == closed_.front().records) {
+            if (std::rename(closed_.front().path.c_str(), file_.c_str()) != 0)
+                refuse_to_write(file_, errno);
+            return;
+        }
+        FieldsPiece whole(file_, outline_, text_);
+        for (const ClosedPiece& piece : closed_) whole.copy(piece.path, piece.used);
+        whole.close_as(file_);
+        remove_fields_pieces(file_);
     }
 
-    [[nodiscard]] std::int64_t records() const { return records_; }
+    [[nodiscard]] std::int64_t records() const { return total_; }
 
   private:
-    void make(const Snapshot& first, const FieldsText& text) {
-        ::unlink(part_.c_str());                              // what a killed run may have left
-        constexpr mode_t everyone_may_read_and_write = 0666;  // less the umask
-        descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
-                             everyone_may_read_and_write);
-        if (descriptor_ < 0) refuse_to_write(file_, errno);
-        reserve(header_room(first, text) + record_room(first));
-        const NetcdfLock lock;
-        try {
-            check_netcdf(nc_create(part_.c_str(), NC_NETCDF4 | NC_CLOBBER, &netcdf_));
-            reserve(header_room(first, text) + record_room(first));  // making it gave that back
-            layout_ = define_fields(netcdf_, first, text);
-            check_netcdf(nc_sync(netcdf_));
-        } catch (const NetcdfFault& fault) {
-            fail(fault);
-        }
+    [[nodiscard]] std::int64_t next_number() const {
+        return static_cast<std::int64_t>(closed_.size()) + 1;
     }
 
-    /// After a fault of the device the records before it are mostly there; only a file that opens
-    /// gets its name.
-    void check_opens() const {
-        int opened = closed;
-        const int status = nc_open(part_.c_str(), NC_NOWRITE, &opened);
-        if (status != NC_NOERR) fail(NetcdfFault(nc_strerror(status)));
-        nc_close(opened);
+    void close_piece() {
+        const std::int64_t records = open_->records();
+        const fs::path path = piece_path(file_, next_number());
+        open_->close_as(path);
+        open_.reset();
+        closed_.push_back({path, records, records});
     }
 
-    void discard() {
-        const NetcdfLock lock;
-        if (netcdf_ != closed) nc_close(std::exchange(netcdf_, closed));
-        if (descriptor_ >= 0) ::close(std::exchange(descriptor_, closed));
-        if (!part_.empty() && !keep_) ::unlink(part_.c_str());
-    }
-
-    [[noreturn]] void fail(const NetcdfFault& fault) const {
-        throw Error(fmt::format("cannot write {}: {}; is its disk full or broken?", file_.string(),
-                                fault.what()));
-    }
-
-    void reserve(std::int64_t bytes) const {
-        const int reason = reserve_space(descriptor_, bytes);
-        if (reason == 0) return;
-        throw Error(fmt::format(
-            "cannot write {}: {}; its next record needs up to {} KiB: free some space, or write "
-            "fields less often",
-            file_.string(), std::generic_category().message(reason), (bytes + 1023) / 1024));
-    }
-
-    [[noreturn]] void refuse_form(std::string_view what) const {
-        throw Error(fmt::format("cannot write {}: {}; all records of a file are alike",
-                                file_.string(), what));
-    }
-
-    void check_whole(const Snapshot& snapshot) const {
-        if (snapshot.bed.empty()) refuse_form("the bed has no cells");
-        for (const SnapshotField& field : snapshot.fields) {
-            if (!has_size(field.values, form_))
-                refuse_form(fmt::format("{} has {} x {} cells, the bed {} x {}", field.name,
-                                        field.values.nx(), field.values.ny(), form_.nx, form_.ny));
-        }
-        if (!snapshot.nodata.empty() &&
-            (snapshot.nodata.nx() != form_.nx || snapshot.nodata.ny() != form_.ny))
-            refuse_form("the mask's size is not the bed's");
-        if (snapshot.section) check_whole(*snapshot.section);
-    }
-
-    void check_whole(const SnapshotSection& section) const {
-        constexpr int fewest = 2;  // nodes from which a spacing can be told
-        const int nz = form_.section->nz;
-        if (form_.ny != 1 || form_.nx < fewest || nz < fewest)
-            refuse_form(fmt::format(
-                "a section of {} x {} nodes stands on a bed of {} x {} cells; it has 2 x 2 nodes "
-                "or more, and its bed one row",
-                form_.nx, nz, form_.nx, form_.ny));
-        for (const SnapshotField& field : section.fields) {
-            if (field.values.nx() != form_.nx || field.values.ny() != nz)
-                refuse_form(fmt::format("{} has {} x {} nodes, the section {} x {}", field.name,
-                                        field.values.nx(), field.values.ny(), form_.nx, nz));
-        }
-        for (const SectionCurve& curve : section.curves) {
-            if (curve.values.size() != static_cast<std::size_t>(form_.nx))
-                refuse_form(fmt::format("{} has {} values, the section {} columns", curve.name,
-                                        curve.values.size(), form_.nx));
-        }
-        for (const GrainPath& path : section.paths) {
-            if (path.x.size() != path.z.size())
-                refuse_form(fmt::format("a path has {} x and {} z", path.x.size(), path.z.size()));
-        }
-    }
-
-    void check_form(const Snapshot& snapshot) const {
-        const RecordForm form = form_of(snapshot);
-        if (!has_size(snapshot.bed, form_))
-            refuse_form(fmt::format("step {} has {} x {} cells, the file {} x {}", snapshot.step,
-                                    form.nx, form.ny, form_.nx, form_.ny));
-        if (form.scale != form_.scale)
-            refuse_form(fmt::format("step {} has another scale", snapshot.step));
-        if (form.fields != form_.fields || form.numbers != form_.numbers)
-            refuse_form(fmt::format("step {} has other fields or numbers", snapshot.step));
-        if (form.section != form_.section)
-            refuse_form(fmt::format(
-                "step {} has another section, in its spacing, fields, curves or number of paths",
-                snapshot.step));
-        check_whole(snapshot);
-    }
-
-    /// The time comes last: a record whose time is not the _FillValue is complete.
-    void write(const Snapshot& snapshot) {
-        write_field(layout_.bed, snapshot.bed, snapshot.nodata, layout_.bed_factor);
-        for (std::size_t i = 0; i < layout_.fields.size(); ++i)
-            write_field(layout_.fields[i], snapshot.fields[i].values, snapshot.nodata, 1.0);
-        for (std::size_t i = 0; i < layout_.numbers.size(); ++i)
-            write_number(layout_.numbers[i], snapshot.numbers[i].value);
-        const std::size_t record = static_cast<std::size_t>(records_);
-        if (layout_.section) write_section(netcdf_, *layout_.section, record, *snapshot.section);
-        const long long step = snapshot.step;
-        check_netcdf(nc_put_var1_longlong(netcdf_, layout_.step, &record, &step));
-        write_number(layout_.time, snapshot.time);
-        check_netcdf(nc_sync(netcdf_));
-    }
-
-    void write_number(int variable, double value) const {
-        const std::size_t record = static_cast<std::size_t>(records_);
-        check_netcdf(nc_put_var1_double(netcdf_, variable, &record, &value));
-    }
-
-    /// In blocks of the chunks' rows, so that a block and no field is copied.
-    void write_field(int variable, const Grid& values, const Mask& nodata, double factor) {
-        const auto nx = static_cast<std::size_t>(values.nx());
-        for (int y = 0; y < values.ny(); y += layout_.rows) {
-            const auto rows = static_cast<std::size_t>(std::min(layout_.rows, values.ny() - y));
-            const std::size_t begin = static_cast<std::size_t>(y) * nx;
-            const auto cells = values.values().subspan(begin, rows * nx);
-            block_.resize(cells.size());
-            for (std::size_t i = 0; i < cells.size(); ++i) block_[i] = cells[i] * factor;
-            if (!nodata.empty()) {
-                const auto mask = nodata.values().subspan(begin, rows * nx);
-                for (std::size_t i = 0; i < mask.size(); ++i) {
-                    if (mask[i] != 0) block_[i] = std::numeric_limits<double>::quiet_NaN();
-                }
-            }
-            const std::array<std::size_t, 3> start{static_cast<std::size_t>(records_),
-                                                   static_cast<std::size_t>(y), 0};
-            const std::array<std::size_t, 3> count{1, rows, nx};
-            check_netcdf(
-                nc_put_vara_double(netcdf_, variable, start.data(), count.data(), block_.data()));
-        }
-    }
-
-    std::filesystem::path file_;
-    std::filesystem::path part_;
-    RecordForm form_;
-    std::int64_t record_room_ = 0;  ///< of a record like the first, bytes
-    bool keep_ = false;             ///< even if it is not committed
-    int descriptor_ = closed;       ///< of the .part, for setting space aside
-    int netcdf_ = closed;
-    FieldsLayout layout_;
-    std::vector<double> block_;
-    std::int64_t records_ = 0;
-    bool broken_ = false;
+    fs::path file_;
+    Snapshot outline_;
+    FieldsText text_;
+    std::vector<ClosedPiece> closed_;
+    std::optional<FieldsPiece> open_;
+    std::int64_t total_ = 0;
 };
 
-FieldsFile::FieldsFile(const std::filesystem::path& file, const Snapshot& first,
-                       const FieldsText& text)
-    : parts_(std::make_unique<Parts>(file, first, text)) {}
-
-FieldsFile::FieldsFile(const std::filesystem::path& file, const Snapshot& first,
-                       const FieldsText& text, std::int64_t records) {
-    const std::filesystem::path former = Parts::set_aside(file);
+FieldsFile::FieldsFile(const fs::path& file, const Snapshot& first, const FieldsText& text) {
+    check_whole(file, first);
     parts_ = std::make_unique<Parts>(file, first, text);
-    parts_->copy(former, records);
+    parts_->begin();
+}
+
+FieldsFile::FieldsFile(const fs::path& file, const Snapshot& first, const FieldsText& text,
+                       std::int64_t records)
+    : parts_(std::make_unique<Parts>(file, first, text)) {
+    parts_->go_on(records);
 }
 
 FieldsFile::~FieldsFile() = default;

@@ -386,57 +386,95 @@ print("all is well")
     EXPECT_EQ(spoken.words, "all is well\n");
 }
 
-/// A file of six records that was left after `stopped` and gone on with after `kept` of them.
-std::string gone_on_with(const TemporaryFolder& folder, std::int64_t stopped, std::int64_t kept,
-                         const char* left) {
-    const auto record = [](std::int64_t step) { return air_snapshot(step, section(step)); };
-    {
-        FieldsFile file(folder / "first.nc", record(0), air_text);
-        for (std::int64_t step = 0; step < stopped; ++step) file.add(record(step));
-        file.sync();
-        std::filesystem::copy_file(folder / "first.nc.part", folder / left);
-    }
-    FieldsFile file(folder / "on.nc", record(0), air_text, kept);
-    EXPECT_EQ(file.records(), kept);
-    EXPECT_FALSE(std::filesystem::exists(folder / "on.nc.former"));
-    for (std::int64_t step = kept; step < 6; ++step) file.add(record(step));
+FieldsFile new_file(const TemporaryFolder& folder) {
+    return {folder / "on.nc", air_snapshot(0, section(0)), air_text};
+}
+
+FieldsFile gone_on_with(const TemporaryFolder& folder, std::int64_t records) {
+    return {folder / "on.nc", air_snapshot(0, section(0)), air_text, records};
+}
+
+void add_records(FieldsFile& file, std::int64_t from, std::int64_t to) {
+    for (std::int64_t step = from; step < to; ++step) file.add(air_snapshot(step, section(step)));
+}
+
+std::string bytes_in_one_go(std::int64_t records) {
+    const TemporaryFolder folder;
+    FieldsFile file = new_file(folder);
+    add_records(file, 0, records);
     file.commit();
     return bytes_of(folder / "on.nc");
 }
 
-TEST(NetcdfSection, AFileThatIsGoneOnWithGetsTheBytesOfOneInOneGo) {
-    const TemporaryFolder whole;
-    FieldsFile file(whole / "whole.nc", air_snapshot(0, section(0)), air_text);
-    for (std::int64_t step = 0; step < 6; ++step) file.add(air_snapshot(step, section(step)));
+TEST(NetcdfSection, AFileInPiecesGetsTheBytesOfOneInOneGo) {
+    const TemporaryFolder folder;
+    FieldsFile file = new_file(folder);
+    for (const std::int64_t step : {0, 1, 3}) {
+        add_records(file, step, step == 0 ? 1 : 2 * step + 1);
+        file.sync();
+        file.sync();
+    }
     file.commit();
-    const std::string bytes = bytes_of(whole / "whole.nc");
-    for (const char* left : {"on.nc.part", "on.nc", "on.nc.former"}) {
-        for (const std::int64_t kept : {0, 1, 4, 6}) {
-            for (const std::int64_t stopped : {kept, std::int64_t{6}}) {
-                const TemporaryFolder folder;
-                EXPECT_TRUE(gone_on_with(folder, stopped, kept, left) == bytes)
-                    << left << " " << kept << " of " << stopped;
-                EXPECT_EQ(folder.entries(), 1);
-            }
+    EXPECT_TRUE(bytes_of(folder / "on.nc") == bytes_in_one_go(7));
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+/// Leaves six records, the first four of them in two pieces, that were broken off or committed.
+void leave_pieces(const TemporaryFolder& folder, bool committed) {
+    FieldsFile file = new_file(folder);
+    add_records(file, 0, 3);
+    file.sync();
+    add_records(file, 3, 4);
+    file.sync();
+    add_records(file, 4, 6);
+    if (committed) file.commit();
+}
+
+TEST(NetcdfSection, AFileThatIsGoneOnWithGetsTheBytesOfOneInOneGo) {
+    const std::string bytes = bytes_in_one_go(6);
+    for (const bool committed : {false, true}) {
+        for (const std::int64_t kept : {1, 3, 4, 6}) {
+            if (kept == 6 && !committed) continue;
+            const TemporaryFolder folder;
+            leave_pieces(folder, committed);
+            FieldsFile file = gone_on_with(folder, kept);
+            EXPECT_EQ(file.records(), kept);
+            add_records(file, kept, 6);
+            file.commit();
+            EXPECT_TRUE(bytes_of(folder / "on.nc") == bytes) << kept << committed;
+            EXPECT_EQ(folder.entries(), 1);
         }
     }
+}
+
+TEST(NetcdfSection, APieceIsNeverWrittenToAgain) {
+    const TemporaryFolder folder;
+    FieldsFile file = new_file(folder);
+    add_records(file, 0, 3);
+    file.sync();
+    const std::string piece = bytes_of(folder / "on.nc.000001");
+    add_records(file, 3, 5);
+    file.sync();
+    EXPECT_TRUE(bytes_of(folder / "on.nc.000001") == piece);
+    EXPECT_EQ(folder.entries(), 2) << "and another piece is not begun before its first record";
 }
 
 TEST(NetcdfSection, WhatCannotBeGoneOnWithIsRefusedAndStays) {
     const TemporaryFolder folder;
     const auto refusal = [&](std::int64_t records) {
-        return message_of<InputError>(
-            [&] { FieldsFile(folder / "on.nc", air_snapshot(0, section(0)), air_text, records); });
+        return message_of<InputError>([&] { gone_on_with(folder, records); });
     };
-    EXPECT_NE(refusal(0).find("on.nc: is not there"), std::string::npos);
-    EXPECT_NE(message_of<InputError>([&] {
-                  gone_on_with(folder, 2, 3, "on.nc.part");
-              }).find("on.nc.former: cannot go on with it: it has 2 records of 3"),
-              std::string::npos);
-    EXPECT_EQ(folder.entries(), 1);
-    folder.file("on.nc.former", "no NetCDF");
-    EXPECT_NE(refusal(1).find("on.nc.former: cannot go on with it: "), std::string::npos);
-    EXPECT_EQ(bytes_of(folder / "on.nc.former"), "no NetCDF");
+    EXPECT_NE(refusal(1).find("on.nc.000001: is not there"), std::string::npos);
+    leave_pieces(folder, false);
+    EXPECT_NE(refusal(5).find("on.nc.000003: is not there"), std::string::npos);
+    EXPECT_EQ(folder.entries(), 2);
+    folder.file("on.nc.000002", "no NetCDF");
+    EXPECT_NE(refusal(4).find("on.nc.000002: cannot go on with it: "), std::string::npos);
+    EXPECT_EQ(bytes_of(folder / "on.nc.000002"), "no NetCDF");
+    EXPECT_EQ(number_of_fields_piece("on.nc.000012", "on.nc"), 12);
+    for (const char* other : {"on.nc", "on.nc.", "on.nc.12", "on.nc.part", "on.nc.000000",
+                              "on.nc.00001x", "no.nc.000001", "on.nc.000001.part"})
+        EXPECT_EQ(number_of_fields_piece(other, "on.nc"), 0) << other;
 }
 
 }  // namespace
