@@ -17,8 +17,8 @@ namespace fumon::test {
 
 /// What a disk may hold after the power failed, from a log of what was done to it.
 ///
-/// What was synced is there. Of what was not, the changes of each file are there or not, each by
-/// itself, a write perhaps by half; and of each folder's names those up to some change, whatever is
+/// What was synced is there. Of what was not, the changes of each file are there or not, all
+/// together or each by itself, a write perhaps by half; and of each folder's names those up to some change, whatever is
 /// there of the files and of other folders.
 class CrashedDisk {
   public:
@@ -52,8 +52,8 @@ class CrashedDisk {
         }
     }
 
-    /// Makes the folder as the power failure leaves it. Every state in which nothing, or all, that
-    /// was not synced is lost comes with `kept` 0 or 1; else it is the chance of each to be there.
+    /// Makes the folder as the power failure leaves it. `kept` is the chance of each change that was
+    /// not synced to be there: with 0 nothing is, with 1 all.
     void write_to(const std::filesystem::path& target, double kept, std::mt19937& random) const {
         write_folder(*root_, target, kept, random);
     }
@@ -168,6 +168,7 @@ class CrashedDisk {
     static std::string bytes_of(const File& file, double kept, std::mt19937& random) {
         std::uniform_real_distribution<double> chance(0.0, 1.0);
         std::string bytes = file.before;
+        if (kept < 1.0 && chance(random) < 0.5) kept = chance(random) < kept ? 1.0 : 0.0;
         for (std::size_t i = 0; i < file.changes.size(); ++i) {
             const LoggedCall& change = file.changes[i];
             const bool synced = i < file.synced;
