@@ -8,6 +8,7 @@
 #include <netcdf.h>
 
 #include <algorithm>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -64,6 +65,7 @@ NetcdfLock::NetcdfLock() : lock_(library_mutex()) {
 }
 
 void check_netcdf(int status) {
+    if (status == NC_ENOMEM) throw std::bad_alloc();
     if (status != NC_NOERR) throw NetcdfFault(nc_strerror(status));
 }
 
@@ -87,7 +89,8 @@ NetcdfHandle NetcdfHandle::open_to_read(const std::filesystem::path& file) {
         if (opened.hdf5_ >= 0) degrees = {degree};  // found
         return opened;
     }
-    throw NetcdfFault(nc_strerror(status));
+    check_netcdf(status);
+    return {};
 }
 
 NetcdfHandle::NetcdfHandle(NetcdfHandle&& other) noexcept
