@@ -18,8 +18,8 @@ namespace fumon::test {
 /// What a disk may hold after the power failed, from a log of what was done to it.
 ///
 /// What was synced is there. Of what was not, the changes of each file are there or not, all
-/// together or each by itself, a write perhaps by half; and of each folder's names those up to some change, whatever is
-/// there of the files and of other folders.
+/// together or each by itself, a write perhaps by half; and of each folder's names those up to some
+/// change, whatever is there of the files and of other folders.
 class CrashedDisk {
   public:
     /// `before`: a folder as it was, all on disk, before the calls.
