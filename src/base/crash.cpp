@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <string>
@@ -34,7 +35,14 @@ std::array<std::string, crashes.size()> lines;
 bool memory_is_limited = false;
 std::array<char, 1 << 16> spare_stack;
 
+thread_local const char* library_line = nullptr;
+
 extern "C" void tell_crash(int signal) {
+    if (library_line != nullptr) {
+        [[maybe_unused]] const ssize_t written =
+            ::write(STDERR_FILENO, library_line, std::strlen(library_line));
+        ::_exit(failed_while_working);
+    }
     for (std::size_t i = 0; i < crashes.size(); ++i) {
         if (crashes[i].signal != signal) continue;
         [[maybe_unused]] const ssize_t written =
@@ -117,6 +125,14 @@ void explain_crashes() {
         ::sigaction(crashes[i].signal, &action, nullptr);
     }
 #endif
+}
+
+LibraryAtWork::LibraryAtWork(const char* line) {
+    library_line = line;
+}
+
+LibraryAtWork::~LibraryAtWork() {
+    library_line = nullptr;
 }
 
 }  // namespace fumon

@@ -14,8 +14,8 @@ std::string read_input_file(const std::filesystem::path& file);
 /// The first bytes of such a file, however large it is: at most `count`. Throws as read_input_file.
 std::string start_of_input_file(const std::filesystem::path& file, std::size_t count);
 
-/// Throws "FILE: cannot be read: REASON" for an errno value: Error where the machine fails, as a disk
-/// does, and otherwise InputError with a remedy.
+/// Throws "FILE: cannot be read: REASON" for an errno value: Error where the machine fails, as a
+/// disk does, and otherwise InputError with a remedy.
 [[noreturn]] void refuse_to_read(const std::filesystem::path& file, int reason);
 
 /// Bytes. A terrain of the largest size allowed (2^27 cells) at 32 characters a cell.

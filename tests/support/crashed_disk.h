@@ -52,8 +52,8 @@ class CrashedDisk {
         }
     }
 
-    /// Makes the folder as the power failure leaves it. `kept` is the chance of each change that was
-    /// not synced to be there: with 0 nothing is, with 1 all.
+    /// Makes the folder as the power failure leaves it. `kept` is the chance of each change that
+    /// was not synced to be there: with 0 nothing is, with 1 all.
     void write_to(const std::filesystem::path& target, double kept, std::mt19937& random) const {
         write_folder(*root_, target, kept, random);
     }

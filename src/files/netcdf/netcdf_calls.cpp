@@ -57,7 +57,11 @@ std::int64_t opened_by_hdf5(const std::filesystem::path& file, H5F_close_degree_
 
 }  // namespace
 
-NetcdfLock::NetcdfLock() : lock_(library_mutex()) {
+NetcdfLock::NetcdfLock()
+    : lock_(library_mutex()),
+      at_work_(
+          "fumon: crashed in HDF5, as it does on a broken disk and where memory ends; if it is "
+          "neither, please report it. Files under their final names are whole\n") {
     keep_until_exit();
     // HDF5 prints its errors, even those that NetCDF expects, in every thread but the first that
     // used NetCDF.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <mutex>
 
+#include "base/crash.h"
 #include "base/error.h"
 
 namespace fumon {
@@ -20,6 +21,7 @@ class NetcdfLock {
 
   private:
     std::lock_guard<std::mutex> lock_;
+    LibraryAtWork at_work_;
 };
 
 /// A call of the NetCDF library failed: its own words, without the file's name, which the writers
