@@ -1,14 +1,16 @@
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
 
-#include "base/crash.h"
 #include "base/error.h"
 #include "cli/command_line.h"
+#include "cli/crash.h"
 
 int main(int count, char** values) {
     fumon::explain_crashes();
+    std::signal(SIGXFSZ, SIG_IGN);  // what exceeds the limit on files is a failed write (EFBIG)
     try {
         return fumon::run_command_line(std::vector<std::string>(values + 1, values + count));
     } catch (const fumon::Error& error) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -28,14 +29,19 @@ std::vector<std::filesystem::path> data_roots() {
 
 }  // namespace
 
-std::filesystem::path data_file(std::string_view relative) {
-    std::vector<std::string> tried;
+std::optional<std::filesystem::path> find_data_file(std::string_view relative) {
     for (const auto& root : data_roots()) {
         auto candidate = root / relative;
         std::error_code ignored;
         if (std::filesystem::exists(candidate, ignored)) return candidate;
-        tried.push_back(candidate.string());
     }
+    return std::nullopt;
+}
+
+std::filesystem::path data_file(std::string_view relative) {
+    if (auto found = find_data_file(relative)) return std::move(*found);
+    std::vector<std::string> tried;
+    for (const auto& root : data_roots()) tried.push_back((root / relative).string());
     throw Error(fmt::format("{} is missing (looked for {}); reinstall fumon or set FUMON_DATA_DIR",
                             relative, fmt::join(tried, ", ")));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 namespace fumon {
@@ -10,5 +11,8 @@ namespace fumon {
 /// (../share/fumon), then in the source tree it was built from. Throws Error naming every place
 /// looked at.
 std::filesystem::path data_file(std::string_view relative);
+
+/// The same path, or none where there is no such file.
+std::optional<std::filesystem::path> find_data_file(std::string_view relative);
 
 }  // namespace fumon

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace fumon {
 
@@ -33,9 +34,32 @@ inline std::string one_line(std::string text) {
 /// there is a place.
 class InputError : public Error {
   public:
-    explicit InputError(std::string what) : Error(one_line(std::move(what))) {}
+    explicit InputError(std::string what) : InputError(std::vector{std::move(what)}) {}
+    /// Of several faults, which its text has a line each.
+    explicit InputError(std::vector<std::string> faults)
+        : Error(joined(faults)), lines_(std::move(faults)) {}
     [[nodiscard]] int exit_status() const override { return 2; }
+    [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
+
+  private:
+    static std::string joined(std::vector<std::string>& faults) {
+        std::string text;
+        for (std::string& fault : faults) {
+            fault = one_line(std::move(fault));
+            text += (text.empty() ? "" : "\n") + fault;
+        }
+        return text;
+    }
+
+    std::vector<std::string> lines_;
 };
+
+/// The same faults with `place` before each of them.
+inline InputError placed(const std::string& place, const InputError& fault) {
+    std::vector<std::string> lines = fault.lines();
+    for (std::string& line : lines) line.insert(0, place);
+    return InputError(std::move(lines));
+}
 
 /// A key's value does not fit the rest of the scene; whoever knows the scene puts the key's place
 /// before it.

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/find_named.h"
+#include "base/number_text.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
 #include "figure/canvas/figure_metadata.h"
@@ -20,6 +22,7 @@
 #include "scene/find_input.h"
 #include "scene/read.h"
 #include "scene/scene_files.h"
+#include "scene/trust.h"
 
 namespace fumon {
 
@@ -30,6 +33,7 @@ struct AgainOptions {
     std::string output;  ///< empty: NAME-again.png (or .mp4, .pdf, .svg) in the working folder
     std::string runs;    ///< of a figure: the folder of finished runs; empty: "runs" beside it
     bool force = false;
+    bool trust = false;  ///< what the picture asks for, without limits
     WorkOptions work;
 };
 
@@ -45,8 +49,16 @@ void declare(CLI::App& command, AgainOptions& options) {
                     "of a figure: where finished runs are kept (default: runs beside it)")
         ->type_name("FOLDER");
     add_force(command, options.force);
+    command.add_flag("--trust", options.trust,
+                     "lift the limits on what a picture of unknown origin may ask for");
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
+    command.footer(fmt::format(
+        "A picture may come from anyone. Of files it may name only inputs that its metadata lists "
+        "with their\nSHA-256, and without --trust it may ask for at most {} cells, {} "
+        "steps, {:g} cell-steps,\n{} samples of a picture and {} frames.",
+        with_commas(trust_limits.cells), with_commas(trust_limits.steps), trust_limits.cell_steps,
+        with_commas(trust_limits.samples), with_commas(trust_limits.frames)));
 }
 
 namespace fs = std::filesystem;
@@ -86,14 +98,28 @@ FigureMetadata figure_texts(const fs::path& picture) {
     return read_figure_metadata(read_input_file(picture), picture.string());
 }
 
+/// All runs of a figure together may ask for as much as one may.
+void check_work(const FigureRuns& runs, const std::string& figure) {
+    double work = 0.0;
+    for (const StoredRun& run : runs.all()) work += run.work;
+    if (work <= trust_limits.cell_steps) return;
+    throw InputError(
+        fmt::format("{}: its runs take {:.3g} cell-steps, more than the {:g} allowed to "
+                    "figures of unknown origin; --trust lifts this limit",
+                    figure, work, trust_limits.cell_steps));
+}
+
 int figure_again(const AgainOptions& options, const FigureOrigin& origin) {
     const fs::path output = output_of(options, small_ending(options.picture));
     const PageFormat format = page_format(output);
     StatusLine status(options.work.verbosity);
     std::vector<fs::path> inputs;
-    FigureSources sources(origin.texts, origin.inputs, [&](const InputFile& input) {
-        return inputs.emplace_back(find_input(input, options.picture, "figure"));
-    });
+    FigureSources sources(
+        origin.texts, origin.inputs,
+        [&](const InputFile& input) {
+            return inputs.emplace_back(find_input(input, options.picture, "figure"));
+        },
+        options.trust);
     std::vector<std::string> settings = origin.settings;
     settings.insert(settings.end(), options.work.settings.begin(), options.work.settings.end());
     FigureRuns runs;
@@ -105,6 +131,7 @@ int figure_again(const AgainOptions& options, const FigureOrigin& origin) {
     for (const InputFile& input : plan->inputs) inputs.emplace_back(input.path);
     claim_output(options, output, inputs);
     check_output_folder(kept, "the runs");
+    if (!options.trust) check_work(runs, options.picture);
     const std::vector<RunRecord> records = make_runs(runs, store, options.work, status);
     if (interrupting_signal() != 0) return tell_interrupted(status, records);
     if (const std::string missing = missing_run(*plan, runs, records); !missing.empty())
@@ -161,10 +188,19 @@ void compare_movies(const std::string& file, const Sha256& before, const AgainOp
     }
 }
 
+/// A run to a step, within what a picture of unknown origin may ask for.
+PreparedRun prepare(Scene scene, std::int64_t step, int threads) {
+    const EndAtOnce nothing_is_written;
+    PreparedScene prepared = prepare_scene(std::move(scene));
+    check_limits(prepared.scene, static_cast<std::int64_t>(prepared.initial.bed.size()), step);
+    return prepare_run(std::move(prepared), threads);
+}
+
 /// The movie alone, up to the frame with which the first one ended.
 int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& origin) {
-    PreparedRun prepared = prepare_run(std::move(scene), options.work.threads);
-    if (!origin.inputs.empty()) prepared.initial.inputs = origin.inputs;
+    PreparedRun prepared = prepare(std::move(scene), origin.step, options.work.threads);
+    if (!prepared.initial.inputs.empty() && !prepared.scene.set_on_command_line("bed.file"))
+        prepared.initial.inputs = origin.inputs;  // as they were named then
     PipelineOptions how{options.work.backend, options.work.threads};
     how.last_step = origin.step;
     const fs::path output = output_of(options, movie_ending.front());
@@ -179,12 +215,15 @@ int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& o
     if (outcome.error) std::rethrow_exception(outcome.error);
     if (outcome.signal != 0) return exit_status_of_signal(outcome.signal);
     compare_movies(output.string(), before, options, origin, progress);
+    const ImageSettings& image = prepared.scene.view.image;
+    if (const std::string text = padding_text(output.string(), outcome.movie, image); !text.empty())
+        progress.note(text);
     return 0;
 }
 
 int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& work,
                   const PictureOrigin& origin) {
-    PreparedRun prepared = prepare_run(std::move(scene), work.threads);
+    PreparedRun prepared = prepare(std::move(scene), origin.step, work.threads);
     const fs::path output = output_of(options, png_ending.front());
     claim_output(options, output, scene_files(prepared.scene));
     Progress progress(work.verbosity, static_cast<std::int64_t>(prepared.initial.bed.size()));
@@ -205,6 +244,20 @@ int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& w
     return 0;
 }
 
+/// Makes the scene's bed file the one that its metadata lists, as it lies now; a file given on the
+/// command line stays.
+void find_bed(Scene& scene, const PictureOrigin& origin, const std::string& picture) {
+    if (bed_kind(scene) != BedKind::file || scene.set_on_command_line("bed.file")) return;
+    const InputFile* input = find_by(origin.inputs, &InputFile::path, scene.bed.file);
+    if (input == nullptr) {
+        throw InputError(fmt::format(
+            "{}: its scene starts from {}, which its metadata does not list with its SHA-256; to "
+            "start from a file of your own, give it with --set bed.file=FILE",
+            picture, scene.bed.file));
+    }
+    scene.bed.file = find_input(*input, picture, origin.is_movie ? "movie" : "picture").string();
+}
+
 int perform(const AgainOptions& options) {
     const InterruptGuard guard;
     if (const FigureMetadata texts = figure_texts(options.picture); is_figure(texts))
@@ -216,12 +269,11 @@ int perform(const AgainOptions& options) {
     WorkOptions work = options.work;
     work.pinned = work.pinned || (origin.environment && origin.environment->pinned);
     prepare_drawing(work);
-    Scene scene = parse_scene(origin.scene, options.picture, "", options.work.settings);
-    if (!origin.inputs.empty()) {
-        scene.bed.file = find_input(origin.inputs.front(), options.picture,
-                                    origin.is_movie ? "movie" : "picture")
-                             .string();
-    }
+    Scene scene =
+        parse_scene({origin.scene, options.picture, "", options.trust, hashes_of(origin.inputs)},
+                    read_settings(options.work.settings));
+    check_limits(scene, 1, origin.step);
+    find_bed(scene, origin, options.picture);
     return origin.is_movie ? movie_again(std::move(scene), options, origin)
                            : picture_again(std::move(scene), options, work, origin);
 }

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/tell.h"
 #include "cli/command.h"
+#include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "paper/figure_plan.h"
 #include "run/prepared_run.h"
@@ -28,8 +29,9 @@ void declare(CLI::App& command, CheckOptions& options) {
 int perform(const CheckOptions& options) {
     int status = 0;
     FigureRuns runs;
-    for (const std::string& file : options.scenes) {
+    for (const std::string& given : options.scenes) {
         try {
+            const std::string file = scene_argument(given);
             const PreparedRun prepared = prepare_run(read_scene(file, options.settings), 1);
             if (!prepared.scene.figure.panels.empty()) {
                 FigureSources sources;

@@ -7,8 +7,11 @@
 #include <functional>
 
 #include "base/error.h"
-#include "base/nearest_name.h"
+#include "base/give_up.h"
 #include "cli/commands.h"
+#include "cli/usage.h"
+#include "run/build_identity.h"
+#include "run/terminal/interrupt.h"
 
 namespace fumon {
 
@@ -40,7 +43,8 @@ struct CommandLine {
 
     CommandLine() {
         app.footer(examples);
-        app.set_version_flag("--version", std::string("fumon " FUMON_VERSION));
+        app.set_version_flag("--version", fmt::format("fumon {} (sources {})", FUMON_VERSION,
+                                                      short_sources(this_build())));
         app.set_help_flag("-h,--help", "this help");
         app.require_subcommand(1);
         app.get_formatter()->column_width(34);
@@ -50,22 +54,6 @@ struct CommandLine {
         }
     }
 };
-
-[[noreturn]] void refuse_usage(const CommandLine& line, const std::vector<std::string>& arguments,
-                               const std::string& what) {
-    std::vector<std::string> commands;
-    for (const CLI::App* command : line.app.get_subcommands({}))
-        commands.push_back(command->get_name());
-    if (arguments.empty()) throw InputError("fumon: a command is missing; try `fumon --help`");
-    const std::string& first = arguments.front();
-    if (!first.starts_with("-") &&
-        std::find(commands.begin(), commands.end(), first) == commands.end()) {
-        throw InputError(
-            fmt::format("fumon: unknown command \"{}\"; {}", first, suggestion(first, commands)));
-    }
-    const std::string of = first.starts_with("-") ? "" : " " + first;
-    throw InputError(fmt::format("fumon{}: {}; try `fumon{} --help`", of, what, of));
-}
 
 void check_standard_output() {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
@@ -85,7 +73,9 @@ int run_command_line(const std::vector<std::string>& arguments) {
     } catch (const CLI::Success& help) {
         line.app.exit(help);
     } catch (const CLI::ParseError& fault) {
-        refuse_usage(line, arguments, fault.what());
+        throw InputError(usage_fault(line.app, arguments, fault));
+    } catch (const GivenUp&) {
+        status = exit_status_of_signal(interrupting_signal());
     }
     check_standard_output();
     return status;

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "cli/command.h"
+#include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "outputs/output_claims.h"
 #include "paper/figure_files.h"
@@ -64,7 +65,8 @@ struct PlannedFigure {
 bool plan_all(const FigureOptions& options, const RunStore& store,
               std::vector<PlannedFigure>& figures, FigureRuns& runs) {
     std::map<std::string, std::string> files;  // of names
-    for (const std::string& file : options.scenes) {
+    for (const std::string& given : options.scenes) {
+        const std::string file = scene_argument(given);
         PlannedFigure figure;
         auto plan = plan_figure(file, options.work.settings, figure.sources, runs, &store);
         if (!plan) return false;

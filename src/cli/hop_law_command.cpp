@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "cli/command.h"
+#include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "files/atomic_file.h"
 #include "hop_law/flight_table.h"
@@ -39,14 +40,13 @@ void declare(CLI::App& command, HopLawOptions& options) {
     command.add_option("-o,--output", options.output, "the sand scene to write")
         ->type_name("LAW.toml")
         ->required();
-    command
-        .add_option("--form", options.form,
-                    "of the law: exponential (default), linear, table or slope")
-        ->type_name("NAME")
-        ->check(CLI::IsMember({"exponential", "linear", "table", "slope"}).description(""));
-    command.add_option("--hops", options.hops, "hops in succession that count as one (default 1)")
-        ->type_name("N")
-        ->check(CLI::Range(1, 10000).description(""));
+    add_word(command, "--form", options.form, {"exponential", "linear", "table", "slope"},
+             "of the law: exponential (default), linear, table or slope")
+        ->type_name("NAME");
+    constexpr double most_hops = 10000;
+    add_number(command, "--hops", options.hops, 1, most_hops,
+               "hops in succession that count as one (default 1)")
+        ->type_name("N");
     command
         .add_option("--into", options.into,
                     "a sand scene of your own that gets the law (default: the ripples of "
@@ -92,8 +92,8 @@ int perform(const HopLawOptions& options) {
     check_ending(options.output, "a scene", scene_ending);
     if (!options.flights.empty()) check_ending(options.flights, "a table", table_ending);
     const SandSource sand = sand_source(options.into);
-    PreparedRun prepared =
-        prepare_run(read_scene(options.scene, options.work.settings), options.work.threads);
+    PreparedRun prepared = prepare_run(
+        read_scene(scene_argument(options.scene), options.work.settings), options.work.threads);
     const Airflow& air = airflow_of(prepared);
     claim_outputs(options, sand, prepared.scene);
 

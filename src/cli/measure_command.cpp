@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/limits.h"
 #include "base/tell.h"
 #include "cli/command.h"
 #include "cli/shared_options.h"
@@ -46,25 +47,25 @@ void declare(CLI::App& command, MeasureOptions& options) {
                         "avalanches.csv")
         ->required();
     command.add_flag("--json", options.as_json, "as JSON");
-    command
-        .add_option("--as", options.as,
-                    "bed, profile or pile (default: one row is a profile; a fields.nc shows "
-                    "whether it is water or a pile)")
-        ->type_name("KIND")
-        ->check(CLI::IsMember({"bed", "profile", "pile"}).description(""));
+    add_word(command, "--as", options.as, {"bed", "profile", "pile"},
+             "bed, profile or pile (default: one row is a profile; a fields.nc shows "
+             "whether it is water or a pile)")
+        ->type_name("KIND");
     command.add_flag("--open", options.open_edges,
                      "the bed ends at its edges (default: periodic, as in the sand models)");
     command.add_option("--drop", options.drop, "the cell on which a pile's grains fell")
         ->type_name("X Y")
         ->expected(2)
-        ->check(CLI::NonNegativeNumber.description(""));
+        ->check([](const std::string& text) {
+            return number_fault(text, true, 0, largest_grid_side - 1);
+        });
     auto* earlier = command
                         .add_option("--earlier", options.earlier,
                                     "a bed of the same run before this one: for celerity")
                         ->type_name("BED");
-    command.add_option("--steps", options.steps_between, "steps between the two beds")
+    add_number(command, "--steps", options.steps_between, 1, largest_step,
+               "steps between the two beds")
         ->type_name("N")
-        ->check(CLI::Range(1.0, 9e18).description(""))
         ->needs(earlier);
     command
         .add_option("--window", options.window,

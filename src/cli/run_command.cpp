@@ -10,6 +10,7 @@
 #include "base/number_text.h"
 #include "cli/command.h"
 #include "cli/commands.h"
+#include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "run/drawing.h"
 #include "run/manifest.h"
@@ -35,7 +36,8 @@ struct RunOptions {
 };
 
 void declare(CLI::App& command, RunOptions& options) {
-    command.add_option("SCENE", options.scene, "a scene file (TOML)");
+    command.add_option("SCENE", options.scene,
+                       "a scene file (TOML), or the name of one that fumon ships");
     auto* folder = command.add_option("-o,--output", options.folder, "the folder for the run")
                        ->type_name("DIR");
     auto* force = add_force(command, options.force,
@@ -47,11 +49,10 @@ void declare(CLI::App& command, RunOptions& options) {
         ->type_name("DIR")
         ->excludes(folder)
         ->excludes(force);
-    command
-        .add_option("--checkpoint-every", options.checkpoint_every,
-                    "minutes between checkpoints (default 10; 0: none)")
-        ->type_name("MINUTES")
-        ->check(CLI::Range(0.0, 1e6).description(""));
+    constexpr double most_minutes = 1e6;
+    add_number(command, "--checkpoint-every", options.checkpoint_every, 0, most_minutes,
+               "minutes between checkpoints (default 10; 0: none)")
+        ->type_name("MINUTES");
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
     command.footer(
@@ -71,13 +72,8 @@ void tell_the_end(const RunOutcome& outcome, const PreparedRun& prepared, const 
         timing.simulation_wall > 0.0 ? 1e-6 * cell_steps / timing.simulation_wall : 0.0,
         folder.path().string()));
     const ImageSettings& image = prepared.scene.view.image;
-    if (outcome.movie.frames > 0 &&
-        (outcome.movie.width != image.width || outcome.movie.height != image.height)) {
-        progress.note(fmt::format(
-            "movie.mp4 is {} x {}: H.264 needs even sides, so the edge of the {} x {} frames is "
-            "repeated",
-            outcome.movie.width, outcome.movie.height, image.width, image.height));
-    }
+    if (const std::string text = padding_text("movie.mp4", outcome.movie, image); !text.empty())
+        progress.note(text);
 }
 
 void tell_of_drawing(const DrawingRecord& now, const RunCheckpoint& former, Progress& progress) {
@@ -88,6 +84,14 @@ void tell_of_drawing(const DrawingRecord& now, const RunCheckpoint& former, Prog
         fmt::format("frames so far were drawn otherwise ({}): they may differ in single "
                     "pixels",
                     differs));
+}
+
+void tell_of_build(const BuildIdentity& then, Progress& progress) {
+    if (then.tools == this_build().tools) return;
+    progress.note(fmt::format(
+        "steps so far were computed by a fumon from the same sources built otherwise: {} then, "
+        "{} now",
+        then.tools, this_build().tools));
 }
 
 /// Makes a run that is prepared, in the folder; returns the exit status.
@@ -106,6 +110,7 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
         progress.note(fmt::format("goes on from step {} of {}",
                                   with_commas(former->checkpoint.step),
                                   with_commas(scene.run.steps)));
+        tell_of_build(former->checkpoint.build, progress);
     }
     const ManifestFacts facts{scene, prepared.initial, prepared.pool->size(),
                               planned_files(scene, options.checkpoint_every)};
@@ -157,8 +162,14 @@ int resume(const RunOptions& options) {
         if (std::filesystem::exists(folder.checkpoint())) folder.tidy();
         return 0;
     }
-    ResumedRun former = resume_run(folder, options.scene, options.work);
+    ResumedRun former = resume_run(folder, scene_argument(options.scene), options.work);
     return work(former.run, folder, options, &former);
+}
+
+PreparedRun prepare(const RunOptions& options) {
+    const EndAtOnce nothing_is_written;
+    return prepare_run(read_scene(scene_argument(options.scene), options.work.settings),
+                       options.work.threads);
 }
 
 int perform(const RunOptions& options) {
@@ -168,10 +179,9 @@ int perform(const RunOptions& options) {
     if (options.folder.empty()) throw InputError("fumon run: name a folder for the run with -o");
     RunFolder folder(options.folder, options.force);
     prepare_drawing(options.work);
-    PreparedRun prepared =
-        prepare_run(read_scene(options.scene, options.work.settings), options.work.threads);
+    PreparedRun prepared = prepare(options);
     std::vector<std::filesystem::path> inputs = scene_files(prepared.scene);
-    inputs.emplace_back(options.scene);
+    inputs.emplace_back(scene_argument(options.scene));
     folder.check(planned_files(prepared.scene, options.checkpoint_every), std::move(inputs));
     return work(prepared, folder, options, nullptr);
 }

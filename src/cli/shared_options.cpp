@@ -1,13 +1,49 @@
 #include "cli/shared_options.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+
 namespace fumon {
 
+std::string number_fault(const std::string& text, bool whole, double low, double high) {
+    const char* const end = text.data() + text.size();
+    double value = 0.0;
+    bool good = false;
+    if (whole) {
+        std::int64_t exact = 0;
+        const auto read = std::from_chars(text.data(), end, exact);
+        good = read.ec == std::errc{} && read.ptr == end;
+        value = static_cast<double>(exact);
+    } else {
+        const auto read = std::from_chars(text.data(), end, value);
+        good = read.ec == std::errc{} && read.ptr == end;
+    }
+    if (good && value >= low && value <= high) return {};
+    return fmt::format("it takes a {} from {:g} to {:g}, not \"{}\"",
+                       whole ? "whole number" : "number", low, high, text);
+}
+
+std::string word_fault(const std::string& text, const std::vector<std::string>& words) {
+    if (std::ranges::find(words, text) != words.end()) return {};
+    std::string list;
+    for (std::size_t n = 0; n < words.size(); ++n)
+        list += (n == 0 ? "" : n + 1 < words.size() ? ", " : " or ") + words[n];
+    return fmt::format("it takes {}, not \"{}\"", list, text);
+}
+
+CLI::Option* add_word(CLI::App& command, const char* name, std::string& value,
+                      const std::vector<std::string>& words, const char* help) {
+    return command.add_option(name, value, help)->check([words](const std::string& text) {
+        return word_fault(text, words);
+    });
+}
+
 void add_thread_options(CLI::App& command, WorkOptions& work) {
-    command
-        .add_option("--threads", work.threads,
-                    "threads to compute with (default: one per processor)")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1024).description(""));
+    constexpr double most_threads = 1024;
+    add_number(command, "--threads", work.threads, 1, most_threads,
+               "threads to compute with (default: one per processor)")
+        ->type_name("N");
     auto* quiet = command.add_flag_callback(
         "-q,--quiet", [&work] { work.verbosity = Verbosity::quiet; }, "print errors only");
     command

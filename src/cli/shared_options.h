@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "run/terminal/work_options.h"
@@ -33,6 +35,27 @@ CLI::Option* add_force(CLI::App& command, bool& force,
 
 /// --heights of a PNG terrain.
 void add_heights(CLI::App& command, std::string& heights);
+
+/// What is wrong with a text that should be a number from `low` to `high`; empty where nothing is.
+std::string number_fault(const std::string& text, bool whole, double low, double high);
+
+/// What is wrong with a text that should be one of some words; empty where nothing is.
+std::string word_fault(const std::string& text, const std::vector<std::string>& words);
+
+/// An option that takes a number from `low` to `high`, whole where `value` is.
+template <class Value>
+CLI::Option* add_number(CLI::App& command, const char* name, Value& value, double low, double high,
+                        const char* help) {
+    constexpr bool real =
+        std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>;
+    return command.add_option(name, value, help)->check([low, high](const std::string& text) {
+        return number_fault(text, !real, low, high);
+    });
+}
+
+/// An option that takes one of some words.
+CLI::Option* add_word(CLI::App& command, const char* name, std::string& value,
+                      const std::vector<std::string>& words, const char* help);
 
 /// An option that takes one of some words; `list` names them ("identical, same or close").
 template <class Value>

@@ -3,8 +3,10 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "base/limits.h"
 #include "cli/command.h"
 #include "cli/commands.h"
+#include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "files/terrain/terrain_format.h"
 #include "outputs/output_claims.h"
@@ -36,13 +38,12 @@ void declare(CLI::App& command, StillOptions& options) {
     command.add_option("-o,--output", options.output, "the picture (PNG)")
         ->type_name("FILE.png")
         ->required();
-    auto* step =
-        command.add_option("--step", options.step, "of which step (default: the run's last)")
-            ->type_name("N")
-            ->check(CLI::Range(0.0, 9e18).description(""));
-    command.add_option("--time", options.time, "of which time, in the model's unit")
+    auto* step = add_number(command, "--step", options.step, 0, largest_step,
+                            "of which step (default: the run's last)")
+                     ->type_name("N");
+    add_number(command, "--time", options.time, 0, largest_step,
+               "of which time, in the model's unit")
         ->type_name("T")
-        ->check(CLI::Range(0.0, 9e18).description(""))
         ->excludes(step);
     add_heights(command, options.heights);
     add_force(command, options.force);
@@ -56,8 +57,10 @@ void declare(CLI::App& command, StillOptions& options) {
 
 namespace fs = std::filesystem;
 
-bool is_scene(const std::string& path) {
-    return fs::path(path).extension() == ".toml";
+/// A file without an ending is no terrain, and may be the name of a scene that fumon ships.
+bool is_scene(const fs::path& file) {
+    std::error_code fault;
+    return file.extension() == ".toml" || (!file.has_extension() && !fs::exists(file, fault));
 }
 
 Scene scene_of(const StillOptions& options) {
@@ -67,7 +70,7 @@ Scene scene_of(const StillOptions& options) {
         throw InputError(
             "--heights belongs to a PNG terrain; in a scene write bed.heights = [low, high]");
     }
-    return read_scene(options.input, options.work.settings);
+    return read_scene(scene_argument(options.input), options.work.settings);
 }
 
 std::int64_t step_of(const StillOptions& options, const Scene& scene) {
@@ -81,11 +84,16 @@ std::int64_t step_of(const StillOptions& options, const Scene& scene) {
     return *options.step;
 }
 
+PreparedRun prepare(const StillOptions& options) {
+    const EndAtOnce nothing_is_written;
+    return prepare_run(scene_of(options), options.work.threads);
+}
+
 int perform(const StillOptions& options) {
     const InterruptGuard guard;
     check_ending(options.output, "a picture", png_ending);
     prepare_drawing(options.work);
-    PreparedRun prepared = prepare_run(scene_of(options), options.work.threads);
+    PreparedRun prepared = prepare(options);
     OutputClaims claims(options.force);
     claims.reads(options.input);
     claims.reads(scene_files(prepared.scene));

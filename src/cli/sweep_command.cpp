@@ -7,6 +7,7 @@
 #include "base/number_text.h"
 #include "cli/command.h"
 #include "cli/commands.h"
+#include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "run/terminal/interrupt.h"
 #include "sweep/sweep_folder.h"
@@ -73,8 +74,8 @@ int perform(const SweepOptions& options) {
     const InterruptGuard guard;
     StatusLine status(options.work.verbosity);
     const auto plan =
-        make_plan({read_scene_text(options.scene), read_settings(options.work.settings),
-                   options.over, "", options.seeds});
+        make_plan({read_scene_text(scene_argument(options.scene)),
+                   read_settings(options.work.settings), options.over, "", options.seeds});
     if (!plan) {
         status.note("stopped while the runs were being checked; nothing is written");
         return exit_status_of_signal(interrupting_signal());

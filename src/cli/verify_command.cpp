@@ -21,6 +21,10 @@ void declare(CLI::App& command, VerificationOptions& options) {
     command.add_flag("--update", options.update,
                      "record the pictures as they are now, and say what changed");
     add_force(command, options.force);
+    command.add_flag(
+        "--trust", options.trust,
+        "lift the limits on what baselines of unknown origin may ask for, and tell what is "
+        "wrong in files that they name");
     add_thread_options(command, options.work);
     add_drawing_options(command, options.work);
     command.footer(

@@ -123,8 +123,8 @@ AvalancheFile::AvalancheFile(const std::filesystem::path& file) : file_(file) {
     rows_.append(avalanche_table_header).push_back('\n');
 }
 
-AvalancheFile::AvalancheFile(const std::filesystem::path& file, std::int64_t length)
-    : file_(file, length) {}
+AvalancheFile::AvalancheFile(const std::filesystem::path& file, const FileBeginning& former)
+    : file_(file, former) {}
 
 void AvalancheFile::add(std::span<const Avalanche> avalanches) {
     constexpr std::size_t enough = 1 << 16;  // bytes; spares a system call for every grain
@@ -137,11 +137,10 @@ void AvalancheFile::add(std::span<const Avalanche> avalanches) {
     }
 }
 
-std::int64_t AvalancheFile::sync() {
+FileBeginning AvalancheFile::sync() {
     file_.write(rows_);
     rows_.clear();
-    file_.sync();
-    return file_.length();
+    return file_.sync();
 }
 
 void AvalancheFile::commit() {

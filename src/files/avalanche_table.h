@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/avalanche.h"
-#include "files/atomic_file.h"
+#include "files/appended_file.h"
 #include "files/text_source.h"
 
 namespace fumon {
@@ -23,15 +23,15 @@ class AvalancheFile {
   public:
     /// Throws Error when it cannot be made.
     explicit AvalancheFile(const std::filesystem::path& file);
-    /// Goes on with a former one after its first `length` bytes, as AtomicFile does.
-    AvalancheFile(const std::filesystem::path& file, std::int64_t length);
+    /// Goes on with a former one, as AppendedFile does.
+    AvalancheFile(const std::filesystem::path& file, const FileBeginning& former);
     void add(std::span<const Avalanche> avalanches);  ///< throws Error on a full disk
-    /// Puts all rows on disk; returns the file's length, bytes. Throws Error on failure.
-    std::int64_t sync();
+    /// Puts all rows on disk. Throws Error on failure.
+    [[nodiscard]] FileBeginning sync();
     void commit();  ///< throws Error on failure
 
   private:
-    AtomicFile file_;
+    AppendedFile file_;
     std::string rows_;  ///< not written yet
 };
 

@@ -24,7 +24,7 @@ namespace fumon {
 ///
 /// What the entries are is up to who carries them (run/run_checkpoint.h).
 inline constexpr std::string_view checkpoint_magic = "FUMONCKP";
-inline constexpr std::uint32_t checkpoint_format = 2;
+inline constexpr std::uint32_t checkpoint_format = 3;
 
 /// Writes one entry after the other, under a temporary name until commit(). Members throw Error on
 /// a full disk or any failed write.

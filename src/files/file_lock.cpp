@@ -1,7 +1,6 @@
 #include "files/file_lock.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "files/atomic_file.h"
+#include "files/lock_descriptor.h"
 
 namespace fumon {
 
@@ -30,8 +30,7 @@ FileLock::FileLock(std::filesystem::path file) : file_(std::move(file)) {
     const int descriptor =
         ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, everyone_may_read_and_write);
     if (descriptor < 0) refuse_to_write(file_, errno);
-    const bool taken = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    if (taken || !is_still_there(descriptor, file_)) {
+    if (!lock_descriptor(descriptor, file_) || !is_still_there(descriptor, file_)) {
         ::close(descriptor);
         return;
     }

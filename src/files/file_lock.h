@@ -5,7 +5,7 @@
 namespace fumon {
 
 /// A lock file, held until the object is destroyed, which deletes the file. On file systems without
-/// locks nothing is locked.
+/// locks nothing is locked, and standard error says so.
 class FileLock {
   public:
     /// Tries once. Throws Error where the file cannot be made.

@@ -2,19 +2,24 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
 
 #include "base/error.h"
+#include "files/atomic_file.h"
+#include "files/lock_descriptor.h"
 
 namespace fumon {
 
 FolderLock::FolderLock(const std::filesystem::path& folder)
     : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+    if (descriptor_ < 0) {
+        if (errno == EMFILE || errno == ENFILE) refuse_to_write(folder, errno);
+        tell_not_locked(folder, errno);
         return;
+    }
+    if (lock_descriptor(descriptor_, folder)) return;
     ::close(descriptor_);
     throw InputError(fmt::format(
         "another fumon is at work in {}; wait for it or name another folder", folder.string()));

@@ -8,8 +8,9 @@ namespace fumon {
 /// ends with it and leaves no file behind.
 class FolderLock {
   public:
-    /// Throws InputError if another program holds the lock. Some network file systems cannot lock
-    /// folders; there nothing is locked.
+    /// Throws InputError if another program holds the lock, Error if too many files are open. Some
+    /// network file systems cannot lock folders; there nothing is locked, and standard error says
+    /// so.
     explicit FolderLock(const std::filesystem::path& folder);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;

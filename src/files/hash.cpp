@@ -1,6 +1,8 @@
 #include "files/hash.h"
 
 #include <cstdint>
+#include <limits>
+#include <string_view>
 
 #include "files/input_file.h"
 
@@ -20,8 +22,17 @@ Sha256 text_hash(std::string_view text) {
     return hasher.finish();
 }
 
+Sha256 bytes_hash(std::span<const std::uint8_t> bytes) {
+    Sha256Stream hasher;
+    hasher.add(bytes.data(), bytes.size());
+    return hasher.finish();
+}
+
 Sha256 file_hash(const std::filesystem::path& file) {
-    return text_hash(read_input_file(file));
+    Sha256Stream hasher;
+    stream_input_file(file, std::numeric_limits<std::int64_t>::max(),
+                      [&](std::string_view bytes) { hasher.add(bytes.data(), bytes.size()); });
+    return hasher.finish();
 }
 
 std::string hex(const Sha256& hash) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,8 +16,10 @@ Sha256 pixel_hash(const Image& image);
 
 /// SHA-256 of a text's bytes.
 Sha256 text_hash(std::string_view text);
+/// SHA-256 of bytes.
+Sha256 bytes_hash(std::span<const std::uint8_t> bytes);
 
-/// SHA-256 of a file's bytes. Throws InputError when it cannot be read.
+/// SHA-256 of a file's bytes, however many. Throws as read_input_file otherwise.
 Sha256 file_hash(const std::filesystem::path& file);
 
 std::string hex(const Sha256& hash);

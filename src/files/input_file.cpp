@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstddef>
-#include <string_view>
+#include <span>
 #include <system_error>
+#include <vector>
 
 #include "base/error.h"
 
@@ -47,9 +47,9 @@ int open_to_read(const std::filesystem::path& file) {
     return descriptor;
 }
 
-std::string read_bytes(const std::filesystem::path& file, int descriptor, std::size_t count) {
+/// Fills `bytes` as far as the file goes; returns how many there were.
+std::size_t read_into(std::span<char> bytes, const std::filesystem::path& file, int descriptor) {
     constexpr std::size_t most_at_once = std::size_t{1} << 30;  // bytes; Linux reads at most 2 GiB
-    std::string bytes(count, '\0');
     std::size_t filled = 0;
     while (filled < bytes.size()) {
         const ssize_t got = ::read(descriptor, bytes.data() + filled,
@@ -59,7 +59,12 @@ std::string read_bytes(const std::filesystem::path& file, int descriptor, std::s
         if (got == 0) break;
         filled += static_cast<std::size_t>(got);
     }
-    bytes.resize(filled);
+    return filled;
+}
+
+std::string read_bytes(const std::filesystem::path& file, int descriptor, std::size_t count) {
+    std::string bytes(count, '\0');
+    bytes.resize(read_into(bytes, file, descriptor));
     return bytes;
 }
 
@@ -89,6 +94,22 @@ std::string read_input_file(const std::filesystem::path& file) {
                fmt::format("at most {} are read; cut out or coarsen the part you need",
                            largest_input_file));
     return read_bytes(file, input.number, size);
+}
+
+void stream_input_file(const std::filesystem::path& file, std::int64_t count,
+                       const std::function<void(std::string_view)>& take) {
+    constexpr std::int64_t block = std::int64_t{1} << 18;  // bytes
+    const Descriptor input(open_to_read(file));
+    size_of_regular_file(file, input.number);
+    std::vector<char> bytes(
+        static_cast<std::size_t>(std::min(block, std::max<std::int64_t>(count, 0))));
+    for (std::int64_t left = count; left > 0;) {
+        const auto wanted = static_cast<std::size_t>(std::min(block, left));
+        const std::size_t got = read_into(std::span(bytes).first(wanted), file, input.number);
+        take({bytes.data(), got});
+        if (got < wanted) return;
+        left -= static_cast<std::int64_t>(got);
+    }
 }
 
 std::string start_of_input_file(const std::filesystem::path& file, std::size_t count) {

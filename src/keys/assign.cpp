@@ -35,13 +35,29 @@ std::string number_text(const char* kind, const KeyNotes& notes) {
     return text;
 }
 
-std::string as_written(const toml::node& value) {
+/// As short as reads back to the same number: 0.1, not 0.10000000000000001.
+std::string toml_text(const toml::node& value) {
+    if (const auto* real = value.as_floating_point()) {
+        const std::string text = fmt::format("{}", real->get());
+        return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+    }
+    if (const auto* list = value.as_array()) {
+        std::string text;
+        for (const toml::node& item : *list) text += (text.empty() ? "" : ", ") + toml_text(item);
+        return "[" + text + "]";
+    }
     std::ostringstream text;
     text << toml::node_view<const toml::node>(value);
-    std::string line = text.str();
+    return text.str();
+}
+
+std::string as_written(const toml::node& value) {
+    std::string line = toml_text(value);
     constexpr std::size_t longest = 60;
-    if (line.size() > longest) line = line.substr(0, longest) + "…";
-    return line;
+    if (line.size() <= longest) return line;
+    std::size_t end = longest;
+    while ((static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;  // whole characters
+    return line.substr(0, end) + "…";
 }
 
 [[noreturn]] void refuse(const Key& key, const toml::node& value, const Locate& locate) {

@@ -15,7 +15,7 @@ struct Override {
 };
 
 /// The overrides of "key.path=VALUE" texts, placed as "--set N", or where they stand in a scene.
-/// Throws InputError for a text without a key.
+/// Throws InputError for the texts without a key.
 std::vector<Override> read_settings(const std::vector<std::string>& settings,
                                     const std::string& scene_place = {});
 

@@ -8,6 +8,11 @@ namespace fumon {
 struct WordOrReal {
     std::string word;  ///< empty: `value` counts
     double value = 0.0;
+    WordOrReal& operator=(double number) {
+        word.clear();
+        value = number;
+        return *this;
+    }
     [[nodiscard]] bool is_word() const { return !word.empty(); }
     friend bool operator==(const WordOrReal&, const WordOrReal&) = default;
 };

@@ -79,7 +79,7 @@ class Planner {
         try {
             return work();
         } catch (const InputError& refusal) {
-            refuse(key, refusal.what());
+            throw placed(plan_.scene.at(key), refusal);
         }
     }
 

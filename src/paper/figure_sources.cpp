@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "files/hash.h"
 #include "files/input_file.h"
+#include "scene/find_input.h"
 
 namespace fumon {
 
@@ -22,8 +22,8 @@ std::string name_of(const fs::path& file) {
 }  // namespace
 
 FigureSources::FigureSources(std::vector<SourceText> texts, std::vector<InputFile> inputs,
-                             FindInput find)
-    : again_(true), inputs_(std::move(inputs)), find_(std::move(find)) {
+                             FindInput find, bool trusted)
+    : again_(true), trusted_(trusted), inputs_(std::move(inputs)), find_(std::move(find)) {
     for (SourceText& text : texts) {
         const std::string name = text.path;
         texts_[name] = std::move(text);
@@ -43,7 +43,8 @@ const SourceText& FigureSources::text(const fs::path& file) {
 
 SceneText FigureSources::scene(const fs::path& file) {
     const SourceText& source = text(file);
-    return {source.text, source.path, fs::path(source.path).parent_path()};
+    return {source.text, source.path, fs::path(source.path).parent_path(), trusted_,
+            again_ ? hashes_of(inputs_) : nullptr};
 }
 
 std::vector<SourceText> FigureSources::all() const {
@@ -64,9 +65,8 @@ void FigureSources::find_bed(Scene& scene) const {
         }
     }
     const bool found_before =
-        fs::exists(name) &&
         std::any_of(inputs_.begin(), inputs_.end(),
-                    [&](const InputFile& input) { return input.hash == hex(file_hash(name)); });
+                    [&](const InputFile& input) { return has_hash(name, input.hash); });
     if (found_before) return;
     throw InputError(fmt::format("{}: is not among the files that the figure was made from", name));
 }

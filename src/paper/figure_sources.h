@@ -24,9 +24,11 @@ class FigureSources {
     /// Finds where an input lies now; throws InputError where it is not there or has changed.
     using FindInput = std::function<std::filesystem::path(const InputFile&)>;
 
-    FigureSources() = default;
+    /// `trusted`: of all scenes, see Scene::trusted.
+    explicit FigureSources(bool trusted = true) : trusted_(trusted) {}
     /// Of a figure that is made again.
-    FigureSources(std::vector<SourceText> texts, std::vector<InputFile> inputs, FindInput find);
+    FigureSources(std::vector<SourceText> texts, std::vector<InputFile> inputs, FindInput find,
+                  bool trusted);
 
     /// The text of a scene or CSV file. Throws InputError where it cannot be read, or is not among
     /// the texts of the figure.
@@ -42,6 +44,7 @@ class FigureSources {
 
   private:
     bool again_ = false;
+    bool trusted_ = true;
     std::map<std::string, SourceText> texts_;
     std::vector<InputFile> inputs_;
     FindInput find_;

@@ -1,7 +1,6 @@
 #include "picture/baseline.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <limits>
@@ -15,6 +14,7 @@
 #include "files/input_file.h"
 #include "keys/assign.h"
 #include "keys/key_value.h"
+#include "keys/toml_text.h"
 #include "picture/fingerprint_text.h"
 
 namespace fumon {
@@ -68,10 +68,17 @@ class Reader {
     explicit Reader(const std::filesystem::path& file)
         : name_(file.string()), text_(read_input_file(file)) {
         baseline_.file = file;
+        const std::string stem = file.stem().string();
+        if (stem == "." || stem == "..") {
+            throw InputError(
+                fmt::format("{}: expected pictures are kept in a folder of this name without its "
+                            "ending, which would be \"{}\"; rename it",
+                            name_, stem));
+        }
     }
 
     Baseline read() {
-        const toml::table root = parse();
+        const toml::table root = parse_toml(text_, name_, "a baseline is TOML");
         const toml::table* cases = section(root, "cases");
         const toml::table* recorded = section(root, "recorded");
         BaselineCase common;
@@ -103,15 +110,6 @@ class Reader {
 
     [[nodiscard]] std::string locate(const toml::source_region& region) const {
         return fmt::format("{}:{}:{}", name_, region.begin.line, region.begin.column);
-    }
-
-    [[nodiscard]] toml::table parse() const {
-        try {
-            return toml::parse(text_, name_);
-        } catch (const toml::parse_error& fault) {
-            throw InputError(fmt::format("{}: {}; a baseline is TOML", locate(fault.source()),
-                                         fault.description()));
-        }
     }
 
     [[nodiscard]] const toml::table* section(const toml::table& root, std::string_view name) const {

@@ -7,7 +7,6 @@
 #include <bit>
 #include <cerrno>
 #include <string_view>
-#include <system_error>
 
 #include "base/error.h"
 #include "files/input_file.h"
@@ -17,7 +16,8 @@ namespace fumon {
 namespace {
 
 constexpr std::size_t number_bytes = sizeof(std::uint64_t);
-constexpr std::size_t record_bytes = 2 * number_bytes + std::tuple_size_v<Sha256>;
+constexpr std::size_t hash_bytes = std::tuple_size_v<Sha256>;
+constexpr std::size_t record_bytes = 2 * number_bytes + 2 * hash_bytes;
 using FrameBytes = std::array<char, record_bytes>;
 
 void put_number(std::uint64_t number, char* bytes) {
@@ -32,11 +32,20 @@ std::uint64_t number_at(const char* bytes) {
     return number;
 }
 
+Sha256 hash_at(const char* bytes) {
+    Sha256 hash{};
+    std::transform(bytes, bytes + hash_bytes, hash.begin(),
+                   [](char byte) { return static_cast<std::uint8_t>(byte); });
+    return hash;
+}
+
 FrameBytes bytes_of_frame(const FrameRecord& frame) {
     FrameBytes bytes{};
     put_number(static_cast<std::uint64_t>(frame.step), bytes.data());
     put_number(std::bit_cast<std::uint64_t>(frame.time), bytes.data() + number_bytes);
-    std::copy(frame.pixels.begin(), frame.pixels.end(), bytes.data() + 2 * number_bytes);
+    char* pixels = bytes.data() + 2 * number_bytes;
+    std::copy(frame.pixels.begin(), frame.pixels.end(), pixels);
+    std::copy(frame.file.begin(), frame.file.end(), pixels + hash_bytes);
     return bytes;
 }
 
@@ -44,22 +53,27 @@ FrameRecord frame_of_bytes(const FrameBytes& bytes) {
     FrameRecord frame;
     frame.step = static_cast<std::int64_t>(number_at(bytes.data()));
     frame.time = std::bit_cast<double>(number_at(bytes.data() + number_bytes));
-    std::transform(bytes.data() + 2 * number_bytes, bytes.data() + record_bytes,
-                   frame.pixels.begin(), [](char byte) { return static_cast<std::uint8_t>(byte); });
+    const char* pixels = bytes.data() + 2 * number_bytes;
+    frame.pixels = hash_at(pixels);
+    frame.file = hash_at(pixels + hash_bytes);
     return frame;
+}
+
+FileBeginning beginning_of(const FrameCount& counted) {
+    return {counted.frames * static_cast<std::int64_t>(record_bytes), counted.hash};
 }
 
 }  // namespace
 
-FrameList::FrameList(const std::optional<std::filesystem::path>& file, std::int64_t frames) {
+FrameList::FrameList(const std::optional<std::filesystem::path>& file, const FrameCount& former) {
     if (!file) return;
-    if (frames == 0) {
+    if (former.frames == 0) {
         file_.emplace(*file);
         return;
     }
-    file_.emplace(*file, frames * static_cast<std::int64_t>(record_bytes));
-    FrameListReader former(*file);
-    for (std::int64_t k = 0; k < frames; ++k) count(former.next());
+    file_.emplace(*file, beginning_of(former));
+    FrameListReader frames(*file);
+    while (frames_ < former.frames) count(frames.next());
 }
 
 void FrameList::add(const FrameRecord& frame) {
@@ -71,16 +85,15 @@ void FrameList::add(const FrameRecord& frame) {
 }
 
 void FrameList::count(const FrameRecord& frame) {
-    const FrameBytes bytes = bytes_of_frame(frame);
-    records_.add(bytes.data(), bytes.size());
     pixels_.add(frame.pixels.data(), frame.pixels.size());
     last_step_ = frame.step;
     ++frames_;
 }
 
 FrameCount FrameList::sync() {
-    if (file_) file_->sync();
-    return {frames_, records_.so_far()};
+    FrameCount counted{frames_};
+    if (file_) counted.hash = file_->sync().hash;
+    return counted;
 }
 
 void FrameList::commit() {
@@ -89,14 +102,15 @@ void FrameList::commit() {
 }
 
 FrameListReader::FrameListReader(const std::filesystem::path& file)
-    : file_(file), bytes_(temporary_name(file), std::ios::binary) {
-    if (!bytes_) bytes_.open(file, std::ios::binary);
+    : file_(left_name(file)), bytes_(file_, std::ios::binary) {
+    if (!bytes_.is_open()) reason_ = errno;
 }
 
 FrameRecord FrameListReader::next() {
     FrameBytes bytes{};
     if (!bytes_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
         if (bytes_.bad()) refuse_to_read(file_, EIO);
+        if (reason_ != 0 && reason_ != ENOENT) refuse_to_read(file_, reason_);
         throw InputError(
             fmt::format("{}: the list of the run's frames ends after {}; bring it back, or run the "
                         "scene from its start with --force",
@@ -107,19 +121,8 @@ FrameRecord FrameListReader::next() {
     return frame;
 }
 
-void check_frame_list(const std::filesystem::path& file, const FrameCount& counted) {
-    if (counted.frames == 0) return;
-    FrameListReader frames(file);
-    Sha256Stream records;
-    for (std::int64_t k = 0; k < counted.frames; ++k) {
-        const FrameBytes bytes = bytes_of_frame(frames.next());
-        records.add(bytes.data(), bytes.size());
-    }
-    if (records.finish() == counted.hash) return;
-    throw InputError(
-        fmt::format("{}: is damaged; take an untouched copy of it, or run the scene from its start "
-                    "with --force",
-                    file.string()));
+std::string difference(const std::filesystem::path& file, const FrameCount& counted) {
+    return counted.frames == 0 ? "" : difference(file, beginning_of(counted));
 }
 
 }  // namespace fumon

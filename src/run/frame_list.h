@@ -4,9 +4,10 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <string>
 
 #include "base/sha256.h"
-#include "files/atomic_file.h"
+#include "files/appended_file.h"
 
 namespace fumon {
 
@@ -16,23 +17,25 @@ struct FrameRecord {
     std::int64_t step = 0;
     double time = 0.0;
     Sha256 pixels{};
+    Sha256 file{};  ///< of its PNG file's bytes; zeros where there is none
 };
 
 /// How far a list of frames has come.
 struct FrameCount {
     std::int64_t frames = 0;
-    Sha256 hash{};  ///< SHA-256 of their records
+    Sha256 hash{};  ///< SHA-256 of their records, where they are listed in a file
 };
 
 /// The frames that a run has written, in their order. Their records go to a file, so that memory
-/// does not grow with their number: 48 bytes each, the step (int64), the time (float64) and the
-/// pixels' SHA-256, numbers little-endian.
+/// does not grow with their number: 80 bytes each, the step (int64), the time (float64), the
+/// SHA-256 of the pixels and that of the PNG file, numbers little-endian.
 class FrameList {
   public:
-    /// Without a file frames are only counted and hashed. Goes on behind the first `frames` of a
-    /// former program's file. Throws InputError where it has not so many, Error where the file
-    /// cannot be made or written.
-    explicit FrameList(const std::optional<std::filesystem::path>& file, std::int64_t frames = 0);
+    /// Without a file frames are only counted. Goes on behind the `former` ones in the file of a
+    /// program that was stopped. Throws InputError where they are not there or have changed, Error
+    /// where the file cannot be made or written.
+    explicit FrameList(const std::optional<std::filesystem::path>& file,
+                       const FrameCount& former = {});
 
     /// Throws Error on a full disk or any failed write.
     void add(const FrameRecord& frame);
@@ -51,10 +54,9 @@ class FrameList {
   private:
     void count(const FrameRecord& frame);
 
-    std::optional<AtomicFile> file_;
+    std::optional<AppendedFile> file_;
     std::int64_t frames_ = 0;
     std::int64_t last_step_ = 0;
-    Sha256Stream records_;
     Sha256Stream pixels_;
 };
 
@@ -69,10 +71,12 @@ class FrameListReader {
   private:
     std::filesystem::path file_;
     std::ifstream bytes_;
+    int reason_ = 0;  ///< why the file could not be opened, an errno value
     std::int64_t frames_ = 0;
 };
 
-/// Throws InputError where the first frames of a list's file are not those that were counted.
-void check_frame_list(const std::filesystem::path& file, const FrameCount& counted);
+/// Why the first frames of a list's file are not those that were counted; empty where they are. As
+/// `difference` of files/appended_file.h.
+std::string difference(const std::filesystem::path& file, const FrameCount& counted);
 
 }  // namespace fumon

@@ -8,6 +8,7 @@
 #include "base/thread_clock.h"
 #include "files/atomic_file.h"
 #include "files/terrain/terrain_format.h"
+#include "run/build_identity.h"
 #include "run/frame_list.h"
 #include "scene/json.h"
 
@@ -22,6 +23,7 @@ Json manifest_head(const ManifestFacts& facts, const std::string& status,
     const InitialBed& initial = facts.initial;
     Json json;
     json["fumon"] = FUMON_VERSION;
+    json["sources_sha256"] = this_build().sources;
     json["status"] = status;
     json["title"] = facts.scene.title;
     json["model"] = facts.scene.model.name;
@@ -105,7 +107,8 @@ void write_final_manifest(const RunFolder& folder, const ManifestFacts& facts,
     if (outcome.error) json["error"] = error_text(outcome.error);
     json["steps_done"] = outcome.steps_done;
     json["time"] = outcome.time;
-    if (!outcome.error) json["state_sha256"] = hex(outcome.state);
+    if (!outcome.error && !outcome.gave_up) json["state_sha256"] = hex(outcome.state);
+    if (!outcome.doubt.empty()) json["implausible"] = outcome.doubt;
     if (!outcome.resumed_at.empty()) json["resumed_at_steps"] = outcome.resumed_at;
     if (outcome.checkpoint && status_of(outcome) != "complete") {
         json["checkpoint"] = {{"step", *outcome.checkpoint},
@@ -124,10 +127,11 @@ void write_final_manifest(const RunFolder& folder, const ManifestFacts& facts,
                          {"frames_per_second", facts.scene.output.movie_rate}};
     }
     json["beds"] = Json::array();
-    for (const std::int64_t step : outcome.bed_steps) {
+    for (const BedRecord& bed : outcome.beds) {
         for (const std::string& name : facts.scene.output.bed_format) {
             const std::string_view ending = find_written_format(name)->endings.front();
-            json["beds"].push_back({{"step", step}, {"file", RunFolder::bed_name(step, ending)}});
+            json["beds"].push_back(
+                {{"step", bed.step}, {"file", RunFolder::bed_name(bed.step, ending)}});
         }
     }
     json["performance"] = performance(facts, outcome);

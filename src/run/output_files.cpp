@@ -16,8 +16,12 @@ FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Pi
                         const PictureFacts& facts) {
     const Snapshot& snapshot = *picture.snapshot;
     const Sha256 pixels = pixel_hash(*picture.image);
+    Sha256 written{};
     const auto write = [&](const std::filesystem::path& file, const PictureText& texts) {
-        write_file(file, encode_png(*picture.image, facts.scene.view.image.dots_per_inch, texts));
+        const std::vector<std::uint8_t> bytes =
+            encode_png(*picture.image, facts.scene.view.image.dots_per_inch, texts);
+        written = bytes_hash(bytes);
+        write_file(file, bytes);
     };
     if (parts.frames) {
         write(folder->frame(picture.number),
@@ -25,7 +29,7 @@ FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Pi
                            facts.environment));
     }
     if (parts.movie_frames) write(folder->movie_frame(picture.number), {});
-    return {picture.number, snapshot.step, snapshot.time, pixels};
+    return {picture.number, snapshot.step, snapshot.time, pixels, written};
 }
 
 Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameRecord& frame) {
@@ -39,10 +43,14 @@ Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameReco
                     file.string()));
 }
 
-void write_bed(const RunFolder& folder, const Snapshot& snapshot,
-               const std::vector<std::string>& formats) {
-    for (const TerrainBytes& file : bed_files(snapshot, formats))
+BedRecord write_bed(const RunFolder& folder, const Snapshot& snapshot,
+                    const std::vector<std::string>& formats) {
+    BedRecord bed{snapshot.step, {}};
+    for (const TerrainBytes& file : bed_files(snapshot, formats)) {
+        bed.files.push_back({file.ending, text_hash(file.bytes)});
         write_file(folder.bed(snapshot.step, file.ending), file.bytes);
+    }
+    return bed;
 }
 
 void put_on_disk(const RunFolder& folder, const RunParts& parts, const RunOutcome& outcome) {
@@ -51,8 +59,8 @@ void put_on_disk(const RunFolder& folder, const RunParts& parts, const RunOutcom
             sync_file(folder.frame(frame));
         sync_folder_of(folder.frame(0));
     }
-    for (const std::int64_t step : outcome.bed_steps) {
-        for (const auto& bed : folder.beds(step)) sync_file(bed);
+    for (const BedRecord& bed : outcome.beds) {
+        for (const BedRecord::File& file : bed.files) sync_file(folder.bed(bed.step, file.ending));
     }
     if (parts.beds) sync_folder_of(folder.bed(0, ""));
     const RecordPaths records = folder.records();

@@ -7,9 +7,9 @@
 
 #include "base/image.h"
 #include "picture/environment.h"
-#include "run/frame_list.h"
 #include "run/run_folder.h"
 #include "run/stepper.h"
+#include "run/written_outputs.h"
 #include "scene/initial_bed.h"
 #include "scene/scene.h"
 
@@ -42,8 +42,8 @@ Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameReco
 
 /// Writes the bed of a snapshot in terrain formats of these names, in metres where there are
 /// metres. Throws Error.
-void write_bed(const RunFolder& folder, const Snapshot& snapshot,
-               const std::vector<std::string>& formats);
+BedRecord write_bed(const RunFolder& folder, const Snapshot& snapshot,
+                    const std::vector<std::string>& formats);
 
 /// Puts all that a complete run has written on disk, before its manifest says that it is complete.
 /// Throws Error.

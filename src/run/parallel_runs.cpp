@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "base/error.h"
+#include "base/give_up.h"
 #include "base/stopwatch.h"
 #include "base/thread_clock.h"
 #include "run/manifest.h"
@@ -102,6 +103,8 @@ class ParallelRuns {
         try {
             attempt = task.body(threads, record, work_done_);
             record.status = RunStatus::done;
+        } catch (const GivenUp&) {
+            attempt = Attempt::interrupted;
         } catch (...) {
             record.status = RunStatus::failed;
             record.wall_seconds = watch.seconds();

@@ -5,8 +5,10 @@
 #include <charconv>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "base/error.h"
+#include "files/input_file.h"
 #include "picture/movie.h"
 #include "scene/json.h"
 #include "scene/write.h"
@@ -96,8 +98,19 @@ PictureText movie_text(const std::string& resolved, const Scene& scene,
 }
 
 PictureOrigin read_origin(const std::filesystem::path& picture) {
+    constexpr std::string_view png = "\x89PNG";
     std::map<std::string, std::string> texts;
     const bool movie = is_movie(picture);
+    if (!movie && start_of_input_file(picture, png.size()) != png) {
+        const std::string what =
+            picture.extension() == ".toml"
+                ? fmt::format("; `fumon run {} -o DIR` runs a scene", picture.string())
+                : "";
+        throw InputError(
+            fmt::format("{}: is no picture; fumon again takes a PNG, MP4, PDF or SVG that fumon "
+                        "made{}",
+                        picture.string(), what));
+    }
     for (auto& [keyword, text] : movie ? read_movie_texts(picture) : read_png_texts(picture))
         texts[keyword] = std::move(text);
     for (const char* keyword : {scene_keyword, step_keyword, inputs_keyword}) {

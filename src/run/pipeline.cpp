@@ -1,9 +1,12 @@
 #include "run/pipeline.h"
 
+#include <fmt/format.h>
+
 #include <future>
 #include <memory>
 #include <utility>
 
+#include "base/give_up.h"
 #include "base/stopwatch.h"
 #include "base/thread_clock.h"
 #include "base/worker_pool.h"
@@ -50,17 +53,17 @@ class Pipeline {
           last_step_(options.last_step.value_or(scene.run.steps)),
           resolved_(resolved_scene(scene, inputs)),
           first_(options.former != nullptr ? options.former->first : model.snapshot()),
-          written_(options.former != nullptr ? options.former->checkpoint.bed_steps
-                                             : std::vector<std::int64_t>{}) {
+          written_(options.former != nullptr ? options.former->checkpoint.beds
+                                             : std::vector<BedRecord>{}) {
         if (options.former == nullptr) return;
         const RunCheckpoint& former = options.former->checkpoint;
-        frames_before_ = former.frames.frames;
+        former_frames_ = former.frames;
         outcome_.steps_before = former.step;
         outcome_.resumed_at = former.resumed_at;
         outcome_.resumed_at.push_back(former.step);
         outcome_.checkpoint = former.step;
         progress.steps_done = former.step;
-        progress.frames_done = frames_before_;
+        progress.frames_done = former_frames_.frames;
     }
 
     RunOutcome run(const std::function<void(const DrawingRecord&)>& started) {
@@ -74,7 +77,7 @@ class Pipeline {
             throw;
         }
         if (pictures_ && folder_ != nullptr)
-            stages_.guard([this] { written_.list_frames(folder_->frame_list(), frames_before_); });
+            stages_.guard([this] { written_.list_frames(folder_->frame_list(), former_frames_); });
         progress_.expect(last_step_, pictures_ ? frame_schedule(scene_).count() : 0);
         stages_.start("fumon-simulate", [this] { simulate(); });
         if (pictures_) stages_.start("fumon-encode", [this] { write_frames(); });
@@ -84,9 +87,10 @@ class Pipeline {
         stages_.guard([this] { written_.frames().commit(); });
 
         outcome_.error = stages_.error();
-        if (outcome_.steps_done < last_step_) outcome_.signal = interrupting_signal();
+        if (outcome_.steps_done < last_step_ || outcome_.gave_up)
+            outcome_.signal = interrupting_signal();
         outcome_.frames = written_.frames().frames();
-        outcome_.bed_steps = written_.bed_steps();
+        outcome_.beds = written_.beds();
         Timing& timing = outcome_.timing;
         timing.wall = wall.seconds();
         timing.encoding_wall = frames_wall_ + movie_wall_;
@@ -104,8 +108,14 @@ class Pipeline {
             recorder = make_recorder();
             if (options_.former != nullptr) recorder->carry(options_.former->measured);
             const bool at_end = advance(*recorder) == 0;
-            if (!at_end) check_finite(model_.snapshot());
-            outcome_.state = state_hash(model_);
+            if (!at_end && !outcome_.gave_up) check_finite(model_.snapshot());
+            if (!outcome_.gave_up) {
+                outcome_.state = state_hash(model_);
+                outcome_.doubt = model_.doubt();
+                if (!outcome_.doubt.empty()) stages_.tell("implausible: " + outcome_.doubt);
+            }
+        } catch (const GivenUp&) {
+            outcome_.gave_up = true;
         } catch (...) {  // what was made before goes its way: the later stages drain their queues
             stages_.keep(std::current_exception());
         }
@@ -135,13 +145,15 @@ class Pipeline {
                                           written_.send_frame();
                                   });
         CountedSteps count(progress_);
-        std::vector<StepObserver*> observers{&recorder, &beds, &frames, &count};
+        ToldDoubt doubt([this](const std::string& line) { stages_.tell("implausible: " + line); });
+        std::vector<StepObserver*> observers{&recorder, &beds, &frames, &doubt};
         std::optional<Checkpointer> checkpoints;
         if (folder_ != nullptr && clock_.on()) {
             checkpoints.emplace(*folder_, parts_, clock_, checkpoint_facts(), written_, recorder,
                                 [this](const std::string& line) { stages_.tell(line); });
             observers.push_back(&*checkpoints);
         }
+        observers.push_back(&count);
         Stepper stepper(model_, observers, options_.former != nullptr);
         const struct Ended {
             RunOutcome& outcome;
@@ -149,6 +161,7 @@ class Pipeline {
             const std::optional<Checkpointer>& checkpoints;
             ~Ended() {
                 outcome.timing.simulation_wall = stepper.seconds();
+                outcome.gave_up = stepper.gave_up();
                 if (checkpoints && checkpoints->last()) outcome.checkpoint = checkpoints->last();
             }
         } ended{outcome_, stepper, checkpoints};
@@ -168,13 +181,14 @@ class Pipeline {
             ready.set_exception(std::current_exception());
             return;
         }
-        std::int64_t number = frames_before_;
+        std::int64_t number = former_frames_.frames;
         while (const auto frame = to_draw_.pop()) {
             const Stopwatch watch;
             const Picture picture{
                 number++, frame->snapshot,
                 std::make_shared<const Image>(painter->paint(*frame->snapshot, frame->rows))};
             outcome_.timing.rendering_wall += watch.seconds();
+            progress_.seconds_of_frames += watch.seconds();
             if (!to_frames_.push(picture)) break;
             if (movie_ && !to_movie_.push(picture)) break;
         }
@@ -200,9 +214,9 @@ class Pipeline {
                     static_cast<int>(scene_.view.image.height), output.movie_rate,
                     static_cast<int>(output.movie_quality));
         std::int64_t frames = 0;
-        if (frames_before_ > 0) {
+        if (former_frames_.frames > 0) {
             FrameListReader former(folder_->frame_list());
-            for (; frames < frames_before_; ++frames)
+            for (; frames < former_frames_.frames; ++frames)
                 movie.add(read_frame(*folder_, parts_, former.next()));
         }
         while (const auto picture = to_movie_.pop()) {
@@ -223,8 +237,7 @@ class Pipeline {
 
     void write_beds() {
         while (const auto snapshot = to_beds_.pop()) {
-            write_bed(*folder_, **snapshot, scene_.output.bed_format);
-            written_.add_bed((*snapshot)->step);
+            written_.add_bed(write_bed(*folder_, **snapshot, scene_.output.bed_format));
         }
     }
 
@@ -283,8 +296,8 @@ class Pipeline {
     Snapshot first_;
     WrittenOutputs written_;
     RunOutcome outcome_;
-    std::int64_t frames_before_ = 0;  ///< of a former run
-    double frames_wall_ = 0.0;        // of two threads, added up at the end
+    FrameCount former_frames_;
+    double frames_wall_ = 0.0;  // of two threads, added up at the end
     double movie_wall_ = 0.0;
 
     BoundedQueue<Frame> to_draw_{items_in_a_queue};
@@ -301,6 +314,15 @@ RunOutputs outputs_in(RunFolder& folder, const Scene& scene) {
     RunOutputs outputs{&folder};
     if (scene.output.movie) outputs.movie = folder.movie();
     return outputs;
+}
+
+std::string padding_text(const std::string& file, const MovieRecord& movie,
+                         const ImageSettings& frames) {
+    if (movie.frames == 0 || (movie.width == frames.width && movie.height == frames.height))
+        return {};
+    return fmt::format(
+        "{} is {} x {}: H.264 needs even sides, so the edge of the {} x {} frames is repeated",
+        file, movie.width, movie.height, frames.width, frames.height);
 }
 
 RunOutcome run_pipeline(Model& model, const Scene& scene, const std::vector<InputFile>& inputs,

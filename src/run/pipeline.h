@@ -45,16 +45,18 @@ struct RunOutcome {
     std::int64_t steps_done = 0;
     double time = 0.0;
     std::int64_t frames = 0;  ///< their records stand in the folder's list of frames
-    std::vector<std::int64_t> bed_steps;
+    std::vector<BedRecord> beds;
     Recorded recorded;
     MovieRecord movie;
     DrawingRecord drawing;
     Sha256 state{};
+    std::string doubt;  ///< the model's, of its last state
     Timing timing;
     std::int64_t steps_before = 0;           ///< done before it was gone on with
     std::vector<std::int64_t> resumed_at;    ///< steps from which it was gone on with
     std::optional<std::int64_t> checkpoint;  ///< the step of the last one that was written
     int signal = 0;                          ///< that stopped the run early, or 0
+    bool gave_up = false;                    ///< it did so within a step: there is no state
     std::exception_ptr error;                ///< the first, or none
 };
 
@@ -78,6 +80,10 @@ struct RunOutputs {
     RunFolder* folder = nullptr;  ///< of frames, beds, records and checkpoints
     std::optional<std::filesystem::path> movie{};
 };
+
+/// One line on a movie that is larger than its frames; empty where it is not, or was not made.
+std::string padding_text(const std::string& file, const MovieRecord& movie,
+                         const ImageSettings& frames);
 
 /// A folder for all outputs that a scene wants.
 RunOutputs outputs_in(RunFolder& folder, const Scene& scene);

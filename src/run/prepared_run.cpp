@@ -9,6 +9,7 @@
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
 #include "render/view/water.h"
+#include "scene/faults.h"
 #include "scene/overlay_keys.h"
 
 namespace fumon {
@@ -102,10 +103,10 @@ PreparedScene prepare_scene(Scene scene) {
 }
 
 void check_shown(const Scene& scene, const Snapshot& first) {
-    check_marking(scene, first);
-    check_colouring(scene, first);
-    check_section(scene, first);
-    check_overlays(scene, first);
+    Faults faults(scene.source);
+    for (const auto check : {check_marking, check_colouring, check_section, check_overlays})
+        faults.attempt([&] { check(scene, first); });
+    faults.report();
 }
 
 PreparedRun prepare_run(PreparedScene prepared, int threads) {

@@ -40,9 +40,10 @@ Recorder::Recorder(const Scene& scene, const Snapshot& first, Recording recordin
     }
     if (former) {
         const RecordPositions& at = *former;
-        if (at.avalanches >= 0) avalanches_.emplace(paths_.avalanches, at.avalanches);
-        if (at.measurements >= 0) measurements_.emplace(paths_.measurements, at.measurements);
-        if (at.fields >= 0) fields_.emplace(paths_.fields, first, text_, at.fields);
+        if (at.avalanches.length >= 0) avalanches_.emplace(paths_.avalanches, at.avalanches);
+        if (at.measurements.length >= 0)
+            measurements_.emplace(paths_.measurements, at.measurements);
+        if (at.fields.records >= 0) fields_.emplace(paths_.fields, first, text_, at.fields);
         return;
     }
     if (!tabulates) return;
@@ -86,15 +87,9 @@ void Recorder::record_fields(const Snapshot& snapshot) {
 
 RecordPositions Recorder::sync() {
     RecordPositions at;
-    if (measurements_) {
-        measurements_->sync();
-        at.measurements = measurements_->length();
-    }
+    if (measurements_) at.measurements = measurements_->sync();
     if (avalanches_) at.avalanches = avalanches_->sync();
-    if (fields_) {
-        fields_->sync();
-        at.fields = fields_->records();
-    }
+    if (fields_) at.fields = fields_->sync();
     return at;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/snapshot.h"
-#include "files/atomic_file.h"
+#include "files/appended_file.h"
 #include "files/avalanche_table.h"
 #include "files/netcdf/netcdf_fields.h"
 #include "measure/measured_rows.h"
@@ -24,11 +24,11 @@ struct RecordPaths {
     std::filesystem::path fields;
 };
 
-/// How long a recorder's files were when a checkpoint was made; −1: there was no file.
+/// How far a recorder's files were when a checkpoint was made, and what they held.
 struct RecordPositions {
-    std::int64_t measurements = -1;  ///< bytes
-    std::int64_t avalanches = -1;    ///< bytes
-    std::int64_t fields = -1;        ///< records
+    FileBeginning measurements;
+    FileBeginning avalanches;
+    FieldsBeginning fields;
 };
 
 /// What a recorder has written: the files that exist under their final names.
@@ -99,7 +99,7 @@ class Recorder : public StepObserver {
     bool lists_avalanches_ = false;
     MeasureSuite suite_;
     RowGatherer plotted_;
-    std::optional<AtomicFile> measurements_;
+    std::optional<AppendedFile> measurements_;
     std::optional<AvalancheFile> avalanches_;
     std::optional<FieldsFile> fields_;
     Recorded recorded_;

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "base/error.h"
+#include "files/hash.h"
 #include "picture/environment.h"
 #include "run/drawing.h"
 #include "run/pipeline.h"
@@ -17,12 +19,21 @@ namespace fumon {
 
 namespace {
 
-void check_version(const RunCheckpoint& checkpoint, const std::string& file) {
-    if (checkpoint.version == FUMON_VERSION) return;
+namespace fs = std::filesystem;
+
+/// Another compiler and other flags give the same results; other sources may not.
+void check_program(const RunCheckpoint& checkpoint, const std::string& file) {
+    std::string then = checkpoint.version;
+    std::string now = FUMON_VERSION;
+    if (then == now && checkpoint.build.sources == this_build().sources) return;
+    if (then == now) {
+        then += fmt::format(" from sources {}", short_sources(checkpoint.build));
+        now = fmt::format("from sources {}", short_sources(this_build()));
+    }
     throw InputError(
-        fmt::format("{}: was written by fumon {}, this is {}; go on with that version, or run the "
+        fmt::format("{}: was written by fumon {}, this is {}; go on with that one, or run the "
                     "scene from its start with --force",
-                    file, checkpoint.version, FUMON_VERSION));
+                    file, then, now));
 }
 
 /// `now` is the scene that is asked for.
@@ -46,17 +57,90 @@ void check_inputs(const std::vector<InputFile>& now, const RunCheckpoint& checkp
         file));
 }
 
-void check_frames(const RunFolder& folder, const Scene& scene, const RunCheckpoint& checkpoint) {
-    check_frame_list(folder.frame_list(), checkpoint.frames);
-    for (std::int64_t number = 0; number < checkpoint.frames.frames; ++number) {
-        const auto file = scene.output.frames ? folder.frame(number) : folder.movie_frame(number);
-        std::error_code fault;
-        if (std::filesystem::is_regular_file(file, fault)) continue;
-        throw InputError(fmt::format(
-            "{}: is not there, but the checkpoint counts it; bring it back, or run the scene from "
-            "its start with --force",
-            file.string()));
+/// Compares what a run left with what its checkpoint counts.
+class LeftOutputs {
+  public:
+    LeftOutputs(const RunFolder& folder, const RunCheckpoint& checkpoint)
+        : folder_(folder), checkpoint_(checkpoint) {}
+
+    void check_records(const Snapshot& first) {
+        const RecordPaths files = folder_.records();
+        const RecordPositions& records = checkpoint_.records;
+        check_table(files.measurements, records.measurements);
+        check_table(files.avalanches, records.avalanches);
+        if (records.fields.records >= 0) {
+            const auto [left, differs] = difference(files.fields, first, records.fields);
+            note(left, differs);
+        }
     }
+
+    void check_beds() {
+        for (const BedRecord& bed : checkpoint_.beds) {
+            for (const BedRecord::File& file : bed.files)
+                check_whole(folder_.bed(bed.step, file.ending), file.hash);
+        }
+    }
+
+    void check_frames(bool as_frames) {
+        const std::string differs = difference(folder_.frame_list(), checkpoint_.frames);
+        if (checkpoint_.frames.frames > 0) note(left_name(folder_.frame_list()), differs);
+        if (checkpoint_.frames.frames == 0 || !differs.empty()) return;
+        FrameListReader frames(folder_.frame_list());
+        for (std::int64_t number = 0; number < checkpoint_.frames.frames; ++number) {
+            check_whole(as_frames ? folder_.frame(number) : folder_.movie_frame(number),
+                        frames.next().file);
+        }
+    }
+
+    /// Throws InputError where anything differs.
+    void finish() const {
+        if (first_.empty()) return;
+        throw InputError(fmt::format(
+            "{}{}; bring it back as it was, or run the scene from its start with --force", first_,
+            others_ == 0 ? ""
+                         : fmt::format(" (and {} more {})", others_,
+                                       others_ == 1 ? "file differs" : "files differ")));
+    }
+
+  private:
+    void check_table(const fs::path& file, const FileBeginning& table) {
+        if (table.length >= 0) note(left_name(file), difference(file, table));
+    }
+
+    void check_whole(const fs::path& file, const Sha256& hash) {
+        std::error_code fault;
+        if (!fs::exists(file, fault)) {
+            note(file, "is not there");
+        } else if (!fs::is_regular_file(file, fault)) {
+            note(file, "is no file");
+        } else if (file_hash(file) != hash) {
+            note(file, "has changed since it was written");
+        }
+    }
+
+    void note(const fs::path& file, const std::string& differs) {
+        if (differs.empty()) return;
+        if (!first_.empty()) {
+            ++others_;
+        } else {
+            first_ = fmt::format("{}: {}", file.string(), differs);
+        }
+    }
+
+    const RunFolder& folder_;
+    const RunCheckpoint& checkpoint_;
+    std::string first_;
+    int others_ = 0;
+};
+
+/// What a resumed run cannot make again must be as it was.
+void check_outputs(const RunFolder& folder, const Scene& scene, const RunCheckpoint& checkpoint,
+                   const Snapshot& first) {
+    LeftOutputs outputs(folder, checkpoint);
+    outputs.check_records(first);
+    outputs.check_beds();
+    outputs.check_frames(scene.output.frames);
+    outputs.finish();
 }
 
 }  // namespace
@@ -68,7 +152,7 @@ ResumedRun resume_run(const RunFolder& folder, const std::string& asked,
     resumed.rest = open_checkpoint(folder.checkpoint());
     RunCheckpoint& checkpoint = resumed.checkpoint;
     checkpoint.carry(*resumed.rest);
-    check_version(checkpoint, file);
+    check_program(checkpoint, file);
     WorkOptions work = options;
     work.pinned = work.pinned || parse_environment(checkpoint.drawing).pinned;
     prepare_drawing(work);
@@ -81,12 +165,12 @@ ResumedRun resume_run(const RunFolder& folder, const std::string& asked,
     run = prepare_run(std::move(scene), options.threads);
     check_scene(run.scene, checkpoint, file);
     check_inputs(run.initial.inputs, checkpoint, file);
-    check_frames(folder, run.scene, checkpoint);
     if (!checkpoint.inputs.empty()) {  // as the run's pictures name them
         run.initial.inputs = checkpoint.inputs;
         run.scene.bed.file = checkpoint.inputs.front().path;
     }
     resumed.first = run.model->snapshot();
+    check_outputs(folder, run.scene, checkpoint, resumed.first);
     run.model->carry(*resumed.rest);
     if (run.model->steps_done() != checkpoint.step)
         resumed.rest->refuse("its model stands at another step");

@@ -21,9 +21,9 @@ struct ResumedRun {
 };
 
 /// Restores the run of a folder that was entered. Throws InputError, with nothing changed, if the
-/// checkpoint is damaged or of another version of fumon, if `asked` (with its settings) is not the
-/// run's scene, if a file that the scene reads has changed, or if frames that the checkpoint counts
-/// are missing.
+/// checkpoint is damaged or of a fumon made from other sources, if `asked` (with its settings) is
+/// not the run's scene, if a file that the scene reads has changed, or if a table, bed, frame or
+/// the fields that the checkpoint counts are not there as the run wrote them.
 ResumedRun resume_run(const RunFolder& folder, const std::string& asked,
                       const WorkOptions& options);
 

@@ -14,39 +14,65 @@ namespace fumon {
 
 namespace {
 
-void carry_inputs(std::vector<InputFile>& inputs, StateCarrier& carrier) {
-    auto count = static_cast<std::int64_t>(inputs.size());
-    constexpr std::int64_t most = 1000;
-    carrier.count("inputs", count);
-    if (count > most) carrier.refuse("it has too many inputs");
-    inputs.resize(static_cast<std::size_t>(count));
-    for (InputFile& input : inputs) {
-        carrier.text("input_path", input.path);
-        carrier.text("input_sha256", input.hash);
+void carry_hash(const std::string& name, Sha256& hash, StateCarrier& carrier) {
+    std::string bytes(hash.begin(), hash.end());
+    carrier.text(name, bytes);
+    if (bytes.size() != hash.size()) carrier.refuse(fmt::format("its {} is no SHA-256", name));
+    std::copy(bytes.begin(), bytes.end(), hash.begin());
+}
+
+void carry_table(const std::string& name, FileBeginning& table, StateCarrier& carrier) {
+    carrier.value(name + "_bytes", table.length);
+    carry_hash(name + "_sha256", table.hash, carrier);
+}
+
+/// A list whose memory grows only as far as there are entries.
+template <class Entry, class CarryEntry>
+void carry_entries(const std::string& name, std::vector<Entry>& entries, StateCarrier& carrier,
+                   const CarryEntry& carry_entry) {
+    auto count = static_cast<std::int64_t>(entries.size());
+    carrier.count(name, count);
+    entries.resize(std::min(entries.size(), static_cast<std::size_t>(count)));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        if (i == entries.size()) entries.emplace_back();
+        carry_entry(entries[i]);
     }
 }
 
-void carry_count(FrameCount& count, StateCarrier& carrier) {
-    carrier.count("frames", count.frames);
-    std::string hash(count.hash.begin(), count.hash.end());
-    carrier.text("frames_sha256", hash);
-    if (hash.size() != count.hash.size()) carrier.refuse("the hash of its frames is no SHA-256");
-    std::copy(hash.begin(), hash.end(), count.hash.begin());
+void carry_inputs(std::vector<InputFile>& inputs, StateCarrier& carrier) {
+    carry_entries("inputs", inputs, carrier, [&](InputFile& input) {
+        carrier.text("input_path", input.path);
+        carrier.text("input_sha256", input.hash);
+    });
+}
+
+void carry_beds(std::vector<BedRecord>& beds, StateCarrier& carrier) {
+    carry_entries("beds", beds, carrier, [&](BedRecord& bed) {
+        carrier.count("bed_step", bed.step);
+        carry_entries("bed_files", bed.files, carrier, [&](BedRecord::File& file) {
+            carrier.text("bed_ending", file.ending);
+            carry_hash("bed_sha256", file.hash, carrier);
+        });
+    });
 }
 
 }  // namespace
 
 void RunCheckpoint::carry(StateCarrier& carrier) {
     carrier.text("fumon", version);
+    carrier.text("sources", build.sources);
+    carrier.text("tools", build.tools);
     carrier.text("scene", scene);
     carry_inputs(inputs, carrier);
     carrier.text("drawing", drawing);
     carrier.count("step", step);
-    carrier.value("measurements_bytes", records.measurements);
-    carrier.value("avalanches_bytes", records.avalanches);
-    carrier.value("fields_records", records.fields);
-    carry_count(frames, carrier);
-    carrier.list("bed_steps", bed_steps);
+    carry_table("measurements", records.measurements, carrier);
+    carry_table("avalanches", records.avalanches, carrier);
+    carrier.value("fields_records", records.fields.records);
+    carry_hash("fields_sha256", records.fields.hash, carrier);
+    carrier.count("frames", frames.frames);
+    carry_hash("frames_sha256", frames.hash, carrier);
+    carry_beds(beds, carrier);
     carrier.list("resumed_at", resumed_at);
 }
 
@@ -62,7 +88,7 @@ Checkpointer::Checkpointer(const RunFolder& folder, const RunParts& parts,
       recorder_(recorder),
       tell_(std::move(tell)),
       frames_on_disk_(written.frames().frames()),
-      beds_on_disk_(written.bed_steps().size()) {}
+      beds_on_disk_(written.beds().size()) {}
 
 void Checkpointer::before_step(Model& model, bool interrupted) {
     if (!clock_.on() || !(interrupted || clock_.due())) return;
@@ -84,9 +110,10 @@ void Checkpointer::write(Model& model) {
     } ended{clock_};
     put_on_disk();
     now_.version = FUMON_VERSION;
+    now_.build = this_build();
     now_.step = model.steps_done();
     now_.frames = written_.frames().sync();
-    now_.bed_steps = written_.bed_steps();
+    now_.beds = written_.beds();
     now_.records = recorder_.sync();
     CheckpointWriter writer(folder_.checkpoint());
     now_.carry(writer);
@@ -106,8 +133,9 @@ void Checkpointer::put_on_disk() {
         if (parts_.frames) sync_file(folder_.frame(frames_on_disk_));
         if (parts_.movie_frames) sync_file(folder_.movie_frame(frames_on_disk_));
     }
-    for (; beds_on_disk_ < written_.bed_steps().size(); ++beds_on_disk_) {
-        for (const auto& bed : folder_.beds(written_.bed_steps()[beds_on_disk_])) sync_file(bed);
+    for (; beds_on_disk_ < written_.beds().size(); ++beds_on_disk_) {
+        const BedRecord& bed = written_.beds()[beds_on_disk_];
+        for (const BedRecord::File& file : bed.files) sync_file(folder_.bed(bed.step, file.ending));
     }
     if (parts_.frames) sync_folder_of(folder_.frame(0));
     if (parts_.movie_frames) sync_folder_of(folder_.movie_frame(0));

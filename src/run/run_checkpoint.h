@@ -9,6 +9,7 @@
 #include "base/state_carrier.h"
 #include "base/stopwatch.h"
 #include "models/shared/model.h"
+#include "run/build_identity.h"
 #include "run/frame_list.h"
 #include "run/recorder.h"
 #include "run/run_folder.h"
@@ -24,13 +25,14 @@ namespace fumon {
 /// and step.
 struct RunCheckpoint {
     std::string version;            ///< of the fumon that wrote it
+    BuildIdentity build;            ///< likewise
     std::string scene;              ///< resolved, as TOML: all that decides results and outputs
     std::vector<InputFile> inputs;  ///< what the scene reads
     std::string drawing;            ///< what drew the frames, in words
     std::int64_t step = 0;
     RecordPositions records;
-    FrameCount frames;  ///< their records stand in the list of frames
-    std::vector<std::int64_t> bed_steps;
+    FrameCount frames;  ///< their records, with their hashes, stand in the list of frames
+    std::vector<BedRecord> beds;
     std::vector<std::int64_t> resumed_at;  ///< steps from which the run was gone on with
 
     /// Throws as StateCarrier.

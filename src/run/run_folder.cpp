@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "files/input_file.h"
@@ -23,14 +24,6 @@ void remove_with_temporary(const fs::path& file) {
     std::error_code fault;
     fs::remove(file, fault);
     fs::remove(file.string() + ".part", fault);
-}
-
-/// Every ending that a file of a bed may have.
-std::vector<std::string> bed_endings() {
-    std::vector<std::string> endings;
-    for (const TerrainFormat& format : terrain_formats())
-        endings.insert(endings.end(), format.endings.begin(), format.endings.end());
-    return endings;
 }
 
 /// A link to a folder stays.
@@ -137,10 +130,10 @@ void RunFolder::enter() {
     }
     lock_.emplace(folder_);
     if (is_complete() || fs::exists(checkpoint(), fault)) return;
-    throw InputError(
-        fmt::format("{} holds a run that was stopped before its first checkpoint; run the scene "
-                    "from its start with --force",
-                    folder_.string()));
+    throw InputError(fmt::format(
+        "{}: is not there: the run was stopped before its first checkpoint, or the file "
+        "was taken away; run the scene from its start with --force",
+        checkpoint().string()));
 }
 
 bool RunFolder::is_complete() const {
@@ -150,9 +143,9 @@ bool RunFolder::is_complete() const {
 
 void RunFolder::go_on(const RunParts& parts, const RunCheckpoint& checkpoint) {
     const RecordPaths written = records();
-    if (checkpoint.records.measurements < 0) remove_with_temporary(written.measurements);
-    if (checkpoint.records.avalanches < 0) remove_with_temporary(written.avalanches);
-    if (checkpoint.records.fields < 0) {
+    if (checkpoint.records.measurements.length < 0) remove_with_temporary(written.measurements);
+    if (checkpoint.records.avalanches.length < 0) remove_with_temporary(written.avalanches);
+    if (checkpoint.records.fields.records < 0) {
         remove_with_temporary(written.fields);
         remove_fields_pieces(written.fields);
     }
@@ -185,15 +178,6 @@ void RunFolder::forget_frames() const {
 
 fs::path RunFolder::movie_frame(std::int64_t number) const {
     return folder_ / movie_frames / fmt::format("frame_{:06}.png", number);
-}
-
-std::vector<fs::path> RunFolder::beds(std::int64_t step) const {
-    std::vector<fs::path> files;
-    std::error_code fault;
-    for (const std::string& ending : bed_endings()) {
-        if (fs::exists(bed(step, ending), fault)) files.push_back(bed(step, ending));
-    }
-    return files;
 }
 
 std::string RunFolder::frame_name(std::int64_t number) {

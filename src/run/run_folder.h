@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "files/folder_lock.h"
 #include "run/recorder.h"
@@ -78,8 +77,6 @@ class RunFolder {
     [[nodiscard]] std::filesystem::path bed(std::int64_t step, std::string_view ending) const {
         return folder_ / bed_name(step, ending);
     }
-    /// The files there are of the bed of a step.
-    [[nodiscard]] std::vector<std::filesystem::path> beds(std::int64_t step) const;
     [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
 
     /// Names within the folder, as the manifest lists them.

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <utility>
 
+#include "base/stopwatch.h"
 #include "run/stepper.h"
 #include "run/terminal/progress.h"
 #include "scene/schedule.h"
@@ -24,27 +26,55 @@ class ScheduledSnapshots : public StepObserver {
     Receiver receiver_;
 };
 
-/// Tells a progress how many steps are done; another thread shows it.
+/// Tells a progress how many steps are done and how long they took; another thread shows it. It
+/// comes last of the observers, whose work before a step is no part of that.
 class CountedSteps : public StepObserver {
   public:
     explicit CountedSteps(Progress& progress) : progress_(progress) {}
-    void after_step(const Model& model) override { progress_.steps_done = model.steps_done(); }
+    void before_step(Model& /*model*/, bool /*interrupted*/) override { watch_ = {}; }
+    void after_step(const Model& model) override {
+        progress_.seconds_of_steps += watch_.seconds();
+        progress_.steps_done = model.steps_done();
+    }
 
   private:
     Progress& progress_;
+    Stopwatch watch_;
 };
 
 /// The same, and shows it.
 class ShownSteps : public StepObserver {
   public:
-    explicit ShownSteps(Progress& progress) : progress_(progress) {}
+    explicit ShownSteps(Progress& progress) : counted_(progress), progress_(progress) {}
+    void before_step(Model& model, bool interrupted) override {
+        counted_.before_step(model, interrupted);
+    }
     void after_step(const Model& model) override {
-        progress_.steps_done = model.steps_done();
+        counted_.after_step(model);
         progress_.show();
     }
 
   private:
+    CountedSteps counted_;
     Progress& progress_;
+};
+
+/// Tells the first doubt that a model has of its state.
+class ToldDoubt : public StepObserver {
+  public:
+    using Receiver = std::function<void(const std::string&)>;
+    explicit ToldDoubt(Receiver receiver) : receiver_(std::move(receiver)) {}
+    void after_step(const Model& model) override {
+        if (told_) return;
+        const std::string doubt = model.doubt();
+        if (doubt.empty()) return;
+        told_ = true;
+        receiver_(doubt);
+    }
+
+  private:
+    Receiver receiver_;
+    bool told_ = false;
 };
 
 }  // namespace fumon

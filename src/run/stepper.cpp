@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/give_up.h"
 #include "base/stopwatch.h"
 #include "models/shared/check_finite.h"
 #include "run/terminal/interrupt.h"
@@ -16,6 +17,15 @@ Stepper::Stepper(Model& model, std::vector<StepObserver*> observers, bool presen
     : model_(model), observers_(std::move(observers)), present_taken_(present_taken) {}
 
 int Stepper::advance(const RunEnd& end) {
+    try {
+        return advance_until(end);
+    } catch (const GivenUp&) {
+        gave_up_ = true;
+        return interrupting_signal();
+    }
+}
+
+int Stepper::advance_until(const RunEnd& end) {
     for (;;) {
         show_present();
         if (end(model_)) break;

@@ -2,9 +2,9 @@
 
 namespace fumon {
 
-void WrittenOutputs::list_frames(const std::filesystem::path& file, std::int64_t frames_before) {
-    frames_ = std::make_unique<FrameList>(file, frames_before);
-    frames_sent_ = frames_before;
+void WrittenOutputs::list_frames(const std::filesystem::path& file, const FrameCount& former) {
+    frames_ = std::make_unique<FrameList>(file, former);
+    frames_sent_ = former.frames;
 }
 
 void WrittenOutputs::send_frame() {
@@ -23,16 +23,16 @@ void WrittenOutputs::add_frame(const FrameRecord& frame) {
     written_.notify_all();
 }
 
-void WrittenOutputs::add_bed(std::int64_t step) {
+void WrittenOutputs::add_bed(BedRecord bed) {
     const std::lock_guard lock(mutex_);
-    bed_steps_.push_back(step);
+    beds_.push_back(std::move(bed));
     written_.notify_all();
 }
 
 bool WrittenOutputs::wait_for_all() {
     std::unique_lock lock(mutex_);
     written_.wait(lock, [this] {
-        return aborted_ || (frames_->frames() >= frames_sent_ && bed_steps_.size() >= beds_sent_);
+        return aborted_ || (frames_->frames() >= frames_sent_ && beds_.size() >= beds_sent_);
     });
     return !aborted_;
 }

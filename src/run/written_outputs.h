@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,22 +14,32 @@
 
 namespace fumon {
 
+/// A bed that a run has written.
+struct BedRecord {
+    struct File {
+        std::string ending;  ///< of its name, ".asc"
+        Sha256 hash{};       ///< of its bytes
+    };
+    std::int64_t step = 0;
+    std::vector<File> files;
+};
+
 /// The frames and beds of a run on their way: one thread sends them, others write them, and some
 /// wait until all that was sent is written.
 class WrittenOutputs {
   public:
-    /// Beds of these steps were written by a former run.
-    explicit WrittenOutputs(std::vector<std::int64_t> bed_steps)
-        : beds_sent_(bed_steps.size()), bed_steps_(std::move(bed_steps)) {}
+    /// `beds` were written by a former run.
+    explicit WrittenOutputs(std::vector<BedRecord> beds)
+        : beds_sent_(beds.size()), beds_(std::move(beds)) {}
 
-    /// Before anything is sent: lists the frames in a file, behind so many of a former run. Without
+    /// Before anything is sent: lists the frames in a file, behind those of a former run. Without
     /// it they are only counted. Throws as FrameList.
-    void list_frames(const std::filesystem::path& file, std::int64_t frames_before);
+    void list_frames(const std::filesystem::path& file, const FrameCount& former);
 
     void send_frame();
     void send_bed();
     void add_frame(const FrameRecord& frame);  ///< that is written; throws as FrameList
-    void add_bed(std::int64_t step);           ///< likewise
+    void add_bed(BedRecord bed);               ///< likewise
 
     /// Waits until all that was sent is written. False when aborted.
     [[nodiscard]] bool wait_for_all();
@@ -37,7 +48,7 @@ class WrittenOutputs {
 
     /// For threads that have waited, while nothing else is sent.
     [[nodiscard]] FrameList& frames() { return *frames_; }
-    [[nodiscard]] const std::vector<std::int64_t>& bed_steps() const { return bed_steps_; }
+    [[nodiscard]] const std::vector<BedRecord>& beds() const { return beds_; }
 
   private:
     std::mutex mutex_;
@@ -46,7 +57,7 @@ class WrittenOutputs {
     std::int64_t frames_sent_ = 0;
     std::size_t beds_sent_;
     std::unique_ptr<FrameList> frames_ = std::make_unique<FrameList>(std::nullopt);
-    std::vector<std::int64_t> bed_steps_;
+    std::vector<BedRecord> beds_;
 };
 
 }  // namespace fumon

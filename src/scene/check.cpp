@@ -14,6 +14,7 @@
 #include "files/terrain/terrain_format.h"
 #include "models/registry.h"
 #include "scene/initial_bed.h"
+#include "scene/palette_names.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -22,7 +23,7 @@ namespace {
 
 class FigureCheck {
   public:
-    explicit FigureCheck(const Scene& scene) : scene_(scene) {}
+    FigureCheck(const Scene& scene, Faults& faults) : scene_(scene), faults_(faults) {}
 
     void check() const {
         check_formats();
@@ -33,6 +34,7 @@ class FigureCheck {
                 refuse(path + ".inset",
                        "an inset stands in the panel before it; this is the first");
             check_place(panels[p], path);
+            check_keys_of_kind(panels[p], path);
             if (shown_by(panels[p].kind) == PanelShows::curves) {
                 check_plot(panels[p], path);
             } else {
@@ -42,8 +44,8 @@ class FigureCheck {
     }
 
   private:
-    [[noreturn]] void refuse(const std::string& key, const std::string& what) const {
-        throw InputError(place_of(key) + fmt::format("{}: {}", key, what));
+    void refuse(const std::string& key, const std::string& what) const {
+        faults_.add(InputError(place_of(key) + fmt::format("{}: {}", key, what)));
     }
 
     /// Where a key stands, else another key of its panel or curve.
@@ -84,23 +86,79 @@ class FigureCheck {
         }
     }
 
+    /// Refuses what a panel of this kind would not show.
+    void check_keys_of_kind(const PanelSettings& panel, const std::string& path) const {
+        using enum PanelKind;
+        const std::vector<PanelKind> plots{plot};
+        const std::vector<PanelKind> pictures{map, view, profile, time_space, section};
+        const std::vector<PanelKind> stepped{map, view, profile, section};
+        const std::vector<PanelKind> coloured{map, view, time_space, section};
+        const std::vector<PanelKind> maps{map};
+        const PanelSettings usual;
+        struct Asked {
+            const char* key;
+            bool given;  ///< otherwise than it is where nothing is said
+            const std::vector<PanelKind>& kinds;
+        };
+        const std::vector<PanelKind> along_rows{profile, time_space};
+        const std::vector<PanelKind> of_fields{map, time_space};
+        const std::vector<PanelKind> with_ground{map, view};
+        const std::vector<PanelKind> with_arrow{map, view, profile};
+        const std::vector<PanelKind> over_time{time_space};
+        const std::vector<PanelKind> sections{section};
+        const std::vector<Asked> all{
+            {"x_label", panel.x_label != usual.x_label, plots},
+            {"y_label", panel.y_label != usual.y_label, plots},
+            {"x_logarithmic", panel.x_logarithmic, plots},
+            {"y_logarithmic", panel.y_logarithmic, plots},
+            {"x_low", panel.x_low != usual.x_low, plots},
+            {"x_high", panel.x_high != usual.x_high, plots},
+            {"y_low", panel.y_low != usual.y_low, plots},
+            {"y_high", panel.y_high != usual.y_high, plots},
+            {"legend", panel.legend != usual.legend, plots},
+            {"scene", panel.scene != usual.scene, pictures},
+            {"set", panel.set != usual.set, pictures},
+            {"steps", panel.steps != usual.steps, stepped},
+            {"every", panel.every != usual.every, over_time},
+            {"row_of_bed", panel.row_of_bed != usual.row_of_bed, along_rows},
+            {"field", panel.field != usual.field, of_fields},
+            {"low", panel.low != usual.low, coloured},
+            {"high", panel.high != usual.high, coloured},
+            {"palette", panel.palette != usual.palette, coloured},
+            {"palette_reversed", panel.palette_reversed, coloured},
+            {"shading", panel.shading != usual.shading, maps},
+            {"shading_from_all_sides", panel.shading_from_all_sides, maps},
+            {"axes", panel.axes != usual.axes, maps},
+            {"vectors", panel.vectors, maps},
+            {"scale_bar", panel.scale_bar, with_ground},
+            {"arrow", panel.arrow != usual.arrow, with_arrow},
+            {"section", panel.section != usual.section, sections}};
+        for (const Asked& asked : all) {
+            if (!asked.given || std::ranges::find(asked.kinds, panel.kind) != asked.kinds.end())
+                continue;
+            refuse(fmt::format("{}.{}", path, asked.key),
+                   fmt::format("belongs to {}; a {} panel would not show it", names_of(asked.kinds),
+                               word_of(panel.kind)));
+        }
+    }
+
+    static std::string_view word_of(PanelKind kind) {
+        return panel_kinds[static_cast<std::size_t>(kind)].choice.word;
+    }
+
+    /// "map and view panels".
+    static std::string names_of(const std::vector<PanelKind>& kinds) {
+        std::string names;
+        for (std::size_t k = 0; k < kinds.size(); ++k) {
+            if (k > 0) names += k + 1 == kinds.size() ? " and " : ", ";
+            names += word_of(kinds[k]);
+        }
+        return names + " panels";
+    }
+
     void check_plot(const PanelSettings& panel, const std::string& path) const {
         if (panel.curves.empty() && panel.boxes.empty())
             refuse(path + ".kind", "the plot shows nothing; add [[figure.panel.curve]]");
-        const PanelSettings usual;
-        const std::array<std::pair<const char*, bool>, 6> of_pictures{
-            {{"scene", !panel.scene.empty()},
-             {"set", !panel.set.empty()},
-             {"steps", !panel.steps.empty()},
-             {"every", panel.every > 0},
-             {"field", panel.field != usual.field},
-             {"section", panel.section != usual.section}}};
-        for (const auto& [key, given] : of_pictures) {
-            if (given) {
-                refuse(fmt::format("{}.{}", path, key),
-                       "belongs to pictures; a plot's curves have keys of their own");
-            }
-        }
         check_range(panel.x_low, panel.x_high, path, "x", panel.x_logarithmic);
         check_range(panel.y_low, panel.y_high, path, "y", panel.y_logarithmic);
         for (std::size_t c = 0; c < panel.curves.size(); ++c)
@@ -178,36 +236,37 @@ class FigureCheck {
         const PanelShows shows = shown_by(panel.kind);
         if (shows == PanelShows::each_step && panel.row > 0 && panel.steps.size() > 1)
             refuse(path + ".row", "several steps are several panels; place them in reading order");
-        if (shows == PanelShows::whole_run && !panel.steps.empty())
-            refuse(path + ".steps", "a time-space panel shows the whole run; write every");
-        if (shows == PanelShows::each_step && !panel.row_of_bed.is_word())
-            refuse(path + ".row_of_bed", "belongs to profile and time-space panels");
     }
 
     const Scene& scene_;
+    Faults& faults_;
 };
 
-/// Checks the rules that involve several keys of a figure: what a panel of its kind must and cannot
-/// have, rising ranges, logarithmic axes above 0. Throws InputError located at the key to change.
-void check_figure(const Scene& scene) {
-    if (scene.figure.panels.empty()) return;
-    FigureCheck(scene).check();
-}
-
-[[noreturn]] void refuse(const Scene& scene, const std::string& key, const std::string& what) {
-    throw InputError(scene.at(key) + what);
+/// The rules that involve several keys of a figure: what a panel of its kind must and cannot have,
+/// rising ranges, logarithmic axes above 0.
+void check_figure(const Scene& scene, Faults& faults) {
+    if (!scene.figure.panels.empty()) FigureCheck(scene, faults).check();
 }
 
 bool written(const Scene& scene, const std::string& key) {
     return scene.locations.contains(key);
 }
 
+/// Adds faults located at a key.
+struct Refuse {
+    const Scene& scene;
+    Faults& faults;
+    void operator()(const std::string& key, const std::string& what) const {
+        faults.add(InputError(scene.at(key) + what));
+    }
+};
+
 /// What chooses a part of a terrain file and its cells.
-void check_raster_keys(const Scene& scene, bool from_file) {
+void check_raster_keys(const Scene& scene, bool from_file, const Refuse& refuse) {
     const BedSettings& bed = scene.bed;
     const auto belongs_to_file = [&](const char* key, bool given) {
         if (from_file || !given) return;
-        refuse(scene, key,
+        refuse(key,
                fmt::format("{} belongs to a terrain file; write bed.kind = \"file\" and bed.file",
                            key));
     };
@@ -215,128 +274,151 @@ void check_raster_keys(const Scene& scene, bool from_file) {
     belongs_to_file("bed.window", !bed.window.empty());
     belongs_to_file("bed.resample", bed.resample != 0.0);
     if (!bed.window.empty() && bed.window.size() != 4) {
-        refuse(scene, "bed.window",
+        refuse("bed.window",
                fmt::format("bed.window has {} number{}; it takes [west, south, east, north]",
                            bed.window.size(), bed.window.size() == 1 ? "" : "s"));
     }
     if (bed.window.size() == 4 && !(bed.window[0] < bed.window[2] && bed.window[1] < bed.window[3]))
-        refuse(scene, "bed.window",
-               "bed.window must rise both ways; write [west, south, east, north]");
+        refuse("bed.window", "bed.window must rise both ways; write [west, south, east, north]");
 }
 
-void check_bed_formats(const Scene& scene) {
+void check_bed_formats(const Scene& scene, Faults& faults) {
+    const Refuse refuse{scene, faults};
     const std::vector<std::string>& names = scene.output.bed_format;
     if (names.empty())
-        refuse(scene, "output.bed_format",
+        refuse("output.bed_format",
                fmt::format("output.bed_format is empty; take {}", written_terrain_formats()));
     for (std::size_t k = 0; k < names.size(); ++k) {
         const TerrainFormat* format = find_written_format(names[k]);
         if (format == nullptr) {
-            refuse(scene, "output.bed_format",
-                   fmt::format("output.bed_format has \"{}\"; it takes {}", names[k],
-                               written_terrain_formats()));
+            refuse("output.bed_format", fmt::format("output.bed_format has \"{}\"; it takes {}",
+                                                    names[k], written_terrain_formats()));
+            continue;
         }
         if (!format->lacks.empty()) {
-            refuse(scene, "output.bed_format",
+            refuse("output.bed_format",
                    fmt::format("this fumon was built without \"{}\"; {}", names[k], format->lacks));
         }
         if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(k), names[k]) !=
             names.begin() + static_cast<std::ptrdiff_t>(k))
-            refuse(scene, "output.bed_format",
+            refuse("output.bed_format",
                    fmt::format("output.bed_format has \"{}\" twice", names[k]));
     }
 }
 
-void check_bed(const Scene& scene) {
+void check_bed(const Scene& scene, Faults& faults) {
+    const Refuse refuse{scene, faults};
     const BedSettings& bed = scene.bed;
     const bool from_file = bed_kind(scene) == BedKind::file;
     if (from_file && bed.file.empty())
-        refuse(scene, "bed.kind", "bed.file is missing; name the terrain file");
+        refuse("bed.kind", "bed.file is missing; name the terrain file");
     if (!from_file && !bed.file.empty()) {
-        refuse(scene, "bed.file",
+        refuse("bed.file",
                "bed.file is given but not used; write bed.kind = \"file\" to start from it");
     }
     if (!from_file && !bed.heights.empty()) {
-        refuse(scene, "bed.heights",
-               "bed.heights belongs to a PNG bed; noise takes bed.low and bed.high");
+        refuse("bed.heights", "bed.heights belongs to a PNG bed; noise takes bed.low and bed.high");
     }
     if (!from_file && !bed.variable.empty()) {
-        refuse(scene, "bed.variable",
+        refuse("bed.variable",
                "bed.variable belongs to a NetCDF bed; write bed.kind = \"file\" and bed.file");
     }
+    if (!from_file && !bed.nodata_value.is_word()) {
+        refuse(
+            "bed.nodata_value",
+            "bed.nodata_value belongs to a terrain file; write bed.kind = \"file\" and bed.file");
+    }
     if (!from_file && bed.refine != 1) {
-        refuse(scene, "bed.refine",
+        refuse("bed.refine",
                "bed.refine belongs to a terrain file; elsewhere take larger grid.nx and grid.ny");
     }
-    check_raster_keys(scene, from_file);
+    check_raster_keys(scene, from_file, refuse);
     if (bed.heights.size() == 1)
-        refuse(scene, "bed.heights", "bed.heights has one number; it takes [low, high]");
+        refuse("bed.heights", "bed.heights has one number; it takes [low, high]");
     if (bed.heights.size() == 2 && !(bed.heights[0] < bed.heights[1])) {
-        refuse(scene, "bed.heights",
+        refuse("bed.heights",
                "bed.heights must rise; write [low, high], the heights of black and white");
     }
     if (bed_kind(scene) == BedKind::noise && bed.low > bed.high) {
-        refuse(scene, written(scene, "bed.high") ? "bed.high" : "bed.low",
+        refuse(written(scene, "bed.high") ? "bed.high" : "bed.low",
                fmt::format("bed.high ({}) is below bed.low ({}); noise is uniform in [low, high)",
                            bed.high, bed.low));
     }
     if (!from_file && scene.grid.nx * scene.grid.ny > largest_grid_cells) {
-        refuse(scene, written(scene, "grid.ny") ? "grid.ny" : "grid.nx",
+        refuse(written(scene, "grid.ny") ? "grid.ny" : "grid.nx",
                fmt::format("{} x {} cells are too many; at most {} in all", scene.grid.nx,
                            scene.grid.ny, largest_grid_cells));
     }
 }
 
-void check_frames(const Scene& scene) {
+void check_frames(const Scene& scene, Faults& faults) {
+    const Refuse refuse{scene, faults};
     const FrameSettings& frames = scene.frames;
     const int ways =
         (frames.every > 0 ? 1 : 0) + (frames.at.empty() ? 0 : 1) + (frames.logarithmic > 0 ? 1 : 0);
     if (ways > 1) {
         const char* second = frames.logarithmic > 0 ? "frames.logarithmic" : "frames.at";
         refuse(
-            scene, second,
+            second,
             "two ways to choose frames; keep one of frames.every, frames.at, frames.logarithmic");
     }
     const auto within_run = [&](const std::vector<std::int64_t>& steps, const std::string& key) {
-        for (const std::int64_t step : steps) {
-            if (step > scene.run.steps) {
-                refuse(scene, key,
-                       fmt::format("{} names step {}, after the run's end at {}; lengthen "
-                                   "run.steps or drop it",
-                                   key, step, scene.run.steps));
-            }
-        }
+        const auto late = std::find_if(steps.begin(), steps.end(),
+                                       [&](std::int64_t step) { return step > scene.run.steps; });
+        if (late == steps.end()) return;
+        refuse(key, fmt::format("{} names step {}, after the run's end at {}; lengthen "
+                                "run.steps or drop it",
+                                key, *late, scene.run.steps));
     };
     within_run(frames.at, "frames.at");
     within_run(scene.output.bed_at, "output.bed_at");
     within_run(scene.output.fields_at, "output.fields_at");
 }
 
-void check_look(const Scene& scene) {
+void check_look(const Scene& scene, Faults& faults) {
+    const Refuse refuse{scene, faults};
     const LookSettings& look = scene.view.look;
     if (!look.low.is_word() && !look.high.is_word() && !(look.low.value < look.high.value)) {
-        refuse(scene, "look.high",
-               fmt::format("look.high ({}) must be above look.low ({})", look.high.value,
-                           look.low.value));
+        refuse("look.high", fmt::format("look.high ({}) must be above look.low ({})",
+                                        look.high.value, look.low.value));
+    }
+    try {
+        check_palette_name(look.palette);
+    } catch (const InputError& unknown) {
+        faults.add(placed(scene.at("look.palette"), unknown));
     }
     if (scene.view.image.supersampling == 3) {
-        refuse(scene, "image.supersampling", "image.supersampling is 3; it takes 1, 2 or 4");
+        refuse("image.supersampling", "image.supersampling is 3; it takes 1, 2 or 4");
     }
 }
 
+void check_length(const Scene& scene, Faults& faults) {
+    const Refuse refuse{scene, faults};
+    if (find_model(scene.model.name)->landform == Landform::terrain || written(scene, "run.steps"))
+        return;
+    refuse("run.steps",
+           "run.steps is missing; say how long to run, for example [run] steps = 1000");
+}
+
+/// Some rules, and the sections that they read.
+struct Rules {
+    std::vector<const char*> sections;
+    void (*check)(const Scene& scene, Faults& faults);
+};
+
 }  // namespace
 
-void check_scene(const Scene& scene) {
-    if (find_model(scene.model.name)->landform != Landform::terrain &&
-        !written(scene, "run.steps")) {
-        refuse(scene, "run.steps",
-               "run.steps is missing; say how long to run, for example [run] steps = 1000");
+void check_scene(const Scene& scene, const std::set<std::string>& faulty, Faults& faults) {
+    const std::array all{
+        Rules{{"run"}, check_length},         Rules{{"grid", "bed"}, check_bed},
+        Rules{{"output"}, check_bed_formats}, Rules{{"frames", "run", "output"}, check_frames},
+        Rules{{"look", "image"}, check_look}, Rules{{"figure"}, check_figure}};
+    for (const Rules& rules : all) {
+        const bool sound =
+            std::none_of(rules.sections.begin(), rules.sections.end(),
+                         [&](const char* section) { return faulty.contains(section); });
+        if (sound) rules.check(scene, faults);
     }
-    check_bed(scene);
-    check_bed_formats(scene);
-    check_frames(scene);
-    check_look(scene);
-    check_figure(scene);
 }
 
 }  // namespace fumon

@@ -20,23 +20,29 @@ fs::path find_input(const InputFile& input, const fs::path& place, std::string_v
             if (folder == folder.parent_path()) break;
         }
     }
-    fs::path changed;
     for (const fs::path& candidate : candidates) {
-        std::error_code fault;
-        if (!fs::is_regular_file(candidate, fault)) continue;
-        if (hex(file_hash(candidate)) == input.hash) return candidate;
-        if (changed.empty()) changed = candidate;
-    }
-    if (!changed.empty()) {
-        throw InputError(fmt::format(
-            "{}: {} has changed since the {} was made (SHA-256 then {}…); bring the old "
-            "file back",
-            place.string(), changed.string(), what, input.hash.substr(0, 12)));
+        if (has_hash(candidate, input.hash)) return candidate;
     }
     throw InputError(
-        fmt::format("{}: {} (SHA-256 {}…), which the {} was made from, is not there; run this "
-                    "in the folder from which the path leads to it",
-                    place.string(), input.path, input.hash.substr(0, 12), what));
+        fmt::format("{}: {} as it was when the {} was made (SHA-256 {}…) is not there; bring it "
+                    "back, or run this in the folder from which the path leads to it",
+                    place.string(), input.path, what, input.hash.substr(0, 12)));
+}
+
+std::shared_ptr<const std::vector<std::string>> hashes_of(const std::vector<InputFile>& inputs) {
+    auto hashes = std::make_shared<std::vector<std::string>>();
+    for (const InputFile& input : inputs) hashes->push_back(input.hash);
+    return hashes;
+}
+
+bool has_hash(const fs::path& file, const std::string& hash) {
+    std::error_code fault;
+    if (!fs::is_regular_file(file, fault)) return false;
+    try {
+        return hex(file_hash(file)) == hash;
+    } catch (const Error&) {
+        return false;  // it cannot be read
+    }
 }
 
 }  // namespace fumon

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -11,6 +12,8 @@
 #include "files/hash.h"
 #include "files/terrain/terrain_file.h"
 #include "models/registry.h"
+#include "scene/find_input.h"
+#include "scene/trust.h"
 
 namespace fumon {
 
@@ -86,6 +89,65 @@ WorldScale scale_of(const Scene& scene, double file_dx, double file_dy) {
     return scale;
 }
 
+/// Takes the cells of height bed.nodata_value out of a terrain.
+void take_out_nodata_value(const Scene& scene, Terrain& terrain) {
+    const WordOrReal& value = scene.bed.nodata_value;
+    if (value.is_word()) return;
+    std::int64_t cells = 0;
+    const bool masked = !terrain.nodata.empty();
+    for (std::size_t cell = 0; cell < terrain.heights.size(); ++cell) {
+        double& height = terrain.heights.values()[cell];
+        if (height != value.value || (masked && terrain.nodata.values()[cell] != 0)) continue;
+        if (terrain.nodata.empty())
+            terrain.nodata = Mask(terrain.heights.nx(), terrain.heights.ny());
+        terrain.nodata.values()[cell] = 1;
+        height = 0.0;
+        ++cells;
+    }
+    if (cells == 0) {
+        throw InputError(
+            fmt::format("{}bed.nodata_value is {:g} m, but no cell of {} has that height; leave "
+                        "the key out",
+                        scene.at("bed.nodata_value"), value.value, scene.bed.file));
+    }
+    if (cells == static_cast<std::int64_t>(terrain.heights.size())) {
+        throw InputError(fmt::format("{}bed.nodata_value is {:g} m, the height of every cell of {}",
+                                     scene.at("bed.nodata_value"), value.value, scene.bed.file));
+    }
+}
+
+/// One line on heights that no ground has and no file has declared as no data; or empty.
+std::string heights_in_doubt(const Terrain& terrain) {
+    constexpr double beyond_all_ground = 3e4;  // m; the highest mountain known, on Mars, has 22 km
+    constexpr double customary = -9999.0;      // for no data
+    constexpr double far_below = 1000.0;       // m, from other ground
+    double lowest = beyond_all_ground;
+    for (std::size_t cell = 0; cell < terrain.heights.size(); ++cell) {
+        const double height = terrain.heights.values()[cell];
+        const bool known = terrain.nodata.empty() || terrain.nodata.values()[cell] == 0;
+        if (known && height > -beyond_all_ground && height != customary)
+            lowest = std::min(lowest, height);
+    }
+    std::int64_t cells = 0;
+    std::size_t first = 0;
+    for (std::size_t cell = 0; cell < terrain.heights.size(); ++cell) {
+        if (!terrain.nodata.empty() && terrain.nodata.values()[cell] != 0) continue;
+        const double height = terrain.heights.values()[cell];
+        const bool strange = std::abs(height) >= beyond_all_ground ||
+                             (height == customary && lowest - height > far_below);
+        if (!strange) continue;
+        if (cells == 0) first = cell;
+        ++cells;
+    }
+    if (cells == 0) return {};
+    const auto nx = static_cast<std::size_t>(terrain.heights.nx());
+    return fmt::format(
+        "{} of {} cells have heights that no ground has, the first {:g} m at cell ({}, {}): where "
+        "they stand for no data, say so by bed.nodata_value = {:g}",
+        cells, terrain.heights.size(), terrain.heights.values()[first], first % nx, first / nx,
+        terrain.heights.values()[first]);
+}
+
 void apply_nodata_rule(const Scene& scene, Terrain& terrain) {
     if (terrain.nodata.empty()) return;
     const WordOrReal& rule = scene.bed.nodata;
@@ -106,6 +168,7 @@ void refine(const Scene& scene, Terrain& terrain) {
     if (refinement == 1) return;
     const std::int64_t cells =
         static_cast<std::int64_t>(terrain.heights.size()) * refinement * refinement;
+    check_limits(scene, cells, 0);
     if (cells > largest_grid_cells) {
         throw InputError(fmt::format(
             "{}bed.refine is {}: {} x {} cells would become {}; at most {}", scene.at("bed.refine"),
@@ -143,6 +206,9 @@ void resample(const Scene& scene, Terrain& terrain, WorldScale& scale) {
                         "as grid.cell_size",
                         key, size, scene.bed.file));
     }
+    const double cells =
+        static_cast<double>(terrain.heights.size()) * (scale.dx / size) * (scale.dy / size);
+    check_limits(scene, static_cast<std::int64_t>(std::min(cells, 1e18)), 0);
     terrain = resampled(terrain, scale.dx, scale.dy, size, scene.bed.resample_method, key);
     if (height_follows_cells(scene)) scale.height_unit = size;
     scale.dx = size;
@@ -155,9 +221,40 @@ bool named_from_here(const Scene& scene) {
            scene.set_on_command_line("bed.file");
 }
 
+/// A scene from a picture's metadata opens no file that the metadata does not list.
+void check_listed(const Scene& scene, const std::filesystem::path& file) {
+    if (!scene.bed_hashes || scene.set_on_command_line("bed.file")) return;
+    const auto& hashes = *scene.bed_hashes;
+    if (std::ranges::any_of(hashes, [&](const auto& hash) { return has_hash(file, hash); })) return;
+    throw InputError(fmt::format(
+        "{}{} is not one of the files whose SHA-256 the metadata lists, or is not there as it was",
+        scene.at("bed.file"), file.string()));
+}
+
+InputError no_bed_in(const Scene& scene, const std::filesystem::path& file) {
+    return InputError(
+        fmt::format("{}{} is not there or is no bed that can be read; --trust says "
+                    "which",
+                    scene.at("bed.file"), file.string()));
+}
+
+/// The file as it is asked for. Where others named it, what is wrong with it tells nothing of what
+/// is in it, nor whether it is there.
+Terrain read_bed_file(const Scene& scene, const std::filesystem::path& file) {
+    try {
+        return read_terrain(file, query_of(scene.bed));
+    } catch (const InputError&) {
+        if (may_tell_of_bed(scene)) throw;
+        throw no_bed_in(scene, file);
+    }
+}
+
 InitialBed bed_from_file(const Scene& scene) {
     const std::filesystem::path file = bed_path(scene);
+    check_listed(scene, file);
     std::error_code fault;
+    if (!std::filesystem::exists(file, fault) && !may_tell_of_bed(scene))
+        throw no_bed_in(scene, file);
     if (!std::filesystem::exists(file, fault) && !scene.locations.contains("bed.file")) {
         throw InputError(fmt::format("{}: is not there; check the path", file.string()));
     }
@@ -167,7 +264,11 @@ InitialBed bed_from_file(const Scene& scene) {
                         scene.at("bed.file"), scene.bed.file, file.string(),
                         named_from_here(scene) ? "the working folder" : "the scene file"));
     }
-    Terrain terrain = read_terrain(file, query_of(scene.bed));
+    Terrain terrain = read_bed_file(scene, file);
+    take_out_nodata_value(scene, terrain);
+    if (const std::string doubt = heights_in_doubt(terrain); !doubt.empty())
+        terrain.note += (terrain.note.empty() ? "" : "; ") + doubt;
+    const std::string note = terrain.note;
     InitialBed initial;
     initial.scale = scale_of(scene, terrain.dx, terrain.dy);
     resample(scene, terrain, initial.scale);
@@ -184,7 +285,7 @@ InitialBed bed_from_file(const Scene& scene) {
     for (double& height : initial.bed.values()) height /= initial.scale.height_unit;
     initial.nodata = std::move(terrain.nodata);
     initial.inputs.push_back({file.lexically_normal().string(), hex(file_hash(file))});
-    initial.note = terrain.note;
+    initial.note = note;
     return initial;
 }
 
@@ -215,7 +316,11 @@ BedKind bed_kind(const Scene& scene) {
 
 InitialBed make_initial_bed(const Scene& scene) {
     const BedKind kind = bed_kind(scene);
-    if (kind == BedKind::file) return bed_from_file(scene);
+    if (kind == BedKind::file) {
+        InitialBed initial = bed_from_file(scene);
+        check_limits(scene, static_cast<std::int64_t>(initial.bed.size()), scene.run.steps);
+        return initial;
+    }
     InitialBed initial;
     initial.scale = scale_of(scene, 0.0, 0.0);
     initial.bed = kind == BedKind::noise

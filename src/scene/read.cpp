@@ -2,14 +2,15 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstddef>
 #include <fstream>
+#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "base/error.h"
@@ -17,9 +18,12 @@
 #include "base/utf8.h"
 #include "files/input_file.h"
 #include "keys/assign.h"
+#include "keys/toml_text.h"
 #include "models/registry.h"
 #include "scene/check.h"
+#include "scene/faults.h"
 #include "scene/scene_keys.h"
+#include "scene/trust.h"
 
 namespace fumon {
 
@@ -49,33 +53,60 @@ Setting parse_setting(const Override& given) {
         throw InputError(fmt::format("{}: the value of {} is not UTF-8; write it in that encoding",
                                      setting.locate({}), given.path));
     }
-    try {
-        setting.holder = toml::parse("value = " + given.value);
-        if (setting.holder.size() == 1) return setting;
-    } catch (const toml::parse_error&) {
-        // not TOML: a bare string, below
+    if (auto holder = parse_toml_value(given.value)) {
+        setting.holder = std::move(*holder);
+    } else {
+        setting.holder.insert_or_assign("value", given.value);  // a bare string
     }
-    setting.holder = toml::table{};
-    setting.holder.insert_or_assign("value", given.value);
     return setting;
 }
 
 class Reader {
   public:
-    Reader(Scene& scene, std::vector<Setting> settings)
-        : scene_(scene), settings_(std::move(settings)), table_(scene_keys(scene)) {}
+    Reader(Scene& scene, std::vector<Setting> settings, Faults& faults)
+        : scene_(scene),
+          settings_(std::move(settings)),
+          table_(scene_keys(scene)),
+          faults_(faults) {}
 
     void read(const toml::table& root) {
-        choose_model(root);
-        size_lists(root);
-        read_section(root, "");
-        for (const Setting& setting : settings_) apply(setting);
-        check_scene(scene_);
+        has_model_ = attempt("model.name", [&] { choose_model(root); });
+        if (!has_model_) take_keys_of(terrain_model().name);
+        if (faults_.attempt([&] { size_lists(root); })) {
+            read_section(root, "");
+            for (const Setting& setting : settings_) {
+                if (is_known_fault(setting.given.path)) continue;
+                attempt(setting.given.path, [&] { apply(setting); });
+            }
+            check_scene(scene_, faulty_, faults_);
+            if (faults_.none()) check_limits(scene_, faults_);
+        }
+        faults_.report();
     }
 
   private:
     [[nodiscard]] std::string locate(const toml::source_region& region) const {
         return fmt::format("{}:{}:{}", scene_.source, region.begin.line, region.begin.column);
+    }
+
+    /// Runs work() and keeps its fault, which is of a key or of the one that was meant.
+    template <class Work>
+    bool attempt(const std::string& path, const Work& work) {
+        const auto section_of = [](const std::string& key) { return key.substr(0, key.find('.')); };
+        const bool good = faults_.attempt([&] {
+            try {
+                work();
+            } catch (const KeyError& fault) {
+                faulty_.insert(section_of(fault.key()));
+                throw;
+            }
+        });
+        if (!good) faulty_.insert(section_of(path));
+        return good;
+    }
+
+    [[nodiscard]] bool is_known_fault(std::string_view path) const {
+        return path == "model.name" && !has_model_;
     }
 
     /// The model comes first: it decides which model.* keys there are.
@@ -107,7 +138,11 @@ class Reader {
             throw InputError(fmt::format("{}: unknown model \"{}\"; {} (see `fumon models`)", place,
                                          scene_.model.name, suggestion(scene_.model.name, known)));
         }
-        const Scene usual = default_scene(scene_.model.name);
+        take_keys_of(scene_.model.name);
+    }
+
+    void take_keys_of(std::string_view model) {
+        const Scene usual = default_scene(std::string(model));
         scene_.model = usual.model;
         scene_.bed = usual.bed;
         table_ = scene_keys(scene_);
@@ -117,28 +152,34 @@ class Reader {
     /// are in the table.
     void size_lists(const toml::table& root) {
         for (bool changed = true; std::exchange(changed, false);) {
+            std::string within = "-";  // the list that was resized last: those within it are gone
+            std::map<std::string, std::size_t> counted;
             for (const TableList& list : table_.lists()) {
-                const std::size_t size = size_of(list, root);
+                if (list.path.starts_with(within)) continue;
+                const std::size_t size = size_of(list, root, counted[without_numbers(list.path)]);
                 if (size == list.size()) continue;
                 list.resize(size);
-                table_ = scene_keys(scene_);
+                within = list.path + ".";
                 changed = true;
-                break;
             }
+            if (changed) table_ = scene_keys(scene_);
         }
     }
 
-    [[nodiscard]] std::size_t size_of(const TableList& list, const toml::table& root) const {
+    /// `counted`: how many items the lists of that name have, those in other items too.
+    [[nodiscard]] std::size_t size_of(const TableList& list, const toml::table& root,
+                                      std::size_t& counted) const {
         std::size_t size = 0;
         if (const auto node = root.at_path(indexed(list.path)); node && node.is_array()) {
             size = node.as_array()->size();
-            check_size(list, size, locate(node.node()->source()));
+            check_size(list, counted + size, locate(node.node()->source()));
         }
         for (const Setting& setting : settings_) {  // one may add an item behind the last
             if (setting.given.path.starts_with(fmt::format("{}.{}.", list.path, size))) {
-                check_size(list, ++size, setting.locate_key());
+                check_size(list, counted + ++size, setting.locate_key());
             }
         }
+        counted += size;
         return size;
     }
 
@@ -165,13 +206,17 @@ class Reader {
     void read_items(const toml::array& items, const std::string& path) {
         std::size_t index = 0;
         for (const toml::node& item : items) {
-            if (!item.is_table()) {
+            const std::string prefix = fmt::format("{}.{}.", path, index++);
+            if (item.is_table()) {
+                read_section(*item.as_table(), prefix);
+                continue;
+            }
+            attempt(path, [&] {
                 throw InputError(
                     fmt::format("{}: {} is a list of sections; write [[{}]] and its "
                                 "keys below",
                                 locate(item.source()), path, without_numbers(path)));
-            }
-            read_section(*item.as_table(), fmt::format("{}.{}.", path, index++));
+            });
         }
     }
 
@@ -180,20 +225,25 @@ class Reader {
             const std::string path = prefix + std::string(name.str());
             const std::string place = locate(name.source());
             if (const Key* key = table_.find(path)) {
-                if (value.is_table()) {
-                    throw InputError(fmt::format("{}: {} is no section; it takes {}", place, path,
-                                                 what_it_takes(*key)));
-                }
-                assign(*key, value, [this](const auto& region) { return locate(region); });
+                if (is_known_fault(path)) continue;
+                attempt(path, [&, &value = value] { read_value(*key, value, place); });
                 scene_.locations[path] = locate(value.source());
             } else if (value.is_array() && table_.find_list(path) != nullptr) {
                 read_items(*value.as_array(), path);
             } else if (value.is_table() && is_section(path) && table_.find_list(path) == nullptr) {
                 read_section(*value.as_table(), path + ".");
             } else {
-                refuse_unknown(path, place);
+                attempt(path, [&] { refuse_unknown(path, place); });
             }
         }
+    }
+
+    void read_value(const Key& key, const toml::node& value, const std::string& place) {
+        if (value.is_table()) {
+            throw InputError(fmt::format("{}: {} is no section; it takes {}", place, key.path,
+                                         what_it_takes(key)));
+        }
+        assign(key, value, [this](const auto& region) { return locate(region); });
     }
 
     void apply(const Setting& setting) {
@@ -224,13 +274,25 @@ class Reader {
     }
 
     [[nodiscard]] bool is_section(const std::string& path) const {
-        for (const Key& key : table_.keys()) {
-            if (key.path.starts_with(path + ".")) return true;
-        }
-        return false;
+        const std::string begin = path + ".";
+        return std::ranges::any_of(table_.keys(),
+                                   [&](const Key& key) { return key.path.starts_with(begin); });
     }
 
-    [[noreturn]] void refuse_unknown(const std::string& path, const std::string& place) const {
+    /// The item of a list to which a key belongs, as "figure.panel.0."; empty for none.
+    static std::string_view item_of(std::string_view path) {
+        for (std::size_t end = path.rfind('.'); end != path.npos && end > 0;) {
+            const std::size_t dot = path.rfind('.', end - 1);
+            const std::string_view part = path.substr(dot + 1, end - dot - 1);
+            if (part.find_first_not_of("0123456789") == part.npos) return path.substr(0, end + 1);
+            end = dot;
+        }
+        return {};
+    }
+
+    /// A model's keys are known only where the model is.
+    void refuse_unknown(const std::string& path, const std::string& place) const {
+        if (!has_model_ && path.starts_with("model.")) return;
         if (table_.find_list(path) != nullptr) {
             throw InputError(
                 fmt::format("{}: {} is a list of sections; write [[{}]] and its keys "
@@ -242,7 +304,9 @@ class Reader {
                                          place, path, path));
         }
         std::vector<std::string> known;
-        for (const Key& key : table_.keys()) known.push_back(key.path);
+        for (const Key& key : table_.keys()) {
+            if (path.starts_with(item_of(key.path))) known.push_back(key.path);
+        }
         if (const std::string owner = other_model_with(path); !owner.empty()) {
             throw InputError(fmt::format(
                 "{}: {} belongs to the model \"{}\", not to \"{}\"; see `fumon describe {}`", place,
@@ -255,11 +319,11 @@ class Reader {
                 nearest = candidate;
         }
         if (!nearest.empty()) {
-            throw InputError(
-                fmt::format("{}: unknown key {}; did you mean \"{}\"?", place, path, nearest));
+            throw KeyError(nearest, fmt::format("{}: unknown key {}; did you mean \"{}\"?", place,
+                                                path, nearest));
         }
         throw InputError(fmt::format("{}: unknown key {}; `fumon describe {}` lists the known ones",
-                                     place, path, scene_.model.name));
+                                     place, path, has_model_ ? scene_.model.name : "scene"));
     }
 
     [[nodiscard]] static std::string other_model_with(const std::string& path) {
@@ -275,6 +339,9 @@ class Reader {
     Scene& scene_;
     std::vector<Setting> settings_;
     KeyTable table_;
+    Faults& faults_;
+    std::set<std::string> faulty_;  ///< sections with a fault
+    bool has_model_ = false;
 };
 
 }  // namespace
@@ -283,18 +350,16 @@ Scene parse_scene(const SceneText& scene_text, const std::vector<Override>& over
     Scene scene;
     scene.source = scene_text.source;
     scene.directory = scene_text.directory;
+    scene.trusted = scene_text.trusted;
+    scene.bed_hashes = scene_text.bed_hashes;
     std::vector<Setting> settings;
     settings.reserve(overrides.size());
-    for (const Override& override : overrides) settings.push_back(parse_setting(override));
-    toml::table root;
-    try {
-        root = toml::parse(scene_text.text, scene.source);
-    } catch (const toml::parse_error& fault) {
-        throw InputError(fmt::format(
-            "{}:{}:{}: {}; a scene is TOML: [section] lines and key = value lines", scene.source,
-            fault.source().begin.line, fault.source().begin.column, fault.description()));
-    }
-    Reader(scene, std::move(settings)).read(root);
+    Faults faults(scene.source);
+    for (const Override& override : overrides)
+        faults.attempt([&] { settings.push_back(parse_setting(override)); });
+    const toml::table root = parse_toml(scene_text.text, scene.source,
+                                        "a scene is TOML: [section] lines and key = value lines");
+    Reader(scene, std::move(settings), faults).read(root);
     return scene;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,9 +13,10 @@ namespace fumon {
 
 /// Reads a scene file; `settings` are "key.path=VALUE" overrides of the command line, applied in
 /// order, with the same checks and located as `--set N:column`. VALUE is read as TOML, else as a
-/// bare string; list items are addressed by number (frames.at.0=50). Throws InputError
-/// "file:line:column: what is wrong; what would be right" for the first fault: bad TOML, an unknown
-/// key, a wrong type, a number out of range, an unknown model, keys that contradict.
+/// bare string; list items are addressed by number (frames.at.0=50). Throws InputError with a line
+/// "file:line:column: what is wrong; what would be right" for each fault, see Faults: an unknown
+/// key, a wrong type, a number out of range, an unknown model, keys that contradict; or for the
+/// place where the text is no TOML.
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings = {});
 
 /// The same for a scene's text; `source` names it in messages and `directory` is where its
@@ -28,6 +30,8 @@ struct SceneText {
     std::string text;
     std::string source;               ///< names it in messages
     std::filesystem::path directory;  ///< where its relative files are looked for
+    bool trusted = true;              ///< see Scene::trusted
+    std::shared_ptr<const std::vector<std::string>> bed_hashes{};  ///< see Scene::bed_hashes
 };
 
 /// Throws InputError when the file cannot be read.

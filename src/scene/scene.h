@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct BedSettings {
     std::int64_t band = 0;         ///< file, GeoTIFF: the band to read; 0: the only or first one
     std::vector<double> window;    ///< file: west, south, east, north of the part to read, or none
     WordOrReal nodata{"mask", 0.0};
+    WordOrReal nodata_value{"auto", 0.0};  ///< m, that stands for no data; auto: the file says
     double resample = 0.0;  ///< file: size of the model's cells, metres; 0: the file's own cells
     Resampling resample_method = Resampling::average;
     std::int64_t refine = 1;  ///< file: cells along each side of one of its cells
@@ -169,8 +171,12 @@ struct Scene {
     SweepSettings sweep;
     FigureSettings figure;
 
-    std::filesystem::path directory;               ///< where relative files are looked for
-    std::string source;                            ///< the file's name, for messages
+    std::filesystem::path directory;  ///< where relative files are looked for
+    std::string source;               ///< the file's name, for messages
+    bool trusted = true;              ///< the user named it; else scene/trust.h holds
+    /// Where set, the SHA-256 (hexadecimal) that its bed file may have, unless that stands on the
+    /// command line: those that a picture's metadata lists.
+    std::shared_ptr<const std::vector<std::string>> bed_hashes;
     std::map<std::string, std::string> locations;  ///< key path → "file:line:column"
 
     /// "file:line:column: " of a key, or of the file where the key is not written.

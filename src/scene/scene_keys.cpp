@@ -93,6 +93,9 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
         {{"mask", "cells without data lie outside the domain"},
          {"fill", "filled smoothly from their rim"}},
         {.unit = "m", .help = "cells without data: masked, filled, or set to a height"});
+    table.word_or_real(
+        "bed.nodata_value", scene.bed.nodata_value, {{"auto", "what the file itself says"}},
+        {.unit = "m", .help = "the height that stands for no data in a terrain file"});
     table.real("bed.resample", scene.bed.resample,
                {.unit = "m",
                 .range = {0, 1e7},

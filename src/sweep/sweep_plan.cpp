@@ -150,10 +150,13 @@ PreparedScene try_combination(SweepPlan& plan, const SweepRequest& request,
         if (combination == 0) plan.first = std::move(first);
         return tried;
     } catch (const InputError& refusal) {
-        const std::string what = refusal.what();
-        if (plan.axes.empty() || what.starts_with("--over ")) throw;
-        throw InputError(fmt::format("{} (with {})", what,
-                                     run_label(plan, {combination, plan.seeds.first, {}, 0.0})));
+        std::vector<std::string> lines = refusal.lines();
+        if (plan.axes.empty() || lines.front().starts_with("--over ")) throw;
+        for (std::string& line : lines) {
+            line += fmt::format(" (with {})",
+                                run_label(plan, {combination, plan.seeds.first, {}, 0.0}));
+        }
+        throw InputError(std::move(lines));
     }
 }
 

@@ -40,7 +40,8 @@ std::vector<Suite> read_suites(const VerificationOptions& options) {
         Suite suite{read_baseline(file), fs::path(file).stem().string()};
         for (int n = 2; !names.insert(suite.name).second; ++n)
             suite.name = fmt::format("{}-{}", fs::path(file).stem().string(), n);
-        for (const BaselineCase& one : suite.baseline.cases) scene_of(suite.baseline, one);
+        for (const BaselineCase& one : suite.baseline.cases)
+            scene_of(suite.baseline, one, options.trust);
         if (!suite.baseline.orphans.empty() && !options.update) {
             throw InputError(
                 fmt::format("{}: recorded.{} belongs to no case; bring its case back, or let "
@@ -72,7 +73,7 @@ OutputClaims claim_outputs(const VerificationOptions& options, const std::vector
     for (const Suite& suite : suites) {
         claims.reads(suite.baseline.file);
         for (const BaselineCase& one : suite.baseline.cases) {
-            const Scene scene = scene_of(suite.baseline, one);
+            const Scene scene = scene_of(suite.baseline, one, options.trust);
             for (OutputClaims* both : {&claims, &updates}) {
                 both->reads(scene.source);
                 both->reads(scene_files(scene));
@@ -152,7 +153,7 @@ class Verification {
   private:
     Verdict look_at(Suite& suite, const BaselineCase& one) {
         try {
-            const DrawnCase drawn = draw_case(suite.baseline, one, work_);
+            const DrawnCase drawn = draw_case(suite.baseline, one, options_.trust, work_);
             signal_ = drawn.signal;
             if (signal_ != 0) return {};
             return options_.update ? accept(suite, one, drawn) : check(suite, one, drawn);

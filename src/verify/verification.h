@@ -14,6 +14,7 @@ struct VerificationOptions {
     std::string junit;                  ///< a file of JUnit XML; empty: none
     bool update = false;                ///< record instead of comparing
     bool force = false;                 ///< replace files of others, too
+    bool trust = false;                 ///< what the baselines name, without limits
     WorkOptions work;
 
     [[nodiscard]] bool quietly() const { return work.verbosity == Verbosity::quiet; }

@@ -32,9 +32,9 @@ std::string state_of(const std::vector<RunRecord>& records) {
 /// Makes the figure of a case's scene from runs of its own and draws it as pixels. Its state is
 /// that of its runs. Throws InputError where the figure is wrong, Error where a run or a drawing
 /// library fails.
-DrawnCase draw_figure_case(const Baseline& baseline, const BaselineCase& one,
+DrawnCase draw_figure_case(const Baseline& baseline, const BaselineCase& one, bool trusted,
                            const WorkOptions& work) {
-    FigureSources sources;
+    FigureSources sources(trusted);
     FigureRuns runs;
     DrawnCase drawn;
     const std::filesystem::path scene = baseline.file.parent_path() / one.scene;
@@ -61,13 +61,28 @@ DrawnCase draw_figure_case(const Baseline& baseline, const BaselineCase& one,
     return drawn;
 }
 
+/// Whether a line tells of the baseline alone, or of a limit.
+bool may_be_told(const std::string& line) {
+    return line.starts_with("settings.") || line.starts_with("step ") ||
+           line.starts_with("time ") || line.find("--trust") != std::string::npos;
+}
+
 /// Runs work() and locates its InputErrors at the case.
 template <class Work>
-auto located(const BaselineCase& one, const Work& work) {
+auto located(const BaselineCase& one, bool trusted, const Work& work) {
     try {
         return work();
     } catch (const InputError& fault) {
-        throw InputError(fmt::format("{}: cases.{}: {}", one.place, one.name, fault.what()));
+        const std::string place = fmt::format("{}: cases.{}: ", one.place, one.name);
+        std::vector<std::string> lines = fault.lines();
+        if (!trusted) std::erase_if(lines, [](const auto& line) { return !may_be_told(line); });
+        if (lines.empty()) {
+            lines.push_back(
+                fmt::format("{} is not there or is not sound; `fumon check` with its path, or "
+                            "--trust here, says more",
+                            one.scene));
+        }
+        throw placed(place, InputError(std::move(lines)));
     }
 }
 
@@ -81,19 +96,25 @@ std::int64_t step_of(const BaselineCase& one, const Scene& scene) {
 
 }  // namespace
 
-Scene scene_of(const Baseline& baseline, const BaselineCase& one) {
-    return located(one, [&] {
+Scene scene_of(const Baseline& baseline, const BaselineCase& one, bool trusted) {
+    return located(one, trusted, [&] {
         std::vector<Override> overrides = read_settings(one.settings);
         for (std::size_t i = 0; i < overrides.size(); ++i)
             overrides[i].place = fmt::format("settings.{}", i + 1);
-        return parse_scene(read_scene_text(baseline.file.parent_path() / one.scene), overrides);
+        SceneText text = read_scene_text(baseline.file.parent_path() / one.scene);
+        text.trusted = trusted;
+        return parse_scene(text, overrides);
     });
 }
 
-DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, const WorkOptions& work) {
-    if (one.figure) return located(one, [&] { return draw_figure_case(baseline, one, work); });
-    Scene scene = scene_of(baseline, one);
-    return located(one, [&] {
+DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, bool trusted,
+                    const WorkOptions& work) {
+    if (one.figure) {
+        return located(one, trusted,
+                       [&] { return draw_figure_case(baseline, one, trusted, work); });
+    }
+    Scene scene = scene_of(baseline, one, trusted);
+    return located(one, trusted, [&] {
         PreparedRun prepared = prepare_run(std::move(scene), work.threads);
         Progress progress(work.verbosity, static_cast<std::int64_t>(prepared.initial.bed.size()));
         const Snapshot first = prepared.model->snapshot();

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "run/build_identity.h"
 #include "support/program.h"
 
 namespace fumon::test {
@@ -39,13 +40,52 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"no_output", {"run", "scene.toml"}, "fumon run: name a folder for the run with -o"},
         Wrong{"unknown_option",
               {"models", "--loud"},
-              "fumon models: The following argument was not expected: --loud; try `fumon models "
-              "--help`"},
+              "fumon models: --loud: no such option; try `fumon models --help`"},
+        Wrong{"misspelt_option",
+              {"--verson"},
+              "fumon: --verson: no such option; did you mean \"--version\"?"},
+        Wrong{"misspelt_option_of_a_command",
+              {"run", "a.toml", "--thread", "2"},
+              "fumon run: --thread: no such option; did you mean \"--threads\"?"},
         Wrong{
-            "missing_scene",
-            {"run", "no.toml", "-o", "x"},
-            "no.toml: cannot be read: No such file or directory; name a file that exists and that "
-            "you may read"},
+            "short_option", {"run", "-z"}, "fumon run: -z: no such option; try `fumon run --help`"},
+        Wrong{"one_too_many",
+              {"run", "a", "b", "c"},
+              "fumon run: \"b\" is one too many; try `fumon run --help`"},
+        Wrong{"missing", {"still"}, "fumon still: INPUT is missing; try `fumon still --help`"},
+        Wrong{"missing_value",
+              {"run", "a", "--threads"},
+              "fumon run: --threads takes N, which is missing; try `fumon run --help`"},
+        Wrong{"twice",
+              {"run", "a", "-o", "b", "-o", "c"},
+              "fumon run: --output is given more than once; try `fumon run --help`"},
+        Wrong{"not_together",
+              {"run", "a", "-q", "-v"},
+              "fumon run: --quiet and --verbose do not go together; try `fumon run --help`"},
+        Wrong{"needs_another",
+              {"measure", "a.asc", "--steps", "3"},
+              "fumon measure: --steps needs --earlier too; try `fumon measure --help`"},
+        Wrong{"no_number",
+              {"still", "a.toml", "-o", "b.png", "--step", "abc"},
+              "fumon still: --step: it takes a whole number from 0 to 1e+15, not \"abc\"; try "
+              "`fumon still --help`"},
+        Wrong{"no_real_number",
+              {"run", "a.toml", "-o", "b", "--checkpoint-every", "x"},
+              "fumon run: --checkpoint-every: it takes a number from 0 to 1e+06, not \"x\"; try "
+              "`fumon run --help`"},
+        Wrong{
+            "no_word",
+            {"measure", "a.asc", "--as", "dune"},
+            "fumon measure: --as: it takes bed, profile or pile, not \"dune\"; try `fumon measure "
+            "--help`"},
+        Wrong{"misspelt_shipped_scene",
+              {"run", "terada-barchan", "-o", "x"},
+              "terada-barchan: there is no such file here, and fumon ships no such scene; did you "
+              "mean \"terada-barchans\"?"},
+        Wrong{"missing_scene",
+              {"run", "no.toml", "-o", "x"},
+              "no.toml: cannot be read: No such file or directory; name a file that exists and that "
+              "you may read"},
         Wrong{"missing_terrain",
               {"still", "no.asc", "-o", "x.png"},
               "no.asc: is not there; check the path"},
@@ -78,7 +118,8 @@ TEST(CommandLine, HelpTeaches) {
 
 TEST(CommandLine, VersionModelsAndDescribe) {
     const ScratchFolder folder;
-    EXPECT_EQ(fumon({"--version"}, folder.path()).output, "fumon " FUMON_VERSION "\n");
+    EXPECT_EQ(fumon({"--version"}, folder.path()).output,
+              "fumon " FUMON_VERSION " (sources " + short_sources(this_build()) + ")\n");
     const Ended models = fumon({"models"}, folder.path());
     EXPECT_EQ(models.status, 0);
     EXPECT_NE(models.output.find("sand"), std::string::npos);
@@ -100,6 +141,59 @@ TEST(CommandLine, CheckNamesEveryFault) {
     EXPECT_EQ(ended.status, 2);
     EXPECT_EQ(ended.output, "good.toml: fine (sand, 24 x 20 cells, 20 steps, 5 frames)\n");
     EXPECT_EQ(std::count(ended.errors.begin(), ended.errors.end(), '\n'), 2) << ended.errors;
+}
+
+TEST(CommandLine, CheckTellsAllFaultsOfASceneInItsOrder) {
+    const ScratchFolder folder;
+    write_text(folder / "bad.toml",
+               "[sun]\nelevatoin = 3\n[model]\nname = \"sand\"\ncreep = 0.1\n[look]\npalette = "
+               "\"jet\"\n[run]\nsteps = 1.5\n");
+    const Ended ended = fumon({"check", "bad.toml"}, folder.path());
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_EQ(
+        ended.errors,
+        "bad.toml:2:1: unknown key sun.elevatoin; did you mean \"sun.elevation\"?\n"
+        "bad.toml:5:9: model.creep is 0.1; it takes one of \"every-cell\", \"maxima-only\", "
+        "\"profile\", \"none\"\n"
+        "bad.toml:7:11: unknown palette \"jet\"; known: batlow, cividis, grey, inferno, lapaz, "
+        "magma, oslo, plasma, sand, vik, viridis\n"
+        "bad.toml:9:9: run.steps is 1.5; it takes a whole number 0 … 1e+15 (steps)\n");
+}
+
+TEST(CommandLine, PicturesAndScenesAreToldApart) {
+    const ScratchFolder folder;
+    write_text(folder / "scene.toml", small_scene());
+    ASSERT_EQ(
+        fumon({"still", "scene.toml", "--step", "0", "-o", "a.png", "-q"}, folder.path()).status,
+        0);
+    for (const char* command : {"run", "figure"}) {
+        EXPECT_EQ(
+            fumon({command, "a.png", "-o", "out"}, folder.path()).errors,
+            "a.png: is a picture; a scene is TOML: [section] lines and key = value lines; what "
+            "fumon has drawn, `fumon again a.png` makes again\n");
+    }
+    EXPECT_EQ(
+        fumon({"again", "scene.toml"}, folder.path()).errors,
+        "scene.toml: is no picture; fumon again takes a PNG, MP4, PDF or SVG that fumon made; "
+        "`fumon run scene.toml -o DIR` runs a scene\n");
+}
+
+TEST(CommandLine, AShippedSceneIsFoundByItsNameFromAnywhere) {
+    const ScratchFolder folder;
+    const Ended ended = fumon({"check", "sandpiles", "sudo-2002-06.toml"}, folder.path());
+    EXPECT_EQ(ended.status, 0) << ended.errors;
+    EXPECT_NE(ended.output.find("scenes/sandpiles.toml: fine"), std::string::npos) << ended.output;
+    EXPECT_NE(ended.output.find("scenes/figures/sudo-2002-06.toml: fine"), std::string::npos);
+    EXPECT_EQ(fumon({"run", "sandpiles", "-o", "out", "-q", "--set", "run.steps=1", "--set",
+                     "output.movie=false", "--set", "image.width=64", "--set", "image.height=48",
+                     "--set", "frames.every=1"},
+                    folder.path())
+                  .status,
+              0);
+    write_text(folder / "sandpiles", small_scene());
+    EXPECT_EQ(fumon({"check", "sandpiles"}, folder.path()).output,
+              "sandpiles: fine (sand, 24 x 20 cells, 20 steps, 5 frames)\n")
+        << "a file here comes first";
 }
 
 TEST(CommandLine, AFullStandardOutputIsAnError) {

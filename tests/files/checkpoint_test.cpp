@@ -116,7 +116,7 @@ TEST(Checkpoint, TheRefusalSaysWhatIsWrong) {
     std::string other = whole;
     other[checkpoint_magic.size()] = 9;
     EXPECT_EQ(checkpoint_refusal(other),
-              "c: has format 9, and this fumon reads format 2; go on with the fumon that wrote it");
+              "c: has format 9, and this fumon reads format 3; go on with the fumon that wrote it");
     other = whole;
     other[40] = static_cast<char>(other[40] ^ 1);
     EXPECT_EQ(checkpoint_refusal(other),

@@ -24,7 +24,7 @@ std::string whole_file(std::string_view entries) {
     std::string file(checkpoint_magic);
     file += little_endian(checkpoint_format);
     file += entries;
-    file += little_endian(static_cast<std::uint64_t>(file.size() + sizeof(std::uint64_t)));
+    file += little_endian(static_cast<std::uint64_t>(file.size()));
     Sha256Stream hash;
     hash.add(file.data(), file.size());
     const Sha256 sum = hash.finish();

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/give_up.h"
+#include "base/stopwatch.h"
 #include "base/worker_pool.h"
 #include "files/checkpoint.h"
 #include "files/hash.h"
@@ -104,6 +106,61 @@ CarriedRun air(const std::string& name, const std::string& keys) {
 
 class Carry : public ::testing::TestWithParam<CarriedRun> {};
 
+/// As a signal does it, so many seconds ago.
+struct AskedToStop {
+    explicit AskedToStop(double seconds_ago) {
+        asked_to_stop_at = monotonic_nanoseconds() - static_cast<std::int64_t>(1e9 * seconds_ago);
+    }
+    ~AskedToStop() { asked_to_stop_at = 0; }
+    AskedToStop(const AskedToStop&) = delete;
+    AskedToStop& operator=(const AskedToStop&) = delete;
+};
+
+TEST_P(Carry, AStepIsGivenUpOnlyWhenPatienceIsAtItsEnd) {
+    const CarriedRun& one = GetParam();
+    if (one.name == "Static") return;  // its step does nothing
+    const Built built(one.scene, 2);
+    built.to(2);
+    {
+        const AskedToStop just_now(0.0);
+        EXPECT_NO_THROW(built.model->step());
+    }
+    const double time = built.model->time();
+    const AskedToStop before(1.01 * patience);
+    if (one.name == "HeldSteady") return;  // has come to rest
+    EXPECT_THROW(built.model->step(), GivenUp);
+    EXPECT_EQ(built.model->steps_done(), 3) << "the step is not done";
+    EXPECT_EQ(built.model->time(), time);
+}
+
+/// Whether a long first step is given up soon after patience has ended within it.
+void expect_given_up_midway(const std::string& scene) {
+    SCOPED_TRACE(scene);
+    constexpr double left = 0.02;  // seconds
+    const Built built(scene, 2);
+    const AskedToStop before(patience - left);
+    const Stopwatch watch;
+    EXPECT_THROW(built.model->step(), GivenUp);
+    EXPECT_GE(watch.seconds(), left);
+    EXPECT_LT(watch.seconds(), 10.0) << "of a step that takes longer";
+}
+
+TEST(LongStep, IsGivenUpMidway) {
+    expect_given_up_midway(
+        "[grid]\nnx = 150\nny = 150\n[bed]\nkind = \"flat\"\nheight = 40000\n"
+        "[model]\nname = \"sandpile\"\n");  // one avalanche
+    expect_given_up_midway(
+        "[grid]\nnx = 150\nny = 150\n[bed]\nkind = \"flat\"\nheight = 40000\n"
+        "[model]\nname = \"sandpile\"\norder = \"first-in-first-out\"\n");
+    expect_given_up_midway(
+        "[grid]\nnx = 4\nny = 4\n[model]\nname = \"sandpile\"\ngrains_per_step = 1000000000\n");
+    expect_given_up_midway(
+        "[grid]\nnx = 64\nny = 64\n[model]\nname = \"gully\"\ntime_step = 300\n");
+    expect_given_up_midway(
+        "[grid]\nnx = 4000000\nny = 1\n[model]\nname = \"sand\"\norder = "
+        "\"random-sequential\"\n");
+}
+
 TEST_P(Carry, AModelBroughtBackAtAnyStepGoesOnWithTheSameBytes) {
     const TemporaryFolder folder;
     const CarriedRun& one = GetParam();
@@ -154,6 +211,9 @@ INSTANTIATE_TEST_SUITE_P(
         gully("Rain",
               "scheme = \"finite-volume\"\nedges_x = \"open\"\nedges_y = \"wall\"\nrain = "
               "500\nrain_until = 0.65\ninitial_water = \"dry\"\ntime_step = 0.15\n"),
+        gully("SteepCip", "scheme = \"cip\"\nrelief = \"steep\"\nrain = 100\n"),
+        gully("SteepSheet",
+              "scheme = \"finite-volume\"\nrelief = \"steep\"\ntransport = \"conservative\"\n"),
         gully("SubSteps", "time_step = 0.9\ndepth = 0.05\n"),
         air("Staircase", "flights = true\nshown_paths = 2\nlid_speed = 0.2\n"),
         air("SecondOrder", "advection = \"second-order\"\n"),

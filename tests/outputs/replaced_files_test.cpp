@@ -309,7 +309,7 @@ TEST_F(ReplacedFiles, AnOutputThatCannotBeWrittenIsFoundBeforeTheComputation) {
             "cannot make the folder bed.asc/out" + made);
     EXPECT_FALSE(fs::exists(folder_ / "out"));
     write_text(folder_ / "b.toml",
-               "[cases]\na = {scene = \"scene.toml\", settings = [\"run.steps=1000000000\"]}\n");
+               "[cases]\na = {scene = \"scene.toml\", settings = [\"run.steps=400000\"]}\n");
     EXPECT_EQ(run({"verify", "b.toml", "-o", "bed.asc/out"}).errors,
               "cannot make the folder bed.asc/out" + made + "\n");
     EXPECT_EQ(run({"verify", "b.toml", "--junit", "no/j.xml"}).errors,

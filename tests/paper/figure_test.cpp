@@ -301,7 +301,8 @@ TEST_F(FigureTest, AFigureOfAChangedTerrainIsRefused) {
     write_text(folder_ / bed, text(bed) + "\n");
     const Ended changed = fumon({"again", "out/terrain.svg", "-o", "b.svg"}, folder_.path());
     EXPECT_EQ(changed.status, 2);
-    EXPECT_NE(changed.errors.find("has changed"), std::string::npos) << changed.errors;
+    EXPECT_NE(changed.errors.find("as it was when the figure was made"), std::string::npos)
+        << changed.errors;
     EXPECT_FALSE(fs::exists(folder_ / "b.svg"));
 }
 
@@ -450,7 +451,14 @@ TEST_F(FigureTest, WhatIsWrongIsOneLocatedLine) {
         {plot + "y_logarithmic = true\ny_low = 0.0\n" + curve.substr(plot.size()),
          "a logarithmic axis lies above 0"},
         {plot + "inset = \"upper-left\"\n" + curve.substr(plot.size()), "this is the first"},
-        {plot + "steps = [3]\n" + curve.substr(plot.size()), "belongs to pictures"},
+        {plot + "steps = [3]\n" + curve.substr(plot.size()),
+         "belongs to map, view, profile and section panels; a plot panel would not show it"},
+        {map + "x_label = \"x\"\n",
+         "bad.toml:17:11: figure.panel.0.x_label: belongs to plot panels; a map panel would not "
+         "show it"},
+        {"[[figure.panel]]\nkind = \"profile\"\ny_low = 0.0\n", "belongs to plot panels"},
+        {"[[figure.panel]]\nkind = \"view\"\naxes = false\n", "belongs to map panels"},
+        {plot + "palette = \"grey\"\n" + curve.substr(plot.size()), "a plot panel would not show"},
         {map + "steps = [21]\n", "step 21 is after the run's end at 20"},
         {map + "field = \"water_depth\"\n", "the model sand has no field \"water_depth\""},
         {map + "title = \"{stepp}\"\n", "{stepp} stands for nothing here"},

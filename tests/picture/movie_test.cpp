@@ -139,6 +139,19 @@ TEST(Movie, PlaysBackWithItsColours) {
     }
 }
 
+TEST(Movie, TakesItsQuality) {
+    const TemporaryFolder folder;
+    const auto size = [&](int quality) {
+        Movie movie(folder / "m.mp4", 64, 48, 30.0, quality);
+        for (std::uint64_t i = 0; i < 3; ++i) movie.add(noise(64, 48, i));
+        movie.finish();
+        return std::filesystem::file_size(folder / "m.mp4");
+    };
+    const auto fine = size(0);
+    EXPECT_GT(fine, 2 * size(30));
+    EXPECT_GT(size(30), size(51));
+}
+
 TEST(Movie, StartsWithItsIndex) {
     const TemporaryFolder folder;
     make(folder / "m.mp4", 64, 48, 5);
@@ -231,8 +244,7 @@ TEST(Movie, NamesFileAndReasonWhereItCannotBegin) {
     EXPECT_EQ(message_of<Error>([&] { Movie(missing, 32, 32, 30.0, 18); }),
               "cannot write " + missing.string() + ": No such file or directory");
     EXPECT_EQ(message_of<Error>([&] { Movie(folder.path(), 32, 32, 30.0, 18); }),
-              "cannot write " + folder.path().string() +
-                  ": there is something other than a regular file");
+              "cannot write " + folder.path().string() + ": Is a directory");
     EXPECT_FALSE(std::filesystem::exists(folder.path().string() + ".part"));
     EXPECT_THROW(Movie(folder / "m.mp4", 0, 32, 30.0, 18), Error);
     EXPECT_THROW(Movie(folder / "m.mp4", 32, 32, 0.0, 18), Error);

@@ -125,6 +125,29 @@ INSTANTIATE_TEST_SUITE_P(
         Output{"HopLaw", {"hop-law", "air.toml", "-o", "disk/out.toml", "-q"}, 0}),
     [](const auto& test) { return std::string(test.param.name); });
 
+TEST_P(EveryOutput, ALimitOnTheSizeOfFilesIsOneLine) {
+    std::string line = "ulimit -f 1; \"$FUMON\"";  // KiB or half as much, as the shell has it
+    for (const std::string& word : GetParam().words) line += " '" + word + "'";
+    const Ended ended = shell(line);
+    expect_one_line(ended, 1, "File too large");
+    expect_whole_files(folder_ / "disk");
+}
+
+TEST_F(FaultTest, TooManyOpenFilesAreNotCalledAFullDisk) {
+    int failed = 0;
+    for (int files = 5; files < 16; ++files) {
+        const std::string out = "out" + std::to_string(files);
+        const Ended ended = shell("ulimit -n " + std::to_string(files) +
+                                  "; \"$FUMON\" run scene.toml -q -o " + out +
+                                  " --set output.fields_every=5 --set output.bed_every=5 --set "
+                                  "output.frames=false --set output.movie=false");
+        if (ended.status == 0) continue;
+        ++failed;
+        expect_one_line(ended, 1, "Too many open files");
+    }
+    EXPECT_GT(failed, 2) << "the limits are too high to try anything";
+}
+
 TEST_F(FaultTest, AFullStandardOutputIsOneLine) {
     write_text(folder_ / "bed.asc", "ncols 2\nnrows 2\ncellsize 1\n1 2\n3 4\n");
     for (const char* words : {"measure bed.asc", "measure --json bed.asc", "check scene.toml",

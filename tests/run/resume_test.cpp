@@ -4,10 +4,13 @@
 #include <csignal>
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 #include <thread>
 
 #include "files/checkpoint.h"
+#include "files/hash.h"
+#include "run/build_identity.h"
 #include "run/run_checkpoint.h"
 #include "support/full_disk.h"
 #include "support/program.h"
@@ -162,7 +165,7 @@ TEST_F(ResumeTest, WhatIsSaidOfARunThatCannotOrNeedNotGoOn) {
     write_text(out() / "run.json", manifest.dump());
     expect_refusal({"run", "--resume", "out"}, "stopped before its first checkpoint");
     expect_refusal({"run", "--resume", "scene.toml"}, "scene.toml is a file");
-    expect_refusal({"run", "--resume", "out", "-o", "other"}, "excludes");
+    expect_refusal({"run", "--resume", "out", "-o", "other"}, "do not go together");
     expect_refusal({"run", "-o", "other"}, "name a scene");
     expect_refusal({"run", "scene.toml"}, "name a folder");
 }
@@ -190,9 +193,73 @@ TEST_F(ResumeTest, ADamagedOrForeignCheckpointIsRefusedWithTheReason) {
         other.carry(writer);
         writer.commit();
     }
-    expect_refusal({"run", "--resume", "out"}, "was written by fumon 0.0.9");
+    expect_refusal({"run", "--resume", "out"},
+                   "was written by fumon 0.0.9, this is " FUMON_VERSION ";");
+    other.version = FUMON_VERSION;
+    other.build.sources = "0123456789abcdef";
+    {
+        CheckpointWriter writer(file);
+        other.carry(writer);
+        writer.commit();
+    }
+    expect_refusal({"run", "--resume", "out"}, "was written by fumon " FUMON_VERSION
+                                               " from sources 0123456789ab, this is from sources " +
+                                                   short_sources(this_build()) + ";");
     EXPECT_EQ(read_text(out() / "run.json"), manifest) << "nothing has changed";
     EXPECT_TRUE(fs::exists(out() / "measurements.csv"));
+}
+
+TEST_F(ResumeTest, TheSameSourcesHaveOneIdentityWhereverTheyLie) {
+    std::set<std::string> written;
+    const auto identity = [&](const std::string& root) {
+        const Ended ended = fumon({"-D", "ROOT=" + (folder_ / root).string(), "-D", "TOOLS=a b",
+                                   "-D", "TO=" + (folder_ / "identity.cpp").string(), "-P",
+                                   FUMON_SOURCES_FOLDER "/build_identity.cmake"},
+                                  folder_.path(), {}, FUMON_CMAKE);
+        EXPECT_EQ(ended.status, 0) << ended.errors;
+        return read_text(folder_ / "identity.cpp");
+    };
+    for (const char* root : {"one", "two"}) {
+        for (const char* folder : {"src/base", "shaders", "assets/palettes"})
+            fs::create_directories(folder_ / root / folder);
+        for (const char* file : {"CMakeLists.txt", "src/CMakeLists.txt", "src/base/a.cpp",
+                                 "src/base/a.h", "shaders/a.glsl", "assets/palettes/a.txt"})
+            write_text(folder_ / root / file, file);
+    }
+    const std::string one = identity("one");
+    EXPECT_NE(one.find("R\"(a b)\""), std::string::npos) << one;
+    write_text(folder_ / "two/src/base/a.cpp~", "an editor's");
+    EXPECT_EQ(identity("two"), one);
+    for (const char* file : {"src/base/a.h", "shaders/a.glsl", "assets/palettes/a.txt"}) {
+        write_text(folder_ / "two" / file, "changed");
+        EXPECT_TRUE(written.insert(identity("two")).second) << file;
+    }
+    fs::rename(folder_ / "one/src/base/a.cpp", folder_ / "one/src/base/b.cpp");
+    EXPECT_NE(identity("one"), one);
+    EXPECT_FALSE(written.contains(one));
+}
+
+TEST_F(ResumeTest, AnotherBuildOfTheSameSourcesGoesOnAndSaysSo) {
+    scene(sand_scene(3000));
+    uninterrupted();
+    ASSERT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
+    const fs::path file = out() / "checkpoint.fumon";
+    std::string bytes = read_text(file);
+    const std::string tools = this_build().tools;
+    const std::size_t at = bytes.find(tools);
+    ASSERT_NE(at, std::string::npos);
+    bytes.replace(at, 3, "XYZ");  // as long, and with the hash that belongs to it
+    const std::string_view hashed(bytes.data(), bytes.size() - 32);
+    const Sha256 hash = text_hash(hashed);
+    std::copy(hash.begin(), hash.end(), bytes.end() - 32);
+    write_text(file, bytes);
+    const Ended ended = run({"run", "--resume", "out"});
+    EXPECT_EQ(ended.status, 0);
+    EXPECT_NE(ended.errors.find("from the same sources built otherwise: XYZ" + tools.substr(3) +
+                                " then, " + tools + " now\n"),
+              std::string::npos)
+        << ended.errors;
+    expect_same_run(out("whole"), out());
 }
 
 TEST_F(ResumeTest, AnotherSceneIsRefusedAndTheSameOneTaken) {
@@ -232,7 +299,7 @@ TEST_F(ResumeTest, FromAnotherFolderTheTerrainIsFoundAndAChangeNoticed) {
     uninterrupted();
     ASSERT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
     write_text(folder_ / "data/bed.asc", grid + "\n");
-    expect_refusal({"run", "--resume", "out"}, "data/bed.asc has changed since the run was made");
+    expect_refusal({"run", "--resume", "out"}, "data/bed.asc as it was when the run was made");
     write_text(folder_ / "data/bed.asc", grid);
     const Ended ended = fumon({"run", "--resume", "../out", "-q"}, folder_ / "elsewhere");
     EXPECT_EQ(ended.status, 0) << ended.errors;
@@ -267,10 +334,10 @@ TEST_F(ResumeTest, AFrameThatIsGoneOrChangedIsNoticed) {
                   .status,
               0);
     const Ended changed = run({"run", "--resume", "out", "-q"});
-    EXPECT_EQ(changed.status, 1);
-    EXPECT_NE(changed.errors.find("frame_000000.png: its pixels are not those that the run wrote"),
-              std::string::npos)
-        << changed.errors;
+    EXPECT_EQ(changed.status, 2);
+    EXPECT_EQ(changed.errors,
+              "out/frames/frame_000000.png: has changed since it was written; bring it back as it "
+              "was, or run the scene from its start with --force\n");
 }
 
 TEST_F(ResumeTest, TheListOfFramesIsKeptAsLongAsItIsNeeded) {
@@ -278,15 +345,15 @@ TEST_F(ResumeTest, TheListOfFramesIsKeptAsLongAsItIsNeeded) {
     ASSERT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
     const fs::path file = out() / "frames.fumon";
     const std::string bytes = read_text(file);
-    EXPECT_EQ(bytes.size(), 48 * read_manifest(out())["frames"].size());
+    EXPECT_EQ(bytes.size(), 80 * read_manifest(out())["frames"].size());
     std::string damaged = bytes;
     damaged[20] = static_cast<char>(damaged[20] ^ 4);
     write_text(file, damaged);
-    expect_refusal({"run", "--resume", "out"}, "out/frames.fumon: is damaged");
+    expect_refusal({"run", "--resume", "out"}, "out/frames.fumon: has changed");
     write_text(file, bytes.substr(0, 40));
-    expect_refusal({"run", "--resume", "out"}, "list of the run's frames ends after 0");
+    expect_refusal({"run", "--resume", "out"}, "out/frames.fumon: has 40 bytes of ");
     fs::remove(file);
-    expect_refusal({"run", "--resume", "out"}, "list of the run's frames ends after 0");
+    expect_refusal({"run", "--resume", "out"}, "out/frames.fumon: is not there");
 
     Program endless({"run", "scene.toml", "-o", "none", "-q", "--checkpoint-every", "0"},
                     folder_.path());
@@ -320,6 +387,9 @@ TEST_F(ResumeTest, AMovieIsMadeAgainFromItself) {
     EXPECT_EQ(again.errors, "again.mp4: the same bytes as out/movie.mp4\n");
     EXPECT_EQ(read_text(folder_ / "again.mp4"), read_text(out() / "movie.mp4"));
     EXPECT_EQ(fs::exists(folder_ / "again.mp4.part"), false);
+    const Ended odd = run({"again", "out/movie.mp4", "-o", "odd.mp4", "--set", "image.width=63"});
+    EXPECT_NE(odd.errors.find("odd.mp4 is 64 x 48: H.264 needs even sides"), std::string::npos)
+        << odd.errors;
 
     std::string other = read_text(out() / "movie.mp4");
     for (const auto& [then, now] :

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/give_up.h"
 #include "base/state_carrier.h"
 #include "run/terminal/interrupt.h"
 
@@ -18,6 +19,10 @@ class CountingModel : public Model {
   public:
     [[nodiscard]] std::string_view name() const override { return "counting"; }
     void step() override {
+        if (steps_ == given_up_at) {
+            std::raise(SIGTERM);
+            throw GivenUp();
+        }
         if (++steps_ == spoiled_at) bed_(1, 1) = std::numeric_limits<double>::quiet_NaN();
     }
     [[nodiscard]] std::int64_t steps_done() const override { return steps_; }
@@ -29,6 +34,7 @@ class CountingModel : public Model {
     void carry(StateCarrier& carrier) override { carrier.count("steps", steps_); }
 
     std::int64_t spoiled_at = -1;
+    std::int64_t given_up_at = -1;
     mutable int snapshots = 0;
 
   private:
@@ -99,6 +105,23 @@ TEST(Stepper, AnInterruptComesAfterTheSnapshotAndInsteadOfTheStep) {
     EXPECT_EQ(stepper.advance(at_step(0)), 0) << "the end comes before an interrupt";
     clear_interrupt();
     EXPECT_EQ(exit_status_of_signal(SIGTERM), 143);
+}
+
+TEST(Stepper, AStepThatIsGivenUpIsShownToNobody) {
+    const InterruptGuard guard;
+    CountingModel model;
+    model.given_up_at = 2;
+    std::string log;
+    Witness a("a", 1, log);
+    Stepper stepper(model, {&a});
+    EXPECT_FALSE(stepper.gave_up());
+    EXPECT_EQ(stepper.advance(at_step(5)), SIGTERM);
+    EXPECT_TRUE(stepper.gave_up());
+    EXPECT_EQ(log, "a0 a>0 a+1 a1 a>1 a+2 a2 a>2 ") << "no checkpoint, no snapshot";
+    EXPECT_EQ(model.snapshots, 3);
+    EXPECT_GT(asked_to_stop_at, 0);
+    clear_interrupt();
+    EXPECT_EQ(asked_to_stop_at, 0);
 }
 
 TEST(Stepper, AStateThatIsNotFiniteIsSeenByNoObserver) {

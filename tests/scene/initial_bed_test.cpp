@@ -140,6 +140,36 @@ TEST_F(InitialBedTest, HolesCanBeFilled) {
     EXPECT_LE(initial.bed(1, 0), 6.0);
 }
 
+TEST_F(InitialBedTest, HeightsThatNoGroundHasAreToldAndCanBeTakenOut) {
+    const auto told = [&](const std::string& cells, const std::string& more = "") {
+        std::ofstream(folder_ / "odd.asc")
+            << "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 4\nNODATA_value -1\n"
+            << cells;
+        return make_initial_bed(scene("static", "[bed]\nfile = \"odd.asc\"\n" + more));
+    };
+    EXPECT_EQ(told("1 2 3\n4 -50 6\n").note, "");
+    EXPECT_EQ(told("8000 2 3\n4 -9999 6\n").note,
+              "1 of 6 cells have heights that no ground has, the first -9999 m at cell (1, 0): "
+              "where they stand for no data, say so by bed.nodata_value = -9999");
+    for (const char* value : {"1e+30", "-32768", "32767", "-99999"}) {
+        const std::string cells = std::string("1 2 ") + value + "\n4 " + value + " 6\n";
+        const std::string note = told(cells).note;
+        EXPECT_NE(note.find("2 of 6 cells"), std::string::npos) << note;
+        EXPECT_NE(note.find(std::string("say so by bed.nodata_value = ") + value),
+                  std::string::npos)
+            << note;
+        const InitialBed taken = told(cells, std::string("nodata_value = ") + value + "\n");
+        EXPECT_EQ(taken.note, "");
+        ASSERT_FALSE(taken.nodata.empty());
+        EXPECT_EQ(taken.nodata(1, 0), 1);
+        EXPECT_EQ(taken.nodata(2, 1), 1);
+        EXPECT_EQ(taken.nodata(0, 0), 0);
+    }
+    EXPECT_EQ(refusal("[bed]\nfile = \"bed.asc\"\nnodata_value = 77\n"),
+              "scene.toml:7:16: bed.nodata_value is 77 m, but no cell of bed.asc has that height; "
+              "leave the key out");
+}
+
 TEST_F(InitialBedTest, WhatDoesNotFitTheFileIsRefused) {
     const std::string file = "[bed]\nkind = \"file\"\nfile = \"bed.asc\"\n";
     EXPECT_EQ(refusal(file + "[grid]\nnx = 4\n"),

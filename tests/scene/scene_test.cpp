@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "keys/keys.h"
 #include "models/sand/sand.h"
 #include "scene/describe.h"
@@ -16,16 +17,22 @@ namespace {
 
 const std::string least = "[model]\nname = \"sand\"\n[run]\nsteps = 10\n";
 
-/// The one line that reading a scene is refused with.
-std::string scene_refusal(const std::string& text, const std::vector<std::string>& settings = {}) {
+/// The lines that reading a scene is refused with.
+std::string scene_refusals(const std::string& text, const std::vector<std::string>& settings = {}) {
     try {
         parse_scene(text, "scene.toml", "", settings);
     } catch (const InputError& fault) {
         EXPECT_EQ(fault.exit_status(), 2);
-        EXPECT_EQ(std::string(fault.what()).find('\n'), std::string::npos) << "one line only";
         return fault.what();
     }
     return "(accepted)";
+}
+
+/// The one line that it is refused with.
+std::string scene_refusal(const std::string& text, const std::vector<std::string>& settings = {}) {
+    const std::string line = scene_refusals(text, settings);
+    EXPECT_EQ(line.find('\n'), std::string::npos) << "one line only: " << line;
+    return line;
 }
 
 TEST(Scene, DefaultsFillWhatIsNotWritten) {
@@ -138,6 +145,61 @@ INSTANTIATE_TEST_SUITE_P(
                "(steps)"}),
     [](const auto& test) { return test.param.name; });
 
+TEST(SceneFaults, AreToldAllAtOnceInOrder) {
+    EXPECT_EQ(
+        scene_refusals("seeed = 3\n[sun]\nelevation = 91\nazimut = 3\n[model]\nname = "
+                       "\"sant\"\ncreep = 1\n[look]\nlow = 3\nhigh = 2\n",
+                       {"seed=x", "camera.azimut=1"}),
+        "scene.toml:1:1: unknown key seeed; did you mean \"seed\"?\n"
+        "scene.toml:3:13: sun.elevation is 91; it takes a number 1 … 90 (degrees)\n"
+        "scene.toml:4:1: unknown key sun.azimut; did you mean \"sun.azimuth\"?\n"
+        "scene.toml:6:8: unknown model \"sant\"; did you mean \"sand\"? (see `fumon models`)\n"
+        "scene.toml:10:8: look.high (2) must be above look.low (3)\n"
+        "--set 1:6: seed is 'x'; it takes a whole number 0 … 9.223e+18\n"
+        "--set 2:1: unknown key camera.azimut; did you mean \"camera.azimuth\"?");
+}
+
+TEST(SceneFaults, ThatFollowFromOthersAreNotTold) {
+    EXPECT_EQ(scene_refusal("[model]\nname = \"sand\"\n[run]\nstesp = 9\n[frames]\nat = [4]\n"),
+              "scene.toml:4:1: unknown key run.stesp; did you mean \"run.steps\"?")
+        << "neither that run.steps is missing nor that a frame lies behind its end";
+    EXPECT_EQ(
+        scene_refusal(least + "[camera]\ntarget = 1\n"),
+        "scene.toml:6:1: unknown key camera.target; `fumon describe sand` lists the known ones");
+    EXPECT_EQ(scene_refusal(least + "[look]\nambient = \"x\"\nlow = 3\nhigh = 2\n").find("must be"),
+              std::string::npos);
+}
+
+TEST(SceneFaults, OfAModelOnTheCommandLineAreToldOnce) {
+    EXPECT_EQ(scene_refusal(least, {"model.name=sant", "model.creep=1"}),
+              "--set 1:12: unknown model \"sant\"; did you mean \"sand\"? (see `fumon models`)");
+    EXPECT_EQ(scene_refusal(least, {"model.name=3"}).substr(0, 11), "--set 1:12:");
+}
+
+TEST(SceneFaults, OfManyTheFirstTwentyAreTold) {
+    std::string text = least;
+    for (int n = 10; n < 35; ++n) text += "[x" + std::to_string(n) + "]\n";
+    const std::string lines = scene_refusals(text);
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 20);
+    EXPECT_TRUE(lines.ends_with("\nscene.toml: and 5 more")) << lines;
+    EXPECT_NE(lines.find("scene.toml:24:2: unknown key x29"), std::string::npos) << lines;
+}
+
+TEST(SceneFaults, AreNotLookedForWhenThereAreEnough) {
+    std::string text = least;
+    for (int n = 0; n < 20000; ++n) text += "unknown_" + std::to_string(n) + " = 1\n";
+    const std::string lines = scene_refusals(text);
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 20);
+    EXPECT_TRUE(lines.ends_with("\nscene.toml: and at least 80 more")) << lines;
+}
+
+TEST(SceneFaults, ShowNumbersAsShortAsTheyAreWritten) {
+    EXPECT_EQ(scene_refusal("[model]\nname = 0.1\n"),
+              "scene.toml:2:8: model.name is 0.1; it takes a text in quotes");
+    EXPECT_EQ(scene_refusal(least, {"title=[0.1, 2.0, [\"a\"]]"}),
+              "--set 1:7: title is [0.1, 2.0, ['a']]; it takes a text in quotes");
+}
+
 TEST(SceneFile, WithoutAnEndIsRefused) {
     try {
         static_cast<void>(read_scene("/dev/zero"));
@@ -237,6 +299,31 @@ TEST(ListsOfTables, WrongOnesAreLocated) {
               "scene.toml:7:1: unknown key overlay.1.colour; ");
     EXPECT_EQ(scene_refusal(least + "[[overlay]]\nkind = \"clock\"\n").substr(0, 43),
               "scene.toml:6:8: overlay.0.kind is \"clock\"; ");
+}
+
+/// So many panels in one line, each with so many curves.
+std::string panels(int count, int curves) {
+    std::string text = "figure.panel = [";
+    for (int panel = 0; panel < count; ++panel) {
+        text += "{kind = \"plot\", curve = [";
+        for (int curve = 0; curve < curves; ++curve) text += "{},";
+        text += "]},";
+    }
+    return text + "]\n";
+}
+
+TEST(ListsOfTables, AreReadInATimeThatGrowsWithTheirNumber) {
+    const Stopwatch watch;
+    EXPECT_NE(scene_refusals(panels(500, 2)), "");
+    constexpr double far_below_a_table_for_each = 5.0;  // seconds; they were minutes
+    EXPECT_LT(watch.seconds(), far_below_a_table_for_each);
+}
+
+TEST(ListsOfTables, HaveOneLimitForAllItemsThatHoldThem) {
+    EXPECT_EQ(scene_refusals(panels(10, 100)).find("stands more than"), std::string::npos);
+    EXPECT_NE(
+        scene_refusals(panels(10, 101)).find("[[figure.panel.curve]] stands more than 1000 times"),
+        std::string::npos);
 }
 
 TEST(Describe, ListsEveryKeyWithTypeUnitDefaultAndRange) {

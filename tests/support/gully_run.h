@@ -127,7 +127,7 @@ inline double linear_growth_rate(const GullyParameters& p, double wavelength) {
     const double water = p.gravity * p.depth * p.depth / (p.friction_coefficient * speed);
     const double k2 = std::pow(2.0 * std::numbers::pi / wavelength, 2);
     const double a = water * k2;
-    const double b = p.bed_diffusion * k2;
+    const double b = p.bed_diffusion.value * k2;
     return 0.5 * (std::sqrt((a - b) * (a - b) + 4.0 * erosion * a) - (a + b));
 }
 

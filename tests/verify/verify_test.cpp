@@ -207,8 +207,8 @@ TEST_F(Verify, WrongInputIsFoundBeforeAnythingIsDrawn) {
         return ended.errors;
     };
     EXPECT_EQ(errors("a = {scene = \"none.toml\"}\n"),
-              "b.toml:2:1: cases.a: none.toml: cannot be read: No such file or directory; name a "
-              "file that exists and that you may read\n");
+              "b.toml:2:1: cases.a: none.toml is not there or is not sound; `fumon check` with its "
+              "path, or --trust here, says more\n");
     EXPECT_EQ(errors("a = {scene = \"scene.toml\", settings = [\"sun.azimut=3\"]}\n"),
               "b.toml:2:1: cases.a: settings.1:1: unknown key sun.azimut; did you mean "
               "\"sun.azimuth\"?\n");

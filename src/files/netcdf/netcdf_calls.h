@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <mutex>
 
-#include "base/crash.h"
 #include "base/error.h"
+#include "base/library_at_work.h"
 
 namespace fumon {
 

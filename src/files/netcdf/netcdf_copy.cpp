@@ -12,11 +12,11 @@ namespace fumon {
 
 namespace {
 
-void copy_number(const NetcdfInput& from, std::size_t record, int to, int variable,
+void copy_number(const NetcdfInput& from, std::size_t record, RecordValues& to, int variable,
                  std::size_t at) {
     double value = 0.0;
     check_netcdf(nc_get_var1_double(from.id(), variable, &record, &value));
-    check_netcdf(nc_put_var1_double(to, variable, &at, &value));
+    to.put(variable, at, value);
 }
 
 bool fits(const SnapshotSection* section, const SectionLayout& layout) {
@@ -27,8 +27,8 @@ bool fits(const SnapshotSection* section, const SectionLayout& layout) {
 
 }  // namespace
 
-void copy_record(const NetcdfInput& from, std::size_t record, int to, const FieldsLayout& layout,
-                 int nx, int ny, std::size_t at) {
+void copy_record(const NetcdfInput& from, std::size_t record, RecordValues& to,
+                 const FieldsLayout& layout, int nx, int ny, std::size_t at) {
     std::vector<double> block;
     const auto copy_field = [&](int variable) {
         for (int y = 0; y < ny; y += layout.rows) {
@@ -40,8 +40,7 @@ void copy_record(const NetcdfInput& from, std::size_t record, int to, const Fiel
             check_netcdf(
                 nc_get_vara_double(from.id(), variable, start.data(), count.data(), block.data()));
             const std::array<std::size_t, 3> target{at, start[1], 0};
-            check_netcdf(
-                nc_put_vara_double(to, variable, target.data(), count.data(), block.data()));
+            to.put(variable, target, count, block.data());
         }
     };
     copy_field(layout.bed);
@@ -54,7 +53,7 @@ void copy_record(const NetcdfInput& from, std::size_t record, int to, const Fiel
     }
     long long step = 0;
     check_netcdf(nc_get_var1_longlong(from.id(), layout.step, &record, &step));
-    check_netcdf(nc_put_var1_longlong(to, layout.step, &at, &step));
+    to.put(layout.step, at, step);
     copy_number(from, record, to, layout.time, at);
 }
 

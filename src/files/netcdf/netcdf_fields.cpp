@@ -12,9 +12,12 @@
 
 #include "files/atomic_file.h"
 #include "files/netcdf/netcdf_calls.h"
+#include "files/netcdf/netcdf_copy.h"
 #include "files/netcdf/netcdf_form.h"
 #include "files/netcdf/netcdf_input.h"
+#include "files/netcdf/netcdf_layout.h"
 #include "files/netcdf/netcdf_piece.h"
+#include "files/netcdf/netcdf_values.h"
 
 namespace fumon {
 
@@ -37,22 +40,83 @@ struct ClosedPiece {
     std::int64_t used = 0;
 };
 
-[[noreturn]] void refuse_piece(const fs::path& piece, std::string_view why) {
-    throw InputError(
-        fmt::format("{}: cannot go on with it: {}; run the scene from its start with --force",
-                    piece.string(), why));
+/// What a former run left, as far as it is what the run wrote.
+struct LeftPieces {
+    std::vector<ClosedPiece> pieces;
+    FieldsDifference difference;
+};
+
+/// The variables of a file as it would be made, held in memory alone.
+FieldsLayout layout_of(const Snapshot& first) {
+    int scratch = -1;
+    check_netcdf(nc_create("fields", NC_NETCDF4 | NC_DISKLESS, &scratch));
+    const struct Closed {
+        int file;
+        ~Closed() { nc_abort(file); }
+    } at_end{scratch};
+    return define_fields(scratch, first, {});
 }
 
-std::int64_t records_of(const fs::path& piece) {
+/// Reads the first records, at most `most`, of a file; returns how many it has. Throws NetcdfFault
+/// and InputError.
+std::int64_t read_records(const fs::path& file, std::int64_t most, const Snapshot& first,
+                          Sha256Stream& hash) {
+    const FieldsLayout layout = layout_of(first);
+    const NetcdfInput input(file);
+    const std::vector<int> over = input.dimensions(layout.time);
+    const std::size_t there = over.size() == 1 ? input.dimension_length(over.front()) : 0;
+    RecordValues values(std::nullopt, hash);
+    for (std::size_t record = 0; record < there && std::cmp_less(record, most); ++record)
+        copy_record(input, record, values, layout, first.bed.nx(), first.bed.ny(), record);
+    return static_cast<std::int64_t>(there);
+}
+
+/// Why a file cannot be read; empty where it can. `records`: how many it has.
+std::string read_piece(const fs::path& file, std::int64_t most, const Snapshot& first,
+                       Sha256Stream& hash, std::int64_t& records) {
+    std::error_code fault;
+    if (!fs::exists(file, fault)) return "is not there";
+    if (!fs::is_regular_file(file, fault)) return "is no file";
     const NetcdfLock lock;
     try {
-        const NetcdfInput input(piece);
-        int time = 0;
-        check_netcdf(nc_inq_dimid(input.id(), "time", &time));
-        return static_cast<std::int64_t>(input.dimension_length(time));
-    } catch (const NetcdfFault& fault) {
-        refuse_piece(piece, fault.what());
+        records = read_records(file, most, first, hash);
+        return records == 0 ? "has no records" : "";
+    } catch (const NetcdfFault& unreadable) {
+        return fmt::format("cannot be read: {}", unreadable.what());
+    } catch (const InputError& unreadable) {
+        return fmt::format("cannot be read: {}", unreadable.what());
     }
+}
+
+/// A file under its own name holds all pieces, of which some may be left beside it.
+LeftPieces find_pieces(const fs::path& file, const Snapshot& first,
+                       const FieldsBeginning& beginning, Sha256Stream& hash) {
+    LeftPieces left;
+    std::int64_t total = 0;
+    std::error_code fault;
+    const bool is_joined = fs::exists(fs::symlink_status(file, fault));
+    while (total < beginning.records) {
+        const auto next = static_cast<std::int64_t>(left.pieces.size()) + 1;
+        const fs::path path = is_joined ? file : piece_path(file, next);
+        const std::int64_t wanted = beginning.records - total;
+        std::int64_t there = 0;
+        left.difference = {path, read_piece(path, wanted, first, hash, there)};
+        if (!left.difference.what.empty()) return left;
+        if (is_joined && there < wanted) {
+            left.difference.what = fmt::format("has {} records of {}", there, wanted);
+            return left;
+        }
+        left.pieces.push_back({path, there, std::min(there, wanted)});
+        total += left.pieces.back().used;
+    }
+    if (hash.so_far() == beginning.hash) return left;
+    const std::size_t pieces = left.pieces.size();
+    left.difference.what =
+        pieces > 1
+            ? fmt::format("or one of the {} pieces before it has changed since it was written",
+                          pieces - 1)
+            : "has changed since it was written";
+    return left;
 }
 
 }  // namespace
@@ -82,27 +146,22 @@ class FieldsFile::Parts {
     Parts(const fs::path& file, const Snapshot& first, FieldsText text)
         : file_(resolved_link(file)), outline_(outline_of(first)), text_(std::move(text)) {}
 
-    void begin() { open_.emplace(file_, outline_, text_); }
+    void begin() { open_.emplace(file_, outline_, text_, hash_); }
 
-    /// Finds what a former run left, and takes its first `records`.
-    void go_on(std::int64_t records) {
+    /// Finds what a former run left, and takes its first records.
+    void go_on(const FieldsBeginning& beginning) {
+        LeftPieces left = find_pieces(file_, outline_, beginning, hash_);
+        if (!left.difference.what.empty())
+            throw InputError(fmt::format("{}: cannot go on with it: it {}",
+                                         left.difference.file.string(), left.difference.what));
+        closed_ = std::move(left.pieces);
+        total_ = beginning.records;
         std::error_code fault;
-        if (fs::exists(file_, fault)) {  // all pieces were joined
+        if (!closed_.empty() && closed_.front().path == file_) {
             remove_fields_pieces(file_);
-            fs::rename(file_, piece_path(file_, 1), fault);
-            if (fault) refuse_to_write(piece_path(file_, 1), fault.value());
-        }
-        while (total_ < records) {
-            const fs::path path = piece_path(file_, next_number());
-            if (!fs::exists(path, fault)) {
-                throw InputError(fmt::format(
-                    "{}: is not there; run the scene from its start with --force", path.string()));
-            }
-            const std::int64_t there = records_of(path);
-            if (there == 0) refuse_piece(path, "it has no records");
-            const std::int64_t used = std::min(there, records - total_);
-            closed_.push_back({path, there, used});
-            total_ += used;
+            closed_.front().path = piece_path(file_, 1);
+            fs::rename(file_, closed_.front().path, fault);
+            if (fault) refuse_to_write(closed_.front().path, fault.value());
         }
         for (std::int64_t later = next_number();; ++later) {  // that the checkpoint does not count
             if (!fs::remove(piece_path(file_, later), fault)) break;
@@ -116,10 +175,12 @@ class FieldsFile::Parts {
         ++total_;
     }
 
-    void sync() {
-        if (!open_ || open_->records() == 0) return;
-        close_piece();
-        sync_folder_of(file_);
+    FieldsBeginning sync() {
+        if (open_ && open_->records() > 0) {
+            close_piece();
+            sync_folder_of(file_);
+        }
+        return {total_, hash_.so_far()};
     }
 
     void commit() {
@@ -135,8 +196,12 @@ class FieldsFile::Parts {
                 refuse_to_write(file_, errno);
             return;
         }
-        FieldsPiece whole(file_, outline_, text_);
+        Sha256Stream joined;
+        FieldsPiece whole(file_, outline_, text_, joined);
         for (const ClosedPiece& piece : closed_) whole.copy(piece.path, piece.used);
+        if (joined.so_far() != hash_.so_far())
+            throw Error(fmt::format(
+                "cannot write {}: a piece of it has changed since it was written", file_.string()));
         whole.close_as(file_);
         remove_fields_pieces(file_);
     }
@@ -159,6 +224,7 @@ class FieldsFile::Parts {
     fs::path file_;
     Snapshot outline_;
     FieldsText text_;
+    Sha256Stream hash_;  ///< of the values of all records
     std::vector<ClosedPiece> closed_;
     std::optional<FieldsPiece> open_;
     std::int64_t total_ = 0;
@@ -171,9 +237,9 @@ FieldsFile::FieldsFile(const fs::path& file, const Snapshot& first, const Fields
 }
 
 FieldsFile::FieldsFile(const fs::path& file, const Snapshot& first, const FieldsText& text,
-                       std::int64_t records)
+                       const FieldsBeginning& former)
     : parts_(std::make_unique<Parts>(file, first, text)) {
-    parts_->go_on(records);
+    parts_->go_on(former);
 }
 
 FieldsFile::~FieldsFile() = default;
@@ -186,12 +252,18 @@ std::int64_t FieldsFile::records() const {
     return parts_->records();
 }
 
-void FieldsFile::sync() {
-    parts_->sync();
+FieldsBeginning FieldsFile::sync() {
+    return parts_->sync();
 }
 
 void FieldsFile::commit() {
     parts_->commit();
+}
+
+FieldsDifference difference(const fs::path& file, const Snapshot& first,
+                            const FieldsBeginning& beginning) {
+    Sha256Stream hash;
+    return find_pieces(resolved_link(file), first, beginning, hash).difference;
 }
 
 }  // namespace fumon

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/sha256.h"
 #include "base/snapshot.h"
 
 namespace fumon {
@@ -15,6 +16,12 @@ struct FieldsText {
     std::string title;
     std::string scene;      ///< the resolved scene as TOML
     std::int64_t seed = 1;  ///< of the scene
+};
+
+/// The first records of a fields file that grows.
+struct FieldsBeginning {
+    std::int64_t records = -1;  ///< −1: there was no file
+    Sha256 hash{};              ///< of their values (RecordValues)
 };
 
 /// A NetCDF-4 file of a run's fields over (time, y, x), and of its section's over (time, z,
@@ -40,12 +47,12 @@ class FieldsFile {
     /// or curve whose name is no NetCDF name or is there twice, and for a section below 2 x 2 nodes
     /// or over a bed of several rows.
     FieldsFile(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text);
-    /// Goes on with the first `records` records that a run of the same first snapshot and text left
-    /// in its pieces or, joined, under its name; the file gets the bytes of one that was written in
-    /// one go. Throws InputError, naming the piece, where one is not there, cannot be read or has
-    /// too few records.
+    /// Goes on with the first records that a run of the same first snapshot and text left in its
+    /// pieces or, joined, under its name; the file gets the bytes of one that was written in one
+    /// go. Throws InputError, naming the piece, where one is not there, cannot be read or has not
+    /// these records.
     FieldsFile(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text,
-               std::int64_t records);
+               const FieldsBeginning& former);
     ~FieldsFile();
     FieldsFile(const FieldsFile&) = delete;
     FieldsFile& operator=(const FieldsFile&) = delete;
@@ -58,7 +65,7 @@ class FieldsFile {
     [[nodiscard]] std::int64_t records() const;
 
     /// Closes all records so far as a piece and puts it on disk (fsync). Throws Error on failure.
-    void sync();
+    [[nodiscard]] FieldsBeginning sync();
 
     /// Joins the pieces, closes the file, puts it on disk and gives it its name. Throws Error on
     /// failure; the pieces stay then.
@@ -68,6 +75,16 @@ class FieldsFile {
     class Parts;
     std::unique_ptr<Parts> parts_;
 };
+
+/// Where what a stopped run left of a fields file is not what it wrote.
+struct FieldsDifference {
+    std::filesystem::path file;  ///< NAME, or one of its pieces
+    std::string what;  ///< "is not there", "has 2 records of 7" …; empty where nothing is
+};
+
+/// Compares what a run of this first snapshot left with the records that it had. Reads them all.
+FieldsDifference difference(const std::filesystem::path& file, const Snapshot& first,
+                            const FieldsBeginning& beginning);
 
 /// The number of the piece of a fields file that a name is ("fields.nc.000002" of "fields.nc"); 0
 /// of any other name.

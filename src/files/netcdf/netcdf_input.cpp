@@ -8,6 +8,7 @@
 
 #include "base/limits.h"
 #include "files/netcdf/netcdf_classic.h"
+#include "files/open_files.h"
 
 namespace fumon {
 
@@ -47,7 +48,12 @@ bool is_netcdf(std::string_view start) {
 NetcdfInput::NetcdfInput(const std::filesystem::path& file) : name_(file.string()) {
     refuse_damaged_classic_file(file);
     // An absolute path is never taken for an address on the network.
-    file_ = NetcdfHandle::open_to_read(std::filesystem::absolute(file));
+    try {
+        file_ = NetcdfHandle::open_to_read(std::filesystem::absolute(file));
+    } catch (const NetcdfFault&) {
+        refuse_shortage_of_open_files(file);
+        throw;
+    }
 }
 
 int NetcdfInput::variables() const {

@@ -21,7 +21,8 @@ bool is_netcdf(std::string_view start);
 /// one lives. All calls throw NetcdfFault where the library fails.
 class NetcdfInput {
   public:
-    /// Throws InputError for a classic file that is cut short (see netcdf_classic.h).
+    /// Throws InputError for a classic file that is cut short (see netcdf_classic.h), Error where
+    /// too many files are open.
     explicit NetcdfInput(const std::filesystem::path& file);
 
     [[nodiscard]] int id() const { return file_.id(); }

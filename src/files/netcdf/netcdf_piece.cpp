@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <limits>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -20,6 +21,8 @@
 #include "files/netcdf/netcdf_form.h"
 #include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_layout.h"
+#include "files/netcdf/netcdf_values.h"
+#include "files/open_files.h"
 
 namespace fumon {
 
@@ -31,7 +34,8 @@ constexpr int closed = -1;
 
 class FieldsPiece::Parts {
   public:
-    Parts(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text)
+    Parts(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text,
+          Sha256Stream& hash)
         : file_(resolved_link(file)),
           part_(std::filesystem::absolute(file_)),  // which is never taken for a network address
           form_(record_form(first)) {
@@ -42,7 +46,7 @@ class FieldsPiece::Parts {
                 file_.string()));
         record_room_ = record_room(first);
         try {
-            make(first, text);
+            make(first, text, hash);
         } catch (...) {
             discard();
             throw;
@@ -58,8 +62,8 @@ class FieldsPiece::Parts {
         for (std::int64_t record = 0; record < count; ++record, ++records_) {
             reserve(record_room_);
             try {
-                copy_record(input, static_cast<std::size_t>(record), netcdf_.id(), layout_,
-                            form_.nx, form_.ny, static_cast<std::size_t>(records_));
+                copy_record(input, static_cast<std::size_t>(record), *values_, layout_, form_.nx,
+                            form_.ny, static_cast<std::size_t>(records_));
                 check_netcdf(nc_sync(netcdf_.id()));
             } catch (const NetcdfFault& fault) {
                 broken_ = true;
@@ -104,7 +108,7 @@ class FieldsPiece::Parts {
     [[nodiscard]] std::int64_t records() const { return records_; }
 
   private:
-    void make(const Snapshot& first, const FieldsText& text) {
+    void make(const Snapshot& first, const FieldsText& text, Sha256Stream& hash) {
         ::unlink(part_.c_str());                              // what a killed run may have left
         constexpr mode_t everyone_may_read_and_write = 0666;  // less the umask
         descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
@@ -116,6 +120,7 @@ class FieldsPiece::Parts {
             netcdf_ = NetcdfHandle::create(part_);
             reserve(header_room(first, text) + record_room(first));  // making it gave that back
             layout_ = define_fields(netcdf_.id(), first, text);
+            values_.emplace(netcdf_.id(), hash);
             check_netcdf(nc_sync(netcdf_.id()));
         } catch (const NetcdfFault& fault) {
             fail(fault);
@@ -145,6 +150,7 @@ class FieldsPiece::Parts {
     }
 
     [[noreturn]] void fail(const NetcdfFault& fault) const {
+        if (const int shortage = shortage_of_open_files()) refuse_to_write(file_, shortage);
         throw Error(fmt::format("cannot write {}: {}; is its disk full or broken?", file_.string(),
                                 fault.what()));
     }
@@ -160,23 +166,16 @@ class FieldsPiece::Parts {
 
     /// The time comes last: a record whose time is not the _FillValue is complete.
     void write(const Snapshot& snapshot) {
+        const auto record = static_cast<std::size_t>(records_);
         write_field(layout_.bed, snapshot.bed, snapshot.nodata, layout_.bed_factor);
         for (std::size_t i = 0; i < layout_.fields.size(); ++i)
             write_field(layout_.fields[i], snapshot.fields[i].values, snapshot.nodata, 1.0);
         for (std::size_t i = 0; i < layout_.numbers.size(); ++i)
-            write_number(layout_.numbers[i], snapshot.numbers[i].value);
-        const std::size_t record = static_cast<std::size_t>(records_);
-        if (layout_.section)
-            write_section(netcdf_.id(), *layout_.section, record, *snapshot.section);
-        const long long step = snapshot.step;
-        check_netcdf(nc_put_var1_longlong(netcdf_.id(), layout_.step, &record, &step));
-        write_number(layout_.time, snapshot.time);
+            values_->put(layout_.numbers[i], record, snapshot.numbers[i].value);
+        if (layout_.section) write_section(*values_, *layout_.section, record, *snapshot.section);
+        values_->put(layout_.step, record, static_cast<long long>(snapshot.step));
+        values_->put(layout_.time, record, snapshot.time);
         check_netcdf(nc_sync(netcdf_.id()));
-    }
-
-    void write_number(int variable, double value) const {
-        const std::size_t record = static_cast<std::size_t>(records_);
-        check_netcdf(nc_put_var1_double(netcdf_.id(), variable, &record, &value));
     }
 
     /// In blocks of the chunks' rows, so that a block and no field is copied.
@@ -197,8 +196,7 @@ class FieldsPiece::Parts {
             const std::array<std::size_t, 3> start{static_cast<std::size_t>(records_),
                                                    static_cast<std::size_t>(y), 0};
             const std::array<std::size_t, 3> count{1, rows, nx};
-            check_netcdf(nc_put_vara_double(netcdf_.id(), variable, start.data(), count.data(),
-                                            block_.data()));
+            values_->put(variable, start, count, block_.data());
         }
     }
 
@@ -209,14 +207,15 @@ class FieldsPiece::Parts {
     int descriptor_ = closed;       ///< of the .part, for setting space aside
     NetcdfHandle netcdf_;
     FieldsLayout layout_;
+    std::optional<RecordValues> values_;
     std::vector<double> block_;
     std::int64_t records_ = 0;
     bool broken_ = false;
 };
 
 FieldsPiece::FieldsPiece(const std::filesystem::path& file, const Snapshot& first,
-                         const FieldsText& text)
-    : parts_(std::make_unique<Parts>(file, first, text)) {}
+                         const FieldsText& text, Sha256Stream& hash)
+    : parts_(std::make_unique<Parts>(file, first, text, hash)) {}
 
 FieldsPiece::~FieldsPiece() = default;
 

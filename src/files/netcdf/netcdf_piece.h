@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/sha256.h"
 #include "files/netcdf/netcdf_fields.h"
 
 namespace fumon {
@@ -11,9 +12,11 @@ namespace fumon {
 /// A fields file while it is written, as NAME.part: from its definition to its closing.
 class FieldsPiece {
   public:
-    /// `first`: a snapshot like every record's, or its outline (netcdf_form.h). Throws Error where
-    /// the file cannot be made.
-    FieldsPiece(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text);
+    /// `first`: a snapshot like every record's, or its outline (netcdf_form.h). `hash` goes on with
+    /// the values of the records (RecordValues), and outlives this. Throws Error where the file
+    /// cannot be made.
+    FieldsPiece(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text,
+                Sha256Stream& hash);
     /// Deletes the file unless it was closed.
     ~FieldsPiece();
     FieldsPiece(const FieldsPiece&) = delete;

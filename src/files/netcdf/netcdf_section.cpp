@@ -90,14 +90,15 @@ void put_nodes(int file, int variable, std::size_t count, double spacing) {
     check_netcdf(nc_put_var_double(file, variable, nodes.data()));
 }
 
-void write_line(int file, int variable, std::size_t record, const std::vector<double>& values) {
+void write_line(RecordValues& file, int variable, std::size_t record,
+                const std::vector<double>& values) {
     const std::array<std::size_t, 2> start{record, 0};
     const std::array<std::size_t, 2> count{1, values.size()};
-    check_netcdf(nc_put_vara_double(file, variable, start.data(), count.data(), values.data()));
+    file.put(variable, start, count, values.data());
 }
 
-void write_path_axis(int file, int variable, std::size_t record, const SnapshotSection& section,
-                     std::vector<double> GrainPath::*axis) {
+void write_path_axis(RecordValues& file, int variable, std::size_t record,
+                     const SnapshotSection& section, std::vector<double> GrainPath::*axis) {
     const std::size_t points = longest_path(section);
     if (points == 0) return;
     std::vector<double> block(section.paths.size() * points,
@@ -108,10 +109,10 @@ void write_path_axis(int file, int variable, std::size_t record, const SnapshotS
     }
     const std::array<std::size_t, 3> start{record, 0, 0};
     const std::array<std::size_t, 3> count{1, section.paths.size(), points};
-    check_netcdf(nc_put_vara_double(file, variable, start.data(), count.data(), block.data()));
+    file.put(variable, start, count, block.data());
 }
 
-void write_paths(int file, const SectionLayout::Paths& layout, std::size_t record,
+void write_paths(RecordValues& file, const SectionLayout::Paths& layout, std::size_t record,
                  const SnapshotSection& section) {
     std::vector<double> angles;
     angles.reserve(section.paths.size());
@@ -176,14 +177,13 @@ void put_section_coordinates(int file, const SectionLayout& layout,
     put_nodes(file, layout.x, columns_of(section), section.dx);
 }
 
-void write_section(int file, const SectionLayout& layout, std::size_t record,
+void write_section(RecordValues& file, const SectionLayout& layout, std::size_t record,
                    const SnapshotSection& section) {
     for (std::size_t i = 0; i < layout.fields.size(); ++i) {
         const Grid& values = section.fields[i].values;
         const std::array<std::size_t, 3> start{record, 0, 0};
         const std::array<std::size_t, 3> count{1, as_count(values.ny()), as_count(values.nx())};
-        check_netcdf(
-            nc_put_vara_double(file, layout.fields[i], start.data(), count.data(), values.data()));
+        file.put(layout.fields[i], start, count, values.data());
     }
     for (std::size_t i = 0; i < layout.curves.size(); ++i)
         write_line(file, layout.curves[i], record, section.curves[i].values);

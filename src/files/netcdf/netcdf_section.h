@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/snapshot.h"
+#include "files/netcdf/netcdf_values.h"
 
 namespace fumon {
 
@@ -43,7 +44,7 @@ SectionLayout define_section(int file, int time, const SnapshotSection& section)
 void put_section_coordinates(int file, const SectionLayout& layout, const SnapshotSection& section);
 
 /// Writes one record: `section` has the fields, curves and number of paths of the one defined.
-void write_section(int file, const SectionLayout& layout, std::size_t record,
+void write_section(RecordValues& file, const SectionLayout& layout, std::size_t record,
                    const SnapshotSection& section);
 
 /// Bytes of one record's values at most, uncompressed, in whole chunks.

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "files/length_unit.h"
+#include "files/open_files.h"
 #include "files/terrain/gdal_dataset.h"
 #include "files/terrain/gdal_functions.h"
 #include "files/terrain/geographic.h"
@@ -68,6 +69,7 @@ class GeotiffReader {
     }
 
     [[noreturn]] void refuse_damage() const {
+        if (dataset_.get() == nullptr) refuse_shortage_of_open_files(path_);
         std::string fault = session_.fault();
         for (const std::string& part : {path_ + ": ", path_}) {  // which the line begins with
             for (std::size_t at = 0; (at = fault.find(part, at)) != std::string::npos;)

@@ -105,8 +105,9 @@ MeasureGroup celerity_group() {
 
 MeasureGroup slope_group() {
     return group_of<BedSlopes>(
-        of_whole_beds(
-            [](const Snapshot& snapshot) { return bed_slopes(snapshot.bed, snapshot.periodic); }),
+        [](const Snapshot& snapshot) {
+            return bed_slopes(snapshot.bed, snapshot.periodic, snapshot.nodata);
+        },
         {{"stoss_slope", "heights/site", "mean of the sites that rise downwind (face the wind)",
           &BedSlopes::stoss},
          {"lee_slope", "heights/site", "mean of the sites that fall downwind", &BedSlopes::lee},

@@ -28,6 +28,20 @@ std::vector<double> forward_differences(const Grid& bed, bool periodic) {
     return differences;
 }
 
+/// The same, but for those to or from a cell without data.
+std::vector<double> known_differences(const Grid& bed, bool periodic, const Mask& nodata) {
+    std::vector<double> differences;
+    const int nx = bed.nx();
+    for (int y = 0; y < bed.ny(); ++y) {
+        for (int x = 0; x < (periodic ? nx : nx - 1); ++x) {
+            const int next = (x + 1) % nx;
+            if (nodata(x, y) == 0 && nodata(next, y) == 0)
+                differences.push_back(bed(next, y) - bed(x, y));
+        }
+    }
+    return differences;
+}
+
 double skewness(std::span<const double> values) {
     const auto count = static_cast<double>(values.size());
     double mean = 0.0;
@@ -82,8 +96,10 @@ class Sides {
 
 }  // namespace
 
-BedSlopes bed_slopes(const Grid& bed, bool periodic) {
-    const std::vector<double> differences = forward_differences(bed, periodic);
+BedSlopes bed_slopes(const Grid& bed, bool periodic, const Mask& nodata) {
+    const std::vector<double> differences = nodata.empty()
+                                                ? forward_differences(bed, periodic)
+                                                : known_differences(bed, periodic, nodata);
     double highest = 0.0;
     for (const double height : bed.values()) highest = std::max(highest, std::abs(height));
     Sides sides(differences, level * highest);

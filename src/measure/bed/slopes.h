@@ -25,6 +25,7 @@ struct BedSlopes {
 /// edge too. Percentiles are of the nearest rank. Differences below 1e-12 of the highest |h| are
 /// level ground and count on neither side. Noise from site to site raises both sides alike and
 /// draws the ratio toward 1; so does a forward difference where a side is shorter than a few sites.
-BedSlopes bed_slopes(const Grid& bed, bool periodic);
+/// A difference to or from a cell without data (`nodata`, empty for none) does not count.
+BedSlopes bed_slopes(const Grid& bed, bool periodic, const Mask& nodata = {});
 
 }  // namespace fumon

@@ -13,6 +13,7 @@ namespace fumon {
 namespace {
 
 constexpr int fewest_columns = 8;
+constexpr double beyond_noise = 3.0;  // a rim among the far columns, over their lowest's depth
 constexpr double rounding_of_height = 1e-9;  // of the largest height
 
 double median(std::vector<double> values) {
@@ -44,7 +45,10 @@ ChannelBed channel_bed(const Grid& bed, const Mask& nodata, double dx, bool peri
             rim = std::max(rim, height);
         }
     }
+    const auto [far_lowest, far_highest] = std::ranges::minmax(far);
     const double far_bed = median(std::move(far));
+    if (far_highest - far_bed > beyond_noise * (far_bed - far_lowest))
+        rim = std::max(rim, far_highest);
     return {(channel + 0.5) * dx, far_bed, lowest - far_bed, std::max(0.0, rim - far_bed)};
 }
 

@@ -18,8 +18,9 @@ struct ChannelBed {
 
 /// Of the bed's mean down the slope (downslope_mean): the channel is its lowest column; far away is
 /// what lies farther from that than two fifths of the width, and its height is the median of those
-/// columns, since the bed there may sink as a whole. The rim is looked for in the columns nearer
-/// than that: rims may lie some ten widths of the channel away from it.
+/// columns, since the bed there may sink as a whole. The rim is the highest of the columns nearer
+/// than that, since rims may lie some ten widths of the channel away from it, or of those far away
+/// where one of them rises above that height over three times as far as any falls below it.
 ///
 /// Made for a single channel that runs straight down; among many, "far away" is no bed at rest. NaN
 /// throughout for fewer than 8 columns, where a column has no data, and where the line's range is

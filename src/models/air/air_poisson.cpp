@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 
+#include "base/give_up.h"
 #include "base/multiversion.h"
 #include "numerics/eigen_blocks.h"
 #include "numerics/plane_loop.h"
@@ -88,6 +89,7 @@ void AirPoisson::invert_departures() {
         rectangle_.begin(b_, near_bed_);
         rectangle_.write(p_, near_bed_);
         for (const int source : columns) {
+            give_up_if_asked();
             for (int i = 0; i < plane_.nx; ++i) {
                 double sum = 0.0;
                 for (const PressureTerm& term : departures_[static_cast<std::size_t>(i)]) {
@@ -111,6 +113,7 @@ void AirPoisson::solve_pinned(std::span<const double> right_side) {
             b_[at(i, k)] = k < lowest(i) ? 0.0 : right_side[plane_.at(i, k)];
     }
     rectangle_.begin(b_, plane_.nz);
+    give_up_if_asked();
     rectangle_.write(p_, near_bed_);
     std::vector<double> departing(static_cast<std::size_t>(plane_.nx));
     for (int i = 0; i < plane_.nx; ++i) {
@@ -123,6 +126,7 @@ void AirPoisson::solve_pinned(std::span<const double> right_side) {
         add_columns(inverse_, departing, strengths_, static_cast<std::size_t>(begin),
                     static_cast<std::size_t>(end));
     });
+    give_up_if_asked();
     std::fill(b_.begin(), b_.end(), 0.0);
     for (int i = 0; i < plane_.nx; ++i)
         b_[at(i, lowest(i))] = -strengths_[static_cast<std::size_t>(i)];

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/give_up.h"
 #include "base/multiversion.h"
 #include "base/state_carrier.h"
 #include "models/air/air_plane.h"
@@ -126,7 +127,9 @@ void AirProjection::step() {
     ++steps_;
     over_plane(pool_, plane_.nx, u_.size(), [this](int begin, int end) { predict(begin, end); });
     over_plane(pool_, plane_.nx, u_.size(), [this](int begin, int end) { diverge(begin, end); });
+    give_up_if_asked();
     poisson_.solve(right_side_, p_);
+    give_up_if_asked();
     over_plane(pool_, plane_.nx, u_.size(), [this](int begin, int end) {
         for (int i = begin; i < end; ++i) extend_pressure(i);
     });
@@ -140,6 +143,7 @@ void AirProjection::predict(int begin, int end) {
         parameters_.viscosity * parameters_.time_step / (plane_.spacing * plane_.spacing)};
     const auto top = [&](int i) { return plane_.under_bed[static_cast<std::size_t>(i)]; };
     for (int i = begin; i < end; ++i) {
+        give_up_if_asked();
         const int left = plane_.left(i);
         const int right = plane_.right(i);
         const int far_left = plane_.left(left);

@@ -93,9 +93,10 @@ Airflow::Airflow(const AirflowParameters& parameters, const ModelSetup& setup)
 }
 
 void Airflow::step() {
+    const bool rests = steady_ && parameters_.until_steady;
+    if (!rests) flow_->step();
     ++steps_;
-    if (steady_ && parameters_.until_steady) return;
-    flow_->step();
+    if (rests) return;
     ++flow_steps_;
     if (flow_steps_ % watch_every_ == 0) watch_stress();
 }

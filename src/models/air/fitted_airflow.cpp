@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "base/error.h"
+#include "base/give_up.h"
 #include "base/state_carrier.h"
 #include "numerics/eigen_blocks.h"
 
@@ -187,6 +188,7 @@ void FittedAirflow::add_boundaries() {
 void FittedAirflow::step() {
     ++steps_;
     for (int i = 0; i < plane_.nx; ++i) {
+        give_up_if_asked();
         for (int k = 1; k < plane_.nz; ++k) {
             const double carried = (along_zeta(stream_, i, k) * along_x(vorticity_, i, k) -
                                     along_x(stream_, i, k) * along_zeta(vorticity_, i, k)) /

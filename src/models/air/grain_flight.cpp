@@ -9,6 +9,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/find_named.h"
+#include "base/give_up.h"
 #include "base/units.h"
 #include "base/worker_pool.h"
 #include "models/air/grain_drag.h"
@@ -207,6 +208,7 @@ void GrainFlights::fly_waiting(std::span<const Launch> launches, std::atomic<std
     int count = 0;
     while (count < GrainLanes::most && take_next(count)) ++count;
     while (count > 0) {
+        give_up_if_asked();
         advance(lanes, count, steps_between_looks);
         for (int lane = count - 1; lane >= 0; --lane) {
             if (!is_over(lanes, lane)) continue;
@@ -278,6 +280,7 @@ GrainPath GrainFlights::path(const Launch& launch) const {
     GrainPath path{launch.angle, {begun.flight.x}, {begun.flight.height}};
     const double width = lane_air_.nx * lane_air_.dx;
     while (!is_over(lanes, 0)) {
+        give_up_if_asked();
         advance(lanes, 1, 1);
         path.x.push_back(lanes.x[0] + lanes.turns[0] * width);
         path.z.push_back(lanes.z[0]);

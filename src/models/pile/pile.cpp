@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/give_up.h"
 #include "base/state_carrier.h"
 #include "models/pile/toppling.h"
 #include "models/shared/cycle_detector.h"
@@ -200,6 +201,7 @@ void Pile::sweep_until_rest(TopplingDraws& draws, Avalanche& avalanche) {
         toppled = false;
         for (std::size_t cell = waiting_.next(0); cell != CellSet::none;
              cell = waiting_.next(cell + 1)) {
+            give_up_if_asked();
             waiting_.remove(cell);
             if (!unstable_by<toward_direction>(cell)) continue;
             topple(cell, draws, [this](std::size_t to) { waiting_.insert(to); });
@@ -230,6 +232,7 @@ void Pile::empty_queue(TopplingDraws& draws, Avalanche& avalanche) {
     while (!queue_.empty()) {
         bool toppled = false;
         for (const std::size_t cell : queue_) {
+            give_up_if_asked();
             waiting_.remove(cell);
             if (!unstable(cell)) continue;
             topple(cell, draws, [](std::size_t) {});
@@ -264,6 +267,7 @@ Avalanche Pile::topple_until_rest(TopplingDraws& draws) {
 
 std::int64_t Pile::settle(TopplingDraws& draws) {
     for (int y = ny_ - 1; y >= 0; --y) {
+        give_up_if_asked();
         for (int x = 0; x < nx_; ++x) {
             if (unstable(cell_of({x, y}))) waiting_.insert(cell_of({x, y}));
         }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/give_up.h"
 #include "base/random.h"
 #include "base/state_carrier.h"
 #include "models/pile/toppling.h"
@@ -93,7 +94,10 @@ Sandpile::Sandpile(const SandpileParameters& parameters, const ModelSetup& setup
 void Sandpile::step() {
     if (dropped_ == 0) pile_.settle(draws_);
     avalanches_.clear();
-    for (std::int64_t grain = 0; grain < parameters_.grains_per_step; ++grain) drop_grain();
+    for (std::int64_t grain = 0; grain < parameters_.grains_per_step; ++grain) {
+        give_up_if_asked();
+        drop_grain();
+    }
     ++steps_;
 }
 

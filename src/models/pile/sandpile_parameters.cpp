@@ -66,7 +66,11 @@ void list_keys(SandpileParameters& pile, KeyTable& table) {
         {{ToppleOrder::sweep, "sweep",
           "row by row from the north-west, in place, once a visit, again and again until rest"},
          {ToppleOrder::first_in_first_out, "first-in-first-out",
-          "in the order in which cells became unstable"}},
+          "by a queue: the cell at its front leaves it and topples once if it is unstable; then "
+          "those of the 3 x 3 cells around it and itself that are unstable and not in the queue "
+          "join its end, row by row from the north-west; a dropped grain's cell begins it, the "
+          "first bed's unstable cells do so row by row. Other rules of joining move the grains "
+          "that stay by some 5 %"}},
         {.help = "order of toppling; the paper does not say, and a large pile depends on it"});
 }
 

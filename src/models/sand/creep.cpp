@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/give_up.h"
 #include "base/multiversion.h"
 #include "base/worker_pool.h"
 
@@ -112,6 +113,7 @@ void creep_row(std::span<const double> south, std::span<const double> here,
 void MaximaCreep::operator()(Grid& bed, double rate, WorkerPool& pool) {
     mark(bed, pool);
     for (int y = 0; y < ny_; ++y) {
+        give_up_if_asked();
         double* south = bed.row(y == 0 ? ny_ - 1 : y - 1).data();
         double* here = bed.row(y).data();
         double* north = bed.row(y + 1 == ny_ ? 0 : y + 1).data();
@@ -145,6 +147,7 @@ void MaximaCreep::mark(const Grid& bed, WorkerPool& pool) {
         std::vector<double> column(width);  // the largest of south, here and north
         std::vector<unsigned char> peaks(words_ * 64, 0);
         for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
             const double* here = bed.row(y).data();
             take_maxima(bed.row(y == 0 ? ny_ - 1 : y - 1).data(), here,
                         bed.row(y + 1 == ny_ ? 0 : y + 1).data(), nx_, sides.data(), column.data());

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/elementary.h"
+#include "base/give_up.h"
 #include "base/multiversion.h"
 
 namespace fumon {
@@ -249,6 +250,7 @@ inline void RowHops::hop_from_each(double* row, const Picks& picks, Hop hop) con
     constexpr std::size_t ahead = block / 2;
     fetch(0, std::min(ahead, words.size()));
     for (std::size_t begin = 0; begin < words.size(); begin += ahead) {
+        give_up_if_asked();
         const std::size_t end = std::min(begin + ahead, words.size());
         fetch(end, std::min(end + ahead, words.size()));
         for (std::size_t k = begin; k < end; ++k) hop(cells[k % block]);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/give_up.h"
 #include "base/random.h"
 #include "base/worker_pool.h"
 #include "models/sand/profile_creep.h"
@@ -140,10 +141,22 @@ void Sand::hop_rows_and_creep() {
         hop(begin - 1);
         hop(begin);
         for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
             hop(y + 1);
             creep_row(row(y - 1), row(y), row(y + 1), parameters_.creep_rate, next_.row(y));
         }
     });
+}
+
+std::string Sand::doubt() const {
+    if (parameters_.hop_length != HopLength::exponential) return {};
+    const double highest = *std::max_element(bed_.values().begin(), bed_.values().end());
+    const double longest = RowHops(parameters_, bed_.nx()).length(highest, 0.0);
+    if (longest <= bed_.nx()) return {};
+    return fmt::format(
+        "by step {} the highest sand ({:.4g} heights) hops {:.4g} sites, round the box of {}: take "
+        "a wider grid.nx, less sand (bed.high) or a shorter model.exponential_length",
+        steps_, highest, longest, bed_.nx());
 }
 
 /// The bed after the hops takes the place of the bed before them.
@@ -157,6 +170,7 @@ void Sand::hop_rows() {
         RowHops hops(parameters_, bed_.nx());
         Picks picks;
         for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
             hop_row(hops, picks, y, in_place ? bed_.row(y) : next_.row(y));
         }
     });
@@ -197,8 +211,10 @@ void Sand::creep_profiles() {
         profile_creep(bed_.row(0), p.creep_rate, p.flank_rate, next_.row(0), &pool_);
     } else {
         pool_.for_ranges(bed_.ny(), [&](int begin, int end) {
-            for (int y = begin; y < end; ++y)
+            for (int y = begin; y < end; ++y) {
+                give_up_if_asked();
                 profile_creep(bed_.row(y), p.creep_rate, p.flank_rate, next_.row(y));
+            }
         });
     }
     std::swap(bed_, next_);

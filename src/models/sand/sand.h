@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/state_carrier.h"
@@ -36,6 +37,8 @@ class Sand : public Model {
     void step() override;
     [[nodiscard]] std::int64_t steps_done() const override { return steps_; }
     [[nodiscard]] Snapshot snapshot() const override;
+    /// Where the exponential law's hops from the highest sand have come to go round the box.
+    [[nodiscard]] std::string doubt() const override;
     [[nodiscard]] std::vector<StateField> state() const override {
         return {{"bed", bed_.values()}};
     }

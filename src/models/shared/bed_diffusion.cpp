@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/give_up.h"
 #include "base/multiversion.h"
 #include "base/worker_pool.h"
 
@@ -117,8 +118,14 @@ void DiffusionLine::solve_columns(Grid& grid, int begin, int end) const {
     const auto row = [&](int y) { return grid.row(y).data() + begin; };
     const auto inverse = [this](int y) { return inverse_[static_cast<std::size_t>(y)]; };
     for (int x = 0; x < count; ++x) row(0)[x] *= inverse(0);
-    for (int y = 1; y < rows; ++y) forward_columns(row(y - 1), r_, inverse(y), count, row(y));
-    for (int y = rows - 2; y >= 0; --y) add_multiple(row(y + 1), r_ * inverse(y), count, row(y));
+    for (int y = 1; y < rows; ++y) {
+        give_up_if_asked();
+        forward_columns(row(y - 1), r_, inverse(y), count, row(y));
+    }
+    for (int y = rows - 2; y >= 0; --y) {
+        give_up_if_asked();
+        add_multiple(row(y + 1), r_ * inverse(y), count, row(y));
+    }
     if (!periodic_) return;
     std::vector<double> factors(static_cast<std::size_t>(count));
     for (int x = 0; x < count; ++x) {
@@ -157,6 +164,7 @@ void BedDiffusion::first_half(const Grid& bed, const Grid& change, int begin, in
     };
     const std::ptrdiff_t stride = nx_ + 2 * PaddedGrid::margin;
     for (int from = begin; from < end; from += lines_at_once) {
+        give_up_if_asked();
         const int to = std::min(from + lines_at_once, end);
         for (int y = from; y < to; ++y) {
             explicit_y(bed.row(beside(y, -1)).data(), bed.row(y).data(),
@@ -178,8 +186,10 @@ void BedDiffusion::first_half(const Grid& bed, const Grid& change, int begin, in
 
 void BedDiffusion::second_half(Grid& bed) {
     pool_.for_ranges(nx_, [&](int begin, int end) {
-        for (int y = 0; y < ny_; ++y)
+        for (int y = 0; y < ny_; ++y) {
+            give_up_if_asked();
             explicit_x(half_way_.row(y), rx_, begin, end, bed.row(y).data());
+        }
         along_y_.solve_columns(bed, begin, end);
     });
 }

@@ -57,6 +57,10 @@ class Model {
     /// The state between steps, copied.
     [[nodiscard]] virtual Snapshot snapshot() const = 0;
 
+    /// One line on what in the present state nature would not do, and what to set instead; empty
+    /// where there is nothing to doubt.
+    [[nodiscard]] virtual std::string doubt() const { return {}; }
+
     /// Every field that the next step depends on, in declared order.
     [[nodiscard]] virtual std::vector<StateField> state() const = 0;
 

@@ -23,6 +23,14 @@ double pick(std::uint64_t mask, double where_set, double elsewhere) {
                                  (std::bit_cast<std::uint64_t>(elsewhere) & ~mask));
 }
 
+inline double smaller(double a, double b) {
+    return b < a ? b : a;
+}
+
+inline double larger(double a, double b) {
+    return a < b ? b : a;
+}
+
 }  // namespace
 
 FUMON_MULTIVERSION
@@ -114,6 +122,57 @@ void accelerate_row(const Stencil& depth, const Stencil& bed, const SubStep& ste
     }
 }
 
+namespace {
+
+/// The rise of the surface from one neighbour to the other, from the rises toward either.
+inline double limited_rise(double back, double depth_back, double forward, double depth_forward) {
+    const double to_back = smaller(back, larger(depth_back, -forward));
+    const double to_forward = smaller(forward, larger(depth_forward, -back));
+    return to_forward - to_back;
+}
+
+}  // namespace
+
+FUMON_MULTIVERSION
+void accelerate_row_steep(const Stencil& depth, const Stencil& bed, const SubStep& step, int count,
+                          const double* advected_u, const double* advected_v, double* u, double* v,
+                          double* gained_u, double* gained_v) {
+    const double* h = depth.here;
+    const double* hs = depth.south;
+    const double* hn = depth.north;
+    const double* z = bed.here;
+    const double* zs = bed.south;
+    const double* zn = bed.north;
+    double* u_after = u;
+    double* v_after = v;
+    double* u_gain = gained_u;
+    double* v_gain = gained_v;
+    const double* in_u = advected_u;
+    const double* in_v = advected_v;
+    const double push_x = -0.5 * step.dt * step.gravity / step.dx;
+    const double push_y = -0.5 * step.dt * step.gravity / step.dy;
+    const double plane = -step.pull * step.dy / step.gravity;  // its rise from a row to the next
+    const double drag = 4.0 * step.dt * step.friction;
+    FUMON_INDEPENDENT
+    for (int x = 0; x < count; ++x) {
+        const double west = (h[x - 1] - h[x]) + (z[x - 1] - z[x]);
+        const double east = (h[x + 1] - h[x]) + (z[x + 1] - z[x]);
+        const double south = ((hs[x] - h[x]) + (zs[x] - z[x])) - plane;
+        const double north = ((hn[x] - h[x]) + (zn[x] - z[x])) + plane;
+        const double free_u = in_u[x] + push_x * limited_rise(west, h[x - 1], east, h[x + 1]);
+        const double free_v = in_v[x] + push_y * limited_rise(south, hs[x], north, hn[x]);
+        const double speed = std::sqrt(free_u * free_u + free_v * free_v);
+        const std::uint64_t wet = mask_of(h[x] > dry_depth);
+        const double per_depth = 1.0 / pick(wet, h[x], 1.0);
+        const double kept =
+            pick(wet, 2.0 / (1.0 + std::sqrt(1.0 + drag * (speed * per_depth))), 0.0);
+        u_after[x] = kept * free_u;
+        v_after[x] = kept * free_v;
+        u_gain[x] = u_after[x] - in_u[x];
+        v_gain[x] = v_after[x] - in_v[x];
+    }
+}
+
 FUMON_MULTIVERSION
 void accelerate_row_as_published(const Stencil& depth, const Stencil& bed, const double* u_before,
                                  const double* v_before, const SubStep& step, int count,
@@ -174,6 +233,45 @@ void turn_gradient_row(const Stencil& gained, const Stencil& u, const Stencil& v
         const double v_y = v_n[x] - v_s[x];
         fx[x] += 0.5 * (gain[x + 1] - gain[x - 1]) - (u_x * along + v_x * across);
         fy[x] += 0.5 * (gain_n[x] - gain_s[x]) - (u_y * along + v_y * across);
+    }
+}
+
+FUMON_MULTIVERSION
+void hold_advected_row(const Stencil& before, const double* u, const double* v, int count,
+                       double* value) {
+    const double* fs = before.south;
+    const double* fh = before.here;
+    const double* fn = before.north;
+    double* held = value;
+    FUMON_INDEPENDENT
+    for (int x = 0; x < count; ++x) {
+        const std::uint64_t west = mask_of(u[x] > 0.0);
+        const std::uint64_t south = mask_of(v[x] > 0.0);
+        const double f0 = fh[x];
+        const double f1 = pick(west, fh[x - 1], fh[x + 1]);
+        const double f2 = pick(south, fs[x], fn[x]);
+        const double f3 =
+            pick(west, pick(south, fs[x - 1], fn[x - 1]), pick(south, fs[x + 1], fn[x + 1]));
+        const double low = smaller(smaller(f0, f1), smaller(f2, f3));
+        const double high = larger(larger(f0, f1), larger(f2, f3));
+        held[x] = smaller(larger(held[x], low), high);
+    }
+}
+
+FUMON_MULTIVERSION
+void hold_gradient_row(const Stencil& value, int count, double* gradient_x, double* gradient_y) {
+    const double* fs = value.south;
+    const double* fh = value.here;
+    const double* fn = value.north;
+    double* gx = gradient_x;
+    double* gy = gradient_y;
+    FUMON_INDEPENDENT
+    for (int x = 0; x < count; ++x) {
+        const double f = fh[x];
+        const double most_x = 2.0 * larger(std::fabs(fh[x + 1] - f), std::fabs(f - fh[x - 1]));
+        const double most_y = 2.0 * larger(std::fabs(fn[x] - f), std::fabs(f - fs[x]));
+        gx[x] = smaller(larger(gx[x], -most_x), most_x);
+        gy[x] = smaller(larger(gy[x], -most_y), most_y);
     }
 }
 

@@ -45,6 +45,13 @@ void accelerate_row(const Stencil& depth, const Stencil& bed, const SubStep& ste
                     const double* advected_u, const double* advected_v, double* u, double* v,
                     double* gained_u, double* gained_v);
 
+/// The same for steep relief: toward a neighbour the surface rises no further than it falls on the
+/// other side, or than that neighbour is deep, so that a bank does not press on the water below it.
+/// Friction is implicit at the speed that it leaves.
+void accelerate_row_steep(const Stencil& depth, const Stencil& bed, const SubStep& step, int count,
+                          const double* advected_u, const double* advected_v, double* u, double* v,
+                          double* gained_u, double* gained_v);
+
 /// The same with all forces taken before the sub-step, as published.
 void accelerate_row_as_published(const Stencil& depth, const Stencil& bed, const double* u_before,
                                  const double* v_before, const SubStep& step, int count,
@@ -56,6 +63,13 @@ void accelerate_row_as_published(const Stencil& depth, const Stencil& bed, const
 /// the velocity it was advected with.
 void turn_gradient_row(const Stencil& gained, const Stencil& u, const Stencil& v,
                        const SubStep& step, int count, double* gradient_x, double* gradient_y);
+
+/// Holds what advect_row gave between the four values that it comes from: no extremum of its own.
+void hold_advected_row(const Stencil& before, const double* u, const double* v, int count,
+                       double* value);
+
+/// Holds gradients to twice the larger step of the value toward a neighbour: in place.
+void hold_gradient_row(const Stencil& value, int count, double* gradient_x, double* gradient_y);
 
 /// The advected depth less h ∇·u, as published, and what it gained.
 void thin_row(const double* depth, const double* advected, const Stencil& u, const Stencil& v,

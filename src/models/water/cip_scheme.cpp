@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/give_up.h"
 #include "base/multiversion.h"
 #include "base/state_carrier.h"
 #include "base/worker_pool.h"
@@ -65,6 +66,7 @@ void copy_row(const PaddedGrid& from, Grid& to, int y) {
 CipScheme::CipScheme(const GullyParameters& parameters, const WaterDomain& domain,
                      const Water& start, WorkerPool& pool)
     : as_published_(parameters.scheme == WaterScheme::cip_as_published),
+      steep_(parameters.relief == Relief::steep),
       nx_(start.depth.nx()),
       ny_(start.depth.ny()),
       domain_(domain),
@@ -155,11 +157,16 @@ void CipScheme::advect_and_accelerate(const cip::SubStep& step, Water& water, co
         std::vector<double> advected_v(static_cast<std::size_t>(nx_));
         PaddedGrid bed_row(nx_, 1);
         for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
             const auto advect = [&](Carried& carried, double* value) {
                 cip::advect_row({around(carried.value, y), around(carried.gradient_x, y),
                                  around(carried.gradient_y, y)},
                                 u_.value.row(y), v_.value.row(y), step, nx_,
                                 {value, carried.next_x.row(y), carried.next_y.row(y)});
+                if (steep_) {
+                    cip::hold_advected_row(around(carried.value, y), u_.value.row(y),
+                                           v_.value.row(y), nx_, value);
+                }
             };
             advect(u_, advected_u.data());
             advect(v_, advected_v.data());
@@ -178,9 +185,9 @@ void CipScheme::advect_and_accelerate(const cip::SubStep& step, Water& water, co
                                                  u_.next.row(y), v_.next.row(y), u_.gained.row(y),
                                                  v_.gained.row(y));
             } else {
-                cip::accelerate_row(depth, ground, step, nx_, advected_u.data(), advected_v.data(),
-                                    u_.next.row(y), v_.next.row(y), u_.gained.row(y),
-                                    v_.gained.row(y));
+                const auto accelerate = steep_ ? cip::accelerate_row_steep : cip::accelerate_row;
+                accelerate(depth, ground, step, nx_, advected_u.data(), advected_v.data(),
+                           u_.next.row(y), v_.next.row(y), u_.gained.row(y), v_.gained.row(y));
             }
             for (Carried* carried : {&u_, &v_}) {
                 carried->next.wrap(y);
@@ -198,6 +205,7 @@ void CipScheme::advect_and_accelerate(const cip::SubStep& step, Water& water, co
 void CipScheme::thin_as_published(const cip::SubStep& step, double rain) {
     pool_.for_ranges(ny_, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
             cip::thin_row(depth_.value.row(y), depth_.next.row(y), around(u_.next, y),
                           around(v_.next, y), step, rain, nx_, depth_.next.row(y),
                           depth_.gained.row(y));
@@ -215,6 +223,10 @@ void CipScheme::turn_velocity_gradients(const cip::SubStep& step, int y) {
 void CipScheme::turn_gradient(const cip::SubStep& step, Carried& carried, int y) const {
     cip::turn_gradient_row(around(carried.gained, y), around(u_.value, y), around(v_.value, y),
                            step, nx_, carried.next_x.row(y), carried.next_y.row(y));
+    if (steep_) {
+        cip::hold_gradient_row(around(carried.next, y), nx_, carried.next_x.row(y),
+                               carried.next_y.row(y));
+    }
     carried.next_x.wrap(y);
     carried.next_y.wrap(y);
 }

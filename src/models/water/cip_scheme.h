@@ -58,6 +58,7 @@ class CipScheme : public ShallowWaterScheme {
     [[nodiscard]] cip::Stencil around(const PaddedGrid& grid, int y) const;
 
     bool as_published_;
+    bool steep_;
     int nx_;
     int ny_;
     WaterDomain domain_;

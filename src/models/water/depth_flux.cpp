@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/give_up.h"
 #include "base/multiversion.h"
 
 namespace fumon {
@@ -86,6 +87,7 @@ void DepthFlux::carry(const PaddedGrid& before, const PaddedGrid& u, const Padde
     std::vector<double> north(static_cast<std::size_t>(nx_));
     moved_north(before, v, begin - 1, south.data());
     for (int y = begin; y < end; ++y) {
+        give_up_if_asked();
         moved_east(before, u, y, east.data());
         moved_north(before, v, y, north.data());
         overdrawn_[static_cast<std::size_t>(y)] =
@@ -104,11 +106,13 @@ void DepthFlux::finish(const PaddedGrid& before, const PaddedGrid& u, const Padd
     Grid east(nx_ + 1, ny_);
     Grid north(nx_, ny_);
     for (int y = 0; y < ny_; ++y) {
+        give_up_if_asked();
         moved_east(before, u, y, east.row(y).data());
         moved_north(before, v, y, north.row(y).data());
     }
     Grid share(nx_, ny_, 1.0);
     for (int y = 0; y < ny_; ++y) {
+        give_up_if_asked();
         for (int x = 0; x < nx_; ++x) {
             const double leaving =
                 (std::max(east(x + 1, y), 0.0) + std::max(-east(x, y), 0.0)) +
@@ -118,6 +122,7 @@ void DepthFlux::finish(const PaddedGrid& before, const PaddedGrid& u, const Padd
         }
     }
     for (int y = 0; y < ny_; ++y) {
+        give_up_if_asked();
         for (int x = 0; x <= nx_; ++x) {
             double& moved = east(x, y);
             moved *= share((moved > 0.0 ? x - 1 + nx_ : x) % nx_, y);
@@ -128,6 +133,7 @@ void DepthFlux::finish(const PaddedGrid& before, const PaddedGrid& u, const Padd
         }
     }
     for (int y = 0; y < ny_; ++y) {
+        give_up_if_asked();
         for (int x = 0; x < nx_; ++x) {
             const double out =
                 (east(x + 1, y) - east(x, y)) + (north(x, y) - north(x, (y + ny_ - 1) % ny_));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/give_up.h"
 #include "base/worker_pool.h"
 
 namespace fumon {
@@ -134,6 +135,7 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, Strip& strip, int fir
         stage.dt, dt_dx, dt_dy, gravity_, gravity_ * domain_.slope, friction_, stage.rain};
     const int lowest = first_row - Strip::margin;
     for (int top = lowest; top < last_row + Strip::margin; ++top) {
+        give_up_if_asked();
         load_row(stage, strip, top);
         if (top < lowest + 2) continue;
         strip.take_y_slopes(top - 1);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/give_up.h"
 #include "base/multiversion.h"
 #include "base/state_carrier.h"
 #include "base/worker_pool.h"
@@ -133,6 +134,7 @@ Gully::Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool)
       scale_(scale),
       pool_(pool),
       bed_(start.bed),
+      first_terrain_(start.on_terrain ? start.bed : Grid()),
       water_(start.water),
       scheme_(make_water_scheme(start, pool)),
       sediment_(parameters_, domain_, bed_.nx(), bed_.ny(), pool),
@@ -148,6 +150,7 @@ void Gully::step() {
     double elapsed = time();
     substeps_ = 0;
     while (remaining > 0.0) {
+        give_up_if_asked();
         const double dt = sub_step_size(remaining, elapsed);
         sub_step(dt, elapsed);
         remaining = dt == remaining ? 0.0 : remaining - dt;
@@ -224,6 +227,36 @@ Snapshot Gully::snapshot() const {
                        {"velocity_y", "northward velocity of the water", "m/s", water_.velocity_y}};
     snapshot.numbers = budgets();
     return snapshot;
+}
+
+std::string Gully::doubt() const {
+    if (first_terrain_.empty() || steps_ == 0) return {};
+    constexpr double least = 1.0;               // m
+    constexpr double plausible = 1.0 / 3600.0;  // m/s: a flood in loose ground
+    double most = 0.0;
+    std::size_t where = 0;
+    for (std::size_t cell = 0; cell < bed_.size(); ++cell) {
+        const double change = bed_.values()[cell] - first_terrain_.values()[cell];
+        if (!(std::fabs(change) > std::fabs(most))) continue;
+        most = change;
+        where = cell;
+    }
+    const double expected = std::max(least, plausible * time());
+    if (!(std::fabs(most) > expected)) return {};
+    const auto nx = static_cast<std::size_t>(bed_.nx());
+    const double rate = std::fabs(most) / (time() * plausible);  // in metres an hour
+    const bool transported = parameters_.transport_factor.value > 0.0;
+    const std::string remedy =
+        transported ? fmt::format("a smaller model.transport_factor, about {:.0e} instead of {:g}",
+                                  parameters_.transport_factor.value / rate,
+                                  parameters_.transport_factor.value)
+                    : fmt::format("less model.bed_diffusion than {:g} m^2/s",
+                                  parameters_.bed_diffusion.value);
+    return fmt::format(
+        "the bed {} {:.3g} m at cell ({}, {}) in the first {:.4g} s, {:.2g} m an hour, where even "
+        "a flood in loose ground cuts about 1: take {}",
+        most < 0.0 ? "sank by" : "rose by", std::fabs(most), where % nx, where / nx, time(), rate,
+        remedy);
 }
 
 std::vector<StateField> Gully::state() const {

@@ -44,6 +44,8 @@ class Gully : public Model {
     }
     [[nodiscard]] std::string_view time_unit() const override { return "s"; }
     [[nodiscard]] Snapshot snapshot() const override;
+    /// On a terrain file: where the bed has changed by over a metre, faster than a metre an hour.
+    [[nodiscard]] std::string doubt() const override;
     [[nodiscard]] std::vector<StateField> state() const override;
     void carry(StateCarrier& carrier) override;
 
@@ -61,6 +63,7 @@ class Gully : public Model {
     WorldScale scale_;
     WorkerPool& pool_;
     Grid bed_;
+    Grid first_terrain_;  ///< the bed at the start, m; empty where it is no terrain file's
     Water water_;
     std::unique_ptr<ShallowWaterScheme> scheme_;
     Sediment sediment_;

@@ -17,6 +17,16 @@ void list_flow_keys(GullyParameters& gully, KeyTable& table) {
          {WaterScheme::finite_volume, "finite-volume",
           "second order, well-balanced, for wet and dry ground and open edges"}},
         {.help = "how the water is advanced"});
+    table.choice(
+        "model.relief", gully.relief,
+        {{Relief::automatic, "auto", "steep for a terrain file, gentle elsewhere"},
+         {Relief::gentle, "gentle",
+          "central differences, as published: for planes of some hundredths, with diffusion"},
+         {Relief::steep, "steep",
+          "S toward the lower neighbours; no cell is cut below them, and conserved sediment goes "
+          "to them alone; in CIP no bank presses on water below it: stable on any terrain"}},
+        {.help = "what the grid's differences are made for; as-printed transport is central on "
+                 "either"});
     table.real("model.time_step", gully.time_step,
                {.unit = "s", .range = {0, 1000, true}, .help = "of one step"});
     table.choice(
@@ -40,12 +50,14 @@ void list_flow_keys(GullyParameters& gully, KeyTable& table) {
                         "0: none"});
     table.real("model.channel_width", gully.channel_width,
                {.unit = "m", .range = {0, 1e6, true}, .help = "the trough's standard deviation"});
-    table.choice("model.initial_water", gully.initial_water,
-                 {{InitialWater::film, "film", "model.depth everywhere"},
-                  {InitialWater::level, "level",
-                   "up to model.depth above the plane (height 0), deeper in the trough"},
-                  {InitialWater::dry, "dry", "none: it takes rain"}},
-                 {.help = "the water at the start"});
+    table.choice(
+        "model.initial_water", gully.initial_water,
+        {{InitialWater::film, "film", "model.depth everywhere"},
+         {InitialWater::level, "level",
+          "a level surface with model.depth in the mean over all cells: deeper in the trough, none "
+          "on what stands above it"},
+         {InitialWater::dry, "dry", "none: it takes rain"}},
+        {.help = "the water at the start"});
     table.real("model.depth", gully.depth,
                {.unit = "m", .range = {0, 1e4}, .help = "h of the water at the start"});
     table.choice("model.initial_flow", gully.initial_flow,
@@ -83,10 +95,13 @@ void list_sediment_keys(GullyParameters& gully, KeyTable& table) {
                    "on the grid"},
                   {SedimentTransport::conservative, "conservative",
                    "dz/dt = -div q_s + D lap z: keeps sediment; no channels grow"},
-                  {SedimentTransport::none, "none", "a fixed bed"}},
+                  {SedimentTransport::none, "none", "a fixed bed, which does not diffuse either"}},
                  {.help = "how flow changes the bed"});
-    table.real("model.transport_factor", gully.transport_factor,
-               {.range = {0, 1e9}, .help = "K_f of q_s = K_f (K_t U^q S^gamma - tau_c)^p"});
+    table.word_or_real("model.transport_factor", gully.transport_factor,
+                       {{"auto", "1, or 1e-5 where the bed is a terrain file"}},
+                       {.range = {0, 1e9},
+                        .help = "K_f of q_s = K_f (K_t U^q S^gamma - tau_c)^p; 1 suits slopes of "
+                                "some hundredths"});
     table.real("model.stress_factor", gully.stress_factor,
                {.range = {0, 1e9}, .help = "K_t; the paper says 0, which would stop everything"});
     table.real("model.critical_stress", gully.critical_stress,
@@ -97,8 +112,9 @@ void list_sediment_keys(GullyParameters& gully, KeyTable& table) {
                {.range = {0, 10}, .help = "q, of the speed U"});
     table.real("model.slope_exponent", gully.slope_exponent,
                {.range = {0, 10}, .help = "gamma, of the steepness S, mean slope included"});
-    table.real("model.bed_diffusion", gully.bed_diffusion,
-               {.unit = "m^2/s", .range = {0, 1e6}, .help = "D"});
+    table.word_or_real("model.bed_diffusion", gully.bed_diffusion,
+                       {{"auto", "1, or 0 where the bed is a terrain file or fixed"}},
+                       {.unit = "m^2/s", .range = {0, 1e6}, .help = "D"});
 }
 
 }  // namespace

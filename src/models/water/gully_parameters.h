@@ -8,6 +8,7 @@ namespace fumon {
 
 enum class WaterScheme { automatic, cip, cip_as_published, finite_volume };
 enum class SedimentTransport { incision, as_printed, conservative, none };
+enum class Relief { automatic, gentle, steep };
 enum class FrictionLaw { full, half };
 enum class InitialWater { film, level, dry };
 enum class InitialFlow { automatic, uniform, rest };
@@ -18,6 +19,7 @@ enum class Substeps { adaptive, fixed };
 struct GullyParameters {
     WaterScheme scheme = WaterScheme::automatic;
     double time_step = 0.1;  ///< s: one step of the model
+    Relief relief = Relief::automatic;
     Substeps substeps = Substeps::adaptive;
     double courant_number = 0.4;  ///< of the sub-steps
 
@@ -37,13 +39,13 @@ struct GullyParameters {
     double gravity = 9.8;                ///< g, m/s²
 
     SedimentTransport transport = SedimentTransport::incision;
-    double transport_factor = 1.0;    ///< K_f
-    double stress_factor = 1.0;       ///< K_t
-    double critical_stress = 0.0;     ///< τ_c
-    double transport_exponent = 1.0;  ///< p
-    double velocity_exponent = 1.8;   ///< q
-    double slope_exponent = 2.1;      ///< γ
-    double bed_diffusion = 1.0;       ///< D, m²/s
+    WordOrReal transport_factor{"auto", 1.0};  ///< K_f; auto: 1, 1e-5 for a terrain file
+    double stress_factor = 1.0;                ///< K_t
+    double critical_stress = 0.0;              ///< τ_c
+    double transport_exponent = 1.0;           ///< p
+    double velocity_exponent = 1.8;            ///< q
+    double slope_exponent = 2.1;               ///< γ
+    WordOrReal bed_diffusion{"auto", 1.0};     ///< D, m²/s; auto: 1, 0 for a terrain file
 };
 
 /// Lists the keys model.* bound to these parameters.

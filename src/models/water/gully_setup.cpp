@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "base/elementary.h"
 #include "base/error.h"
@@ -15,6 +16,10 @@ namespace fumon {
 namespace {
 
 constexpr double published_slope = 0.04;
+constexpr double published_factor = 1.0;  // K_f of the paper's slopes, of some hundredths
+constexpr double terrain_factor =
+    1e-5;  // cuts millimetres on hillsides, decimetres in streams, in an hour
+constexpr double published_diffusion = 1.0;  // m²/s; on a terrain in metres it would level it
 
 bool all_periodic(const WaterDomain& domain) {
     return domain.edges_x == EdgeKind::periodic && domain.edges_y == EdgeKind::periodic;
@@ -67,6 +72,33 @@ void check_motion(const GullyParameters& parameters, const WaterDomain& domain, 
     }
 }
 
+/// How the bed changes, with every "auto" decided.
+void decide_sediment(GullyParameters& parameters, bool from_file) {
+    if (parameters.transport_factor.is_word())
+        parameters.transport_factor = from_file ? terrain_factor : published_factor;
+    const bool fixed = parameters.transport == SedimentTransport::none;
+    if (parameters.bed_diffusion.is_word()) {
+        parameters.bed_diffusion = from_file || fixed ? 0.0 : published_diffusion;
+    } else if (fixed && parameters.bed_diffusion.value > 0.0) {
+        throw KeyError("model.bed_diffusion",
+                       "model.transport = \"none\" is a fixed bed, which does not diffuse; leave "
+                       "the key out, or take model.transport_factor = 0 with another transport for "
+                       "diffusion alone");
+    }
+}
+
+Relief decided_relief(const GullyParameters& parameters, bool from_file) {
+    const bool published = parameters.scheme == WaterScheme::cip_as_published;
+    if (parameters.relief == Relief::automatic)
+        return from_file && !published ? Relief::steep : Relief::gentle;
+    if (parameters.relief == Relief::steep && published) {
+        throw KeyError("model.relief",
+                       "model.scheme = \"cip-as-published\" is for gentle relief; leave the key "
+                       "out or take another scheme");
+    }
+    return parameters.relief;
+}
+
 /// √(g h S / C_f), the speed at which friction holds the plane's pull, m/s; 0 for flow at rest.
 double initial_speed(const GullyParameters& parameters, const WaterDomain& domain) {
     const double friction =
@@ -100,11 +132,31 @@ void cut_channel(const GullyParameters& parameters, double dx, Grid& bed) {
     }
 }
 
+/// The height of a level surface over the bed, under which the water is `depth` deep in the mean.
+double level_of(double depth, const Grid& bed, const Mask& nodata) {
+    std::vector<double> heights;
+    heights.reserve(bed.size());
+    for (std::size_t cell = 0; cell < bed.size(); ++cell) {
+        if (nodata.empty() || nodata.values()[cell] == 0) heights.push_back(bed.values()[cell]);
+    }
+    std::ranges::sort(heights);
+    const double volume = depth * static_cast<double>(heights.size());
+    double below = 0.0;  // sum of the heights that the water covers
+    for (std::size_t covered = 1; covered <= heights.size(); ++covered) {
+        below += heights[covered - 1];
+        const double level = (volume + below) / static_cast<double>(covered);
+        if (covered == heights.size() || level <= heights[covered]) return level;
+    }
+    return 0.0;
+}
+
 Water water_of(const GullyParameters& parameters, const WaterDomain& domain, const Grid& bed) {
     const int nx = bed.nx();
     const int ny = bed.ny();
     Water water{Grid(nx, ny), Grid(nx, ny), Grid(nx, ny)};
     const double speed = initial_speed(parameters, domain);
+    const bool is_level = parameters.initial_water == InitialWater::level;
+    const double level = is_level ? level_of(parameters.depth, bed, domain.nodata) : 0.0;
     for (std::size_t cell = 0; cell < bed.size(); ++cell) {
         if (!domain.nodata.empty() && domain.nodata.values()[cell] != 0) continue;
         double& depth = water.depth.values()[cell];
@@ -113,7 +165,7 @@ Water water_of(const GullyParameters& parameters, const WaterDomain& domain, con
                 depth = parameters.depth;
                 break;
             case InitialWater::level:
-                depth = std::max(0.0, parameters.depth - bed.values()[cell]);
+                depth = std::max(0.0, level - bed.values()[cell]);
                 break;
             case InitialWater::dry:
                 break;
@@ -128,6 +180,7 @@ Water water_of(const GullyParameters& parameters, const WaterDomain& domain, con
 GullyStart start_of_gully(const GullyParameters& parameters, ModelSetup& setup) {
     GullyStart start;
     start.parameters = parameters;
+    start.on_terrain = setup.from_file;
     start.domain = domain_of(parameters, setup);
     if (start.parameters.scheme == WaterScheme::automatic) {
         const bool plane = all_periodic(start.domain) && start.domain.nodata.empty();
@@ -135,6 +188,8 @@ GullyStart start_of_gully(const GullyParameters& parameters, ModelSetup& setup) 
     }
     check_scheme(start.parameters, start.domain);
     check_motion(parameters, start.domain, setup.from_file);
+    decide_sediment(start.parameters, setup.from_file);
+    start.parameters.relief = decided_relief(start.parameters, setup.from_file);
     start.bed = std::move(setup.bed);
     cut_channel(parameters, start.domain.dx, start.bed);
     start.water = water_of(parameters, start.domain, start.bed);

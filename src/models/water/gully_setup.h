@@ -12,6 +12,7 @@ namespace fumon {
 struct GullyStart {
     GullyParameters parameters;
     WaterDomain domain;
+    bool on_terrain = false;  ///< the bed is a terrain file's
     Grid bed;
     Water water;
 };

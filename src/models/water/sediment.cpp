@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/give_up.h"
 #include "base/worker_pool.h"
 
 namespace fumon {
@@ -20,8 +21,10 @@ constexpr double most_turns = 10000;
 Sediment::Sediment(const GullyParameters& parameters, const WaterDomain& domain, int nx, int ny,
                    WorkerPool& pool)
     : transport_(parameters.transport),
-      diffusion_rate_(parameters.bed_diffusion),
-      law_{parameters.transport_factor,
+      steep_(parameters.relief == Relief::steep),
+      downhill_(steep_ && parameters.transport != SedimentTransport::as_printed),
+      diffusion_rate_(parameters.bed_diffusion.value),
+      law_{parameters.transport_factor.value,
            parameters.stress_factor,
            parameters.critical_stress,
            parameters.transport_exponent,
@@ -34,9 +37,9 @@ Sediment::Sediment(const GullyParameters& parameters, const WaterDomain& domain,
       nx_(nx),
       ny_(ny),
       pool_(pool),
-      diffusion_(nx, ny, parameters.bed_diffusion / (domain.dx * domain.dx),
-                 parameters.bed_diffusion / (domain.dy * domain.dy),
-                 domain.edges_x == EdgeKind::periodic, domain.edges_y == EdgeKind::periodic, pool),
+      diffusion_(nx, ny, diffusion_rate_ / (domain.dx * domain.dx),
+                 diffusion_rate_ / (domain.dy * domain.dy), domain.edges_x == EdgeKind::periodic,
+                 domain.edges_y == EdgeKind::periodic, pool),
       change_(nx, ny),
       row_changes_(static_cast<std::size_t>(ny)) {
     const double most =
@@ -55,17 +58,38 @@ Sediment::Sediment(const GullyParameters& parameters, const WaterDomain& domain,
         flux_x_ = Grid(nx, ny);
         flux_y_ = Grid(nx, ny);
     }
+    if (downhill_ && transport_ == SedimentTransport::conservative) find_rim();
+}
+
+void Sediment::find_rim() {
+    rim_ = Mask(nx_, ny_);
+    const auto outside = [&](int x, int y) {
+        if (domain_.edges_x == EdgeKind::periodic) x = (x + nx_) % nx_;
+        if (domain_.edges_y == EdgeKind::periodic) y = (y + ny_) % ny_;
+        if (x < 0 || x >= nx_) return domain_.edges_x == EdgeKind::open;
+        if (y < 0 || y >= ny_) return domain_.edges_y == EdgeKind::open;
+        return !domain_.nodata.empty() && domain_.nodata(x, y) != 0;
+    };
+    for (int y = 0; y < ny_; ++y) {
+        for (int x = 0; x < nx_; ++x) {
+            const bool beside =
+                outside(x - 1, y) || outside(x + 1, y) || outside(x, y - 1) || outside(x, y + 1);
+            rim_(x, y) = beside ? 1 : 0;
+        }
+    }
 }
 
 void Sediment::advance(Grid& bed, const Water& water, double dt) {
+    if (transport_ == SedimentTransport::none) return;
     if (!flux_x_.empty()) find_fluxes(bed, water);
     const bool masked = !domain_.nodata.empty();
     diffusion_.prepare(dt);
     pool_.for_ranges(ny_, [&](int begin, int end) {
-        RowSides sides_x(nx_);
-        RowSides sides_y(nx_);
-        std::vector<double> flux(static_cast<std::size_t>(nx_));
-        for (int y = begin; y < end; ++y) transport_row(bed, water, dt, y, sides_x, sides_y, flux);
+        Scratch scratch(nx_);
+        for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
+            transport_row(bed, water, dt, y, scratch);
+        }
         if (!masked) diffusion_.first_half(bed, change_, begin, end);
     });
     for (const double change : row_changes_) changed_.add(change);
@@ -79,47 +103,75 @@ void Sediment::advance(Grid& bed, const Water& water, double dt) {
 /// Of all cells, where the change of one depends on the fluxes of others.
 void Sediment::find_fluxes(const Grid& bed, const Water& water) {
     pool_.for_ranges(ny_, [&](int begin, int end) {
-        RowSides sides(nx_);
-        std::vector<double> flux(static_cast<std::size_t>(nx_));
+        Scratch scratch(nx_);
         for (int y = begin; y < end; ++y) {
-            const double* u = water.velocity_x.row(y).data();
-            const double* v = water.velocity_y.row(y).data();
-            constexpr Beyond line = Beyond::on_the_line;
-            sediment::flux_row(law_, sides.of(bed, domain_, y, line, line, line), u, v, nx_,
-                               flux.data());
-            sediment::direct_row(flux.data(), u, v, nx_, flux_x_.row(y).data(),
+            give_up_if_asked();
+            flux_row(bed, water, y, scratch);
+            sediment::direct_row(scratch.flux.data(), water.velocity_x.row(y).data(),
+                                 water.velocity_y.row(y).data(), nx_, flux_x_.row(y).data(),
                                  flux_y_.row(y).data());
+            if (downhill_) hold_at_walls(y);
         }
     });
 }
 
+/// |q_s| of a row into the scratch, and downhill the drops.
+void Sediment::flux_row(const Grid& bed, const Water& water, int y, Scratch& scratch) {
+    if (downhill_) {
+        constexpr Beyond same = Beyond::same;
+        sediment::downhill_row(law_, bed.row(y).data(),
+                               scratch.bed.of(bed, domain_, y, same, same, same), nx_,
+                               scratch.flux.data(), scratch.drop.data());
+    } else {
+        constexpr Beyond line = Beyond::on_the_line;
+        sediment::steepness_row(law_, scratch.bed.of(bed, domain_, y, line, line, line), nx_,
+                                scratch.flux.data());
+    }
+    sediment::flux_row(law_, water.velocity_x.row(y).data(), water.velocity_y.row(y).data(), nx_,
+                       scratch.flux.data());
+}
+
+/// Takes away what would pass a wall.
+void Sediment::hold_at_walls(int y) {
+    if (domain_.edges_x == EdgeKind::wall) {
+        flux_x_(0, y) = std::max(flux_x_(0, y), 0.0);
+        flux_x_(nx_ - 1, y) = std::min(flux_x_(nx_ - 1, y), 0.0);
+    }
+    if (domain_.edges_y != EdgeKind::wall) return;
+    for (double& flux : flux_y_.row(y)) {
+        if (y == 0) flux = std::max(flux, 0.0);
+        if (y == ny_ - 1) flux = std::min(flux, 0.0);
+    }
+}
+
 void Sediment::transport_row(const Grid& bed, const Water& water, double dt, int y,
-                             RowSides& sides_x, RowSides& sides_y, std::vector<double>& flux) {
+                             Scratch& scratch) {
     double* change = change_.row(y).data();
-    const auto conserved = [](EdgeKind edge) {
-        return edge == EdgeKind::wall ? Beyond::opposite : Beyond::same;
-    };
-    constexpr Beyond line = Beyond::on_the_line;
     constexpr Beyond same = Beyond::same;
     switch (transport_) {
         case SedimentTransport::none:
-            std::fill_n(change, nx_, 0.0);
-            return;
+            break;
         case SedimentTransport::incision:
-            sediment::flux_row(law_, sides_x.of(bed, domain_, y, line, line, line),
-                               water.velocity_x.row(y).data(), water.velocity_y.row(y).data(), nx_,
-                               flux.data());
-            sediment::incise_row(flux.data(), dt, nx_, change);
+            flux_row(bed, water, y, scratch);
+            if (downhill_) {
+                sediment::incise_downhill_row(scratch.flux.data(), scratch.drop.data(), dt, nx_,
+                                              change);
+            } else {
+                sediment::incise_row(scratch.flux.data(), dt, nx_, change);
+            }
             break;
         case SedimentTransport::as_printed:
-            sediment::sum_row(law_, sides_x.of(flux_x_, domain_, y, same, same, same),
-                              sides_y.of(flux_y_, domain_, y, same, same, same), dt, nx_, change);
+            sediment::sum_row(law_, scratch.along_x.of(flux_x_, domain_, y, same, same, same),
+                              scratch.along_y.of(flux_y_, domain_, y, same, same, same), dt, nx_,
+                              change);
+            if (steep_) {
+                sediment::hold_between_neighbours(law_, bed.row(y).data(),
+                                                  scratch.bed.of(bed, domain_, y, same, same, same),
+                                                  nx_, change);
+            }
             break;
         case SedimentTransport::conservative:
-            sediment::diverge_row(
-                law_, sides_x.of(flux_x_, domain_, y, conserved(domain_.edges_x), same, same),
-                sides_y.of(flux_y_, domain_, y, same, conserved(domain_.edges_y), same), dt, nx_,
-                change);
+            settle_row(bed, dt, y, scratch);
             break;
     }
     if (!domain_.nodata.empty()) {
@@ -128,6 +180,29 @@ void Sediment::transport_row(const Grid& bed, const Water& water, double dt, int
         }
     }
     row_changes_[static_cast<std::size_t>(y)] = sediment::row_sum(change, nx_);
+}
+
+/// What conservative transport changes in a row.
+void Sediment::settle_row(const Grid& bed, double dt, int y, Scratch& scratch) {
+    double* change = change_.row(y).data();
+    constexpr Beyond same = Beyond::same;
+    const auto conserved = [](EdgeKind edge) {
+        return edge == EdgeKind::wall ? Beyond::opposite : Beyond::same;
+    };
+    const sediment::Sides along_x =
+        scratch.along_x.of(flux_x_, domain_, y, conserved(domain_.edges_x), same, same);
+    const sediment::Sides along_y =
+        scratch.along_y.of(flux_y_, domain_, y, same, conserved(domain_.edges_y), same);
+    if (!downhill_) {
+        sediment::diverge_row(law_, along_x, along_y, dt, nx_, change);
+        return;
+    }
+    sediment::settle_downhill_row(
+        law_, bed.row(y).data(), scratch.bed.of(bed, domain_, y, same, same, same),
+        flux_x_.row(y).data(), along_x, flux_y_.row(y).data(), along_y, dt, nx_, change);
+    for (int x = 0; x < nx_; ++x) {
+        if (rim_(x, y) != 0) change[x] = std::min(change[x], 0.0);
+    }
 }
 
 /// Explicit, in as many turns as that takes: nothing crosses the rim of cells without data.
@@ -142,6 +217,7 @@ void Sediment::diffuse_masked(Grid& bed, double dt) {
             RowSides scratch(nx_);
             constexpr Beyond same = Beyond::same;
             for (int y = begin; y < end; ++y) {
+                give_up_if_asked();
                 const sediment::Sides sides = scratch.of(bed, domain_, y, same, same, same);
                 for (int x = 0; x < nx_; ++x) {
                     const double here = bed(x, y);

@@ -22,12 +22,22 @@ class WorkerPool;
 ///  * incision: −|q_s| / (1 m);
 ///  * as printed: the sums of eq. (12), −(q_x[i+1] + q_x[i−1]) / 2dx and the same along y, which
 ///    points down the plane as in the paper: a sink that depends on the grid;
-///  * conservative: −∇·q_s by central differences.
+///  * conservative: −∇·q_s.
 ///
-/// S from central differences, one-sided at edges that are not periodic and beside cells without
-/// data. Nothing is transported where the water stands or the bed is level. The diffusion crosses
+/// On gentle relief, as published: S and ∇·q_s from central differences, S one-sided at edges that
+/// are not periodic and beside cells without data. Stable on gentle planes whose diffusion levels
+/// what grows from cell to cell.
+///
+/// On steep relief, for any sub-step: S toward lower neighbours (Rouy & Tourin 1992), of
+/// which there are none beyond open edges and in cells without data; no cell is cut below its
+/// lowest neighbour (incise_downhill_row), and conserved sediment goes from the cell upstream to a
+/// lower one (settle_downhill_row). What would settle at an open edge leaves with the water.
+/// Transport as printed stays central, but no cell goes beyond its neighbours
+/// (hold_between_neighbours).
+///
+/// Nothing is transported where the water stands or the bed is level. The diffusion crosses
 /// periodic edges only; it goes by alternating directions (Peaceman & Rachford 1955), or in
-/// explicit turns where cells are without data.
+/// explicit turns where cells are without data. A bed without transport (none) stays as it is.
 class Sediment {
   public:
     /// Throws KeyError where a bed with cells without data would diffuse in over 10,000 explicit
@@ -44,12 +54,30 @@ class Sediment {
     void carry(StateCarrier& carrier) { changed_.carry("sediment_changed", carrier); }
 
   private:
+    /// What a thread holds while it works on rows.
+    struct Scratch {
+        explicit Scratch(int nx)
+            : bed(nx),
+              along_x(nx),
+              along_y(nx),
+              flux(static_cast<std::size_t>(nx)),
+              drop(static_cast<std::size_t>(nx)) {}
+        RowSides bed, along_x, along_y;
+        std::vector<double> flux;  ///< |q_s|, m²/s
+        std::vector<double> drop;  ///< to the lowest neighbour, m; downhill only
+    };
+
+    void find_rim();
     void find_fluxes(const Grid& bed, const Water& water);
-    void transport_row(const Grid& bed, const Water& water, double dt, int y, RowSides& sides_x,
-                       RowSides& sides_y, std::vector<double>& flux);
+    void flux_row(const Grid& bed, const Water& water, int y, Scratch& scratch);
+    void hold_at_walls(int y);
+    void transport_row(const Grid& bed, const Water& water, double dt, int y, Scratch& scratch);
+    void settle_row(const Grid& bed, double dt, int y, Scratch& scratch);
     void diffuse_masked(Grid& bed, double dt);
 
     SedimentTransport transport_;
+    bool steep_;
+    bool downhill_;          ///< on steep relief, transport that is not as printed
     double diffusion_rate_;  ///< D, m²/s
     sediment::FluxLaw law_;
     WaterDomain domain_;
@@ -59,6 +87,7 @@ class Sediment {
     BedDiffusion diffusion_;
     Grid flux_x_;  ///< q_s, m²/s, where its neighbours count
     Grid flux_y_;
+    Mask rim_;     ///< of conserved sediment downhill: 1 beside open edges and cells without data
     Grid change_;  ///< of the bed by transport in a sub-step, m
     std::vector<double> row_changes_;
     CompensatedSum changed_;

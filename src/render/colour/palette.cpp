@@ -1,37 +1,19 @@
 #include "render/colour/palette.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <numeric>
-#include <utility>
 
 #include "base/data_files.h"
 #include "base/error.h"
+#include "scene/palette_names.h"
 
 namespace fumon {
 
 namespace {
-
-/// How many letters must be changed, added or dropped to make one word of the other (Levenshtein).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], i + 1);
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j + 1] + 1, row[j] + 1});
-        }
-    }
-    return row.back();
-}
 
 std::array<std::uint8_t, 3> parse_colour(std::string_view line, const std::string& where) {
     std::array<std::uint8_t, 3> colour{};
@@ -77,26 +59,8 @@ Palette parse_palette(std::string_view text, std::string_view source) {
     return palette;
 }
 
-std::vector<std::string> palette_names() {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(data_file("assets/palettes"))) {
-        if (entry.path().extension() == ".txt") names.push_back(entry.path().stem().string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 Palette read_palette(std::string_view name) {
-    const std::vector<std::string> names = palette_names();
-    if (std::find(names.begin(), names.end(), name) == names.end()) {
-        const auto nearest =
-            std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
-                return edit_distance(name, a) < edit_distance(name, b);
-            });
-        throw InputError(fmt::format("unknown palette '{}'; did you mean '{}'? ({})", name,
-                                     nearest != names.end() ? *nearest : "",
-                                     fmt::join(names, ", ")));
-    }
+    check_palette_name(name);
     const auto file = data_file(fmt::format("assets/palettes/{}.txt", name));
     std::ifstream stream(file, std::ios::binary);
     const std::string text(std::istreambuf_iterator<char>(stream), {});

@@ -2,9 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace fumon {
 
@@ -12,12 +10,9 @@ namespace fumon {
 using Palette = std::array<std::array<std::uint8_t, 3>, 256>;
 
 /// The palette of that name: assets/palettes/NAME.txt, 256 lines "red green blue" in 0 … 255.
-/// Throws InputError naming the nearest known palette where there is none of that name, and one
+/// Throws InputError where there is none of that name (scene/palette_names.h), and one
 /// with file and line where its file is malformed.
 Palette read_palette(std::string_view name);
-
-/// The names of all palettes, sorted.
-std::vector<std::string> palette_names();
 
 /// A palette from the text of such a file; `source` names it in messages. Throws InputError.
 Palette parse_palette(std::string_view text, std::string_view source);

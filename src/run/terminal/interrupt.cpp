@@ -1,17 +1,24 @@
 #include "run/terminal/interrupt.h"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
+
+#include "base/give_up.h"
 
 namespace fumon {
 
 namespace {
 
 std::atomic<int> received{0};
+std::atomic<int> ending_at_once{0};
 static_assert(std::atomic<int>::is_always_lock_free,
               "a signal handler may only touch lock-free atomics");
 
 void note_signal(int signal) {
+    if (ending_at_once.load() != 0) _exit(exit_status_of_signal(signal));
+    asked_to_stop_at.store(monotonic_nanoseconds());
     if (received.exchange(signal) != 0) {
         std::signal(signal, SIG_DFL);
         std::raise(signal);
@@ -31,6 +38,14 @@ InterruptGuard::~InterruptGuard() {
     std::signal(SIGTERM, SIG_DFL);
 }
 
+EndAtOnce::EndAtOnce() {
+    ++ending_at_once;
+}
+
+EndAtOnce::~EndAtOnce() {
+    --ending_at_once;
+}
+
 int interrupting_signal() {
     return received.load();
 }
@@ -42,6 +57,7 @@ int exit_status_of_signal(int signal) {
 
 void clear_interrupt() {
     received.store(0);
+    asked_to_stop_at.store(0);
 }
 
 }  // namespace fumon

@@ -2,14 +2,25 @@
 
 namespace fumon {
 
-/// While one exists, SIGINT and SIGTERM only set a flag (a second one ends the program at once),
-/// and SIGPIPE is ignored, so that a closed pipe is an ordinary write error.
+/// While one exists, SIGINT and SIGTERM only ask the program to stop (a second one ends it at once;
+/// base/give_up.h says how long work may go on), and SIGPIPE is ignored, so that a closed pipe is
+/// an ordinary write error.
 class InterruptGuard {
   public:
     InterruptGuard();
     ~InterruptGuard();
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
+};
+
+/// While one exists, a first signal already ends the program at once, with the status of a stopped
+/// program: for the time in which it prepares its work, which may last, and has written nothing.
+class EndAtOnce {
+  public:
+    EndAtOnce();
+    ~EndAtOnce();
+    EndAtOnce(const EndAtOnce&) = delete;
+    EndAtOnce& operator=(const EndAtOnce&) = delete;
 };
 
 /// The signal that asked the program to stop, or 0.

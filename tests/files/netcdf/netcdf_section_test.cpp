@@ -390,8 +390,8 @@ FieldsFile new_file(const TemporaryFolder& folder) {
     return {folder / "on.nc", air_snapshot(0, section(0)), air_text};
 }
 
-FieldsFile gone_on_with(const TemporaryFolder& folder, std::int64_t records) {
-    return {folder / "on.nc", air_snapshot(0, section(0)), air_text, records};
+FieldsFile gone_on_with(const TemporaryFolder& folder, const FieldsBeginning& former) {
+    return {folder / "on.nc", air_snapshot(0, section(0)), air_text, former};
 }
 
 void add_records(FieldsFile& file, std::int64_t from, std::int64_t to) {
@@ -406,13 +406,21 @@ std::string bytes_in_one_go(std::int64_t records) {
     return bytes_of(folder / "on.nc");
 }
 
+/// The first records, as a checkpoint has them.
+FieldsBeginning beginning_of(std::int64_t records) {
+    const TemporaryFolder folder;
+    FieldsFile file = new_file(folder);
+    add_records(file, 0, records);
+    return file.sync();
+}
+
 TEST(NetcdfSection, AFileInPiecesGetsTheBytesOfOneInOneGo) {
     const TemporaryFolder folder;
     FieldsFile file = new_file(folder);
     for (const std::int64_t step : {0, 1, 3}) {
         add_records(file, step, step == 0 ? 1 : 2 * step + 1);
-        file.sync();
-        file.sync();
+        EXPECT_EQ(file.sync().records, file.records());
+        EXPECT_EQ(file.sync().hash, beginning_of(file.records()).hash);
     }
     file.commit();
     EXPECT_TRUE(bytes_of(folder / "on.nc") == bytes_in_one_go(7));
@@ -423,9 +431,9 @@ TEST(NetcdfSection, AFileInPiecesGetsTheBytesOfOneInOneGo) {
 void leave_pieces(const TemporaryFolder& folder, bool committed) {
     FieldsFile file = new_file(folder);
     add_records(file, 0, 3);
-    file.sync();
+    EXPECT_EQ(file.sync().records, 3);
     add_records(file, 3, 4);
-    file.sync();
+    EXPECT_EQ(file.sync().records, 4);
     add_records(file, 4, 6);
     if (committed) file.commit();
 }
@@ -437,8 +445,11 @@ TEST(NetcdfSection, AFileThatIsGoneOnWithGetsTheBytesOfOneInOneGo) {
             if (kept == 6 && !committed) continue;
             const TemporaryFolder folder;
             leave_pieces(folder, committed);
-            FieldsFile file = gone_on_with(folder, kept);
+            const FieldsBeginning former = beginning_of(kept);
+            EXPECT_EQ(difference(folder / "on.nc", air_snapshot(0, section(0)), former).what, "");
+            FieldsFile file = gone_on_with(folder, former);
             EXPECT_EQ(file.records(), kept);
+            EXPECT_EQ(file.sync().hash, former.hash);
             add_records(file, kept, 6);
             file.commit();
             EXPECT_TRUE(bytes_of(folder / "on.nc") == bytes) << kept << committed;
@@ -451,26 +462,43 @@ TEST(NetcdfSection, APieceIsNeverWrittenToAgain) {
     const TemporaryFolder folder;
     FieldsFile file = new_file(folder);
     add_records(file, 0, 3);
-    file.sync();
+    EXPECT_EQ(file.sync().records, 3);
     const std::string piece = bytes_of(folder / "on.nc.000001");
     add_records(file, 3, 5);
-    file.sync();
+    EXPECT_EQ(file.sync().records, 5);
     EXPECT_TRUE(bytes_of(folder / "on.nc.000001") == piece);
     EXPECT_EQ(folder.entries(), 2) << "and another piece is not begun before its first record";
 }
 
 TEST(NetcdfSection, WhatCannotBeGoneOnWithIsRefusedAndStays) {
     const TemporaryFolder folder;
-    const auto refusal = [&](std::int64_t records) {
-        return message_of<InputError>([&] { gone_on_with(folder, records); });
+    const auto expect_refusal = [&](const FieldsBeginning& former, const std::string& name,
+                                    const std::string& why) {
+        const auto [file, what] = difference(folder / "on.nc", air_snapshot(0, section(0)), former);
+        EXPECT_EQ(file, folder / name);
+        EXPECT_TRUE(what.starts_with(why)) << what;
+        const std::string line = message_of<InputError>([&] { gone_on_with(folder, former); });
+        EXPECT_NE(line.find(name + ": cannot go on with it: it " + why), std::string::npos) << line;
     };
-    EXPECT_NE(refusal(1).find("on.nc.000001: is not there"), std::string::npos);
+    expect_refusal(beginning_of(1), "on.nc.000001", "is not there");
     leave_pieces(folder, false);
-    EXPECT_NE(refusal(5).find("on.nc.000003: is not there"), std::string::npos);
+    expect_refusal(beginning_of(5), "on.nc.000003", "is not there");
+    FieldsBeginning other = beginning_of(4);
+    other.hash[0] ^= 1;
+    expect_refusal(other, "on.nc.000002", "or one of the 1 pieces before it has changed");
+    other = beginning_of(2);
+    other.hash[0] ^= 1;
+    expect_refusal(other, "on.nc.000001", "has changed since it was written");
     EXPECT_EQ(folder.entries(), 2);
     folder.file("on.nc.000002", "no NetCDF");
-    EXPECT_NE(refusal(4).find("on.nc.000002: cannot go on with it: "), std::string::npos);
+    expect_refusal(beginning_of(4), "on.nc.000002", "cannot be read: ");
     EXPECT_EQ(bytes_of(folder / "on.nc.000002"), "no NetCDF");
+    leave_pieces(folder, true);
+    expect_refusal(beginning_of(7), "on.nc", "has 6 records of 7");
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(NetcdfSection, PiecesAreToldFromOtherFiles) {
     EXPECT_EQ(number_of_fields_piece("on.nc.000012", "on.nc"), 12);
     for (const char* other : {"on.nc", "on.nc.", "on.nc.12", "on.nc.part", "on.nc.000000",
                               "on.nc.00001x", "no.nc.000001", "on.nc.000001.part"})

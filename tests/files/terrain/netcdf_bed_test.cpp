@@ -182,6 +182,15 @@ TEST_F(NetcdfBed, DegreesBecomeMetresAtTheMiddleLatitude) {
     EXPECT_EQ(terrain.heights(0, 1), 1.0) << "latitudes fall in the file";
     EXPECT_NE(terrain.note.find("degrees"), std::string::npos) << terrain.note;
 
+    const DegreeLengths middle = degree_lengths(43.0);  // of 41 … 45: 3 % off at either edge
+    make(path, {.x = {-106, -104, -102},
+                .y = {44, 42},
+                .unit = "degrees_north",
+                .x_name = "lon",
+                .y_name = "lat"});
+    EXPECT_NEAR(read().dx, 2.0 * middle.east, 1e-6);
+    EXPECT_NEAR(read().dy, 2.0 * middle.north, 1e-6);
+
     Simple unsaid = bed;
     unsaid.unit = "";
     make(path, unsaid);

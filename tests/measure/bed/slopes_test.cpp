@@ -74,5 +74,21 @@ TEST(BedSlopes, LevelGroundIsOnNeitherSide) {
     EXPECT_TRUE(std::isnan(bed_slopes(Grid(10, 2, 0.7), true).skewness));
 }
 
+TEST(BedSlopes, AreMeasuredBetweenHoles) {
+    Grid bed = sawtooth(10);
+    const BedSlopes whole = bed_slopes(bed, true);
+    Mask nodata(bed.nx(), bed.ny());
+    for (int y = 0; y < bed.ny(); ++y) {  // a period of the sawtooth
+        for (int x = 10; x < 20; ++x) {
+            nodata(x, y) = 1;
+            bed(x, y) = -500.0;
+        }
+    }
+    const BedSlopes found = bed_slopes(bed, false, nodata);
+    EXPECT_NEAR(found.stoss, whole.stoss, 1e-9);
+    EXPECT_NEAR(found.lee, whole.lee, 1e-9);
+    EXPECT_TRUE(std::isnan(bed_slopes(bed, true, Mask(bed.nx(), bed.ny(), 1)).stoss));
+}
+
 }  // namespace
 }  // namespace fumon

@@ -137,12 +137,12 @@ TEST(Thalweg, WindowsMeetHalfWay) {
     EXPECT_EQ(alone[0].last, 69);
 }
 
-/// A trough of Gaussian depth 0.02 m and width 4 cells with rims of 0.003 m on both sides, 30 cells
-/// away.
-Grid trough(double far_bed, double middle) {
+/// A trough of Gaussian depth 0.02 m and width 4 cells with rims of 0.003 m on both sides, `apart`
+/// cells away.
+Grid trough(double far_bed, double middle, double apart = 30.0) {
     return bed_of(100, 12, [=](int x, int) {
         const double away = std::remainder(x - middle, 100.0);
-        const double rim = std::abs(away) - 30.0;
+        const double rim = std::abs(away) - apart;
         return far_bed - 0.02 * std::exp(-away * away / 32.0) +
                0.003 * std::exp(-0.5 * rim * rim / 4.0);
     });
@@ -157,6 +157,10 @@ TEST(ChannelBed, IsMeasuredAgainstTheBedFarAway) {
             EXPECT_NEAR(bed.rim, 0.003, 1e-4);
             EXPECT_EQ(bed.position, middle + 0.5);
         }
+    }
+    for (const double apart : {38.0, 41.0}) {
+        const ChannelBed wide = channel_bed(trough(-0.5, 50.0, apart), {}, 1.0, true);
+        EXPECT_NEAR(wide.rim, 0.003, 6e-4) << "rims " << apart << " cells away";
     }
     const ChannelBed level = channel_bed(Grid(100, 12, 0.3), {}, 1.0, true);
     EXPECT_TRUE(std::isnan(level.lowest));

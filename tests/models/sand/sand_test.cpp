@@ -223,6 +223,23 @@ TEST(Sand, NothingStaysBelowZeroWhenAmountsAreLimited) {
     for (const double height : found.values()) EXPECT_GE(height, 0.0);
 }
 
+TEST(Sand, SaysWhenExponentialHopsHaveComeToGoRoundTheBox) {
+    SandParameters sand;
+    sand.hop_length = HopLength::exponential;
+    sand.creep = Creep::none;
+    sand.amount = 0.5;
+    WorkerPool pool(1);
+    Sand small(sand, {random_bed(100, 2, 0.0, 3.0, 5), {}, {}, 1, pool});
+    EXPECT_EQ(small.doubt(), "") << "its first top hops within the box";
+    std::string doubt;
+    for (int step = 0; step < 200 && doubt.empty(); ++step) {
+        small.step();
+        doubt = small.doubt();
+    }
+    EXPECT_NE(doubt.find("round the box of 100: take a wider grid.nx"), std::string::npos) << doubt;
+    EXPECT_EQ(doubt.find('\n'), std::string::npos);
+}
+
 // ---- maxima-only creep against the plain sweep ----
 
 void plain_maxima_creep(Grid& bed, double rate) {

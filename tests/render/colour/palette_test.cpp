@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "render/colour/colouring.h"
+#include "scene/palette_names.h"
 #include "support/view_beds.h"
 
 namespace fumon {
@@ -43,7 +44,7 @@ TEST(Palette, AnUnknownNameGetsTheNearest) {
         read_palette("viridsi");
         FAIL() << "no error";
     } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("did you mean 'viridis'?"), std::string::npos)
+        EXPECT_NE(std::string(error.what()).find("did you mean \"viridis\"?"), std::string::npos)
             << error.what();
     }
     EXPECT_THROW(read_palette("../palettes/viridis"), InputError);

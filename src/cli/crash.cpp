@@ -1,4 +1,4 @@
-#include "base/crash.h"
+#include "cli/crash.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,6 +13,8 @@
 #include <exception>
 #include <new>
 #include <string>
+
+#include "base/library_at_work.h"
 
 namespace fumon {
 
@@ -35,10 +37,8 @@ std::array<std::string, crashes.size()> lines;
 bool memory_is_limited = false;
 std::array<char, 1 << 16> spare_stack;
 
-thread_local const char* library_line = nullptr;
-
 extern "C" void tell_crash(int signal) {
-    if (library_line != nullptr) {
+    if (const char* library_line = line_of_library_at_work()) {
         [[maybe_unused]] const ssize_t written =
             ::write(STDERR_FILENO, library_line, std::strlen(library_line));
         ::_exit(failed_while_working);
@@ -125,14 +125,6 @@ void explain_crashes() {
         ::sigaction(crashes[i].signal, &action, nullptr);
     }
 #endif
-}
-
-LibraryAtWork::LibraryAtWork(const char* line) {
-    library_line = line;
-}
-
-LibraryAtWork::~LibraryAtWork() {
-    library_line = nullptr;
 }
 
 }  // namespace fumon

@@ -17,15 +17,4 @@ inline constexpr std::string_view out_of_memory =
 /// builds this does nothing.
 void explain_crashes();
 
-/// While one lives, a crash of this thread is laid to a library that is known to crash where the
-/// machine fails: it is told with this line, and the status is 1.
-class LibraryAtWork {
-  public:
-    /// `line` must outlive it.
-    explicit LibraryAtWork(const char* line);
-    ~LibraryAtWork();
-    LibraryAtWork(const LibraryAtWork&) = delete;
-    LibraryAtWork& operator=(const LibraryAtWork&) = delete;
-};
-
 }  // namespace fumon
