@@ -17,7 +17,7 @@ int main(int count, char** values) {
         std::fprintf(stderr, "%s\n", error.what());
         return error.exit_status();
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "fumon: out of memory; a smaller grid or picture needs less\n");
+        std::fputs(fumon::out_of_memory.data(), stderr);
         return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "fumon: unexpected: %s\n", error.what());

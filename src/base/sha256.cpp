@@ -9,7 +9,8 @@ namespace fumon {
 namespace {
 
 void check(bool worked) {
-    if (!worked) throw Error("the SHA-256 of OpenSSL's libcrypto does not work here");
+    if (!worked)
+        throw Error("the SHA-256 of OpenSSL's libcrypto does not work here; is memory at its end?");
 }
 
 }  // namespace

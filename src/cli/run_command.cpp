@@ -14,6 +14,7 @@
 #include "cli/shared_options.h"
 #include "run/drawing.h"
 #include "run/manifest.h"
+#include "run/output_files.h"
 #include "run/pipeline.h"
 #include "run/prepared_run.h"
 #include "run/resume.h"
@@ -127,6 +128,8 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
     };
     const RunOutcome outcome = run_pipeline(*prepared.model, scene, prepared.initial.inputs,
                                             outputs_in(folder, scene), how, progress, started);
+    const bool complete = !outcome.error && outcome.signal == 0;
+    if (complete) put_on_disk(folder, run_parts(scene, how.checkpoint_minutes), outcome);
     try {
         write_final_manifest(folder, facts, outcome);
     } catch (const Error&) {

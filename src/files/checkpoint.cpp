@@ -12,7 +12,7 @@
 #include <system_error>
 
 #include "base/error.h"
-#include "files/open_files.h"
+#include "files/input_file.h"
 
 namespace fumon {
 
@@ -241,6 +241,7 @@ void CheckpointReader::take_numbers(std::span<Number> values) {
 void CheckpointReader::take(void* to, std::size_t count) {
     if (count > left_) refuse("is cut short");
     bytes_->read(static_cast<char*>(to), static_cast<std::streamsize>(count));
+    if (bytes_->bad()) refuse_to_read(name_, EIO);
     if (!*bytes_) refuse("cannot be read");
     left_ -= count;
 }
@@ -248,9 +249,10 @@ void CheckpointReader::take(void* to, std::size_t count) {
 std::unique_ptr<CheckpointReader> open_checkpoint(const std::filesystem::path& file) {
     std::error_code fault;
     auto stream = std::make_unique<std::ifstream>();
-    if (std::filesystem::is_regular_file(file, fault)) stream->open(file, std::ios::binary);
-    if (!stream->is_open()) {
-        refuse_shortage_of_open_files(file);
+    const bool there = std::filesystem::is_regular_file(file, fault);
+    if (there) stream->open(file, std::ios::binary);
+    if (there && !stream->is_open()) refuse_to_read(file, errno);
+    if (!there) {
         throw InputError(fmt::format("{}: cannot be read: {}; run the scene from its start",
                                      file.string(),
                                      fault ? fault.message() : "there is no such file"));

@@ -22,20 +22,6 @@ namespace {
     throw InputError(fmt::format("{}: {}; {}", file.string(), reason, remedy));
 }
 
-/// Whether it is the machine that fails, whatever the file.
-bool is_fault_of_machine(int reason) {
-    return reason == EMFILE || reason == ENFILE || reason == ENOMEM || reason == EIO;
-}
-
-[[noreturn]] void refuse_by_system(const std::filesystem::path& file, int reason) {
-    if (is_fault_of_machine(reason)) {
-        throw Error(fmt::format("{}: cannot be read: {}", file.string(),
-                                std::generic_category().message(reason)));
-    }
-    refuse(file, fmt::format("cannot be read: {}", std::generic_category().message(reason)),
-           "name a file that exists and that you may read");
-}
-
 struct Descriptor {
     int number = -1;
     explicit Descriptor(int number_) : number(number_) {}
@@ -48,7 +34,7 @@ struct Descriptor {
 
 std::size_t size_of_regular_file(const std::filesystem::path& file, int descriptor) {
     struct stat status {};
-    if (::fstat(descriptor, &status) != 0) refuse_by_system(file, errno);
+    if (::fstat(descriptor, &status) != 0) refuse_to_read(file, errno);
     if (S_ISDIR(status.st_mode)) refuse(file, "is a folder", "name a file in it");
     if (!S_ISREG(status.st_mode)) refuse(file, "is not a regular file", "name a file on disk");
     return static_cast<std::size_t>(status.st_size);
@@ -57,7 +43,7 @@ std::size_t size_of_regular_file(const std::filesystem::path& file, int descript
 /// O_NONBLOCK: a named pipe nobody writes to would otherwise block here.
 int open_to_read(const std::filesystem::path& file) {
     const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0) refuse_by_system(file, errno);
+    if (descriptor < 0) refuse_to_read(file, errno);
     return descriptor;
 }
 
@@ -69,7 +55,7 @@ std::size_t read_into(std::span<char> bytes, const std::filesystem::path& file, 
         const ssize_t got = ::read(descriptor, bytes.data() + filled,
                                    std::min(bytes.size() - filled, most_at_once));
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) refuse_by_system(file, errno);
+        if (got < 0) refuse_to_read(file, errno);
         if (got == 0) break;
         filled += static_cast<std::size_t>(got);
     }
@@ -83,6 +69,22 @@ std::string read_bytes(const std::filesystem::path& file, int descriptor, std::s
 }
 
 }  // namespace
+
+void refuse_to_read(const std::filesystem::path& file, int reason) {
+    const std::string why = fmt::format("{}: cannot be read: {}", file.string(),
+                                        std::generic_category().message(reason));
+    switch (reason) {
+        case EIO:
+        case ENOMEM:
+        case EMFILE:
+        case ENFILE:
+        case ESTALE:
+        case ETIMEDOUT:
+            throw Error(why);
+        default:
+            throw InputError(why + "; name a file that exists and that you may read");
+    }
+}
 
 std::string read_input_file(const std::filesystem::path& file) {
     const Descriptor input(open_to_read(file));

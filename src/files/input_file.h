@@ -18,6 +18,10 @@ std::string read_input_file(const std::filesystem::path& file);
 /// The first bytes of such a file, however large it is: at most `count`. Throws as read_input_file.
 std::string start_of_input_file(const std::filesystem::path& file, std::size_t count);
 
+/// Throws "FILE: cannot be read: REASON" for an errno value: Error where the machine fails, as a
+/// disk does, and otherwise InputError with a remedy.
+[[noreturn]] void refuse_to_read(const std::filesystem::path& file, int reason);
+
 /// Hands on the first bytes of such a file, at most `count`, block by block. Throws as
 /// read_input_file, and what `take` throws.
 void stream_input_file(const std::filesystem::path& file, std::int64_t count,

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <new>
 
 #include "base/error.h"
 #include "files/png_guard.h"
@@ -150,6 +151,7 @@ const PngInfo& PngReader::info() const {
 }
 
 void PngReader::refuse_damaged() const {
+    if (std::strstr(parts_->failure.message.data(), "memory") != nullptr) throw std::bad_alloc();
     throw InputError(fmt::format("{}: is a damaged PNG file ({}); make it again", parts_->name,
                                  parts_->failure.message.data()));
 }

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cerrno>
 #include <string_view>
 
 #include "base/error.h"
-#include "files/open_files.h"
+#include "files/input_file.h"
 
 namespace fumon {
 
@@ -101,12 +102,15 @@ void FrameList::commit() {
 }
 
 FrameListReader::FrameListReader(const std::filesystem::path& file)
-    : file_(left_name(file)), bytes_(file_, std::ios::binary) {}
+    : file_(left_name(file)), bytes_(file_, std::ios::binary) {
+    if (!bytes_.is_open()) reason_ = errno;
+}
 
 FrameRecord FrameListReader::next() {
     FrameBytes bytes{};
     if (!bytes_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
-        if (!bytes_.is_open()) refuse_shortage_of_open_files(file_);
+        if (bytes_.bad()) refuse_to_read(file_, EIO);
+        if (reason_ != 0 && reason_ != ENOENT) refuse_to_read(file_, reason_);
         throw InputError(
             fmt::format("{}: the list of the run's frames ends after {}; bring it back, or run the "
                         "scene from its start with --force",

@@ -71,6 +71,7 @@ class FrameListReader {
   private:
     std::filesystem::path file_;
     std::ifstream bytes_;
+    int reason_ = 0;  ///< why the file could not be opened, an errno value
     std::int64_t frames_ = 0;
 };
 

@@ -142,7 +142,9 @@ void write_final_manifest(const RunFolder& folder, const ManifestFacts& facts,
     file.write(text + ",\n  \"frames\": [");
     write_frames(file, facts, folder, outcome);
     file.write("\n  ]\n}\n");
+    file.sync();
     file.commit();
+    sync_folder_of(folder.manifest());
 }
 
 std::string error_text(const std::exception_ptr& error) {

@@ -8,6 +8,7 @@
 #include "files/terrain/terrain_format.h"
 #include "picture/png.h"
 #include "run/picture_text.h"
+#include "run/pipeline.h"
 
 namespace fumon {
 
@@ -50,6 +51,23 @@ BedRecord write_bed(const RunFolder& folder, const Snapshot& snapshot,
         write_file(folder.bed(snapshot.step, file.ending), file.bytes);
     }
     return bed;
+}
+
+void put_on_disk(const RunFolder& folder, const RunParts& parts, const RunOutcome& outcome) {
+    if (parts.frames) {
+        for (std::int64_t frame = 0; frame < outcome.frames; ++frame)
+            sync_file(folder.frame(frame));
+        sync_folder_of(folder.frame(0));
+    }
+    for (const BedRecord& bed : outcome.beds) {
+        for (const BedRecord::File& file : bed.files) sync_file(folder.bed(bed.step, file.ending));
+    }
+    if (parts.beds) sync_folder_of(folder.bed(0, ""));
+    const RecordPaths records = folder.records();
+    if (outcome.recorded.measurements) sync_file(records.measurements);
+    if (outcome.recorded.avalanches) sync_file(records.avalanches);
+    if (outcome.movie.frames > 0) sync_file(folder.movie());
+    sync_folder_of(folder.manifest());
 }
 
 }  // namespace fumon

@@ -15,6 +15,8 @@
 
 namespace fumon {
 
+struct RunOutcome;
+
 /// A frame that was drawn.
 struct Picture {
     std::int64_t number = 0;
@@ -42,5 +44,9 @@ Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameReco
 /// metres. Throws Error.
 BedRecord write_bed(const RunFolder& folder, const Snapshot& snapshot,
                     const std::vector<std::string>& formats);
+
+/// Puts all that a complete run has written on disk, before its manifest says that it is complete.
+/// Throws Error.
+void put_on_disk(const RunFolder& folder, const RunParts& parts, const RunOutcome& outcome);
 
 }  // namespace fumon

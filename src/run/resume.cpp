@@ -68,8 +68,10 @@ class LeftOutputs {
         const RecordPositions& records = checkpoint_.records;
         check_table(files.measurements, records.measurements);
         check_table(files.avalanches, records.avalanches);
-        if (records.fields.records >= 0)
-            note(left_fields(files.fields), difference(files.fields, first, records.fields));
+        if (records.fields.records >= 0) {
+            const auto [left, differs] = difference(files.fields, first, records.fields);
+            note(left, differs);
+        }
     }
 
     void check_beds() {

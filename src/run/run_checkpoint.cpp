@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "base/error.h"
@@ -122,6 +123,12 @@ void Checkpointer::write(Model& model) {
 }
 
 void Checkpointer::put_on_disk() {
+    if (!last_) {  // the folder itself, and what tells it for a run's
+        sync_file(folder_.manifest());
+        const auto whole = std::filesystem::absolute(folder_.manifest());
+        for (auto path = whole.parent_path(); path.has_relative_path(); path = path.parent_path())
+            sync_folder_of(path);
+    }
     for (; frames_on_disk_ < written_.frames().frames(); ++frames_on_disk_) {
         if (parts_.frames) sync_file(folder_.frame(frames_on_disk_));
         if (parts_.movie_frames) sync_file(folder_.movie_frame(frames_on_disk_));

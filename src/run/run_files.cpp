@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "files/input_file.h"
+#include "files/netcdf/netcdf_fields.h"
 #include "files/terrain/terrain_format.h"
 #include "run/run_folder.h"
 #include "scene/schedule.h"
@@ -27,9 +28,10 @@ constexpr int frame_digits = 6;
 constexpr int bed_digits = 8;
 
 /// What may lie in a run's folder itself.
-constexpr std::array<const char*, 8> single_files{
-    "avalanches.csv", "checkpoint.fumon", "fields.nc", "fields.nc.former",
-    "frames.fumon",   "measurements.csv", "movie.mp4", "run.json"};
+constexpr std::array<const char*, 7> single_files{"avalanches.csv", "checkpoint.fumon", "fields.nc",
+                                                  "frames.fumon",   "measurements.csv", "movie.mp4",
+                                                  "run.json"};
+constexpr const char* fields_file = "fields.nc";
 
 std::string_view without_temporary_end(std::string_view name) {
     if (name.ends_with(temporary_end)) name.remove_suffix(temporary_end.size());
@@ -115,7 +117,9 @@ std::int64_t step_of_bed(const std::string& name) {
 
 bool RunFiles::contains(const std::string& name) const {
     const std::string_view whole = without_temporary_end(name);
-    return files.contains(std::string(whole)) || is_numbered(whole, "frames", frames) ||
+    const bool is_piece = number_of_fields_piece(whole, fields_file) > 0;
+    return files.contains(is_piece ? fields_file : std::string(whole)) ||
+           is_numbered(whole, "frames", frames) ||
            is_numbered(whole, "movie_frames", movie_frames) || is_due(whole, beds);
 }
 
@@ -130,7 +134,7 @@ RunFiles planned_files(const Scene& scene, double checkpoint_minutes) {
     if (output.movie) planned.files.insert("movie.mp4");
     if (output.measurements) planned.files.insert("measurements.csv");
     if (output.avalanches) planned.files.insert("avalanches.csv");
-    if (fields_schedule(scene).count() > 0) planned.files.insert({"fields.nc", "fields.nc.former"});
+    if (fields_schedule(scene).count() > 0) planned.files.insert(fields_file);
     if (!parts.beds) return planned;
     planned.beds = {output.bed_every, output.bed_at, scene.run.steps, {}};
     for (const std::string& format : output.bed_format) {
@@ -157,7 +161,7 @@ RunFiles listed_files(const fs::path& manifest) {
         const auto json = nlohmann::json::parse(read_input_file(manifest));
         if (!json.contains("fumon") || !json.contains("status")) return {};
         RunFiles listed = made_files(json);
-        listed.files.insert({"run.json", "checkpoint.fumon", "frames.fumon", "fields.nc.former"});
+        listed.files.insert({"run.json", "checkpoint.fumon", "frames.fumon"});
         if (!json.contains("may_write")) return listed;
         const auto& more = json["may_write"];
         listed.files.merge(more.at("files").get<std::set<std::string>>());
@@ -178,7 +182,8 @@ std::vector<std::string> files_called_as_a_runs(const fs::path& folder) {
     add_names(
         folder, "",
         [](std::string_view name) {
-            return std::ranges::find(single_files, name) != single_files.end();
+            return std::ranges::find(single_files, name) != single_files.end() ||
+                   number_of_fields_piece(name, fields_file) > 0;
         },
         names);
     const auto is_frame = [](std::string_view name) {

@@ -145,7 +145,10 @@ void RunFolder::go_on(const RunParts& parts, const RunCheckpoint& checkpoint) {
     const RecordPaths written = records();
     if (checkpoint.records.measurements.length < 0) remove_with_temporary(written.measurements);
     if (checkpoint.records.avalanches.length < 0) remove_with_temporary(written.avalanches);
-    if (checkpoint.records.fields.records < 0) remove_with_temporary(written.fields);
+    if (checkpoint.records.fields.records < 0) {
+        remove_with_temporary(written.fields);
+        remove_fields_pieces(written.fields);
+    }
     RunFiles before;
     before.frames = checkpoint.frames.frames;
     before.movie_frames = checkpoint.frames.frames;
@@ -164,7 +167,7 @@ void RunFolder::tidy() const {
         if (name.starts_with(movie_frames)) remove_file(name);
     }
     remove_empty_folder(folder_ / movie_frames);
-    remove_file("fields.nc.former");
+    remove_fields_pieces(records().fields);
     forget_frames();
     remove_file("checkpoint.fumon");  // last: while it is there, a complete run is to be tidied
 }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cstddef>
 #include <fstream>
@@ -15,6 +16,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/utf8.h"
+#include "files/input_file.h"
 #include "keys/assign.h"
 #include "keys/toml_text.h"
 #include "models/registry.h"
@@ -373,14 +375,11 @@ SceneText read_scene_text(const std::filesystem::path& file) {
         throw InputError(fmt::format("{}: is a folder; a scene is a TOML file", file.string()));
     }
     std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
-        throw InputError(fmt::format("{}: cannot be read ({}); check the path", file.string(),
-                                     std::generic_category().message(errno)));
-    }
+    if (!stream) refuse_to_read(file, errno);
     constexpr std::size_t largest_scene = std::size_t{1} << 24;  // bytes; a device may have no end
     std::string text(largest_scene + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (stream.bad()) throw InputError(fmt::format("{}: cannot be read to its end", file.string()));
+    if (stream.bad()) refuse_to_read(file, EIO);
     text.resize(static_cast<std::size_t>(stream.gcount()));
     if (text.size() > largest_scene) {
         throw InputError(fmt::format("{}: has more than {} bytes; a scene is a TOML file",

@@ -155,23 +155,27 @@ void VerifyPage::add(const std::string& suite, const std::string& name, const Ve
         show(after, file(whole ? got_kind : thumbnail_kind), "got", "got" + of_what);
         show(difference_picture(before, after), file(difference_kind), "difference",
              "difference" + of_what);
-        page_->write(
+        write(
             "<figure><img class=\"blink\" alt=\"expected and got in turns\">"
             "<figcaption></figcaption></figure>\n");
         if (!whole) show(got, file(got_kind), "whole", "got, whole");
     }
-    page_->write("</div>\n</section>\n");
+    write("</div>\n</section>\n");
 }
 
 void VerifyPage::add(const std::string& suite, const std::string& name, const Verdict& verdict) {
     begin();
     open_section(suite, name, verdict, false);
-    page_->write("</div>\n</section>\n");
+    write("</div>\n</section>\n");
 }
 
 void VerifyPage::finish() {
     if (!page_) return;
-    page_->write(tail);
+    if (is_torn_) {
+        page_.reset();
+        throw Error(fmt::format("cannot write {}: an earlier part of it failed", file().string()));
+    }
+    write(tail);
     page_->commit();
 }
 
@@ -182,25 +186,35 @@ void VerifyPage::begin() {
     if (fault) throw Error(fmt::format("cannot make {}: {}", folder_.string(), fault.message()));
     if (!lock_) lock_.emplace(folder_);
     page_ = std::make_unique<AtomicFile>(file());
-    page_->write(page_start);
-    page_->write(own_page_mark);
-    page_->write(page_head);
+    write(page_start);
+    write(own_page_mark);
+    write(page_head);
+}
+
+void VerifyPage::write(std::string_view text) {
+    try {
+        page_->write(text);
+    } catch (...) {
+        is_torn_ = true;
+        throw;
+    }
 }
 
 void VerifyPage::open_section(const std::string& suite, const std::string& name,
                               const Verdict& verdict, bool pair) {
-    page_->write(fmt::format("<section{}>\n<h2>{} {}</h2>\n<p>{}</p>\n<div class=\"pictures\">\n",
-                             pair ? " class=\"pair\"" : "", markup_text(suite), markup_text(name),
-                             markup_text(verdict.finding)));
+    write(fmt::format("<section{}>\n<h2>{} {}</h2>\n<p>{}</p>\n<div class=\"pictures\">\n",
+                      pair ? " class=\"pair\"" : "", markup_text(suite), markup_text(name),
+                      markup_text(verdict.finding)));
 }
 
 void VerifyPage::show(const Image& image, const std::filesystem::path& file, const char* kind,
                       const std::string& caption) {
     std::error_code fault;
     std::filesystem::create_directories(file.parent_path(), fault);
+    if (fault) refuse_to_write(file.parent_path(), fault.value());
     const auto bytes = encode_png(image, screen_dots_per_inch, own_text());
     write_file(file, bytes);
-    page_->write(
+    write(
         fmt::format("<figure><img class=\"{}\" alt=\"{}\" src=\"data:image/png;base64,{}\">"
                     "<figcaption>{}</figcaption></figure>\n",
                     kind, caption, base64(bytes), caption));

@@ -42,7 +42,8 @@ class VerifyPage {
     /// Adds a case of which there is no picture.
     void add(const std::string& suite, const std::string& name, const Verdict& verdict);
 
-    /// Ends the page, if there is one. Throws Error.
+    /// Ends the page, if there is one. Throws Error, also where a part of it could not be written
+    /// before, and then leaves none.
     void finish();
 
     [[nodiscard]] bool has_cases() const { return page_ != nullptr; }
@@ -52,6 +53,7 @@ class VerifyPage {
     [[nodiscard]] std::filesystem::path picture(const std::string& suite, const std::string& name,
                                                 std::string_view kind) const;
     void begin();
+    void write(std::string_view text);
     void open_section(const std::string& suite, const std::string& name, const Verdict& verdict,
                       bool pair);
     void show(const Image& image, const std::filesystem::path& file, const char* kind,
@@ -60,6 +62,7 @@ class VerifyPage {
     std::filesystem::path folder_;
     std::optional<FolderLock> lock_;
     std::unique_ptr<AtomicFile> page_;
+    bool is_torn_ = false;  ///< a part of it could not be written
 };
 
 }  // namespace fumon

@@ -84,7 +84,8 @@ INSTANTIATE_TEST_SUITE_P(
               "mean \"terada-barchans\"?"},
         Wrong{"missing_scene",
               {"run", "no.toml", "-o", "x"},
-              "no.toml: cannot be read (No such file or directory); check the path"},
+              "no.toml: cannot be read: No such file or directory; name a file that exists and that "
+              "you may read"},
         Wrong{"missing_terrain",
               {"still", "no.asc", "-o", "x.png"},
               "no.asc: is not there; check the path"},

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <mutex>
 
 #include "base/error.h"
+#include "base/library_at_work.h"
 
 namespace fumon {
 
@@ -18,6 +21,7 @@ class NetcdfLock {
 
   private:
     std::lock_guard<std::mutex> lock_;
+    LibraryAtWork at_work_;
 };
 
 /// A call of the NetCDF library failed: its own words, without the file's name, which the writers
@@ -29,5 +33,31 @@ class NetcdfFault : public Error {
 
 /// Throws NetcdfFault where a call's status is not NC_NOERR.
 void check_netcdf(int status);
+
+/// A file that the NetCDF library has open. Whoever calls any of this holds the NetcdfLock.
+///
+/// Where the device fails as HDF5 closes a file, the NetCDF library prints what HDF5 has open and
+/// looks into what is closed already, a crash. So HDF5's own handle is held for as long as the
+/// library's, and closed behind it.
+class NetcdfHandle {
+  public:
+    /// Throws NetcdfFault where the file cannot be made or opened.
+    static NetcdfHandle create(const std::filesystem::path& file);
+    static NetcdfHandle open_to_read(const std::filesystem::path& file);
+
+    NetcdfHandle() = default;
+    NetcdfHandle(NetcdfHandle&& other) noexcept;
+    NetcdfHandle& operator=(NetcdfHandle&& other) noexcept;
+    ~NetcdfHandle() { (void)close(); }
+
+    [[nodiscard]] int id() const { return id_; }
+    [[nodiscard]] bool is_open() const { return id_ >= 0; }
+    /// Whether all that was written has reached the file. Closing twice is as once.
+    [[nodiscard]] bool close();
+
+  private:
+    int id_ = -1;
+    std::int64_t hdf5_ = -1;  ///< HDF5's handle; −1: a classic file
+};
 
 }  // namespace fumon

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "base/sha256.h"
 #include "base/snapshot.h"
@@ -27,14 +28,14 @@ struct FieldsBeginning {
 /// section_x), record by record, by the CF conventions 1.9 (1.8 has no 64-bit integers); the names,
 /// units and attributes are those of netcdf_layout.h and netcdf_section.h.
 ///
-/// The file is made as NAME.part and gets its name by commit(). After every add() the file on disk
-/// is whole, so that a run that is killed between two records leaves a NAME.part that opens, with
-/// all records so far; a kill within the instant in which a record's index is written (tens of
-/// microseconds) may leave it unreadable. While it is being written HDF5's lock keeps other
-/// programs from opening it (unless HDF5_USE_FILE_LOCKING=FALSE). Disk space is set aside before a
-/// record is begun, so a full disk refuses the record and leaves the file as it was, still fit for
-/// commit(). An uncommitted file is deleted: a run that is interrupted or fails commits what it
-/// has.
+/// The file is made as NAME.part and gets its name by commit(). HDF5 changes a file in places that
+/// it has written before, so that no crash may befall one that still matters: sync() closes what
+/// there is as a piece, NAME.000001, NAME.000002 …, which is never written to again, and the next
+/// record begins another; commit() joins them. While it is being written HDF5's lock keeps other
+/// programs from opening NAME.part (unless HDF5_USE_FILE_LOCKING=FALSE), which after every add()
+/// holds its records so far. Disk space is set aside before a record is begun, so a full disk
+/// refuses the record and leaves the file as it was, still fit for commit(). NAME.part is deleted
+/// if it is not committed, pieces stay: a run that is interrupted or fails commits what it has.
 ///
 /// Same records and text give the same bytes, with the same versions of the NetCDF and HDF5
 /// libraries. Memory does not grow with the records. Any threads may write different files at the
@@ -46,11 +47,10 @@ class FieldsFile {
     /// or curve whose name is no NetCDF name or is there twice, and for a section below 2 x 2 nodes
     /// or over a bed of several rows.
     FieldsFile(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text);
-    /// Goes on with the file that a run of the same first snapshot and text left, whether under its
-    /// temporary name or its own: makes it anew with copies of its first records, so that it gets
-    /// the bytes of a file that was written in one go. The former one stays as NAME.former until
-    /// then, and an uncommitted file is kept. Throws InputError where the former one is not there,
-    /// cannot be read or has not these records.
+    /// Goes on with the first records that a run of the same first snapshot and text left in its
+    /// pieces or, joined, under its name; the file gets the bytes of one that was written in one
+    /// go. Throws InputError, naming the piece, where one is not there, cannot be read or has not
+    /// these records.
     FieldsFile(const std::filesystem::path& file, const Snapshot& first, const FieldsText& text,
                const FieldsBeginning& former);
     ~FieldsFile();
@@ -64,10 +64,11 @@ class FieldsFile {
 
     [[nodiscard]] std::int64_t records() const;
 
-    /// Puts all records on disk (fsync). Throws Error on failure.
+    /// Closes all records so far as a piece and puts it on disk (fsync). Throws Error on failure.
     [[nodiscard]] FieldsBeginning sync();
 
-    /// Closes the file and gives it its name. Throws Error on failure.
+    /// Joins the pieces, closes the file, puts it on disk and gives it its name. Throws Error on
+    /// failure; the pieces stay then.
     void commit();
 
   private:
@@ -75,12 +76,21 @@ class FieldsFile {
     std::unique_ptr<Parts> parts_;
 };
 
-/// Under which name a run that was stopped left its fields file: NAME.former, NAME.part or NAME.
-std::filesystem::path left_fields(const std::filesystem::path& file);
+/// Where what a stopped run left of a fields file is not what it wrote.
+struct FieldsDifference {
+    std::filesystem::path file;  ///< NAME, or one of its pieces
+    std::string what;  ///< "is not there", "has 2 records of 7" …; empty where nothing is
+};
 
-/// Why the file that a run of this first snapshot left does not begin with these records: "is not
-/// there", "has 2 records of 7" …; empty where it does. Reads them all.
-std::string difference(const std::filesystem::path& file, const Snapshot& first,
-                       const FieldsBeginning& beginning);
+/// Compares what a run of this first snapshot left with the records that it had. Reads them all.
+FieldsDifference difference(const std::filesystem::path& file, const Snapshot& first,
+                            const FieldsBeginning& beginning);
+
+/// The number of the piece of a fields file that a name is ("fields.nc.000002" of "fields.nc"); 0
+/// of any other name.
+std::int64_t number_of_fields_piece(std::string_view name, std::string_view file);
+
+/// Deletes all pieces of a fields file.
+void remove_fields_pieces(const std::filesystem::path& file);
 
 }  // namespace fumon

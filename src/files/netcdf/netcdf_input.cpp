@@ -48,24 +48,23 @@ bool is_netcdf(std::string_view start) {
 NetcdfInput::NetcdfInput(const std::filesystem::path& file) : name_(file.string()) {
     refuse_damaged_classic_file(file);
     // An absolute path is never taken for an address on the network.
-    const int status = nc_open(std::filesystem::absolute(file).c_str(), NC_NOWRITE, &id_);
-    if (status != NC_NOERR) refuse_shortage_of_open_files(file);
-    check_netcdf(status);
-}
-
-NetcdfInput::~NetcdfInput() {
-    nc_close(id_);
+    try {
+        file_ = NetcdfHandle::open_to_read(std::filesystem::absolute(file));
+    } catch (const NetcdfFault&) {
+        refuse_shortage_of_open_files(file);
+        throw;
+    }
 }
 
 int NetcdfInput::variables() const {
     int count = 0;
-    check_netcdf(nc_inq_nvars(id_, &count));
+    check_netcdf(nc_inq_nvars(id(), &count));
     return count;
 }
 
 std::optional<int> NetcdfInput::find_variable(const std::string& name) const {
     int variable = 0;
-    const int status = nc_inq_varid(id_, name.c_str(), &variable);
+    const int status = nc_inq_varid(id(), name.c_str(), &variable);
     if (status == NC_ENOTVAR) return std::nullopt;
     check_netcdf(status);
     return variable;
@@ -73,13 +72,13 @@ std::optional<int> NetcdfInput::find_variable(const std::string& name) const {
 
 std::string NetcdfInput::variable_name(int variable) const {
     std::array<char, NC_MAX_NAME + 1> name{};
-    check_netcdf(nc_inq_varname(id_, variable, name.data()));
+    check_netcdf(nc_inq_varname(id(), variable, name.data()));
     return name.data();
 }
 
 int NetcdfInput::type(int variable) const {
     nc_type type = NC_NAT;
-    check_netcdf(nc_inq_vartype(id_, variable, &type));
+    check_netcdf(nc_inq_vartype(id(), variable, &type));
     return type;
 }
 
@@ -89,21 +88,21 @@ bool NetcdfInput::is_numeric(int variable) const {
 
 std::vector<int> NetcdfInput::dimensions(int variable) const {
     int count = 0;
-    check_netcdf(nc_inq_varndims(id_, variable, &count));
+    check_netcdf(nc_inq_varndims(id(), variable, &count));
     std::vector<int> dimensions(static_cast<std::size_t>(count));
-    check_netcdf(nc_inq_vardimid(id_, variable, dimensions.data()));
+    check_netcdf(nc_inq_vardimid(id(), variable, dimensions.data()));
     return dimensions;
 }
 
 std::string NetcdfInput::dimension_name(int dimension) const {
     std::array<char, NC_MAX_NAME + 1> name{};
-    check_netcdf(nc_inq_dimname(id_, dimension, name.data()));
+    check_netcdf(nc_inq_dimname(id(), dimension, name.data()));
     return name.data();
 }
 
 std::size_t NetcdfInput::dimension_length(int dimension) const {
     std::size_t length = 0;
-    check_netcdf(nc_inq_dimlen(id_, dimension, &length));
+    check_netcdf(nc_inq_dimlen(id(), dimension, &length));
     return length;
 }
 
@@ -121,26 +120,26 @@ std::size_t NetcdfInput::values_over(std::span<const int> dimensions) const {
 }
 
 std::optional<std::string> NetcdfInput::text(int variable, const char* attribute) const {
-    const auto found = find_attribute(id_, variable, attribute);
+    const auto found = find_attribute(id(), variable, attribute);
     if (!found) return std::nullopt;
     if (found->type == NC_CHAR) {
         std::string text(found->length, '\0');
-        check_netcdf(nc_get_att_text(id_, variable, attribute, text.data()));
+        check_netcdf(nc_get_att_text(id(), variable, attribute, text.data()));
         return without_padding(text);
     }
     if (found->type != NC_STRING || found->length != 1) return std::nullopt;
     char* string = nullptr;
-    check_netcdf(nc_get_att_string(id_, variable, attribute, &string));
+    check_netcdf(nc_get_att_string(id(), variable, attribute, &string));
     std::string text = string == nullptr ? "" : string;
     check_netcdf(nc_free_string(1, &string));
     return without_padding(text);
 }
 
 std::vector<double> NetcdfInput::numbers(int variable, const char* attribute) const {
-    const auto found = find_attribute(id_, variable, attribute);
+    const auto found = find_attribute(id(), variable, attribute);
     if (!found || !is_number(found->type)) return {};
     std::vector<double> values(found->length);
-    check_netcdf(nc_get_att_double(id_, variable, attribute, values.data()));
+    check_netcdf(nc_get_att_double(id(), variable, attribute, values.data()));
     return values;
 }
 

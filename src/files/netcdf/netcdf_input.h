@@ -24,11 +24,8 @@ class NetcdfInput {
     /// Throws InputError for a classic file that is cut short (see netcdf_classic.h), Error where
     /// too many files are open.
     explicit NetcdfInput(const std::filesystem::path& file);
-    ~NetcdfInput();
-    NetcdfInput(const NetcdfInput&) = delete;
-    NetcdfInput& operator=(const NetcdfInput&) = delete;
 
-    [[nodiscard]] int id() const { return id_; }
+    [[nodiscard]] int id() const { return file_.id(); }
     [[nodiscard]] const std::string& name() const { return name_; }  ///< the file's, for messages
 
     [[nodiscard]] int variables() const;
@@ -54,7 +51,7 @@ class NetcdfInput {
 
   private:
     std::string name_;
-    int id_ = -1;
+    NetcdfHandle file_;
 };
 
 }  // namespace fumon

@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <span>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "base/error.h"
+#include "files/input_file.h"
 #include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_section_record.h"
 
@@ -20,10 +21,9 @@ namespace fumon {
 namespace {
 
 bool is_netcdf_file(const std::filesystem::path& file) {
-    std::array<char, netcdf_signature_length> start{};
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(start.data(), start.size());
-    return is_netcdf({start.data(), static_cast<std::size_t>(stream.gcount())});
+    std::error_code fault;
+    return std::filesystem::is_regular_file(file, fault) &&
+           is_netcdf(start_of_input_file(file, netcdf_signature_length));
 }
 
 /// NaN in cells without data.

@@ -9,11 +9,12 @@
 namespace fumon {
 
 /// Takes the values of a fields file's records, in their order: puts them into a NetCDF file, or
-/// into none, and hashes them. Throws NetcdfFault; the caller holds the NetcdfLock.
+/// into none, and hashes them as little-endian float64 and int64. Throws NetcdfFault; the caller
+/// holds the NetcdfLock.
 class RecordValues {
   public:
-    /// Without a file they are only hashed.
-    explicit RecordValues(std::optional<int> file) : file_(file) {}
+    /// `hash` goes on with them, and outlives this. Without a file they are only hashed.
+    RecordValues(std::optional<int> file, Sha256Stream& hash) : file_(file), hash_(hash) {}
 
     /// Doubles from `start`, so many along each dimension of the variable.
     void put(int variable, std::span<const std::size_t> start, std::span<const std::size_t> count,
@@ -21,12 +22,9 @@ class RecordValues {
     void put(int variable, std::size_t record, double value);
     void put(int variable, std::size_t record, long long value);
 
-    /// SHA-256 of all values so far, as little-endian float64 and int64.
-    [[nodiscard]] Sha256 hash() const { return hash_.so_far(); }
-
   private:
     std::optional<int> file_;
-    Sha256Stream hash_;
+    Sha256Stream& hash_;
 };
 
 }  // namespace fumon

@@ -64,6 +64,7 @@ Palette read_palette(std::string_view name) {
     const auto file = data_file(fmt::format("assets/palettes/{}.txt", name));
     std::ifstream stream(file, std::ios::binary);
     const std::string text(std::istreambuf_iterator<char>(stream), {});
+    if (!stream || text.empty()) throw Error(fmt::format("{}: cannot be read", file.string()));
     return parse_palette(text, file.string());
 }
 

@@ -386,78 +386,123 @@ print("all is well")
     EXPECT_EQ(spoken.words, "all is well\n");
 }
 
-/// A file of six records that was left after `stopped` and gone on with after `kept` of them.
-std::string gone_on_with(const TemporaryFolder& folder, std::int64_t stopped, std::int64_t kept,
-                         const char* left) {
-    const auto record = [](std::int64_t step) { return air_snapshot(step, section(step)); };
-    FieldsBeginning beginning;
-    {
-        FieldsFile file(folder / "first.nc", record(0), air_text);
-        for (std::int64_t step = 0; step < kept; ++step) file.add(record(step));
-        beginning = file.sync();
-        for (std::int64_t step = kept; step < stopped; ++step) file.add(record(step));
-        EXPECT_EQ(file.sync().records, std::max(stopped, kept));
-        std::filesystem::copy_file(folder / "first.nc.part", folder / left);
-    }
-    EXPECT_EQ(difference(folder / "on.nc", record(0), beginning), "");
-    FieldsFile file(folder / "on.nc", record(0), air_text, beginning);
-    EXPECT_EQ(file.records(), kept);
-    EXPECT_EQ(file.sync().hash, beginning.hash);
-    EXPECT_FALSE(std::filesystem::exists(folder / "on.nc.former"));
-    for (std::int64_t step = kept; step < 6; ++step) file.add(record(step));
+FieldsFile new_file(const TemporaryFolder& folder) {
+    return {folder / "on.nc", air_snapshot(0, section(0)), air_text};
+}
+
+FieldsFile gone_on_with(const TemporaryFolder& folder, const FieldsBeginning& former) {
+    return {folder / "on.nc", air_snapshot(0, section(0)), air_text, former};
+}
+
+void add_records(FieldsFile& file, std::int64_t from, std::int64_t to) {
+    for (std::int64_t step = from; step < to; ++step) file.add(air_snapshot(step, section(step)));
+}
+
+std::string bytes_in_one_go(std::int64_t records) {
+    const TemporaryFolder folder;
+    FieldsFile file = new_file(folder);
+    add_records(file, 0, records);
     file.commit();
     return bytes_of(folder / "on.nc");
 }
 
-TEST(NetcdfSection, AFileThatIsGoneOnWithGetsTheBytesOfOneInOneGo) {
-    const TemporaryFolder whole;
-    FieldsFile file(whole / "whole.nc", air_snapshot(0, section(0)), air_text);
-    for (std::int64_t step = 0; step < 6; ++step) file.add(air_snapshot(step, section(step)));
+/// The first records, as a checkpoint has them.
+FieldsBeginning beginning_of(std::int64_t records) {
+    const TemporaryFolder folder;
+    FieldsFile file = new_file(folder);
+    add_records(file, 0, records);
+    return file.sync();
+}
+
+TEST(NetcdfSection, AFileInPiecesGetsTheBytesOfOneInOneGo) {
+    const TemporaryFolder folder;
+    FieldsFile file = new_file(folder);
+    for (const std::int64_t step : {0, 1, 3}) {
+        add_records(file, step, step == 0 ? 1 : 2 * step + 1);
+        EXPECT_EQ(file.sync().records, file.records());
+        EXPECT_EQ(file.sync().hash, beginning_of(file.records()).hash);
+    }
     file.commit();
-    const std::string bytes = bytes_of(whole / "whole.nc");
-    for (const char* left : {"on.nc.part", "on.nc", "on.nc.former"}) {
-        for (const std::int64_t kept : {0, 1, 4, 6}) {
-            for (const std::int64_t stopped : {kept, std::int64_t{6}}) {
-                const TemporaryFolder folder;
-                EXPECT_TRUE(gone_on_with(folder, stopped, kept, left) == bytes)
-                    << left << " " << kept << " of " << stopped;
-                EXPECT_EQ(folder.entries(), 1);
-            }
+    EXPECT_TRUE(bytes_of(folder / "on.nc") == bytes_in_one_go(7));
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+/// Leaves six records, the first four of them in two pieces, that were broken off or committed.
+void leave_pieces(const TemporaryFolder& folder, bool committed) {
+    FieldsFile file = new_file(folder);
+    add_records(file, 0, 3);
+    EXPECT_EQ(file.sync().records, 3);
+    add_records(file, 3, 4);
+    EXPECT_EQ(file.sync().records, 4);
+    add_records(file, 4, 6);
+    if (committed) file.commit();
+}
+
+TEST(NetcdfSection, AFileThatIsGoneOnWithGetsTheBytesOfOneInOneGo) {
+    const std::string bytes = bytes_in_one_go(6);
+    for (const bool committed : {false, true}) {
+        for (const std::int64_t kept : {1, 3, 4, 6}) {
+            if (kept == 6 && !committed) continue;
+            const TemporaryFolder folder;
+            leave_pieces(folder, committed);
+            const FieldsBeginning former = beginning_of(kept);
+            EXPECT_EQ(difference(folder / "on.nc", air_snapshot(0, section(0)), former).what, "");
+            FieldsFile file = gone_on_with(folder, former);
+            EXPECT_EQ(file.records(), kept);
+            EXPECT_EQ(file.sync().hash, former.hash);
+            add_records(file, kept, 6);
+            file.commit();
+            EXPECT_TRUE(bytes_of(folder / "on.nc") == bytes) << kept << committed;
+            EXPECT_EQ(folder.entries(), 1);
         }
     }
 }
 
+TEST(NetcdfSection, APieceIsNeverWrittenToAgain) {
+    const TemporaryFolder folder;
+    FieldsFile file = new_file(folder);
+    add_records(file, 0, 3);
+    EXPECT_EQ(file.sync().records, 3);
+    const std::string piece = bytes_of(folder / "on.nc.000001");
+    add_records(file, 3, 5);
+    EXPECT_EQ(file.sync().records, 5);
+    EXPECT_TRUE(bytes_of(folder / "on.nc.000001") == piece);
+    EXPECT_EQ(folder.entries(), 2) << "and another piece is not begun before its first record";
+}
+
 TEST(NetcdfSection, WhatCannotBeGoneOnWithIsRefusedAndStays) {
     const TemporaryFolder folder;
-    const auto first = air_snapshot(0, section(0));
-    FieldsBeginning beginning{3};
-    const auto expect_refusal = [&](const std::string& left, const std::string& why) {
-        EXPECT_TRUE(difference(folder / "on.nc", first, beginning).starts_with(why));
-        const std::string what = message_of<InputError>(
-            [&] { FieldsFile(folder / "on.nc", first, air_text, beginning); });
-        EXPECT_NE(what.find(left + ": cannot go on with it: it " + why), std::string::npos) << what;
+    const auto expect_refusal = [&](const FieldsBeginning& former, const std::string& name,
+                                    const std::string& why) {
+        const auto [file, what] = difference(folder / "on.nc", air_snapshot(0, section(0)), former);
+        EXPECT_EQ(file, folder / name);
+        EXPECT_TRUE(what.starts_with(why)) << what;
+        const std::string line = message_of<InputError>([&] { gone_on_with(folder, former); });
+        EXPECT_NE(line.find(name + ": cannot go on with it: it " + why), std::string::npos) << line;
     };
-    expect_refusal("on.nc", "is not there");
-    folder.file("on.nc", "no NetCDF");
-    expect_refusal("on.nc.former", "cannot be read: ");
-    EXPECT_EQ(bytes_of(folder / "on.nc.former"), "no NetCDF");
-    const auto write_two = [&](double time) {
-        FieldsFile file(folder / "on.nc.former", first, air_text);
-        Snapshot record = first;
-        file.add(record);
-        record.time = time;
-        file.add(record);
-        const FieldsBeginning written = file.sync();
-        file.commit();
-        return written;
-    };
-    const FieldsBeginning two = write_two(1.0);
-    expect_refusal("on.nc.former", "has 2 records of 3");
-    beginning = two;
-    EXPECT_EQ(difference(folder / "on.nc", first, beginning), "");
-    write_two(1.5);
-    expect_refusal("on.nc.former", "has changed since it was written");
+    expect_refusal(beginning_of(1), "on.nc.000001", "is not there");
+    leave_pieces(folder, false);
+    expect_refusal(beginning_of(5), "on.nc.000003", "is not there");
+    FieldsBeginning other = beginning_of(4);
+    other.hash[0] ^= 1;
+    expect_refusal(other, "on.nc.000002", "or one of the 1 pieces before it has changed");
+    other = beginning_of(2);
+    other.hash[0] ^= 1;
+    expect_refusal(other, "on.nc.000001", "has changed since it was written");
+    EXPECT_EQ(folder.entries(), 2);
+    folder.file("on.nc.000002", "no NetCDF");
+    expect_refusal(beginning_of(4), "on.nc.000002", "cannot be read: ");
+    EXPECT_EQ(bytes_of(folder / "on.nc.000002"), "no NetCDF");
+    leave_pieces(folder, true);
+    expect_refusal(beginning_of(7), "on.nc", "has 6 records of 7");
     EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(NetcdfSection, PiecesAreToldFromOtherFiles) {
+    EXPECT_EQ(number_of_fields_piece("on.nc.000012", "on.nc"), 12);
+    for (const char* other : {"on.nc", "on.nc.", "on.nc.12", "on.nc.part", "on.nc.000000",
+                              "on.nc.00001x", "no.nc.000001", "on.nc.000001.part"})
+        EXPECT_EQ(number_of_fields_piece(other, "on.nc"), 0) << other;
 }
 
 }  // namespace
