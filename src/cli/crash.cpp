@@ -14,7 +14,7 @@
 #include <new>
 #include <string>
 
-#include "base/library_at_work.h"
+#include "files/library_at_work.h"
 
 namespace fumon {
 

@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "base/error.h"
-#include "base/library_at_work.h"
+#include "files/library_at_work.h"
 
 namespace fumon {
 

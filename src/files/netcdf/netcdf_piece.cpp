@@ -58,18 +58,18 @@ class FieldsPiece::Parts {
 
     void copy(const std::filesystem::path& from, std::int64_t count) {
         const NetcdfLock lock;
-        const NetcdfInput input(from);
-        for (std::int64_t record = 0; record < count; ++record, ++records_) {
-            reserve(record_room_);
-            try {
+        try {
+            const NetcdfInput input(from);
+            for (std::int64_t record = 0; record < count; ++record, ++records_) {
+                reserve(record_room_);
                 copy_record(input, static_cast<std::size_t>(record), *values_, layout_, form_.nx,
                             form_.ny, static_cast<std::size_t>(records_));
                 check_netcdf(nc_sync(netcdf_.id()));
-            } catch (const NetcdfFault& fault) {
-                broken_ = true;
-                throw Error(fmt::format("cannot copy {} into {}: {}; is its disk full or broken?",
-                                        from.string(), file_.string(), fault.what()));
             }
+        } catch (const NetcdfFault& fault) {
+            broken_ = true;
+            throw Error(fmt::format("cannot copy {} into {}: {}; is its disk full or broken?",
+                                    from.string(), file_.string(), fault.what()));
         }
     }
 

@@ -1,4 +1,4 @@
-#include "base/library_at_work.h"
+#include "files/library_at_work.h"
 
 namespace fumon {
 
