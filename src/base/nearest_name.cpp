@@ -11,8 +11,11 @@ namespace fumon {
 
 namespace {
 
-/// Optimal string alignment distance (Damerau 1964), ignoring case.
-std::size_t distance(std::string_view a, std::string_view b) {
+/// Optimal string alignment distance (Damerau 1964), ignoring case, where it is below `limit`; else
+/// the limit or more.
+std::size_t distance(std::string_view a, std::string_view b, std::size_t limit) {
+    const std::size_t least = a.size() > b.size() ? a.size() - b.size() : b.size() - a.size();
+    if (least >= limit) return least;
     const auto same = [](char p, char q) {
         return std::tolower(static_cast<unsigned char>(p)) ==
                std::tolower(static_cast<unsigned char>(q));
@@ -21,6 +24,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> last(b.size() + 1);
     std::vector<std::size_t> current(b.size() + 1);
     std::iota(last.begin(), last.end(), std::size_t{0});
+    std::size_t least_before = 0;  // of the row before
     for (std::size_t i = 1; i <= a.size(); ++i) {
         current[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
@@ -30,6 +34,9 @@ std::size_t distance(std::string_view a, std::string_view b) {
                 current[j] = std::min(current[j], before_last[j - 2] + 1);
             }
         }
+        const std::size_t least_now = *std::min_element(current.begin(), current.end());
+        if (std::min(least_now, least_before) >= limit) return limit;
+        least_before = least_now;
         std::swap(before_last, last);
         std::swap(last, current);
     }
@@ -57,7 +64,7 @@ bool parts_are_near(std::string_view wrong, std::string_view name) {
     const auto b = parts_of(name);
     if (a.size() != b.size()) return true;
     return std::equal(a.begin(), a.end(), b.begin(), [](std::string_view p, std::string_view q) {
-        return distance(p, q) <= most_off(p);
+        return distance(p, q, most_off(p) + 1) <= most_off(p);
     });
 }
 
@@ -67,7 +74,7 @@ std::string nearest_name(std::string_view wrong, const std::vector<std::string>&
     std::string nearest;
     std::size_t smallest = most_off(wrong) + 1;
     for (const std::string& name : known) {
-        const std::size_t off = distance(wrong, name);
+        const std::size_t off = distance(wrong, name, smallest);
         if (off < smallest && parts_are_near(wrong, name)) {
             smallest = off;
             nearest = name;

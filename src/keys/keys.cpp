@@ -94,7 +94,8 @@ void KeyTable::text_list(std::string path, std::vector<std::string>& values, Key
 }
 
 const Key* KeyTable::find(std::string_view path) const {
-    return find_by(keys_, &Key::path, path);
+    const auto place = places_.find(path);
+    return place == places_.end() ? nullptr : &keys_[place->second];
 }
 
 const TableList* KeyTable::find_list(std::string_view path) const {
@@ -102,6 +103,7 @@ const TableList* KeyTable::find_list(std::string_view path) const {
 }
 
 void KeyTable::add(std::string path, KeyNotes notes, KeyTarget target) {
+    places_.emplace(path, keys_.size());
     keys_.push_back({std::move(path), std::move(notes), std::move(target), role_});
 }
 

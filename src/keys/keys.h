@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -107,7 +108,7 @@ struct TableList {
 /// [[figure.panel.curve]].
 std::string without_numbers(const std::string& path);
 
-/// The most tables that a list may have.
+/// The most tables that a list may have, counted over all items that have one of its name.
 inline constexpr std::size_t most_tables = 1000;
 
 /// The one table from which scenes are read, checked, described and written back.
@@ -165,7 +166,15 @@ class KeyTable {
   private:
     void add(std::string path, KeyNotes notes, KeyTarget target);
 
+    struct PathHash {
+        using is_transparent = void;
+        std::size_t operator()(std::string_view path) const {
+            return std::hash<std::string_view>{}(path);
+        }
+    };
+
     std::vector<Key> keys_;
+    std::unordered_map<std::string, std::size_t, PathHash, std::equal_to<>> places_;  ///< in keys_
     std::vector<TableList> lists_;
     KeyRole role_ = KeyRole::parameter;
 };

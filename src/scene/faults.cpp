@@ -35,6 +35,7 @@ void Faults::add(const InputError& fault) {
     for (const std::string& line : fault.lines()) {
         if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(line);
     }
+    if (lines_.size() >= enough) report();
 }
 
 void Faults::report() const {
@@ -50,7 +51,8 @@ void Faults::report() const {
     if (lines.size() > most) {
         const std::size_t more = lines.size() - most;
         lines.resize(most);
-        lines.push_back(fmt::format("{}: and {} more", source_, more));
+        lines.push_back(fmt::format("{}: and {}{} more", source_,
+                                    lines_.size() < enough ? "" : "at least ", more));
     }
     throw InputError(std::move(lines));
 }

@@ -13,6 +13,7 @@ class Faults {
     /// `source` names the scene in messages.
     explicit Faults(std::string source) : source_(std::move(source)) {}
 
+    /// Keeps a fault, once; reports where there are enough.
     void add(const InputError& fault);
 
     /// Runs work() and keeps the InputError that it throws; whether it threw none.
@@ -33,6 +34,9 @@ class Faults {
     /// file in its order, then those of the command line; the first 20, and how many more there
     /// are.
     void report() const;
+
+    /// Of how many faults it is told at once, without a look for more.
+    static constexpr std::size_t enough = 100;
 
   private:
     std::string source_;

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cstddef>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -71,8 +72,10 @@ class Reader {
         if (!has_model_) take_keys_of(terrain_model().name);
         if (faults_.attempt([&] { size_lists(root); })) {
             read_section(root, "");
-            for (const Setting& setting : settings_)
+            for (const Setting& setting : settings_) {
+                if (is_known_fault(setting.given.path)) continue;
                 attempt(setting.given.path, [&] { apply(setting); });
+            }
             check_scene(scene_, faulty_, faults_);
             if (faults_.none()) check_limits(scene_, faults_);
         }
@@ -98,6 +101,10 @@ class Reader {
         });
         if (!good) faulty_.insert(section_of(path));
         return good;
+    }
+
+    [[nodiscard]] bool is_known_fault(std::string_view path) const {
+        return path == "model.name" && !has_model_;
     }
 
     /// The model comes first: it decides which model.* keys there are.
@@ -143,28 +150,34 @@ class Reader {
     /// are in the table.
     void size_lists(const toml::table& root) {
         for (bool changed = true; std::exchange(changed, false);) {
+            std::string within = "-";  // the list that was resized last: those within it are gone
+            std::map<std::string, std::size_t> counted;
             for (const TableList& list : table_.lists()) {
-                const std::size_t size = size_of(list, root);
+                if (list.path.starts_with(within)) continue;
+                const std::size_t size = size_of(list, root, counted[without_numbers(list.path)]);
                 if (size == list.size()) continue;
                 list.resize(size);
-                table_ = scene_keys(scene_);
+                within = list.path + ".";
                 changed = true;
-                break;
             }
+            if (changed) table_ = scene_keys(scene_);
         }
     }
 
-    [[nodiscard]] std::size_t size_of(const TableList& list, const toml::table& root) const {
+    /// `counted`: how many items the lists of that name have, those in other items too.
+    [[nodiscard]] std::size_t size_of(const TableList& list, const toml::table& root,
+                                      std::size_t& counted) const {
         std::size_t size = 0;
         if (const auto node = root.at_path(indexed(list.path)); node && node.is_array()) {
             size = node.as_array()->size();
-            check_size(list, size, locate(node.node()->source()));
+            check_size(list, counted + size, locate(node.node()->source()));
         }
         for (const Setting& setting : settings_) {  // one may add an item behind the last
             if (setting.given.path.starts_with(fmt::format("{}.{}.", list.path, size))) {
-                check_size(list, ++size, setting.locate_key());
+                check_size(list, counted + ++size, setting.locate_key());
             }
         }
+        counted += size;
         return size;
     }
 
@@ -210,7 +223,7 @@ class Reader {
             const std::string path = prefix + std::string(name.str());
             const std::string place = locate(name.source());
             if (const Key* key = table_.find(path)) {
-                if (path == "model.name" && !has_model_) continue;  // its fault is known
+                if (is_known_fault(path)) continue;
                 attempt(path, [&, &value = value] { read_value(*key, value, place); });
                 scene_.locations[path] = locate(value.source());
             } else if (value.is_array() && table_.find_list(path) != nullptr) {
@@ -259,10 +272,20 @@ class Reader {
     }
 
     [[nodiscard]] bool is_section(const std::string& path) const {
-        for (const Key& key : table_.keys()) {
-            if (key.path.starts_with(path + ".")) return true;
+        const std::string begin = path + ".";
+        return std::ranges::any_of(table_.keys(),
+                                   [&](const Key& key) { return key.path.starts_with(begin); });
+    }
+
+    /// The item of a list to which a key belongs, as "figure.panel.0."; empty for none.
+    static std::string_view item_of(std::string_view path) {
+        for (std::size_t end = path.rfind('.'); end != path.npos && end > 0;) {
+            const std::size_t dot = path.rfind('.', end - 1);
+            const std::string_view part = path.substr(dot + 1, end - dot - 1);
+            if (part.find_first_not_of("0123456789") == part.npos) return path.substr(0, end + 1);
+            end = dot;
         }
-        return false;
+        return {};
     }
 
     /// A model's keys are known only where the model is.
@@ -279,7 +302,9 @@ class Reader {
                                          place, path, path));
         }
         std::vector<std::string> known;
-        for (const Key& key : table_.keys()) known.push_back(key.path);
+        for (const Key& key : table_.keys()) {
+            if (path.starts_with(item_of(key.path))) known.push_back(key.path);
+        }
         if (const std::string owner = other_model_with(path); !owner.empty()) {
             throw InputError(fmt::format(
                 "{}: {} belongs to the model \"{}\", not to \"{}\"; see `fumon describe {}`", place,

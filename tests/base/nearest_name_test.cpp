@@ -21,5 +21,14 @@ TEST(NearestName, FindsNothingFarOff) {
     EXPECT_EQ(suggestion("wind", {"a", "b"}), "known: a, b");
 }
 
+TEST(NearestName, OfALongTextIsFoundAtOnce) {
+    const std::vector<std::string> many(1000, "figure.panel.0.curve.0.spread");
+    const std::string long_name(1 << 20, 'a');
+    EXPECT_EQ(nearest_name(long_name, many), "");  // 3e10 comparisons else
+    EXPECT_EQ(nearest_name("abcd", {"badc", "abdc"}), "abdc");
+    EXPECT_EQ(nearest_name("badcfe", {"abcdef"}), "") << "three swaps of six letters";
+    EXPECT_EQ(nearest_name("badcefghi", {"abcdefghi"}), "abcdefghi");
+}
+
 }  // namespace
 }  // namespace fumon

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "keys/keys.h"
 #include "models/sand/sand.h"
 #include "scene/describe.h"
@@ -169,6 +170,12 @@ TEST(SceneFaults, ThatFollowFromOthersAreNotTold) {
               std::string::npos);
 }
 
+TEST(SceneFaults, OfAModelOnTheCommandLineAreToldOnce) {
+    EXPECT_EQ(scene_refusal(least, {"model.name=sant", "model.creep=1"}),
+              "--set 1:12: unknown model \"sant\"; did you mean \"sand\"? (see `fumon models`)");
+    EXPECT_EQ(scene_refusal(least, {"model.name=3"}).substr(0, 11), "--set 1:12:");
+}
+
 TEST(SceneFaults, OfManyTheFirstTwentyAreTold) {
     std::string text = least;
     for (int n = 10; n < 35; ++n) text += "[x" + std::to_string(n) + "]\n";
@@ -176,6 +183,14 @@ TEST(SceneFaults, OfManyTheFirstTwentyAreTold) {
     EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 20);
     EXPECT_TRUE(lines.ends_with("\nscene.toml: and 5 more")) << lines;
     EXPECT_NE(lines.find("scene.toml:24:2: unknown key x29"), std::string::npos) << lines;
+}
+
+TEST(SceneFaults, AreNotLookedForWhenThereAreEnough) {
+    std::string text = least;
+    for (int n = 0; n < 20000; ++n) text += "unknown_" + std::to_string(n) + " = 1\n";
+    const std::string lines = scene_refusals(text);
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 20);
+    EXPECT_TRUE(lines.ends_with("\nscene.toml: and at least 80 more")) << lines;
 }
 
 TEST(SceneFaults, ShowNumbersAsShortAsTheyAreWritten) {
@@ -284,6 +299,31 @@ TEST(ListsOfTables, WrongOnesAreLocated) {
               "scene.toml:7:1: unknown key overlay.1.colour; ");
     EXPECT_EQ(scene_refusal(least + "[[overlay]]\nkind = \"clock\"\n").substr(0, 43),
               "scene.toml:6:8: overlay.0.kind is \"clock\"; ");
+}
+
+/// So many panels in one line, each with so many curves.
+std::string panels(int count, int curves) {
+    std::string text = "figure.panel = [";
+    for (int panel = 0; panel < count; ++panel) {
+        text += "{kind = \"plot\", curve = [";
+        for (int curve = 0; curve < curves; ++curve) text += "{},";
+        text += "]},";
+    }
+    return text + "]\n";
+}
+
+TEST(ListsOfTables, AreReadInATimeThatGrowsWithTheirNumber) {
+    const Stopwatch watch;
+    EXPECT_NE(scene_refusals(panels(500, 2)), "");
+    constexpr double far_below_a_table_for_each = 5.0;  // seconds; they were minutes
+    EXPECT_LT(watch.seconds(), far_below_a_table_for_each);
+}
+
+TEST(ListsOfTables, HaveOneLimitForAllItemsThatHoldThem) {
+    EXPECT_EQ(scene_refusals(panels(10, 100)).find("stands more than"), std::string::npos);
+    EXPECT_NE(
+        scene_refusals(panels(10, 101)).find("[[figure.panel.curve]] stands more than 1000 times"),
+        std::string::npos);
 }
 
 TEST(Describe, ListsEveryKeyWithTypeUnitDefaultAndRange) {
