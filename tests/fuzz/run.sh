@@ -57,7 +57,7 @@ fuzz() {
         return 1
     fi
     if [ "$minimise" = 1 ] && [ -d "tests/fuzz/corpus/$target" ]; then
-        "$program" "${options[@]}" -max_len=$longest_kept -merge=1 "tests/fuzz/corpus/$target" "$found/$target" >> "$log" 2>&1
+        "$program" "${options[@]}" -max_len=$longest_kept -merge=1 -use_counters=0 "tests/fuzz/corpus/$target" "$found/$target" >> "$log" 2>&1
     fi
     printf '%-16s %9d executions, %6d a second, %5d edges reached, %4d MB\n' "$target" \
         "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log" | tail -n 1)" \

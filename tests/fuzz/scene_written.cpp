@@ -15,6 +15,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (to_toml(parse_scene(resolved, "resolved.toml", "")) != resolved)
         fuzz::broken_promise("a resolved scene reads back the same", resolved);
     if (scene_json(*scene).dump().empty()) fuzz::broken_promise("a scene has a manifest", resolved);
-    if (frame_schedule(*scene).count() < 0) fuzz::broken_promise("frames can be counted", resolved);
+    for (const Schedule& schedule : {frame_schedule(*scene), bed_schedule(*scene),
+                                     fields_schedule(*scene), measurement_schedule(*scene)}) {
+        if (schedule.count() < 0 || schedule.due(-1))
+            fuzz::broken_promise("steps can be counted", resolved);
+    }
     return 0;
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "fuzz_input.h"
-#include "scene/json.h"
-#include "scene/read.h"
 #include "sweep/sweep_manifest.h"
 
 namespace {
@@ -13,13 +11,11 @@ using namespace fumon;
 
 SweepPlan small_plan() {
     SweepPlan plan;
-    const Scene scene = parse_scene(
-        "[model]\nname = \"sand\"\n[grid]\nnx = 8\nny = 8\n[run]\nsteps = 8\n", "scene.toml", "");
     plan.axes.push_back(read_axis("model.creep=0.1,0.2", "--over 1"));
     plan.seeds = read_seeds("1:2", 1);
     for (std::size_t n = 0; n < 4; ++n) plan.runs.push_back({n / 2, 1 + static_cast<int>(n % 2)});
     for (SweepRun& run : plan.runs) run.id.fill(static_cast<std::uint8_t>(&run - plan.runs.data()));
-    plan.base = scene_json(scene);
+    plan.base = {{"run", {{"steps", 8}}}};
     plan.inputs.push_back({"bed.asc", "00ff"});
     return plan;
 }
