@@ -8,7 +8,7 @@ cd "$(dirname "$0")/../.."
 found=${1:-}
 build=${BUILD:-build/fuzz-coverage}
 writers='Writer|make_corpus|Checkpointer|CheckpointClock|planned_files|files_json|files_called|add_names|outline_json|scale_json|names_json'
-writers+='|run_record_text|sweep_manifest.abi|axes_json|pdf_metadata|[ :]figure_metadata[(]|[ :]picture_text[(]|movie_text[(]|resolved_scene|inputs_text'
+writers+='|run_record_text|sweep_manifest.abi|axes_json|pdf_metadata|[ :]figure_metadata[[(]|[ :]picture_text[[(]|movie_text[[(]|resolved_scene|inputs_text'
 writers+='|read_palette|baseline_text|[ :]esri_ascii.abi|open_checkpoint|AvalancheFile|read_avalanches|little_endian|view_of|picture_of|read_scene'
 writers+='|read_netcdf_format|netcdf_format'
 
