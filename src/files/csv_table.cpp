@@ -12,6 +12,7 @@ namespace fumon {
 
 namespace {
 
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// The number that a whole cell is, blanks beside it passed over.
@@ -55,7 +56,6 @@ std::string as_meant(std::string cell) {
 class CsvReader {
   public:
     explicit CsvReader(const TextSource& source) : source_(source) {
-        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
         if (source_.text.starts_with(byte_order_mark)) place_ = byte_order_mark.size();
     }
 
@@ -199,7 +199,11 @@ std::string csv_line(const std::vector<std::string>& cells) {
     for (const std::string& text : cells) {
         if (&text != &cells.front()) line += ',';
         const std::string cell = harmless(text);
-        if (cell.find_first_of(",\"\r\n") == std::string::npos) {
+        const bool begins = &text == &cells.front();
+        const bool is_read =
+            !begins || !(cell.starts_with('#') || cell.starts_with(byte_order_mark) ||
+                         (cell.empty() && cells.size() == 1));
+        if (is_read && cell.find_first_of(",\"\r\n") == std::string::npos) {
             line += cell;
             continue;
         }

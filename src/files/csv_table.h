@@ -45,7 +45,8 @@ TableColumn even_column(const std::string& name, const std::string& text, std::s
 /// another number of cells, and a quote without end.
 Table parse_csv_table(const TextSource& source);
 
-/// One line of such a file, ended by LF: cells with a comma, quote or line break are quoted. A cell
+/// One line of such a file, ended by LF: cells with a comma, quote or line break are quoted, and a
+/// first one that would make the line a comment or an empty one. A cell
 /// that is no number and begins with =, +, -, @, a tab or a line break, which spreadsheets take for
 /// a formula, gets an apostrophe before it.
 std::string csv_line(const std::vector<std::string>& cells);

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "files/json_text.h"
 
 namespace fumon {
 
@@ -17,7 +18,7 @@ nlohmann::ordered_json scale_json(const WorldScale& scale) {
             {"in_metres", scale.in_metres}};
 }
 
-WorldScale read_scale(const nlohmann::json& json) {
+WorldScale read_scale(const nlohmann::ordered_json& json) {
     return {json.at("dx"), json.at("dy"), json.at("height_unit"), json.at("in_metres")};
 }
 
@@ -31,14 +32,14 @@ nlohmann::ordered_json names_json(const std::vector<Named>& list) {
 }
 
 template <class Named>
-std::vector<Named> read_names(const nlohmann::json& json) {
+std::vector<Named> read_names(const nlohmann::ordered_json& json) {
     std::vector<Named> list;
     for (const auto& one : json)
         list.push_back({one.at("name"), one.at("long_name"), one.at("unit"), {}});
     return list;
 }
 
-std::shared_ptr<const SnapshotSection> read_section_outline(const nlohmann::json& json) {
+std::shared_ptr<const SnapshotSection> read_section_outline(const nlohmann::ordered_json& json) {
     return std::make_shared<const SnapshotSection>(
         SnapshotSection{json.at("dx"),
                         json.at("dz"),
@@ -71,11 +72,11 @@ nlohmann::ordered_json outline_json(const Snapshot& snapshot) {
     return json;
 }
 
-Snapshot read_outline(const nlohmann::json& json) {
+Snapshot read_outline(const nlohmann::ordered_json& json) {
     Snapshot snapshot;
     snapshot.time_unit = json.at("time_unit");
-    const std::int64_t nx = json.at("nx");
-    const std::int64_t ny = json.at("ny");
+    const std::int64_t nx = whole_number(json.at("nx"));
+    const std::int64_t ny = whole_number(json.at("ny"));
     if (nx < 1 || ny < 1 || nx > largest_grid_cells / ny)
         throw InputError("no bed has that many cells");
     snapshot.bed = Grid(static_cast<int>(nx), static_cast<int>(ny));

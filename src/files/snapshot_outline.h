@@ -14,6 +14,6 @@ nlohmann::ordered_json outline_json(const Snapshot& snapshot);
 /// fields, numbers and a section that have names and units alone. The landform is left as it is.
 /// Throws nlohmann::json::exception where something is not there, InputError for a size that no
 /// bed has.
-Snapshot read_outline(const nlohmann::json& json);
+Snapshot read_outline(const nlohmann::ordered_json& json);
 
 }  // namespace fumon

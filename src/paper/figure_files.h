@@ -5,29 +5,11 @@
 #include <vector>
 
 #include "outputs/output_claims.h"
+#include "paper/figure_origin.h"
 #include "paper/figure_page.h"
 #include "paper/figure_plan.h"
 
 namespace fumon {
-
-/// A figure's record of how it was made: everything that it was made from except the terrain files.
-struct FigureOrigin {
-    std::string scene;                  ///< the path of its scene
-    std::vector<std::string> settings;  ///< of --set
-    std::vector<SourceText> texts;      ///< of all scenes and tables that it reads
-    std::vector<InputFile> inputs;      ///< terrain files
-    std::string version;                ///< of the fumon that made it
-};
-
-/// The texts to write into a figure: Title, Software and fumon's own (fumon:version, fumon:scene,
-/// the resolved scene, and fumon:figure, all of FigureOrigin).
-FigureMetadata figure_metadata(const FigurePlan& plan, const FigureSources& sources);
-
-/// Whether a picture's metadata is that of a figure.
-bool is_figure(const FigureMetadata& metadata);
-
-/// Reads the origin back. Throws InputError where the text is damaged; `figure` names it.
-FigureOrigin read_figure_origin(const FigureMetadata& metadata, const std::string& figure);
 
 /// Checks that a figure's files may be written into a folder: its data are fumon's where its PDF,
 /// SVG or PNG file is. Throws as OutputClaims::check().

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "files/json_text.h"
 #include "scene/json.h"
 
 namespace fumon {
@@ -94,7 +95,7 @@ std::string environment_text(const RenderingEnvironment& environment) {
 
 RenderingEnvironment parse_environment(const std::string& text) {
     try {
-        const Json json = Json::parse(text);
+        const Json json = parse_json(text);
         return {json.value("backend", ""),      json.value("renderer", ""),
                 json.value("gl_version", ""),   json.value("mesa_version", ""),
                 json.value("llvm_version", ""), json.value("pinned", false)};

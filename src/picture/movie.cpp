@@ -313,29 +313,4 @@ std::string movie_encoder() {
                        version(avformat_version()), version(swscale_version()));
 }
 
-bool is_movie(const std::filesystem::path& file) {
-    constexpr std::size_t size_of_box = 4;  // bytes, before its type
-    constexpr std::string_view type = "ftyp";
-    return start_of_input_file(file, size_of_box + type.size()).ends_with(type);
-}
-
-PictureText read_movie_texts(const std::filesystem::path& file) {
-    av_log_set_level(AV_LOG_QUIET);
-    AVFormatContext* opened = nullptr;
-    const std::string url = "file:" + file.string();
-    const int code =
-        avformat_open_input(&opened, url.c_str(), av_find_input_format("mp4"), nullptr);
-    if (code < 0) {
-        throw InputError(
-            fmt::format("{}: is no MP4 movie or is damaged ({}); take an untouched copy",
-                        file.string(), reason(code)));
-    }
-    PictureText texts;
-    const AVDictionaryEntry* entry = nullptr;
-    while ((entry = av_dict_get(opened->metadata, "", entry, AV_DICT_IGNORE_SUFFIX)) != nullptr)
-        texts.emplace_back(entry->key, entry->value);
-    avformat_close_input(&opened);
-    return texts;
-}
-
 }  // namespace fumon

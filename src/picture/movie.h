@@ -41,8 +41,8 @@ std::string movie_encoder();
 /// Whether a file begins as an MP4 movie. Throws InputError when it cannot be read.
 bool is_movie(const std::filesystem::path& file);
 
-/// The texts of a movie's metadata, in its order. Throws InputError when it is no MP4 movie or is
-/// damaged.
+/// The texts of a movie's metadata, in its order, as Movie::finish writes them; of any other movie
+/// none. Throws InputError when it is no MP4 movie or is damaged.
 PictureText read_movie_texts(const std::filesystem::path& file);
 
 }  // namespace fumon

@@ -7,6 +7,7 @@
 
 #include "base/thread_clock.h"
 #include "files/atomic_file.h"
+#include "files/json_text.h"
 #include "files/terrain/terrain_format.h"
 #include "run/build_identity.h"
 #include "run/frame_list.h"
@@ -44,7 +45,7 @@ Json manifest_head(const ManifestFacts& facts, const std::string& status,
     json["scene"] = scene_json(facts.scene);
     const RenderingEnvironment& environment = drawing.environment;
     if (!environment.backend.empty()) {
-        json["drawing"] = Json::parse(environment_text(environment));
+        json["drawing"] = parse_json(environment_text(environment));
         if (!drawing.why_not_pinned.empty())
             json["drawing"]["why_not_pinned"] = drawing.why_not_pinned;
         if (!drawing.text_library.empty()) json["drawing"]["text_library"] = drawing.text_library;

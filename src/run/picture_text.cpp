@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "files/input_file.h"
+#include "files/json_text.h"
 #include "picture/movie.h"
 #include "scene/json.h"
 #include "scene/write.h"
@@ -35,7 +36,7 @@ std::string inputs_text(const std::vector<InputFile>& inputs) {
 std::vector<InputFile> parse_inputs(const std::string& text, const std::string& picture) {
     std::vector<InputFile> inputs;
     try {
-        for (const auto& item : nlohmann::json::parse(text))
+        for (const auto& item : parse_json(text))
             inputs.push_back({item.at("path"), item.at("sha256")});
     } catch (const nlohmann::json::exception&) {
         throw InputError(fmt::format("{}: its {} text is damaged; take an untouched copy", picture,

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "files/input_file.h"
+#include "files/json_text.h"
 #include "files/netcdf/netcdf_fields.h"
 #include "files/terrain/terrain_format.h"
 #include "run/run_folder.h"
@@ -78,16 +79,16 @@ bool is_due(std::string_view name, const PlannedBeds& beds) {
 }
 
 /// What a manifest lists of what was made.
-RunFiles made_files(const nlohmann::json& manifest) {
+RunFiles made_files(const Json& manifest) {
     RunFiles made;
     for (const char* key : {"measurements", "avalanches", "fields"}) {
         if (manifest.contains(key)) made.files.insert(manifest[key].get<std::string>());
     }
     if (manifest.contains("movie"))
         made.files.insert(manifest["movie"].at("file").get<std::string>());
-    for (const auto& bed : manifest.value("beds", nlohmann::json::array()))
+    for (const auto& bed : manifest.value("beds", Json::array()))
         add_bed(bed.at("file"), made.files);
-    for (const auto& frame : manifest.value("frames", nlohmann::json::array()))
+    for (const auto& frame : manifest.value("frames", Json::array()))
         made.frames += frame.contains("file") ? 1 : 0;
     return made;
 }
@@ -158,17 +159,18 @@ Json files_json(const RunFiles& files) {
 
 RunFiles listed_files(const fs::path& manifest) {
     try {
-        const auto json = nlohmann::json::parse(read_input_file(manifest));
+        const auto json = parse_json(read_input_file(manifest));
         if (!json.contains("fumon") || !json.contains("status")) return {};
         RunFiles listed = made_files(json);
         listed.files.insert({"run.json", "checkpoint.fumon", "frames.fumon"});
         if (!json.contains("may_write")) return listed;
         const auto& more = json["may_write"];
         listed.files.merge(more.at("files").get<std::set<std::string>>());
-        listed.frames = std::max(listed.frames, more.at("frames").get<std::int64_t>());
-        more.at("movie_frames").get_to(listed.movie_frames);
+        listed.frames = std::max(listed.frames, whole_number(more.at("frames")));
+        listed.movie_frames = whole_number(more.at("movie_frames"));
         const auto& beds = more.at("beds");
-        listed.beds = {beds.at("every"), beds.at("at"), beds.at("last_step"), beds.at("endings")};
+        listed.beds = {whole_number(beds.at("every")), whole_numbers(beds.at("at")),
+                       whole_number(beds.at("last_step")), beds.at("endings")};
         return listed;
     } catch (const nlohmann::json::exception&) {
         return {};

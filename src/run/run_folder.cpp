@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "files/input_file.h"
+#include "files/json_text.h"
 #include "files/terrain/terrain_format.h"
 #include "outputs/output_claims.h"
 #include "run/run_checkpoint.h"
@@ -137,8 +138,8 @@ void RunFolder::enter() {
 }
 
 bool RunFolder::is_complete() const {
-    const auto json = nlohmann::json::parse(read_input_file(manifest()), nullptr, false);
-    return json.is_object() && json.value("status", nlohmann::json()) == "complete";
+    const auto json = parse_json(read_input_file(manifest()));
+    return json.is_object() && json.value("status", nlohmann::ordered_json()) == "complete";
 }
 
 void RunFolder::go_on(const RunParts& parts, const RunCheckpoint& checkpoint) {

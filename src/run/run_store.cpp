@@ -12,6 +12,7 @@
 #include "files/atomic_file.h"
 #include "files/file_lock.h"
 #include "files/input_file.h"
+#include "files/json_text.h"
 #include "files/netcdf/netcdf_record.h"
 #include "files/snapshot_outline.h"
 #include "models/registry.h"
@@ -123,9 +124,9 @@ std::optional<RunStore::Content> RunStore::content(const StoredRun& run) const {
     std::error_code fault;
     if (!fs::exists(manifest, fault)) return std::nullopt;
     try {
-        const auto json = nlohmann::json::parse(read_input_file(manifest));
+        const auto json = parse_json(read_input_file(manifest));
         if (json.at("id") != hex(run.id) || !fs::exists(measurements(run))) return std::nullopt;
-        Content content{json.at("fields_at"), read_outline(json.at("snapshots"))};
+        Content content{whole_numbers(json.at("fields_at")), read_outline(json.at("snapshots"))};
         if (!content.steps.empty() && !fs::exists(fields(run))) return std::nullopt;
         content.outline.landform = find_model(run.scene.model.name)->landform;
         return content;

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/error.h"
@@ -48,19 +46,6 @@ std::int64_t number_of_run(std::string_view name) {
     return -1;
 }
 
-/// How many runs the sweep of a sweep.json has; −1 where it is not there or is no manifest of
-/// fumon's.
-std::int64_t listed_runs(const fs::path& manifest) {
-    try {
-        const auto json = nlohmann::ordered_json::parse(read_input_file(manifest));
-        return json.contains("fumon") ? static_cast<std::int64_t>(run_ids(json).size()) : -1;
-    } catch (const nlohmann::json::exception&) {
-        return -1;
-    } catch (const InputError&) {
-        return -1;
-    }
-}
-
 }  // namespace
 
 SweepFolder::SweepFolder(fs::path folder, const SweepPlan& plan, bool force)
@@ -84,34 +69,29 @@ SweepFolder::SweepFolder(fs::path folder, const SweepPlan& plan, bool force)
 /// Runs that the folder's sweep knows keep their numbers; others follow in the plan's order.
 void SweepFolder::number_runs() {
     if (!fs::exists(manifest())) return;
-    std::map<std::string, std::size_t> planned;
-    for (std::size_t k = 0; k < plan_.runs.size(); ++k) planned[hex(plan_.runs[k].id)] = k;
-    std::string differs;
-    try {
-        const auto former = nlohmann::ordered_json::parse(read_input_file(manifest()));
-        for (const std::string& id : run_ids(former)) {
-            const auto found = planned.find(id);
-            if (found == planned.end() || former.at("fumon") != FUMON_VERSION) {
-                differs = "holds another sweep: " + difference(former, plan_);
-                break;
-            }
-            order_.push_back(found->second);
-            planned.erase(found);
-        }
-    } catch (const nlohmann::json::exception&) {
-        differs = "holds a sweep whose sweep.json is damaged";
-    }
-    if (!differs.empty()) {
+    FormerSweep former = former_sweep(read_input_file(manifest()), plan_);
+    if (!former.differs.empty()) {
         throw InputError(fmt::format("{} {}; name another folder, or --force replaces it",
-                                     folder_.string(), differs));
+                                     folder_.string(), former.differs));
     }
-    for (std::size_t k = 0; k < plan_.runs.size(); ++k) {
-        if (planned.contains(hex(plan_.runs[k].id))) order_.push_back(k);
+    order_ = std::move(former.order);
+    std::vector<bool> numbered(plan_.runs.size(), false);
+    for (const std::size_t k : order_) numbered[k] = true;
+    for (std::size_t k = 0; k < numbered.size(); ++k) {
+        if (!numbered[k]) order_.push_back(k);
+    }
+}
+
+std::int64_t SweepFolder::listed() const {
+    try {
+        return listed_runs(read_input_file(manifest()));
+    } catch (const InputError&) {
+        return -1;  // there is none
     }
 }
 
 std::vector<fs::path> SweepFolder::former_files(bool force) const {
-    const std::int64_t listed = listed_runs(manifest());
+    const std::int64_t listed = this->listed();
     const auto planned = static_cast<std::int64_t>(plan_.runs.size());
     OutputClaims claims(force);
     claims.reads(plan_.scene.source);
@@ -159,23 +139,11 @@ RecordPaths SweepFolder::paths(std::size_t number) const {
 RunRecord SweepFolder::read_record(std::size_t number) const {
     const fs::path record = file(number, ".json");
     if (!fs::exists(record) || !fs::exists(paths(number).measurements)) return {};
-    try {
-        const auto json = nlohmann::json::parse(read_input_file(record));
-        if (json.at("id") != hex(run(number).id)) return {};
-        return {RunStatus::done, json.at("steps"), json.at("wall_seconds"), json.at("state_sha256"),
-                ""};
-    } catch (const nlohmann::json::exception&) {
-        return {};
-    }
+    return parse_run_record(read_input_file(record), run(number).id);
 }
 
 void SweepFolder::write_record(std::size_t number, const RunRecord& record) const {
-    nlohmann::ordered_json json;
-    json["id"] = hex(run(number).id);
-    json["steps"] = record.steps;
-    json["wall_seconds"] = record.wall_seconds;
-    json["state_sha256"] = record.state;
-    write_file(file(number, ".json"), json.dump(2) + "\n");
+    write_file(file(number, ".json"), run_record_text(run(number).id, record));
 }
 
 void SweepFolder::write_runs(const std::vector<RunRecord>& records) const {

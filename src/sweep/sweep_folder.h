@@ -60,6 +60,8 @@ class SweepFolder {
         return plan_.runs[order_[number - 1]];
     }
     void number_runs();
+    /// How many runs the sweep in the folder has; −1 where there is none of fumon's.
+    [[nodiscard]] std::int64_t listed() const;
     /// The files that a new sweep replaces, checked by the rule of OutputClaims.
     [[nodiscard]] std::vector<std::filesystem::path> former_files(bool force) const;
     void remove_files(const std::vector<std::filesystem::path>& files) const;

@@ -4,7 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
 
+#include "files/json_text.h"
 #include "scene/json.h"
 
 namespace fumon {
@@ -47,14 +50,42 @@ std::string input_difference(const Json& former, const SweepPlan& plan) {
 
 std::string value_difference(const Json& former, const Json& now) {
     for (std::size_t axis = 0; axis < former.size(); ++axis) {
-        const Json& values = now[axis]["values"];
-        for (const Json& value : former[axis].at("values")) {
+        const Json& values = now.at(axis).at("values");
+        for (const Json& value : former.at(axis).at("values")) {
             if (std::find(values.begin(), values.end(), value) != values.end()) continue;
             return fmt::format("it has {}={}, which is no longer among the values",
-                               axis_keys(Json::array({former[axis]})), value.get<std::string>());
+                               axis_keys(Json::array({former.at(axis)})), value.get<std::string>());
         }
     }
     return {};
+}
+
+/// The ids of the runs in the order of their numbers, hexadecimal. Throws
+/// nlohmann::json::exception when the manifest is damaged.
+std::vector<std::string> run_ids(const Json& manifest) {
+    return manifest.at("runs").get<std::vector<std::string>>();
+}
+
+/// The first thing in which the sweep of a manifest is not part of a plan, as "its scene has
+/// run.steps = 20, now 40".
+std::string difference(const Json& manifest, const SweepPlan& plan) {
+    const auto version = manifest.at("fumon").get<std::string>();
+    if (version != FUMON_VERSION)
+        return fmt::format("it was made by fumon {}, this is {}", version, FUMON_VERSION);
+    const Json axes = axes_json(plan);
+    const Json& former = manifest.at("over");
+    if (axis_keys(former) != axis_keys(axes))
+        return fmt::format("it varies {}, now {}", axis_keys(former), axis_keys(axes));
+    std::string found = scene_difference(manifest.at("scene"), plan.base);
+    if (found.empty()) found = input_difference(manifest.at("inputs"), plan);
+    if (found.empty()) found = value_difference(former, axes);
+    const auto first = whole_number(manifest.at("seeds").at("first"));
+    const auto last = whole_number(manifest.at("seeds").at("last"));
+    if (found.empty() && (first < plan.seeds.first || last > plan.seeds.last)) {
+        found = fmt::format("it has the seeds {} to {}, now {} to {}", first, last,
+                            plan.seeds.first, plan.seeds.last);
+    }
+    return found.empty() ? "its runs are others" : found;
 }
 
 }  // namespace
@@ -73,28 +104,52 @@ std::string sweep_manifest(const SweepPlan& plan, const std::vector<std::size_t>
     return json_text(json, 2) + "\n";
 }
 
-std::vector<std::string> run_ids(const Json& manifest) {
-    return manifest.at("runs").get<std::vector<std::string>>();
+std::int64_t listed_runs(std::string_view manifest) {
+    try {
+        const Json json = parse_json(manifest);
+        return json.contains("fumon") ? static_cast<std::int64_t>(run_ids(json).size()) : -1;
+    } catch (const nlohmann::json::exception&) {
+        return -1;
+    }
 }
 
-std::string difference(const Json& manifest, const SweepPlan& plan) {
-    const auto version = manifest.at("fumon").get<std::string>();
-    if (version != FUMON_VERSION)
-        return fmt::format("it was made by fumon {}, this is {}", version, FUMON_VERSION);
-    const Json axes = axes_json(plan);
-    const Json& former = manifest.at("over");
-    if (axis_keys(former) != axis_keys(axes))
-        return fmt::format("it varies {}, now {}", axis_keys(former), axis_keys(axes));
-    std::string found = scene_difference(manifest.at("scene"), plan.base);
-    if (found.empty()) found = input_difference(manifest.at("inputs"), plan);
-    if (found.empty()) found = value_difference(former, axes);
-    const auto first = manifest.at("seeds").at("first").get<std::int64_t>();
-    const auto last = manifest.at("seeds").at("last").get<std::int64_t>();
-    if (found.empty() && (first < plan.seeds.first || last > plan.seeds.last)) {
-        found = fmt::format("it has the seeds {} to {}, now {} to {}", first, last,
-                            plan.seeds.first, plan.seeds.last);
+FormerSweep former_sweep(std::string_view manifest, const SweepPlan& plan) {
+    std::map<std::string, std::size_t> planned;
+    for (std::size_t k = 0; k < plan.runs.size(); ++k) planned[hex(plan.runs[k].id)] = k;
+    FormerSweep former;
+    try {
+        const Json json = parse_json(manifest);
+        for (const std::string& id : run_ids(json)) {
+            const auto found = planned.find(id);
+            if (found == planned.end() || json.at("fumon") != FUMON_VERSION)
+                return {{}, "holds another sweep: " + difference(json, plan)};
+            former.order.push_back(found->second);
+            planned.erase(found);
+        }
+    } catch (const nlohmann::json::exception&) {
+        return {{}, "holds a sweep whose sweep.json is damaged"};
     }
-    return found.empty() ? "its runs are others" : found;
+    return former;
+}
+
+std::string run_record_text(const Sha256& id, const RunRecord& record) {
+    Json json;
+    json["id"] = hex(id);
+    json["steps"] = record.steps;
+    json["wall_seconds"] = record.wall_seconds;
+    json["state_sha256"] = record.state;
+    return json.dump(2) + "\n";
+}
+
+RunRecord parse_run_record(std::string_view text, const Sha256& id) {
+    try {
+        const Json json = parse_json(text);
+        if (json.at("id") != hex(id)) return {};
+        return {RunStatus::done, whole_number(json.at("steps")), json.at("wall_seconds"),
+                json.at("state_sha256"), ""};
+    } catch (const nlohmann::json::exception&) {
+        return {};
+    }
 }
 
 }  // namespace fumon

@@ -1,9 +1,13 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "files/hash.h"
+#include "run/parallel_runs.h"
 #include "sweep/sweep_plan.h"
 
 namespace fumon {
@@ -11,12 +15,23 @@ namespace fumon {
 /// sweep.json of a plan whose runs stand in this order.
 std::string sweep_manifest(const SweepPlan& plan, const std::vector<std::size_t>& order);
 
-/// The ids of a sweep.json's runs in the order of their numbers, hexadecimal. Throws
-/// nlohmann::json::exception when it is damaged.
-std::vector<std::string> run_ids(const nlohmann::ordered_json& manifest);
+/// How many runs the sweep of a sweep.json's text has; −1 where it is no manifest of fumon's.
+std::int64_t listed_runs(std::string_view manifest);
 
-/// The first thing in which the sweep of a sweep.json is not part of a plan, as "its scene has
-/// run.steps = 20, now 40".
-std::string difference(const nlohmann::ordered_json& manifest, const SweepPlan& plan);
+/// What a former sweep in a plan's folder means for its runs.
+struct FormerSweep {
+    std::vector<std::size_t> order;  ///< the plan's runs that it has, in the order of their numbers
+    /// Why the sweep is no part of the plan, as "holds another sweep: its scene has run.steps = 20,
+    /// now 40" or "holds a sweep whose sweep.json is damaged"; empty where it is one.
+    std::string differs;
+};
+
+/// Reads the text of that sweep's sweep.json.
+FormerSweep former_sweep(std::string_view manifest, const SweepPlan& plan);
+
+/// The text of the record of a run that is done, and back; what is none of this run, or is damaged,
+/// gives a pending one.
+std::string run_record_text(const Sha256& id, const RunRecord& record);
+RunRecord parse_run_record(std::string_view text, const Sha256& id);
 
 }  // namespace fumon

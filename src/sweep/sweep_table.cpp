@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
+#include <set>
 
 #include "base/error.h"
 #include "files/atomic_file.h"
@@ -18,13 +20,18 @@ class MeasurementReader {
   public:
     explicit MeasurementReader(const std::filesystem::path& file)
         : file_(file), stream_(file, std::ios::binary) {
-        if (!next(header_)) fail("it has no header line");
+        if (!std::getline(stream_, header_)) fail("it has no header line");
     }
 
     [[nodiscard]] const std::string& header() const { return header_; }
 
     bool next(std::string& line) {
-        if (std::getline(stream_, line)) return true;
+        if (std::getline(stream_, line)) {
+            if (std::count(line.begin(), line.end(), ',') !=
+                std::count(header_.begin(), header_.end(), ','))
+                fail("it has a line with more or fewer cells than its header");
+            return true;
+        }
         if (stream_.bad() || !stream_.eof()) fail("reading fails");
         return false;
     }
@@ -50,32 +57,33 @@ std::vector<std::string> split_cells(const std::string& line) {
     }
 }
 
-/// The columns of all files; runs of one model have the same, so a header is mostly a known one.
-std::vector<std::string> all_columns(const std::vector<TablePart>& parts) {
-    std::vector<std::string> columns;
-    std::string last_header;
-    for (const TablePart& part : parts) {
-        const MeasurementReader reader(part.file);
-        if (reader.header() == last_header) continue;
-        last_header = reader.header();
-        for (const std::string& name : split_cells(last_header)) {
-            if (std::find(columns.begin(), columns.end(), name) == columns.end())
-                columns.push_back(name);
+/// The columns of all files, by name.
+class Columns {
+  public:
+    explicit Columns(const std::vector<TablePart>& parts) {
+        std::set<std::string> headers;  // runs of one model have the same
+        for (const TablePart& part : parts) {
+            const MeasurementReader reader(part.file);
+            if (!headers.insert(reader.header()).second) continue;
+            for (const std::string& name : split_cells(reader.header())) {
+                if (places_.emplace(name, names_.size()).second) names_.push_back(name);
+            }
         }
     }
-    return columns;
-}
 
-/// Which of the table's columns each column of a file is.
-std::vector<std::size_t> places(const std::string& header,
-                                const std::vector<std::string>& columns) {
-    std::vector<std::size_t> found;
-    for (const std::string& name : split_cells(header)) {
-        found.push_back(static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
-                                                 columns.begin()));
+    [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+
+    /// Which of them each column of a file is.
+    [[nodiscard]] std::vector<std::size_t> places(const std::string& header) const {
+        std::vector<std::size_t> found;
+        for (const std::string& name : split_cells(header)) found.push_back(places_.at(name));
+        return found;
     }
-    return found;
-}
+
+  private:
+    std::vector<std::string> names_;
+    std::map<std::string, std::size_t> places_;
+};
 
 std::string rearranged(const std::string& line, const std::vector<std::size_t>& place,
                        std::size_t columns) {
@@ -90,9 +98,9 @@ std::string rearranged(const std::string& line, const std::vector<std::size_t>& 
 void write_table(const std::filesystem::path& table, const std::vector<std::string>& names,
                  const std::vector<TablePart>& parts) {
     constexpr std::size_t enough_to_write = 1 << 16;  // bytes
-    const std::vector<std::string> columns = all_columns(parts);
+    const Columns columns(parts);
     std::vector<std::string> header = names;
-    header.insert(header.end(), columns.begin(), columns.end());
+    header.insert(header.end(), columns.names().begin(), columns.names().end());
     AtomicFile file(table);
     std::string text = csv_line(header);
     std::string line;
@@ -100,12 +108,12 @@ void write_table(const std::filesystem::path& table, const std::vector<std::stri
         MeasurementReader reader(part.file);
         std::string before = csv_line(part.cells);
         before.back() = ',';  // was the line's end
-        const auto place = places(reader.header(), columns);
+        const auto place = columns.places(reader.header());
         const bool as_it_stands =
-            place.size() == columns.size() && std::is_sorted(place.begin(), place.end());
+            place.size() == columns.names().size() && std::is_sorted(place.begin(), place.end());
         while (reader.next(line)) {
             text += before;
-            text += as_it_stands ? line + "\n" : rearranged(line, place, columns.size());
+            text += as_it_stands ? line + "\n" : rearranged(line, place, columns.names().size());
             if (text.size() < enough_to_write) continue;
             file.write(text);
             text.clear();

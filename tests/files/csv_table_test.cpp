@@ -69,5 +69,20 @@ TEST(CsvTable, SaysWhatIsWrong) {
     EXPECT_EQ(refusal("x\n\"1\n"), "points.csv:2: a quote has no end; close it");
 }
 
+TEST(CsvTable, AFirstCellThatWouldHideItsLineIsQuoted) {
+    EXPECT_EQ(csv_line({"#1", "#2"}), "\"#1\",#2\n");
+    EXPECT_EQ(csv_line({""}), "\"\"\n");
+    EXPECT_EQ(csv_line({"", ""}), ",\n");
+    const std::string text = csv_line({"\xEF\xBB\xBF"
+                                       "a"}) +
+                             csv_line({"#1"}) + csv_line({""});
+    const Table table = read(text);
+    EXPECT_EQ(table.names(), (std::vector<std::string>{"\xEF\xBB\xBF"
+                                                       "a"}));
+    ASSERT_EQ(table.rows(), 2U);
+    EXPECT_EQ(table.columns[0].text(0), "#1");
+    EXPECT_EQ(table.columns[0].text(1), "");
+}
+
 }  // namespace
 }  // namespace fumon::test

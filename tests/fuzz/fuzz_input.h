@@ -31,15 +31,20 @@ inline std::string_view as_text(const std::uint8_t* data, std::size_t size) {
     std::abort();
 }
 
-/// Calls read() on some input. It may refuse it by an InputError, a line for each fault; anything
-/// else that it throws is a fault of its own. Returns whether it was taken.
+/// How many lines a refusal may have: a scene's has one for each fault.
+enum class RefusalLines { one, many };
+
+/// Calls read() on some input. It may refuse it by an InputError; anything else that it throws is
+/// a fault. Returns whether it was taken.
 template <class Read>
-bool taken(const Read& read) {
+bool taken(const Read& read, RefusalLines lines = RefusalLines::one) {
     try {
         read();
         return true;
     } catch (const InputError& refusal) {
         if (refusal.lines().empty()) broken_promise("a refusal has a text", "");
+        if (lines == RefusalLines::one && refusal.lines().size() != 1)
+            broken_promise("a refusal is one line", refusal.what());
         for (const std::string& line : refusal.lines()) {
             if (line.empty()) broken_promise("no line of a refusal is empty", refusal.what());
             for (const char letter : line) {

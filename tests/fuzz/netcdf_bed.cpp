@@ -14,5 +14,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const fuzz::MemoryFile file(bytes);
     fuzz::taken([&] { read_netcdf_bed(file.path(), ""); });
     fuzz::taken([&] { read_fields_record(file.path()); });
+    Snapshot outline;
+    outline.bed = Grid(4, 3);
+    outline.nodata = Mask(4, 3);
+    outline.fields.push_back({"bed_height", "", "", {}});
+    outline.numbers.push_back({"time", "", 0.0});
+    fuzz::taken([&] { read_fields_snapshot(file.path(), 0, outline); });
     return 0;
 }

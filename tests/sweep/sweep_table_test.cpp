@@ -34,6 +34,27 @@ TEST(SweepTable, ColumnsThatARunDoesNotHaveStayEmpty) {
               "3,0,0,7,1,\n");
 }
 
+TEST(SweepTable, AHeaderThatIsAnEmptyLineIsAColumnWithoutAName) {
+    const TemporaryFolder folder;
+    const auto damaged = folder.file("1.csv", "\n5\n");
+    const auto whole = folder.file("2.csv", "step,mean\n0,1\n");
+    write_table(folder / "all.csv", {"run"}, {{{"1"}, damaged}, {{"2"}, whole}});
+    EXPECT_EQ(bytes_of(folder / "all.csv"), "run,,step,mean\n1,5,,\n2,,0,1\n");
+}
+
+TEST(SweepTable, ALineWithOtherCellsThanItsHeaderIsRefused) {
+    const TemporaryFolder folder;
+    for (const char* rows : {"0\n", "0,1,2\n", "0,1\n\n"}) {
+        const auto damaged = folder.file("1.csv", std::string("step,mean\n") + rows);
+        EXPECT_EQ(message_of([&] {
+                      write_table(folder / "all.csv", {"run"}, {{{"1"}, damaged}});
+                  }),
+                  "cannot read " + damaged.string() +
+                      ": it has a line with more or fewer cells than its header");
+        EXPECT_FALSE(std::filesystem::exists(folder / "all.csv"));
+    }
+}
+
 TEST(SweepTable, WithoutRunsIsItsNames) {
     const TemporaryFolder folder;
     write_table(folder / "all.csv", {"run", "seed"}, {});

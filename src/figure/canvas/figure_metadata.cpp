@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "files/json_text.h"
 #include "files/png_reader.h"
 
 namespace fumon {
@@ -124,7 +125,7 @@ FigureMetadata pdf_texts(std::string_view pdf, const std::string& name) {
     const std::string keywords = pdf_string(pdf.substr(at + pdf_entry.size()));
     if (!keywords.starts_with("[[\"")) return {};
     try {
-        return nlohmann::json::parse(keywords).get<FigureMetadata>();
+        return parse_json(keywords).get<FigureMetadata>();
     } catch (const nlohmann::json::exception&) {
         throw InputError(fmt::format("{}: its metadata are damaged", name));
     }

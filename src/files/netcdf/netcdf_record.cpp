@@ -93,8 +93,11 @@ int variable_of(const NetcdfInput& input, const std::string& name) {
 }
 
 double number_at(const NetcdfInput& input, const std::string& name, std::size_t record) {
+    const int variable = variable_of(input, name);
+    if (input.dimensions(variable).size() != 1)
+        input.refuse(fmt::format("has no {} of a step", name), "it is of another run: delete it");
     double value = 0.0;
-    check_netcdf(nc_get_var1_double(input.id(), variable_of(input, name), &record, &value));
+    check_netcdf(nc_get_var1_double(input.id(), variable, &record, &value));
     return value;
 }
 

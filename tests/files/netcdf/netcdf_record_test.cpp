@@ -89,6 +89,22 @@ TEST(NetcdfRecord, ASnapshotIsARecordInTheOutlineOfItsRun) {
     EXPECT_NE(refusal(30).find("has another size"), std::string::npos);
 }
 
+TEST(NetcdfRecord, ATimeOverTwoDimensionsIsNoneOfAStep) {
+    const TemporaryFolder folder;
+    {
+        const test::NetcdfMaker damaged(folder / "fields.nc", NC_CLASSIC_MODEL);
+        const int time = damaged.dimension("time", 1);
+        const int x = damaged.dimension("x", 2);
+        static_cast<void>(damaged.variable("time", NC_DOUBLE, {time, x}));
+        const int step = damaged.variable("step", NC_INT, {time});
+        damaged.values(step, {1}, {0.0});
+    }
+    EXPECT_EQ(message_of<InputError>(
+                  [&] { static_cast<void>(read_fields_snapshot(folder / "fields.nc", 0, {})); }),
+              (folder / "fields.nc").string() +
+                  ": has no time of a step; it is of another run: delete it");
+}
+
 TEST(NetcdfRecord, IsNothingInOtherFilesAndAnErrorInDamagedOnes) {
     const TemporaryFolder folder;
     EXPECT_FALSE(read_fields_record(folder / "none.nc"));

@@ -1,0 +1,70 @@
+#include "paper/figure_origin.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "files/json_text.h"
+#include "run/picture_text.h"
+
+namespace fumon {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* figure_keyword = "fumon:figure";
+
+const std::string* text_of(const FigureMetadata& metadata, const std::string& keyword) {
+    for (const auto& [known, text] : metadata) {
+        if (known == keyword) return &text;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+FigureMetadata figure_metadata(const FigurePlan& plan, const FigureSources& sources) {
+    Json origin;
+    origin["scene"] = plan.file;
+    origin["set"] = plan.settings;
+    origin["texts"] = Json::array();
+    for (const SourceText& text : sources.all())
+        origin["texts"].push_back({{"path", text.path}, {"text", text.text}});
+    origin["inputs"] = Json::array();
+    for (const InputFile& input : plan.inputs)
+        origin["inputs"].push_back({{"path", input.path}, {"sha256", input.hash}});
+    FigureMetadata metadata;
+    if (!plan.scene.title.empty()) metadata.emplace_back("Title", plan.scene.title);
+    metadata.emplace_back("Software", "fumon " FUMON_VERSION);
+    metadata.emplace_back(version_keyword, FUMON_VERSION);
+    metadata.emplace_back("fumon:scene", resolved_scene(plan.scene, {}));
+    metadata.emplace_back(figure_keyword,
+                          origin.dump(-1, ' ', true, Json::error_handler_t::replace));
+    return metadata;
+}
+
+bool is_figure(const FigureMetadata& metadata) {
+    return text_of(metadata, figure_keyword) != nullptr;
+}
+
+FigureOrigin read_figure_origin(const FigureMetadata& metadata, const std::string& figure) {
+    FigureOrigin origin;
+    try {
+        const Json json = parse_json(*text_of(metadata, figure_keyword));
+        origin.scene = json.at("scene");
+        origin.settings = json.at("set").get<std::vector<std::string>>();
+        for (const Json& text : json.at("texts"))
+            origin.texts.push_back({text.at("path"), text.at("text")});
+        for (const Json& input : json.at("inputs"))
+            origin.inputs.push_back({input.at("path"), input.at("sha256")});
+    } catch (const nlohmann::json::exception&) {
+        throw InputError(fmt::format("{}: its {} text is damaged; take an untouched copy", figure,
+                                     figure_keyword));
+    }
+    if (const std::string* version = text_of(metadata, version_keyword)) origin.version = *version;
+    return origin;
+}
+
+}  // namespace fumon

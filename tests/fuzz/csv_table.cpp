@@ -1,0 +1,29 @@
+// Tables of comma-separated values: measurements, a sweep's tables, a figure's own.
+
+#include "files/csv_table.h"
+
+#include "fuzz_input.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace fumon;
+    Table table;
+    const auto text_of = [](const Table& table) {
+        std::string text = csv_line(table.names());
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            std::vector<std::string> cells;
+            for (const TableColumn& column : table.columns) cells.push_back(column.text(row));
+            text += csv_line(cells);
+        }
+        return text;
+    };
+    if (!fuzz::taken([&] { table = parse_csv_table({"table.csv", fuzz::as_text(data, size)}); }))
+        return 0;
+    Table twice = table;
+    twice.append(table);
+    if (twice.rows() != 2 * table.rows())
+        fuzz::broken_promise("a table can be appended to itself", "");
+    const std::string text = text_of(table);
+    if (text_of(parse_csv_table({"again.csv", text})) != text)
+        fuzz::broken_promise("a written table reads back the same", text);
+    return 0;
+}
