@@ -126,7 +126,8 @@ std::optional<RunStore::Content> RunStore::content(const StoredRun& run) const {
     try {
         const auto json = parse_json(read_input_file(manifest));
         if (json.at("id") != hex(run.id) || !fs::exists(measurements(run))) return std::nullopt;
-        Content content{whole_numbers(json.at("fields_at")), read_outline(json.at("snapshots"))};
+        const std::vector<std::int64_t> steps = whole_numbers(json.at("fields_at"));
+        Content content{{steps.begin(), steps.end()}, read_outline(json.at("snapshots"))};
         if (!content.steps.empty() && !fs::exists(fields(run))) return std::nullopt;
         content.outline.landform = find_model(run.scene.model.name)->landform;
         return content;

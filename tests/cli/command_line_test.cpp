@@ -82,10 +82,11 @@ INSTANTIATE_TEST_SUITE_P(
               {"run", "terada-barchan", "-o", "x"},
               "terada-barchan: there is no such file here, and fumon ships no such scene; did you "
               "mean \"terada-barchans\"?"},
-        Wrong{"missing_scene",
-              {"run", "no.toml", "-o", "x"},
-              "no.toml: cannot be read: No such file or directory; name a file that exists and that "
-              "you may read"},
+        Wrong{
+            "missing_scene",
+            {"run", "no.toml", "-o", "x"},
+            "no.toml: cannot be read: No such file or directory; name a file that exists and that "
+            "you may read"},
         Wrong{"missing_terrain",
               {"still", "no.asc", "-o", "x.png"},
               "no.asc: is not there; check the path"},

@@ -46,7 +46,7 @@ TEST(SweepTable, ALineWithOtherCellsThanItsHeaderIsRefused) {
     const TemporaryFolder folder;
     for (const char* rows : {"0\n", "0,1,2\n", "0,1\n\n"}) {
         const auto damaged = folder.file("1.csv", std::string("step,mean\n") + rows);
-        EXPECT_EQ(message_of([&] {
+        EXPECT_EQ(message_of<Error>([&] {
                       write_table(folder / "all.csv", {"run"}, {{{"1"}, damaged}});
                   }),
                   "cannot read " + damaged.string() +
