@@ -8,17 +8,26 @@
 #include "cli/command_line.h"
 #include "cli/crash.h"
 
+static int tell_out_of_memory() {
+    std::fputs(fumon::out_of_memory.data(), stderr);
+    return 1;
+}
+
 int main(int count, char** values) {
     fumon::explain_crashes();
     std::signal(SIGXFSZ, SIG_IGN);  // what exceeds the limit on files is a failed write (EFBIG)
     try {
         return fumon::run_command_line(std::vector<std::string>(values + 1, values + count));
+    } catch (const fumon::InputError& error) {
+        // A library that finds no memory may call its input wrong, as the reader of TOML does.
+        if (fumon::memory_has_ended()) return tell_out_of_memory();
+        std::fprintf(stderr, "%s\n", error.what());
+        return error.exit_status();
     } catch (const fumon::Error& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return error.exit_status();
     } catch (const std::bad_alloc&) {
-        std::fputs(fumon::out_of_memory.data(), stderr);
-        return 1;
+        return tell_out_of_memory();
     } catch (const std::exception& error) {
         std::fprintf(stderr, "fumon: unexpected: %s\n", error.what());
         return 1;

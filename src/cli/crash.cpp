@@ -91,6 +91,10 @@ bool memory_is_counted() {
 
 }  // namespace
 
+bool memory_has_ended() {
+    return memory_ended != 0;
+}
+
 void explain_crashes() {
 #ifndef FUMON_SANITIZED
     std::set_new_handler(note_end_of_memory);

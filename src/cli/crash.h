@@ -17,4 +17,7 @@ inline constexpr std::string_view out_of_memory =
 /// builds this does nothing.
 void explain_crashes();
 
+/// Whether a request for memory by `new` has failed since explain_crashes().
+bool memory_has_ended();
+
 }  // namespace fumon

@@ -58,7 +58,7 @@ void make_corpus(const std::filesystem::path& folder) {
         RunCheckpoint checkpoint;
         checkpoint.scene = fuzz::checkpoint_kinds.at(kind).scene;
         checkpoint.step = model->steps_done();
-        checkpoint.bed_steps = {0, 1};
+        checkpoint.beds = {{0, {{".asc", {}}}}, {1, {{".asc", {}}, {".prj", {}}}}};
         checkpoint.inputs.push_back({"bed.asc", "00ff"});
         const std::filesystem::path file = folder / fuzz::checkpoint_kinds.at(kind).name;
         CheckpointWriter writer(file);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -92,10 +93,16 @@ class FailingMemory : public ::testing::TestWithParam<Reader> {
     rlimit former_{RLIM_INFINITY, RLIM_INFINITY};
 };
 
-/// But for the note that a file has several records.
+/// But for the note that a file has several records, and for what HDF5 prints of its own where it
+/// has no memory to begin, before it can be silenced.
 std::int64_t count_lines(const std::string& errors) {
-    const bool noted = errors.find("of bed_height is read\n") != std::string::npos;
-    return std::count(errors.begin(), errors.end(), '\n') - (noted ? 1 : 0);
+    std::int64_t count = 0;
+    std::istringstream lines(errors);
+    for (std::string line; std::getline(lines, line);) {
+        const bool is_of_hdf5 = line.starts_with("HDF5-DIAG: ") || line.starts_with("  ");
+        if (!is_of_hdf5 && !line.ends_with("of bed_height is read")) ++count;
+    }
+    return count;
 }
 
 TEST_P(FailingMemory, IsOneLine) {
@@ -113,9 +120,9 @@ TEST_P(FailingMemory, IsOneLine) {
                      std::to_string(ended.status) + ": " + ended.errors);
         if (ended.status == 0) continue;
         ++told;
-        // HDF5 does not tell want of memory from damage: such a file is refused by name.
-        const bool is_refused = ended.errors.find("fields.nc") != std::string::npos &&
-                                ended.errors.find("NetCDF: ") != std::string::npos;
+        // HDF5 does not tell want of memory from damage or a file that may not be read: such a file
+        // is refused by name.
+        const bool is_refused = ended.errors.find("fields.nc") != std::string::npos;
         const bool is_palette = ended.errors.find(".txt: cannot be read\n") != std::string::npos;
         EXPECT_TRUE(ended.status == 1 || is_refused);
         EXPECT_EQ(count_lines(ended.errors), 1);
