@@ -143,7 +143,9 @@ void place_drop_site(const MeasureOptions& options, Snapshot& snapshot) {
 std::vector<MeasuredValue> measured(const MeasureOptions& options) {
     Snapshot bed = read_bed(options, options.bed);
     place_drop_site(options, bed);
-    MeasureSuite suite(landform(options, bed), bed);
+    const Landform measured_as = landform(options, bed);
+    if (!options.as.empty()) bed.landform = measured_as;
+    MeasureSuite suite(measured_as, bed);
     std::vector<double> values;
     if (options.earlier.empty()) {
         values = suite.row(bed);

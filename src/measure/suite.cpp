@@ -45,7 +45,7 @@ Landform guessed_landform(const Snapshot& snapshot) {
     if (number_of(snapshot, "dropped_grains")) return Landform::pile;
     if (field_of(snapshot.fields, "water_depth") != nullptr) return Landform::water;
     if (snapshot.section) return Landform::air;
-    return Landform::bed;
+    return Landform::terrain;
 }
 
 MeasuredValue in_world_units(const MeasuredValue& measured, const WorldScale& scale) {

@@ -17,7 +17,7 @@ Landform measured_landform(const Snapshot& snapshot);
 
 /// The landform of a snapshot that was read from a bare file, as far as its content tells: a pile
 /// where there is a count of dropped grains, water where there is a field "water_depth", air where
-/// there is a section, else a bed.
+/// there is a section, else a terrain, which is measured as a bed and not called sand.
 Landform guessed_landform(const Snapshot& snapshot);
 
 struct MeasuredValue {

@@ -50,8 +50,10 @@ class ParallelRuns {
             const bool ended =
                 changed_.wait_for(lock, between_looks, [this] { return running_ == 0; });
             for (const std::string& failure : failures_) status.error(failure);
+            for (const std::string& doubt : doubts_) status.note(doubt);
             for (const std::string& success : successes_) status.verbose(success);
             failures_.clear();
+            doubts_.clear();
             successes_.clear();
             if (ended) break;
             if (status.due()) {
@@ -119,6 +121,8 @@ class ParallelRuns {
         records_[task.number - 1] = record;
         if (record.status == RunStatus::done) {
             ++done_;
+            if (!record.message.empty())
+                doubts_.push_back(fmt::format("{}: {}", task.name, record.message));
             successes_.push_back(
                 fmt::format("{} is done in {}", task.name, clock_text(record.wall_seconds)));
         } else {
@@ -140,6 +144,7 @@ class ParallelRuns {
     std::size_t done_ = 0;
     std::size_t failed_ = 0;
     std::vector<std::string> failures_;   ///< not told yet
+    std::vector<std::string> doubts_;     ///< not told yet
     std::vector<std::string> successes_;  ///< not told yet
     std::vector<std::jthread> threads_;   // last: joined before what they use goes
 };

@@ -19,7 +19,7 @@ struct RunRecord {
     std::int64_t steps = 0;
     double wall_seconds = 0.0;
     std::string state;    ///< SHA-256 of the final state, hexadecimal
-    std::string message;  ///< why it failed, on one line
+    std::string message;  ///< why it failed, or what is to be doubted about it; on one line
 };
 
 /// How an attempt at a run ended; `busy`: another program is working on it.

@@ -186,7 +186,7 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
             prepared.scene, first,
             {RecordPaths{made / "measurements.csv", made / "avalanches.csv", made / "fields.nc"},
              resolved_scene(prepared.scene, prepared.initial.inputs)});
-        if (!simulate(prepared, recorder, record.steps, cell_steps)) {
+        if (!simulate(prepared, recorder, record, cell_steps)) {
             take_away(made);
             return Attempt::interrupted;
         }

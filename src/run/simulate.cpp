@@ -1,5 +1,6 @@
 #include "run/simulate.h"
 
+#include "run/step_observers.h"
 #include "run/stepper.h"
 
 namespace fumon {
@@ -33,10 +34,12 @@ void keep(Recorder& recorder) {
 
 }  // namespace
 
-bool simulate(PreparedRun& prepared, Recorder& recorder, std::int64_t& steps,
+bool simulate(PreparedRun& prepared, Recorder& recorder, RunRecord& record,
               std::atomic<double>& cell_steps) {
-    SharedCounts counted(prepared.initial.bed.size(), steps, cell_steps);
-    Stepper stepper(*prepared.model, {&recorder, &counted});
+    SharedCounts counted(prepared.initial.bed.size(), record.steps, cell_steps);
+    ToldDoubt doubt(
+        [&record](const std::string& line) { record.message = "implausible: " + line; });
+    Stepper stepper(*prepared.model, {&recorder, &counted, &doubt});
     try {
         if (stepper.advance(at_step(prepared.scene.run.steps)) != 0) return false;
     } catch (...) {

@@ -1,17 +1,18 @@
 #pragma once
 
 #include <atomic>
-#include <cstdint>
 
+#include "run/parallel_runs.h"
 #include "run/prepared_run.h"
 #include "run/recorder.h"
 
 namespace fumon {
 
-/// Runs a model to the end of its scene without pictures and records what is due. `steps` holds the
-/// steps done so far; `cell_steps` grows with every step. Commits the records at the end. Returns
+/// Runs a model to the end of its scene without pictures and records what is due. `record` holds
+/// the steps done so far and, as its message, "implausible: …" where the model doubts its state;
+/// `cell_steps` grows with every step. Commits the records at the end. Returns
 /// false if interrupted, having made no file; a run that fails keeps its measurements and throws.
-bool simulate(PreparedRun& prepared, Recorder& recorder, std::int64_t& steps,
+bool simulate(PreparedRun& prepared, Recorder& recorder, RunRecord& record,
               std::atomic<double>& cell_steps);
 
 }  // namespace fumon

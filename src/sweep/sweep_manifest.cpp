@@ -138,6 +138,7 @@ std::string run_record_text(const Sha256& id, const RunRecord& record) {
     json["steps"] = record.steps;
     json["wall_seconds"] = record.wall_seconds;
     json["state_sha256"] = record.state;
+    if (!record.message.empty()) json["message"] = record.message;
     return json.dump(2) + "\n";
 }
 
@@ -146,7 +147,7 @@ RunRecord parse_run_record(std::string_view text, const Sha256& id) {
         const Json json = parse_json(text);
         if (json.at("id") != hex(id)) return {};
         return {RunStatus::done, whole_number(json.at("steps")), json.at("wall_seconds"),
-                json.at("state_sha256"), ""};
+                json.at("state_sha256"), json.value("message", "")};
     } catch (const nlohmann::json::exception&) {
         return {};
     }

@@ -25,7 +25,7 @@ Attempt do_run(const SweepPlan& plan, const SweepFolder& folder, const RunTask& 
     Recorder recorder(
         prepared.scene, prepared.model->snapshot(),
         {folder.paths(task.number), resolved_scene(prepared.scene, prepared.initial.inputs)});
-    if (!simulate(prepared, recorder, record.steps, cell_steps)) return Attempt::interrupted;
+    if (!simulate(prepared, recorder, record, cell_steps)) return Attempt::interrupted;
     record.state = hex(state_hash(*prepared.model));
     record.wall_seconds = watch.seconds();
     folder.write_record(task.number, record);

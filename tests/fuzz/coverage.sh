@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # tests/fuzz/coverage.sh [FOLDER]: how many of each reader's lines the corpus reaches (and, with a FOLDER of inputs of
 # run.sh, build/fuzz/found, those too), as the table in README.md. Builds the targets once more, with Clang's coverage,
-# into BUILD (build/fuzz-coverage). Functions that only write, or
-# only open a file, are left out by the names below.
+# into BUILD (build/fuzz-coverage). Functions that only write, or only open a file, are left out by the names below.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 found=${1:-}

@@ -219,7 +219,7 @@ TEST(MeasureSuite, WhatRowsDrawOnGoesOverACheckpoint) {
 
 TEST(MeasureSuite, LandformsAreToldApart) {
     Snapshot some = bed_of(10, 1);
-    EXPECT_EQ(guessed_landform(some), Landform::bed);
+    EXPECT_EQ(guessed_landform(some), Landform::terrain);
     some.numbers.push_back({"dropped_grains", "grains", 4.0});
     EXPECT_EQ(guessed_landform(some), Landform::pile);
 }

@@ -72,6 +72,22 @@ class SweepTest : public ::testing::Test {
     ScratchFolder folder_;
 };
 
+TEST_F(SweepTest, TellsWhatItsRunsDoubt) {
+    write_text(folder_ / "scene.toml",
+               "seed = 5\n[model]\nname = \"sand\"\nhop_length = \"exponential\"\n"
+               "creep = \"none\"\namount = 0.5\n[grid]\nnx = 100\nny = 2\n[bed]\nlow = 0.0\n"
+               "high = 3.0\n[run]\nsteps = 200\n");
+    const Ended ended = sweep({"--seeds", "2"});
+    ASSERT_EQ(ended.status, 0) << ended.errors;
+    EXPECT_NE(ended.errors.find("run 1 (seed 5): implausible: "), std::string::npos)
+        << ended.errors;
+    const std::string kept = read_text(folder_ / "out/runs.csv");
+    EXPECT_NE(kept.find("implausible: "), std::string::npos) << kept;
+    ASSERT_EQ(sweep({"--seeds", "3"}).status, 0);
+    EXPECT_TRUE(read_text(folder_ / "out/runs.csv").starts_with(kept))
+        << "runs that are there keep it";
+}
+
 TEST_F(SweepTest, HasEveryCombinationAndTheMeasurementsOfARun) {
     const Ended ended =
         sweep({"--over", "model.creep_rate=0.1,0.30", "--over", "bed.high=1:2:3", "--seeds", "2"});

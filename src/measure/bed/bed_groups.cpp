@@ -49,6 +49,11 @@ void carry_before(BedBefore& before, StateCarrier& carrier) {
     std::ranges::copy(heights, before.bed.values().begin());
 }
 
+/// Whether a bed is sand alone, down to height 0.
+bool is_of_sand(Landform landform) {
+    return landform == Landform::bed || landform == Landform::profile || landform == Landform::pile;
+}
+
 struct Crests {
     CrestOrientation orientation;
     CrestDefects defects;
@@ -56,7 +61,7 @@ struct Crests {
 
 }  // namespace
 
-MeasureGroup statistics_group() {
+MeasureGroup statistics_group(const Snapshot& first) {
     return group_of<BedStatistics>(
         [](const Snapshot& snapshot) { return bed_statistics(snapshot.bed, snapshot.nodata); },
         {{"mean_height", "heights", "mean of the bed", &BedStatistics::mean},
@@ -64,7 +69,8 @@ MeasureGroup statistics_group() {
           &BedStatistics::standard_deviation},
          {"minimum_height", "heights", "lowest cell", &BedStatistics::minimum},
          {"maximum_height", "heights", "highest cell", &BedStatistics::maximum},
-         {"total_sand", "heights x cells", "sum of the heights", &BedStatistics::total}});
+         {is_of_sand(first.landform) ? "total_sand" : "bed_volume", "heights x cells",
+          "sum of the heights", &BedStatistics::total}});
 }
 
 MeasureGroup wave_group() {

@@ -4,8 +4,9 @@
 
 namespace fumon {
 
-/// Mean, spread and extremes of the heights, and their sum.
-MeasureGroup statistics_group();
+/// Mean, spread and extremes of the heights, and their sum: "total_sand" where a model says that
+/// the bed is sand, else "bed_volume".
+MeasureGroup statistics_group(const Snapshot& first);
 /// The three wavelengths and the two heights of waves.
 MeasureGroup wave_group();
 /// Celerity since the row before.
