@@ -12,6 +12,7 @@
 #include "cli/usage.h"
 #include "run/build_identity.h"
 #include "run/terminal/interrupt.h"
+#include "vectors/target.h"
 
 namespace fumon {
 
@@ -64,6 +65,7 @@ void check_standard_output() {
 }  // namespace
 
 int run_command_line(const std::vector<std::string>& arguments) {
+    vectors::use_target_of_environment();
     CommandLine line;
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
     int status = 0;

@@ -9,6 +9,7 @@
 
 #include "files/hash.h"
 #include "support/program.h"
+#include "vectors/target.h"
 
 namespace fumon::test {
 namespace {
@@ -97,16 +98,19 @@ TEST_P(Reproducible, WithALesserSystemLibrary) {
 }
 
 TEST_P(Reproducible, WithTheLoopsOfLesserProcessors) {
+    for (const std::string& target : vectors::targets()) {
+        SCOPED_TRACE(target);
+        const std::vector<std::string> chosen{"FUMON_VECTOR_TARGET=" + target};
 #ifdef FUMON_ON_PLAIN_PROCESSOR
-    {
-        SCOPED_TRACE("plain x86-64");
-        expect_as_recorded(2, {}, FUMON_ON_PLAIN_PROCESSOR);
-    }
-    SCOPED_TRACE("AVX2 without AVX-512");
-    expect_as_recorded(2, {}, FUMON_ON_AVX2_PROCESSOR);
+        const bool is_plain = target == "plain" || target == "sse4";
+        expect_as_recorded(2, chosen,
+                           is_plain           ? FUMON_ON_PLAIN_PROCESSOR
+                           : target == "avx2" ? FUMON_ON_AVX2_PROCESSOR
+                                              : FUMON_PROGRAM);
 #else
-    GTEST_SKIP() << "this build has its loops for one level only";
+        expect_as_recorded(2, chosen);
 #endif
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Reproducible, ::testing::ValuesIn(read_cases()),

@@ -7,6 +7,7 @@
 #include "base/elementary.h"
 #include "base/give_up.h"
 #include "base/multiversion.h"
+#include "models/sand/hop_vectors.h"
 
 namespace fumon {
 
@@ -24,47 +25,6 @@ inline double usable(double length) {
 inline int wrapped(int x, int nx) {
     if (x < nx) return x;
     return x < 2 * nx ? x - nx : x % nx;
-}
-
-FUMON_MULTIVERSION void tanh_of_differences(const double* left, const double* right, double factor,
-                                            int count, double* out) {
-    for (int x = 0; x < count; ++x) out[x] = elementary::tanh(factor * (right[x] - left[x]));
-}
-
-FUMON_MULTIVERSION void linear(const double* in, double base, double factor, int count,
-                               double* out) {
-    for (int x = 0; x < count; ++x) out[x] = usable(base + factor * in[x]);
-}
-
-FUMON_MULTIVERSION void linear_truncated(const double* in, double base, double factor, int count,
-                                         double* out) {
-    for (int x = 0; x < count; ++x) {
-        out[x] = usable(base + static_cast<double>(static_cast<int>(usable(factor * in[x]))));
-    }
-}
-
-FUMON_MULTIVERSION void exponential(const double* in, double scale, double rate, int count,
-                                    double* out) {
-    for (int x = 0; x < count; ++x) out[x] = usable(scale * (elementary::exp(rate * in[x]) - 1.0));
-}
-
-FUMON_MULTIVERSION void constant_amounts(const double* height, double amount, int count,
-                                         double* out) {
-    for (int x = 0; x < count; ++x) {
-        const double there = height[x] > 0.0 ? height[x] : 0.0;
-        out[x] = amount < there ? amount : there;
-    }
-}
-
-FUMON_MULTIVERSION void slope_amounts(const double* height, const double* slope_tanh, double base,
-                                      double factor, double limited, int count, double* out) {
-    for (int x = 0; x < count; ++x) {
-        const double wanted = base + factor * slope_tanh[x];
-        const double carried = wanted > 0.0 ? wanted : 0.0;
-        const double there = height[x] > 0.0 ? height[x] : 0.0;
-        const double most = limited != 0.0 ? there : carried;
-        out[x] = carried < most ? carried : most;
-    }
 }
 
 FUMON_MULTIVERSION void subtract(const double* from, const double* what, int count, double* out) {
@@ -141,16 +101,16 @@ void RowHops::take_slopes(std::span<const double> before) {
     };
     switch (parameters_.slope_difference) {
         case SlopeDifference::central:
-            if (nx_ > 2) tanh_of_differences(h, h + 2, 0.5, nx_ - 2, out + 1);
+            if (nx_ > 2) hop_vectors::tanh_of_differences(h, h + 2, 0.5, nx_ - 2, out + 1);
             edge(0, h[last], h[1 % nx_], 0.5);
             edge(last, h[(last + nx_ - 1) % nx_], h[0], 0.5);
             break;
         case SlopeDifference::backward:
-            tanh_of_differences(h, h + 1, 1.0, last, out + 1);
+            hop_vectors::tanh_of_differences(h, h + 1, 1.0, last, out + 1);
             edge(0, h[last], h[0], 1.0);
             break;
         case SlopeDifference::forward:
-            tanh_of_differences(h, h + 1, 1.0, last, out);
+            hop_vectors::tanh_of_differences(h, h + 1, 1.0, last, out);
             edge(last, h[last], h[0], 1.0);
             break;
     }
@@ -161,16 +121,20 @@ void RowHops::take_lengths(std::span<const double> before) {
     switch (p.hop_length) {
         case HopLength::linear:
             if (p.landing == Landing::truncate_terms) {
-                linear_truncated(before.data(), p.hop_base, p.hop_per_height, nx_, length_.data());
+                hop_vectors::linear_truncated(before.data(), p.hop_base, p.hop_per_height, nx_,
+                                              length_.data());
             } else {
-                linear(before.data(), p.hop_base, p.hop_per_height, nx_, length_.data());
+                hop_vectors::linear(before.data(), p.hop_base, p.hop_per_height, nx_,
+                                    length_.data());
             }
             break;
         case HopLength::slope:
-            linear(slope_tanh_.data(), p.hop_base, -p.hop_slope_factor, nx_, length_.data());
+            hop_vectors::linear(slope_tanh_.data(), p.hop_base, -p.hop_slope_factor, nx_,
+                                length_.data());
             break;
         case HopLength::exponential:
-            exponential(before.data(), exponential_scale_, exponential_rate_, nx_, length_.data());
+            hop_vectors::exponential(before.data(), exponential_scale_, exponential_rate_, nx_,
+                                     length_.data());
             break;
         case HopLength::tabulated:
             for (std::size_t x = 0; x < before.size(); ++x) length_[x] = length(before[x], 0.0);
@@ -182,10 +146,10 @@ void RowHops::take_lengths(std::span<const double> before) {
 void RowHops::take_amounts(std::span<const double> before) {
     const SandParameters& p = parameters_;
     if (p.hop_amount == HopAmount::slope) {
-        slope_amounts(before.data(), slope_tanh_.data(), p.amount, p.amount_slope_factor,
-                      p.limit_amount ? 1.0 : 0.0, nx_, amount_.data());
+        hop_vectors::slope_amounts(before.data(), slope_tanh_.data(), p.amount,
+                                   p.amount_slope_factor, p.limit_amount, nx_, amount_.data());
     } else if (p.limit_amount) {
-        constant_amounts(before.data(), p.amount, nx_, amount_.data());
+        hop_vectors::limited_amounts(before.data(), p.amount, nx_, amount_.data());
     } else {
         std::fill(amount_.begin(), amount_.end(), p.amount);
     }

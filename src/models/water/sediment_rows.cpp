@@ -2,41 +2,12 @@
 
 #include <cmath>
 
-#include "base/elementary.h"
 #include "base/multiversion.h"
+#include "models/water/sediment_vectors.h"
 
 namespace fumon::sediment {
 
 namespace {
-
-/// Squares below this count as it: their powers are 0 in all that matters.
-constexpr double tiny = 1e-300;
-
-/// In place of S², the stress above the critical one.
-FUMON_MULTIVERSION
-void stress_row(const FluxLaw& law, const double* u, const double* v, int count, double* excess) {
-    const double half_q = 0.5 * law.velocity_exponent;
-    const double half_gamma = 0.5 * law.slope_exponent;
-    for (int x = 0; x < count; ++x) {
-        const double steepness = excess[x];
-        const double speed = u[x] * u[x] + v[x] * v[x];
-        const double power = elementary::exp(
-            half_q * elementary::log_of_normal(speed > tiny ? speed : tiny) +
-            half_gamma * elementary::log_of_normal(steepness > tiny ? steepness : tiny));
-        const double stress = law.stress_factor * power - law.critical_stress;
-        const double above = stress > 0.0 ? stress : 0.0;
-        excess[x] = speed > tiny ? above : 0.0;
-    }
-}
-
-FUMON_MULTIVERSION
-void raise_row(double exponent, int count, double* values) {
-    for (int x = 0; x < count; ++x) {
-        const double power = elementary::exp(
-            exponent * elementary::log_of_normal(values[x] > tiny ? values[x] : tiny));
-        values[x] = values[x] > tiny ? power : 0.0;
-    }
-}
 
 FUMON_MULTIVERSION
 void scale_row(double factor, const double* in, int count, double* out) {

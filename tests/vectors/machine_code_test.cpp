@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+namespace fumon::test {
+namespace {
+
+/// Of a loop, how many of its instructions multiply, add, subtract and divide doubles.
+struct Arithmetic {
+    int on_vectors = 0;  ///< on whole registers of the target
+    int on_less = 0;     ///< on a single double, or on part of a register
+    int fused = 0;
+};
+
+struct Target {
+    const char* scope;      ///< of its functions, as Highway calls it
+    const char* registers;  ///< as objdump calls them
+};
+
+constexpr std::array targets{Target{"N_SSE4::", "%xmm"}, Target{"N_AVX2::", "%ymm"},
+                             Target{"N_AVX3::", "%zmm"}};
+constexpr std::array loops{
+    "tanh_of_differences(", "linear(",     "linear_truncated(", "exponential(",
+    "slope_amounts(",       "stress_row(", "raise_row("};
+
+bool has(std::string_view text, std::string_view part) {
+    return text.find(part) != std::string_view::npos;
+}
+
+/// The instructions of the functions of some libraries, by objdump.
+std::string machine_code() {
+    const std::string command =
+        "objdump -dC --no-show-raw-insn " FUMON_LIBRARIES_OF_LOOPS " 2> /dev/null";
+    const auto close = [](std::FILE* pipe) { pclose(pipe); };
+    const std::unique_ptr<std::FILE, decltype(close)> pipe(popen(command.c_str(), "r"), close);
+    std::string text;
+    std::array<char, 1 << 16> some{};
+    while (const std::size_t count = std::fread(some.data(), 1, some.size(), pipe.get()))
+        text.append(some.data(), count);
+    return text;
+}
+
+void count(std::string_view instruction, std::string_view registers, Arithmetic& found) {
+    const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
+        return std::ranges::any_of(names, [&](auto name) { return has(instruction, name); });
+    };
+    if (is_one_of({"vfmadd", "vfmsub", "vfnmadd", "vfnmsub"})) ++found.fused;
+    if (is_one_of({"mulsd ", "addsd ", "subsd ", "divsd "})) ++found.on_less;
+    if (is_one_of({"mulpd ", "addpd ", "subpd ", "divpd "}))
+        ++(has(instruction, registers) ? found.on_vectors : found.on_less);
+}
+
+TEST(MachineCode, HotLoopsWorkOnWholeVectorsAndFuseNothing) {
+#if !defined(__x86_64__) || defined(FUMON_SANITIZED)
+    GTEST_SKIP() << "the instructions are those of x86-64";
+#endif
+    const std::string text = machine_code();
+    if (text.empty()) GTEST_SKIP() << "there is no objdump";
+    std::map<std::string, Arithmetic> found;  // by "N_AVX2::linear("
+    Arithmetic* now = nullptr;
+    const char* registers = nullptr;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.ends_with(">:")) {
+            now = nullptr;
+            for (const Target& target : targets) {
+                for (const char* loop : loops) {
+                    if (!has(line, std::string(target.scope) + loop)) continue;
+                    now = &found[std::string(target.scope) + loop];
+                    registers = target.registers;
+                }
+            }
+        } else if (now != nullptr) {
+            count(line, registers, *now);
+        }
+    }
+    constexpr int before_the_loop = 4;
+    for (const Target& target : targets) {
+        for (const char* loop : loops) {
+            const Arithmetic& there = found[std::string(target.scope) + loop];
+            SCOPED_TRACE(std::string(target.scope) + loop);
+            EXPECT_GT(there.on_vectors, 0);
+            EXPECT_LE(there.on_less, before_the_loop);
+            EXPECT_EQ(there.fused, 0);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace fumon::test
