@@ -61,6 +61,7 @@ void AppendedFile::write(std::string_view bytes) {
 
 FileBeginning AppendedFile::sync() {
     file_.sync();
+    file_.keep();
     return {file_.length(), hash_.so_far()};
 }
 

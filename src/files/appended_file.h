@@ -35,7 +35,8 @@ class AppendedFile {
     AppendedFile(const std::filesystem::path& file, const FileBeginning& former);
 
     void write(std::string_view bytes);  ///< throws as AtomicFile
-    [[nodiscard]] FileBeginning sync();  ///< puts all on disk; throws Error on failure
+    /// Puts all on disk, where it stays for a later program. Throws Error on failure.
+    [[nodiscard]] FileBeginning sync();
     void commit() { file_.commit(); }    ///< throws Error on failure
 
   private:

@@ -94,6 +94,10 @@ void AtomicFile::sync() {
     if (::fsync(descriptor_) != 0 && errno != EINVAL) refuse_to_write(file_, errno);
 }
 
+void AtomicFile::keep() {
+    keep_ = true;
+}
+
 void AtomicFile::write(std::string_view text) {
     constexpr std::size_t most_at_once = std::size_t{1} << 30;  // bytes; Linux writes at most 2 GiB
     const off_t end = ::lseek(descriptor_, 0, SEEK_CUR);

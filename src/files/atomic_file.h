@@ -9,7 +9,7 @@ namespace fumon {
 
 /// A file that appears complete or not at all: it is written under a temporary name ("NAME.part")
 /// in the same folder, and commit() renames it. An uncommitted file is deleted, unless it continues
-/// the file of an earlier program.
+/// the file of an earlier program or shall be kept.
 class AtomicFile {
   public:
     /// Throws Error when the temporary file cannot be made.
@@ -28,6 +28,7 @@ class AtomicFile {
     /// Bytes written so far.
     [[nodiscard]] std::int64_t length() const;
     void sync();    ///< puts what was written on disk (fsync); throws Error on failure
+    void keep();    ///< from now on it stays under its temporary name if it is not committed
     void commit();  ///< flushes, closes, renames; throws Error on failure
 
   private:

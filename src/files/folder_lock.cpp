@@ -16,8 +16,8 @@ namespace fumon {
 FolderLock::FolderLock(const std::filesystem::path& folder, std::chrono::seconds longest_wait)
     : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (descriptor_ < 0) {
-        if (errno == EMFILE || errno == ENFILE) refuse_to_write(folder, errno);
-        tell_not_locked(folder, errno);
+        if (errno != EACCES) refuse_to_write(folder, errno);
+        tell_not_locked(folder, errno);  // a folder that may be written, but not read
         return;
     }
     const auto end = std::chrono::steady_clock::now() + longest_wait;

@@ -9,9 +9,9 @@ namespace fumon {
 /// ends with it and leaves no file behind.
 class FolderLock {
   public:
-    /// Throws InputError if another program still holds the lock after `longest_wait`, Error if too
-    /// many files are open. Some network file systems cannot lock folders; there nothing is locked,
-    /// and standard error says so.
+    /// Throws InputError if another program still holds the lock after `longest_wait`, Error where
+    /// the folder cannot be opened. Some network file systems cannot lock folders; there nothing is
+    /// locked, and standard error says so.
     explicit FolderLock(const std::filesystem::path& folder,
                         std::chrono::seconds longest_wait = {});
     ~FolderLock();

@@ -58,6 +58,19 @@ TEST(AppendedFile, RefusesABeginningThatIsNotTheFormerOneAndLeavesIt) {
     EXPECT_EQ(folder.entries(), 1);
 }
 
+TEST(AppendedFile, WhatItPutOnDiskStaysThereWithoutACommit) {
+    const TemporaryFolder folder;
+    FileBeginning there;
+    {
+        AppendedFile file(folder / "a.csv");
+        file.write("step\n");
+        there = file.sync();
+    }
+    EXPECT_EQ(difference(folder / "a.csv", there), "");
+    { AppendedFile file(folder / "b.csv"); }
+    EXPECT_FALSE(std::filesystem::exists(folder / "b.csv.part"));
+}
+
 TEST(AppendedFile, AWriteThatFailsIsNotInItsHash) {
     const TemporaryFolder folder;
     AppendedFile file(folder / "a.csv");
