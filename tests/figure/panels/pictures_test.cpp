@@ -237,6 +237,28 @@ TEST(ProfilePanel, StatesTheExaggerationThatItDraws) {
     EXPECT_THROW(ProfilePanel(ProfilePicture{}), InputError);
 }
 
+TEST(ProfilePanel, NothingIsDrawnWhereThereAreNoData) {
+    Snapshot snapshot = at_step(wavy_bed(80, 3), 5);
+    snapshot.nodata = Mask(80, 3);
+    for (int x = 30; x < 50; ++x) snapshot.nodata(x, 1) = 1;
+    const ProfilePanel panel(profile_picture({&snapshot, 1}, 1));
+    Canvas canvas(700, 400, 12.0);
+    const CanvasBox frame{100.0, 60.0, 500.0, 250.0};
+    panel.draw(canvas, frame);
+    const Image image = canvas.image();
+    const auto is_drawn = [&](double cell) {
+        for (int y = 63; y < 307; ++y) {
+            if (pixel_at(image, frame.x + frame.width * cell / 80.0, y) != Pixel{255, 255, 255})
+                return true;
+        }
+        return false;
+    };
+    EXPECT_TRUE(is_drawn(29.0));
+    EXPECT_TRUE(is_drawn(51.0));
+    for (double cell = 30.5; cell < 50.0; cell += 0.5)
+        EXPECT_FALSE(is_drawn(cell)) << "cell " << cell;
+}
+
 TEST(ViewPanel, LaysItsBarBesideTheEdgeThatFacesTheCamera) {
     const CanvasBox frame{0.0, 0.0, 300.0, 200.0};
     // The edges along x are 15 m long, those along y 10 m.
