@@ -34,14 +34,24 @@ HWY_INLINE Vector times_plus(Vector sum, Vector x, double term) {
     return hn::Add(hn::Mul(sum, x), constant(term));
 }
 
-/// a < b ? a : b, with b where one of them is no number.
-HWY_INLINE Vector lesser(Vector a, Vector b) {
+/// a < b ? a : b, so b where one of them is no number or both are 0. What x86 calls a minimum.
+template <class V>
+HWY_INLINE V lesser(V a, V b) {
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+    return hn::Min(a, b);
+#else
     return hn::IfThenElse(hn::Lt(a, b), a, b);
+#endif
 }
 
-/// a > b ? a : b, with b where one of them is no number.
-HWY_INLINE Vector greater(Vector a, Vector b) {
+/// a > b ? a : b, likewise.
+template <class V>
+HWY_INLINE V greater(V a, V b) {
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+    return hn::Max(a, b);
+#else
     return hn::IfThenElse(hn::Gt(a, b), a, b);
+#endif
 }
 
 HWY_INLINE Vector power_of_two(Vector shifted) {

@@ -40,6 +40,19 @@ HWY_INLINE void for_each_cell(int count, double* out, const Function& function, 
     for (std::size_t k = 0; k < rest; ++k) out[x + k] = some[k];
 }
 
+/// Calls loop(d, x) for the cells of a row: those of a vector from x on by the tag d of whole
+/// vectors, and past the last whole one cell after cell by a tag of one lane.
+template <class Loop>
+HWY_INLINE void for_each_vector(int count, const Loop& loop) {
+    const hn::ScalableTag<double> doubles;
+    const hn::CappedTag<double, 1> one;
+    constexpr std::size_t lanes = hn::MaxLanes(doubles);
+    const auto cells = static_cast<std::size_t>(count);
+    std::size_t x = 0;
+    for (; x + lanes <= cells; x += lanes) loop(doubles, x);
+    for (; x < cells; ++x) loop(one, x);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace fumon::vectors
 HWY_AFTER_NAMESPACE();

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "models/water/finite_volume_rows.h"
+#include "models/water/finite_volume_vectors.h"
 
 namespace fumon::finite_volume {
 
