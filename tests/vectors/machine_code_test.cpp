@@ -15,7 +15,7 @@ namespace {
 /// Of a loop, how many of its instructions multiply, add, subtract and divide doubles.
 struct Arithmetic {
     int on_vectors = 0;  ///< on whole registers of the target
-    int on_less = 0;     ///< on a single double, or on part of a register
+    int on_less = 0;     ///< on a single double or narrower ones, as for the last cells of a row
     int fused = 0;
 };
 
@@ -26,9 +26,22 @@ struct Target {
 
 constexpr std::array targets{Target{"N_SSE4::", "%xmm"}, Target{"N_AVX2::", "%ymm"},
                              Target{"N_AVX3::", "%zmm"}};
-constexpr std::array loops{
-    "tanh_of_differences(", "linear(",     "linear_truncated(", "exponential(",
-    "slope_amounts(",       "stress_row(", "raise_row("};
+constexpr std::array loops{"tanh_of_differences(",
+                           "linear(",
+                           "linear_truncated(",
+                           "exponential(",
+                           "slope_amounts(",
+                           "stress_row(",
+                           "downhill_row(",
+                           "direct_row(",
+                           "diverge_row(",
+                           "incise_downhill_row(",
+                           "settle_downhill_row(",
+                           "hold_between_neighbours(",
+                           "limited_half_slopes(",
+                           "face_fluxes(",
+                           "update(",
+                           "fastest("};
 
 bool has(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
@@ -81,13 +94,12 @@ TEST(MachineCode, HotLoopsWorkOnWholeVectorsAndFuseNothing) {
             count(line, registers, *now);
         }
     }
-    constexpr int before_the_loop = 4;
     for (const Target& target : targets) {
         for (const char* loop : loops) {
             const Arithmetic& there = found[std::string(target.scope) + loop];
             SCOPED_TRACE(std::string(target.scope) + loop);
             EXPECT_GT(there.on_vectors, 0);
-            EXPECT_LE(there.on_less, before_the_loop);
+            EXPECT_LE(there.on_less, 2 * there.on_vectors);
             EXPECT_EQ(there.fused, 0);
         }
     }

@@ -6,7 +6,7 @@
 #include "models/shared/bed_diffusion.h"
 #include "models/water/gully_parameters.h"
 #include "models/water/row_sides.h"
-#include "models/water/sediment_rows.h"
+#include "models/water/sediment_vectors.h"
 #include "models/water/shallow_water.h"
 
 namespace fumon {
