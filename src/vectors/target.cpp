@@ -25,21 +25,15 @@ constexpr std::array known{Target{"avx512", HWY_AVX3}, Target{"avx2", HWY_AVX2},
                            Target{"sse4", HWY_SSE4}, Target{"neon", HWY_NEON},
                            Target{"plain", HWY_SCALAR | HWY_EMU128}};
 
-bool is_supported(const Target& target, std::int64_t disabled) {
-    hwy::DisableTargets(disabled);
-    const std::int64_t there = hwy::SupportedTargets() & HWY_TARGETS;
-    return (there & target.bit) != 0;
+/// Of the processor. Asked once: with each question Highway goes back to the best target.
+std::int64_t supported() {
+    static const std::int64_t bits = hwy::SupportedTargets() & HWY_TARGETS;
+    return bits;
 }
 
-std::int64_t& disabled_now() {
-    static std::int64_t disabled = 0;
-    return disabled;
-}
-
-void disable(std::int64_t bits) {
-    disabled_now() = bits;
-    hwy::DisableTargets(bits);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+const Target*& chosen() {
+    static const Target* target = nullptr;
+    return target;
 }
 
 }  // namespace
@@ -47,16 +41,13 @@ void disable(std::int64_t bits) {
 std::vector<std::string> targets() {
     std::vector<std::string> names;
     for (const Target& one : known) {
-        if (is_supported(one, 0)) names.emplace_back(one.name);
+        if ((supported() & one.bit) != 0) names.emplace_back(one.name);
     }
-    hwy::DisableTargets(disabled_now());
     return names;
 }
 
 std::string target() {
-    const auto found = std::ranges::find_if(
-        known, [](const Target& one) { return is_supported(one, disabled_now()); });
-    return found == known.end() ? "plain" : std::string(found->name);
+    return chosen() != nullptr ? std::string(chosen()->name) : targets().front();
 }
 
 void use_target(std::string_view name) {
@@ -65,7 +56,8 @@ void use_target(std::string_view name) {
         throw InputError(fmt::format("there is no vector target \"{}\" on this processor, but {}",
                                      name, fmt::join(there, ", ")));
     }
-    disable(~std::ranges::find(known, name, &Target::name)->bit);
+    chosen() = std::ranges::find(known, name, &Target::name);
+    hwy::GetChosenTarget().Update(chosen()->bit);
 }
 
 void use_target_of_environment() {

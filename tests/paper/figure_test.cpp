@@ -285,6 +285,24 @@ TEST_F(FigureTest, EveryFormatMakesTheSameBytesAgain) {
     }
 }
 
+TEST_F(FigureTest, PanelsStandInTheRowsAndColumnsThatTheyName) {
+    const auto page = [&](const std::string& name, const std::string& row,
+                          const std::string& column) {
+        write_scene(name + ".toml",
+                    "[figure]\nwidth = \"double\"\ndots_per_inch = 60\nformats = [\"png\"]\n"
+                    "[[figure.panel]]\nkind = \"map\"\nsteps = [5]\n"
+                    "[[figure.panel]]\nkind = \"map\"\nsteps = [5]\nrow = " +
+                        row + "\ncolumn = " + column + "\n");
+        const Ended ended = figure(name + ".toml");
+        EXPECT_EQ(ended.status, 0) << ended.errors;
+        return read_png(folder_ / "out" / (name + ".png"));
+    };
+    const Image beside = page("beside", "1", "2");
+    const Image below = page("below", "2", "1");
+    EXPECT_EQ(beside.width, below.width);
+    EXPECT_GT(below.height, 2 * beside.height);
+}
+
 TEST_F(FigureTest, AFigureOfAChangedTerrainIsRefused) {
     ASSERT_EQ(fumon({"run", "-q", "-o", "run", "small.toml", "--set", "output.bed_at=[20]"},
                     (write_scene("small.toml", ""), folder_.path()))

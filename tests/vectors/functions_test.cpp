@@ -11,6 +11,11 @@ namespace HWY_NAMESPACE {
 
 using namespace vectors::HWY_NAMESPACE;
 
+/// Which target this is.
+std::int64_t bit() {
+    return HWY_TARGET;
+}
+
 void exp_of(const double* in, int count, double* out) {
     for_each_cell(
         count, out, [](Vector x) HWY_ATTR { return vectors::HWY_NAMESPACE::exp(x); }, in);
@@ -38,6 +43,7 @@ HWY_AFTER_NAMESPACE();
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 #include <vector>
 
 #include "base/error.h"
@@ -46,6 +52,7 @@ HWY_AFTER_NAMESPACE();
 
 namespace fumon::test {
 
+HWY_EXPORT(bit);
 HWY_EXPORT(exp_of);
 HWY_EXPORT(tanh_of);
 HWY_EXPORT(log_of);
@@ -107,10 +114,12 @@ TEST_F(VectorFunctions, HaveTheBitsOfThoseOfNumbersOnEveryTarget) {
     for (const double x : any) {
         if (std::isnormal(x) && x > 0.0) normal.push_back(x);
     }
+    std::set<std::int64_t> seen;
     for (const std::string& target : vectors::targets()) {
         SCOPED_TRACE(target);
         vectors::use_target(target);
         EXPECT_EQ(vectors::target(), target);
+        EXPECT_TRUE(seen.insert(HWY_DYNAMIC_DISPATCH(bit)()).second) << "another loop each time";
         expect_same(any, HWY_DYNAMIC_DISPATCH(exp_of), elementary::exp);
         expect_same(any, HWY_DYNAMIC_DISPATCH(tanh_of), elementary::tanh);
         expect_same(normal, HWY_DYNAMIC_DISPATCH(log_of), elementary::log_of_normal);
