@@ -38,6 +38,10 @@ TEST(SectionAir, IsLinearBetweenNodesAndPeriodic) {
     EXPECT_DOUBLE_EQ(air.value(velocity, 0.0, 0.625), 2.5);
     EXPECT_DOUBLE_EQ(air.value(velocity, 0.25, 0.75), 2.5);
     EXPECT_DOUBLE_EQ(air.value(velocity, -1.75, 0.75), 2.5);
+    for (const double z : {0.875, 1.125, 1.2}) {
+        EXPECT_DOUBLE_EQ(air.value(velocity, 0.0, z), z / 0.25) << "higher than it is long";
+        EXPECT_DOUBLE_EQ(air.value_of_air(velocity, 0.0, z), z / 0.25);
+    }
     EXPECT_DOUBLE_EQ(air.value(velocity, 1.0, 9.0), 3.0) << "above the top";
 }
 
