@@ -170,6 +170,7 @@ void RunFolder::tidy() const {
     remove_empty_folder(folder_ / movie_frames);
     remove_fields_pieces(records().fields);
     forget_frames();
+    remove_file("checkpoint.fumon.part");
     remove_file("checkpoint.fumon");  // last: while it is there, a complete run is to be tidied
 }
 

@@ -301,6 +301,7 @@ TEST_F(ResumeTest, FromAnotherFolderTheTerrainIsFoundAndAChangeNoticed) {
     write_text(folder_ / "data/bed.asc", grid + "\n");
     expect_refusal({"run", "--resume", "out"}, "data/bed.asc as it was when the run was made");
     write_text(folder_ / "data/bed.asc", grid);
+    write_text(out() / "checkpoint.fumon.part", "what a failing disk left");
     const Ended ended = fumon({"run", "--resume", "../out", "-q"}, folder_ / "elsewhere");
     EXPECT_EQ(ended.status, 0) << ended.errors;
     expect_same_run(out("whole"), out());

@@ -1,5 +1,6 @@
 #include "render/colour/palette.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,6 +49,17 @@ TEST(Palette, AnUnknownNameGetsTheNearest) {
             << error.what();
     }
     EXPECT_THROW(read_palette("../palettes/viridis"), InputError);
+}
+
+TEST(Palette, BlanksAroundLinesAndTheirEndsDoNotMatter) {
+    std::string plain;
+    std::string blanks = "# from another system \r\n \r\n";
+    for (int i = 0; i < 256; ++i) {
+        const std::string colour = fmt::format("{} {} {}", i, 255 - i, i / 2);
+        plain += colour + "\n";
+        blanks += (i % 2 == 0 ? " " : "") + colour + (i % 3 == 0 ? "  \r\n" : "\r\n");
+    }
+    EXPECT_EQ(parse_palette(blanks, "blanks"), parse_palette(plain, "plain"));
 }
 
 TEST(Palette, MalformedFilesAreLocated) {
