@@ -26,6 +26,7 @@
 #include "run/stepper.h"
 #include "scene/initial_bed.h"
 #include "scene/read.h"
+#include "vectors/target.h"
 
 namespace {
 
@@ -95,6 +96,12 @@ std::string verdict_of(const Record& record, const fs::path& folder, int threads
 int main(int count, char** words) {
     if (count < 3) {
         std::fprintf(stderr, "fumon_states RECORDS TERRAIN [THREADS]\n");
+        return 2;
+    }
+    try {
+        vectors::use_target_of_environment();
+    } catch (const InputError& refusal) {
+        std::fprintf(stderr, "%s\n", refusal.what());
         return 2;
     }
     const ScratchFolder folder;
