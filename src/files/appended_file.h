@@ -37,7 +37,7 @@ class AppendedFile {
     void write(std::string_view bytes);  ///< throws as AtomicFile
     /// Puts all on disk, where it stays for a later program. Throws Error on failure.
     [[nodiscard]] FileBeginning sync();
-    void commit() { file_.commit(); }    ///< throws Error on failure
+    void commit() { file_.commit(); }  ///< throws Error on failure
 
   private:
     AtomicFile file_;
