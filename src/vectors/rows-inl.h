@@ -50,6 +50,7 @@ HWY_INLINE void for_each_vector(int count, const Loop& loop) {
     const auto cells = static_cast<std::size_t>(count);
     std::size_t x = 0;
     for (; x + lanes <= cells; x += lanes) loop(doubles, x);
+#pragma GCC unroll 1
     for (; x < cells; ++x) loop(one, x);
 }
 
