@@ -20,6 +20,10 @@ namespace fumon {
 
 namespace {
 
+volatile std::sig_atomic_t memory_ended = 0;
+
+#ifndef FUMON_SANITIZED
+
 struct Crash {
     int signal;
     const char* name;
@@ -50,8 +54,6 @@ extern "C" void tell_crash(int signal) {
     }
     if (memory_is_limited) ::_exit(failed_while_working);
 }
-
-volatile std::sig_atomic_t memory_ended = 0;
 
 void note_end_of_memory() {
     memory_ended = 1;
@@ -88,6 +90,8 @@ bool memory_is_counted() {
     }
     return mode == '2';
 }
+
+#endif
 
 }  // namespace
 
