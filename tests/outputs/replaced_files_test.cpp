@@ -317,6 +317,11 @@ TEST_F(ReplacedFiles, AnOutputThatCannotBeWrittenIsFoundBeforeTheComputation) {
     foreign("file/frames");
     expect_refused({"run", "scene.toml", "-o", "file", "--force"},
                    "file/frames is a file; name a folder for the run with -o\n");
+    foreign("rows/beds");
+    EXPECT_EQ(plain_run("rows", {"--set", "output.bed_every=5"}).errors,
+              "rows/beds is a file; name a folder for the run with -o\n");
+    EXPECT_EQ(plain_run("rows").status, 0) << "a run without beds has no use for that name";
+    EXPECT_TRUE(is_mine("rows/beds"));
 }
 
 TEST_F(ReplacedFiles, VerifyStaysOutOfAFolderInWhichAnotherIsAtWork) {
