@@ -25,6 +25,15 @@ TEST(Progress, CountsSimulationAndDrawingApart) {
         << "drawing goes on after the last step and does not slow the simulation's pace";
 }
 
+TEST(Progress, TimesAreInMinutesAndHours) {
+    EXPECT_EQ(clock_text(0.4), "0:00");
+    EXPECT_EQ(clock_text(59.6), "1:00");
+    EXPECT_EQ(clock_text(605.0), "10:05");
+    EXPECT_EQ(clock_text(3599.0), "59:59");
+    EXPECT_EQ(clock_text(3600.0 + 61.0), "1:01:01");
+    EXPECT_EQ(clock_text(100.0 * 3600.0), "100:00:00");
+}
+
 TEST(Progress, WithoutFramesShowsStepsAlone) {
     Progress progress(Verbosity::quiet, 0);
     progress.expect(10, 0);
