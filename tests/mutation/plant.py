@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Plants bugs in fumon, one at a time, and tells which of them its fast tests see.
 
-    tests/mutation/plant.py                 plants the forty bugs of the committed seed and writes results.md
+    tests/mutation/plant.py                 plants the forty bugs of the committed seed and writes results.md anew
     tests/mutation/plant.py --list          only lists them
     tests/mutation/plant.py --only 3 17     only these two, on the terminal
 
