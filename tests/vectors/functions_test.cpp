@@ -132,8 +132,14 @@ TEST_F(VectorFunctions, EveryTargetOfTheProcessorIsThere) {
     const auto has = [&](const char* name) {
         return std::find(targets.begin(), targets.end(), name) != targets.end();
     };
-    EXPECT_EQ(has("avx512"), __builtin_cpu_supports("avx512bw") != 0);
-    EXPECT_EQ(has("avx2"), __builtin_cpu_supports("avx2") != 0);
+    const bool avx2 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
+                      __builtin_cpu_supports("bmi2") != 0;
+    const bool avx512 = avx2 && __builtin_cpu_supports("avx512bw") != 0 &&
+                        __builtin_cpu_supports("avx512dq") != 0 &&
+                        __builtin_cpu_supports("avx512vl") != 0 &&
+                        __builtin_cpu_supports("avx512cd") != 0;
+    EXPECT_EQ(has("avx2"), avx2);
+    EXPECT_EQ(has("avx512"), avx512);
     EXPECT_TRUE(has("plain"));
 #endif
     EXPECT_EQ(vectors::target(), targets.front()) << "the best is taken";
