@@ -259,6 +259,33 @@ TEST(ProfilePanel, NothingIsDrawnWhereThereAreNoData) {
         EXPECT_FALSE(is_drawn(cell)) << "cell " << cell;
 }
 
+/// How many points the longest open line of an SVG page has.
+std::ptrdiff_t points_of_longest_line(const std::string& svg) {
+    std::ptrdiff_t most = 0;
+    for (std::size_t at = svg.find("<path style=\"fill:none"); at != std::string::npos;
+         at = svg.find("<path style=\"fill:none", at + 1)) {
+        const std::string path = svg.substr(at, svg.find("/>", at) - at);
+        const std::size_t line = path.find(" d=\"");
+        const auto letters = std::count_if(path.begin() + static_cast<std::ptrdiff_t>(line),
+                                           path.end(), [](char c) { return c == 'M' || c == 'L'; });
+        most = std::max(most, letters);
+    }
+    return most;
+}
+
+TEST(ProfilePanel, HasAPointForEachCellThatHasData) {
+    Snapshot snapshot = at_step(wavy_bed(80, 3), 5);
+    const auto points = [&] {
+        Canvas canvas(PageFormat::svg, 700.0, 400.0, 72.0, 12.0);
+        ProfilePanel(profile_picture({&snapshot, 1}, 1)).draw(canvas, {100.0, 60.0, 500.0, 250.0});
+        return points_of_longest_line(canvas.bytes());
+    };
+    EXPECT_EQ(points(), 80);
+    snapshot.nodata = Mask(80, 3);
+    for (int x = 30; x < 50; ++x) snapshot.nodata(x, 1) = 1;
+    EXPECT_EQ(points(), 30);
+}
+
 TEST(ViewPanel, LaysItsBarBesideTheEdgeThatFacesTheCamera) {
     const CanvasBox frame{0.0, 0.0, 300.0, 200.0};
     // The edges along x are 15 m long, those along y 10 m.
