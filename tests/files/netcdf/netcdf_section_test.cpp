@@ -11,6 +11,7 @@
 #include "files/netcdf/netcdf_fields.h"
 #include "files/netcdf/netcdf_layout.h"
 #include "files/netcdf/netcdf_record.h"
+#include "support/air_snapshots.h"
 #include "support/full_disk.h"
 #include "support/netcdf_file.h"
 #include "support/temporary_folder.h"
@@ -18,68 +19,16 @@
 namespace fumon {
 namespace {
 
+using test::air_snapshot;
+using test::air_text;
 using test::bytes_of;
 using test::message_of;
+using test::missing;
 using test::NetcdfContent;
+using test::path;
+using test::section;
+using test::speed;
 using test::TemporaryFolder;
-
-const FieldsText air_text{"air over a ripple", "seed = 3\n[model]\nname = \"airflow\"\n", 3};
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
-double speed(std::int64_t step, int i, int k) {
-    return 10.0 * k + 0.5 * i + static_cast<double>(step);
-}
-
-/// Lands later with each step: 2 + step points.
-GrainPath path(std::int64_t step, double angle) {
-    GrainPath made{angle, {}, {}};
-    for (int n = 0; n < 2 + step; ++n) {
-        made.x.push_back(0.1 * n + angle);
-        made.z.push_back(0.01 * n * n);
-    }
-    return made;
-}
-
-SnapshotSection section(std::int64_t step, int nx = 5, int nz = 4) {
-    SnapshotSection made;
-    made.dx = 0.25;
-    made.dz = 0.125;
-    SnapshotField along{"velocity_x", "velocity of the air along x", "m/s", Grid(nx, nz)};
-    SnapshotField pressure{"pressure", "pressure of the air", "Pa", Grid(nx, nz)};
-    for (int k = 0; k < nz; ++k) {
-        for (int i = 0; i < nx; ++i) {
-            along.values(i, k) = speed(step, i, k);
-            pressure.values(i, k) = -speed(step, i, k);
-        }
-    }
-    made.fields = {along, pressure};
-    SectionCurve bed{"bed_height", "height of the bed", "m", {}};
-    SectionCurve flight{"flight_length_12.5", "flight length", "m", {}};
-    for (int i = 0; i < nx; ++i) {
-        bed.values.push_back(0.01 * i);
-        flight.values.push_back(i == 2 ? missing : 0.1 * i + static_cast<double>(step));
-    }
-    made.curves = {bed, flight};
-    made.paths = {path(step, 10.0), path(2 * step, 40.0)};
-    return made;
-}
-
-Snapshot air_snapshot(std::int64_t step, const SnapshotSection& section) {
-    Snapshot made;
-    made.step = step;
-    made.time = 0.1 * static_cast<double>(step);
-    made.time_unit = "s";
-    made.scale = {section.dx, section.dx, 1.0, true};
-    made.periodic = true;
-    made.bed = Grid(section.fields.front().values.nx(), 1, 0.02);
-    made.numbers = {{"lid_speed", "m/s", 0.5}, {"hop_base", "per mm", 1.5}};
-    made.section = std::make_shared<const SnapshotSection>(section);
-    return made;
-}
-
-Snapshot air_snapshot(std::int64_t step) {
-    return air_snapshot(step, section(step));
-}
 
 void write_steps(const std::filesystem::path& file, const std::vector<std::int64_t>& steps) {
     FieldsFile fields(file, air_snapshot(0), air_text);
@@ -384,125 +333,6 @@ print("all is well")
                                           (folder / "fields.nc").string());
     EXPECT_EQ(spoken.status, 0);
     EXPECT_EQ(spoken.words, "all is well\n");
-}
-
-FieldsFile new_file(const TemporaryFolder& folder) {
-    return {folder / "on.nc", air_snapshot(0, section(0)), air_text};
-}
-
-FieldsFile gone_on_with(const TemporaryFolder& folder, const FieldsBeginning& former) {
-    return {folder / "on.nc", air_snapshot(0, section(0)), air_text, former};
-}
-
-void add_records(FieldsFile& file, std::int64_t from, std::int64_t to) {
-    for (std::int64_t step = from; step < to; ++step) file.add(air_snapshot(step, section(step)));
-}
-
-std::string bytes_in_one_go(std::int64_t records) {
-    const TemporaryFolder folder;
-    FieldsFile file = new_file(folder);
-    add_records(file, 0, records);
-    file.commit();
-    return bytes_of(folder / "on.nc");
-}
-
-/// The first records, as a checkpoint has them.
-FieldsBeginning beginning_of(std::int64_t records) {
-    const TemporaryFolder folder;
-    FieldsFile file = new_file(folder);
-    add_records(file, 0, records);
-    return file.sync();
-}
-
-TEST(NetcdfSection, AFileInPiecesGetsTheBytesOfOneInOneGo) {
-    const TemporaryFolder folder;
-    FieldsFile file = new_file(folder);
-    for (const std::int64_t step : {0, 1, 3}) {
-        add_records(file, step, step == 0 ? 1 : 2 * step + 1);
-        EXPECT_EQ(file.sync().records, file.records());
-        EXPECT_EQ(file.sync().hash, beginning_of(file.records()).hash);
-    }
-    file.commit();
-    EXPECT_TRUE(bytes_of(folder / "on.nc") == bytes_in_one_go(7));
-    EXPECT_EQ(folder.entries(), 1);
-}
-
-/// Leaves six records, the first four of them in two pieces, that were broken off or committed.
-void leave_pieces(const TemporaryFolder& folder, bool committed) {
-    FieldsFile file = new_file(folder);
-    add_records(file, 0, 3);
-    EXPECT_EQ(file.sync().records, 3);
-    add_records(file, 3, 4);
-    EXPECT_EQ(file.sync().records, 4);
-    add_records(file, 4, 6);
-    if (committed) file.commit();
-}
-
-TEST(NetcdfSection, AFileThatIsGoneOnWithGetsTheBytesOfOneInOneGo) {
-    const std::string bytes = bytes_in_one_go(6);
-    for (const bool committed : {false, true}) {
-        for (const std::int64_t kept : {1, 3, 4, 6}) {
-            if (kept == 6 && !committed) continue;
-            const TemporaryFolder folder;
-            leave_pieces(folder, committed);
-            const FieldsBeginning former = beginning_of(kept);
-            EXPECT_EQ(difference(folder / "on.nc", air_snapshot(0, section(0)), former).what, "");
-            FieldsFile file = gone_on_with(folder, former);
-            EXPECT_EQ(file.records(), kept);
-            EXPECT_EQ(file.sync().hash, former.hash);
-            add_records(file, kept, 6);
-            file.commit();
-            EXPECT_TRUE(bytes_of(folder / "on.nc") == bytes) << kept << committed;
-            EXPECT_EQ(folder.entries(), 1);
-        }
-    }
-}
-
-TEST(NetcdfSection, APieceIsNeverWrittenToAgain) {
-    const TemporaryFolder folder;
-    FieldsFile file = new_file(folder);
-    add_records(file, 0, 3);
-    EXPECT_EQ(file.sync().records, 3);
-    const std::string piece = bytes_of(folder / "on.nc.000001");
-    add_records(file, 3, 5);
-    EXPECT_EQ(file.sync().records, 5);
-    EXPECT_TRUE(bytes_of(folder / "on.nc.000001") == piece);
-    EXPECT_EQ(folder.entries(), 2) << "and another piece is not begun before its first record";
-}
-
-TEST(NetcdfSection, WhatCannotBeGoneOnWithIsRefusedAndStays) {
-    const TemporaryFolder folder;
-    const auto expect_refusal = [&](const FieldsBeginning& former, const std::string& name,
-                                    const std::string& why) {
-        const auto [file, what] = difference(folder / "on.nc", air_snapshot(0, section(0)), former);
-        EXPECT_EQ(file, folder / name);
-        EXPECT_TRUE(what.starts_with(why)) << what;
-        const std::string line = message_of<InputError>([&] { gone_on_with(folder, former); });
-        EXPECT_NE(line.find(name + ": cannot go on with it: it " + why), std::string::npos) << line;
-    };
-    expect_refusal(beginning_of(1), "on.nc.000001", "is not there");
-    leave_pieces(folder, false);
-    expect_refusal(beginning_of(5), "on.nc.000003", "is not there");
-    FieldsBeginning other = beginning_of(4);
-    other.hash[0] ^= 1;
-    expect_refusal(other, "on.nc.000002", "or one of the 1 pieces before it has changed");
-    other = beginning_of(2);
-    other.hash[0] ^= 1;
-    expect_refusal(other, "on.nc.000001", "has changed since it was written");
-    EXPECT_EQ(folder.entries(), 2);
-    folder.file("on.nc.000002", "no NetCDF");
-    expect_refusal(beginning_of(4), "on.nc.000002", "cannot be read: ");
-    EXPECT_EQ(bytes_of(folder / "on.nc.000002"), "no NetCDF");
-    leave_pieces(folder, true);
-    expect_refusal(beginning_of(7), "on.nc", "has 6 records of 7");
-    EXPECT_EQ(folder.entries(), 1);
-}
-
-TEST(NetcdfSection, PiecesAreToldFromOtherFiles) {
-    EXPECT_EQ(number_of_fields_piece("on.nc.000012", "on.nc"), 12);
-    for (const char* other : {"on.nc", "on.nc.", "on.nc.12", "on.nc.part", "on.nc.000000",
-                              "on.nc.00001x", "no.nc.000001", "on.nc.000001.part"})
-        EXPECT_EQ(number_of_fields_piece(other, "on.nc"), 0) << other;
 }
 
 }  // namespace
