@@ -1,0 +1,65 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace fumon {
+
+/// What air does to light along each kilometre, in red, green and blue.
+struct AirOptics {
+    glm::dvec3 rayleigh{0.0};        ///< scattered by molecules
+    glm::dvec3 mie{0.0};             ///< scattered by aerosol
+    glm::dvec3 mie_extinction{0.0};  ///< scattered and absorbed by aerosol
+    glm::dvec3 absorption{0.0};      ///< by ozone
+
+    [[nodiscard]] glm::dvec3 extinction() const { return rayleigh + mie_extinction + absorption; }
+    [[nodiscard]] glm::dvec3 scattering() const { return rayleigh + mie; }
+};
+
+/// A planet's air: Rayleigh scattering, aerosol and ozone, the first two thinning exponentially
+/// with height. Lengths in kilometres, coefficients per kilometre in linear sRGB. The defaults are
+/// the Earth's of Hillaire (2020).
+struct Atmosphere {
+    double ground = 6360.0;  ///< radius
+    double top = 6460.0;     ///< radius
+    glm::dvec3 rayleigh{0.005802, 0.013558, 0.033100};
+    double rayleigh_height = 8.0;
+    double mie = 0.003996;
+    double mie_extinction = 0.004440;
+    double mie_height = 1.2;
+    double mie_asymmetry = 0.8;  ///< g, of forward scattering
+    glm::dvec3 dust_tint{1.0};   ///< of what aerosol scatters
+    glm::dvec3 ozone{0.000650, 0.001881, 0.000085};
+    double ozone_lowest = 10.0;  ///< the ozone's layer is a tent
+    double ozone_middle = 25.0;
+    double ozone_highest = 40.0;
+    glm::dvec3 ground_albedo{0.3};
+
+    /// At a height above the ground, in km.
+    [[nodiscard]] AirOptics optics(double height) const;
+};
+
+/// The Earth's air with `dust` times its aerosol, over 1 tinted as desert dust, which absorbs blue
+/// light more than red.
+Atmosphere dusty_air(double dust, const glm::dvec3& ground_albedo);
+
+/// How far a ray travels within the air, and whether it ends on the ground. `radius`: of the point
+/// from which it leaves; `up`: the cosine of its zenith angle there.
+struct RayEnd {
+    double distance = 0.0;
+    bool on_ground = false;
+};
+RayEnd end_of_ray(const Atmosphere& air, double radius, double up);
+
+/// The radius, and the cosine of the zenith angle, at a distance along a ray.
+struct RayPoint {
+    double radius = 0.0;
+    double up = 0.0;
+};
+RayPoint along_ray(double radius, double up, double distance);
+
+/// Phase functions, per steradian, of the cosine of the angle between light and view.
+double rayleigh_phase(double cosine);
+/// Cornette & Shanks (1992).
+double mie_phase(double cosine, double asymmetry);
+
+}  // namespace fumon

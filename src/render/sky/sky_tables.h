@@ -1,0 +1,95 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "render/sky/atmosphere.h"
+
+namespace fumon {
+
+/// Colours over a rectangle, looked up between their centres linearly.
+class ColourTable {
+  public:
+    ColourTable(int columns, int rows)
+        : columns_(columns),
+          rows_(rows),
+          colours_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
+
+    [[nodiscard]] int columns() const { return columns_; }
+    [[nodiscard]] int rows() const { return rows_; }
+    [[nodiscard]] glm::dvec3& at(int column, int row) { return colours_[index(column, row)]; }
+    [[nodiscard]] const glm::dvec3& at(int column, int row) const {
+        return colours_[index(column, row)];
+    }
+    /// x and y from 0 to 1, from the first centre to the last.
+    [[nodiscard]] glm::dvec3 value(double x, double y) const;
+
+  private:
+    [[nodiscard]] std::size_t index(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column);
+    }
+
+    int columns_;
+    int rows_;
+    std::vector<glm::dvec3> colours_;
+};
+
+/// What an atmosphere does wherever the sun stands (Hillaire 2020, "A scalable and production ready
+/// sky and atmosphere rendering technique"): transmittance by the parameters of Bruneton & Neyret
+/// (2008), and light scattered more than once, taken as isotropic. Against photons walked through
+/// the same air the sky is up to 11 % too dark (blue, sun at 8°), with a high sun 8 %.
+class AirTables {
+  public:
+    explicit AirTables(const Atmosphere& air);
+
+    [[nodiscard]] const Atmosphere& air() const { return air_; }
+
+    /// Of the air from a point to the top, along a ray with a cosine `up` of its zenith angle; 0
+    /// for rays that end on the ground.
+    [[nodiscard]] glm::dvec3 transmittance(double radius, double up) const;
+
+    /// The radiance that multiple scattering adds at a point for each unit of scattering there,
+    /// with the sun of irradiance 1 at a cosine of its zenith angle.
+    [[nodiscard]] glm::dvec3 multiple_scattering(double radius, double sun_up) const;
+
+    /// The radiance that comes from a direction in the air to a point, for a sun of irradiance 1.
+    /// `up`, `sun_up`: cosines of the zenith angles of view and sun; `towards_sun`: the cosine of
+    /// the angle between them. What the ground sends is left out.
+    [[nodiscard]] glm::dvec3 radiance(double radius, double up, double sun_up,
+                                      double towards_sun) const;
+
+  private:
+    void tabulate_transmittance();
+    void tabulate_multiple_scattering();
+
+    Atmosphere air_;
+    ColourTable transmittance_;
+    ColourTable multiple_scattering_;
+};
+
+/// The clear sky over level ground for one place of the sun, irradiance of the sun above the air 1:
+/// radiances over the upper half of all directions.
+class SkyView {
+  public:
+    /// `sun_elevation` in radians above the horizon, at least −0.3; `eye_height` in km.
+    SkyView(const AirTables& air, double sun_elevation, double eye_height);
+
+    /// From a direction: elevation above the horizon (0 … π/2) and azimuth from the sun's (0 … π).
+    [[nodiscard]] glm::dvec3 radiance(double elevation, double azimuth) const;
+
+    /// The sunlight that reaches the ground, on a surface that faces it.
+    [[nodiscard]] const glm::dvec3& sun() const { return sun_; }
+    /// What the whole sky gives level ground.
+    [[nodiscard]] const glm::dvec3& level_irradiance() const { return level_irradiance_; }
+    /// Radiances, azimuth from the sun along the columns (0 … π), along the rows the square root of
+    /// elevation (0 … √(π/2)).
+    [[nodiscard]] const ColourTable& table() const { return table_; }
+
+  private:
+    ColourTable table_;
+    glm::dvec3 sun_{0.0};
+    glm::dvec3 level_irradiance_{0.0};
+};
+
+}  // namespace fumon
