@@ -89,9 +89,8 @@ void set_light(const gl::Program& program, const Light& light, const Camera& cam
     program.set("to_sun", light.to_sun);
     program.set("sun_light", light.sun);
     program.set("sky_light", light.sky);
-    program.set("haze_colour", light.haze);
-    program.set("glow_colour", light.glow);
-    program.set("zenith_colour", light.zenith);
+    program.set("sky_lean", light.sky_lean);
+    program.set("sky_map", sky_unit);
     program.set("eye", glm::vec3(camera.eye));
     program.set("eye_axis", glm::vec3(-camera.forward));
     program.set("parallel", camera.perspective ? 0.0F : 1.0F);

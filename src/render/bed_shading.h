@@ -17,6 +17,9 @@ namespace fumon {
 
 class WorkerPool;
 
+/// The texture unit of the sky's radiances, bound while a frame is drawn.
+inline constexpr int sky_unit = 15;
+
 /// Sets the uniforms of shaders/light.glsl and the eye of shaders/bed.glsl.
 void set_light(const gl::Program& program, const Light& light, const Camera& camera,
                const Block& block, double haze);

@@ -48,6 +48,8 @@ TilePlan plan_of(const View& view, const RenderLimits& limits) {
                       std::min(limits.tile_samples, static_cast<int>(largest)));
 }
 
+const gl::TextureLayout sky_layout{GL_RGB32F, GL_RGB, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
+
 gl::TextureLayout plain_layout() {
     gl::TextureLayout layout;
     layout.filter = GL_NEAREST;
@@ -79,6 +81,7 @@ struct Renderer::Parts {
     int refinement;
     TilePlan plan;
     Light light;
+    gl::Texture2D sky;
     BedShading shading;
     TerrainLayer terrain;
     BackgroundLayer background;
@@ -105,6 +108,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
                                static_cast<int>(std::max(view.image.width, view.image.height)))),
       plan(plan_of(view, limits)),
       light(make_light(view.sun)),
+      sky(light.sky_columns, light.sky_rows, sky_layout, light.sky_texels.data()),
       shading(view, block, first, display_bed(first, block, refinement),
               static_cast<int>(std::max(view.image.width, view.image.height)) * plan.factor),
       terrain(view, block),
@@ -225,6 +229,7 @@ Image Renderer::render(const Snapshot& whole) {
     std::optional<DisplayWater> water;
     if (p.water) water = display_water(snapshot, p.refinement);
 
+    p.sky.bind(sky_unit);
     gl::functions().BindVertexArray(p.no_attributes.name());
     p.shading.shade(snapshot, p.first, bed, water ? &*water : nullptr, p.light, camera, p.pool);
     if (water) {

@@ -74,6 +74,7 @@ struct SunSettings {
     double diameter = 2.5;    ///< apparent, degrees: the width of the penumbra
     double strength = 1.0;    ///< of direct light; 1 is a clear day
     double sky_strength = 1.0;
+    double dust = 1.0;   ///< aerosol of the air against a clear day's
     double haze = 0.35;  ///< aerial perspective at the far edge of the block, 0 … 1
 };
 

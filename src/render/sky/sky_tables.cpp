@@ -39,8 +39,8 @@ glm::dvec3 length_seen(const glm::dvec3& extinction, const glm::dvec3& transmitt
 
 /// Radii from the ground to the top, closer where the air is dense (Bruneton & Neyret 2008).
 struct HeightScale {
-    explicit HeightScale(const Atmosphere& air)
-        : air(air), horizon(std::sqrt(air.top * air.top - air.ground * air.ground)) {}
+    explicit HeightScale(const Atmosphere& of)
+        : air(of), horizon(std::sqrt(of.top * of.top - of.ground * of.ground)) {}
 
     [[nodiscard]] double to_horizon(double radius) const {
         return std::sqrt(std::max(radius * radius - air.ground * air.ground, 0.0));
@@ -223,9 +223,15 @@ SkyView::SkyView(const AirTables& air, double sun_elevation, double eye_height)
         const double elevation = quarter_turn * (i + 0.5) / elevations;
         const double weight = 2.0 * elementary::sin(elevation) * elementary::cos(elevation) *
                               (quarter_turn / elevations) * (pi / azimuths);
-        for (int j = 0; j < azimuths; ++j)
-            level_irradiance_ += weight * this->radiance(elevation, pi * (j + 0.5) / azimuths);
+        const double slope = elementary::cos(elevation) / elementary::sin(elevation);
+        for (int j = 0; j < azimuths; ++j) {
+            const double azimuth = pi * (j + 0.5) / azimuths;
+            const glm::dvec3 light = weight * this->radiance(elevation, azimuth);
+            level_irradiance_ += light;
+            lean_ += light * (slope * elementary::cos(azimuth));
+        }
     }
+    lean_ /= level_irradiance_;
 }
 
 glm::dvec3 SkyView::radiance(double elevation, double azimuth) const {

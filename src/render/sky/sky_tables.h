@@ -82,6 +82,8 @@ class SkyView {
     [[nodiscard]] const glm::dvec3& sun() const { return sun_; }
     /// What the whole sky gives level ground.
     [[nodiscard]] const glm::dvec3& level_irradiance() const { return level_irradiance_; }
+    /// How much more of it a slope of 1 toward the sun gets, as a share.
+    [[nodiscard]] const glm::dvec3& lean() const { return lean_; }
     /// Radiances, azimuth from the sun along the columns (0 … π), along the rows the square root of
     /// elevation (0 … √(π/2)).
     [[nodiscard]] const ColourTable& table() const { return table_; }
@@ -90,6 +92,7 @@ class SkyView {
     ColourTable table_;
     glm::dvec3 sun_{0.0};
     glm::dvec3 level_irradiance_{0.0};
+    glm::dvec3 lean_{0.0};
 };
 
 }  // namespace fumon
