@@ -36,9 +36,15 @@ vec3 ground_light(vec3 albedo, BedPoint point, vec3 to_eye, float gloss) {
     float n_dot_v = max(dot(point.normal, to_eye), 0.0);
     float direct = point.sun * oren_nayar(n_dot_l, n_dot_v, dot(to_sun, to_eye));
     // The sky is brighter on the sun's side.
-    vec3 sky = sky_light * point.sky * max(1.0 + sky_lean * dot(point.normal.xy, normalize(to_sun.xy + vec2(1e-6, 0.0))), 0.0);
+    vec3 sky = sky_light * point.sky * (1.0 + 0.25 * dot(point.normal.xy, to_sun.xy));
     // One bounce: what the sky does not fill, sunlit sand around does.
     vec3 bounce = albedo * (sun_light * max(to_sun.z, 0.15) + 0.5 * sky_light) * (1.0 - point.sky) * 1.7;
+    if (atmosphere > 0.5) {
+        sky = sky_light * point.sky * max(1.0 + sky_lean * dot(point.normal.xy, normalize(to_sun.xy + vec2(1e-6, 0.0))), 0.2);
+        // A slope sees level ground, half of it in the sun, where it does not see the sky.
+        float ground_seen = clamp(1.0 - point.sky, 0.0, 1.0);
+        bounce = albedo * (0.5 * sun_light * to_sun.z + sky_light) * ground_seen;
+    }
     vec3 halfway = normalize(to_sun + to_eye);
     float shine = max(dot(point.normal, halfway), 0.0);
     shine *= shine; shine *= shine; shine *= shine;

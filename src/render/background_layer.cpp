@@ -26,11 +26,12 @@ void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile&
         return;
     }
     program_.use();
-    set_light(program_, light, camera, block_, view_.sun.haze);
+    set_light(program_, view_, light, camera, block_);
     program_.set("ray_origin", glm::vec3(camera.eye));
     program_.set("ray_right", glm::vec3(camera.right * camera.half.x));
     program_.set("ray_up", glm::vec3(camera.up * camera.half.y));
     program_.set("ray_forward", glm::vec3(camera.forward));
+    program_.set("endless", view_.look.ground == Ground::endless ? 1.0F : 0.0F);
     program_.set("base", static_cast<float>(block_.base));
     floor_.bind(0);
     program_.set("floor_map", 0);

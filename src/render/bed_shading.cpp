@@ -8,7 +8,7 @@
 #include "base/resampling.h"
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
-#include "render/light/lighting.h"
+#include "render/view/repeated_bed.h"
 
 namespace fumon {
 
@@ -27,6 +27,15 @@ const gl::TextureLayout mark_layout{GL_R8,      GL_RED, GL_UNSIGNED_BYTE,
                                     GL_NEAREST, 0,      GL_CLAMP_TO_EDGE};
 const gl::TextureLayout palette_layout{GL_RGB8,   GL_RGB, GL_UNSIGNED_BYTE,
                                        GL_LINEAR, 0,      GL_CLAMP_TO_EDGE};
+
+/// Of a bed that is repeated, where it is endless.
+gl::TextureLayout repeated(gl::TextureLayout layout, Ground ground) {
+    if (ground == Ground::endless) {
+        layout.wrap = GL_REPEAT;
+        layout.minification = GL_LINEAR_MIPMAP_LINEAR;
+    }
+    return layout;
+}
 
 gl::TextureLayout shaded_layout(bool mipmaps) {
     gl::TextureLayout layout;
@@ -84,11 +93,21 @@ std::pair<double, double> natural_range(const Snapshot& snapshot, const Block& b
 
 }  // namespace
 
-void set_light(const gl::Program& program, const Light& light, const Camera& camera,
-               const Block& block, double haze) {
+void set_light(const gl::Program& program, const View& view, const Light& light,
+               const Camera& camera, const Block& block) {
+    Tone tone = view.look.tone;
+    if (tone == Tone::automatic)
+        tone = view.look.ground == Ground::endless ? Tone::agx_punchy : Tone::filmic;
+    program.set("tone", tone == Tone::filmic ? 0 : tone == Tone::neutral ? 2 : 1);
+    program.set("punch", tone == Tone::agx_punchy ? 1.0F : 0.0F);
+    program.set("exposure", static_cast<float>(std::exp2(view.look.exposure)));
     program.set("to_sun", light.to_sun);
     program.set("sun_light", light.sun);
     program.set("sky_light", light.sky);
+    program.set("haze_colour", light.haze);
+    program.set("glow_colour", light.glow);
+    program.set("zenith_colour", light.zenith);
+    program.set("atmosphere", light.atmosphere ? 1.0F : 0.0F);
     program.set("sky_lean", light.sky_lean);
     program.set("sky_map", sky_unit);
     program.set("eye", glm::vec3(camera.eye));
@@ -103,7 +122,7 @@ void set_light(const gl::Program& program, const Light& light, const Camera& cam
     }
     const double scale = 1.0 / std::max(farthest - nearest, 1e-6);
     program.set("depth_plane", glm::vec4(camera.forward * scale, -nearest * scale));
-    const double left = camera.perspective ? std::max(1.0 - haze, 0.02) : 1.0;
+    const double left = camera.perspective ? std::max(1.0 - view.sun.haze, 0.02) : 1.0;
     program.set("haze_log", static_cast<float>(elementary::log(left)));
 }
 
@@ -115,8 +134,8 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
       mipmaps_(longer_shaded_side(first_bed, samples_across) > texels_per_sample * samples_across),
       program_("screen.vert.glsl", shader_of(view.look, first)),
       palette_(256, 1, palette_layout, chosen_palette(view.look).data()),
-      lighting_(first_bed.z.nx(), first_bed.z.ny(), lighting_layout),
-      values_(first_bed.z.nx(), first_bed.z.ny(), value_layout),
+      lighting_(first_bed.z.nx(), first_bed.z.ny(), repeated(lighting_layout, view.look.ground)),
+      values_(first_bed.z.nx(), first_bed.z.ny(), repeated(value_layout, view.look.ground)),
       marks_(view.look.mark == Marking::none ? 1 : first.bed.nx(),
              view.look.mark == Marking::none ? 1 : first.bed.ny(), mark_layout),
       uncoloured_(colours_water(view.look.colour_by) ? first.bed.nx() : 1,
@@ -128,41 +147,54 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
         water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny());
 }
 
-void BedShading::shade(const Snapshot& snapshot, const Snapshot& first, const DisplayBed& bed,
-                       const DisplayWater* water, const Light& light, const Camera& camera,
-                       WorkerPool& pool) {
-    lighting_.upload(lighting_texels(bed, sun_direction(view_.sun), pool).data());
+void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
+                        const std::vector<std::uint16_t>& lighting, const DisplayWater* water) {
+    lighting_.upload(lighting.data());
     const bool natural = view_.look.colour_by == Colouring::natural;
     Field<float> values = coloured_values(view_.look.colour_by, snapshot, first);
     range_ = natural ? natural_range(snapshot, block_) : colour_range(view_.look, snapshot, values);
     const Mask without = uncoloured_cells(view_.look.colour_by, snapshot);
     if (!without.empty()) continue_outward(values, without, static_cast<float>(range_.first));
-    values_.upload(palette_places(refined(values, refinement_), range_).data());
+    if (view_.look.ground == Ground::endless) {
+        constexpr int margin = 2;  // cells that the refinement looks at
+        const Field<float> wide = refined(with_margin(values, margin), refinement_);
+        values_.upload(palette_places(without_margin(wide, margin * refinement_), range_).data());
+        lighting_.make_mipmaps();
+        values_.make_mipmaps();
+    } else {
+        values_.upload(palette_places(refined(values, refinement_), range_).data());
+    }
 
     marks_.upload(mark_texels(view_.look.mark, snapshot).data());
     uncoloured_.upload(uncoloured_texels(view_.look.colour_by, snapshot).data());
     if (water_) water_->upload(snapshot, *water);
+}
 
-    target_.bind();
-    gl::functions().Disable(GL_DEPTH_TEST);
+void BedShading::bind(const gl::Program& program) const {
     lighting_.bind(0);
     values_.bind(1);
     palette_.bind(2);
     marks_.bind(3);
     uncoloured_.bind(4);
+    program.set("lighting_map", 0);
+    program.set("value_map", 1);
+    program.set("palette", 2);
+    program.set("mark_map", 3);
+    program.set("uncoloured_map", 4);
+    program.set("shading", static_cast<float>(view_.look.shading));
+    program.set("tinted", colours_water(view_.look.colour_by) ? 0.0F : 1.0F);
+    program.set("extent", glm::vec2(block_.width_x, block_.width_y));
+    program.set("natural", view_.look.colour_by == Colouring::natural ? 1.0F : 0.0F);
+    program.set("rock", static_cast<float>(block_.rock));
+}
+
+void BedShading::shade(const Light& light, const Camera& camera) {
+    target_.bind();
+    gl::functions().Disable(GL_DEPTH_TEST);
     program_.use();
-    program_.set("lighting_map", 0);
-    program_.set("value_map", 1);
-    program_.set("palette", 2);
-    program_.set("mark_map", 3);
-    program_.set("uncoloured_map", 4);
-    program_.set("shading", static_cast<float>(view_.look.shading));
-    program_.set("tinted", colours_water(view_.look.colour_by) ? 0.0F : 1.0F);
+    bind(program_);
     if (water_) water_->set_uniforms(program_, 5);
-    program_.set("extent", glm::vec2(block_.width_x, block_.width_y));
-    program_.set("natural", natural ? 1.0F : 0.0F);
-    program_.set("rock", static_cast<float>(block_.rock));
-    set_light(program_, light, camera, block_, view_.sun.haze);
+    set_light(program_, view_, light, camera, block_);
     gl::functions().DrawArrays(GL_TRIANGLES, 0, 3);
     if (mipmaps_) target_.colour().make_mipmaps();
 }

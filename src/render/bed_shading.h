@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/snapshot.h"
 #include "gl/program.h"
@@ -15,14 +17,12 @@
 
 namespace fumon {
 
-class WorkerPool;
-
 /// The texture unit of the sky's radiances, bound while a frame is drawn.
 inline constexpr int sky_unit = 15;
 
-/// Sets the uniforms of shaders/light.glsl and the eye of shaders/bed.glsl.
-void set_light(const gl::Program& program, const Light& light, const Camera& camera,
-               const Block& block, double haze);
+/// Sets the uniforms of shaders/light.glsl and shaders/colour.glsl and the eye of shaders/bed.glsl.
+void set_light(const gl::Program& program, const View& view, const Light& light,
+               const Camera& camera, const Block& block);
 
 /// The bed's colour as the eye sees it, as a texture over the bed: each place is shaded once, and
 /// the many samples of a picture only look it up.
@@ -33,11 +33,17 @@ class BedShading {
     BedShading(const View& view, const Block& block, const Snapshot& first,
                const DisplayBed& first_bed, int samples_across);
 
-    /// Uploads what light and colouring make of a snapshot, and shades it.
-    /// `water` is given where draws_water says so.
-    void shade(const Snapshot& snapshot, const Snapshot& first, const DisplayBed& bed,
-               const DisplayWater* water, const Light& light, const Camera& camera,
-               WorkerPool& pool);
+    /// Uploads what light (see lighting_texels) and colouring make of a snapshot. `water` is given
+    /// where draws_water says so.
+    void upload(const Snapshot& snapshot, const Snapshot& first,
+                const std::vector<std::uint16_t>& lighting, const DisplayWater* water);
+
+    /// Shades what was uploaded.
+    void shade(const Light& light, const Camera& camera);
+
+    /// Binds what was uploaded to the units 0 to 4 and sets the uniforms of shaders/bed.glsl and
+    /// shaders/ground.glsl, of the program in use.
+    void bind(const gl::Program& program) const;
 
     /// The values at the palette's ends in what was shaded last.
     [[nodiscard]] std::pair<double, double> range() const { return range_; }

@@ -1,5 +1,7 @@
 #include "render/renderer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -14,13 +16,16 @@
 #include "render/bed_shading.h"
 #include "render/light/floor_map.h"
 #include "render/light/light.h"
+#include "render/light/lighting.h"
 #include "render/terrain_layer.h"
 #include "render/tiles.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/display_bed.h"
 #include "render/view/framing.h"
+#include "render/view/repeated_bed.h"
 #include "render/view/shown_snapshot.h"
+#include "render/world_layer.h"
 
 namespace fumon {
 
@@ -50,6 +55,28 @@ TilePlan plan_of(const View& view, const RenderLimits& limits) {
 
 const gl::TextureLayout sky_layout{GL_RGB32F, GL_RGB, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
 
+/// Throws InputError where nothing can go on to the horizon.
+void check_endless(const View& view, const Snapshot& first, bool water) {
+    const char* fault = nullptr;
+    if (view.look.mode != ViewMode::scenic) fault = "is for scenic views (look.mode)";
+    if (view.camera.projection != Projection::perspective)
+        fault = "is for the perspective camera (camera.projection)";
+    if (!first.periodic || first.bed.ny() < 2 || !first.nodata.empty() || first.section)
+        fault = "needs a whole periodic bed, as the sand models have";
+    if (water) fault = "is for beds without water";
+    if (fault != nullptr)
+        throw InputError(
+            fmt::format("look.ground = \"endless\" {}; \"table\" draws this one", fault));
+}
+
+Light light_of(const View& view) {
+    const bool atmosphere =
+        view.look.sky == SkyModel::atmosphere ||
+        (view.look.sky == SkyModel::automatic && view.look.ground == Ground::endless);
+    const bool scenic = view.look.mode == ViewMode::scenic;
+    return atmosphere && scenic ? make_atmospheric_light(view.sun) : make_light(view.sun);
+}
+
 gl::TextureLayout plain_layout() {
     gl::TextureLayout layout;
     layout.filter = GL_NEAREST;
@@ -66,6 +93,7 @@ struct Renderer::Parts {
     /// A tile's first sample, and the sample its target begins at; from the picture's lower left.
     [[nodiscard]] glm::ivec2 first_sample(const Tile& tile) const;
     [[nodiscard]] glm::ivec2 target_corner(const Tile& tile) const;
+    void mesh_bed(const DisplayBed& bed, const DisplayWater* water, const Camera& camera);
     void draw_tile(const Tile& tile, const Camera& camera, Image& image);
     void draw_background(const Tile& tile, const Camera& camera);
     void resolve(const Tile& tile, Image& image);
@@ -86,6 +114,7 @@ struct Renderer::Parts {
     TerrainLayer terrain;
     BackgroundLayer background;
     std::optional<AirLayer> air;
+    std::optional<WorldLayer> world;  // where the bed is endless
     gl::RenderTarget samples;
     gl::RenderTarget surroundings;
     gl::RenderTarget pixels;
@@ -107,7 +136,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       refinement(refinement_of(first.bed.nx(), first.bed.ny(),
                                static_cast<int>(std::max(view.image.width, view.image.height)))),
       plan(plan_of(view, limits)),
-      light(make_light(view.sun)),
+      light(light_of(view)),
       sky(light.sky_columns, light.sky_rows, sky_layout, light.sky_texels.data()),
       shading(view, block, first, display_bed(first, block, refinement),
               static_cast<int>(std::max(view.image.width, view.image.height)) * plan.factor),
@@ -119,6 +148,9 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(), false),
       pixels(plan.tiles.front().width, plan.tiles.front().height, plain_layout(), false),
       resolve_program("screen.vert.glsl", "resolve.frag.glsl") {
+    if (view.look.ground == Ground::endless) check_endless(view, first, water);
+    if (view.look.ground == Ground::endless)
+        world.emplace(view, block, display_bed(first, block, refinement));
     if (first.section)
         air.emplace(block, camera_at(0),
                     static_cast<int>(std::max(view.image.width, view.image.height)));
@@ -175,6 +207,15 @@ glm::ivec2 Renderer::Parts::target_corner(const Tile& tile) const {
     return {aligned(kept.x), aligned(kept.y)};
 }
 
+void Renderer::Parts::mesh_bed(const DisplayBed& bed, const DisplayWater* water_,
+                               const Camera& camera) {
+    const double scale = pixels_per_length(camera, view);
+    const int stride =
+        mesh_stride(bed, scale * std::max(bed.dx, bed.dy), scale * std::max(camera.up.z, 0.05));
+    terrain.set_bed(bed, water_ != nullptr ? &water_->depth : nullptr, stride,
+                    {camera.forward.y >= 0.0, camera.forward.x >= 0.0});
+}
+
 void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& image) {
     const gl::Functions& gl = gl::functions();
     gl.BindVertexArray(no_attributes.name());
@@ -193,7 +234,11 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
     placed.corner = glm::vec2(target_corner(tile));
     placed.size =
         glm::vec2(static_cast<float>(plan.target_width), static_cast<float>(plan.target_height));
-    terrain.draw(shading.colours(), light, camera, placed);
+    if (world) {
+        world->draw(shading, light, camera, placed);
+    } else {
+        terrain.draw(shading.colours(), light, camera, placed);
+    }
     if (air) air->draw(camera, placed);
 
     gl.BindVertexArray(no_attributes.name());
@@ -225,23 +270,25 @@ Image Renderer::render(const Snapshot& whole) {
     p.context.make_current();
     const Camera camera = p.camera_at(snapshot.step);
     const Block framed = block_of_frame(p.block, snapshot, p.datum);
-    const DisplayBed bed = display_bed(snapshot, framed, p.refinement);
+    const SunDirection sun = sun_direction(p.view.sun);
+    const int around = p.world ? shading_margin(snapshot, framed, sun.lower_limb) : 0;
+    const DisplayBed bed = p.world ? display_bed_with_margin(snapshot, framed, p.refinement, around)
+                                   : display_bed(snapshot, framed, p.refinement);
     std::optional<DisplayWater> water;
     if (p.water) water = display_water(snapshot, p.refinement);
 
-    p.sky.bind(sky_unit);
     gl::functions().BindVertexArray(p.no_attributes.name());
-    p.shading.shade(snapshot, p.first, bed, water ? &*water : nullptr, p.light, camera, p.pool);
+    p.shading.upload(snapshot, p.first, lighting_texels(bed, sun, around * p.refinement, p.pool),
+                     water ? &*water : nullptr);
+    if (p.world) p.world->set_bed(without_margin(bed.z, around * p.refinement));
+    p.sky.bind(sky_unit);
+    if (!p.world) p.shading.shade(p.light, camera);
     if (water) {
         const auto rise = static_cast<float>(p.block.height_scale / snapshot.scale.height_unit);
         for (float& depth : water->depth.values()) depth *= rise;
     }
 
-    const double scale = pixels_per_length(camera, p.view);
-    const int stride =
-        mesh_stride(bed, scale * std::max(bed.dx, bed.dy), scale * std::max(camera.up.z, 0.05));
-    p.terrain.set_bed(bed, water ? &water->depth : nullptr, stride,
-                      {camera.forward.y >= 0.0, camera.forward.x >= 0.0});
+    if (!p.world) p.mesh_bed(bed, water ? &*water : nullptr, camera);
 
     if (p.air && snapshot.section) p.air->set_air(snapshot, framed, camera, p.pool);
 

@@ -145,7 +145,7 @@ void TerrainLayer::draw_surface(const gl::Texture2D& colours) const {
 }
 
 void TerrainLayer::draw_sides(const Light& light, const Camera& camera) const {
-    set_light(side_program_, light, camera, block_, view_.sun.haze);
+    set_light(side_program_, view_, light, camera, block_);
     side_program_.set("turbidity", static_cast<float>(view_.look.turbidity));
     side_program_.set("base", static_cast<float>(block_.base));
     side_program_.set("rock", static_cast<float>(block_.rock));

@@ -65,7 +65,11 @@ struct CameraSettings {
     WordOrReal distance{"fit", 0.0};  ///< from the block's centre, in units of its longer side
     double field_of_view = 28.0;      ///< vertical, degrees (perspective)
     double margin = 0.04;             ///< free border around the fitted block, share of the picture
-    double turn = 0.0;                ///< degrees of azimuth added over the whole run
+    /// Where it stands and what it looks at: metres, or sites, eastward and northward from the
+    /// bed's south-western corner, and above the bed there. Empty: around the block.
+    std::vector<double> at;
+    std::vector<double> look_at;
+    double turn = 0.0;  ///< degrees of azimuth added over the whole run
 };
 
 struct SunSettings {
@@ -74,13 +78,16 @@ struct SunSettings {
     double diameter = 2.5;    ///< apparent, degrees: the width of the penumbra
     double strength = 1.0;    ///< of direct light; 1 is a clear day
     double sky_strength = 1.0;
-    double dust = 1.0;   ///< aerosol of the air against a clear day's
+    double dust = 1.0;   ///< aerosol of the air against a clear day, for the sky "atmosphere"
     double haze = 0.35;  ///< aerial perspective at the far edge of the block, 0 … 1
 };
 
 enum class Colouring { natural, height, slope, change, water_depth, speed, froude };
 enum class ViewMode { scenic, figure };
 enum class Marking { none, last_avalanche };
+enum class Ground { table, endless };
+enum class SkyModel { automatic, two_colours, atmosphere };
+enum class Tone { automatic, filmic, agx, agx_punchy, neutral };
 enum class Datum { automatic, first, mean };
 
 struct LookSettings {
@@ -91,6 +98,10 @@ struct LookSettings {
     WordOrReal low{"auto", 0.0};           ///< value at the palette's start
     WordOrReal high{"auto", 0.0};          ///< value at its end
     WordOrReal exaggeration{"auto", 0.0};  ///< vertical
+    Ground ground = Ground::table;
+    SkyModel sky = SkyModel::automatic;
+    Tone tone = Tone::automatic;
+    double exposure = 0.0;  ///< stops
     bool block_sides = true;
     double grain = 0.5;            ///< visible texture of the sand, 0 … 1
     WordOrReal room{"auto", 0.0};  ///< heights framed above the first bed

@@ -140,6 +140,11 @@ void list_view_keys(View& view, KeyTable& table) {
     table.real(
         "camera.margin", camera.margin,
         {.range = {0, 0.4}, .help = "free border around the fitted block, share of the picture"});
+    const char* place = "east and north of the bed's south-western corner, and above the bed there";
+    table.real_list("camera.at", camera.at, 0, 3,
+                    {.unit = "m or sites", .range = {-1e9, 1e9}, .help = place});
+    table.real_list("camera.look_at", camera.look_at, 0, 3,
+                    {.unit = "m or sites", .range = {-1e9, 1e9}, .help = place});
     table.real(
         "camera.turn", camera.turn,
         {.unit = "degrees", .range = {-36000, 36000}, .help = "azimuth added evenly over the run"});
@@ -159,6 +164,9 @@ void list_view_keys(View& view, KeyTable& table) {
                {.range = {0, 10}, .help = "of direct light; 1 is a clear day"});
     table.real("sun.sky_strength", sun.sky_strength,
                {.range = {0, 10}, .help = "of light from the sky; 1 is a clear day"});
+    table.real("sun.dust", sun.dust,
+               {.range = {0, 100},
+                .help = "aerosol of the air, for the sky \"atmosphere\"; 1 is a clear day"});
     table.real("sun.haze", sun.haze,
                {.range = {0, 1}, .help = "aerial perspective at the far edge of the block"});
 
@@ -192,6 +200,29 @@ void list_view_keys(View& view, KeyTable& table) {
     table.word_or_real("look.exaggeration", look.exaggeration,
                        {{"auto", "a round number that shows the relief; 1 without metres"}},
                        {.range = {0, 1e4, true}, .help = "vertical exaggeration"});
+    table.choice(
+        "look.ground", look.ground,
+        {{Ground::table, "table", "the bed is a block on a pale table"},
+         {Ground::endless, "endless",
+          "a periodic bed of sand goes on to the horizon, with wind ripples below its grid"}},
+        {.help = "what lies around the bed"});
+    table.choice(
+        "look.sky", look.sky,
+        {{SkyModel::automatic, "auto", "atmosphere over endless ground, else two-colours"},
+         {SkyModel::two_colours, "two-colours", "from the horizon's colour to the zenith's"},
+         {SkyModel::atmosphere, "atmosphere",
+          "sunlight scattered by air, aerosol and ozone (Hillaire 2020)"}},
+        {.help = "how sky, haze and the light from the sky are made"});
+    table.choice(
+        "look.tone", look.tone,
+        {{Tone::automatic, "auto", "agx-punchy over endless ground, else filmic"},
+         {Tone::filmic, "filmic", "a curve fitted to the ACES rendering (Narkowicz 2015)"},
+         {Tone::agx, "agx", "bright colours turn pale, as on film (AgX, Sobotka)"},
+                  {Tone::agx_punchy, "agx-punchy", "the same with more contrast and colour"},
+         {Tone::neutral, "neutral", "colours stay as they are up to bright ones (Khronos)"}},
+        {.help = "from light to display values, in scenic views"});
+    table.real("look.exposure", look.exposure,
+               {.unit = "stops", .range = {-10, 10}, .help = "brighter by a factor of two each"});
     table.boolean("look.block_sides", look.block_sides,
                   {.help = "draw the cut sides of the block"});
     table.real("look.grain", look.grain, {.range = {0, 1}, .help = "visible grain of the sand"});

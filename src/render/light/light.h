@@ -13,17 +13,27 @@ struct Light {
     glm::vec3 to_sun{0, 0, 1};  ///< unit vector
     glm::vec3 sun{1};           ///< irradiance on a surface that faces the sun
     glm::vec3 sky{1};           ///< irradiance of the whole sky on level ground
-    glm::vec3 sky_lean{0.25F};  ///< of it, how much more a slope of 1 toward the sun gets
-    /// The sky's radiances times π, a texel each: azimuth from the sun along the columns (0 … π),
-    /// the square root of the elevation along the rows (0 … √(π/2)); RGB.
-    std::vector<float> sky_texels;
-    int sky_columns = 0;
-    int sky_rows = 0;
+    glm::vec3 haze{1};          ///< what far things fade into, away from the sun
+    glm::vec3 glow{1};          ///< the same towards the sun
+    glm::vec3 zenith{1};        ///< the sky overhead
+    bool atmosphere = false;    ///< the sky is that of the texels, not of the three colours
+    glm::vec3 sky_lean{0};  ///< how much more of it a slope of 1 toward the sun gets, as a share
+    /// Radiances of the sky times π, RGB: azimuth from the sun along the columns (0 … π), the
+    /// square root of the elevation along the rows (0 … √(π/2)).
+    std::vector<float> sky_texels = std::vector<float>(3);
+    int sky_columns = 1;
+    int sky_rows = 1;
 };
 
-/// The light of a clear day from the tables of render/sky. The exposure follows a level sand plain,
-/// so that a low sun gives a warm picture, not a black one.
+/// The light of a clear day: the lower the sun, the longer its way through the air, the warmer and
+/// weaker its light (extinction in three bands along the optical air mass, Kasten & Young 1989).
+/// The exposure follows a level sand plain, so that a low sun gives a warm picture, not a black
+/// one.
 Light make_light(const SunSettings& settings);
+
+/// The same by the tables of render/sky, the air and the sun's strength at the ground included.
+/// White is the light of a clear day with the sun at 45°.
+Light make_atmospheric_light(const SunSettings& settings);
 
 /// The sun's place and disc for a sweep.
 SunDirection sun_direction(const SunSettings& settings);

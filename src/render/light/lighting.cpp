@@ -40,15 +40,18 @@ void pack_row(const float* __restrict south, const float* __restrict row,
 }  // namespace
 
 std::vector<std::uint16_t> lighting_texels(const DisplayBed& bed, const SunDirection& sun,
-                                           WorkerPool& pool) {
+                                           int margin, WorkerPool& pool) {
     const int nx = bed.z.nx();
     const int ny = bed.z.ny();
     const Field<float> sun_share = sun_visibility(bed.z, bed.dx, bed.dy, sun);
     const Field<float> sky_share = sky_visibility(bed.z, bed.dx, bed.dy, pool);
-    std::vector<std::uint16_t> texels(4 * bed.z.size());
-    pool.for_ranges(ny, [&](int begin, int end) {
+    const int across = nx - 2 * margin;
+    std::vector<std::uint16_t> texels(4 * static_cast<std::size_t>(across) *
+                                      static_cast<std::size_t>(ny - 2 * margin));
+    pool.for_ranges(ny - 2 * margin, [&](int begin, int end) {
         std::vector<float> row(static_cast<std::size_t>(nx) + 2);
-        for (int y = begin; y < end; ++y) {
+        for (int inner = begin; inner < end; ++inner) {
+            const int y = inner + margin;
             const int south = std::max(y - 1, 0);
             const int north = std::min(y + 1, ny - 1);
             std::copy_n(bed.z.row(y).data(), nx, row.begin() + 1);
@@ -58,10 +61,11 @@ std::vector<std::uint16_t> lighting_texels(const DisplayBed& bed, const SunDirec
             const Slopes slopes{
                 0.5F / bed.dx,
                 north > south ? 1.0F / (bed.dy * static_cast<float>(north - south)) : 0.0F};
-            pack_row(
-                bed.z.row(south).data(), row.data(), bed.z.row(north).data(),
-                sun_share.row(y).data(), sky_share.row(y).data(), slopes, nx,
-                texels.data() + 4 * static_cast<std::size_t>(y) * static_cast<std::size_t>(nx));
+            pack_row(bed.z.row(south).data() + margin, row.data() + margin,
+                     bed.z.row(north).data() + margin, sun_share.row(y).data() + margin,
+                     sky_share.row(y).data() + margin, slopes, across,
+                     texels.data() +
+                         4 * static_cast<std::size_t>(inner) * static_cast<std::size_t>(across));
         }
     });
     return texels;

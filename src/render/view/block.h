@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "base/snapshot.h"
@@ -24,7 +25,9 @@ struct Block {
     /// Points whose convex hull is the domain's outline: its corners, or, where cells lie outside,
     /// both ends of every row.
     std::vector<glm::dvec2> outline;
-    double rock = 0.0;  ///< 0 sand … 1 mountains, for the natural colouring
+    std::optional<glm::dvec3> eye;      ///< where the camera stands, if it stands at a place
+    std::optional<glm::dvec3> look_at;  ///< what it looks at, if that is a place
+    double rock = 0.0;                  ///< 0 sand … 1 mountains, for the natural colouring
 
     [[nodiscard]] double z(double height) const { return (height - reference) * height_scale; }
 };

@@ -92,6 +92,28 @@ void fit_orthographic(Camera& camera, const CameraSettings& settings, const Bloc
     camera.eye = middle.x * camera.right + middle.y * camera.up - 3.0 * camera.forward;
 }
 
+/// Puts a camera at a place, or lets it look at one.
+void stand(Camera& camera, const CameraSettings& settings, const Block& block) {
+    const glm::dvec3 target = block.look_at.value_or(centre(block));
+    if (!block.eye) {
+        const double distance = settings.distance.is_word() ? 1.0 : settings.distance.value;
+        camera.eye = target - distance * camera.forward;
+        return;
+    }
+    camera.eye = *block.eye;
+    camera.focus = 0.1;
+    if (!block.look_at) return;
+    const glm::dvec3 toward = target - camera.eye;
+    const double distance = glm::length(toward);
+    if (distance < 1e-9) return;
+    camera.focus = distance;
+    camera.forward = toward / distance;
+    const double level = std::hypot(toward.x, toward.y);
+    if (level > 1e-9 * distance)
+        camera.right = glm::dvec3(toward.y / level, -toward.x / level, 0.0);
+    camera.up = glm::cross(camera.right, camera.forward);
+}
+
 void set_depths(Camera& camera, const Block& block) {
     double nearest = std::numeric_limits<double>::max();
     double farthest = std::numeric_limits<double>::lowest();
@@ -103,7 +125,8 @@ void set_depths(Camera& camera, const Block& block) {
     // Later beds may stand higher than the framed one.
     const double room = 0.25 * (farthest - nearest);
     constexpr double tall = 2.0;  // block lengths; nothing is lost by it without perspective
-    camera.near_depth = camera.perspective ? std::max(nearest - room, 0.02) : nearest - tall;
+    const double least = block.eye ? 1e-3 : 0.02;
+    camera.near_depth = camera.perspective ? std::max(nearest - room, least) : nearest - tall;
     camera.far_depth = std::max(farthest + room, camera.near_depth + 0.1);
 }
 
@@ -133,7 +156,9 @@ Camera place_camera(const CameraSettings& settings, const Block& block, double a
     const double half_angle = 0.5 * used.field_of_view * degree;
     const double tangent = elementary::sin(half_angle) / elementary::cos(half_angle);
     camera.half = {tangent * aspect, tangent};
-    if (!used.distance.is_word()) {
+    if (block.eye || block.look_at) {
+        stand(camera, used, block);
+    } else if (!used.distance.is_word()) {
         camera.eye = centre(block) - used.distance.value * camera.forward;
         if (!camera.perspective) camera.half *= used.distance.value;
     } else if (camera.perspective) {
@@ -141,6 +166,7 @@ Camera place_camera(const CameraSettings& settings, const Block& block, double a
     } else {
         fit_orthographic(camera, used, block, aspect);
     }
+    if (!block.eye) camera.focus = -glm::dot(camera.eye, camera.forward);
     set_depths(camera, block);
     return camera;
 }

@@ -17,6 +17,7 @@ struct Camera {
     glm::dvec3 forward{0, 0, -1};
     glm::dvec3 eye{0, 0, 1};
     glm::dvec2 half{1, 1};    ///< half the picture's extent: at depth 1 (perspective) or anywhere
+    double focus = 1.0;       ///< depth of what it looks at, seen from a perspective eye
     double near_depth = 0.1;  ///< along `forward` from the eye; the block lies within
     double far_depth = 10.0;
 };
