@@ -139,9 +139,13 @@ HWY_INLINE Vector artanh_tail(Vector last, Vector z) {
     return series;
 }
 
-/// elementary::log_of_normal.
-HWY_INLINE Vector log_of_normal(Vector x) {
-    using namespace elementary::detail;
+struct NormalParts {
+    Vector k;
+    Vector mantissa;
+};
+
+/// elementary::detail::parts_of_normal.
+HWY_INLINE NormalParts parts_of_normal(Vector x) {
     constexpr std::uint64_t one = 0x3ff0000000000000;
     constexpr std::uint64_t root_half = 0x3fe6a09e667f3bcd;
     constexpr std::uint64_t two_to_52 = 0x4330000000000000;
@@ -153,12 +157,20 @@ HWY_INLINE Vector log_of_normal(Vector x) {
     const auto bits = hn::Add(hn::BitCast(words, x), hn::Set(words, one - root_half));
     const auto exponent = hn::Or(hn::ShiftRight<exponent_at>(bits), hn::Set(words, two_to_52));
     const auto fraction = hn::And(bits, hn::Set(words, mantissa_bits));
-    const Vector k = hn::Sub(hn::BitCast(doubles, exponent), constant(biased));
-    const Vector mantissa = hn::BitCast(doubles, hn::Add(fraction, hn::Set(words, root_half)));
-    const Vector f = hn::Sub(mantissa, constant(1.0));
+    return {hn::Sub(hn::BitCast(doubles, exponent), constant(biased)),
+            hn::BitCast(doubles, hn::Add(fraction, hn::Set(words, root_half)))};
+}
+
+/// elementary::log_of_normal.
+HWY_INLINE Vector log_of_normal(Vector x) {
+    using namespace elementary::detail;
+    const auto parts = vectors::HWY_NAMESPACE::parts_of_normal(x);
+    const Vector k = parts.k;
+    const Vector f = hn::Sub(parts.mantissa, constant(1.0));
     const Vector s = hn::Div(f, hn::Add(constant(2.0), f));
     const Vector z = hn::Mul(s, s);
-    const Vector series = artanh_tail(times_plus(constant(2.0 / 25.0), z, 2.0 / 23.0), z);
+    const Vector series =
+        vectors::HWY_NAMESPACE::artanh_tail(times_plus(constant(2.0 / 25.0), z, 2.0 / 23.0), z);
     const Vector half_square = hn::Mul(hn::Mul(constant(0.5), f), f);
     const Vector inner = hn::Mul(s, hn::Add(half_square, hn::Mul(z, series)));
     const Vector low = hn::Add(inner, hn::Mul(k, constant(ln2_low)));

@@ -41,7 +41,9 @@ constexpr std::array loops{"tanh_of_differences(",
                            "limited_half_slopes(",
                            "face_fluxes(",
                            "update(",
-                           "fastest("};
+                           "fastest(",
+                           "advance_stokes(",
+                           "advance_schiller_naumann("};
 
 bool has(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
