@@ -41,6 +41,17 @@ constexpr std::array loops{"tanh_of_differences(",
                            "limited_half_slopes(",
                            "face_fluxes(",
                            "update(",
+                           "advect_row(",
+                           "advect_velocities(",
+                           "accelerate_row(",
+                           "accelerate_row_steep(",
+                           "accelerate_row_as_published(",
+                           "turn_gradient_row(",
+                           "turn_velocity_gradients(",
+                           "thin_row(",
+                           "through_faces(",
+                           "settle_row(",
+                           "cross_rows(",
                            "fastest("};
 
 bool has(std::string_view text, std::string_view part) {
