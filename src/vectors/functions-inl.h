@@ -23,15 +23,17 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Doubles = hn::ScalableTag<double>;
 using Vector = hn::Vec<Doubles>;
-using Words = hn::RebindToUnsigned<Doubles>;
 
-HWY_INLINE Vector constant(double value) {
-    return hn::Set(Doubles(), value);
+/// The value in every lane of a V.
+template <class V = Vector>
+HWY_INLINE V constant(double value) {
+    return hn::Set(hn::DFromV<V>(), value);
 }
 
 /// sum · x + term, in two roundings.
-HWY_INLINE Vector times_plus(Vector sum, Vector x, double term) {
-    return hn::Add(hn::Mul(sum, x), constant(term));
+template <class V>
+HWY_INLINE V times_plus(V sum, V x, double term) {
+    return hn::Add(hn::Mul(sum, x), constant<V>(term));
 }
 
 /// a < b ? a : b, so b where one of them is no number or both are 0. What x86 calls a minimum.
@@ -54,17 +56,19 @@ HWY_INLINE V greater(V a, V b) {
 #endif
 }
 
-HWY_INLINE Vector power_of_two(Vector shifted) {
+template <class V>
+HWY_INLINE V power_of_two(V shifted) {
     constexpr std::uint64_t bias = 1023;
     constexpr int exponent_at = 52;
-    const Words words;
+    const hn::RebindToUnsigned<hn::DFromV<V>> words;
     const auto biased = hn::Add(hn::BitCast(words, shifted), hn::Set(words, bias));
-    return hn::BitCast(Doubles(), hn::ShiftLeft<exponent_at>(biased));
+    return hn::BitCast(hn::DFromV<V>(), hn::ShiftLeft<exponent_at>(biased));
 }
 
-HWY_INLINE Vector exp_tail(Vector r) {
-    const Vector r2 = hn::Mul(r, r);
-    Vector p = constant(1.0 / 6227020800.0);
+template <class V>
+HWY_INLINE V exp_tail(V r) {
+    const V r2 = hn::Mul(r, r);
+    V p = constant<V>(1.0 / 6227020800.0);
     p = times_plus(p, r, 1.0 / 479001600.0);
     p = times_plus(p, r, 1.0 / 39916800.0);
     p = times_plus(p, r, 1.0 / 3628800.0);
@@ -75,57 +79,60 @@ HWY_INLINE Vector exp_tail(Vector r) {
     p = times_plus(p, r, 1.0 / 120.0);
     p = times_plus(p, r, 1.0 / 24.0);
     p = times_plus(p, r, 1.0 / 6.0);
-    return hn::Add(hn::Mul(r2, constant(0.5)), hn::Mul(hn::Mul(r2, r), p));
+    return hn::Add(hn::Mul(r2, constant<V>(0.5)), hn::Mul(hn::Mul(r2, r), p));
 }
 
 /// x − k ln 2.
-HWY_INLINE Vector without_twos(Vector x, Vector k) {
+template <class V>
+HWY_INLINE V without_twos(V x, V k) {
     using namespace elementary::detail;
-    return hn::Sub(hn::Sub(x, hn::Mul(k, constant(ln2_high))), hn::Mul(k, constant(ln2_low)));
+    return hn::Sub(hn::Sub(x, hn::Mul(k, constant<V>(ln2_high))), hn::Mul(k, constant<V>(ln2_low)));
 }
 
 /// elementary::exp.
-HWY_INLINE Vector exp(Vector x) {
+template <class V>
+HWY_INLINE V exp(V x) {
     using namespace elementary::detail;
-    const Vector magic = constant(to_integer);
-    Vector clamped = hn::IfThenElse(hn::Gt(x, constant(710.0)), constant(710.0), x);
-    clamped = hn::IfThenElse(hn::Lt(clamped, constant(-746.0)), constant(-746.0), clamped);
-    const Vector k = hn::Sub(hn::Add(hn::Mul(clamped, constant(log2_e)), magic), magic);
-    const Vector r = without_twos(clamped, k);
-    const Vector value = hn::Add(constant(1.0), hn::Add(r, exp_tail(r)));
-    const Vector half_shifted = hn::Add(hn::Mul(constant(0.5), k), magic);
-    const Vector rest_shifted = hn::Add(hn::Sub(k, hn::Sub(half_shifted, magic)), magic);
+    const V magic = constant<V>(to_integer);
+    const V clamped = greater(constant<V>(-746.0), lesser(constant<V>(710.0), x));
+    const V k = hn::Sub(hn::Add(hn::Mul(clamped, constant<V>(log2_e)), magic), magic);
+    const V r = without_twos(clamped, k);
+    const V value = hn::Add(constant<V>(1.0), hn::Add(r, exp_tail(r)));
+    const V half_shifted = hn::Add(hn::Mul(constant<V>(0.5), k), magic);
+    const V rest_shifted = hn::Add(hn::Sub(k, hn::Sub(half_shifted, magic)), magic);
     return hn::Mul(hn::Mul(value, power_of_two(half_shifted)), power_of_two(rest_shifted));
 }
 
 /// elementary::expm1_positive.
-HWY_INLINE Vector expm1_positive(Vector x) {
+template <class V>
+HWY_INLINE V expm1_positive(V x) {
     using namespace elementary::detail;
-    const Vector magic = constant(to_integer);
-    const Vector shifted = hn::Add(hn::Mul(x, constant(log2_e)), magic);
-    const Vector r = without_twos(x, hn::Sub(shifted, magic));
-    const Vector scale = power_of_two(shifted);
-    const Vector tail = exp_tail(r);
-    const Vector sum = hn::Add(r, tail);
-    const Vector lost = hn::Sub(tail, hn::Sub(sum, r));
-    const Vector whole = hn::Sub(scale, constant(1.0));
-    const Vector grown = hn::Mul(scale, sum);
-    const Vector value = hn::Add(whole, grown);
-    const Vector put_back = hn::Add(hn::Sub(grown, hn::Sub(value, whole)), hn::Mul(scale, lost));
+    const V magic = constant<V>(to_integer);
+    const V shifted = hn::Add(hn::Mul(x, constant<V>(log2_e)), magic);
+    const V r = without_twos(x, hn::Sub(shifted, magic));
+    const V scale = power_of_two(shifted);
+    const V tail = exp_tail(r);
+    const V sum = hn::Add(r, tail);
+    const V lost = hn::Sub(tail, hn::Sub(sum, r));
+    const V whole = hn::Sub(scale, constant<V>(1.0));
+    const V grown = hn::Mul(scale, sum);
+    const V value = hn::Add(whole, grown);
+    const V put_back = hn::Add(hn::Sub(grown, hn::Sub(value, whole)), hn::Mul(scale, lost));
     return hn::Add(value, put_back);
 }
 
 /// elementary::tanh.
-HWY_INLINE Vector tanh(Vector x) {
-    const Vector size = hn::Abs(x);
-    const Vector saturated = constant(22.0);
-    const Vector clamped = hn::IfThenElse(hn::Gt(size, saturated), saturated, size);
-    const Vector t = expm1_positive(hn::Mul(constant(2.0), clamped));
-    return hn::CopySign(hn::Div(t, hn::Add(t, constant(2.0))), x);
+template <class V>
+HWY_INLINE V tanh(V x) {
+    const V size = hn::Abs(x);
+    const V clamped = lesser(constant<V>(22.0), size);
+    const V t = expm1_positive(hn::Mul(constant<V>(2.0), clamped));
+    return hn::CopySign(hn::Div(t, hn::Add(t, constant<V>(2.0))), x);
 }
 
-HWY_INLINE Vector artanh_tail(Vector last, Vector z) {
-    Vector series = last;
+template <class V>
+HWY_INLINE V artanh_tail(V last, V z) {
+    V series = last;
     series = times_plus(series, z, 2.0 / 21.0);
     series = times_plus(series, z, 2.0 / 19.0);
     series = times_plus(series, z, 2.0 / 17.0);
@@ -139,42 +146,45 @@ HWY_INLINE Vector artanh_tail(Vector last, Vector z) {
     return series;
 }
 
+template <class V>
 struct NormalParts {
-    Vector k;
-    Vector mantissa;
+    V k;
+    V mantissa;
 };
 
 /// elementary::detail::parts_of_normal.
-HWY_INLINE NormalParts parts_of_normal(Vector x) {
+template <class V>
+HWY_INLINE NormalParts<V> parts_of_normal(V x) {
     constexpr std::uint64_t one = 0x3ff0000000000000;
     constexpr std::uint64_t root_half = 0x3fe6a09e667f3bcd;
     constexpr std::uint64_t two_to_52 = 0x4330000000000000;
     constexpr std::uint64_t mantissa_bits = 0x000fffffffffffff;
     constexpr double biased = 0x1p52 + 1023.0;
     constexpr int exponent_at = 52;
-    const Doubles doubles;
-    const Words words;
+    const hn::DFromV<V> doubles;
+    const hn::RebindToUnsigned<hn::DFromV<V>> words;
     const auto bits = hn::Add(hn::BitCast(words, x), hn::Set(words, one - root_half));
     const auto exponent = hn::Or(hn::ShiftRight<exponent_at>(bits), hn::Set(words, two_to_52));
     const auto fraction = hn::And(bits, hn::Set(words, mantissa_bits));
-    return {hn::Sub(hn::BitCast(doubles, exponent), constant(biased)),
+    return {hn::Sub(hn::BitCast(doubles, exponent), constant<V>(biased)),
             hn::BitCast(doubles, hn::Add(fraction, hn::Set(words, root_half)))};
 }
 
 /// elementary::log_of_normal.
-HWY_INLINE Vector log_of_normal(Vector x) {
+template <class V>
+HWY_INLINE V log_of_normal(V x) {
     using namespace elementary::detail;
     const auto parts = vectors::HWY_NAMESPACE::parts_of_normal(x);
-    const Vector k = parts.k;
-    const Vector f = hn::Sub(parts.mantissa, constant(1.0));
-    const Vector s = hn::Div(f, hn::Add(constant(2.0), f));
-    const Vector z = hn::Mul(s, s);
-    const Vector series =
-        vectors::HWY_NAMESPACE::artanh_tail(times_plus(constant(2.0 / 25.0), z, 2.0 / 23.0), z);
-    const Vector half_square = hn::Mul(hn::Mul(constant(0.5), f), f);
-    const Vector inner = hn::Mul(s, hn::Add(half_square, hn::Mul(z, series)));
-    const Vector low = hn::Add(inner, hn::Mul(k, constant(ln2_low)));
-    return hn::Sub(hn::Mul(k, constant(ln2_high)), hn::Sub(hn::Sub(half_square, low), f));
+    const V k = parts.k;
+    const V f = hn::Sub(parts.mantissa, constant<V>(1.0));
+    const V s = hn::Div(f, hn::Add(constant<V>(2.0), f));
+    const V z = hn::Mul(s, s);
+    const V series =
+        vectors::HWY_NAMESPACE::artanh_tail(times_plus(constant<V>(2.0 / 25.0), z, 2.0 / 23.0), z);
+    const V half_square = hn::Mul(hn::Mul(constant<V>(0.5), f), f);
+    const V inner = hn::Mul(s, hn::Add(half_square, hn::Mul(z, series)));
+    const V low = hn::Add(inner, hn::Mul(k, constant<V>(ln2_low)));
+    return hn::Sub(hn::Mul(k, constant<V>(ln2_high)), hn::Sub(hn::Sub(half_square, low), f));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -27,10 +27,9 @@ struct Target {
 constexpr std::array targets{Target{"N_SSE4::", "%xmm"}, Target{"N_AVX2::", "%ymm"},
                              Target{"N_AVX3::", "%zmm"}};
 constexpr std::array loops{"tanh_of_differences(",
-                           "linear(",
-                           "linear_truncated(",
-                           "exponential(",
-                           "slope_amounts(",
+                           "hop_linearly(",
+                           "hop_linearly_truncated(",
+                           "exponential_lengths(",
                            "stress_row(",
                            "downhill_row(",
                            "direct_row(",

@@ -2,6 +2,9 @@
 #define HWY_TARGET_INCLUDE "models/sand/hop_vectors.cpp"
 #include <hwy/foreach_target.h>
 // Those below are included once for each target.
+#include <cstddef>
+#include <limits>
+
 #include "models/sand/hop_vectors.h"
 #include "vectors/functions-inl.h"
 #include "vectors/rows-inl.h"
@@ -13,58 +16,139 @@ namespace HWY_NAMESPACE {
 using namespace vectors::HWY_NAMESPACE;
 
 /// Within [0, 2^30], NaN included.
-HWY_INLINE Vector usable(Vector length) {
-    const Vector cut = lesser(length, constant(1073741824.0));
-    return hn::IfThenElseZero(hn::Gt(cut, hn::Zero(Doubles())), cut);
+template <class V>
+HWY_INLINE V usable(V length) {
+    return greater(lesser(length, constant<V>(1073741824.0)), constant<V>(0.0));
+}
+
+struct TanhOfDifference {
+    const double* left;
+    const double* right;
+    double factor;
+    double* out;
+
+    template <class D>
+    HWY_INLINE void operator()(D d, std::size_t x) const {
+        const auto difference = hn::LoadU(d, right + x) - hn::LoadU(d, left + x);
+        hn::StoreU(vectors::HWY_NAMESPACE::tanh(hn::Set(d, factor) * difference), d, out + x);
+    }
+};
+
+struct ExponentialLength {
+    const double* in;
+    double scale;
+    double rate;
+    double* out;
+
+    template <class D>
+    HWY_INLINE void operator()(D d, std::size_t x) const {
+        const auto power = vectors::HWY_NAMESPACE::exp(hn::Set(d, rate) * hn::LoadU(d, in + x));
+        hn::StoreU(hn::Set(d, scale) * (power - hn::Set(d, 1.0)), d, out + x);
+    }
+};
+
+struct Linear {
+    double base;
+    double factor;
+
+    template <class V>
+    HWY_INLINE V operator()(V in) const {
+        return usable(constant<V>(base) + constant<V>(factor) * in);
+    }
+};
+
+struct LinearTruncated {
+    double base;
+    double factor;
+
+    template <class V>
+    HWY_INLINE V operator()(V in) const {
+        return usable(constant<V>(base) + hn::Trunc(usable(constant<V>(factor) * in)));
+    }
+};
+
+template <class Length, bool of_slope>
+struct Depart {
+    const double* height;
+    const double* in;
+    Length length;
+    double to_nearest;
+    AmountLaw law;
+    int count;
+    Departures out;
+
+    template <class D>
+    HWY_INLINE hn::Vec<D> amount(D d, hn::Vec<D> h, std::size_t x) const {
+        using V = hn::Vec<D>;
+        const V zero = hn::Zero(d);
+        V wanted = hn::Set(d, law.base);
+        if constexpr (of_slope) {
+            const V slope = hn::LoadU(d, law.slope_tanh + x);
+            wanted = greater(wanted + hn::Set(d, law.slope_factor) * slope, zero);
+        }
+        // at least this of a height counts as there: more than any amount where none is limited
+        const double there = law.limited ? 0.0 : std::numeric_limits<double>::infinity();
+        const V carried = lesser(wanted, greater(h, hn::Set(d, there)));
+        if (law.upwind == nullptr) return carried;
+        return hn::IfThenZeroElse(hn::Gt(hn::LoadU(d, law.upwind + x), h), carried);
+    }
+
+    template <class D>
+    HWY_INLINE void operator()(D d, std::size_t x) const {
+        using V = hn::Vec<D>;
+        const hn::Rebind<std::int32_t, D> cells;
+        const V h = hn::LoadU(d, height + x);
+        const V carried = amount(d, h, x);
+        const V reach = length(hn::LoadU(d, in + x)) + hn::Set(d, to_nearest);
+        const auto whole = hn::DemoteTo(cells, reach);
+        hn::StoreU(h - carried, d, out.after + x);
+        if (out.far_amount == nullptr) {
+            hn::StoreU(carried, d, out.amount + x);
+        } else {
+            const V beyond = carried * (reach - hn::PromoteTo(d, whole));
+            hn::StoreU(carried - beyond, d, out.amount + x);
+            hn::StoreU(beyond, d, out.far_amount + x);
+        }
+        const auto here = hn::Iota(cells, static_cast<std::int32_t>(x));
+        const auto width = hn::Set(cells, count);
+        const auto straight = here + whole;
+        const auto round = straight - hn::IfThenZeroElse(hn::Lt(straight, width), width);
+        hn::StoreU(round, cells, out.to + x);
+        if (HWY_LIKELY(hn::AllTrue(cells, hn::Lt(round, width)))) return;
+        for (std::size_t k = x; k < x + hn::MaxLanes(d); ++k) out.to[k] %= count;
+    }
+};
+
+template <class Length>
+HWY_INLINE void depart(const double* height, const double* in, const Length& length,
+                       double to_nearest, const AmountLaw& law, int count, const Departures& out) {
+    if (law.slope_tanh == nullptr) {
+        for_each_vector(count,
+                        Depart<Length, false>{height, in, length, to_nearest, law, count, out});
+    } else {
+        for_each_vector(count,
+                        Depart<Length, true>{height, in, length, to_nearest, law, count, out});
+    }
 }
 
 void tanh_of_differences(const double* left, const double* right, double factor, int count,
                          double* out) {
-    const auto of_difference = [factor](Vector l, Vector r) HWY_ATTR {
-        return vectors::HWY_NAMESPACE::tanh(hn::Mul(constant(factor), hn::Sub(r, l)));
-    };
-    for_each_cell(count, out, of_difference, left, right);
+    for_each_vector(count, TanhOfDifference{left, right, factor, out});
 }
 
-void linear(const double* in, double base, double factor, int count, double* out) {
-    const auto length = [base, factor](Vector x) HWY_ATTR {
-        return usable(hn::Add(constant(base), hn::Mul(constant(factor), x)));
-    };
-    for_each_cell(count, out, length, in);
+void exponential_lengths(const double* in, double scale, double rate, int count, double* out) {
+    for_each_vector(count, ExponentialLength{in, scale, rate, out});
 }
 
-void linear_truncated(const double* in, double base, double factor, int count, double* out) {
-    const auto length = [base, factor](Vector x) HWY_ATTR {
-        const Vector grown = hn::Trunc(usable(hn::Mul(constant(factor), x)));
-        return usable(hn::Add(constant(base), grown));
-    };
-    for_each_cell(count, out, length, in);
+void hop_linearly(const double* height, const double* in, double base, double factor,
+                  double to_nearest, const AmountLaw& amount, int count, const Departures& out) {
+    depart(height, in, Linear{base, factor}, to_nearest, amount, count, out);
 }
 
-void exponential(const double* in, double scale, double rate, int count, double* out) {
-    const auto length = [scale, rate](Vector x) HWY_ATTR {
-        const Vector power = vectors::HWY_NAMESPACE::exp(hn::Mul(constant(rate), x));
-        return usable(hn::Mul(constant(scale), hn::Sub(power, constant(1.0))));
-    };
-    for_each_cell(count, out, length, in);
-}
-
-void limited_amounts(const double* height, double amount, int count, double* out) {
-    const auto carried = [amount](Vector h) HWY_ATTR {
-        return lesser(constant(amount), greater(h, hn::Zero(Doubles())));
-    };
-    for_each_cell(count, out, carried, height);
-}
-
-void slope_amounts(const double* height, const double* slope_tanh, double base, double factor,
-                   bool limited, int count, double* out) {
-    const auto carried = [base, factor, limited](Vector h, Vector slope) HWY_ATTR {
-        const Vector none = hn::Zero(Doubles());
-        const Vector wanted =
-            greater(hn::Add(constant(base), hn::Mul(constant(factor), slope)), none);
-        return limited ? lesser(wanted, greater(h, none)) : wanted;
-    };
-    for_each_cell(count, out, carried, height, slope_tanh);
+void hop_linearly_truncated(const double* height, const double* in, double base, double factor,
+                            double to_nearest, const AmountLaw& amount, int count,
+                            const Departures& out) {
+    depart(height, in, LinearTruncated{base, factor}, to_nearest, amount, count, out);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -75,36 +159,29 @@ HWY_AFTER_NAMESPACE();
 namespace fumon::hop_vectors {
 
 HWY_EXPORT(tanh_of_differences);
-HWY_EXPORT(linear);
-HWY_EXPORT(linear_truncated);
-HWY_EXPORT(exponential);
-HWY_EXPORT(limited_amounts);
-HWY_EXPORT(slope_amounts);
+HWY_EXPORT(exponential_lengths);
+HWY_EXPORT(hop_linearly);
+HWY_EXPORT(hop_linearly_truncated);
 
 void tanh_of_differences(const double* left, const double* right, double factor, int count,
                          double* out) {
     HWY_DYNAMIC_DISPATCH(tanh_of_differences)(left, right, factor, count, out);
 }
 
-void linear(const double* in, double base, double factor, int count, double* out) {
-    HWY_DYNAMIC_DISPATCH(linear)(in, base, factor, count, out);
+void exponential_lengths(const double* in, double scale, double rate, int count, double* out) {
+    HWY_DYNAMIC_DISPATCH(exponential_lengths)(in, scale, rate, count, out);
 }
 
-void linear_truncated(const double* in, double base, double factor, int count, double* out) {
-    HWY_DYNAMIC_DISPATCH(linear_truncated)(in, base, factor, count, out);
+void hop_linearly(const double* height, const double* in, double base, double factor,
+                  double to_nearest, const AmountLaw& amount, int count, const Departures& out) {
+    HWY_DYNAMIC_DISPATCH(hop_linearly)(height, in, base, factor, to_nearest, amount, count, out);
 }
 
-void exponential(const double* in, double scale, double rate, int count, double* out) {
-    HWY_DYNAMIC_DISPATCH(exponential)(in, scale, rate, count, out);
-}
-
-void limited_amounts(const double* height, double amount, int count, double* out) {
-    HWY_DYNAMIC_DISPATCH(limited_amounts)(height, amount, count, out);
-}
-
-void slope_amounts(const double* height, const double* slope_tanh, double base, double factor,
-                   bool limited, int count, double* out) {
-    HWY_DYNAMIC_DISPATCH(slope_amounts)(height, slope_tanh, base, factor, limited, count, out);
+void hop_linearly_truncated(const double* height, const double* in, double base, double factor,
+                            double to_nearest, const AmountLaw& amount, int count,
+                            const Departures& out) {
+    HWY_DYNAMIC_DISPATCH(hop_linearly_truncated)
+    (height, in, base, factor, to_nearest, amount, count, out);
 }
 
 }  // namespace fumon::hop_vectors

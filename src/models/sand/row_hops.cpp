@@ -6,7 +6,6 @@
 
 #include "base/elementary.h"
 #include "base/give_up.h"
-#include "base/multiversion.h"
 #include "models/sand/hop_vectors.h"
 
 namespace fumon {
@@ -25,14 +24,6 @@ inline double usable(double length) {
 inline int wrapped(int x, int nx) {
     if (x < nx) return x;
     return x < 2 * nx ? x - nx : x % nx;
-}
-
-FUMON_MULTIVERSION void subtract(const double* from, const double* what, int count, double* out) {
-    for (int x = 0; x < count; ++x) out[x] = from[x] - what[x];
-}
-
-FUMON_MULTIVERSION void add_to_all(double* values, double what, int count) {
-    for (int x = 0; x < count; ++x) values[x] += what;
 }
 
 /// Piecewise linear between the table's points, constant beyond its ends.
@@ -78,13 +69,10 @@ double RowHops::length(double height, double slope) const {
 }
 
 void RowHops::synchronous(std::span<const double> before, std::span<double> after) {
-    slope_tanh_.resize(before.size());
-    length_.resize(before.size());
     amount_.resize(before.size());
+    to_.resize(before.size());
     if (needs_slope_) take_slopes(before);
-    take_lengths(before);
-    take_amounts(before);
-    subtract(before.data(), amount_.data(), nx_, after.data());
+    depart(before, after);
     if (parameters_.landing == Landing::split) {
         land_split(after);
     } else {
@@ -93,6 +81,7 @@ void RowHops::synchronous(std::span<const double> before, std::span<double> afte
 }
 
 void RowHops::take_slopes(std::span<const double> before) {
+    slope_tanh_.resize(before.size());
     const double* h = before.data();
     double* out = slope_tanh_.data();
     const int last = nx_ - 1;
@@ -116,68 +105,60 @@ void RowHops::take_slopes(std::span<const double> before) {
     }
 }
 
-void RowHops::take_lengths(std::span<const double> before) {
+void RowHops::depart(std::span<const double> before, std::span<double> after) {
     const SandParameters& p = parameters_;
+    hop_vectors::AmountLaw amount{p.amount, p.amount_slope_factor, p.limit_amount};
+    if (p.hop_amount == HopAmount::slope) amount.slope_tanh = slope_tanh_.data();
+    if (p.shadow == Shadow::upwind_higher) {
+        upwind_.assign(1, before.back());
+        upwind_.insert(upwind_.end(), before.begin(), before.end() - 1);
+        amount.upwind = upwind_.data();
+    }
+    if (p.landing == Landing::split) far_amount_.resize(before.size());
+    const hop_vectors::Departures out{after.data(), amount_.data(),
+                                      p.landing == Landing::split ? far_amount_.data() : nullptr,
+                                      to_.data()};
+    const double to_nearest = p.landing == Landing::round ? 0.5 : 0.0;
+    const double* h = before.data();
+    const auto hop_linearly = [&](const double* in, double base, double factor) {
+        hop_vectors::hop_linearly(h, in, base, factor, to_nearest, amount, nx_, out);
+    };
     switch (p.hop_length) {
         case HopLength::linear:
             if (p.landing == Landing::truncate_terms) {
-                hop_vectors::linear_truncated(before.data(), p.hop_base, p.hop_per_height, nx_,
-                                              length_.data());
+                hop_vectors::hop_linearly_truncated(h, h, p.hop_base, p.hop_per_height, to_nearest,
+                                                    amount, nx_, out);
             } else {
-                hop_vectors::linear(before.data(), p.hop_base, p.hop_per_height, nx_,
-                                    length_.data());
+                hop_linearly(h, p.hop_base, p.hop_per_height);
             }
             break;
         case HopLength::slope:
-            hop_vectors::linear(slope_tanh_.data(), p.hop_base, -p.hop_slope_factor, nx_,
-                                length_.data());
+            hop_linearly(slope_tanh_.data(), p.hop_base, -p.hop_slope_factor);
             break;
         case HopLength::exponential:
-            hop_vectors::exponential(before.data(), exponential_scale_, exponential_rate_, nx_,
-                                     length_.data());
+            length_.resize(before.size());
+            hop_vectors::exponential_lengths(h, exponential_scale_, exponential_rate_, nx_,
+                                             length_.data());
+            hop_linearly(length_.data(), 0.0, 1.0);
             break;
         case HopLength::tabulated:
+            length_.resize(before.size());
             for (std::size_t x = 0; x < before.size(); ++x) length_[x] = length(before[x], 0.0);
+            hop_linearly(length_.data(), 0.0, 1.0);
             break;
-    }
-    if (p.landing == Landing::round) add_to_all(length_.data(), 0.5, nx_);
-}
-
-void RowHops::take_amounts(std::span<const double> before) {
-    const SandParameters& p = parameters_;
-    if (p.hop_amount == HopAmount::slope) {
-        hop_vectors::slope_amounts(before.data(), slope_tanh_.data(), p.amount,
-                                   p.amount_slope_factor, p.limit_amount, nx_, amount_.data());
-    } else if (p.limit_amount) {
-        hop_vectors::limited_amounts(before.data(), p.amount, nx_, amount_.data());
-    } else {
-        std::fill(amount_.begin(), amount_.end(), p.amount);
-    }
-    if (p.shadow == Shadow::none) return;
-    for (int x = 0; x < nx_; ++x) {
-        const auto here = static_cast<std::size_t>(x);
-        const double upwind = before[x == 0 ? before.size() - 1 : here - 1];
-        if (upwind > before[here]) amount_[here] = 0.0;
     }
 }
 
 void RowHops::land(std::span<double> after) const {
     double* row = after.data();
-    for (int x = 0; x < nx_; ++x) {
-        const auto here = static_cast<std::size_t>(x);
-        row[wrapped(x + static_cast<int>(length_[here]), nx_)] += amount_[here];
-    }
+    for (std::size_t x = 0; x < after.size(); ++x) row[to_[x]] += amount_[x];
 }
 
 void RowHops::land_split(std::span<double> after) const {
     double* row = after.data();
-    for (int x = 0; x < nx_; ++x) {
-        const auto here = static_cast<std::size_t>(x);
-        const int whole = static_cast<int>(length_[here]);
-        const double far_share = length_[here] - static_cast<double>(whole);
-        const double far_amount = amount_[here] * far_share;
-        row[wrapped(x + whole, nx_)] += amount_[here] - far_amount;
-        row[wrapped(x + whole + 1, nx_)] += far_amount;
+    for (std::size_t x = 0; x < after.size(); ++x) {
+        row[to_[x]] += amount_[x];
+        row[to_[x] + 1 == nx_ ? 0 : to_[x] + 1] += far_amount_[x];
     }
 }
 

@@ -49,8 +49,7 @@ class RowHops {
 
   private:
     void take_slopes(std::span<const double> before);
-    void take_lengths(std::span<const double> before);
-    void take_amounts(std::span<const double> before);
+    void depart(std::span<const double> before, std::span<double> after);
     void land(std::span<double> after) const;
     void land_split(std::span<double> after) const;
     template <class Hop>
@@ -64,9 +63,13 @@ class RowHops {
     double exponential_rate_;   ///< ln(a)·2·h0: L grows as e^(rate·h)
     double exponential_scale_;  ///< (N'x/10)/(a^(2·h0) − 1)
     bool needs_slope_;
+    // Of the cells of the row that hops at once.
     std::vector<double> slope_tanh_;
-    std::vector<double> length_;
+    std::vector<double> length_;  ///< where it is exponential or tabulated
+    std::vector<double> upwind_;  ///< heights, where there is a shadow
     std::vector<double> amount_;
+    std::vector<double> far_amount_;  ///< where hops are split
+    std::vector<std::int32_t> to_;
 };
 
 }  // namespace fumon
