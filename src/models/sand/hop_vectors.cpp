@@ -74,7 +74,6 @@ struct Depart {
     Length length;
     double to_nearest;
     AmountLaw law;
-    int count;
     Departures out;
 
     template <class D>
@@ -88,7 +87,8 @@ struct Depart {
         }
         // at least this of a height counts as there: more than any amount where none is limited
         const double there = law.limited ? 0.0 : std::numeric_limits<double>::infinity();
-        const V carried = lesser(wanted, greater(h, hn::Set(d, there)));
+        V carried = lesser(wanted, greater(h, hn::Set(d, there)));
+        if (law.from_sand_only) carried = hn::IfThenElseZero(hn::Gt(h, zero), carried);
         if (law.upwind == nullptr) return carried;
         return hn::IfThenZeroElse(hn::Gt(hn::LoadU(d, law.upwind + x), h), carried);
     }
@@ -109,13 +109,14 @@ struct Depart {
             hn::StoreU(carried - beyond, d, out.amount + x);
             hn::StoreU(beyond, d, out.far_amount + x);
         }
-        const auto here = hn::Iota(cells, static_cast<std::int32_t>(x));
-        const auto width = hn::Set(cells, count);
+        const auto here = out.from == nullptr ? hn::Iota(cells, static_cast<std::int32_t>(x))
+                                              : hn::LoadU(cells, out.from + x);
+        const auto width = hn::Set(cells, out.width);
         const auto straight = here + whole;
         const auto round = straight - hn::IfThenZeroElse(hn::Lt(straight, width), width);
         hn::StoreU(round, cells, out.to + x);
         if (HWY_LIKELY(hn::AllTrue(cells, hn::Lt(round, width)))) return;
-        for (std::size_t k = x; k < x + hn::MaxLanes(d); ++k) out.to[k] %= count;
+        for (std::size_t k = x; k < x + hn::MaxLanes(d); ++k) out.to[k] %= out.width;
     }
 };
 
@@ -123,12 +124,45 @@ template <class Length>
 HWY_INLINE void depart(const double* height, const double* in, const Length& length,
                        double to_nearest, const AmountLaw& law, int count, const Departures& out) {
     if (law.slope_tanh == nullptr) {
-        for_each_vector(count,
-                        Depart<Length, false>{height, in, length, to_nearest, law, count, out});
+        for_each_vector(count, Depart<Length, false>{height, in, length, to_nearest, law, out});
     } else {
-        for_each_vector(count,
-                        Depart<Length, true>{height, in, length, to_nearest, law, count, out});
+        for_each_vector(count, Depart<Length, true>{height, in, length, to_nearest, law, out});
     }
+}
+
+bool pick_cells(const std::uint32_t* words, std::uint32_t nx, std::uint32_t biased, int count,
+                std::int32_t* cells) {
+    const auto picks = static_cast<std::size_t>(count);
+    std::size_t k = 0;
+    bool favoured = false;
+#if HWY_TARGET != HWY_SCALAR
+    const hn::ScalableTag<std::uint32_t> d;
+    const hn::RepartitionToWide<decltype(d)> wide;
+    const hn::RebindToSigned<decltype(d)> as_cells;
+    const auto width = hn::Set(d, nx);
+    auto lowest = hn::Set(d, ~std::uint32_t{0});
+    constexpr int half = 32;
+    const auto odd = hn::BitCast(d, hn::Set(wide, ~std::uint64_t{0} << half));
+    for (; k + hn::MaxLanes(d) <= picks; k += hn::MaxLanes(d)) {
+        const auto word = hn::LoadU(d, words + k);
+        const auto of_even = hn::MulEven(word, width);
+        const auto of_odd =
+            hn::MulEven(hn::BitCast(d, hn::ShiftRight<half>(hn::BitCast(wide, word))), width);
+        const auto upper = hn::Or(hn::BitCast(d, hn::ShiftRight<half>(of_even)),
+                                  hn::And(odd, hn::BitCast(d, of_odd)));
+        const auto lower = hn::Or(hn::AndNot(odd, hn::BitCast(d, of_even)),
+                                  hn::BitCast(d, hn::ShiftLeft<half>(of_odd)));
+        lowest = hn::Min(lowest, lower);
+        hn::StoreU(hn::BitCast(as_cells, upper), as_cells, cells + k);
+    }
+    favoured = hn::GetLane(hn::MinOfLanes(d, lowest)) < biased;
+#endif
+    for (; k < picks; ++k) {
+        const std::uint64_t product = static_cast<std::uint64_t>(words[k]) * nx;
+        favoured |= static_cast<std::uint32_t>(product) < biased;
+        cells[k] = static_cast<std::int32_t>(product >> 32);
+    }
+    return favoured;
 }
 
 void tanh_of_differences(const double* left, const double* right, double factor, int count,
@@ -158,10 +192,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace fumon::hop_vectors {
 
+HWY_EXPORT(pick_cells);
 HWY_EXPORT(tanh_of_differences);
 HWY_EXPORT(exponential_lengths);
 HWY_EXPORT(hop_linearly);
 HWY_EXPORT(hop_linearly_truncated);
+
+bool pick_cells(const std::uint32_t* words, std::uint32_t nx, std::uint32_t biased, int count,
+                std::int32_t* cells) {
+    return HWY_DYNAMIC_DISPATCH(pick_cells)(words, nx, biased, count, cells);
+}
 
 void tanh_of_differences(const double* left, const double* right, double factor, int count,
                          double* out) {

@@ -6,6 +6,11 @@
 /// cells.
 namespace fumon::hop_vectors {
 
+/// The cell of a row of `nx` that each random word picks: the upper half of word · nx. Returns
+/// whether a lower half is below `biased`.
+bool pick_cells(const std::uint32_t* words, std::uint32_t nx, std::uint32_t biased, int count,
+                std::int32_t* cells);
+
 /// tanh(factor · (right − left)).
 void tanh_of_differences(const double* left, const double* right, double factor, int count,
                          double* out);
@@ -20,16 +25,20 @@ struct AmountLaw {
     double base = 0.0;
     double slope_factor = 0.0;
     bool limited = false;
+    bool from_sand_only = false;         ///< none from a height of 0 or below
     const double* slope_tanh = nullptr;  ///< of the cells; null: `base` alone counts
     const double* upwind = nullptr;      ///< heights of the cells upwind; null: no shadow
 };
 
-/// Where sand is after it has left, and where it is to land: on a row that goes round.
+/// Where sand is after it has left, and where it is to land: on a row of `width` cells that goes
+/// round.
 struct Departures {
-    double* after;       ///< height less what left
-    double* amount;      ///< what lands at the nearer cell
-    double* far_amount;  ///< what lands at the one beyond it; null: all lands at one
-    std::int32_t* to;    ///< the nearer cell
+    int width;
+    const std::int32_t* from;  ///< the cells; null: all of the row, one after the other
+    double* after;             ///< height less what left
+    double* amount;            ///< what lands at the nearer cell
+    double* far_amount;        ///< what lands at the one beyond it; null: all lands at one
+    std::int32_t* to;          ///< the nearer cell
 };
 
 /// Departures by hops of a length, sites, that is cut to [0, 2^30], NaN too, and then has

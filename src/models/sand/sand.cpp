@@ -181,7 +181,7 @@ void Sand::hop_rows() {
 void Sand::hop_only_row() {
     constexpr int worth_a_thread = 1 << 14;  // sites
     const std::int64_t count = picks_.front();
-    if (drawn_.step() != steps_) drawn_.draw(count, seed_, 0, steps_);
+    if (drawn_.step() != steps_) drawn_.draw(count, bed_.nx(), seed_, 0, steps_);
     const RowHops hops(parameters_, bed_.nx());
     if (bed_.nx() < worth_a_thread || pool_.size() == 1) {
         hops.random_sequential(bed_.row(0), drawn_);
@@ -189,7 +189,7 @@ void Sand::hop_only_row() {
     }
     pool_.for_ranges(2, [&](int begin, int end) {
         if (begin == 0) hops.random_sequential(bed_.row(0), drawn_);
-        if (end == 2) drawn_ahead_.draw(count, seed_, 0, steps_ + 1);
+        if (end == 2) drawn_ahead_.draw(count, bed_.nx(), seed_, 0, steps_ + 1);
     });
     std::swap(drawn_, drawn_ahead_);
 }
@@ -201,7 +201,8 @@ void Sand::hop_row(RowHops& hops, Picks& picks, int y, std::span<double> after) 
         return;
     }
     if (after.data() != before.data()) std::copy(before.begin(), before.end(), after.begin());
-    picks.draw(picks_[static_cast<std::size_t>(y)], seed_, static_cast<std::uint32_t>(y), steps_);
+    picks.draw(picks_[static_cast<std::size_t>(y)], bed_.nx(), seed_, static_cast<std::uint32_t>(y),
+               steps_);
     hops.random_sequential(after, picks);
 }
 
