@@ -10,6 +10,7 @@
 #include "base/give_up.h"
 #include "base/random.h"
 #include "base/worker_pool.h"
+#include "models/sand/creep.h"
 #include "models/sand/profile_creep.h"
 
 namespace fumon {
@@ -98,7 +99,7 @@ void Sand::step() {
             break;
         case Creep::maxima_only:
             hop_rows();
-            maxima_creep_(bed_, parameters_.creep_rate, pool_);
+            maxima_creep_(bed_, next_, parameters_.creep_rate, pool_);
             break;
         case Creep::profile:
             hop_rows();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/state_carrier.h"
-#include "models/sand/creep.h"
+#include "models/sand/maxima_creep.h"
 #include "models/sand/row_hops.h"
 #include "models/sand/sand_parameters.h"
 #include "models/shared/model.h"
