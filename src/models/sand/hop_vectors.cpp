@@ -67,7 +67,10 @@ struct LinearTruncated {
     }
 };
 
-template <class Length, bool of_slope>
+/// Of all cells of a row and of picked ones, by the laws that are used most; and any other.
+enum class Hops { row, picked, any };
+
+template <class Length, bool of_slope, Hops hops>
 struct Depart {
     const double* height;
     const double* in;
@@ -88,8 +91,9 @@ struct Depart {
         // at least this of a height counts as there: more than any amount where none is limited
         const double there = law.limited ? 0.0 : std::numeric_limits<double>::infinity();
         V carried = lesser(wanted, greater(h, hn::Set(d, there)));
-        if (law.from_sand_only) carried = hn::IfThenElseZero(hn::Gt(h, zero), carried);
-        if (law.upwind == nullptr) return carried;
+        if (hops == Hops::picked || (hops == Hops::any && law.from_sand_only))
+            carried = hn::IfThenElseZero(hn::Gt(h, zero), carried);
+        if (hops != Hops::any || law.upwind == nullptr) return carried;
         return hn::IfThenZeroElse(hn::Gt(hn::LoadU(d, law.upwind + x), h), carried);
     }
 
@@ -102,15 +106,17 @@ struct Depart {
         const V reach = length(hn::LoadU(d, in + x)) + hn::Set(d, to_nearest);
         const auto whole = hn::DemoteTo(cells, reach);
         hn::StoreU(h - carried, d, out.after + x);
-        if (out.far_amount == nullptr) {
+        if (hops != Hops::any || out.far_amount == nullptr) {
             hn::StoreU(carried, d, out.amount + x);
         } else {
             const V beyond = carried * (reach - hn::PromoteTo(d, whole));
             hn::StoreU(carried - beyond, d, out.amount + x);
             hn::StoreU(beyond, d, out.far_amount + x);
         }
-        const auto here = out.from == nullptr ? hn::Iota(cells, static_cast<std::int32_t>(x))
-                                              : hn::LoadU(cells, out.from + x);
+        const bool picked = hops == Hops::picked || (hops == Hops::any && out.from != nullptr);
+        const auto here = picked
+                              ? hn::LoadU(cells, out.from + x)
+                              : hn::Set(cells, static_cast<std::int32_t>(x)) + hn::Iota(cells, 0);
         const auto width = hn::Set(cells, out.width);
         const auto straight = here + whole;
         const auto round = straight - hn::IfThenZeroElse(hn::Lt(straight, width), width);
@@ -120,13 +126,29 @@ struct Depart {
     }
 };
 
+template <bool of_slope, class Length>
+HWY_INLINE void depart(const double* height, const double* in, const Length& length,
+                       double to_nearest, const AmountLaw& law, int count, const Departures& out) {
+    const auto loop = [&](auto depart) HWY_ATTR {
+        for_each_vector(count, decltype(depart){height, in, length, to_nearest, law, out});
+    };
+    const bool usual = law.upwind == nullptr && out.far_amount == nullptr;
+    if (usual && out.from == nullptr && !law.from_sand_only) {
+        loop(Depart<Length, of_slope, Hops::row>{});
+    } else if (usual && out.from != nullptr && law.from_sand_only) {
+        loop(Depart<Length, of_slope, Hops::picked>{});
+    } else {
+        loop(Depart<Length, of_slope, Hops::any>{});
+    }
+}
+
 template <class Length>
 HWY_INLINE void depart(const double* height, const double* in, const Length& length,
                        double to_nearest, const AmountLaw& law, int count, const Departures& out) {
     if (law.slope_tanh == nullptr) {
-        for_each_vector(count, Depart<Length, false>{height, in, length, to_nearest, law, out});
+        depart<false>(height, in, length, to_nearest, law, count, out);
     } else {
-        for_each_vector(count, Depart<Length, true>{height, in, length, to_nearest, law, out});
+        depart<true>(height, in, length, to_nearest, law, count, out);
     }
 }
 
