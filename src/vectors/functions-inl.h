@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include <cstddef>
 #include <cstdint>
 
 #include "base/elementary.h"
@@ -65,21 +66,28 @@ HWY_INLINE V power_of_two(V shifted) {
     return hn::BitCast(hn::DFromV<V>(), hn::ShiftLeft<exponent_at>(biased));
 }
 
-template <class V>
-HWY_INLINE V exp_tail(V r) {
-    const V r2 = hn::Mul(r, r);
-    V p = constant<V>(1.0 / 6227020800.0);
-    p = times_plus(p, r, 1.0 / 479001600.0);
-    p = times_plus(p, r, 1.0 / 39916800.0);
-    p = times_plus(p, r, 1.0 / 3628800.0);
-    p = times_plus(p, r, 1.0 / 362880.0);
-    p = times_plus(p, r, 1.0 / 40320.0);
-    p = times_plus(p, r, 1.0 / 5040.0);
-    p = times_plus(p, r, 1.0 / 720.0);
-    p = times_plus(p, r, 1.0 / 120.0);
-    p = times_plus(p, r, 1.0 / 24.0);
-    p = times_plus(p, r, 1.0 / 6.0);
-    return hn::Add(hn::Mul(r2, constant<V>(0.5)), hn::Mul(hn::Mul(r2, r), p));
+/// elementary::detail::exp_tail of several vectors.
+template <class V, std::size_t n>
+HWY_INLINE void exp_tails(const V (&r)[n], V (&tail)[n]) {
+    for (std::size_t i = 0; i < n; ++i) {
+        V p = constant<V>(1.0 / 6227020800.0);
+        p = times_plus(p, r[i], 1.0 / 479001600.0);
+        p = times_plus(p, r[i], 1.0 / 39916800.0);
+        p = times_plus(p, r[i], 1.0 / 3628800.0);
+        p = times_plus(p, r[i], 1.0 / 362880.0);
+        p = times_plus(p, r[i], 1.0 / 40320.0);
+        tail[i] = p;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        V p = tail[i];
+        p = times_plus(p, r[i], 1.0 / 5040.0);
+        p = times_plus(p, r[i], 1.0 / 720.0);
+        p = times_plus(p, r[i], 1.0 / 120.0);
+        p = times_plus(p, r[i], 1.0 / 24.0);
+        p = times_plus(p, r[i], 1.0 / 6.0);
+        const V r2 = hn::Mul(r[i], r[i]);
+        tail[i] = hn::Add(hn::Mul(r2, constant<V>(0.5)), hn::Mul(hn::Mul(r2, r[i]), p));
+    }
 }
 
 /// x − k ln 2.
@@ -89,45 +97,78 @@ HWY_INLINE V without_twos(V x, V k) {
     return hn::Sub(hn::Sub(x, hn::Mul(k, constant<V>(ln2_high))), hn::Mul(k, constant<V>(ln2_low)));
 }
 
-/// elementary::exp.
+/// elementary::exp, stage by stage of several vectors, in place: each stage is a short chain of
+/// operations, of which a processor works on several at once.
+template <class V, std::size_t n>
+HWY_INLINE void exp(V (&x)[n]) {
+    using namespace elementary::detail;
+    const V magic = constant<V>(to_integer);
+    V k[n];
+    V tail[n];
+    for (std::size_t i = 0; i < n; ++i) {
+        const V clamped = greater(constant<V>(-746.0), lesser(constant<V>(710.0), x[i]));
+        k[i] = hn::Sub(hn::Add(hn::Mul(clamped, constant<V>(log2_e)), magic), magic);
+        x[i] = without_twos(clamped, k[i]);
+    }
+    exp_tails(x, tail);
+    for (std::size_t i = 0; i < n; ++i) {
+        const V value = hn::Add(constant<V>(1.0), hn::Add(x[i], tail[i]));
+        const V half_shifted = hn::Add(hn::Mul(constant<V>(0.5), k[i]), magic);
+        const V rest_shifted = hn::Add(hn::Sub(k[i], hn::Sub(half_shifted, magic)), magic);
+        x[i] = hn::Mul(hn::Mul(value, power_of_two(half_shifted)), power_of_two(rest_shifted));
+    }
+}
+
 template <class V>
 HWY_INLINE V exp(V x) {
-    using namespace elementary::detail;
-    const V magic = constant<V>(to_integer);
-    const V clamped = greater(constant<V>(-746.0), lesser(constant<V>(710.0), x));
-    const V k = hn::Sub(hn::Add(hn::Mul(clamped, constant<V>(log2_e)), magic), magic);
-    const V r = without_twos(clamped, k);
-    const V value = hn::Add(constant<V>(1.0), hn::Add(r, exp_tail(r)));
-    const V half_shifted = hn::Add(hn::Mul(constant<V>(0.5), k), magic);
-    const V rest_shifted = hn::Add(hn::Sub(k, hn::Sub(half_shifted, magic)), magic);
-    return hn::Mul(hn::Mul(value, power_of_two(half_shifted)), power_of_two(rest_shifted));
+    V one[1] = {x};
+    vectors::HWY_NAMESPACE::exp(one);
+    return one[0];
 }
 
-/// elementary::expm1_positive.
-template <class V>
-HWY_INLINE V expm1_positive(V x) {
+/// elementary::expm1_positive of several vectors, in place.
+template <class V, std::size_t n>
+HWY_INLINE void expm1_positive(V (&x)[n]) {
     using namespace elementary::detail;
     const V magic = constant<V>(to_integer);
-    const V shifted = hn::Add(hn::Mul(x, constant<V>(log2_e)), magic);
-    const V r = without_twos(x, hn::Sub(shifted, magic));
-    const V scale = power_of_two(shifted);
-    const V tail = exp_tail(r);
-    const V sum = hn::Add(r, tail);
-    const V lost = hn::Sub(tail, hn::Sub(sum, r));
-    const V whole = hn::Sub(scale, constant<V>(1.0));
-    const V grown = hn::Mul(scale, sum);
-    const V value = hn::Add(whole, grown);
-    const V put_back = hn::Add(hn::Sub(grown, hn::Sub(value, whole)), hn::Mul(scale, lost));
-    return hn::Add(value, put_back);
+    V shifted[n];
+    V tail[n];
+    for (std::size_t i = 0; i < n; ++i) {
+        shifted[i] = hn::Add(hn::Mul(x[i], constant<V>(log2_e)), magic);
+        x[i] = without_twos(x[i], hn::Sub(shifted[i], magic));
+    }
+    exp_tails(x, tail);
+    for (std::size_t i = 0; i < n; ++i) {
+        const V r = x[i];
+        const V scale = power_of_two(shifted[i]);
+        const V sum = hn::Add(r, tail[i]);
+        const V lost = hn::Sub(tail[i], hn::Sub(sum, r));
+        const V whole = hn::Sub(scale, constant<V>(1.0));
+        const V grown = hn::Mul(scale, sum);
+        const V value = hn::Add(whole, grown);
+        const V put_back = hn::Add(hn::Sub(grown, hn::Sub(value, whole)), hn::Mul(scale, lost));
+        x[i] = hn::Add(value, put_back);
+    }
 }
 
-/// elementary::tanh.
+/// elementary::tanh of several vectors, in place.
+template <class V, std::size_t n>
+HWY_INLINE void tanh(V (&x)[n]) {
+    V t[n];
+    for (std::size_t i = 0; i < n; ++i) {
+        const V clamped = lesser(constant<V>(22.0), hn::Abs(x[i]));
+        t[i] = hn::Mul(constant<V>(2.0), clamped);
+    }
+    expm1_positive(t);
+    for (std::size_t i = 0; i < n; ++i)
+        x[i] = hn::CopySign(hn::Div(t[i], hn::Add(t[i], constant<V>(2.0))), x[i]);
+}
+
 template <class V>
 HWY_INLINE V tanh(V x) {
-    const V size = hn::Abs(x);
-    const V clamped = lesser(constant<V>(22.0), size);
-    const V t = expm1_positive(hn::Mul(constant<V>(2.0), clamped));
-    return hn::CopySign(hn::Div(t, hn::Add(t, constant<V>(2.0))), x);
+    V one[1] = {x};
+    vectors::HWY_NAMESPACE::tanh(one);
+    return one[0];
 }
 
 template <class V>

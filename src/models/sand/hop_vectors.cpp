@@ -15,6 +15,8 @@ namespace HWY_NAMESPACE {
 
 using namespace vectors::HWY_NAMESPACE;
 
+constexpr std::size_t at_once = 8;  // vectors, of whose elementary functions stages overlap
+
 /// Within [0, 2^30], NaN included.
 template <class V>
 HWY_INLINE V usable(V length) {
@@ -27,10 +29,16 @@ struct TanhOfDifference {
     double factor;
     double* out;
 
-    template <class D>
-    HWY_INLINE void operator()(D d, std::size_t x) const {
-        const auto difference = hn::LoadU(d, right + x) - hn::LoadU(d, left + x);
-        hn::StoreU(vectors::HWY_NAMESPACE::tanh(hn::Set(d, factor) * difference), d, out + x);
+    template <class D, class Several>
+    HWY_INLINE void operator()(D d, std::size_t x, Several several) const {
+        hn::Vec<D> some[several];
+        for (std::size_t i = 0; i < several; ++i) {
+            const std::size_t at = x + i * hn::MaxLanes(d);
+            some[i] = hn::Set(d, factor) * (hn::LoadU(d, right + at) - hn::LoadU(d, left + at));
+        }
+        vectors::HWY_NAMESPACE::tanh(some);
+        for (std::size_t i = 0; i < several; ++i)
+            hn::StoreU(some[i], d, out + x + i * hn::MaxLanes(d));
     }
 };
 
@@ -40,10 +48,16 @@ struct ExponentialLength {
     double rate;
     double* out;
 
-    template <class D>
-    HWY_INLINE void operator()(D d, std::size_t x) const {
-        const auto power = vectors::HWY_NAMESPACE::exp(hn::Set(d, rate) * hn::LoadU(d, in + x));
-        hn::StoreU(hn::Set(d, scale) * (power - hn::Set(d, 1.0)), d, out + x);
+    template <class D, class Several>
+    HWY_INLINE void operator()(D d, std::size_t x, Several several) const {
+        hn::Vec<D> some[several];
+        for (std::size_t i = 0; i < several; ++i)
+            some[i] = hn::Set(d, rate) * hn::LoadU(d, in + x + i * hn::MaxLanes(d));
+        vectors::HWY_NAMESPACE::exp(some);
+        for (std::size_t i = 0; i < several; ++i) {
+            const auto length = hn::Set(d, scale) * (some[i] - hn::Set(d, 1.0));
+            hn::StoreU(length, d, out + x + i * hn::MaxLanes(d));
+        }
     }
 };
 
@@ -189,11 +203,11 @@ bool pick_cells(const std::uint32_t* words, std::uint32_t nx, std::uint32_t bias
 
 void tanh_of_differences(const double* left, const double* right, double factor, int count,
                          double* out) {
-    for_each_vector(count, TanhOfDifference{left, right, factor, out});
+    for_each_group<at_once>(count, TanhOfDifference{left, right, factor, out});
 }
 
 void exponential_lengths(const double* in, double scale, double rate, int count, double* out) {
-    for_each_vector(count, ExponentialLength{in, scale, rate, out});
+    for_each_group<at_once>(count, ExponentialLength{in, scale, rate, out});
 }
 
 void hop_linearly(const double* height, const double* in, double base, double factor,
