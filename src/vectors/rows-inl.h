@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include <cstddef>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace fumon::vectors {
@@ -93,6 +94,20 @@ HWY_INLINE double largest_of_row(int count, const Function& function) {
         largest = here > largest ? here : largest;
     }
     return largest;
+}
+
+/// Likewise, but calls loop(d, x, several) for groups of vectors, as many as the constant `several`
+/// says: `group`, and one where no more are left.
+template <std::size_t group, class Loop>
+HWY_INLINE void for_each_group(int count, const Loop& loop) {
+    const hn::ScalableTag<double> doubles;
+    constexpr std::size_t cells = group * hn::MaxLanes(doubles);
+    constexpr std::integral_constant<std::size_t, group> several;
+    constexpr std::integral_constant<std::size_t, 1> one;
+    const std::size_t grouped = static_cast<std::size_t>(count) / cells * cells;
+    for (std::size_t x = 0; x < grouped; x += cells) loop(doubles, x, several);
+    for_each_vector(count - static_cast<int>(grouped),
+                    [&](auto d, std::size_t x) HWY_ATTR { loop(d, grouped + x, one); });
 }
 
 }  // namespace HWY_NAMESPACE
