@@ -52,6 +52,11 @@ constexpr std::array loops{"tanh_of_differences(",
                            "through_faces(",
                            "settle_row(",
                            "cross_rows(",
+                           "predict_upwind(",
+                           "predict_second_order(",
+                           "diverge(",
+                           "correct(",
+                           "multiply(",
                            "fastest("};
 
 bool has(std::string_view text, std::string_view part) {

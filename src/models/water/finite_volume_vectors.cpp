@@ -311,21 +311,21 @@ struct Rates {
 };
 
 void add_rows(const double* a, const double* b, double* out, int count) {
-    for_each_vector(count, Sum{a, b, out});
+    for_each_vector_anew(count, Sum{a, b, out});
 }
 
 void scale_row(const double* values, double factor, double* out, int count) {
-    for_each_vector(count, Multiple{values, factor, out});
+    for_each_vector_anew(count, Multiple{values, factor, out});
 }
 
 void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
                          const HalfSlopes& out, int count) {
-    for_each_vector(count, LimitedHalfSlopes{back, here, forward, out});
+    for_each_vector_anew(count, LimitedHalfSlopes{back, here, forward, out});
 }
 
 void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,
                  const HalfSlopes& right_slopes, double gravity, const Fluxes& out, int count) {
-    for_each_vector(count, FaceFluxes{left, left_slopes, right, right_slopes, gravity, out});
+    for_each_vector_anew(count, FaceFluxes{left, left_slopes, right, right_slopes, gravity, out});
 }
 
 bool payable_shares(const double* depth, const double* mass_west, const double* mass_east,
@@ -333,8 +333,8 @@ bool payable_shares(const double* depth, const double* mass_west, const double* 
                     double* shares, int count) {
     bool is_short = false;
     const Outward outward{mass_west, mass_east, mass_south, mass_north, dt_dx, dt_dy};
-    for_each_vector(count, ShortOfWater{outward, depth, &is_short});
-    if (is_short) for_each_vector(count, PayableShares{outward, depth, shares});
+    for_each_vector_anew(count, ShortOfWater{outward, depth, &is_short});
+    if (is_short) for_each_vector_anew(count, PayableShares{outward, depth, shares});
     return is_short;
 }
 
@@ -346,7 +346,7 @@ void cut_to_shares(const Fluxes& fluxes, const double* left_shares, const double
 void update(const UpdateInput& in, const UpdateFactors& factors, double* depth, double* velocity_x,
             double* velocity_y, int count) {
     if (in.depth_before == nullptr) {
-        for_each_vector(count, Update<false>{in, factors, depth, velocity_x, velocity_y});
+        for_each_vector_anew(count, Update<false>{in, factors, depth, velocity_x, velocity_y});
     } else {
         for_each_vector(count, Update<true>{in, factors, depth, velocity_x, velocity_y});
     }
