@@ -35,25 +35,19 @@ HWY_INLINE V half_slope(V back, V forward, V bound, V quarter, V zero) {
     return larger(rising, zero) + smaller(falling, zero);
 }
 
-struct Sum {
-    const double* a;
-    const double* b;
-    double* out;
+struct LoadCells {
+    SourceRow from;
+    double sign_y;
+    LoadedRow to;
 
     template <class D>
     HWY_INLINE void operator()(D d, std::size_t k) const {
-        hn::StoreU(hn::LoadU(d, a + k) + hn::LoadU(d, b + k), d, out + k);
-    }
-};
-
-struct Multiple {
-    const double* values;
-    double factor;
-    double* out;
-
-    template <class D>
-    HWY_INLINE void operator()(D d, std::size_t k) const {
-        hn::StoreU(hn::Set(d, factor) * hn::LoadU(d, values + k), d, out + k);
+        const auto depth = hn::LoadU(d, from.depth + k);
+        hn::StoreU(depth, d, to.depth + k);
+        hn::StoreU(depth + hn::LoadU(d, from.bed + k), d, to.surface + k);
+        hn::StoreU(hn::LoadU(d, from.velocity_x + k), d, to.velocity_x + k);
+        hn::StoreU(hn::Set(d, sign_y) * hn::LoadU(d, from.velocity_y + k), d, to.velocity_y + k);
+        hn::StoreU(hn::Set(d, 1.0), d, to.inside + k);
     }
 };
 
@@ -310,12 +304,8 @@ struct Rates {
     }
 };
 
-void add_rows(const double* a, const double* b, double* out, int count) {
-    for_each_vector_anew(count, Sum{a, b, out});
-}
-
-void scale_row(const double* values, double factor, double* out, int count) {
-    for_each_vector_anew(count, Multiple{values, factor, out});
+void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int count) {
+    for_each_vector_anew(count, LoadCells{from, sign_y, to});
 }
 
 void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
@@ -384,8 +374,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace fumon::finite_volume {
 
-HWY_EXPORT(add_rows);
-HWY_EXPORT(scale_row);
+HWY_EXPORT(load_cells);
 HWY_EXPORT(limited_half_slopes);
 HWY_EXPORT(face_fluxes);
 HWY_EXPORT(payable_shares);
@@ -393,12 +382,8 @@ HWY_EXPORT(cut_to_shares);
 HWY_EXPORT(update);
 HWY_EXPORT(fastest);
 
-void add_rows(const double* a, const double* b, double* out, int count) {
-    HWY_DYNAMIC_DISPATCH(add_rows)(a, b, out, count);
-}
-
-void scale_row(const double* values, double factor, double* out, int count) {
-    HWY_DYNAMIC_DISPATCH(scale_row)(values, factor, out, count);
+void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int count) {
+    HWY_DYNAMIC_DISPATCH(load_cells)(from, sign_y, to, count);
 }
 
 void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
