@@ -7,6 +7,7 @@
 #include "base/give_up.h"
 #include "base/state_carrier.h"
 #include "base/worker_pool.h"
+#include "models/water/depth_vectors.h"
 #include "models/water/shallow_water.h"
 
 namespace fumon {
@@ -28,7 +29,8 @@ CipScheme::CipScheme(const GullyParameters& parameters, const WaterDomain& domai
       of_v_(nx_, ny_),
       next_{Grid(nx_, ny_), Grid(nx_, ny_), Grid(nx_, ny_)},
       strips_(static_cast<std::size_t>(pool.size())),
-      overdrawn_(static_cast<std::size_t>(ny_)) {
+      overdrawn_(static_cast<std::size_t>(ny_)),
+      rates_(static_cast<std::size_t>(ny_)) {
     start_from(start.velocity_x, of_u_);
     start_from(start.velocity_y, of_v_);
     if (!as_published_) return;
@@ -65,10 +67,10 @@ double CipScheme::step_at_courant_one(const Water& water) const {
                              sub_step(0.0), nx_);
         }
     });
-    return 1.0 / *std::max_element(rates.begin(), rates.end());
+    return 1.0 / *std::ranges::max_element(rates);
 }
 
-void CipScheme::advance(Water& water, const Grid& bed, double dt, double rain) {
+double CipScheme::advance(Water& water, const Grid& bed, double dt, double rain) {
     const cip::SubStep step = sub_step(dt);
     const int shares = pool_.size();
     pool_.for_ranges(shares, [&](int begin, int end) {
@@ -78,6 +80,7 @@ void CipScheme::advance(Water& water, const Grid& bed, double dt, double rain) {
                 static_cast<int>(static_cast<long long>(ny_) * (share + 1) / shares);
             if (first_y == last_y) continue;
             std::fill(overdrawn_.begin() + first_y, overdrawn_.begin() + last_y, 0);
+            std::fill(rates_.begin() + first_y, rates_.begin() + last_y, 0.0);
             const int blocks = (nx_ + Strip::widest_block - 1) / Strip::widest_block;
             for (int block = 0; block < blocks; ++block) {
                 const auto start = static_cast<int>(static_cast<long long>(nx_) * block / blocks);
@@ -88,9 +91,10 @@ void CipScheme::advance(Water& water, const Grid& bed, double dt, double rain) {
             }
         }
     });
+    const bool overdrawn = std::ranges::find(overdrawn_, 1) != overdrawn_.end();
     if (as_published_) {
         thin_as_published(step, water, rain);
-    } else if (std::find(overdrawn_.begin(), overdrawn_.end(), 1) != overdrawn_.end()) {
+    } else if (overdrawn) {
         share_depth({water.depth, next_.velocity_x, next_.velocity_y}, dt / domain_.dx,
                     dt / domain_.dy, rain * dt, next_.depth);
     }
@@ -99,6 +103,8 @@ void CipScheme::advance(Water& water, const Grid& bed, double dt, double rain) {
         std::swap(gradient->x, gradient->next_x);
         std::swap(gradient->y, gradient->next_y);
     }
+    if (as_published_ || overdrawn) return step_at_courant_one(water);
+    return 1.0 / *std::ranges::max_element(rates_);
 }
 
 void CipScheme::advance_block(const cip::SubStep& step, const Water& water, const Grid& bed,
@@ -210,7 +216,12 @@ void CipScheme::carry_depth(const cip::SubStep& step, double rain, const Block& 
     const bool overdrawn =
         cip::settle_row(depth(y), east, strip.row(Strip::faces_north, y - 1), north, rain * step.dt,
                         block.count, next_.depth.row(y).data() + block.first_x);
-    if (overdrawn) overdrawn_[static_cast<std::size_t>(y)] = 1;
+    const auto row = static_cast<std::size_t>(y);
+    if (overdrawn) overdrawn_[row] = 1;
+    rates_[row] = std::max(
+        rates_[row], cip::fastest(next_.depth.row(y).data() + block.first_x,
+                                  {strip.row(Strip::next_u, y), strip.row(Strip::next_v, y)}, step,
+                                  block.count));
 }
 
 /// The depth waits in next_, its gradients in theirs, for the new velocities of the whole plane.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limits>
+#include <vector>
 
 #include "models/shared/padded_grid.h"
 #include "models/water/cip_strip.h"
@@ -29,7 +29,7 @@ class CipScheme : public ShallowWaterScheme {
 
     [[nodiscard]] double step_at_courant_one(const Water& water) const override;
     /// `water` must be what the last call left, or what the scheme was built on.
-    void advance(Water& water, const Grid& bed, double dt, double rain) override;
+    double advance(Water& water, const Grid& bed, double dt, double rain) override;
     [[nodiscard]] std::vector<StateField> state() const override;
     void carry(StateCarrier& carrier) override;
 
@@ -80,6 +80,7 @@ class CipScheme : public ShallowWaterScheme {
     Water next_;
     std::vector<cip::Strip> strips_;  // one a thread
     std::vector<char> overdrawn_;     ///< rows where more would leave a cell than it has
+    std::vector<double> rates_;       ///< of rows, as cip::fastest gives them
 };
 
 }  // namespace fumon

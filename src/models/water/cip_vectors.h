@@ -100,29 +100,6 @@ struct ChangedStencil {
 void turn_velocity_gradients(const ChangedStencil& u, const ChangedStencil& v, const SubStep& step,
                              bool held, int count, const TurnedRow& of_u, const TurnedRow& of_v);
 
-/// The advected depth less h ∇·u, as published, and what it gained.
-void thin_row(const double* depth, const double* advected, const Stencil& u, const Stencil& v,
-              const SubStep& step, double rain, int count, double* after, double* gained);
-
-/// Cells on either side of faces, two in each direction, and velocities next to them.
-struct FaceCells {
-    const double* depth_before;  ///< of the cell behind `depth_here`
-    const double* depth_here;
-    const double* depth_next;
-    const double* depth_after;
-    const double* speed_here;
-    const double* speed_next;
-};
-
-/// Depth that passes faces, onward where positive: second order in space and time with the
-/// monotonised central limiter (van Leer 1977, J. Comput. Phys. 23). `per_cell` is dt/dx.
-void through_faces(const FaceCells& cells, double per_cell, int count, double* faces);
-
-/// Depths after the faces have passed theirs and `rain` (m) has fallen; whether a cell gave more
-/// than it had. faces_x[x − 1] and faces_x[x] lie west and east of cell x.
-bool settle_row(const double* before, const double* faces_x, const double* faces_south,
-                const double* faces_north, double rain, int count, double* after);
-
 /// The largest (|u| + √(g h)) / dx + (|v| + √(g h)) / dy of a row, 1/s; 0 where all is dry. Cells
 /// whose values are not numbers are passed over.
 double fastest(const double* depth, const Velocity& velocity, const SubStep& step, int count);
