@@ -28,6 +28,10 @@ const gl::TextureLayout mark_layout{GL_R8,      GL_RED, GL_UNSIGNED_BYTE,
 const gl::TextureLayout palette_layout{GL_RGB8,   GL_RGB, GL_UNSIGNED_BYTE,
                                        GL_LINEAR, 0,      GL_CLAMP_TO_EDGE};
 
+constexpr int noise_texels = 512;  // along the longer side: a dozen to the finest feature
+const gl::TextureLayout noise_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT,
+                                     GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
+
 gl::TextureLayout shaded_layout(bool mipmaps) {
     gl::TextureLayout layout;
     layout.internal_format = GL_RGBA8;
@@ -125,8 +129,25 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
       target_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
               shaded_size(first_bed.z.ny(), first_bed, samples_across), shaded_layout(mipmaps_),
               false) {
+    if (view.look.mode == ViewMode::scenic) draw_noise();
     if (draws_water(view.look, first))
         water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny());
+}
+
+void BedShading::draw_noise() {
+    const auto texels = [](double width) {
+        return std::max(1, static_cast<int>(noise_texels * width));
+    };
+    noise_.emplace(texels(block_.width_x), texels(block_.width_y), noise_layout, false);
+    const gl::Program program("screen.vert.glsl", "ground_noise.frag.glsl");
+    const gl::VertexArray none;
+    gl::functions().BindVertexArray(none.name());
+    noise_->bind();
+    gl::functions().Disable(GL_DEPTH_TEST);
+    program.use();
+    program.set("extent", glm::vec2(block_.width_x, block_.width_y));
+    gl::functions().DrawArrays(GL_TRIANGLES, 0, 3);
+    gl::functions().BindVertexArray(0);
 }
 
 void BedShading::shade(const Snapshot& snapshot, const Snapshot& first, const DisplayBed& bed,
@@ -157,9 +178,13 @@ void BedShading::shade(const Snapshot& snapshot, const Snapshot& first, const Di
     program_.set("palette", 2);
     program_.set("mark_map", 3);
     program_.set("uncoloured_map", 4);
+    if (noise_) {
+        noise_->colour().bind(5);
+        program_.set("noise_map", 5);
+    }
     program_.set("shading", static_cast<float>(view_.look.shading));
     program_.set("tinted", colours_water(view_.look.colour_by) ? 0.0F : 1.0F);
-    if (water_) water_->set_uniforms(program_, 5);
+    if (water_) water_->set_uniforms(program_, 6);
     program_.set("extent", glm::vec2(block_.width_x, block_.width_y));
     program_.set("natural", natural ? 1.0F : 0.0F);
     program_.set("rock", static_cast<float>(block_.rock));

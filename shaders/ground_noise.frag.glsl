@@ -1,0 +1,16 @@
+#version 330 core
+// The unevenness of the ground's colour over the block, made once: each 0 … 1 for −1 … 1.
+#include "noise.glsl"
+
+uniform vec2 extent;  // of the block
+
+in vec2 place;
+out vec4 noise;
+
+void main() {
+    vec2 world = (place - 0.5) * extent;
+    float sand_broad = (value_noise(world * 5.0) + 0.5 * value_noise(world * 11.0 + 7.3)) / 1.5;
+    float sand_fine = value_noise(world * 43.0 + 3.1);
+    float rock_broad = (value_noise(world * 9.0) + 0.5 * value_noise(world * 23.0)) / 1.5;
+    noise = 0.5 + 0.5 * vec4(sand_broad, sand_fine, rock_broad, 0.0);
+}
