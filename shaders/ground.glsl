@@ -1,12 +1,11 @@
-// The ground's own colour, and the light it sends to the eye. Needs light.glsl, noise.glsl,
+// The ground's own colour, and the light it sends to the eye. Needs light.glsl,
 // oren_nayar.glsl and bed.glsl before it.
 uniform sampler2D palette;
 uniform float natural;  // 1: sand and rock by themselves, 0: the palette
 uniform float rock;     // 0 sand … 1 mountains
+uniform sampler2D noise_map;  // of ground_noise.frag.glsl
 
-vec3 sand(vec2 world, BedPoint point, float height) {
-    float broad = value_noise(world * 5.0) + 0.5 * value_noise(world * 11.0 + 7.3);
-    float fine = value_noise(world * 43.0 + 3.1);
+vec3 sand(float broad, float fine, BedPoint point, float height) {
     vec3 crest = vec3(0.800, 0.500, 0.235);
     vec3 trough = vec3(0.600, 0.315, 0.120);
     float open = clamp(0.35 + 0.45 * height + 0.9 * (point.sky - 0.85), 0.0, 1.0);
@@ -14,19 +13,20 @@ vec3 sand(vec2 world, BedPoint point, float height) {
     return mix(trough, crest, open) * (1.0 + 0.035 * broad + 0.02 * fine);
 }
 
-vec3 mountain(vec2 world, BedPoint point, float height) {
-    float broad = value_noise(world * 9.0) + 0.5 * value_noise(world * 23.0);
+vec3 mountain(float broad, BedPoint point, float height) {
     float steep = smoothstep(0.10, 0.36, 1.0 - point.normal.z + 0.03 * broad);
     vec3 low_ground = mix(vec3(0.50, 0.315, 0.165), vec3(0.68, 0.48, 0.295), clamp(height + 0.12 * broad, 0.0, 1.0));
     vec3 cliff = mix(vec3(0.38, 0.195, 0.110), vec3(0.54, 0.36, 0.245), clamp(height + 0.2 * broad, 0.0, 1.0));
     return mix(low_ground, cliff, steep);
 }
 
-vec3 ground_albedo(vec2 place, vec2 world, BedPoint point) {
+vec3 ground_albedo(vec2 place, BedPoint point) {
     float value = texture(value_map, place).r;
     float plain = max(natural, texture(uncoloured_map, place).r);
+    vec3 noise = 2.0 * texture(noise_map, place).rgb - 1.0;
+    vec3 own = mix(sand(1.5 * noise.r, noise.g, point, value), mountain(1.5 * noise.b, point, value), rock);
     vec3 albedo = mix(linear_from_display(texture(palette, vec2(value * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb),
-                      mix(sand(world, point, value), mountain(world, point, value), rock), plain);
+                      own, plain);
     return marked(albedo, place);
 }
 

@@ -20,3 +20,15 @@ float value_noise(vec2 p) {
     float north = mix(hash(cell + ivec2(0, 1)), hash(cell + ivec2(1, 1)), t.x);
     return 2.0 * mix(south, north, t.y) - 1.0;
 }
+
+// The same with a whole number of features to each period of p.
+float periodic_noise(vec2 p, ivec2 period) {
+    vec2 whole = floor(p);
+    vec2 t = p - whole;
+    t = t * t * (3.0 - 2.0 * t);
+    ivec2 here = ivec2(mod(whole, vec2(period)));
+    ivec2 next = ivec2(mod(whole + 1.0, vec2(period)));
+    float south = mix(hash(here), hash(ivec2(next.x, here.y)), t.x);
+    float north = mix(hash(ivec2(here.x, next.y)), hash(next), t.x);
+    return 2.0 * mix(south, north, t.y) - 1.0;
+}

@@ -3,7 +3,6 @@
 // looked up by the samples of the picture.
 #include "colour.glsl"
 #include "light.glsl"
-#include "noise.glsl"
 #include "oren_nayar.glsl"
 #include "bed.glsl"
 #include "ground.glsl"
@@ -16,6 +15,6 @@ void main() {
     vec2 world = (place - 0.5) * extent;
     vec3 world_point = vec3(world, 0.0);
     vec3 to_eye = direction_to_eye(world_point);
-    vec3 light = ground_light(ground_albedo(place, world, point), point, to_eye, 1.0);
+    vec3 light = ground_light(ground_albedo(place, point), point, to_eye, 1.0);
     colour = vec4(display_from_linear(tone_curve(with_haze(light, world_point, -to_eye))), 1.0);
 }

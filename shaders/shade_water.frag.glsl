@@ -3,7 +3,6 @@
 // tints it by its depth, mirrors the sky and foams where it shoots (Froude number over 1).
 #include "colour.glsl"
 #include "light.glsl"
-#include "noise.glsl"
 #include "oren_nayar.glsl"
 #include "bed.glsl"
 #include "ground.glsl"
@@ -34,7 +33,7 @@ void main() {
     vec2 world = (place - 0.5) * extent;
     vec3 world_point = vec3(world, 0.0);
     vec3 to_eye = direction_to_eye(world_point);
-    vec3 albedo = ground_albedo(place, world, point);
+    vec3 albedo = ground_albedo(place, point);
     Water water = water_at(place);
     float seen = tinted;
     float damp = seen * water.damp;

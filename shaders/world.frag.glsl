@@ -38,8 +38,8 @@ void main() {
     slope += wind * (ripple_slope * seen * wave);
     point.normal = normalize(vec3(-slope, 1.0));
 
-    vec3 light = ground_light(ground_albedo(place, world, point), point, to_eye, 1.0);
-    light *= 1.0 - 0.10 * seen * sin(turn);
+    vec3 light = ground_light(ground_albedo(place, point), point, to_eye, 1.0);
+    light *= 1.0 - 0.36 * ripple_slope * seen * sin(turn);
     light = mix(haze_towards(-to_eye), light, exp(-extinction * far));
     colour = vec4(display_from_linear(tone_curve(light)), 1.0);
 }

@@ -65,7 +65,6 @@ __attribute__((target("avx2"))) void philox_lanes_avx2(Counter counter, PhiloxKe
                                                        std::uint32_t* words) {
     constexpr std::size_t width = 4;
     constexpr std::size_t groups = lanes / width;
-    const __m256i low_half = _mm256_set1_epi64x(0xFFFFFFFF);
     const __m256i factor_0 = _mm256_set1_epi64x(multiplier_0);
     const __m256i factor_1 = _mm256_set1_epi64x(multiplier_1);
     __m256i w0[groups];
@@ -89,8 +88,8 @@ __attribute__((target("avx2"))) void philox_lanes_avx2(Counter counter, PhiloxKe
                 _mm256_xor_si256(_mm256_xor_si256(_mm256_srli_epi64(product_1, 32), w1[group]), k0);
             w2[group] =
                 _mm256_xor_si256(_mm256_xor_si256(_mm256_srli_epi64(product_0, 32), w3[group]), k1);
-            w1[group] = _mm256_and_si256(product_1, low_half);
-            w3[group] = _mm256_and_si256(product_0, low_half);
+            w1[group] = product_1;  // the upper halves of lanes are of no account until the end
+            w3[group] = product_0;
         }
         key[0] += weyl_0;
         key[1] += weyl_1;
@@ -98,8 +97,11 @@ __attribute__((target("avx2"))) void philox_lanes_avx2(Counter counter, PhiloxKe
     for (std::size_t group = 0; group < groups; ++group) {
         // (w0, w1) and (w2, w3) of each block in one 64-bit lane, then the two halves of each block
         // side by side
-        const __m256i first = _mm256_or_si256(w0[group], _mm256_slli_epi64(w1[group], 32));
-        const __m256i second = _mm256_or_si256(w2[group], _mm256_slli_epi64(w3[group], 32));
+        constexpr int odd_words = 0xAA;
+        const __m256i first =
+            _mm256_blend_epi32(w0[group], _mm256_slli_epi64(w1[group], 32), odd_words);
+        const __m256i second =
+            _mm256_blend_epi32(w2[group], _mm256_slli_epi64(w3[group], 32), odd_words);
         const __m256i even = _mm256_unpacklo_epi64(first, second);  // blocks 0 and 2
         const __m256i odd = _mm256_unpackhi_epi64(first, second);   // blocks 1 and 3
         auto* out = reinterpret_cast<__m256i*>(words + 4 * width * group);
@@ -110,15 +112,20 @@ __attribute__((target("avx2"))) void philox_lanes_avx2(Counter counter, PhiloxKe
 
 #endif
 
-void philox_lanes(Counter counter, PhiloxKey key, std::uint32_t* words) {
+/// As many times `lanes` blocks as asked for.
+void philox_chunks(Counter counter, PhiloxKey key, std::uint32_t* words, std::size_t chunks) {
 #if defined(__x86_64__)
     static const bool has_avx2 = __builtin_cpu_supports("avx2") != 0;
-    if (has_avx2) {
-        philox_lanes_avx2(counter, key, words);
-        return;
-    }
+    const auto make = has_avx2 ? philox_lanes_avx2 : philox_lanes_plain;
+#else
+    const auto make = philox_lanes_plain;
 #endif
-    philox_lanes_plain(counter, key, words);
+    const std::uint32_t first = counter[0];
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+        make(
+            {first + static_cast<std::uint32_t>(lanes * chunk), counter[1], counter[2], counter[3]},
+            key, words + 4 * lanes * chunk);
+    }
 }
 
 /// Binomial by inversion: the geometric gaps between successes are added up (Devroye 1986, section
@@ -222,11 +229,19 @@ void RandomStream::fill(std::span<std::uint32_t> words) {
     constexpr std::size_t chunk = 4 * lanes;
     std::size_t done = 0;
     while (done < words.size() && used_ != 4) words[done++] = next32();
-    for (; words.size() - done >= chunk; done += chunk) {
-        philox_lanes(counter_, key_, words.data() + done);
-        counter_[0] += lanes;
-    }
-    while (done < words.size()) words[done++] = next32();
+    const std::size_t whole = (words.size() - done) / chunk;
+    philox_chunks(counter_, key_, words.data() + done, whole);
+    counter_[0] += static_cast<std::uint32_t>(lanes * whole);
+    done += chunk * whole;
+    if (done == words.size()) return;
+    std::array<std::uint32_t, chunk> last{};
+    philox_chunks(counter_, key_, last.data(), 1);
+    const std::size_t rest = words.size() - done;
+    std::copy_n(last.begin(), rest, words.begin() + static_cast<std::ptrdiff_t>(done));
+    const std::size_t block = (rest - 1) / 4;
+    std::copy_n(last.begin() + static_cast<std::ptrdiff_t>(4 * block), 4, block_.begin());
+    counter_[0] += static_cast<std::uint32_t>(block + 1);
+    used_ = static_cast<int>(rest - 4 * block);
 }
 
 std::int64_t binomial(RandomStream& stream, std::int64_t trials, double probability) {

@@ -1,14 +1,13 @@
 #include "numerics/fourier_transform.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <numbers>
 #include <utility>
 
 #include "base/elementary.h"
-#include "base/multiversion.h"
+#include "numerics/fourier_vectors.h"
 
 namespace fumon {
 
@@ -17,164 +16,9 @@ namespace {
 /// Up to here a butterfly by the definition is affordable, and more accurate than a convolution.
 constexpr std::size_t largest_radix = 127;
 
-constexpr std::size_t half = FourierTransform::rows / 2;
+constexpr std::size_t half = fourier::half;
 constexpr std::size_t rows = FourierTransform::rows;  // of a point: 4 real parts, 4 imaginary ones
-
-struct Stage {
-    std::size_t radix;
-    std::size_t parts;   ///< butterflies of one interleaved transform
-    std::size_t stride;  ///< interleaved transforms
-    std::size_t length;  ///< of the whole
-    const double* cosine;
-    const double* sine;
-};
-
-/// to = (a + ib)·(c − is), point by point.
-inline void put_turned(const double* a, const double* b, double c, double s, double* to) {
-    for (std::size_t l = 0; l < half; ++l) {
-        to[l] = a[l] * c + b[l] * s;
-        to[half + l] = b[l] * c - a[l] * s;
-    }
-}
-
-/// A butterfly of `radix` points by the definition; of 2 and 4 without products.
-FUMON_MULTIVERSION
-void butterflies_of_four(const Stage& stage, const double* __restrict from, double* __restrict to) {
-    const std::size_t reach = stage.parts * stage.stride * rows;
-    for (std::size_t p = 0; p < stage.parts; ++p) {
-        const std::size_t turn = p * stage.stride;
-        for (std::size_t q = 0; q < stage.stride; ++q) {
-            const double* x0 = from + (p * stage.stride + q) * rows;
-            const double* x1 = x0 + reach;
-            const double* x2 = x1 + reach;
-            const double* x3 = x2 + reach;
-            double* y = to + (4 * p * stage.stride + q) * rows;
-            std::array<double, half> a1, b1, a2, b2, a3, b3;
-            for (std::size_t l = 0; l < half; ++l) {
-                const std::size_t m = l + half;
-                const double sum_re = x0[l] + x2[l], sum_im = x0[m] + x2[m];
-                const double off_re = x0[l] - x2[l], off_im = x0[m] - x2[m];
-                const double odd_re = x1[l] + x3[l], odd_im = x1[m] + x3[m];
-                const double cross_re = x1[l] - x3[l], cross_im = x1[m] - x3[m];
-                y[l] = sum_re + odd_re;
-                y[m] = sum_im + odd_im;
-                a2[l] = sum_re - odd_re;
-                b2[l] = sum_im - odd_im;
-                a1[l] = off_re + cross_im;
-                b1[l] = off_im - cross_re;
-                a3[l] = off_re - cross_im;
-                b3[l] = off_im + cross_re;
-            }
-            const std::size_t next = stage.stride * rows;
-            put_turned(a1.data(), b1.data(), stage.cosine[turn], stage.sine[turn], y + next);
-            put_turned(a2.data(), b2.data(), stage.cosine[2 * turn], stage.sine[2 * turn],
-                       y + 2 * next);
-            put_turned(a3.data(), b3.data(), stage.cosine[3 * turn], stage.sine[3 * turn],
-                       y + 3 * next);
-        }
-    }
-}
-
-FUMON_MULTIVERSION
-void butterflies_of_five(const Stage& stage, const double* __restrict from, double* __restrict to) {
-    const std::size_t reach = stage.parts * stage.stride * rows;
-    const std::size_t fifth = stage.length / 5;
-    const double c1 = stage.cosine[fifth], s1 = stage.sine[fifth];
-    const double c2 = stage.cosine[2 * fifth], s2 = stage.sine[2 * fifth];
-    for (std::size_t p = 0; p < stage.parts; ++p) {
-        const std::size_t turn = p * stage.stride;
-        for (std::size_t q = 0; q < stage.stride; ++q) {
-            const double* x0 = from + (p * stage.stride + q) * rows;
-            const double* x1 = x0 + reach;
-            const double* x2 = x1 + reach;
-            const double* x3 = x2 + reach;
-            const double* x4 = x3 + reach;
-            double* y = to + (5 * p * stage.stride + q) * rows;
-            std::array<double, half> a1, b1, a2, b2, a3, b3, a4, b4;
-            for (std::size_t l = 0; l < half; ++l) {
-                const std::size_t m = l + half;
-                const double t1 = x1[l] + x4[l], u1 = x1[m] + x4[m];
-                const double t2 = x2[l] + x3[l], u2 = x2[m] + x3[m];
-                const double d1 = x1[l] - x4[l], e1 = x1[m] - x4[m];
-                const double d2 = x2[l] - x3[l], e2 = x2[m] - x3[m];
-                y[l] = x0[l] + (t1 + t2);
-                y[m] = x0[m] + (u1 + u2);
-                const double r1 = x0[l] + (c1 * t1 + c2 * t2), i1 = x0[m] + (c1 * u1 + c2 * u2);
-                const double r2 = x0[l] + (c2 * t1 + c1 * t2), i2 = x0[m] + (c2 * u1 + c1 * u2);
-                const double v1 = s1 * d1 + s2 * d2, z1 = s1 * e1 + s2 * e2;
-                const double v2 = s2 * d1 - s1 * d2, z2 = s2 * e1 - s1 * e2;
-                a1[l] = r1 + z1;
-                b1[l] = i1 - v1;
-                a4[l] = r1 - z1;
-                b4[l] = i1 + v1;
-                a2[l] = r2 + z2;
-                b2[l] = i2 - v2;
-                a3[l] = r2 - z2;
-                b3[l] = i2 + v2;
-            }
-            const std::size_t next = stage.stride * rows;
-            put_turned(a1.data(), b1.data(), stage.cosine[turn], stage.sine[turn], y + next);
-            put_turned(a2.data(), b2.data(), stage.cosine[2 * turn], stage.sine[2 * turn],
-                       y + 2 * next);
-            put_turned(a3.data(), b3.data(), stage.cosine[3 * turn], stage.sine[3 * turn],
-                       y + 3 * next);
-            put_turned(a4.data(), b4.data(), stage.cosine[4 * turn], stage.sine[4 * turn],
-                       y + 4 * next);
-        }
-    }
-}
-
-FUMON_MULTIVERSION
-void butterflies(const Stage& stage, const double* __restrict from, double* __restrict to) {
-    const std::size_t reach = stage.parts * stage.stride * rows;
-    const std::size_t part = stage.length / stage.radix;
-    for (std::size_t p = 0; p < stage.parts; ++p) {
-        for (std::size_t q = 0; q < stage.stride; ++q) {
-            const double* x = from + (p * stage.stride + q) * rows;
-            for (std::size_t t = 0; t < stage.radix; ++t) {
-                std::array<double, half> a{}, b{};
-                for (std::size_t j = 0; j < stage.radix; ++j) {
-                    const double c = stage.cosine[(j * t) % stage.radix * part];
-                    const double s = stage.sine[(j * t) % stage.radix * part];
-                    const double* xj = x + j * reach;
-                    for (std::size_t l = 0; l < half; ++l) {
-                        a[l] += xj[l] * c + xj[l + half] * s;
-                        b[l] += xj[l + half] * c - xj[l] * s;
-                    }
-                }
-                const std::size_t turn = p * t * stage.stride;
-                put_turned(a.data(), b.data(), stage.cosine[turn], stage.sine[turn],
-                           to + ((stage.radix * p + t) * stage.stride + q) * rows);
-            }
-        }
-    }
-}
-
-/// z·(c − is) of every point.
-FUMON_MULTIVERSION
-void turn_points(double* __restrict z, const double* __restrict c, const double* __restrict s,
-                 std::size_t points) {
-    for (std::size_t i = 0; i < points; ++i, z += rows) {
-        for (std::size_t l = 0; l < half; ++l) {
-            const double a = z[l], b = z[l + half];
-            z[l] = a * c[i] + b * s[i];
-            z[l + half] = b * c[i] - a * s[i];
-        }
-    }
-}
-
-/// The conjugate of z·(c + is) of every point.
-FUMON_MULTIVERSION
-void multiply_and_mirror(double* __restrict z, const double* __restrict c,
-                         const double* __restrict s, std::size_t points) {
-    for (std::size_t i = 0; i < points; ++i, z += rows) {
-        for (std::size_t l = 0; l < half; ++l) {
-            const double a = z[l], b = z[l + half];
-            z[l] = a * c[i] - b * s[i];
-            z[l + half] = -(a * s[i] + b * c[i]);
-        }
-    }
-}
+static_assert(rows == fourier::rows);
 
 }  // namespace
 
@@ -192,6 +36,7 @@ class FourierTransform::Convolution {
             sine_.push_back(elementary::sin(angle));
         }
         Scratch scratch = padded_.scratch();
+        std::fill_n(scratch.from.data(), padded_.length_ * rows, 0.0);
         for (std::size_t i = 0; i < length; ++i) {
             for (const std::size_t at : {i, (padded_.length_ - i) % padded_.length_}) {
                 scratch.from[at * rows] = cosine_[i];
@@ -211,19 +56,18 @@ class FourierTransform::Convolution {
 
     void transform(Scratch& scratch) const {
         const std::size_t length = cosine_.size();
-        turn_points(scratch.from.data(), cosine_.data(), sine_.data(), length);
-        std::fill(scratch.from.begin() + static_cast<std::ptrdiff_t>(length * rows),
-                  scratch.from.end(), 0.0);
+        fourier::turn_points(scratch.from.data(), cosine_.data(), sine_.data(), length);
+        std::fill_n(&scratch.from[length * rows], (padded_.length_ - length) * rows, 0.0);
         padded_.transform(scratch);
         // The inverse transform is the forward one between two conjugations.
-        multiply_and_mirror(scratch.from.data(), kernel_real_.data(), kernel_imaginary_.data(),
-                            padded_.length_);
+        fourier::multiply_and_mirror(scratch.from.data(), kernel_real_.data(),
+                                     kernel_imaginary_.data(), padded_.length_);
         padded_.transform(scratch);
         double* z = scratch.from.data();
         for (std::size_t m = 0; m < length; ++m) {
             for (std::size_t l = half; l < rows; ++l) z[m * rows + l] = -z[m * rows + l];
         }
-        turn_points(z, cosine_.data(), sine_.data(), length);
+        fourier::turn_points(z, cosine_.data(), sine_.data(), length);
     }
 
   private:
@@ -258,28 +102,48 @@ FourierTransform::~FourierTransform() = default;
 
 FourierTransform::Scratch FourierTransform::scratch() const {
     if (convolution_) return convolution_->scratch();
-    return {std::vector<double>(length_ * rows), std::vector<double>(length_ * rows)};
+    return {Numbers(length_ * rows), Numbers(length_ * rows)};
 }
 
 /// Of the 4 complex rows in scratch.from, in place.
 void FourierTransform::transform(Scratch& scratch) const {
     if (convolution_) {
         convolution_->transform(scratch);
-        return;
+    } else if (!radices_.empty()) {
+        run_stages({scratch.from.data(), rows}, {behind_stages(scratch), rows}, false, scratch);
+        if (behind_stages(scratch) != scratch.from.data()) std::swap(scratch.from, scratch.to);
     }
+}
+
+/// The half of the scratch that the last stage does not read: the first stage reads scratch.from.
+double* FourierTransform::behind_stages(Scratch& scratch) const {
+    return radices_.size() % 2 == 0 ? scratch.from.data() : scratch.to.data();
+}
+
+void FourierTransform::run_stages(const Points<const double>& from, const Points<double>& to,
+                                  bool mirrored, Scratch& scratch) const {
+    const double* here = from.first;
+    std::size_t here_step = from.step;
     std::size_t remaining = length_;
     std::size_t stride = 1;
-    for (const std::size_t radix : radices_) {
+    for (std::size_t n = 0; n < radices_.size(); ++n) {
+        const std::size_t radix = radices_[n];
         remaining /= radix;
-        const Stage stage{radix, remaining, stride, length_, cosine_.data(), sine_.data()};
+        const bool last = n + 1 == radices_.size();
+        double* there = to.first;
+        if (!last) there = n % 2 == 0 ? scratch.to.data() : scratch.from.data();
+        const fourier::Stage stage{radix,           remaining,    stride,    length_,
+                                   cosine_.data(),  sine_.data(), here_step, last ? to.step : rows,
+                                   mirrored && last};
         if (radix == 4) {
-            butterflies_of_four(stage, scratch.from.data(), scratch.to.data());
+            fourier::butterflies_of_four(stage, here, there);
         } else if (radix == 5) {
-            butterflies_of_five(stage, scratch.from.data(), scratch.to.data());
+            fourier::butterflies_of_five(stage, here, there);
         } else {
-            butterflies(stage, scratch.from.data(), scratch.to.data());
+            fourier::butterflies(stage, here, there);
         }
-        std::swap(scratch.from, scratch.to);
+        here = there;
+        here_step = rows;
         stride *= radix;
     }
 }
@@ -287,22 +151,17 @@ void FourierTransform::transform(Scratch& scratch) const {
 void FourierTransform::forward(const double* values, std::size_t stride, double* real,
                                double* imaginary, std::size_t spectrum_stride,
                                Scratch& scratch) const {
-    for (std::size_t i = 0; i < length_; ++i) {
-        for (std::size_t l = 0; l < rows; ++l) scratch.from[i * rows + l] = values[i * stride + l];
+    const fourier::Spectra spectra{real, imaginary, spectrum_stride};
+    if (in_stages()) {
+        double* transformed = behind_stages(scratch);
+        run_stages({values, stride}, {transformed, rows}, false, scratch);
+        fourier::part_rows(transformed, length_, spectra);
+        return;
     }
+    for (std::size_t i = 0; i < length_; ++i)
+        std::copy_n(values + i * stride, rows, &scratch.from[i * rows]);
     transform(scratch);
-    for (std::size_t m = 0; m <= length_ / 2; ++m) {
-        const double* z = &scratch.from[m * rows];
-        const double* mirrored = &scratch.from[(m == 0 ? 0 : length_ - m) * rows];
-        double* re = real + m * spectrum_stride;
-        double* im = imaginary + m * spectrum_stride;
-        for (std::size_t l = 0; l < half; ++l) {
-            re[l] = 0.5 * (z[l] + mirrored[l]);
-            im[l] = 0.5 * (z[l + half] - mirrored[l + half]);
-            re[l + half] = 0.5 * (z[l + half] + mirrored[l + half]);
-            im[l + half] = 0.5 * (mirrored[l] - z[l]);
-        }
-    }
+    fourier::part_rows(scratch.from.data(), length_, spectra);
 }
 
 void FourierTransform::backward(const double* real, const double* imaginary,
@@ -310,24 +169,16 @@ void FourierTransform::backward(const double* real, const double* imaginary,
                                 Scratch& scratch) const {
     // The inverse of z is the forward transform of i·conj z, likewise turned back: its parts
     // change places.
-    for (std::size_t m = 0; m <= length_ / 2; ++m) {
-        const double* re = real + m * spectrum_stride;
-        const double* im = imaginary + m * spectrum_stride;
-        double* z = &scratch.from[m * rows];
-        double* mirrored = &scratch.from[(m == 0 ? 0 : length_ - m) * rows];
-        for (std::size_t l = 0; l < half; ++l) {
-            mirrored[l + half] = re[l] + im[l + half];
-            mirrored[l] = re[l + half] - im[l];
-            z[l + half] = re[l] - im[l + half];
-            z[l] = re[l + half] + im[l];
-        }
+    fourier::join_rows({real, imaginary, spectrum_stride}, length_, scratch.from.data());
+    if (in_stages()) {
+        run_stages({scratch.from.data(), rows}, {values, stride}, true, scratch);
+        return;
     }
     transform(scratch);
     for (std::size_t i = 0; i < length_; ++i) {
-        for (std::size_t l = 0; l < half; ++l) {
-            values[i * stride + l] = scratch.from[i * rows + half + l];
-            values[i * stride + half + l] = scratch.from[i * rows + l];
-        }
+        const double* point = &scratch.from[i * rows];
+        std::copy_n(point + half, half, values + i * stride);
+        std::copy_n(point, half, values + i * stride + half);
     }
 }
 

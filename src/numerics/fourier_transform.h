@@ -22,10 +22,22 @@ class FourierTransform {
     FourierTransform(const FourierTransform&) = delete;
     FourierTransform& operator=(const FourierTransform&) = delete;
 
+    /// Numbers that begin as anything.
+    class Numbers {
+      public:
+        explicit Numbers(std::size_t count)
+            : first_(std::make_unique_for_overwrite<double[]>(count)) {}
+        double& operator[](std::size_t at) { return first_[at]; }
+        double* data() { return first_.get(); }
+
+      private:
+        std::unique_ptr<double[]> first_;
+    };
+
     /// Working memory of one thread.
     struct Scratch {
-        std::vector<double> from;
-        std::vector<double> to;
+        Numbers from;
+        Numbers to;
     };
     [[nodiscard]] Scratch scratch() const;
 
@@ -41,7 +53,18 @@ class FourierTransform {
   private:
     class Convolution;
 
+    /// Where the points of rows lie.
+    template <class Number>
+    struct Points {
+        Number* first;
+        std::size_t step;
+    };
+
+    [[nodiscard]] bool in_stages() const { return !convolution_ && !radices_.empty(); }
     void transform(Scratch& scratch) const;
+    double* behind_stages(Scratch& scratch) const;
+    void run_stages(const Points<const double>& from, const Points<double>& to, bool mirrored,
+                    Scratch& scratch) const;
 
     std::size_t length_;
     std::vector<std::size_t> radices_;

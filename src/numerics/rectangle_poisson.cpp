@@ -4,28 +4,36 @@
 
 #include "base/elementary.h"
 #include "numerics/plane_loop.h"
+#include "numerics/poisson_vectors.h"
 
 namespace fumon {
+
+namespace {
+
+constexpr int together = static_cast<int>(poisson::modes_together);
+
+}  // namespace
 
 RectanglePoisson::RectanglePoisson(int nx, int nodes, WorkerPool& pool)
     : nx_(nx),
       nodes_(nodes),
-      modes_(nx / 2 + 1),
+      groups_((nx / 2 + together) / together),
       stride_(static_cast<std::size_t>(chunks(nodes)) * FourierTransform::rows),
       pool_(pool),
       transform_(static_cast<std::size_t>(nx)),
-      inverse_pivots_(static_cast<std::size_t>(modes_) * stride_),
+      inverse_pivots_(static_cast<std::size_t>(groups_ * together) * stride_),
       real_(inverse_pivots_.size()),
       imaginary_(inverse_pivots_.size()),
       solved_real_(inverse_pivots_.size()),
       solved_imaginary_(inverse_pivots_.size()) {
-    for (int m = 0; m < modes_; ++m) {
+    for (int m = 0; m <= nx / 2; ++m) {
+        double* pivots =
+            &inverse_pivots_[static_cast<std::size_t>(m / together * together) * stride_];
         const double diagonal = -4.0 + 2.0 * elementary::cos(2.0 * std::numbers::pi * m / nx);
         double inverse = 0.0;
         for (int k = 0; k < nodes; ++k) {
             inverse = 1.0 / (diagonal + (k + 1 == nodes ? 1.0 : 0.0) - inverse);
-            inverse_pivots_[static_cast<std::size_t>(m) * stride_ + static_cast<std::size_t>(k)] =
-                inverse;
+            pivots[k * together + m % together] = inverse;
         }
     }
 }
@@ -60,29 +68,13 @@ void RectanglePoisson::solve_modes(int rows, bool anew) {
     const auto filled = static_cast<std::size_t>(rows < nodes_ ? rows : nodes_);
     const auto nodes = static_cast<std::size_t>(nodes_);
     const double scale = 1.0 / nx_;
-    over_plane(pool_, modes_, size(), [&](int begin, int end) {
-        std::vector<double> re(nodes + 1);
-        std::vector<double> im(nodes + 1);
-        for (int m = begin; m < end; ++m) {
-            const std::size_t at = static_cast<std::size_t>(m) * stride_;
-            const double* inverse = &inverse_pivots_[at];
-            double last_re = 0.0;
-            double last_im = 0.0;
-            for (std::size_t k = 0; k < nodes; ++k) {
-                const bool known = k < filled;
-                last_re = ((known ? real_[at + k] * scale : 0.0) - last_re) * inverse[k];
-                last_im = ((known ? imaginary_[at + k] * scale : 0.0) - last_im) * inverse[k];
-                re[k] = last_re;
-                im[k] = last_im;
-            }
-            for (std::size_t k = nodes; k-- > 0;) {
-                re[k] -= inverse[k] * re[k + 1];
-                im[k] -= inverse[k] * im[k + 1];
-            }
-            for (std::size_t k = 0; k < nodes; ++k) {
-                solved_real_[at + k] = anew ? re[k] : solved_real_[at + k] + re[k];
-                solved_imaginary_[at + k] = anew ? im[k] : solved_imaginary_[at + k] + im[k];
-            }
+    over_plane(pool_, groups_, size(), [&](int begin, int end) {
+        std::vector<double> scratch(2 * poisson::modes_together * (nodes + 8));
+        for (int group = begin; group < end; ++group) {
+            const std::size_t at = static_cast<std::size_t>(group * together) * stride_;
+            poisson::solve_modes({&real_[at], &imaginary_[at], &solved_real_[at],
+                                  &solved_imaginary_[at], stride_, nodes, filled, scale, anew},
+                                 &inverse_pivots_[at], scratch.data());
         }
     });
 }

@@ -19,6 +19,10 @@ class RectanglePoisson {
 
     [[nodiscard]] std::size_t stride() const { return stride_; }
     [[nodiscard]] std::size_t size() const { return stride_ * static_cast<std::size_t>(nx_); }
+    /// How many nodes of a column are read where it differs from 0 below `rows` only.
+    [[nodiscard]] std::size_t nodes_seen(int rows) const {
+        return static_cast<std::size_t>(chunks(rows)) * FourierTransform::rows;
+    }
 
     /// Begins anew with the solution for b, of which only nodes below `rows` differ from 0.
     void begin(const std::vector<double>& b, int rows);
@@ -34,11 +38,11 @@ class RectanglePoisson {
 
     int nx_;
     int nodes_;
-    int modes_;
+    int groups_;  ///< of modes that are solved together
     std::size_t stride_;
     WorkerPool& pool_;
     FourierTransform transform_;
-    std::vector<double> inverse_pivots_;  ///< of each mode
+    std::vector<double> inverse_pivots_;  ///< of each group, node after node
     std::vector<double> real_, imaginary_;
     std::vector<double> solved_real_, solved_imaginary_;
 };

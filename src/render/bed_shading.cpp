@@ -37,6 +37,10 @@ gl::TextureLayout repeated(gl::TextureLayout layout, Ground ground) {
     return layout;
 }
 
+constexpr int noise_texels = 512;  // along the longer side: a dozen to the finest feature
+const gl::TextureLayout noise_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT,
+                                     GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
+
 gl::TextureLayout shaded_layout(bool mipmaps) {
     gl::TextureLayout layout;
     layout.internal_format = GL_RGBA8;
@@ -143,8 +147,29 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
       target_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
               shaded_size(first_bed.z.ny(), first_bed, samples_across), shaded_layout(mipmaps_),
               false) {
+    if (view.look.mode == ViewMode::scenic) draw_noise();
     if (draws_water(view.look, first))
         water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny());
+}
+
+void BedShading::draw_noise() {
+    const auto texels = [](double width) {
+        return std::max(1, static_cast<int>(noise_texels * width));
+    };
+    noise_.emplace(texels(block_.width_x), texels(block_.width_y),
+                   repeated(noise_layout, view_.look.ground), false);
+    const gl::Program program("screen.vert.glsl", "ground_noise.frag.glsl");
+    const gl::VertexArray none;
+    gl::functions().BindVertexArray(none.name());
+    noise_->bind();
+    gl::functions().Disable(GL_DEPTH_TEST);
+    program.use();
+    program.set("extent", glm::vec2(block_.width_x, block_.width_y));
+    const bool endless = view_.look.ground == Ground::endless;
+    program.set("periodic", !endless ? 0 : view_.look.grain > 0.0 ? 1 : 2);
+    gl::functions().DrawArrays(GL_TRIANGLES, 0, 3);
+    if (endless) noise_->colour().make_mipmaps();
+    gl::functions().BindVertexArray(0);
 }
 
 void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
@@ -181,6 +206,10 @@ void BedShading::bind(const gl::Program& program) const {
     program.set("palette", 2);
     program.set("mark_map", 3);
     program.set("uncoloured_map", 4);
+    if (noise_) {
+        noise_->colour().bind(5);
+        program.set("noise_map", 5);
+    }
     program.set("shading", static_cast<float>(view_.look.shading));
     program.set("tinted", colours_water(view_.look.colour_by) ? 0.0F : 1.0F);
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
@@ -193,7 +222,7 @@ void BedShading::shade(const Light& light, const Camera& camera) {
     gl::functions().Disable(GL_DEPTH_TEST);
     program_.use();
     bind(program_);
-    if (water_) water_->set_uniforms(program_, 5);
+    if (water_) water_->set_uniforms(program_, 6);
     set_light(program_, view_, light, camera, block_);
     gl::functions().DrawArrays(GL_TRIANGLES, 0, 3);
     if (mipmaps_) target_.colour().make_mipmaps();

@@ -50,6 +50,8 @@ class BedShading {
     [[nodiscard]] const gl::Texture2D& colours() const { return target_.colour(); }
 
   private:
+    void draw_noise();
+
     View view_;
     Block block_;
     int refinement_;
@@ -61,6 +63,7 @@ class BedShading {
     gl::Texture2D values_;
     gl::Texture2D marks_;
     gl::Texture2D uncoloured_;
+    std::optional<gl::RenderTarget> noise_;  // of the ground's colour; none for a figure
     std::optional<WaterShading> water_;
     gl::RenderTarget target_;
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/worker_pool.h"
 #include "gl/context.h"
 #include "gl/functions.h"
 #include "render/air_layer.h"
@@ -17,6 +18,7 @@
 #include "render/light/floor_map.h"
 #include "render/light/light.h"
 #include "render/light/lighting.h"
+#include "render/sample_vectors.h"
 #include "render/terrain_layer.h"
 #include "render/tiles.h"
 #include "render/view/block.h"
@@ -30,6 +32,8 @@
 namespace fumon {
 
 namespace {
+
+constexpr int samples_in_a_band = 1 << 18;  // read at once: 1 MiB
 
 Datum chosen_datum(const LookSettings& look, const Snapshot& first) {
     if (look.datum != Datum::automatic) return look.datum;
@@ -93,9 +97,9 @@ struct Renderer::Parts {
     /// A tile's first sample, and the sample its target begins at; from the picture's lower left.
     [[nodiscard]] glm::ivec2 first_sample(const Tile& tile) const;
     [[nodiscard]] glm::ivec2 target_corner(const Tile& tile) const;
-    void mesh_bed(const DisplayBed& bed, const DisplayWater* water, const Camera& camera);
     void draw_tile(const Tile& tile, const Camera& camera, Image& image);
     void draw_background(const Tile& tile, const Camera& camera);
+    void read_background(const Tile& tile);
     void resolve(const Tile& tile, Image& image);
 
     gl::Context& context;
@@ -117,10 +121,10 @@ struct Renderer::Parts {
     std::optional<WorldLayer> world;  // where the bed is endless
     gl::RenderTarget samples;
     gl::RenderTarget surroundings;
-    gl::RenderTarget pixels;
-    gl::Program resolve_program;
     gl::VertexArray no_attributes;
     bool surroundings_drawn = false;
+    std::vector<ColourPlanes> behind;         // rows of the surroundings, the upper first
+    std::vector<std::uint32_t> samples_read;  // those of a few rows of pixels
 };
 
 Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot& first_,
@@ -145,12 +149,11 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
           view, block,
           floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool)),
       samples(plan.target_width, plan.target_height, plain_layout(), true),
-      surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(), false),
-      pixels(plan.tiles.front().width, plan.tiles.front().height, plain_layout(), false),
-      resolve_program("screen.vert.glsl", "resolve.frag.glsl") {
-    if (view.look.ground == Ground::endless) check_endless(view, first, water);
-    if (view.look.ground == Ground::endless)
+      surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(), false) {
+    if (view.look.ground == Ground::endless) {
+        check_endless(view, first, water);
         world.emplace(view, block, display_bed(first, block, refinement));
+    }
     if (first.section)
         air.emplace(block, camera_at(0),
                     static_cast<int>(std::max(view.image.width, view.image.height)));
@@ -167,29 +170,52 @@ void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera) {
     if (still && surroundings_drawn) return;
     surroundings.bind();
     background.draw(light, camera, tile);
+    read_background(tile);
     surroundings_drawn = true;
 }
 
+void Renderer::Parts::read_background(const Tile& tile) {
+    const auto width = static_cast<std::size_t>(tile.width);
+    std::vector<std::uint8_t> rgba(4 * width * static_cast<std::size_t>(tile.height));
+    gl::functions().ReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                               rgba.data());
+    behind.assign(static_cast<std::size_t>(tile.height), ColourPlanes(tile.width));
+    const std::uint8_t* pixel = rgba.data();
+    for (ColourPlanes& row : behind) {
+        for (std::size_t x = 0; x < width; ++x, pixel += 4) {
+            row.red[x] = pixel[0];
+            row.green[x] = pixel[1];
+            row.blue[x] = pixel[2];
+        }
+    }
+}
+
+/// Reads the samples a few rows of pixels at a time, so that they stay in the cache.
 void Renderer::Parts::resolve(const Tile& tile, Image& image) {
-    const gl::Functions& gl = gl::functions();
-    pixels.bind();
-    gl.Disable(GL_DEPTH_TEST);
-    resolve_program.use();
-    samples.colour().bind(0);
-    surroundings.colour().bind(1);
-    resolve_program.set("samples", 0);
-    resolve_program.set("background", 1);
-    resolve_program.set("factor", plan.factor);
+    const int columns = tile.width * plan.factor;
+    const auto length = static_cast<std::size_t>(columns);
+    const int band = std::max(1, samples_in_a_band / (columns * plan.factor));  // rows of pixels
+    samples_read.resize(length * static_cast<std::size_t>(band * plan.factor) +
+                        RowOfSamples::samples_read_beyond);
     const glm::ivec2 from = first_sample(tile) - target_corner(tile);
-    resolve_program.set("margin_x", from.x);
-    resolve_program.set("margin_y", from.y);
-    resolve_program.set("rows", tile.height);
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    std::uint8_t* corner = image.row(tile.y) + 3 * static_cast<std::size_t>(tile.x);
-    gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
-    gl.PixelStorei(GL_PACK_ROW_LENGTH, image.width);
-    gl.ReadPixels(0, 0, tile.width, tile.height, GL_RGB, GL_UNSIGNED_BYTE, corner);
-    gl.PixelStorei(GL_PACK_ROW_LENGTH, 0);
+    samples.bind();
+    for (int upper = 0; upper < tile.height; upper += band) {
+        const int rows = std::min(band, tile.height - upper);
+        const int lowest = from.y + (tile.height - upper - rows) * plan.factor;
+        gl::functions().ReadPixels(from.x, lowest, columns, rows * plan.factor, GL_RGBA,
+                                   GL_UNSIGNED_INT_8_8_8_8_REV, samples_read.data());
+        pool.for_ranges(rows, [&](int begin, int end) {
+            RowOfSamples row(tile.width, plan.factor);
+            for (int y = begin; y < end; ++y) {
+                const auto above = static_cast<std::size_t>((rows - 1 - y) * plan.factor);
+                for (int j = 0; j < plan.factor; ++j)
+                    row.add(samples_read.data() + length * (above + static_cast<std::size_t>(j)));
+                const int in_tile = upper + y;
+                row.finish(behind[static_cast<std::size_t>(in_tile)],
+                           image.row(tile.y + in_tile) + 3 * static_cast<std::size_t>(tile.x));
+            }
+        });
+    }
 }
 
 glm::ivec2 Renderer::Parts::first_sample(const Tile& tile) const {
@@ -205,15 +231,6 @@ glm::ivec2 Renderer::Parts::target_corner(const Tile& tile) const {
     };
     const glm::ivec2 kept = first_sample(tile);
     return {aligned(kept.x), aligned(kept.y)};
-}
-
-void Renderer::Parts::mesh_bed(const DisplayBed& bed, const DisplayWater* water_,
-                               const Camera& camera) {
-    const double scale = pixels_per_length(camera, view);
-    const int stride =
-        mesh_stride(bed, scale * std::max(bed.dx, bed.dy), scale * std::max(camera.up.z, 0.05));
-    terrain.set_bed(bed, water_ != nullptr ? &water_->depth : nullptr, stride,
-                    {camera.forward.y >= 0.0, camera.forward.x >= 0.0});
 }
 
 void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& image) {
@@ -241,7 +258,6 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
     }
     if (air) air->draw(camera, placed);
 
-    gl.BindVertexArray(no_attributes.name());
     resolve(tile, image);
 }
 
@@ -288,8 +304,7 @@ Image Renderer::render(const Snapshot& whole) {
         for (float& depth : water->depth.values()) depth *= rise;
     }
 
-    if (!p.world) p.mesh_bed(bed, water ? &*water : nullptr, camera);
-
+    if (!p.world) p.terrain.set_bed(bed, water ? &water->depth : nullptr, camera);
     if (p.air && snapshot.section) p.air->set_air(snapshot, framed, camera, p.pool);
 
     Image image(static_cast<int>(p.view.image.width), static_cast<int>(p.view.image.height));

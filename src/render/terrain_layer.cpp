@@ -1,10 +1,12 @@
 #include "render/terrain_layer.h"
 
 #include <algorithm>
-#include <vector>
+#include <cstddef>
+#include <cstdint>
 
 #include "render/bed_shading.h"
 #include "render/grain.h"
+#include "render/view/framing.h"
 
 namespace fumon {
 
@@ -16,17 +18,35 @@ constexpr double strongest_grain = 0.30;  // of the colour, from darkest to ligh
 const gl::TextureLayout grain_layout{
     GL_R8, GL_RED, GL_UNSIGNED_BYTE, GL_LINEAR, GL_LINEAR_MIPMAP_NEAREST, GL_REPEAT};
 
-template <class Element>
-void fill(const gl::Buffer& buffer, GLenum target, const std::vector<Element>& elements,
-          GLenum usage) {
-    gl::functions().BindBuffer(target, buffer.name());
-    gl::functions().BufferData(target, static_cast<GLsizeiptr>(elements.size() * sizeof(Element)),
-                               elements.data(), usage);
+/// A corner of a side face as side.vert.glsl takes it.
+struct SideCorner {
+    MeshPlace at;
+    MeshPlace normal;
+    float height;
+    float ground;
+    float surface;
+};
+
+void float_attribute(GLuint place, GLint count, std::size_t stride, std::size_t offset) {
+    const gl::Functions& gl = gl::functions();
+    gl.VertexAttribPointer(place, count, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                           reinterpret_cast<const void*>(offset));
+    gl.EnableVertexAttribArray(place);
 }
 
-void float_attribute(GLuint place, GLint count) {
-    gl::functions().VertexAttribPointer(place, count, GL_FLOAT, GL_FALSE, 0, nullptr);
-    gl::functions().EnableVertexAttribArray(place);
+/// How large heights are on the screen over a block.
+ScreenScale screen_scale(const Camera& camera, const View& view, const Block& block) {
+    ScreenScale scale;
+    scale.pixels =
+        static_cast<float>(pixels_per_length(camera, view) * std::max(camera.up.z, 0.05));
+    if (!camera.perspective) return scale;
+    const double middle = std::max(-glm::dot(camera.eye, camera.forward), 0.05);
+    const double east = camera.forward.x * block.width_x / middle;
+    const double north = camera.forward.y * block.width_y / middle;
+    scale.depth_east = static_cast<float>(east);
+    scale.depth_north = static_cast<float>(north);
+    scale.depth = static_cast<float>(1.0 - 0.5 * (east + north));
+    return scale;
 }
 
 }  // namespace
@@ -43,68 +63,80 @@ TerrainLayer::TerrainLayer(const View& view, const Block& block)
     grain_.make_mipmaps();
 }
 
-void TerrainLayer::build(const DisplayBed& bed, int stride, ViewOrder order) {
-    mesh_ = terrain_mesh(bed.z.nx(), bed.z.ny(), bed.nodata, stride, order);
+void TerrainLayer::build(const DisplayBed& bed, int stride) {
+    lattice_ = terrain_lattice(bed.z.nx(), bed.z.ny(), bed.nodata, stride);
+    rim_ = rim_faces(lattice_, bed.nodata);
     nodata_ = bed.nodata;
     stride_ = stride;
-    order_ = order;
     const gl::Functions& gl = gl::functions();
 
     gl.BindVertexArray(surface_array_.name());
-    fill(places_, GL_ARRAY_BUFFER, mesh_.places, GL_STATIC_DRAW);
-    float_attribute(0, 2);
-    gl.BindBuffer(GL_ARRAY_BUFFER, heights_.name());
-    float_attribute(1, 1);
-    fill(triangles_, GL_ELEMENT_ARRAY_BUFFER, mesh_.triangles, GL_STATIC_DRAW);
+    places_.fill(lattice_.places);
+    float_attribute(0, 2, sizeof(MeshPlace), 0);
+    heights_.bind();
+    float_attribute(1, 1, sizeof(float), 0);
+    triangles_.bind();
 
-    struct Place {
-        MeshPlace at;
-        float normal_x;
-        float normal_y;
-    };
-    std::vector<Place> side_places;
-    side_places.reserve(mesh_.side_corners.size());
-    for (const SideCorner& corner : mesh_.side_corners)
-        side_places.push_back({mesh_.places[corner.vertex], corner.normal_x, corner.normal_y});
     gl.BindVertexArray(side_array_.name());
-    fill(side_places_, GL_ARRAY_BUFFER, side_places, GL_STATIC_DRAW);
-    constexpr auto size = static_cast<GLsizei>(sizeof(Place));
-    gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, size, nullptr);
-    gl.EnableVertexAttribArray(0);
-    gl.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, size,
-                           reinterpret_cast<const void*>(sizeof(MeshPlace)));
-    gl.EnableVertexAttribArray(1);
-    gl.BindBuffer(GL_ARRAY_BUFFER, side_heights_.name());
-    float_attribute(2, 3);
-    fill(side_triangles_, GL_ELEMENT_ARRAY_BUFFER, mesh_.side_triangles, GL_STATIC_DRAW);
+    side_corners_.bind();
+    constexpr std::size_t size = sizeof(SideCorner);
+    float_attribute(0, 2, size, offsetof(SideCorner, at));
+    float_attribute(1, 2, size, offsetof(SideCorner, normal));
+    float_attribute(2, 3, size, offsetof(SideCorner, height));
+    side_triangles_.bind();
     gl.BindVertexArray(0);
 }
 
-void TerrainLayer::set_bed(const DisplayBed& bed, const Field<float>* water_depth, int stride,
-                           ViewOrder order) {
-    const bool same_order =
-        order.from_south == order_.from_south && order.from_west == order_.from_west;
-    if (stride != stride_ || !same_order || bed.nodata != nodata_) build(bed, stride, order);
+void TerrainLayer::set_bed(const DisplayBed& bed, const Field<float>* water_depth,
+                           const Camera& camera) {
+    const double cell = pixels_per_length(camera, view_) * std::max(bed.dx, bed.dy);
+    const int stride = lattice_stride(cell);
+    if (stride != stride_ || bed.nodata != nodata_) build(bed, stride);
 
-    std::vector<float> heights(mesh_.samples.size());
-    std::transform(mesh_.samples.begin(), mesh_.samples.end(), heights.begin(),
-                   [&](std::uint32_t sample) { return bed.z.values()[sample]; });
-    const auto depth_at = [&](std::uint32_t vertex) {
-        return water_depth == nullptr ? 0.0F : water_depth->values()[mesh_.samples[vertex]];
-    };
+    surface_.resize(lattice_.cells.size());
+    for (std::size_t i = 0; i < surface_.size(); ++i) {
+        const std::uint32_t at = lattice_.cells[i];
+        surface_[i] = bed.z.values()[at];
+        if (water_depth != nullptr) surface_[i] += water_depth->values()[at];
+    }
+    const ViewOrder order{camera.forward.y >= 0.0, camera.forward.x >= 0.0};
+    const TerrainMesh mesh = mesher_.mesh(lattice_, surface_, screen_scale(camera, view_, block_),
+                                          largest_square(stride * cell), order);
+    const gl::Functions& gl = gl::functions();
+    gl.BindVertexArray(surface_array_.name());
+    heights_.fill(surface_);
+    triangles_.fill(mesh.triangles);
+    indices_ = static_cast<GLsizei>(mesh.triangles.size());
+    std::vector<SideFace> faces = rim_;
+    faces.insert(faces.end(), mesh.sides.begin(), mesh.sides.end());
+    set_sides(faces, bed);
+    gl.BindVertexArray(0);
+}
+
+void TerrainLayer::set_sides(const std::vector<SideFace>& faces, const DisplayBed& bed) {
     const auto base = static_cast<float>(block_.base);
-    std::vector<glm::vec3> side_heights(mesh_.side_corners.size());
-    std::transform(mesh_.side_corners.begin(), mesh_.side_corners.end(), side_heights.begin(),
-                   [&](const SideCorner& corner) {
-                       const float ground = heights[corner.vertex];
-                       const float surface = ground + depth_at(corner.vertex);
-                       const float lower = std::min(base, ground);
-                       return glm::vec3(corner.lower > 0.5F ? lower : surface, ground, surface);
-                   });
-    for (std::size_t i = 0; i < heights.size(); ++i)
-        heights[i] += depth_at(static_cast<std::uint32_t>(i));
-    fill(heights_, GL_ARRAY_BUFFER, heights, GL_STREAM_DRAW);
-    fill(side_heights_, GL_ARRAY_BUFFER, side_heights, GL_STREAM_DRAW);
+    std::vector<SideCorner> corners;
+    std::vector<std::uint32_t> triangles;
+    corners.reserve(4 * faces.size());
+    triangles.reserve(6 * faces.size());
+    for (const SideFace& face : faces) {
+        const auto first = static_cast<std::uint32_t>(corners.size());
+        const auto add = [&](std::uint32_t vertex, MeshPlace normal, bool lower) {
+            const float ground = bed.z.values()[lattice_.cells[vertex]];
+            const float surface = surface_[vertex];
+            corners.push_back({lattice_.places[vertex], normal,
+                               lower ? std::min(base, ground) : surface, ground, surface});
+        };
+        add(face.from, face.normal_from, true);
+        add(face.to, face.normal_to, true);
+        add(face.to, face.normal_to, false);
+        add(face.from, face.normal_from, false);
+        for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U}) triangles.push_back(first + k);
+    }
+    gl::functions().BindVertexArray(side_array_.name());
+    side_corners_.fill(corners);
+    side_triangles_.fill(triangles);
+    side_indices_ = static_cast<GLsizei>(triangles.size());
 }
 
 void TerrainLayer::draw(const gl::Texture2D& colours, const Light& light, const Camera& camera,
@@ -120,7 +152,7 @@ void TerrainLayer::draw(const gl::Texture2D& colours, const Light& light, const 
     };
     prepare(surface_program_);
     draw_surface(colours);
-    if (view_.look.block_sides && !mesh_.side_triangles.empty()) {
+    if (view_.look.block_sides && side_indices_ > 0) {
         prepare(side_program_);
         draw_sides(light, camera);
     }
@@ -140,8 +172,7 @@ void TerrainLayer::draw_surface(const gl::Texture2D& colours) const {
                              static_cast<float>(strongest_grain * view_.look.grain));
     }
     gl::functions().BindVertexArray(surface_array_.name());
-    gl::functions().DrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh_.triangles.size()),
-                                 GL_UNSIGNED_INT, nullptr);
+    gl::functions().DrawElements(GL_TRIANGLES, indices_, GL_UNSIGNED_INT, nullptr);
 }
 
 void TerrainLayer::draw_sides(const Light& light, const Camera& camera) const {
@@ -151,8 +182,7 @@ void TerrainLayer::draw_sides(const Light& light, const Camera& camera) const {
     side_program_.set("rock", static_cast<float>(block_.rock));
     side_program_.set("figure", view_.look.mode == ViewMode::figure ? 1.0F : 0.0F);
     gl::functions().BindVertexArray(side_array_.name());
-    gl::functions().DrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh_.side_triangles.size()),
-                                 GL_UNSIGNED_INT, nullptr);
+    gl::functions().DrawElements(GL_TRIANGLES, side_indices_, GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace fumon

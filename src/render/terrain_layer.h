@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "gl/dynamic_buffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/light/light.h"
@@ -22,17 +25,17 @@ class TerrainLayer {
   public:
     TerrainLayer(const View& view, const Block& block);
 
-    /// Takes the heights of a snapshot and meshes the bed anew if its stride or domain has changed.
-    /// `water_depth`, in block lengths, is added to the bed if given.
-    void set_bed(const DisplayBed& bed, const Field<float>* water_depth, int stride,
-                 ViewOrder order);
+    /// Takes the heights of a snapshot and meshes the bed. `water_depth`, in block lengths, is
+    /// added to the bed if given.
+    void set_bed(const DisplayBed& bed, const Field<float>* water_depth, const Camera& camera);
 
     /// Draws into the bound target.
     void draw(const gl::Texture2D& colours, const Light& light, const Camera& camera,
               const TileSamples& tile) const;
 
   private:
-    void build(const DisplayBed& bed, int stride, ViewOrder order);
+    void build(const DisplayBed& bed, int stride);
+    void set_sides(const std::vector<SideFace>& faces, const DisplayBed& bed);
     void draw_surface(const gl::Texture2D& colours) const;
     void draw_sides(const Light& light, const Camera& camera) const;
 
@@ -44,16 +47,19 @@ class TerrainLayer {
     gl::Texture2D grain_;
     gl::VertexArray surface_array_;
     gl::VertexArray side_array_;
-    gl::Buffer places_;
-    gl::Buffer heights_;
-    gl::Buffer triangles_;
-    gl::Buffer side_places_;
-    gl::Buffer side_heights_;
-    gl::Buffer side_triangles_;
-    TerrainMesh mesh_;
+    gl::DynamicBuffer places_{GL_ARRAY_BUFFER};
+    gl::DynamicBuffer heights_{GL_ARRAY_BUFFER};
+    gl::DynamicBuffer triangles_{GL_ELEMENT_ARRAY_BUFFER};
+    gl::DynamicBuffer side_corners_{GL_ARRAY_BUFFER};
+    gl::DynamicBuffer side_triangles_{GL_ELEMENT_ARRAY_BUFFER};
+    TerrainLattice lattice_;
+    std::vector<SideFace> rim_;
+    TerrainMesher mesher_;
+    std::vector<float> surface_;  // heights of the lattice's vertices, water included
+    GLsizei indices_ = 0;
+    GLsizei side_indices_ = 0;
     Mask nodata_;
     int stride_ = 0;
-    ViewOrder order_;
 };
 
 }  // namespace fumon

@@ -4,18 +4,18 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace fumon {
 
 namespace {
 
-constexpr double longest_edge = 6.5;    // pixels: longer ones show as facets at silhouettes
-constexpr double largest_error = 0.6;   // pixels between mesh and bed, beyond which …
-constexpr double allowed_share = 0.01;  // … no larger share of the cells may lie
-constexpr double shortest_edge = 2.2;   // pixels: nothing is gained by finer triangles
+constexpr double shortest_edge = 2.2;  // pixels: nothing is gained by finer triangles
+constexpr double longest_edge = 24.0;  // pixels, of a square that becomes two triangles
+constexpr float largest_error = 0.5F;  // pixels between mesh and bed
 constexpr int largest_stride = 64;
 constexpr int rim_reach = 10;  // cells that a rim's smoothed direction looks around
-constexpr int strip = 24;      // columns drawn together: their vertices stay in the vertex cache
+constexpr float always = std::numeric_limits<float>::infinity();
 
 /// The vertices along one axis: where they stand, 0 … 1, and which cell gives the height.
 struct Axis {
@@ -36,34 +36,22 @@ Axis make_axis(int count, int stride) {
     return axis;
 }
 
-/// Which quads of the vertex lattice are drawn.
-class QuadSet {
-  public:
-    QuadSet(const Axis& east, const Axis& north, const Mask& nodata)
-        : drawn_(static_cast<int>(east.cells.size()) - 1, static_cast<int>(north.cells.size()) - 1,
-                 1) {
-        if (nodata.empty()) return;
-        for (int j = 0; j < drawn_.ny(); ++j) {
-            for (int i = 0; i < drawn_.nx(); ++i) {
-                const auto a = static_cast<std::size_t>(i);
-                const auto b = static_cast<std::size_t>(j);
-                const int outside = nodata(east.cells[a], north.cells[b]) +
-                                    nodata(east.cells[a + 1], north.cells[b]) +
-                                    nodata(east.cells[a], north.cells[b + 1]) +
-                                    nodata(east.cells[a + 1], north.cells[b + 1]);
-                drawn_(i, j) = outside == 0 ? 1 : 0;
-            }
+Mask drawn_quads(const Axis& east, const Axis& north, const Mask& nodata) {
+    if (nodata.empty()) return {};
+    Mask drawn(static_cast<int>(east.cells.size()) - 1, static_cast<int>(north.cells.size()) - 1);
+    for (int j = 0; j < drawn.ny(); ++j) {
+        for (int i = 0; i < drawn.nx(); ++i) {
+            const auto a = static_cast<std::size_t>(i);
+            const auto b = static_cast<std::size_t>(j);
+            const int outside = nodata(east.cells[a], north.cells[b]) +
+                                nodata(east.cells[a + 1], north.cells[b]) +
+                                nodata(east.cells[a], north.cells[b + 1]) +
+                                nodata(east.cells[a + 1], north.cells[b + 1]);
+            drawn(i, j) = outside == 0 ? 1 : 0;
         }
     }
-    [[nodiscard]] bool operator()(int i, int j) const {
-        return i >= 0 && j >= 0 && i < drawn_.nx() && j < drawn_.ny() && drawn_(i, j) != 0;
-    }
-    [[nodiscard]] int nx() const { return drawn_.nx(); }
-    [[nodiscard]] int ny() const { return drawn_.ny(); }
-
-  private:
-    Mask drawn_;
-};
+    return drawn;
+}
 
 /// A side of a quad: the step to the neighbour beyond it and its two ends, counter-clockwise.
 struct QuadSide {
@@ -81,7 +69,7 @@ constexpr std::array<QuadSide, 4> quad_sides = {{{0, -1, {0, 0}, {1, 0}},
 /// Which way the domain ends at a cell: away from the middle of the cells around that have data, so
 /// that the steps of a rim of square cells are shaded as one face. Keeps `flat` at straight
 /// borders.
-std::array<float, 2> rim_direction(const Mask& nodata, int x, int y, std::array<float, 2> flat) {
+MeshPlace rim_direction(const Mask& nodata, int x, int y, MeshPlace flat) {
     float east = 0.0F;
     float north = 0.0F;
     for (int v = y - rim_reach; v <= y + rim_reach; ++v) {
@@ -99,114 +87,243 @@ std::array<float, 2> rim_direction(const Mask& nodata, int x, int y, std::array<
     return {east / length, north / length};
 }
 
-void add_sides(TerrainMesh& mesh, const QuadSet& quads, const Mask& nodata) {
-    const auto width = static_cast<std::uint32_t>(quads.nx() + 1);
-    for (int j = 0; j < quads.ny(); ++j) {
-        for (int i = 0; i < quads.nx(); ++i) {
-            if (!quads(i, j)) continue;
-            for (const QuadSide& side : quad_sides) {
-                if (quads(i + side.step_x, j + side.step_y)) continue;
-                const auto vertex = [&](const std::array<int, 2>& end) {
-                    return static_cast<std::uint32_t>(j + end[1]) * width +
-                           static_cast<std::uint32_t>(i + end[0]);
-                };
-                const auto corner = static_cast<std::uint32_t>(mesh.side_corners.size());
-                const std::array<float, 2> flat{static_cast<float>(side.step_x),
-                                                static_cast<float>(side.step_y)};
-                const bool border = i + side.step_x < 0 || i + side.step_x >= quads.nx() ||
-                                    j + side.step_y < 0 || j + side.step_y >= quads.ny();
-                const auto add = [&](const std::array<int, 2>& end, float lower) {
-                    const std::uint32_t at = vertex(end);
-                    const auto cell = static_cast<int>(mesh.samples[at]);
-                    const auto normal = border ? flat
-                                               : rim_direction(nodata, cell % nodata.nx(),
-                                                               cell / nodata.nx(), flat);
-                    mesh.side_corners.push_back({at, lower, normal[0], normal[1]});
-                };
-                add(side.from, 1.0F);
-                add(side.to, 1.0F);
-                add(side.to, 0.0F);
-                add(side.from, 0.0F);
-                for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U})
-                    mesh.side_triangles.push_back(corner + k);
+/// A vertex by its place in the lattice.
+struct Vertex {
+    int x;
+    int y;
+};
+
+/// The hierarchy over a lattice: squares of 2·h quads a side are two triangles whose common edge is
+/// their diagonal; a vertex in the middle of a longest edge splits the triangles on its both sides.
+class Hierarchy {
+  public:
+    Hierarchy(const TerrainLattice& lattice, std::span<const float> heights,
+              const ScreenScale& scale, std::vector<float>& errors)
+        : lattice_(lattice),
+          heights_(heights),
+          scale_(scale),
+          errors_(errors),
+          last_x_(lattice.nx - 1),
+          last_y_(lattice.ny - 1) {
+        errors_.assign(heights.size(), 0.0F);
+    }
+
+    /// Finds each vertex's error up to squares of `square` quads. What a vertex needs is found
+    /// before it: an error is never less than those of the vertices in its smaller triangles.
+    void find_errors(int square) {
+        keep_around_missing();
+        for (int h = 1; 2 * h <= square; h *= 2) {
+            for (int y = 0; y <= last_y_; y += h) {
+                const bool odd = y / h % 2 != 0;
+                for (int x = odd ? 0 : h; x <= last_x_; x += 2 * h) middle_of_side({x, y}, h, odd);
+            }
+            for (int y = h; y <= last_y_; y += 2 * h)
+                for (int x = h; x <= last_x_; x += 2 * h) middle_of_square({x, y}, h);
+        }
+    }
+
+    void add_square(Vertex corner, int square, TerrainMesh& mesh) const {
+        const Vertex opposite{corner.x + square, corner.y + square};
+        const Vertex east{corner.x + square, corner.y};
+        const Vertex north{corner.x, corner.y + square};
+        if (rises_east(corner, square)) {
+            add(opposite, corner, east, mesh);
+            add(corner, opposite, north, mesh);
+        } else {
+            add(east, north, corner, mesh);
+            add(north, east, opposite, mesh);
+        }
+    }
+
+  private:
+    [[nodiscard]] std::uint32_t index(Vertex v) const {
+        return static_cast<std::uint32_t>(v.y) * static_cast<std::uint32_t>(lattice_.nx) +
+               static_cast<std::uint32_t>(v.x);
+    }
+    [[nodiscard]] float error(Vertex v) const { return errors_[index(v)]; }
+    [[nodiscard]] bool inside(Vertex v) const {
+        return v.x >= 0 && v.y >= 0 && v.x <= last_x_ && v.y <= last_y_;
+    }
+
+    /// Whether a square's diagonal goes from its south-western to its north-eastern corner.
+    static bool rises_east(Vertex corner, int square) {
+        return (corner.x / square + corner.y / square) % 2 == 0;
+    }
+
+    /// All vertices of a quad that is left out are kept, so that those around it stay by
+    /// themselves.
+    void keep_around_missing() {
+        const Mask& drawn = lattice_.drawn;
+        for (int y = 0; y < drawn.ny(); ++y) {
+            for (int x = 0; x < drawn.nx(); ++x) {
+                if (drawn(x, y) != 0) continue;
+                for (const Vertex v : {Vertex{x, y}, {x + 1, y}, {x, y + 1}, {x + 1, y + 1}})
+                    errors_[index(v)] = always;
             }
         }
     }
-}
 
-void add_triangles(TerrainMesh& mesh, const QuadSet& quads, ViewOrder order) {
-    const auto width = static_cast<std::uint32_t>(quads.nx() + 1);
-    for (int first = 0; first < quads.nx(); first += strip) {
-        const int last = std::min(first + strip, quads.nx());
-        for (int n = 0; n < quads.ny(); ++n) {
-            const int j = order.from_south ? n : quads.ny() - 1 - n;
-            for (int m = first; m < last; ++m) {
-                const int i = order.from_west ? m : quads.nx() - 1 - m;
-                if (!quads(i, j)) continue;
-                const std::uint32_t corner =
-                    static_cast<std::uint32_t>(j) * width + static_cast<std::uint32_t>(i);
-                for (const std::uint32_t k : {0U, 1U, width + 1U, 0U, width + 1U, width})
-                    mesh.triangles.push_back(corner + k);
+    [[nodiscard]] float own_error(Vertex v, Vertex a, Vertex b) const {
+        const float off = heights_[index(v)] - 0.5F * (heights_[index(a)] + heights_[index(b)]);
+        const MeshPlace at = lattice_.places[index(v)];
+        const float depth =
+            scale_.depth + scale_.depth_east * at.east + scale_.depth_north * at.north;
+        return scale_.pixels * std::abs(off) / std::max(depth, 0.05F);
+    }
+
+    /// The middle of a side of squares of 2·h, which runs north if `north`.
+    void middle_of_side(Vertex v, int h, bool north) {
+        float& largest = errors_[index(v)];
+        const Vertex a{north ? v.x : v.x - h, north ? v.y - h : v.y};
+        const Vertex b{north ? v.x : v.x + h, north ? v.y + h : v.y};
+        // A square that the lattice's end cuts is split, and with it the one on the other side.
+        const bool cut_x = v.x + h > last_x_ && v.x < last_x_;
+        const bool cut_y = v.y + h > last_y_ && v.y < last_y_;
+        if (cut_x || cut_y || !inside(b)) {
+            largest = always;
+            return;
+        }
+        largest = std::max(largest, own_error(v, a, b));
+        const int half = h / 2;
+        if (half == 0) return;
+        for (const Vertex child : {Vertex{v.x - half, v.y - half},
+                                   {v.x + half, v.y - half},
+                                   {v.x - half, v.y + half},
+                                   {v.x + half, v.y + half}})
+            if (inside(child)) largest = std::max(largest, error(child));
+    }
+
+    void middle_of_square(Vertex v, int h) {
+        float& largest = errors_[index(v)];
+        if (v.x + h > last_x_ || v.y + h > last_y_) {
+            largest = always;
+            return;
+        }
+        const bool rises = rises_east({v.x - h, v.y - h}, 2 * h);
+        const Vertex a{v.x - h, rises ? v.y - h : v.y + h};
+        const Vertex b{v.x + h, rises ? v.y + h : v.y - h};
+        largest = std::max({largest, own_error(v, a, b), error({v.x - h, v.y}),
+                            error({v.x + h, v.y}), error({v.x, v.y - h}), error({v.x, v.y + h})});
+    }
+
+    /// Adds what lies within a triangle whose longest edge goes from a to b.
+    void add(Vertex a, Vertex b, Vertex apex, TerrainMesh& mesh) const {
+        const Vertex corner{std::min({a.x, b.x, apex.x}), std::min({a.y, b.y, apex.y})};
+        if (corner.x >= last_x_ || corner.y >= last_y_) return;
+        if ((a.x + b.x) % 2 == 0 && (a.y + b.y) % 2 == 0) {
+            const Vertex middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+            if (!inside(middle) || error(middle) > largest_error) {
+                add(apex, a, middle, mesh);
+                add(b, apex, middle, mesh);
+                return;
             }
+        } else if (!lattice_.drawn.empty() && lattice_.drawn(corner.x, corner.y) == 0) {
+            return;
         }
+        for (const Vertex v : {a, b, apex}) mesh.triangles.push_back(index(v));
+        add_side(a, b, mesh);
+        add_side(b, apex, mesh);
+        add_side(apex, a, mesh);
     }
-}
 
-/// The share of left-out cells on the middle of a mesh edge that lie too far from it.
-double share_beyond(const DisplayBed& bed, int stride, float tolerance) {
-    const int half = stride / 2;
-    std::size_t beyond = 0;
-    std::size_t count = 0;
-    for (int y = half; y < bed.z.ny(); y += stride) {
-        const float* row = bed.z.row(y).data();
-        for (int x = 0; x + stride < bed.z.nx(); x += stride) {
-            const float error = row[x + half] - 0.5F * (row[x] + row[x + stride]);
-            beyond += std::abs(error) > tolerance ? 1U : 0U;
-            ++count;
-        }
+    void add_side(Vertex a, Vertex b, TerrainMesh& mesh) const {
+        const auto face = [&](MeshPlace normal) {
+            mesh.sides.push_back({index(a), index(b), normal, normal});
+        };
+        if (a.x == 0 && b.x == 0) face({-1.0F, 0.0F});
+        if (a.x == last_x_ && b.x == last_x_) face({1.0F, 0.0F});
+        if (a.y == 0 && b.y == 0) face({0.0F, -1.0F});
+        if (a.y == last_y_ && b.y == last_y_) face({0.0F, 1.0F});
     }
-    for (int y = 0; y + stride < bed.z.ny(); y += stride) {
-        const float* south = bed.z.row(y).data();
-        const float* middle = bed.z.row(y + half).data();
-        const float* north = bed.z.row(y + stride).data();
-        for (int x = half; x < bed.z.nx(); x += stride) {
-            const float error = middle[x] - 0.5F * (south[x] + north[x]);
-            beyond += std::abs(error) > tolerance ? 1U : 0U;
-            ++count;
-        }
-    }
-    return count == 0 ? 0.0 : static_cast<double>(beyond) / static_cast<double>(count);
-}
+
+    const TerrainLattice& lattice_;
+    std::span<const float> heights_;
+    ScreenScale scale_;
+    std::vector<float>& errors_;
+    int last_x_;
+    int last_y_;
+};
 
 }  // namespace
 
-TerrainMesh terrain_mesh(int nx, int ny, const Mask& nodata, int stride, ViewOrder order) {
+TerrainLattice terrain_lattice(int nx, int ny, const Mask& nodata, int stride) {
     const Axis east = make_axis(nx, stride);
     const Axis north = make_axis(ny, stride);
-    TerrainMesh mesh;
+    TerrainLattice lattice;
+    lattice.nx = static_cast<int>(east.cells.size());
+    lattice.ny = static_cast<int>(north.cells.size());
+    lattice.places.reserve(east.cells.size() * north.cells.size());
+    lattice.cells.reserve(east.cells.size() * north.cells.size());
     for (std::size_t j = 0; j < north.places.size(); ++j) {
         for (std::size_t i = 0; i < east.places.size(); ++i) {
-            mesh.places.push_back({east.places[i], north.places[j]});
-            mesh.samples.push_back(static_cast<std::uint32_t>(north.cells[j]) *
-                                       static_cast<std::uint32_t>(nx) +
-                                   static_cast<std::uint32_t>(east.cells[i]));
+            lattice.places.push_back({east.places[i], north.places[j]});
+            lattice.cells.push_back(static_cast<std::uint32_t>(north.cells[j]) *
+                                        static_cast<std::uint32_t>(nx) +
+                                    static_cast<std::uint32_t>(east.cells[i]));
         }
     }
-    const QuadSet quads(east, north, nodata);
-    add_triangles(mesh, quads, order);
-    add_sides(mesh, quads, nodata);
-    return mesh;
+    lattice.drawn = drawn_quads(east, north, nodata);
+    return lattice;
 }
 
-int mesh_stride(const DisplayBed& bed, double pixels_per_cell, double pixels_per_z) {
+int lattice_stride(double pixels_per_cell) {
     int stride = 1;
-    const auto tolerance = static_cast<float>(largest_error / pixels_per_z);
-    while (2 * stride <= largest_stride && 2 * stride * pixels_per_cell <= longest_edge) {
-        const bool fine_enough = stride * pixels_per_cell >= shortest_edge;
-        if (fine_enough && share_beyond(bed, 2 * stride, tolerance) > allowed_share) break;
-        stride *= 2;
-    }
+    while (stride < largest_stride && stride * pixels_per_cell < shortest_edge) stride *= 2;
     return stride;
+}
+
+int largest_square(double pixels_per_quad) {
+    int square = 1;
+    while (square < largest_stride && 2 * square * pixels_per_quad <= longest_edge) square *= 2;
+    return square;
+}
+
+std::vector<SideFace> rim_faces(const TerrainLattice& lattice, const Mask& nodata) {
+    std::vector<SideFace> faces;
+    const Mask& drawn = lattice.drawn;
+    for (int j = 0; j < drawn.ny(); ++j) {
+        for (int i = 0; i < drawn.nx(); ++i) {
+            if (drawn(i, j) == 0) continue;
+            for (const QuadSide& side : quad_sides) {
+                const int x = i + side.step_x;
+                const int y = j + side.step_y;
+                if (x < 0 || y < 0 || x >= drawn.nx() || y >= drawn.ny()) continue;
+                if (drawn(x, y) != 0) continue;
+                const auto vertex = [&](const std::array<int, 2>& end) {
+                    return static_cast<std::uint32_t>(j + end[1]) *
+                               static_cast<std::uint32_t>(lattice.nx) +
+                           static_cast<std::uint32_t>(i + end[0]);
+                };
+                const auto direction = [&](std::uint32_t at) {
+                    const auto cell = static_cast<int>(lattice.cells[at]);
+                    return rim_direction(
+                        nodata, cell % nodata.nx(), cell / nodata.nx(),
+                        {static_cast<float>(side.step_x), static_cast<float>(side.step_y)});
+                };
+                const std::uint32_t from = vertex(side.from);
+                const std::uint32_t to = vertex(side.to);
+                faces.push_back({from, to, direction(from), direction(to)});
+            }
+        }
+    }
+    return faces;
+}
+
+TerrainMesh TerrainMesher::mesh(const TerrainLattice& lattice, std::span<const float> heights,
+                                const ScreenScale& scale, int square, ViewOrder order) {
+    Hierarchy hierarchy(lattice, heights, scale, errors_);
+    hierarchy.find_errors(square);
+    const int columns = (lattice.nx - 2) / square + 1;
+    const int rows = (lattice.ny - 2) / square + 1;
+    TerrainMesh mesh;
+    for (int n = 0; n < rows; ++n) {
+        const int j = order.from_south ? n : rows - 1 - n;
+        for (int m = 0; m < columns; ++m) {
+            const int i = order.from_west ? m : columns - 1 - m;
+            hierarchy.add_square({i * square, j * square}, square, mesh);
+        }
+    }
+    return mesh;
 }
 
 }  // namespace fumon

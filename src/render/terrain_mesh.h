@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "render/view/display_bed.h"
@@ -13,23 +14,29 @@ struct MeshPlace {
     float north;
 };
 
-/// A corner of a vertical side face: which mesh vertex it belongs to, whether it is the lower end,
-/// and which way the face looks.
-struct SideCorner {
-    std::uint32_t vertex;
-    float lower;  ///< 1 at the block's underside, 0 at the surface
-    float normal_x;
-    float normal_y;
+/// The places where a mesh of a display bed may have vertices: the centres of every stride-th cell,
+/// and the border. Only the vertices' heights change from frame to frame.
+struct TerrainLattice {
+    int nx = 0;  ///< vertices eastward
+    int ny = 0;
+    std::vector<MeshPlace> places;
+    std::vector<std::uint32_t> cells;  ///< of each vertex: the cell that gives its height
+    Mask drawn;                        ///< which quads between vertices; empty: all
 };
 
-/// The triangles of a display bed. Vertices stand at cell centres, every stride-th, and on the
-/// border; only their heights change from frame to frame.
+/// The vertical face under an edge of the mesh at which the bed ends, and which way it looks at the
+/// two ends.
+struct SideFace {
+    std::uint32_t from;
+    std::uint32_t to;
+    MeshPlace normal_from;
+    MeshPlace normal_to;
+};
+
+/// What is drawn of a lattice.
 struct TerrainMesh {
-    std::vector<MeshPlace> places;
-    std::vector<std::uint32_t> samples;    ///< of each vertex: the cell that gives its height
-    std::vector<std::uint32_t> triangles;  ///< three vertices each, near strips first
-    std::vector<SideCorner> side_corners;  ///< four to a face
-    std::vector<std::uint32_t> side_triangles;
+    std::vector<std::uint32_t> triangles;  ///< three vertices each
+    std::vector<SideFace> sides;
 };
 
 /// Which way a camera looks over the bed: rows and columns are drawn from near to far.
@@ -38,13 +45,40 @@ struct ViewOrder {
     bool from_west = true;
 };
 
-/// Meshes a bed of nx × ny cells. Cells without data are left out, and the rim they leave gets
-/// vertical faces as the outer border does, so that the block looks solid.
-TerrainMesh terrain_mesh(int nx, int ny, const Mask& nodata, int stride, ViewOrder order);
+/// How large lengths of a block are on the screen: pixels / (depth at the place), the depth being 1
+/// at the block's middle and linear in the place.
+struct ScreenScale {
+    float pixels = 1.0F;  ///< that one z spans at the block's middle
+    float depth = 1.0F;   ///< at place (0, 0)
+    float depth_east = 0.0F;
+    float depth_north = 0.0F;
+};
 
-/// The coarsest stride (1, 2, 4, …) allowed for a bed: a mesh edge is at most `longest_edge` pixels
-/// long where one cell spans `pixels_per_cell`, and no more than one vertex in a hundred left out
-/// lies further than `largest_error` pixels from the mesh (`pixels_per_z` pixels to one z).
-int mesh_stride(const DisplayBed& bed, double pixels_per_cell, double pixels_per_z);
+/// The lattice of a bed of nx × ny cells. Quads at cells without data are left out.
+TerrainLattice terrain_lattice(int nx, int ny, const Mask& nodata, int stride);
+
+/// The stride of the lattice (1, 2, 4, …): as fine as triangles are of use where one cell spans
+/// `pixels_per_cell`.
+int lattice_stride(double pixels_per_cell);
+
+/// The largest side of a square of quads that may become two triangles (1, 2, 4, …), where a quad
+/// spans `pixels_per_quad`.
+int largest_square(double pixels_per_quad);
+
+/// The faces along the rims of cells without data, so that the block looks solid.
+std::vector<SideFace> rim_faces(const TerrainLattice& lattice, const Mask& nodata);
+
+/// Meshes a lattice with as few triangles as its heights (block lengths) allow: a vertex is left
+/// out where the middle of the edge in its place lies within `largest_error` pixels of it.
+/// A hierarchy of right-angled triangles without cracks (Evans, Kirkpatrick & Townsend 2001). The
+/// outer border gets its vertical faces.
+class TerrainMesher {
+  public:
+    TerrainMesh mesh(const TerrainLattice& lattice, std::span<const float> heights,
+                     const ScreenScale& scale, int square, ViewOrder order);
+
+  private:
+    std::vector<float> errors_;  ///< of each vertex and of all that need it, pixels
+};
 
 }  // namespace fumon

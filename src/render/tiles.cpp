@@ -6,7 +6,7 @@ namespace fumon {
 
 namespace {
 
-constexpr int clipped = 48;  // samples: longer than any edge of the terrain's mesh
+constexpr int clipped = 128;  // samples: longer than most edges of the terrain's mesh
 
 // Samples: OpenGL works on blocks of pixels (derivatives on 2 × 2 of them), which must be the same
 // ones whatever the tile.

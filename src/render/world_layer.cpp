@@ -128,7 +128,8 @@ void WorldLayer::draw(const BedShading& shading, const Light& light, const Camer
     program_.set("ripple_length", static_cast<float>(ripple_length));
     const double turns = camera.eye.x / ripple_length;
     program_.set("ripple_phase", static_cast<float>(turns - std::floor(turns)));
-    program_.set("ripple_slope", 0.28F);
+    constexpr double steepest = 0.28;
+    program_.set("ripple_slope", static_cast<float>(steepest * view_.look.ripples));
     program_.set("whole_eye", glm::vec2(camera.eye));
     gl.BindVertexArray(array_.name());
     gl.DrawElements(GL_TRIANGLES, indices_, GL_UNSIGNED_INT, nullptr);

@@ -104,6 +104,7 @@ struct LookSettings {
     double exposure = 0.0;  ///< stops
     bool block_sides = true;
     double grain = 0.5;            ///< visible texture of the sand, 0 … 1
+    double ripples = 1.0;          ///< steepness of wind ripples on endless ground, 0 … 1
     WordOrReal room{"auto", 0.0};  ///< heights framed above the first bed
     Datum datum = Datum::automatic;
     double shading = 1.0;                   ///< hill shading of a figure, 0 … 1

@@ -218,7 +218,7 @@ void list_view_keys(View& view, KeyTable& table) {
         {{Tone::automatic, "auto", "agx-punchy over endless ground, else filmic"},
          {Tone::filmic, "filmic", "a curve fitted to the ACES rendering (Narkowicz 2015)"},
          {Tone::agx, "agx", "bright colours turn pale, as on film (AgX, Sobotka)"},
-                  {Tone::agx_punchy, "agx-punchy", "the same with more contrast and colour"},
+         {Tone::agx_punchy, "agx-punchy", "the same with more contrast and colour"},
          {Tone::neutral, "neutral", "colours stay as they are up to bright ones (Khronos)"}},
         {.help = "from light to display values, in scenic views"});
     table.real("look.exposure", look.exposure,
@@ -226,6 +226,9 @@ void list_view_keys(View& view, KeyTable& table) {
     table.boolean("look.block_sides", look.block_sides,
                   {.help = "draw the cut sides of the block"});
     table.real("look.grain", look.grain, {.range = {0, 1}, .help = "visible grain of the sand"});
+    table.real("look.ripples", look.ripples,
+               {.range = {0, 1},
+                .help = "steepness of the wind ripples, too fine for the grid, on endless ground"});
     table.word_or_real("look.room", look.room,
                        {{"auto", "as far as the model's landforms usually grow"}},
                        {.unit = "model heights",

@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include <cstddef>
 #include <cstdint>
 
 #include "base/elementary.h"
@@ -23,15 +24,17 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Doubles = hn::ScalableTag<double>;
 using Vector = hn::Vec<Doubles>;
-using Words = hn::RebindToUnsigned<Doubles>;
 
-HWY_INLINE Vector constant(double value) {
-    return hn::Set(Doubles(), value);
+/// The value in every lane of a V.
+template <class V = Vector>
+HWY_INLINE V constant(double value) {
+    return hn::Set(hn::DFromV<V>(), value);
 }
 
 /// sum · x + term, in two roundings.
-HWY_INLINE Vector times_plus(Vector sum, Vector x, double term) {
-    return hn::Add(hn::Mul(sum, x), constant(term));
+template <class V>
+HWY_INLINE V times_plus(V sum, V x, double term) {
+    return hn::Add(hn::Mul(sum, x), constant<V>(term));
 }
 
 /// a < b ? a : b, so b where one of them is no number or both are 0. What x86 calls a minimum.
@@ -54,78 +57,123 @@ HWY_INLINE V greater(V a, V b) {
 #endif
 }
 
-HWY_INLINE Vector power_of_two(Vector shifted) {
+template <class V>
+HWY_INLINE V power_of_two(V shifted) {
     constexpr std::uint64_t bias = 1023;
     constexpr int exponent_at = 52;
-    const Words words;
+    const hn::RebindToUnsigned<hn::DFromV<V>> words;
     const auto biased = hn::Add(hn::BitCast(words, shifted), hn::Set(words, bias));
-    return hn::BitCast(Doubles(), hn::ShiftLeft<exponent_at>(biased));
+    return hn::BitCast(hn::DFromV<V>(), hn::ShiftLeft<exponent_at>(biased));
 }
 
-HWY_INLINE Vector exp_tail(Vector r) {
-    const Vector r2 = hn::Mul(r, r);
-    Vector p = constant(1.0 / 6227020800.0);
-    p = times_plus(p, r, 1.0 / 479001600.0);
-    p = times_plus(p, r, 1.0 / 39916800.0);
-    p = times_plus(p, r, 1.0 / 3628800.0);
-    p = times_plus(p, r, 1.0 / 362880.0);
-    p = times_plus(p, r, 1.0 / 40320.0);
-    p = times_plus(p, r, 1.0 / 5040.0);
-    p = times_plus(p, r, 1.0 / 720.0);
-    p = times_plus(p, r, 1.0 / 120.0);
-    p = times_plus(p, r, 1.0 / 24.0);
-    p = times_plus(p, r, 1.0 / 6.0);
-    return hn::Add(hn::Mul(r2, constant(0.5)), hn::Mul(hn::Mul(r2, r), p));
+/// elementary::detail::exp_tail of several vectors.
+template <class V, std::size_t n>
+HWY_INLINE void exp_tails(const V (&r)[n], V (&tail)[n]) {
+    for (std::size_t i = 0; i < n; ++i) {
+        V p = constant<V>(1.0 / 6227020800.0);
+        p = times_plus(p, r[i], 1.0 / 479001600.0);
+        p = times_plus(p, r[i], 1.0 / 39916800.0);
+        p = times_plus(p, r[i], 1.0 / 3628800.0);
+        p = times_plus(p, r[i], 1.0 / 362880.0);
+        p = times_plus(p, r[i], 1.0 / 40320.0);
+        tail[i] = p;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        V p = tail[i];
+        p = times_plus(p, r[i], 1.0 / 5040.0);
+        p = times_plus(p, r[i], 1.0 / 720.0);
+        p = times_plus(p, r[i], 1.0 / 120.0);
+        p = times_plus(p, r[i], 1.0 / 24.0);
+        p = times_plus(p, r[i], 1.0 / 6.0);
+        const V r2 = hn::Mul(r[i], r[i]);
+        tail[i] = hn::Add(hn::Mul(r2, constant<V>(0.5)), hn::Mul(hn::Mul(r2, r[i]), p));
+    }
 }
 
 /// x − k ln 2.
-HWY_INLINE Vector without_twos(Vector x, Vector k) {
+template <class V>
+HWY_INLINE V without_twos(V x, V k) {
     using namespace elementary::detail;
-    return hn::Sub(hn::Sub(x, hn::Mul(k, constant(ln2_high))), hn::Mul(k, constant(ln2_low)));
+    return hn::Sub(hn::Sub(x, hn::Mul(k, constant<V>(ln2_high))), hn::Mul(k, constant<V>(ln2_low)));
 }
 
-/// elementary::exp.
-HWY_INLINE Vector exp(Vector x) {
+/// elementary::exp, stage by stage of several vectors, in place: each stage is a short chain of
+/// operations, of which a processor works on several at once.
+template <class V, std::size_t n>
+HWY_INLINE void exp(V (&x)[n]) {
     using namespace elementary::detail;
-    const Vector magic = constant(to_integer);
-    Vector clamped = hn::IfThenElse(hn::Gt(x, constant(710.0)), constant(710.0), x);
-    clamped = hn::IfThenElse(hn::Lt(clamped, constant(-746.0)), constant(-746.0), clamped);
-    const Vector k = hn::Sub(hn::Add(hn::Mul(clamped, constant(log2_e)), magic), magic);
-    const Vector r = without_twos(clamped, k);
-    const Vector value = hn::Add(constant(1.0), hn::Add(r, exp_tail(r)));
-    const Vector half_shifted = hn::Add(hn::Mul(constant(0.5), k), magic);
-    const Vector rest_shifted = hn::Add(hn::Sub(k, hn::Sub(half_shifted, magic)), magic);
-    return hn::Mul(hn::Mul(value, power_of_two(half_shifted)), power_of_two(rest_shifted));
+    const V magic = constant<V>(to_integer);
+    V k[n];
+    V tail[n];
+    for (std::size_t i = 0; i < n; ++i) {
+        const V clamped = greater(constant<V>(-746.0), lesser(constant<V>(710.0), x[i]));
+        k[i] = hn::Sub(hn::Add(hn::Mul(clamped, constant<V>(log2_e)), magic), magic);
+        x[i] = without_twos(clamped, k[i]);
+    }
+    exp_tails(x, tail);
+    for (std::size_t i = 0; i < n; ++i) {
+        const V value = hn::Add(constant<V>(1.0), hn::Add(x[i], tail[i]));
+        const V half_shifted = hn::Add(hn::Mul(constant<V>(0.5), k[i]), magic);
+        const V rest_shifted = hn::Add(hn::Sub(k[i], hn::Sub(half_shifted, magic)), magic);
+        x[i] = hn::Mul(hn::Mul(value, power_of_two(half_shifted)), power_of_two(rest_shifted));
+    }
 }
 
-/// elementary::expm1_positive.
-HWY_INLINE Vector expm1_positive(Vector x) {
+template <class V>
+HWY_INLINE V exp(V x) {
+    V one[1] = {x};
+    vectors::HWY_NAMESPACE::exp(one);
+    return one[0];
+}
+
+/// elementary::expm1_positive of several vectors, in place.
+template <class V, std::size_t n>
+HWY_INLINE void expm1_positive(V (&x)[n]) {
     using namespace elementary::detail;
-    const Vector magic = constant(to_integer);
-    const Vector shifted = hn::Add(hn::Mul(x, constant(log2_e)), magic);
-    const Vector r = without_twos(x, hn::Sub(shifted, magic));
-    const Vector scale = power_of_two(shifted);
-    const Vector tail = exp_tail(r);
-    const Vector sum = hn::Add(r, tail);
-    const Vector lost = hn::Sub(tail, hn::Sub(sum, r));
-    const Vector whole = hn::Sub(scale, constant(1.0));
-    const Vector grown = hn::Mul(scale, sum);
-    const Vector value = hn::Add(whole, grown);
-    const Vector put_back = hn::Add(hn::Sub(grown, hn::Sub(value, whole)), hn::Mul(scale, lost));
-    return hn::Add(value, put_back);
+    const V magic = constant<V>(to_integer);
+    V shifted[n];
+    V tail[n];
+    for (std::size_t i = 0; i < n; ++i) {
+        shifted[i] = hn::Add(hn::Mul(x[i], constant<V>(log2_e)), magic);
+        x[i] = without_twos(x[i], hn::Sub(shifted[i], magic));
+    }
+    exp_tails(x, tail);
+    for (std::size_t i = 0; i < n; ++i) {
+        const V r = x[i];
+        const V scale = power_of_two(shifted[i]);
+        const V sum = hn::Add(r, tail[i]);
+        const V lost = hn::Sub(tail[i], hn::Sub(sum, r));
+        const V whole = hn::Sub(scale, constant<V>(1.0));
+        const V grown = hn::Mul(scale, sum);
+        const V value = hn::Add(whole, grown);
+        const V put_back = hn::Add(hn::Sub(grown, hn::Sub(value, whole)), hn::Mul(scale, lost));
+        x[i] = hn::Add(value, put_back);
+    }
 }
 
-/// elementary::tanh.
-HWY_INLINE Vector tanh(Vector x) {
-    const Vector size = hn::Abs(x);
-    const Vector saturated = constant(22.0);
-    const Vector clamped = hn::IfThenElse(hn::Gt(size, saturated), saturated, size);
-    const Vector t = expm1_positive(hn::Mul(constant(2.0), clamped));
-    return hn::CopySign(hn::Div(t, hn::Add(t, constant(2.0))), x);
+/// elementary::tanh of several vectors, in place.
+template <class V, std::size_t n>
+HWY_INLINE void tanh(V (&x)[n]) {
+    V t[n];
+    for (std::size_t i = 0; i < n; ++i) {
+        const V clamped = lesser(constant<V>(22.0), hn::Abs(x[i]));
+        t[i] = hn::Mul(constant<V>(2.0), clamped);
+    }
+    expm1_positive(t);
+    for (std::size_t i = 0; i < n; ++i)
+        x[i] = hn::CopySign(hn::Div(t[i], hn::Add(t[i], constant<V>(2.0))), x[i]);
 }
 
-HWY_INLINE Vector artanh_tail(Vector last, Vector z) {
-    Vector series = last;
+template <class V>
+HWY_INLINE V tanh(V x) {
+    V one[1] = {x};
+    vectors::HWY_NAMESPACE::tanh(one);
+    return one[0];
+}
+
+template <class V>
+HWY_INLINE V artanh_tail(V last, V z) {
+    V series = last;
     series = times_plus(series, z, 2.0 / 21.0);
     series = times_plus(series, z, 2.0 / 19.0);
     series = times_plus(series, z, 2.0 / 17.0);
@@ -139,30 +187,45 @@ HWY_INLINE Vector artanh_tail(Vector last, Vector z) {
     return series;
 }
 
-/// elementary::log_of_normal.
-HWY_INLINE Vector log_of_normal(Vector x) {
-    using namespace elementary::detail;
+template <class V>
+struct NormalParts {
+    V k;
+    V mantissa;
+};
+
+/// elementary::detail::parts_of_normal.
+template <class V>
+HWY_INLINE NormalParts<V> parts_of_normal(V x) {
     constexpr std::uint64_t one = 0x3ff0000000000000;
     constexpr std::uint64_t root_half = 0x3fe6a09e667f3bcd;
     constexpr std::uint64_t two_to_52 = 0x4330000000000000;
     constexpr std::uint64_t mantissa_bits = 0x000fffffffffffff;
     constexpr double biased = 0x1p52 + 1023.0;
     constexpr int exponent_at = 52;
-    const Doubles doubles;
-    const Words words;
+    const hn::DFromV<V> doubles;
+    const hn::RebindToUnsigned<hn::DFromV<V>> words;
     const auto bits = hn::Add(hn::BitCast(words, x), hn::Set(words, one - root_half));
     const auto exponent = hn::Or(hn::ShiftRight<exponent_at>(bits), hn::Set(words, two_to_52));
     const auto fraction = hn::And(bits, hn::Set(words, mantissa_bits));
-    const Vector k = hn::Sub(hn::BitCast(doubles, exponent), constant(biased));
-    const Vector mantissa = hn::BitCast(doubles, hn::Add(fraction, hn::Set(words, root_half)));
-    const Vector f = hn::Sub(mantissa, constant(1.0));
-    const Vector s = hn::Div(f, hn::Add(constant(2.0), f));
-    const Vector z = hn::Mul(s, s);
-    const Vector series = artanh_tail(times_plus(constant(2.0 / 25.0), z, 2.0 / 23.0), z);
-    const Vector half_square = hn::Mul(hn::Mul(constant(0.5), f), f);
-    const Vector inner = hn::Mul(s, hn::Add(half_square, hn::Mul(z, series)));
-    const Vector low = hn::Add(inner, hn::Mul(k, constant(ln2_low)));
-    return hn::Sub(hn::Mul(k, constant(ln2_high)), hn::Sub(hn::Sub(half_square, low), f));
+    return {hn::Sub(hn::BitCast(doubles, exponent), constant<V>(biased)),
+            hn::BitCast(doubles, hn::Add(fraction, hn::Set(words, root_half)))};
+}
+
+/// elementary::log_of_normal.
+template <class V>
+HWY_INLINE V log_of_normal(V x) {
+    using namespace elementary::detail;
+    const auto parts = vectors::HWY_NAMESPACE::parts_of_normal(x);
+    const V k = parts.k;
+    const V f = hn::Sub(parts.mantissa, constant<V>(1.0));
+    const V s = hn::Div(f, hn::Add(constant<V>(2.0), f));
+    const V z = hn::Mul(s, s);
+    const V series =
+        vectors::HWY_NAMESPACE::artanh_tail(times_plus(constant<V>(2.0 / 25.0), z, 2.0 / 23.0), z);
+    const V half_square = hn::Mul(hn::Mul(constant<V>(0.5), f), f);
+    const V inner = hn::Mul(s, hn::Add(half_square, hn::Mul(z, series)));
+    const V low = hn::Add(inner, hn::Mul(k, constant<V>(ln2_low)));
+    return hn::Sub(hn::Mul(k, constant<V>(ln2_high)), hn::Sub(hn::Sub(half_square, low), f));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -16,14 +16,24 @@ std::int64_t bit() {
     return HWY_TARGET;
 }
 
+/// Groups of vectors and, behind them, vectors.
+template <class Function>
+HWY_INLINE void in_groups(const double* in, int count, double* out, const Function& function) {
+    for_each_group<3>(count, [&](auto d, std::size_t x, auto several) HWY_ATTR {
+        hn::Vec<decltype(d)> some[several];
+        constexpr std::size_t lanes = hn::MaxLanes(d);
+        for (std::size_t i = 0; i < several; ++i) some[i] = hn::LoadU(d, in + x + i * lanes);
+        function(some);
+        for (std::size_t i = 0; i < several; ++i) hn::StoreU(some[i], d, out + x + i * lanes);
+    });
+}
+
 void exp_of(const double* in, int count, double* out) {
-    for_each_cell(
-        count, out, [](Vector x) HWY_ATTR { return vectors::HWY_NAMESPACE::exp(x); }, in);
+    in_groups(in, count, out, [](auto& x) HWY_ATTR { vectors::HWY_NAMESPACE::exp(x); });
 }
 
 void tanh_of(const double* in, int count, double* out) {
-    for_each_cell(
-        count, out, [](Vector x) HWY_ATTR { return vectors::HWY_NAMESPACE::tanh(x); }, in);
+    in_groups(in, count, out, [](auto& x) HWY_ATTR { vectors::HWY_NAMESPACE::tanh(x); });
 }
 
 void log_of(const double* in, int count, double* out) {
@@ -41,6 +51,8 @@ HWY_AFTER_NAMESPACE();
 
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <set>

@@ -76,7 +76,8 @@ std::optional<FieldsRecord> read_record(const NetcdfInput& input) {
     return found;
 }
 
-/// The record of a step, by bisection: steps ascend, and a damaged file may claim any number of them.
+/// The record of a step, by bisection: steps ascend, and a damaged file may claim any number of
+/// them.
 std::size_t record_of(const NetcdfInput& input, std::int64_t step) {
     const auto variable = input.find_variable("step");
     if (!variable || input.dimensions(*variable).size() != 1)

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "base/give_up.h"
-#include "base/multiversion.h"
+#include "models/air/air_vectors.h"
 #include "numerics/eigen_blocks.h"
 #include "numerics/plane_loop.h"
 
@@ -33,18 +33,6 @@ std::vector<PressureTerm> pressure_equation(const AirPlane& plane, BedPressure b
 }
 
 namespace {
-
-/// rows begin … end − 1 of a matrix, stored by columns, times a vector.
-FUMON_MULTIVERSION
-void add_columns(const std::vector<double>& matrix, const std::vector<double>& by,
-                 std::vector<double>& product, std::size_t begin, std::size_t end) {
-    const std::size_t count = by.size();
-    for (std::size_t i = begin; i < end; ++i) product[i] = 0.0;
-    for (std::size_t j = 0; j < count; ++j) {
-        const double factor = by[j];
-        for (std::size_t i = begin; i < end; ++i) product[i] += matrix[j * count + i] * factor;
-    }
-}
 
 /// What the equation of the lowest air node of column i has beyond the rectangle's, as it is where
 /// neither bed nor lid is near.
@@ -109,8 +97,9 @@ void AirPoisson::invert_departures() {
 
 void AirPoisson::solve_pinned(std::span<const double> right_side) {
     for (int i = 0; i < plane_.nx; ++i) {
-        for (int k = 1; k < plane_.nz; ++k)
-            b_[at(i, k)] = k < lowest(i) ? 0.0 : right_side[plane_.at(i, k)];
+        std::fill(&b_[at(i, 1)], &b_[at(i, lowest(i))], 0.0);
+        std::copy(&right_side[plane_.at(i, lowest(i))], &right_side[plane_.at(i, plane_.nz)],
+                  &b_[at(i, lowest(i))]);
     }
     rectangle_.begin(b_, plane_.nz);
     give_up_if_asked();
@@ -123,13 +112,16 @@ void AirPoisson::solve_pinned(std::span<const double> right_side) {
         departing[static_cast<std::size_t>(i)] = sum;
     }
     over_plane(pool_, plane_.nx, inverse_.size(), [&](int begin, int end) {
-        add_columns(inverse_, departing, strengths_, static_cast<std::size_t>(begin),
-                    static_cast<std::size_t>(end));
+        air::multiply(inverse_.data(), departing.data(), departing.size(),
+                      static_cast<std::size_t>(begin), static_cast<std::size_t>(end),
+                      strengths_.data());
     });
     give_up_if_asked();
-    std::fill(b_.begin(), b_.end(), 0.0);
-    for (int i = 0; i < plane_.nx; ++i)
+    const std::size_t seen = rectangle_.nodes_seen(near_bed_);
+    for (int i = 0; i < plane_.nx; ++i) {
+        std::fill_n(&b_[at(i, 1)], seen, 0.0);
         b_[at(i, lowest(i))] = -strengths_[static_cast<std::size_t>(i)];
+    }
     rectangle_.add(b_, near_bed_);
     rectangle_.write(p_, plane_.nz);
 }
@@ -139,8 +131,8 @@ void AirPoisson::solve(std::span<const double> right_side, std::span<double> pre
     const std::size_t pinned = at(0, lowest(0));
     const double constant = p_[pinned] / of_constant_[pinned];
     for (int i = 0; i < plane_.nx; ++i) {
-        for (int k = lowest(i); k < plane_.nz; ++k)
-            pressure[plane_.at(i, k)] = p_[at(i, k)] - constant * of_constant_[at(i, k)];
+        air::subtract_multiple(&p_[at(i, lowest(i))], constant, &of_constant_[at(i, lowest(i))],
+                               plane_.nz - lowest(i), &pressure[plane_.at(i, lowest(i))]);
     }
 }
 

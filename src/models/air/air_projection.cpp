@@ -10,9 +10,9 @@
 
 #include "base/error.h"
 #include "base/give_up.h"
-#include "base/multiversion.h"
 #include "base/state_carrier.h"
 #include "models/air/air_plane.h"
+#include "models/air/air_vectors.h"
 #include "numerics/plane_loop.h"
 
 namespace fumon {
@@ -48,56 +48,6 @@ std::vector<double> staircase_stress(const AirPlane& plane, std::span<const doub
     return stress;
 }
 
-/// A column's velocities and those of its neighbours, of nodes from 0.
-struct Columns {
-    const double* __restrict far_left;
-    const double* __restrict left;
-    const double* __restrict here;
-    const double* __restrict right;
-    const double* __restrict far_right;
-};
-
-struct Coefficients {
-    double courant;    ///< Δt/Δr, s/m
-    double diffusion;  ///< ν Δt/Δr²
-};
-
-/// Eq. (30) at nodes begin … end − 1.
-FUMON_MULTIVERSION
-void predict_upwind(const Columns& v, const double* __restrict u, const double* __restrict w,
-                    double* __restrict out, int begin, int end, const Coefficients& by) {
-    const double* __restrict left = v.left;
-    const double* __restrict here = v.here;
-    const double* __restrict right = v.right;
-    for (int k = begin; k < end; ++k) {
-        const double centre = here[k];
-        const double toward = u[k] > 0.0 ? centre - left[k] : right[k] - centre;
-        const double upward = w[k] > 0.0 ? centre - here[k - 1] : here[k + 1] - centre;
-        const double around = left[k] + right[k] + here[k - 1] + here[k + 1] - 4.0 * centre;
-        out[k] = centre + (by.diffusion * around - by.courant * (u[k] * toward + w[k] * upward));
-    }
-}
-
-/// The same with linear upwind differences (3f₀ − 4f₁ + f₂)/2 for the advection.
-FUMON_MULTIVERSION
-void predict_second_order(const Columns& v, const double* __restrict u, const double* __restrict w,
-                          double* __restrict out, int begin, int end, const Coefficients& by) {
-    const double* __restrict left = v.left;
-    const double* __restrict here = v.here;
-    const double* __restrict right = v.right;
-    for (int k = begin; k < end; ++k) {
-        const double centre = here[k];
-        const double from_left = 1.5 * centre - 2.0 * left[k] + 0.5 * v.far_left[k];
-        const double from_right = 2.0 * right[k] - 1.5 * centre - 0.5 * v.far_right[k];
-        const double from_below = 1.5 * centre - 2.0 * here[k - 1] + 0.5 * here[k - 2];
-        const double from_above = 2.0 * here[k + 1] - 1.5 * centre - 0.5 * here[k + 2];
-        const double toward = u[k] > 0.0 ? from_left : from_right;
-        const double upward = w[k] > 0.0 ? from_below : from_above;
-        const double around = left[k] + right[k] + here[k - 1] + here[k + 1] - 4.0 * centre;
-        out[k] = centre + (by.diffusion * around - by.courant * (u[k] * toward + w[k] * upward));
-    }
-}
-
 }  // namespace
 
 AirProjection::AirProjection(const AirPlane& plane, const AirflowParameters& parameters,
@@ -109,7 +59,8 @@ AirProjection::AirProjection(const AirPlane& plane, const AirflowParameters& par
       u_(plane.at(plane.nx, 0), 0.0),
       w_(u_),
       p_(u_),
-      right_side_(u_) {
+      right_side_(u_),
+      faults_(static_cast<std::size_t>(plane.nx)) {
     const double lid = plane.nz * plane.spacing;
     for (int i = 0; i < plane.nx; ++i) {
         for (int k = plane.under_bed[static_cast<std::size_t>(i)] + 1; k <= plane.nz; ++k) {
@@ -138,7 +89,7 @@ void AirProjection::step() {
 }
 
 void AirProjection::predict(int begin, int end) {
-    const Coefficients by{
+    const air::Coefficients by{
         parameters_.time_step / plane_.spacing,
         parameters_.viscosity * parameters_.time_step / (plane_.spacing * plane_.spacing)};
     const auto top = [&](int i) { return plane_.under_bed[static_cast<std::size_t>(i)]; };
@@ -156,19 +107,17 @@ void AirProjection::predict(int begin, int end) {
             from = std::min(from, plane_.nz);
             to = std::max(from, plane_.nz - 1);
         }
-        const double* u = &u_[plane_.at(i, 0)];
-        const double* w = &w_[plane_.at(i, 0)];
-        const auto advance = [&](const std::vector<double>& v, std::vector<double>& out) {
-            const Columns columns{&v[plane_.at(far_left, 0)], &v[plane_.at(left, 0)],
-                                  &v[plane_.at(i, 0)], &v[plane_.at(right, 0)],
-                                  &v[plane_.at(far_right, 0)]};
-            double* result = &out[plane_.at(i, 0)];
-            predict_upwind(columns, u, w, result, lowest, from, by);
-            predict_second_order(columns, u, w, result, from, to, by);
-            predict_upwind(columns, u, w, result, to, plane_.nz, by);
+        const auto columns = [&](const std::vector<double>& v) {
+            return air::Columns{&v[plane_.at(far_left, 0)], &v[plane_.at(left, 0)],
+                                &v[plane_.at(i, 0)], &v[plane_.at(right, 0)],
+                                &v[plane_.at(far_right, 0)]};
         };
-        advance(u_, predicted_u_);
-        advance(w_, predicted_w_);
+        const air::Columns u = columns(u_);
+        const air::Columns w = columns(w_);
+        const air::NewVelocity out{&predicted_u_[plane_.at(i, 0)], &predicted_w_[plane_.at(i, 0)]};
+        if (lowest < from) air::predict_upwind(u, w, by, lowest, from, out);
+        if (from < to) air::predict_second_order(u, w, by, from, to, out);
+        if (to < plane_.nz) air::predict_upwind(u, w, by, to, plane_.nz, out);
     }
 }
 
@@ -182,8 +131,10 @@ void AirProjection::diverge(int begin, int end) {
     const double factor = 0.5 * parameters_.density * plane_.spacing / parameters_.time_step;
     const double at_lid = 2.0 * parameters_.density * parameters_.viscosity / plane_.spacing;
     for (int i = begin; i < end; ++i) {
-        for (int k = plane_.under_bed[static_cast<std::size_t>(i)] + 1; k < plane_.nz; ++k)
-            right_side_[plane_.at(i, k)] = factor * divergence(predicted_u_, predicted_w_, i, k);
+        air::diverge(&predicted_u_[plane_.at(plane_.left(i), 0)],
+                     &predicted_u_[plane_.at(plane_.right(i), 0)], &predicted_w_[plane_.at(i, 0)],
+                     factor, plane_.under_bed[static_cast<std::size_t>(i)] + 1, plane_.nz,
+                     &right_side_[plane_.at(i, 0)]);
         right_side_[plane_.at(i, plane_.nz - 1)] -=
             at_lid * predicted_w_[plane_.at(i, plane_.nz - 1)];
     }
@@ -201,15 +152,12 @@ void AirProjection::extend_pressure(int i) {
 void AirProjection::correct(int begin, int end) {
     const double factor = parameters_.time_step / (2.0 * parameters_.density * plane_.spacing);
     for (int i = begin; i < end; ++i) {
-        const double* left = &p_[plane_.at(plane_.left(i), 0)];
-        const double* here = &p_[plane_.at(i, 0)];
-        const double* right = &p_[plane_.at(plane_.right(i), 0)];
-        const std::size_t column = plane_.at(i, 0);
-        for (int k = plane_.under_bed[static_cast<std::size_t>(i)] + 1; k < plane_.nz; ++k) {
-            const std::size_t at = column + static_cast<std::size_t>(k);
-            u_[at] = predicted_u_[at] - factor * (right[k] - left[k]);
-            w_[at] = predicted_w_[at] - factor * (here[k + 1] - here[k - 1]);
-        }
+        const std::size_t here = plane_.at(i, 0);
+        faults_[static_cast<std::size_t>(i)] = air::correct(
+            {nullptr, &p_[plane_.at(plane_.left(i), 0)], &p_[here],
+             &p_[plane_.at(plane_.right(i), 0)], nullptr},
+            {&predicted_u_[here], &predicted_w_[here]}, factor,
+            plane_.under_bed[static_cast<std::size_t>(i)] + 1, plane_.nz, {&u_[here], &w_[here]});
     }
 }
 
@@ -245,9 +193,7 @@ double AirProjection::largest_divergence() const {
 }
 
 void AirProjection::check() const {
-    double sum = 0.0;  // not finite once a velocity is not
-    for (std::size_t at = 0; at < u_.size(); ++at) sum += u_[at] * 0.0 + w_[at] * 0.0;
-    if (std::isfinite(sum)) return;
+    if (std::ranges::all_of(faults_, [](double fault) { return fault == 0.0; })) return;
     for (int i = 0; i < plane_.nx; ++i) {
         for (int k = 0; k <= plane_.nz; ++k) {
             const std::size_t at = plane_.at(i, k);

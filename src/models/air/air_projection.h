@@ -52,6 +52,7 @@ class AirProjection : public AirScheme {
     std::vector<double> u_, w_, p_;
     std::vector<double> predicted_u_, predicted_w_;
     std::vector<double> right_side_;
+    std::vector<double> faults_;  ///< of each column: 0 where its velocities are finite
     std::int64_t steps_ = 0;
 };
 

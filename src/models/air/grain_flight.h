@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "models/air/flight_parameters.h"
-#include "models/air/grain_lanes.h"
+#include "models/air/grain_lanes_vectors.h"
 #include "models/shared/model.h"
 
 namespace fumon {

@@ -1,15 +1,8 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <span>
-#include <vector>
-
-#include "base/grid.h"
 
 namespace fumon {
-
-class WorkerPool;
 
 /// The largest rate D for which the creep of every cell is valid (Terada 2024, eq. 13).
 inline constexpr double highest_every_cell_creep_rate = 0.75;
@@ -22,23 +15,5 @@ inline constexpr double highest_every_cell_creep_rate = 0.75;
 /// heights; `after` may be none of the others.
 void creep_row(std::span<const double> south, std::span<const double> here,
                std::span<const double> north, double rate, std::span<double> after);
-
-/// Creep as in the program of Sudo (2002, appendix A): in place, row after row from y = 0 and from
-/// x = 0, each cell that is strictly higher than its 8 neighbours at that moment gives D·h away, a
-/// sixth of it to each side and a twelfth to each corner. Exactly sequential; but threads mark the
-/// maxima of the bed before, and only those and the surroundings of cells that gave are visited.
-class MaximaCreep {
-  public:
-    void operator()(Grid& bed, double rate, WorkerPool& pool);
-
-  private:
-    void mark(const Grid& bed, WorkerPool& pool);
-    void mark_around(int x, int y, int reach);
-
-    int nx_ = 0;
-    int ny_ = 0;
-    std::size_t words_ = 0;             ///< of 64 cells, in a row
-    std::vector<std::uint64_t> marks_;  ///< a bit for each cell that is to be visited
-};
 
 }  // namespace fumon

@@ -43,27 +43,14 @@ inline double visit(const Rates& rates, Carried& carried, double right) {
     return right;
 }
 
-/// Sites [begin, end) of a sweep that comes to `begin` with `carried`. Writes the sites
-/// begin … end − 2 and the gift to begin − 1; returns what it carries to `end`.
+/// Sites [begin, end) of a sweep that comes to `begin` with `start`. Writes the sites
+/// begin … end − 2 and the gift to begin − 1, and carries `stop` to `end`.
 struct Part {
     int begin = 0;
     int end = 0;
     Carried start{};
     Carried stop{};
     double before_begin = 0.0;  ///< height of site begin − 1 when this part has passed
-
-    void sweep(const double* before, const Rates& rates, double* after) {
-        Carried carried = start;
-        double next = visit(rates, carried, before[begin + 1]);
-        before_begin = carried.left;
-        carried = {carried.here, next};
-        for (int x = begin + 1; x < end; ++x) {
-            next = visit(rates, carried, before[x + 1]);
-            after[x - 1] = carried.left;
-            carried = {carried.here, next};
-        }
-        stop = carried;
-    }
 
     /// Replaces a start that was guessed: sweeps again until the guess would have carried the same.
     void start_again(const Carried& found, const double* before, const Rates& rates,
@@ -72,10 +59,7 @@ struct Part {
         Carried carried = found;
         start = found;
         for (int x = begin; x < end; ++x) {
-            if (carried == guessed) {
-                if (x == begin) before_begin = found.left;
-                return;
-            }
+            if (carried == guessed) return;
             const double right = before[x + 1];
             const double next_guessed = visit(rates, guessed, right);
             const double next = visit(rates, carried, right);
@@ -86,6 +70,36 @@ struct Part {
         stop = carried;
     }
 };
+
+/// The sites of two parts in turn: those of one alone would each wait for the one before it.
+void sweep_both(Part& one, Part& other, const double* before, const Rates& rates, double* after) {
+    struct Sweep {
+        Part& part;
+        int x;
+        Carried carried;
+    };
+    Sweep a{one, one.begin, one.start};
+    Sweep b{other, other.begin, other.start};
+    const auto visit_next = [&](Sweep& sweep, double& left) {
+        const double next = visit(rates, sweep.carried, before[sweep.x + 1]);
+        left = sweep.carried.left;
+        sweep.carried = {sweep.carried.here, next};
+        ++sweep.x;
+    };
+    const auto go_on = [&](Sweep& sweep) { visit_next(sweep, after[sweep.x - 1]); };
+    for (Sweep* sweep : {&a, &b}) {
+        if (sweep->x < sweep->part.end) visit_next(*sweep, sweep->part.before_begin);
+    }
+    const int together = std::min(one.end - a.x, other.end - b.x);
+    for (int k = 0; k < together; ++k) {
+        go_on(a);
+        go_on(b);
+    }
+    for (Sweep* sweep : {&a, &b}) {
+        while (sweep->x < sweep->part.end) go_on(*sweep);
+        sweep->part.stop = sweep->carried;
+    }
+}
 
 /// Two sites or fewer: each is its own neighbour or twice the other's.
 void plain_sweep(std::span<double> row, const Rates& rates) {
@@ -108,11 +122,14 @@ void plain_sweep(std::span<double> row, const Rates& rates) {
     }
 }
 
-/// [1, nx − 1) in as many parts as there are threads, each long enough to be worth one.
-std::vector<Part> parts_of(int nx, const WorkerPool* pool) {
+int threads_for(int nx, const WorkerPool* pool) {
     constexpr int worth_a_thread = 1 << 14;  // sites; waking a thread costs about 20 µs
-    const int most = std::max(1, nx / worth_a_thread);
-    const int count = pool == nullptr ? 1 : std::min(pool->size(), most);
+    return pool == nullptr ? 1 : std::clamp(nx / worth_a_thread, 1, pool->size());
+}
+
+/// [1, nx − 1) in two parts for each thread.
+std::vector<Part> parts_of(int nx, int threads) {
+    const int count = 2 * threads;
     std::vector<Part> parts(static_cast<std::size_t>(count));
     const auto border = [&](int part) { return 1 + static_cast<int>((nx - 2LL) * part / count); };
     for (int part = 0; part < count; ++part) {
@@ -141,17 +158,20 @@ void profile_creep(std::span<double> before, double creep_rate, double flank_rat
     const double second = visit(rates, first, from[1]);
     from[nx - 1] = first.left;
 
-    std::vector<Part> parts = parts_of(nx, pool);
+    const int threads = threads_for(nx, pool);
+    std::vector<Part> parts = parts_of(nx, threads);
     for (Part& part : parts) part.start = {from[part.begin - 1], from[part.begin]};
     parts.front().start = {first.here, second};
     const auto sweep = [&](int begin, int end) {
-        for (int part = begin; part < end; ++part)
-            parts[static_cast<std::size_t>(part)].sweep(from, rates, to);
+        for (auto thread = static_cast<std::size_t>(begin); thread < static_cast<std::size_t>(end);
+             ++thread) {
+            sweep_both(parts[2 * thread], parts[2 * thread + 1], from, rates, to);
+        }
     };
-    if (parts.size() == 1) {
+    if (threads == 1) {
         sweep(0, 1);
     } else {
-        pool->for_ranges(static_cast<int>(parts.size()), sweep);
+        pool->for_ranges(threads, sweep);
     }
     to[0] = parts.front().before_begin;
     for (std::size_t k = 1; k < parts.size(); ++k) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "base/elementary.h"
 #include "base/give_up.h"
-#include "base/multiversion.h"
 #include "models/sand/hop_vectors.h"
 
 namespace fumon {
@@ -22,17 +22,14 @@ inline double usable(double length) {
     return cut > 0.0 ? cut : 0.0;
 }
 
+/// What makes cutting off a fraction rounding.
+double to_nearest_of(Landing landing) {
+    return landing == Landing::round ? 0.5 : 0.0;
+}
+
 inline int wrapped(int x, int nx) {
     if (x < nx) return x;
     return x < 2 * nx ? x - nx : x % nx;
-}
-
-FUMON_MULTIVERSION void subtract(const double* from, const double* what, int count, double* out) {
-    for (int x = 0; x < count; ++x) out[x] = from[x] - what[x];
-}
-
-FUMON_MULTIVERSION void add_to_all(double* values, double what, int count) {
-    for (int x = 0; x < count; ++x) values[x] += what;
 }
 
 /// Piecewise linear between the table's points, constant beyond its ends.
@@ -78,13 +75,10 @@ double RowHops::length(double height, double slope) const {
 }
 
 void RowHops::synchronous(std::span<const double> before, std::span<double> after) {
-    slope_tanh_.resize(before.size());
-    length_.resize(before.size());
     amount_.resize(before.size());
+    to_.resize(before.size());
     if (needs_slope_) take_slopes(before);
-    take_lengths(before);
-    take_amounts(before);
-    subtract(before.data(), amount_.data(), nx_, after.data());
+    depart(before, after);
     if (parameters_.landing == Landing::split) {
         land_split(after);
     } else {
@@ -93,6 +87,7 @@ void RowHops::synchronous(std::span<const double> before, std::span<double> afte
 }
 
 void RowHops::take_slopes(std::span<const double> before) {
+    slope_tanh_.resize(before.size());
     const double* h = before.data();
     double* out = slope_tanh_.data();
     const int last = nx_ - 1;
@@ -116,152 +111,190 @@ void RowHops::take_slopes(std::span<const double> before) {
     }
 }
 
-void RowHops::take_lengths(std::span<const double> before) {
+void RowHops::depart(std::span<const double> before, std::span<double> after) {
     const SandParameters& p = parameters_;
+    hop_vectors::AmountLaw amount{p.amount, p.amount_slope_factor, p.limit_amount};
+    if (p.hop_amount == HopAmount::slope) amount.slope_tanh = slope_tanh_.data();
+    if (p.shadow == Shadow::upwind_higher) {
+        upwind_.assign(1, before.back());
+        upwind_.insert(upwind_.end(), before.begin(), before.end() - 1);
+        amount.upwind = upwind_.data();
+    }
+    if (p.landing == Landing::split) far_amount_.resize(before.size());
+    const hop_vectors::Departures out{
+        .width = nx_,
+        .from = nullptr,
+        .after = after.data(),
+        .amount = amount_.data(),
+        .far_amount = p.landing == Landing::split ? far_amount_.data() : nullptr,
+        .to = to_.data()};
+    const double to_nearest = to_nearest_of(p.landing);
+    const double* h = before.data();
+    const auto hop_linearly = [&](const double* in, double base, double factor) {
+        hop_vectors::hop_linearly(h, in, base, factor, to_nearest, amount, nx_, out);
+    };
     switch (p.hop_length) {
         case HopLength::linear:
             if (p.landing == Landing::truncate_terms) {
-                hop_vectors::linear_truncated(before.data(), p.hop_base, p.hop_per_height, nx_,
-                                              length_.data());
+                hop_vectors::hop_linearly_truncated(h, h, p.hop_base, p.hop_per_height, to_nearest,
+                                                    amount, nx_, out);
             } else {
-                hop_vectors::linear(before.data(), p.hop_base, p.hop_per_height, nx_,
-                                    length_.data());
+                hop_linearly(h, p.hop_base, p.hop_per_height);
             }
             break;
         case HopLength::slope:
-            hop_vectors::linear(slope_tanh_.data(), p.hop_base, -p.hop_slope_factor, nx_,
-                                length_.data());
+            hop_linearly(slope_tanh_.data(), p.hop_base, -p.hop_slope_factor);
             break;
         case HopLength::exponential:
-            hop_vectors::exponential(before.data(), exponential_scale_, exponential_rate_, nx_,
-                                     length_.data());
+            length_.resize(before.size());
+            hop_vectors::exponential_lengths(h, exponential_scale_, exponential_rate_, nx_,
+                                             length_.data());
+            hop_linearly(length_.data(), 0.0, 1.0);
             break;
         case HopLength::tabulated:
+            length_.resize(before.size());
             for (std::size_t x = 0; x < before.size(); ++x) length_[x] = length(before[x], 0.0);
+            hop_linearly(length_.data(), 0.0, 1.0);
             break;
-    }
-    if (p.landing == Landing::round) add_to_all(length_.data(), 0.5, nx_);
-}
-
-void RowHops::take_amounts(std::span<const double> before) {
-    const SandParameters& p = parameters_;
-    if (p.hop_amount == HopAmount::slope) {
-        hop_vectors::slope_amounts(before.data(), slope_tanh_.data(), p.amount,
-                                   p.amount_slope_factor, p.limit_amount, nx_, amount_.data());
-    } else if (p.limit_amount) {
-        hop_vectors::limited_amounts(before.data(), p.amount, nx_, amount_.data());
-    } else {
-        std::fill(amount_.begin(), amount_.end(), p.amount);
-    }
-    if (p.shadow == Shadow::none) return;
-    for (int x = 0; x < nx_; ++x) {
-        const auto here = static_cast<std::size_t>(x);
-        const double upwind = before[x == 0 ? before.size() - 1 : here - 1];
-        if (upwind > before[here]) amount_[here] = 0.0;
     }
 }
 
 void RowHops::land(std::span<double> after) const {
     double* row = after.data();
-    for (int x = 0; x < nx_; ++x) {
-        const auto here = static_cast<std::size_t>(x);
-        row[wrapped(x + static_cast<int>(length_[here]), nx_)] += amount_[here];
-    }
+    for (std::size_t x = 0; x < after.size(); ++x) row[to_[x]] += amount_[x];
 }
 
 void RowHops::land_split(std::span<double> after) const {
     double* row = after.data();
-    for (int x = 0; x < nx_; ++x) {
-        const auto here = static_cast<std::size_t>(x);
-        const int whole = static_cast<int>(length_[here]);
-        const double far_share = length_[here] - static_cast<double>(whole);
-        const double far_amount = amount_[here] * far_share;
-        row[wrapped(x + whole, nx_)] += amount_[here] - far_amount;
-        row[wrapped(x + whole + 1, nx_)] += far_amount;
+    for (std::size_t x = 0; x < after.size(); ++x) {
+        row[to_[x]] += amount_[x];
+        row[to_[x] + 1 == nx_ ? 0 : to_[x] + 1] += far_amount_[x];
     }
 }
 
-void Picks::draw(std::int64_t count, std::uint64_t seed, std::uint32_t row, std::int64_t step) {
-    rest_ = RandomStream(seed, row, step, Purpose::picks);
+/// Lemire (2019): the upper half of word · nx, but for the few words that would favour some cells.
+void Picks::draw(std::int64_t count, int nx, std::uint64_t seed, std::uint32_t row,
+                 std::int64_t step) {
+    RandomStream stream(seed, row, step, Purpose::picks);
     words_.resize(static_cast<std::size_t>(count));
-    rest_.fill(words_);
+    cells_.resize(words_.size());
+    stream.fill(words_);
     step_ = step;
-}
-
-/// Calls hop(x) for the cell of every pick, in order. The cells of a block are worked out first, so
-/// that those of a long row are on their way from memory when they are needed.
-template <class Hop>
-inline void RowHops::hop_from_each(double* row, const Picks& picks, Hop hop) const {
-    constexpr std::size_t block = 128;
-    std::array<int, block> cells{};
-    RandomStream rest = picks.rest();
-    const auto words = picks.words();
-    const auto nx = static_cast<std::uint32_t>(nx_);
-    const std::uint32_t biased = (0U - nx) % nx;  // Lemire (2019): words that would favour cells
-    const auto cell_of = [&](std::uint32_t word) {
-        std::uint64_t product = static_cast<std::uint64_t>(word) * nx;
-        while (static_cast<std::uint32_t>(product) < biased)
-            product = static_cast<std::uint64_t>(rest.next32()) * nx;
-        return static_cast<int>(product >> 32);
-    };
-    const auto fetch = [&](std::size_t begin, std::size_t end) {
+    const auto cells = static_cast<std::uint32_t>(nx);
+    const std::uint32_t biased = (0U - cells) % cells;
+    constexpr std::size_t block = 256;
+    for (std::size_t begin = 0; begin < words_.size(); begin += block) {
+        const std::size_t end = std::min(begin + block, words_.size());
+        const auto pick = [&](std::size_t from, std::size_t to) {
+            return hop_vectors::pick_cells(words_.data() + from, cells, biased,
+                                           static_cast<int>(to - from), cells_.data() + from);
+        };
+        if (!pick(begin, end)) continue;
         for (std::size_t k = begin; k < end; ++k) {
-            const int cell = cell_of(words[k]);
-            __builtin_prefetch(row + cell, 1);
-            cells[k % block] = cell;
+            while (pick(k, k + 1)) words_[k] = stream.next32();
         }
-    };
-    constexpr std::size_t ahead = block / 2;
-    fetch(0, std::min(ahead, words.size()));
-    for (std::size_t begin = 0; begin < words.size(); begin += ahead) {
-        give_up_if_asked();
-        const std::size_t end = std::min(begin + ahead, words.size());
-        fetch(end, std::min(end + ahead, words.size()));
-        for (std::size_t k = begin; k < end; ++k) hop(cells[k % block]);
     }
 }
 
-/// The commonest rule by itself: linear hops that carry q0.
-template <bool truncate_terms, bool split>
-void RowHops::hop_linearly(double* row, const Picks& picks) const {
-    const double base = parameters_.hop_base;
-    const double to_nearest = parameters_.landing == Landing::round ? 0.5 : 0.0;
-    const double per_height = parameters_.hop_per_height;
-    const double amount = parameters_.amount;
-    const bool limited = parameters_.limit_amount;
-    const bool shadowed = parameters_.shadow == Shadow::upwind_higher;
-    const int nx = nx_;
-    hop_from_each(row, picks, [=](int x) {
-        const double height = row[x];
-        double carried = limited && height < amount ? height : amount;
-        carried = height > 0.0 ? carried : 0.0;
-        if (shadowed) carried = row[x == 0 ? nx - 1 : x - 1] > height ? 0.0 : carried;
-        double grown = per_height * height;
-        if (truncate_terms) grown = static_cast<double>(static_cast<int>(usable(grown)));
-        const double reach = usable(base + grown) + to_nearest;
-        const int whole = static_cast<int>(reach);
-        row[x] = height - carried;
-        if (split) {
-            const double far_amount = carried * (reach - static_cast<double>(whole));
-            row[wrapped(x + whole, nx)] += carried - far_amount;
-            row[wrapped(x + whole + 1, nx)] += far_amount;
-        } else {
-            row[wrapped(x + whole, nx)] += carried;
-        }
-    });
+/// Hops worked out by vectors before those that come earlier have been done: right wherever the
+/// height is still what it was then.
+struct RowHops::Foreseen {
+    static constexpr std::size_t most = 64;
+    template <class Value>
+    using Each = std::array<Value, most>;
+
+    std::span<const std::int32_t> from;
+    alignas(64) Each<double> height;
+    alignas(64) Each<double> after;
+    alignas(64) Each<double> amount;
+    alignas(64) Each<double> far_amount;
+    alignas(64) Each<std::int32_t> to;
+};
+
+/// The commonest rule: linear hops that carry q0.
+bool RowHops::is_foreseen() const {
+    return parameters_.hop_length == HopLength::linear &&
+           parameters_.hop_amount == HopAmount::constant && parameters_.shadow == Shadow::none;
 }
 
-void RowHops::random_sequential(std::span<double> row, const Picks& picks) const {
+void RowHops::foresee(const double* row, std::span<const std::int32_t> cells,
+                      Foreseen& hops) const {
     const SandParameters& p = parameters_;
-    const bool common = p.hop_length == HopLength::linear && p.hop_amount == HopAmount::constant;
-    if (!common) {
-        hop_from_each(row.data(), picks, [&](int x) { hop_from(row.data(), x); });
-    } else if (p.landing == Landing::truncate_terms) {
-        hop_linearly<true, false>(row.data(), picks);
-    } else if (p.landing == Landing::split) {
-        hop_linearly<false, true>(row.data(), picks);
+    hops.from = cells;
+    for (std::size_t k = 0; k < cells.size(); ++k) hops.height[k] = row[cells[k]];
+    const double* h = hops.height.data();
+    const int count = static_cast<int>(cells.size());
+    const hop_vectors::AmountLaw amount{
+        .base = p.amount, .limited = p.limit_amount, .from_sand_only = true};
+    const hop_vectors::Departures out{
+        .width = nx_,
+        .from = cells.data(),
+        .after = hops.after.data(),
+        .amount = hops.amount.data(),
+        .far_amount = p.landing == Landing::split ? hops.far_amount.data() : nullptr,
+        .to = hops.to.data()};
+    if (p.landing == Landing::truncate_terms) {
+        hop_vectors::hop_linearly_truncated(h, h, p.hop_base, p.hop_per_height, 0.0, amount, count,
+                                            out);
     } else {
-        hop_linearly<false, false>(row.data(), picks);
+        hop_vectors::hop_linearly(h, h, p.hop_base, p.hop_per_height, to_nearest_of(p.landing),
+                                  amount, count, out);
+    }
+}
+
+template <bool split>
+void RowHops::do_foreseen(double* row, const Foreseen& hops) const {
+    for (std::size_t k = 0; k < hops.from.size(); ++k) {
+        const int x = hops.from[k];
+        if (std::bit_cast<std::uint64_t>(row[x]) != std::bit_cast<std::uint64_t>(hops.height[k]))
+            [[unlikely]] {
+            hop_from(row, x);
+            continue;
+        }
+        const int to = hops.to[k];
+        row[x] = hops.after[k];
+        row[to] += hops.amount[k];
+        if constexpr (split) row[to + 1 == nx_ ? 0 : to + 1] += hops.far_amount[k];
+    }
+}
+
+/// Of a long row the cells that hops start from and land in are called for blocks ahead, so that
+/// they are on their way from memory when they are needed.
+void RowHops::random_sequential(std::span<double> row, const Picks& picks) const {
+    const auto cells = picks.cells();
+    if (!is_foreseen()) {
+        for (const std::int32_t x : cells) {
+            give_up_if_asked();
+            hop_from(row.data(), x);
+        }
+        return;
+    }
+    constexpr int is_long = 1 << 15;  // cells, more than the first-level cache holds
+    const bool far = nx_ >= is_long;
+    const std::size_t block = far ? Foreseen::most : Foreseen::most / 2;
+    const auto picked = [&](std::size_t begin) {
+        begin = std::min(begin, cells.size());
+        return cells.subspan(begin, std::min(block, cells.size() - begin));
+    };
+    std::array<Foreseen, 2> hops;
+    foresee(row.data(), picked(0), hops[0]);
+    for (std::size_t begin = 0; begin < cells.size(); begin += block) {
+        give_up_if_asked();
+        const Foreseen& now = hops[begin / block % 2];
+        Foreseen& next = hops[(begin / block + 1) % 2];
+        if (far) {
+            for (const std::int32_t x : picked(begin + 2 * block))
+                __builtin_prefetch(row.data() + x, 1);
+            foresee(row.data(), picked(begin + block), next);
+            for (std::size_t k = 0; k < next.from.size(); ++k)
+                __builtin_prefetch(row.data() + next.to[k], 1);
+        }
+        if (parameters_.landing == Landing::split) {
+            do_foreseen<true>(row.data(), now);
+        } else {
+            do_foreseen<false>(row.data(), now);
+        }
+        if (!far) foresee(row.data(), picked(begin + block), next);
     }
 }
 

@@ -9,22 +9,20 @@
 
 namespace fumon {
 
-/// The random numbers by which one row picks its cells in one step: drawn ahead of the hops, so
+/// The cells that one row picks in one step, each uniformly random: drawn ahead of the hops, so
 /// that another thread can draw the next step's meanwhile.
 class Picks {
   public:
-    /// `count` numbers from the stream of (seed, row, step).
-    void draw(std::int64_t count, std::uint64_t seed, std::uint32_t row, std::int64_t step);
+    /// `count` cells of a row of `nx` from the stream of (seed, row, step).
+    void draw(std::int64_t count, int nx, std::uint64_t seed, std::uint32_t row, std::int64_t step);
 
     [[nodiscard]] std::int64_t step() const { return step_; }
-    [[nodiscard]] std::span<const std::uint32_t> words() const { return words_; }
-    /// What comes after the words: for those that would favour some cells.
-    [[nodiscard]] RandomStream rest() const { return rest_; }
+    [[nodiscard]] std::span<const std::int32_t> cells() const { return cells_; }
 
   private:
     std::int64_t step_ = -1;
     std::vector<std::uint32_t> words_;
-    RandomStream rest_{0, 0, 0, Purpose::picks};
+    std::vector<std::int32_t> cells_;
 };
 
 /// Saltation within one row. Sand moves along the wind only, so rows are independent: a row after
@@ -48,15 +46,16 @@ class RowHops {
     [[nodiscard]] double length(double height, double slope) const;
 
   private:
+    struct Foreseen;
+
     void take_slopes(std::span<const double> before);
-    void take_lengths(std::span<const double> before);
-    void take_amounts(std::span<const double> before);
+    void depart(std::span<const double> before, std::span<double> after);
     void land(std::span<double> after) const;
     void land_split(std::span<double> after) const;
-    template <class Hop>
-    void hop_from_each(double* row, const Picks& picks, Hop hop) const;
-    template <bool truncate_terms, bool split>
-    void hop_linearly(double* row, const Picks& picks) const;
+    [[nodiscard]] bool is_foreseen() const;
+    void foresee(const double* row, std::span<const std::int32_t> cells, Foreseen& hops) const;
+    template <bool split>
+    void do_foreseen(double* row, const Foreseen& hops) const;
     void hop_from(double* row, int x) const;
 
     SandParameters parameters_;
@@ -64,9 +63,13 @@ class RowHops {
     double exponential_rate_;   ///< ln(a)·2·h0: L grows as e^(rate·h)
     double exponential_scale_;  ///< (N'x/10)/(a^(2·h0) − 1)
     bool needs_slope_;
+    // Of the cells of the row that hops at once.
     std::vector<double> slope_tanh_;
-    std::vector<double> length_;
+    std::vector<double> length_;  ///< where it is exponential or tabulated
+    std::vector<double> upwind_;  ///< heights, where there is a shadow
     std::vector<double> amount_;
+    std::vector<double> far_amount_;  ///< where hops are split
+    std::vector<std::int32_t> to_;
 };
 
 }  // namespace fumon

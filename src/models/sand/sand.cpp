@@ -10,6 +10,7 @@
 #include "base/give_up.h"
 #include "base/random.h"
 #include "base/worker_pool.h"
+#include "models/sand/creep.h"
 #include "models/sand/profile_creep.h"
 
 namespace fumon {
@@ -86,6 +87,10 @@ Sand::Sand(const SandParameters& parameters, ModelSetup setup)
     check_bed(parameters, setup);
     bed_ = std::move(setup.bed);
     next_ = Grid(bed_.nx(), bed_.ny());
+    scratch_.assign(static_cast<std::size_t>(pool_.size()), {RowHops(parameters, bed_.nx()), {}});
+    for (Scratch& scratch : scratch_) {
+        for (auto& row : scratch.hopped) row.resize(static_cast<std::size_t>(bed_.nx()));
+    }
     picks_.resize(static_cast<std::size_t>(bed_.ny()));
 }
 
@@ -98,7 +103,7 @@ void Sand::step() {
             break;
         case Creep::maxima_only:
             hop_rows();
-            maxima_creep_(bed_, parameters_.creep_rate, pool_);
+            maxima_creep_(bed_, next_, parameters_.creep_rate, pool_);
             break;
         case Creep::profile:
             hop_rows();
@@ -123,17 +128,27 @@ void Sand::share_picks() {
     multinomial_equal(stream, static_cast<std::int64_t>(bed_.size()), picks_);
 }
 
+void Sand::for_rows(const std::function<void(int begin, int end, Scratch& scratch)>& body) {
+    const int threads = pool_.size();
+    pool_.for_ranges(threads, [&](int first, int last) {
+        for (int thread = first; thread < last; ++thread) {
+            const auto border = [&](int at) {
+                return static_cast<int>(std::int64_t{bed_.ny()} * at / threads);
+            };
+            if (border(thread) == border(thread + 1)) continue;
+            body(border(thread), border(thread + 1), scratch_[static_cast<std::size_t>(thread)]);
+        }
+    });
+}
+
 /// Both at once: a row creeps as soon as it and its two neighbours have hopped, so the bed is read
 /// once and written once. Rows at the border of two threads hop in both.
 void Sand::hop_rows_and_creep() {
-    pool_.for_ranges(bed_.ny(), [this](int begin, int end) {
+    for_rows([this](int begin, int end, Scratch& scratch) {
         const int ny = bed_.ny();
-        RowHops hops(parameters_, bed_.nx());
-        Picks picks;
-        std::array<std::vector<double>, 3> hopped;
-        for (auto& row : hopped) row.resize(static_cast<std::size_t>(bed_.nx()));
+        auto& hopped = scratch.hopped;
         const auto hop = [&](int y) {
-            hop_row(hops, picks, (y + ny) % ny, hopped[static_cast<std::size_t>((y + 3) % 3)]);
+            hop_row(scratch, (y + ny) % ny, hopped[static_cast<std::size_t>((y + 3) % 3)]);
         };
         const auto row = [&](int y) -> std::span<const double> {
             return hopped[static_cast<std::size_t>((y + 3) % 3)];
@@ -166,12 +181,10 @@ void Sand::hop_rows() {
         hop_only_row();
         return;
     }
-    pool_.for_ranges(bed_.ny(), [&](int begin, int end) {
-        RowHops hops(parameters_, bed_.nx());
-        Picks picks;
+    for_rows([&](int begin, int end, Scratch& scratch) {
         for (int y = begin; y < end; ++y) {
             give_up_if_asked();
-            hop_row(hops, picks, y, in_place ? bed_.row(y) : next_.row(y));
+            hop_row(scratch, y, in_place ? bed_.row(y) : next_.row(y));
         }
     });
     if (!in_place) std::swap(bed_, next_);
@@ -181,28 +194,29 @@ void Sand::hop_rows() {
 void Sand::hop_only_row() {
     constexpr int worth_a_thread = 1 << 14;  // sites
     const std::int64_t count = picks_.front();
-    if (drawn_.step() != steps_) drawn_.draw(count, seed_, 0, steps_);
-    const RowHops hops(parameters_, bed_.nx());
+    if (drawn_.step() != steps_) drawn_.draw(count, bed_.nx(), seed_, 0, steps_);
+    const RowHops& hops = scratch_.front().hops;
     if (bed_.nx() < worth_a_thread || pool_.size() == 1) {
         hops.random_sequential(bed_.row(0), drawn_);
         return;
     }
     pool_.for_ranges(2, [&](int begin, int end) {
         if (begin == 0) hops.random_sequential(bed_.row(0), drawn_);
-        if (end == 2) drawn_ahead_.draw(count, seed_, 0, steps_ + 1);
+        if (end == 2) drawn_ahead_.draw(count, bed_.nx(), seed_, 0, steps_ + 1);
     });
     std::swap(drawn_, drawn_ahead_);
 }
 
-void Sand::hop_row(RowHops& hops, Picks& picks, int y, std::span<double> after) const {
+void Sand::hop_row(Scratch& scratch, int y, std::span<double> after) const {
     const auto before = bed_.row(y);
     if (parameters_.order == HopOrder::synchronous) {
-        hops.synchronous(before, after);
+        scratch.hops.synchronous(before, after);
         return;
     }
     if (after.data() != before.data()) std::copy(before.begin(), before.end(), after.begin());
-    picks.draw(picks_[static_cast<std::size_t>(y)], seed_, static_cast<std::uint32_t>(y), steps_);
-    hops.random_sequential(after, picks);
+    scratch.picks.draw(picks_[static_cast<std::size_t>(y)], bed_.nx(), seed_,
+                       static_cast<std::uint32_t>(y), steps_);
+    scratch.hops.random_sequential(after, scratch.picks);
 }
 
 void Sand::creep_profiles() {

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/state_carrier.h"
-#include "models/sand/creep.h"
+#include "models/sand/maxima_creep.h"
 #include "models/sand/row_hops.h"
 #include "models/sand/sand_parameters.h"
 #include "models/shared/model.h"
@@ -48,11 +51,19 @@ class Sand : public Model {
     }
 
   private:
+    /// What a thread works with, kept from step to step.
+    struct Scratch {
+        RowHops hops;
+        Picks picks;
+        std::array<std::vector<double>, 3> hopped{};  ///< rows that have not yet crept
+    };
+
     void share_picks();
     void hop_rows_and_creep();
     void hop_rows();
     void hop_only_row();
-    void hop_row(RowHops& hops, Picks& picks, int y, std::span<double> after) const;
+    void hop_row(Scratch& scratch, int y, std::span<double> after) const;
+    void for_rows(const std::function<void(int begin, int end, Scratch& scratch)>& body);
     void creep_profiles();
 
     SandParameters parameters_;
@@ -62,6 +73,7 @@ class Sand : public Model {
     std::int64_t steps_ = 0;
     Grid bed_;
     Grid next_;
+    std::vector<Scratch> scratch_;     ///< of each thread
     std::vector<std::int64_t> picks_;  ///< of each row, this step
     Picks drawn_;                      ///< of a single row: this step's …
     Picks drawn_ahead_;                ///< … and the next one's

@@ -32,6 +32,17 @@ Source source_of(int index, int count, EdgeKind edges) {
     return {((index % count) + count) % count};
 }
 
+/// What is not a number is above all else.
+double larger_rate(double a, double b) {
+    return a == a && !(b <= a) ? b : a;
+}
+
+double step_of(const std::vector<double>& rates) {
+    double most = 0.0;
+    for (const double rate : rates) most = larger_rate(most, rate);
+    return most == 0.0 ? std::numeric_limits<double>::infinity() : 1.0 / most;
+}
+
 }  // namespace
 
 /// One Euler step of the two that make a step.
@@ -55,32 +66,29 @@ FiniteVolumeScheme::FiniteVolumeScheme(const GullyParameters& parameters, const 
 
 double FiniteVolumeScheme::step_at_courant_one(const Water& water) const {
     const int nx = water.depth.nx();
-    row_rates_.resize(static_cast<std::size_t>(water.depth.ny()));
+    std::vector<double> rates(static_cast<std::size_t>(water.depth.ny()));
     pool_.for_ranges(water.depth.ny(), [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
-            row_rates_[static_cast<std::size_t>(y)] = finite_volume::fastest(
+            rates[static_cast<std::size_t>(y)] = finite_volume::fastest(
                 water.depth.row(y).data(), water.velocity_x.row(y).data(),
                 water.velocity_y.row(y).data(), gravity_, domain_.dx, domain_.dy, nx);
         }
     });
-    double most = 0.0;
-    for (const double rate : row_rates_) {
-        if (!(rate <= most)) most = rate;  // not a number stays
-        if (rate != rate) break;
-    }
-    return most == 0.0 ? std::numeric_limits<double>::infinity() : 1.0 / most;
+    return step_of(rates);
 }
 
-void FiniteVolumeScheme::advance(Water& water, const Grid& bed, double dt, double rain) {
+double FiniteVolumeScheme::advance(Water& water, const Grid& bed, double dt, double rain) {
     if (nx_ != water.depth.nx() || ny_ != water.depth.ny()) {
         nx_ = water.depth.nx();
         ny_ = water.depth.ny();
         between_ = {Grid(nx_, ny_), Grid(nx_, ny_), Grid(nx_, ny_)};
         row_left_.resize(static_cast<std::size_t>(ny_));
+        row_rates_.resize(row_left_.size());
         find_outlets();
     }
     run({water, nullptr, between_, bed, dt, rain});
     run({between_, &water, water, bed, dt, rain});
+    return step_of(row_rates_);
 }
 
 void FiniteVolumeScheme::find_outlets() {
@@ -105,6 +113,7 @@ void FiniteVolumeScheme::find_outlets() {
 
 void FiniteVolumeScheme::run(const Stage& stage) {
     std::fill(row_left_.begin(), row_left_.end(), 0.0);
+    std::fill(row_rates_.begin(), row_rates_.end(), 0.0);
     const int shares = pool_.size();
     const auto work = [&](int begin, int end) {
         for (int share = begin; share < end; ++share) {
@@ -156,7 +165,17 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, Strip& strip, int fir
                               stage.to.velocity_x.row(y).data() + strip.first_x(),
                               stage.to.velocity_y.row(y).data() + strip.first_x(), strip.count());
         count_left(strip, y);
+        if (stage.before != nullptr) rate_row(stage.to, strip, y);
     }
+}
+
+void FiniteVolumeScheme::rate_row(const Water& water, const Strip& strip, int y) {
+    const int x = strip.first_x();
+    double& rate = row_rates_[static_cast<std::size_t>(y)];
+    rate = larger_rate(rate, finite_volume::fastest(water.depth.row(y).data() + x,
+                                                    water.velocity_x.row(y).data() + x,
+                                                    water.velocity_y.row(y).data() + x, gravity_,
+                                                    domain_.dx, domain_.dy, strip.count()));
 }
 
 void FiniteVolumeScheme::load_row(const Stage& stage, Strip& strip, int y) const {
@@ -197,12 +216,11 @@ void FiniteVolumeScheme::load_row(const Stage& stage, Strip& strip, int y) const
     const int first = strip.first_x();
     const int count = strip.count();
     constexpr int m = Strip::margin;
-    std::copy_n(stage.from.depth.row(row.index).data() + first, count, depth + m);
-    std::copy_n(stage.from.velocity_x.row(row.index).data() + first, count, velocity_x + m);
-    finite_volume::add_rows(depth + m, stage.bed.row(row.index).data() + first, surface + m, count);
-    finite_volume::scale_row(stage.from.velocity_y.row(row.index).data() + first, sign_y,
-                             velocity_y + m, count);
-    std::fill_n(inside + m, count, 1.0);
+    const auto source = [&](const Grid& grid) { return grid.row(row.index).data() + first; };
+    finite_volume::load_cells(
+        {source(stage.from.depth), source(stage.bed), source(stage.from.velocity_x),
+         source(stage.from.velocity_y)},
+        sign_y, {depth + m, surface + m, velocity_x + m, velocity_y + m, inside + m}, count);
     if (domain_.nodata.empty()) return;
     const std::uint8_t* nodata = domain_.nodata.row(row.index).data() + first;
     for (int x = 0; x < count; ++x) {

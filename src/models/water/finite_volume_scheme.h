@@ -31,7 +31,7 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
                        WorkerPool& pool);
 
     [[nodiscard]] double step_at_courant_one(const Water& water) const override;
-    void advance(Water& water, const Grid& bed, double dt, double rain) override;
+    double advance(Water& water, const Grid& bed, double dt, double rain) override;
     [[nodiscard]] double left() const override { return left_; }
     void carry(StateCarrier& carrier) override { carrier.value("left_volume", left_); }
 
@@ -50,6 +50,7 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
                        int last_row);
     void load_row(const Stage& stage, finite_volume::Strip& strip, int y) const;
     void count_left(const finite_volume::Strip& strip, int y);
+    void rate_row(const Water& water, const finite_volume::Strip& strip, int y);
 
     WaterDomain domain_;
     double gravity_;
@@ -60,7 +61,7 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     Water between_;                             // after the first stage
     std::vector<std::vector<Outlet>> outlets_;  // of each row
     std::vector<double> row_left_;              // of a stage, m³/s
-    mutable std::vector<double> row_rates_;
+    std::vector<double> row_rates_;             // of the water that the last step left, 1/s
     double left_ = 0.0;
     std::vector<finite_volume::Strip> strips_;  // one a thread
 };

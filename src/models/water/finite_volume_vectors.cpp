@@ -35,25 +35,19 @@ HWY_INLINE V half_slope(V back, V forward, V bound, V quarter, V zero) {
     return larger(rising, zero) + smaller(falling, zero);
 }
 
-struct Sum {
-    const double* a;
-    const double* b;
-    double* out;
+struct LoadCells {
+    SourceRow from;
+    double sign_y;
+    LoadedRow to;
 
     template <class D>
     HWY_INLINE void operator()(D d, std::size_t k) const {
-        hn::StoreU(hn::LoadU(d, a + k) + hn::LoadU(d, b + k), d, out + k);
-    }
-};
-
-struct Multiple {
-    const double* values;
-    double factor;
-    double* out;
-
-    template <class D>
-    HWY_INLINE void operator()(D d, std::size_t k) const {
-        hn::StoreU(hn::Set(d, factor) * hn::LoadU(d, values + k), d, out + k);
+        const auto depth = hn::LoadU(d, from.depth + k);
+        hn::StoreU(depth, d, to.depth + k);
+        hn::StoreU(depth + hn::LoadU(d, from.bed + k), d, to.surface + k);
+        hn::StoreU(hn::LoadU(d, from.velocity_x + k), d, to.velocity_x + k);
+        hn::StoreU(hn::Set(d, sign_y) * hn::LoadU(d, from.velocity_y + k), d, to.velocity_y + k);
+        hn::StoreU(hn::Set(d, 1.0), d, to.inside + k);
     }
 };
 
@@ -310,22 +304,18 @@ struct Rates {
     }
 };
 
-void add_rows(const double* a, const double* b, double* out, int count) {
-    for_each_vector(count, Sum{a, b, out});
-}
-
-void scale_row(const double* values, double factor, double* out, int count) {
-    for_each_vector(count, Multiple{values, factor, out});
+void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int count) {
+    for_each_vector_anew(count, LoadCells{from, sign_y, to});
 }
 
 void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
                          const HalfSlopes& out, int count) {
-    for_each_vector(count, LimitedHalfSlopes{back, here, forward, out});
+    for_each_vector_anew(count, LimitedHalfSlopes{back, here, forward, out});
 }
 
 void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,
                  const HalfSlopes& right_slopes, double gravity, const Fluxes& out, int count) {
-    for_each_vector(count, FaceFluxes{left, left_slopes, right, right_slopes, gravity, out});
+    for_each_vector_anew(count, FaceFluxes{left, left_slopes, right, right_slopes, gravity, out});
 }
 
 bool payable_shares(const double* depth, const double* mass_west, const double* mass_east,
@@ -333,8 +323,8 @@ bool payable_shares(const double* depth, const double* mass_west, const double* 
                     double* shares, int count) {
     bool is_short = false;
     const Outward outward{mass_west, mass_east, mass_south, mass_north, dt_dx, dt_dy};
-    for_each_vector(count, ShortOfWater{outward, depth, &is_short});
-    if (is_short) for_each_vector(count, PayableShares{outward, depth, shares});
+    for_each_vector_anew(count, ShortOfWater{outward, depth, &is_short});
+    if (is_short) for_each_vector_anew(count, PayableShares{outward, depth, shares});
     return is_short;
 }
 
@@ -346,7 +336,7 @@ void cut_to_shares(const Fluxes& fluxes, const double* left_shares, const double
 void update(const UpdateInput& in, const UpdateFactors& factors, double* depth, double* velocity_x,
             double* velocity_y, int count) {
     if (in.depth_before == nullptr) {
-        for_each_vector(count, Update<false>{in, factors, depth, velocity_x, velocity_y});
+        for_each_vector_anew(count, Update<false>{in, factors, depth, velocity_x, velocity_y});
     } else {
         for_each_vector(count, Update<true>{in, factors, depth, velocity_x, velocity_y});
     }
@@ -384,8 +374,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace fumon::finite_volume {
 
-HWY_EXPORT(add_rows);
-HWY_EXPORT(scale_row);
+HWY_EXPORT(load_cells);
 HWY_EXPORT(limited_half_slopes);
 HWY_EXPORT(face_fluxes);
 HWY_EXPORT(payable_shares);
@@ -393,12 +382,8 @@ HWY_EXPORT(cut_to_shares);
 HWY_EXPORT(update);
 HWY_EXPORT(fastest);
 
-void add_rows(const double* a, const double* b, double* out, int count) {
-    HWY_DYNAMIC_DISPATCH(add_rows)(a, b, out, count);
-}
-
-void scale_row(const double* values, double factor, double* out, int count) {
-    HWY_DYNAMIC_DISPATCH(scale_row)(values, factor, out, count);
+void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int count) {
+    HWY_DYNAMIC_DISPATCH(load_cells)(from, sign_y, to, count);
 }
 
 void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,

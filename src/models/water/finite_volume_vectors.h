@@ -27,11 +27,24 @@ struct Fluxes {
     double* transverse;  ///< momentum along the face
 };
 
-/// out = a + b.
-void add_rows(const double* a, const double* b, double* out, int count);
+/// A row of the fields as they are kept.
+struct SourceRow {
+    const double* depth;
+    const double* bed;
+    const double* velocity_x;
+    const double* velocity_y;
+};
 
-/// out = factor · values.
-void scale_row(const double* values, double factor, double* out, int count);
+struct LoadedRow {
+    double* depth;
+    double* surface;
+    double* velocity_x;
+    double* velocity_y;
+    double* inside;
+};
+
+/// Cells inside the domain, their velocity along y times a sign.
+void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int count);
 
 /// Monotonised central slopes (van Leer 1977) of `count` cells between their neighbours `back` and
 /// `forward`; flat toward a neighbour outside the domain. Where the water is thinner than

@@ -10,31 +10,14 @@
 
 #include "base/error.h"
 #include "base/give_up.h"
-#include "base/multiversion.h"
 #include "base/state_carrier.h"
 #include "base/worker_pool.h"
+#include "models/water/fault_vectors.h"
 #include "models/water/shallow_water.h"
 
 namespace fumon {
 
 namespace {
-
-/// 0, or not a number where one of the row's values is not finite; below 0 where a depth is.
-FUMON_MULTIVERSION
-double fault_of_row(const double* h, const double* u, const double* v, const double* z, int count) {
-    double fault[8] = {};
-    const auto one = [&](int x) {
-        const double shallow = h[x] < 0.0 ? -1.0 : 0.0;
-        return shallow + ((h[x] - h[x]) + (u[x] - u[x])) + ((v[x] - v[x]) + (z[x] - z[x]));
-    };
-    int x = 0;
-    for (; x + 8 <= count; x += 8) {
-        for (int k = 0; k < 8; ++k) fault[k] += one(x + k);
-    }
-    for (; x < count; ++x) fault[0] += one(x);
-    return ((fault[0] + fault[1]) + (fault[2] + fault[3])) +
-           ((fault[4] + fault[5]) + (fault[6] + fault[7]));
-}
 
 [[noreturn]] void report(const Water& water, const Grid& bed, int y, double time) {
     const auto fail = [&](const char* quantity, double value, const char* unit, int x) {
@@ -63,8 +46,9 @@ void check_water(const Water& water, const Grid& bed, double time, WorkerPool& p
     pool.for_ranges(bed.ny(), [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
             const double fault =
-                fault_of_row(water.depth.row(y).data(), water.velocity_x.row(y).data(),
-                             water.velocity_y.row(y).data(), bed.row(y).data(), bed.nx());
+                fault_of_row({water.depth.row(y).data(), water.velocity_x.row(y).data(),
+                              water.velocity_y.row(y).data(), bed.row(y).data()},
+                             bed.nx());
             faulty[static_cast<std::size_t>(y)] = fault == 0.0 ? 0 : 1;
         }
     });
@@ -94,6 +78,17 @@ void refuse_speed(const Water& water, double time, const std::string& reason) {
                     "smaller model.time_step, more model.friction_coefficient or "
                     "model.bed_diffusion",
                     speed(fastest_x, fastest_y), fastest_x, fastest_y, time, reason));
+}
+
+double largest_difference(const Grid& a, const Grid& b, WorkerPool& pool) {
+    std::vector<double> rows(static_cast<std::size_t>(a.ny()));
+    pool.for_ranges(a.ny(), [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            rows[static_cast<std::size_t>(y)] =
+                largest_difference_of_row(a.row(y).data(), b.row(y).data(), a.nx());
+        }
+    });
+    return *std::ranges::max_element(rows);
 }
 
 constexpr int most_substeps = 5000;
@@ -137,12 +132,13 @@ Gully::Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool)
       first_terrain_(start.on_terrain ? start.bed : Grid()),
       water_(start.water),
       scheme_(make_water_scheme(start, pool)),
+      step_at_courant_one_(scheme_->step_at_courant_one(water_)),
       sediment_(parameters_, domain_, bed_.nx(), bed_.ny(), pool),
       cell_area_(domain_.dx * domain_.dy),
       wet_area_(cell_area_ * sum_of(bed_, domain_.nodata, [](double) { return 1.0; })),
       first_water_(water_volume()),
       first_bed_(bed_volume()) {
-    check_time_step(parameters_, scheme_->step_at_courant_one(water_));
+    check_time_step(parameters_, step_at_courant_one_);
 }
 
 void Gully::step() {
@@ -167,7 +163,7 @@ void Gully::step() {
 /// An equal share of what remains of the step, as large as the Courant number allows.
 double Gully::sub_step_size(double remaining, double elapsed) const {
     if (parameters_.substeps == Substeps::fixed) return remaining;
-    const double limit = parameters_.courant_number * scheme_->step_at_courant_one(water_);
+    const double limit = parameters_.courant_number * step_at_courant_one_;
     const double pieces = std::ceil(remaining / limit * (1.0 - 1e-12));
     if (pieces <= 1.0) return remaining;
     if (!(pieces <= most_substeps)) {
@@ -181,7 +177,7 @@ void Gully::sub_step(double dt, double& elapsed) {
     const double until = parameters_.rain_until > 0.0 ? parameters_.rain_until : elapsed + dt;
     const double raining = std::clamp(until - elapsed, 0.0, dt) / dt;
     const double rain = raining * parameters_.rain * metres_per_second;
-    scheme_->advance(water_, bed_, dt, rain);
+    step_at_courant_one_ = scheme_->advance(water_, bed_, dt, rain);
     rain_.add(rain * dt * wet_area_);
     sediment_.advance(bed_, water_, dt);
     elapsed += dt;
@@ -233,6 +229,8 @@ std::string Gully::doubt() const {
     if (first_terrain_.empty() || steps_ == 0) return {};
     constexpr double least = 1.0;               // m
     constexpr double plausible = 1.0 / 3600.0;  // m/s: a flood in loose ground
+    const double expected = std::max(least, plausible * time());
+    if (!(largest_difference(bed_, first_terrain_, pool_) > expected)) return {};
     double most = 0.0;
     std::size_t where = 0;
     for (std::size_t cell = 0; cell < bed_.size(); ++cell) {
@@ -241,8 +239,6 @@ std::string Gully::doubt() const {
         most = change;
         where = cell;
     }
-    const double expected = std::max(least, plausible * time());
-    if (!(std::fabs(most) > expected)) return {};
     const auto nx = static_cast<std::size_t>(bed_.nx());
     const double rate = std::fabs(most) / (time() * plausible);  // in metres an hour
     const bool transported = parameters_.transport_factor.value > 0.0;
@@ -281,6 +277,7 @@ void Gully::carry(StateCarrier& carrier) {
     sediment_.carry(carrier);
     rain_.carry("rain_volume", carrier);
     carrier.values("counters", counters_);
+    step_at_courant_one_ = scheme_->step_at_courant_one(water_);
 }
 
 }  // namespace fumon

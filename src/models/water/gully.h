@@ -66,6 +66,7 @@ class Gully : public Model {
     Grid first_terrain_;  ///< the bed at the start, m; empty where it is no terrain file's
     Water water_;
     std::unique_ptr<ShallowWaterScheme> scheme_;
+    double step_at_courant_one_;  ///< of the water as it is, s
     Sediment sediment_;
     double cell_area_;
     double wet_area_;  ///< of all cells with data, m²

@@ -44,8 +44,8 @@ class ShallowWaterScheme {
     [[nodiscard]] virtual double step_at_courant_one(const Water& water) const = 0;
 
     /// Advances the water by `dt` seconds over `bed` (m, departures from the mean plane) with
-    /// `rain` in m/s.
-    virtual void advance(Water& water, const Grid& bed, double dt, double rain) = 0;
+    /// `rain` in m/s. Returns step_at_courant_one of the water that it leaves.
+    virtual double advance(Water& water, const Grid& bed, double dt, double rain) = 0;
 
     /// Volume that left over open edges and into cells without data since the start, m³.
     [[nodiscard]] virtual double left() const { return 0.0; }

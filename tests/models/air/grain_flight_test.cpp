@@ -5,11 +5,14 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "base/worker_pool.h"
 #include "models/air/grain_drag.h"
 #include "support/couette_section.h"
+#include "vectors/target.h"
 
 namespace fumon::test {
 namespace {
@@ -218,25 +221,39 @@ TEST(GrainFlight, SuccessiveHopsAddUp) {
     }
 }
 
-TEST(GrainFlight, SameBytesAtAnyNumberOfThreads) {
+void expect_same(const std::vector<Flight>& found, const std::vector<Flight>& expected) {
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t n = 0; n < expected.size(); ++n) {
+        ASSERT_EQ(found[n].length, expected[n].length) << "launch " << n;
+        ASSERT_EQ(found[n].time, expected[n].time);
+        ASSERT_EQ(found[n].reynolds, expected[n].reynolds);
+    }
+}
+
+TEST(GrainFlight, SameBytesAtAnyNumberOfThreadsAndOnEveryTarget) {
     const SnapshotSection section = couette_section(400, 61, 0.025 * millimetre, 1.0, [](double x) {
         return 0.25 * millimetre * (1.0 + std::cos(628.3185307179586 * x));
     });
-    FlightParameters parameters;
-    parameters.drag = GrainDrag::schiller_naumann;
-    WorkerPool alone(1);
-    const GrainFlights one(section, parameters, {}, alone);
-    const std::vector<Launch> launches = one.every_column(parameters.launch_angles);
-    const std::vector<Flight> expected = one.fly(launches);
-    ASSERT_EQ(expected.size(), 1600U);
-    for (const int threads : {2, 3, 7}) {
-        WorkerPool pool(threads);
-        const auto found = GrainFlights(section, parameters, {}, pool).fly(launches);
-        for (std::size_t n = 0; n < expected.size(); ++n) {
-            ASSERT_EQ(found[n].length, expected[n].length) << threads << " threads, launch " << n;
-            ASSERT_EQ(found[n].time, expected[n].time);
-            ASSERT_EQ(found[n].reynolds, expected[n].reynolds);
+    for (const GrainDrag drag : {GrainDrag::stokes, GrainDrag::schiller_naumann}) {
+        FlightParameters parameters;
+        parameters.drag = drag;
+        WorkerPool alone(1);
+        const GrainFlights one(section, parameters, {}, alone);
+        const std::vector<Launch> launches = one.every_column(parameters.launch_angles);
+        const std::vector<Flight> expected = one.fly(launches);
+        ASSERT_EQ(expected.size(), 1600U);
+        for (const int threads : {2, 3, 7}) {
+            SCOPED_TRACE(threads);
+            WorkerPool pool(threads);
+            expect_same(GrainFlights(section, parameters, {}, pool).fly(launches), expected);
         }
+        const std::string before = vectors::target();
+        for (const std::string& target : vectors::targets()) {
+            SCOPED_TRACE(target);
+            vectors::use_target(target);
+            expect_same(one.fly(launches), expected);
+        }
+        vectors::use_target(before);
     }
 }
 

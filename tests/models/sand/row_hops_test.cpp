@@ -110,17 +110,37 @@ TEST(RowHops, OneAfterTheOtherAreTheRulesCellByCell) {
         for (const SandParameters& sand : laws()) {
             Row found = uneven(nx);
             Row expected = found;
-            for (int step = 0; step < 40; ++step) {
-                Picks pick;
-                pick.draw(1, 3, 0, step);
-                const auto x = static_cast<int>(
-                    (static_cast<std::uint64_t>(pick.words()[0]) * static_cast<unsigned>(nx)) >>
-                    32);
-                RowHops(sand, nx).random_sequential(found, pick);
-                const Row before = expected;
-                plain_hop(sand, before, x, expected);
+            const RowHops hops(sand, nx);
+            for (const int count : {1, 1, 1, 31, 33, 70}) {  // more than are worked out ahead
+                Picks picks;
+                picks.draw(count, nx, 3, 0, count);
+                hops.random_sequential(found, picks);
+                for (const std::int32_t x : picks.cells()) {
+                    const Row before = expected;
+                    plain_hop(sand, before, x, expected);
+                }
                 expect_same(found, expected, told(sand, nx));
+                expected = found;  // a difference in the last place would grow
             }
+        }
+    }
+}
+
+TEST(Picks, AreTheUpperHalvesOfWordsButForThoseThatFavourCells) {
+    for (const int nx : {1, 5, 1024, 1'000'000, 2'000'000'011}) {
+        constexpr std::int64_t count = 1000;
+        RandomStream words(3, 4, 5, Purpose::picks);
+        std::vector<std::uint64_t> first;
+        for (std::int64_t k = 0; k < count; ++k) first.push_back(words.next32());
+        Picks picks;
+        picks.draw(count, nx, 3, 4, 5);
+        ASSERT_EQ(picks.cells().size(), first.size());
+        const std::uint64_t cells = static_cast<std::uint64_t>(nx);
+        const std::uint64_t favoured = (std::uint64_t{1} << 32) % cells;
+        for (std::size_t k = 0; k < first.size(); ++k) {
+            std::uint64_t product = first[k] * cells;
+            while (product % (std::uint64_t{1} << 32) < favoured) product = words.next32() * cells;
+            ASSERT_EQ(static_cast<std::uint64_t>(picks.cells()[k]), product >> 32) << nx;
         }
     }
 }

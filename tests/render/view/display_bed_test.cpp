@@ -9,7 +9,6 @@
 #include "base/worker_pool.h"
 #include "render/light/light.h"
 #include "render/light/lighting.h"
-#include "render/terrain_mesh.h"
 #include "support/view_beds.h"
 
 namespace fumon {
@@ -91,44 +90,6 @@ TEST(Lighting, HoldsTheNormalOfAPlane) {
         EXPECT_NEAR(texels[4 * i + 1] / 32767.0 - 1.0, 0.2 / length, 1e-4);
         EXPECT_EQ(texels[4 * i + 2], 65535);
     }
-}
-
-TEST(TerrainMesh, CoversTheBedAndClosesItsSides) {
-    for (const int stride : {1, 2, 4}) {
-        const TerrainMesh mesh = terrain_mesh(21, 14, Mask(), stride, {});
-        double area = 0.0;
-        for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
-            const MeshPlace a = mesh.places[mesh.triangles[i]];
-            const MeshPlace b = mesh.places[mesh.triangles[i + 1]];
-            const MeshPlace c = mesh.places[mesh.triangles[i + 2]];
-            const double twice =
-                (b.east - a.east) * (c.north - a.north) - (c.east - a.east) * (b.north - a.north);
-            EXPECT_GT(twice, -1e-7);  // all turn the same way
-            area += 0.5 * twice;
-        }
-        EXPECT_NEAR(area, 1.0, 1e-5) << stride;
-        for (const std::uint32_t sample : mesh.samples) EXPECT_LT(sample, 21U * 14U);
-    }
-}
-
-TEST(TerrainMesh, AMaskedRimHasOneFaceForEachOpenSide) {
-    Mask nodata(9, 7);
-    nodata(4, 3) = 1;  // a hole: its four corners take four quads away
-    const TerrainMesh whole = terrain_mesh(9, 7, Mask(), 1, {});
-    const TerrainMesh holed = terrain_mesh(9, 7, nodata, 1, {});
-    EXPECT_EQ(whole.triangles.size() - holed.triangles.size(), 4U * 6U);
-    EXPECT_EQ(holed.side_corners.size() - whole.side_corners.size(), 8U * 4U);
-}
-
-TEST(TerrainMesh, StrideFollowsTheErrorOnTheScreen) {
-    const Snapshot rough = wavy_bed(512, 512);
-    const DisplayBed bed = display_bed(rough, frame_block(rough, 1.0), 1);
-    EXPECT_EQ(mesh_stride(bed, 8.0, 4000.0), 1);  // cells are wide already
-    EXPECT_GE(mesh_stride(bed, 0.5, 4000.0), 4);  // cells are smaller than pixels
-    DisplayBed flat = bed;
-    std::fill(flat.z.values().begin(), flat.z.values().end(), 0.0F);
-    EXPECT_GE(mesh_stride(flat, 3.0, 4000.0), mesh_stride(bed, 3.0, 4000.0));
-    EXPECT_EQ(mesh_stride(flat, 3.0, 4000.0), 2);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace fumon {
 
-/// Grains in flight side by side, so that the steps of one overlap those of the others. SI units.
+/// Grains in flight side by side, a lane of a vector each. SI units.
 struct GrainLanes {
     static constexpr int most = 32;
     using Values = std::array<double, static_cast<std::size_t>(most)>;
@@ -37,8 +37,9 @@ struct LaneAir {
     double time_step = 0.0;
 };
 
-/// Advances the first `count` lanes by `steps` steps (Terada 2025, figure 18, see grain_flight.h).
-/// Lanes that no longer fly stay as they are, where they stopped.
+/// Advances the first `count` lanes by `steps` steps (Terada 2025, figure 18, see grain_flight.h);
+/// those that fill up their last vector fly on, too. Lanes that no longer fly stay as they are,
+/// where they stopped.
 void advance_stokes(GrainLanes& lanes, const LaneAir& air, int count, int steps);
 void advance_schiller_naumann(GrainLanes& lanes, const LaneAir& air, int count, int steps);
 

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace fumon {
+
+namespace samples {
+
+/// Planes of a row's sums, one number a sample.
+struct Sums {
+    std::uint32_t* red;
+    std::uint32_t* green;
+    std::uint32_t* blue;
+    std::uint32_t* covered;
+};
+
+}  // namespace samples
+
+/// A row of colours, a plane for each channel, 0 … 255.
+struct ColourPlanes {
+    explicit ColourPlanes(int width);
+
+    std::vector<std::uint8_t> red;  ///< as long as vectors need it
+    std::vector<std::uint8_t> green;
+    std::vector<std::uint8_t> blue;
+};
+
+/// Averages the samples of a row of pixels in (nearly) linear light, as squares of display values,
+/// over what is behind them:
+///     pixel = √( (Σ sample² + behind²·(n − covered)) / n ), to the nearest whole number.
+/// In whole numbers but for the root, so the same on every processor.
+class RowOfSamples {
+  public:
+    /// `factor`: samples along each side of a pixel, 1, 2 or 4.
+    RowOfSamples(int width, int factor);
+
+    /// A row of factor·width samples, red in the lowest byte: 0 where nothing covers one, else
+    /// alpha, in the highest, is 255. Reads up to `samples_read_beyond` of them past its end.
+    void add(const std::uint32_t* row);
+    /// Writes the pixels as RGB, and starts anew. Wants `factor` rows to have been added.
+    void finish(const ColourPlanes& behind, std::uint8_t* rgb);
+
+    static constexpr int samples_read_beyond = 16;
+
+  private:
+    int width_;
+    int factor_;
+    std::vector<std::uint32_t> red_;  ///< sums of squares, of each sample of the row
+    std::vector<std::uint32_t> green_;
+    std::vector<std::uint32_t> blue_;
+    std::vector<std::uint32_t> covered_;  ///< how many samples are
+    ColourPlanes pixels_;
+};
+
+}  // namespace fumon

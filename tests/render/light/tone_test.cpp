@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "gl/context.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+
+namespace fumon {
+namespace {
+
+/// What the tone curves of shaders/colour.glsl make of a linear colour.
+std::array<float, 3> toned(int tone, glm::vec3 colour) {
+    gl::TextureLayout layout;
+    layout.internal_format = GL_RGBA32F;
+    layout.type = GL_FLOAT;
+    const gl::RenderTarget target(1, 1, layout, false);
+    const gl::Program program("screen.vert.glsl", "../tests/render/light/toned.frag.glsl");
+    const gl::VertexArray none;
+    const gl::Functions& gl = gl::functions();
+    gl.BindVertexArray(none.name());
+    target.bind();
+    gl.Disable(GL_DEPTH_TEST);
+    program.use();
+    program.set("tone", tone);
+    program.set("punch", 0.0F);
+    program.set("exposure", 1.0F);
+    program.set("given", colour);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    std::array<float, 3> found{};
+    gl.ReadPixels(0, 0, 1, 1, GL_RGB, GL_FLOAT, found.data());
+    return found;
+}
+
+/// Computed from the published formulas in double precision.
+TEST(ToneCurve, MeetsTheReferenceVectors) {
+    const auto context = gl::Context::create(gl::Backend::automatic);
+    struct Case {
+        int tone;
+        glm::vec3 given;
+        glm::vec3 expected;
+    };
+    const std::vector<Case> cases{
+        {1, {0.18F, 0.18F, 0.18F}, {0.21450F, 0.21450F, 0.21450F}},
+        {1, {1, 1, 1}, {0.5901F, 0.5901F, 0.5901F}},
+        {1, {4, 2, 1}, {0.883379F, 0.744936F, 0.632765F}},
+        {1, {0.5F, 0.3F, 0.1F}, {0.433909F, 0.304003F, 0.159845F}},
+        {2, {0.18F, 0.18F, 0.18F}, {0.14F, 0.14F, 0.14F}},
+        {2, {1, 1, 1}, {0.869091F, 0.869091F, 0.869091F}},
+        {2, {4, 2, 1}, {0.983256F, 0.639951F, 0.468299F}},
+        {2, {0.5F, 0.3F, 0.1F}, {0.46F, 0.26F, 0.06F}},
+    };
+    for (const Case& one : cases) {
+        const auto found = toned(one.tone, one.given);
+        for (int band = 0; band < 3; ++band) {
+            EXPECT_NEAR(found[static_cast<std::size_t>(band)], one.expected[band], 2e-4)
+                << one.tone << ' ' << one.given.r << ' ' << band;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace fumon

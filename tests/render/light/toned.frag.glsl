@@ -1,0 +1,7 @@
+#version 330 core
+#include "colour.glsl"
+
+uniform vec3 given;
+out vec4 colour;
+
+void main() { colour = vec4(tone_curve(given), 1.0); }
