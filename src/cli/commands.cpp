@@ -9,6 +9,7 @@
     COMMAND(hop_law)            \
     COMMAND(again)              \
     COMMAND(measure)            \
+    COMMAND(orientation)        \
     COMMAND(fingerprint)        \
     COMMAND(compare)            \
     COMMAND(verify)             \

@@ -1,13 +1,15 @@
 #include "picture/png.h"
 
 #include <fmt/format.h>
+#include <libdeflate.h>
 #include <png.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <new>
+#include <span>
 
 #include "base/error.h"
 #include "files/input_file.h"
@@ -100,6 +102,38 @@ void check_image(const Image& image) {
                                 image.height));
 }
 
+/// The rows as PNG's filter "sub" leaves them: each byte less the one a pixel before, and the
+/// filter's number first.
+std::vector<std::uint8_t> filtered_rows(const Image& image) {
+    const std::size_t length = 3 * static_cast<std::size_t>(image.width);
+    std::vector<std::uint8_t> rows((length + 1) * static_cast<std::size_t>(image.height));
+    std::uint8_t* out = rows.data();
+    for (int y = 0; y < image.height; ++y) {
+        const std::uint8_t* row = image.row(y);
+        *out++ = PNG_FILTER_VALUE_SUB;
+        out = std::copy_n(row, 3, out);
+        for (std::size_t i = 3; i < length; ++i)
+            *out++ = static_cast<std::uint8_t>(row[i] - row[i - 3]);
+    }
+    return rows;
+}
+
+/// The pixels as the one zlib stream that IDAT chunks hold.
+std::vector<std::uint8_t> compressed(const Image& image) {
+    const std::vector<std::uint8_t> rows = filtered_rows(image);
+    const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+        libdeflate_alloc_compressor(compression_level), libdeflate_free_compressor);
+    if (!compressor) throw std::bad_alloc();
+    std::vector<std::uint8_t> stream(libdeflate_zlib_compress_bound(compressor.get(), rows.size()));
+    stream.resize(libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(),
+                                           stream.data(), stream.size()));
+    return stream;
+}
+
+void write_chunk(png_structp png, const char* name, std::span<const std::uint8_t> data) {
+    png_write_chunk(png, reinterpret_cast<png_const_bytep>(name), data.data(), data.size());
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> encode_png(const Image& image, double dots_per_inch,
@@ -107,8 +141,10 @@ std::vector<std::uint8_t> encode_png(const Image& image, double dots_per_inch,
     check_image(image);
     std::vector<png_text> chunks = text_chunks(texts);
     const double dots_per_metre = std::round(dots_per_inch / metres_per_inch);
+    const std::vector<std::uint8_t> stream = compressed(image);
+    const std::span<const std::uint8_t> pixels = stream;
     std::vector<std::uint8_t> file;
-    file.reserve(image.rgb.size() / 4);
+    file.reserve(stream.size() + 4096);
     Writer writer;
     const bool written = ends_without_png_error(writer.png, [&] {
         png_structp png = writer.png;
@@ -117,10 +153,6 @@ std::vector<std::uint8_t> encode_png(const Image& image, double dots_per_inch,
         png_set_IHDR(png, writer.info, static_cast<png_uint_32>(image.width),
                      static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB,
                      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        png_set_compression_level(png, compression_level);
-        png_set_compression_strategy(png, Z_RLE);
-        png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
-        png_set_compression_buffer_size(png, idat_size);
         png_set_sRGB(png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
         if (dots_per_metre >= 1.0 && dots_per_metre <= 0x7FFFFFFF) {
             const auto density = static_cast<png_uint_32>(dots_per_metre);
@@ -129,8 +161,9 @@ std::vector<std::uint8_t> encode_png(const Image& image, double dots_per_inch,
         if (!chunks.empty())
             png_set_text(png, writer.info, chunks.data(), static_cast<int>(chunks.size()));
         png_write_info(png, writer.info);
-        for (int y = 0; y < image.height; ++y) png_write_row(png, image.row(y));
-        png_write_end(png, nullptr);
+        for (std::size_t at = 0; at < stream.size(); at += idat_size)
+            write_chunk(png, "IDAT", pixels.subspan(at, std::min(idat_size, pixels.size() - at)));
+        write_chunk(png, "IEND", {});
     });
     if (!written)
         throw Error(fmt::format("cannot encode a PNG image: {}", writer.failure.message.data()));

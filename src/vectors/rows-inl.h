@@ -55,8 +55,49 @@ HWY_INLINE void for_each_vector(int count, const Loop& loop) {
     for (; x < cells; ++x) loop(one, x);
 }
 
-/// Likewise, but calls loop(d, x, several) for groups of vectors, as many as the constant `several`
-/// says: `group`, and one where no more are left.
+/// The same for loops that change nothing they read: past the last whole vector they get the row's
+/// last cells once more, as far as it has a vector of them.
+template <class Loop>
+HWY_INLINE void for_each_vector_anew(int count, const Loop& loop) {
+    const hn::ScalableTag<double> doubles;
+    constexpr std::size_t lanes = hn::MaxLanes(doubles);
+    const auto cells = static_cast<std::size_t>(count);
+    if (cells < lanes) {
+        for_each_vector(count, loop);
+        return;
+    }
+    for (std::size_t x = 0; x + lanes < cells; x += lanes) loop(doubles, x);
+    loop(doubles, cells - lanes);
+}
+
+/// The largest of function(d, x) over a row as for_each_vector goes, 0 where none is above 0; what
+/// is no number is passed over.
+template <class Function>
+HWY_INLINE double largest_of_row(int count, const Function& function) {
+    const hn::ScalableTag<double> doubles;
+    const hn::CappedTag<double, 1> one;
+    constexpr std::size_t lanes = hn::MaxLanes(doubles);
+    const auto cells = static_cast<std::size_t>(count);
+    auto most = hn::Zero(doubles);
+    std::size_t x = 0;
+    for (; x + lanes <= cells; x += lanes) {
+        const auto here = function(doubles, x);
+        most = hn::IfThenElse(hn::Gt(here, most), here, most);
+    }
+    HWY_ALIGN double some[lanes];
+    hn::Store(most, doubles, some);
+    double largest = 0.0;
+    for (const double lane : some) largest = lane > largest ? lane : largest;
+#pragma GCC unroll 1
+    for (; x < cells; ++x) {
+        const double here = hn::GetLane(function(one, x));
+        largest = here > largest ? here : largest;
+    }
+    return largest;
+}
+
+/// As for_each_vector, but calls loop(d, x, several) for groups of vectors, as many as the constant
+/// `several` says: `group`, and one where no more are left.
 template <std::size_t group, class Loop>
 HWY_INLINE void for_each_group(int count, const Loop& loop) {
     const hn::ScalableTag<double> doubles;

@@ -27,6 +27,7 @@ readers() {
         csv_table) echo files/csv_table ;;
         figure_curve) echo paper/figure_curve ;;
         sweep_table) echo sweep/sweep_table ;;
+        wind_table) echo wind/wind_rose ;;
         checkpoint) echo files/checkpoint run/run_checkpoint ;;
         run_json) echo run/run_files files/json_text ;;
         sweep_json) echo sweep/sweep_manifest ;;

@@ -15,7 +15,9 @@ most_memory=1024  # MB in all
 most_at_once=512  # MB of one allocation
 longest=1048576   # bytes of an input
 longest_kept=8192 # bytes of an input of the corpus
+most_of_seed=20000
 minimise=${MINIMISE:-0}
+seed=${SEED:-}
 
 targets=("$@")
 [ ${#targets[@]} -gt 0 ] || mapfile -t targets < <(sed -n 's/^fumon_fuzzer(\([a-z0-9_]*\) .*/\1/p' tests/fuzz/CMakeLists.txt)
@@ -40,9 +42,8 @@ seeds_of() {
 }
 
 fuzz() {
-    local target=$1 log=$found/$1.log seeds=() options=()
-    local program=$build/tests/fuzz/fuzz_$target
-    mkdir -p "$found/$target"
+    local target=$1 log=$found/$1.log seeds=() options=() most=()
+    local program=$build/tests/fuzz/fuzz_$target kept=$found/$1
     read -ra seeds <<< "$(seeds_of "$target")"
     case $target in
         scene* | settings | picture_text | sweep_axis | figure_curve) options=("-dict=$found/scene.dict") ;;
@@ -50,14 +51,22 @@ fuzz() {
     esac
     options+=(-timeout=$slowest -rss_limit_mb=$most_memory -malloc_limit_mb=$most_at_once -max_len=$longest
               -print_funcs=0 -print_final_stats=1 "-artifact_prefix=$found/$target-")
+    if [ -n "$seed" ]; then
+        kept=$found/$target-of-seed
+        rm -rf "$kept"
+        find "${seeds[@]}" -type f | sort | paste -sd, > "$found/$target.inputs"
+        most=("-runs=$most_of_seed")
+        seeds=("-seed=$seed" -reload=0 "-seed_inputs=@$found/$target.inputs")
+    fi
+    mkdir -p "$kept"
     if ! "$program" "${options[@]}" -runs=0 "${seeds[@]}" > "$log" 2>&1 ||
-        ! "$program" "${options[@]}" -max_total_time="$seconds" "$found/$target" "${seeds[@]}" >> "$log" 2>&1; then
+        ! "$program" "${options[@]}" -max_total_time="$seconds" "${most[@]}" "${seeds[@]}" "$kept" >> "$log" 2>&1; then
         grep -vE '^#[0-9]+\s+(NEW|REDUCE|pulse|RELOAD)' "$log" | tail -n 60
         printf '%-16s FAILED; see %s\n' "$target" "$log"
         return 1
     fi
     if [ "$minimise" = 1 ] && [ -d "tests/fuzz/corpus/$target" ]; then
-        "$program" "${options[@]}" -max_len=$longest_kept -merge=1 -use_counters=0 "tests/fuzz/corpus/$target" "$found/$target" >> "$log" 2>&1
+        "$program" "${options[@]}" -max_len=$longest_kept -merge=1 -use_counters=0 "tests/fuzz/corpus/$target" "$kept" >> "$log" 2>&1
     fi
     printf '%-16s %9d executions, %6d a second, %5d edges reached, %4d MB\n' "$target" \
         "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log" | tail -n 1)" \
@@ -66,5 +75,5 @@ fuzz() {
         "$(sed -n 's/^stat::peak_rss_mb: *//p' "$log" | tail -n 1)"
 }
 export -f fuzz seeds_of
-export seconds build found slowest most_memory most_at_once longest longest_kept minimise
+export seconds build found slowest most_memory most_at_once longest longest_kept minimise seed most_of_seed
 printf '%s\n' "${targets[@]}" | xargs -P $at_once -I '{}' bash -c 'fuzz {} || exit 255'

@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         try {
             const nlohmann::ordered_json json = parse_json(fuzz::as_text(data, size));
             constexpr std::int64_t most = 512;
-            if (json.value("nx", most + 1) > most || json.value("ny", most + 1) > most) return;
+            if (whole_number(json.at("nx")) > most || whole_number(json.at("ny")) > most) return;
             const Snapshot outline = read_outline(json);
             if (read_outline(outline_json(outline)).bed.size() != outline.bed.size())
                 fuzz::broken_promise("an outline reads back the same", "");

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -77,13 +76,31 @@ std::optional<FieldsRecord> read_record(const NetcdfInput& input) {
     return found;
 }
 
-std::vector<std::int64_t> steps_in(const NetcdfInput& input) {
+/// The record of a step, by bisection: steps ascend, and a damaged file may claim any number of
+/// them.
+std::size_t record_of(const NetcdfInput& input, std::int64_t step) {
     const auto variable = input.find_variable("step");
     if (!variable || input.dimensions(*variable).size() != 1)
         input.refuse("is not a fields file of fumon's", "delete it");
-    std::vector<long long> steps(input.dimension_length(input.dimensions(*variable).front()));
-    if (!steps.empty()) check_netcdf(nc_get_var_longlong(input.id(), *variable, steps.data()));
-    return {steps.begin(), steps.end()};
+    const auto step_of = [&](std::size_t record) {
+        long long value = 0;
+        check_netcdf(nc_get_var1_longlong(input.id(), *variable, &record, &value));
+        return std::int64_t{value};
+    };
+    const std::size_t records = input.dimension_length(input.dimensions(*variable).front());
+    std::size_t first = 0;
+    std::size_t end = records;
+    while (first < end) {
+        const std::size_t middle = first + (end - first) / 2;
+        if (step_of(middle) < step) {
+            first = middle + 1;
+        } else {
+            end = middle;
+        }
+    }
+    if (first == records || step_of(first) != step)
+        input.refuse(fmt::format("has no record of step {}", step), "delete it");
+    return first;
 }
 
 int variable_of(const NetcdfInput& input, const std::string& name) {
@@ -120,11 +137,7 @@ void read_bed(const NetcdfInput& input, std::size_t record, Snapshot& snapshot) 
 }
 
 Snapshot snapshot_at(const NetcdfInput& input, std::int64_t step, Snapshot snapshot) {
-    const std::vector<std::int64_t> steps = steps_in(input);
-    const auto found = std::find(steps.begin(), steps.end(), step);
-    if (found == steps.end())
-        input.refuse(fmt::format("has no record of step {}", step), "delete it");
-    const auto record = static_cast<std::size_t>(found - steps.begin());
+    const std::size_t record = record_of(input, step);
     snapshot.step = step;
     snapshot.time = number_at(input, "time", record);
     read_bed(input, record, snapshot);

@@ -4,70 +4,40 @@
 #include <array>
 
 #include "base/give_up.h"
-#include "base/multiversion.h"
 #include "base/worker_pool.h"
 
 namespace fumon {
 
 namespace {
 
-/// Four lines at once, each its own chain: one alone would wait for its own last result.
-constexpr int lines_at_once = 4;
-
+/// Several lines, each its own chain: one alone would wait for its own last result.
+template <std::size_t lines>
 void sweep_lines(double* first, std::ptrdiff_t stride, const double* inverse, double r, int count) {
-    std::array<double, lines_at_once> last{};
+    std::array<double, lines> last{};
     for (int i = 0; i < count; ++i) {
-        for (int k = 0; k < lines_at_once; ++k) {
-            double& cell = first[k * stride + i];
-            const auto line = static_cast<std::size_t>(k);
-            last[line] = (cell + r * last[line]) * inverse[i];
-            cell = last[line];
+        for (std::size_t k = 0; k < lines; ++k) {
+            double& cell = first[static_cast<std::ptrdiff_t>(k) * stride + i];
+            last[k] = (cell + r * last[k]) * inverse[i];
+            cell = last[k];
         }
     }
     for (int i = count - 2; i >= 0; --i) {
         const double weight = r * inverse[i];
-        for (int k = 0; k < lines_at_once; ++k) {
-            double& cell = first[k * stride + i];
-            const auto line = static_cast<std::size_t>(k);
-            last[line] = cell + weight * last[line];
-            cell = last[line];
+        for (std::size_t k = 0; k < lines; ++k) {
+            double& cell = first[static_cast<std::ptrdiff_t>(k) * stride + i];
+            last[k] = cell + weight * last[k];
+            cell = last[k];
         }
     }
 }
 
-void sweep_line(double* line, const double* inverse, double r, int count) {
-    double last = 0.0;
-    for (int i = 0; i < count; ++i) {
-        last = (line[i] + r * last) * inverse[i];
-        line[i] = last;
-    }
-    for (int i = count - 2; i >= 0; --i) {
-        last = line[i] + r * inverse[i] * last;
-        line[i] = last;
-    }
-}
-
-FUMON_MULTIVERSION
-void add_multiple(const double* a, double factor, int count, double* to) {
-    for (int x = 0; x < count; ++x) to[x] += factor * a[x];
-}
-
-FUMON_MULTIVERSION
-void forward_columns(const double* previous, double r, double inverse, int count, double* row) {
-    for (int x = 0; x < count; ++x) row[x] = (row[x] + r * previous[x]) * inverse;
-}
-
-FUMON_MULTIVERSION
-void explicit_y(const double* south, const double* here, const double* north, const double* change,
-                double r, int count, double* out) {
-    for (int x = 0; x < count; ++x)
-        out[x] = here[x] + change[x] + r * ((south[x] - here[x]) + (north[x] - here[x]));
-}
-
-FUMON_MULTIVERSION
-void explicit_x(const double* here, double r, int begin, int end, double* out) {
-    for (int x = begin; x < end; ++x)
-        out[x] = here[x] + r * ((here[x - 1] - here[x]) + (here[x + 1] - here[x]));
+/// Columns that are solved together, so that they stay in the second-level cache from the first row
+/// to the last and back.
+int columns_at_once(int rows) {
+    constexpr int cells = 32 * 1024;
+    constexpr int fewest = 16;
+    constexpr int multiple = 8;
+    return std::max(fewest, cells / (rows + 1) / multiple * multiple);
 }
 
 }  // namespace
@@ -91,49 +61,34 @@ DiffusionLine::DiffusionLine(int count, double r, bool periodic)
     closing_.assign(inverse_.size(), 0.0);
     closing_.front() = choice;
     closing_.back() = -r;
-    sweep_line(closing_.data(), inverse_.data(), r, count);
+    sweep_lines<1>(closing_.data(), 0, inverse_.data(), r, count);
     closing_end_ = -r / choice;
     closing_weight_ = 1.0 / (1.0 + closing_.front() + closing_end_ * closing_.back());
 }
 
 void DiffusionLine::solve_rows(double* first, std::ptrdiff_t stride, int lines) const {
     if (nothing_to_do()) return;
+    constexpr int together = BedDiffusion::rows_at_once;
     const int count = static_cast<int>(inverse_.size());
     int k = 0;
-    for (; k + lines_at_once <= lines; k += lines_at_once)
-        sweep_lines(first + k * stride, stride, inverse_.data(), r_, count);
-    for (; k < lines; ++k) sweep_line(first + k * stride, inverse_.data(), r_, count);
+    for (; k + together <= lines; k += together)
+        sweep_lines<together>(first + k * stride, stride, inverse_.data(), r_, count);
+    for (; k < lines; ++k) sweep_lines<1>(first + k * stride, stride, inverse_.data(), r_, count);
     if (!periodic_) return;
     for (k = 0; k < lines; ++k) {
         double* line = first + k * stride;
         const double factor = closing_weight_ * (line[0] + closing_end_ * line[count - 1]);
-        add_multiple(closing_.data(), -factor, count, line);
+        bed_diffusion::add_multiple(closing_.data(), -factor, count, line);
     }
 }
 
-void DiffusionLine::solve_columns(Grid& grid, int begin, int end) const {
-    if (nothing_to_do()) return;
-    const int rows = static_cast<int>(inverse_.size());
-    const int count = end - begin;
-    const auto row = [&](int y) { return grid.row(y).data() + begin; };
-    const auto inverse = [this](int y) { return inverse_[static_cast<std::size_t>(y)]; };
-    for (int x = 0; x < count; ++x) row(0)[x] *= inverse(0);
-    for (int y = 1; y < rows; ++y) {
-        give_up_if_asked();
-        forward_columns(row(y - 1), r_, inverse(y), count, row(y));
-    }
-    for (int y = rows - 2; y >= 0; --y) {
-        give_up_if_asked();
-        add_multiple(row(y + 1), r_ * inverse(y), count, row(y));
-    }
-    if (!periodic_) return;
-    std::vector<double> factors(static_cast<std::size_t>(count));
-    for (int x = 0; x < count; ++x) {
-        factors[static_cast<std::size_t>(x)] =
-            closing_weight_ * (row(0)[x] + closing_end_ * row(rows - 1)[x]);
-    }
-    for (int y = 0; y < rows; ++y)
-        add_multiple(factors.data(), -closing_[static_cast<std::size_t>(y)], count, row(y));
+bed_diffusion::Lines DiffusionLine::across_rows() const {
+    return {r_,
+            static_cast<int>(inverse_.size()),
+            inverse_.data(),
+            periodic_ ? closing_.data() : nullptr,
+            closing_weight_,
+            closing_end_};
 }
 
 BedDiffusion::BedDiffusion(int nx, int ny, double diffusion_x, double diffusion_y, bool periodic_x,
@@ -162,35 +117,42 @@ void BedDiffusion::first_half(const Grid& bed, const Grid& change, int begin, in
         if (periodic_y_) return (other + ny_) % ny_;
         return std::clamp(other, 0, ny_ - 1);
     };
-    const std::ptrdiff_t stride = nx_ + 2 * PaddedGrid::margin;
-    for (int from = begin; from < end; from += lines_at_once) {
-        give_up_if_asked();
-        const int to = std::min(from + lines_at_once, end);
-        for (int y = from; y < to; ++y) {
-            explicit_y(bed.row(beside(y, -1)).data(), bed.row(y).data(),
-                       bed.row(beside(y, 1)).data(), change.row(y).data(), ry_, nx_,
-                       half_way_.row(y));
-        }
-        along_x_.solve_rows(half_way_.row(from), stride, to - from);
-        for (int y = from; y < to; ++y) {
-            double* row = half_way_.row(y);
-            if (periodic_x_) {
-                half_way_.wrap(y);
-            } else {
-                row[-1] = row[0];
-                row[nx_] = row[nx_ - 1];
-            }
+    for (int y = begin; y < end; ++y) {
+        bed_diffusion::explicit_y(bed.row(beside(y, -1)).data(), bed.row(y).data(),
+                                  bed.row(beside(y, 1)).data(), change.row(y - begin).data(), ry_,
+                                  nx_, half_way_.row(y));
+    }
+    along_x_.solve_rows(half_way_.row(begin), stride(), end - begin);
+    for (int y = begin; y < end; ++y) {
+        double* row = half_way_.row(y);
+        if (periodic_x_) {
+            half_way_.wrap(y);
+        } else {
+            row[-1] = row[0];
+            row[nx_] = row[nx_ - 1];
         }
     }
 }
 
 void BedDiffusion::second_half(Grid& bed) {
+    const int width = columns_at_once(ny_);
     pool_.for_ranges(nx_, [&](int begin, int end) {
-        for (int y = 0; y < ny_; ++y) {
+        std::vector<double> scratch(static_cast<std::size_t>(width) *
+                                    (static_cast<std::size_t>(ny_) + 1));
+        for (int x = begin; x < end; x += width) {
             give_up_if_asked();
-            explicit_x(half_way_.row(y), rx_, begin, end, bed.row(y).data());
+            const int count = std::min(width, end - x);
+            if (along_y_.nothing_to_do()) {
+                for (int y = 0; y < ny_; ++y) {
+                    bed_diffusion::explicit_x(half_way_.row(y) + x, rx_, count,
+                                              bed.row(y).data() + x);
+                }
+            } else {
+                bed_diffusion::cross_rows({half_way_.row(0) + x, stride()}, rx_,
+                                          along_y_.across_rows(), count, scratch.data(),
+                                          bed.row(0).data() + x, nx_);
+            }
         }
-        along_y_.solve_columns(bed, begin, end);
     });
 }
 

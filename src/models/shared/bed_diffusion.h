@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "base/grid.h"
+#include "models/shared/bed_diffusion_vectors.h"
 #include "models/shared/padded_grid.h"
 
 namespace fumon {
@@ -16,16 +18,13 @@ class DiffusionLine {
     DiffusionLine() = default;
     DiffusionLine(int count, double r, bool periodic);
 
-    /// One line, in place.
-    void solve(double* line) const { solve_rows(line, 0, 1); }
+    [[nodiscard]] bool nothing_to_do() const { return r_ == 0.0 || inverse_.size() < 2; }
     /// Lines that lie `stride` apart, side by side in time: in place.
     void solve_rows(double* first, std::ptrdiff_t stride, int lines) const;
-    /// Lines across the rows of a grid, columns `begin` to `end`: in place.
-    void solve_columns(Grid& grid, int begin, int end) const;
+    /// Lines across rows, for bed_diffusion::cross_rows. Only where there is something to do.
+    [[nodiscard]] bed_diffusion::Lines across_rows() const;
 
   private:
-    [[nodiscard]] bool nothing_to_do() const { return r_ == 0.0 || inverse_.size() < 2; }
-
     double r_ = 0.0;
     bool periodic_ = false;
     std::vector<double> inverse_;  ///< of the pivots
@@ -45,13 +44,18 @@ class BedDiffusion {
     /// Of the next calls: diffusion in cells²/s times dt. Cheap where it has not changed.
     void prepare(double dt);
 
-    /// First half, on rows [begin, end): explicit in y, with the source, implicit in x. `change`
-    /// holds source · dt.
+    /// Rows that first_half works on side by side.
+    static constexpr int rows_at_once = 8;
+
+    /// First half, on rows [begin, end): explicit in y, with the source, implicit in x. The first
+    /// rows of `change` hold the source · dt of these.
     void first_half(const Grid& bed, const Grid& change, int begin, int end);
     /// Second half, on all rows, after all first halves.
     void second_half(Grid& bed);
 
   private:
+    [[nodiscard]] std::ptrdiff_t stride() const { return nx_ + 2 * PaddedGrid::margin; }
+
     int nx_;
     int ny_;
     double diffusion_x_;

@@ -1,67 +1,17 @@
 #include "models/water/cip_scheme.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
 #include "base/give_up.h"
-#include "base/multiversion.h"
 #include "base/state_carrier.h"
 #include "base/worker_pool.h"
 #include "models/water/shallow_water.h"
 
 namespace fumon {
 
-namespace {
-
-FUMON_MULTIVERSION
-double rate_of_row(const double* h, const double* u, const double* v, double per_x, double per_y,
-                   double gravity, int count) {
-    double largest[8] = {};
-    const double both = per_x + per_y;
-    const auto rate = [&](int x) {
-        const double depth = h[x] > 0.0 ? h[x] : 0.0;
-        return per_x * std::fabs(u[x]) + per_y * std::fabs(v[x]) +
-               both * std::sqrt(gravity * depth);
-    };
-    int x = 0;
-    for (; x + 8 <= count; x += 8) {
-        for (int k = 0; k < 8; ++k) {
-            const double one = rate(x + k);
-            largest[k] = one > largest[k] ? one : largest[k];
-        }
-    }
-    for (; x < count; ++x) largest[0] = std::max(largest[0], rate(x));
-    return *std::max_element(largest, largest + 8);
-}
-
-/// The largest (|u| + √(g h)) / dx + (|v| + √(g h)) / dy, 1/s: times a sub-step, its Courant
-/// number. 0 where all is dry; cells whose values are not numbers are passed over.
-double courant_rate(const Water& water, double dx, double dy, double gravity, WorkerPool& pool) {
-    const int ny = water.depth.ny();
-    std::vector<double> rows(static_cast<std::size_t>(ny));
-    pool.for_ranges(ny, [&](int begin, int end) {
-        for (int y = begin; y < end; ++y) {
-            rows[static_cast<std::size_t>(y)] = rate_of_row(
-                water.depth.row(y).data(), water.velocity_x.row(y).data(),
-                water.velocity_y.row(y).data(), 1.0 / dx, 1.0 / dy, gravity, water.depth.nx());
-        }
-    });
-    return *std::max_element(rows.begin(), rows.end());
-}
-
-void copy_padded(const Grid& from, PaddedGrid& to, int y) {
-    const auto row = from.row(y);
-    std::copy(row.begin(), row.end(), to.row(y));
-    to.wrap(y);
-}
-
-void copy_row(const PaddedGrid& from, Grid& to, int y) {
-    std::copy(from.row(y), from.row(y) + to.nx(), to.row(y).data());
-}
-
-}  // namespace
+using cip::Strip;
 
 CipScheme::CipScheme(const GullyParameters& parameters, const WaterDomain& domain,
                      const Water& start, WorkerPool& pool)
@@ -74,161 +24,264 @@ CipScheme::CipScheme(const GullyParameters& parameters, const WaterDomain& domai
       friction_(parameters.friction_coefficient *
                 (parameters.friction == FrictionLaw::half ? 0.5 : 1.0)),
       pool_(pool),
-      u_(nx_, ny_),
-      v_(nx_, ny_),
-      depth_(nx_, ny_),
-      flux_(nx_, ny_, domain.dx, domain.dy) {
-    start_from(start.velocity_x, u_);
-    start_from(start.velocity_y, v_);
-    start_from(start.depth, depth_);
+      of_u_(nx_, ny_),
+      of_v_(nx_, ny_),
+      next_{Grid(nx_, ny_), Grid(nx_, ny_), Grid(nx_, ny_)},
+      strips_(static_cast<std::size_t>(pool.size())),
+      overdrawn_(static_cast<std::size_t>(ny_)) {
+    start_from(start.velocity_x, of_u_);
+    start_from(start.velocity_y, of_v_);
+    if (!as_published_) return;
+    of_depth_ = Gradient(nx_, ny_);
+    gained_depth_ = PaddedGrid(nx_, ny_);
+    start_from(start.depth, of_depth_);
 }
 
-double CipScheme::step_at_courant_one(const Water& water) const {
-    return 1.0 / courant_rate(water, domain_.dx, domain_.dy, gravity_, pool_);
-}
-
-void CipScheme::advance(Water& water, const Grid& bed, double dt, double rain) {
-    const cip::SubStep step{dt,       domain_.dx, domain_.dy, gravity_, -gravity_ * domain_.slope,
-                            friction_};
-    advect_and_accelerate(step, water, bed);
-    if (as_published_) thin_as_published(step, rain);
-    flux_.begin(dt, rain);
-    pool_.for_ranges(ny_, [&](int begin, int end) {
-        turn_velocity_gradients(step, begin);
-        if (end - begin > 1) turn_velocity_gradients(step, end - 1);
-        for (int y = begin; as_published_ && y < end; ++y) {
-            turn_gradient(step, depth_, y);
-            copy_row(depth_.next, water.depth, y);
+/// The gradients begin as central differences.
+void CipScheme::start_from(const Grid& values, Gradient& gradient) const {
+    for (int y = 0; y < ny_; ++y) {
+        for (int x = 0; x < nx_; ++x) {
+            const double east = values((x + 1) % nx_, y);
+            const double west = values((x + nx_ - 1) % nx_, y);
+            gradient.x.row(y)[x] = 0.5 * (east - west);
+            gradient.y.row(y)[x] = 0.5 * (values(x, wrapped(y + 1)) - values(x, wrapped(y - 1)));
         }
-        if (!as_published_) flux_.carry(depth_.value, u_.next, v_.next, begin, end, water.depth);
-    });
-    if (!as_published_) flux_.finish(depth_.value, u_.next, v_.next, water.depth);
-    for (Carried* carried : {&u_, &v_, &depth_}) {
-        std::swap(carried->gradient_x, carried->next_x);
-        std::swap(carried->gradient_y, carried->next_y);
-        std::swap(carried->value, carried->next);
+        gradient.x.wrap(y);
+        gradient.y.wrap(y);
     }
 }
 
-std::vector<StateField> CipScheme::state() const {
-    std::vector<StateField> fields{{"velocity_x_gradient_x", u_.gradient_x.values()},
-                                   {"velocity_x_gradient_y", u_.gradient_y.values()},
-                                   {"velocity_y_gradient_x", v_.gradient_x.values()},
-                                   {"velocity_y_gradient_y", v_.gradient_y.values()}};
+cip::SubStep CipScheme::sub_step(double dt) const {
+    return {dt, domain_.dx, domain_.dy, gravity_, -gravity_ * domain_.slope, friction_};
+}
+
+double CipScheme::step_at_courant_one(const Water& water) const {
+    std::vector<double> rates(static_cast<std::size_t>(ny_));
+    pool_.for_ranges(ny_, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            rates[static_cast<std::size_t>(y)] =
+                cip::fastest(water.depth.row(y).data(),
+                             {water.velocity_x.row(y).data(), water.velocity_y.row(y).data()},
+                             sub_step(0.0), nx_);
+        }
+    });
+    return 1.0 / *std::max_element(rates.begin(), rates.end());
+}
+
+void CipScheme::advance(Water& water, const Grid& bed, double dt, double rain) {
+    const cip::SubStep step = sub_step(dt);
+    const int shares = pool_.size();
+    pool_.for_ranges(shares, [&](int begin, int end) {
+        for (int share = begin; share < end; ++share) {
+            const auto first_y = static_cast<int>(static_cast<long long>(ny_) * share / shares);
+            const auto last_y =
+                static_cast<int>(static_cast<long long>(ny_) * (share + 1) / shares);
+            if (first_y == last_y) continue;
+            std::fill(overdrawn_.begin() + first_y, overdrawn_.begin() + last_y, 0);
+            const int blocks = (nx_ + Strip::widest_block - 1) / Strip::widest_block;
+            for (int block = 0; block < blocks; ++block) {
+                const auto start = static_cast<int>(static_cast<long long>(nx_) * block / blocks);
+                const auto stop =
+                    static_cast<int>(static_cast<long long>(nx_) * (block + 1) / blocks);
+                advance_block(step, water, bed, rain, {start, stop - start, first_y, last_y},
+                              strips_[static_cast<std::size_t>(share)]);
+            }
+        }
+    });
     if (as_published_) {
-        fields.push_back({"depth_gradient_x", depth_.gradient_x.values()});
-        fields.push_back({"depth_gradient_y", depth_.gradient_y.values()});
+        thin_as_published(step, water, rain);
+    } else if (std::find(overdrawn_.begin(), overdrawn_.end(), 1) != overdrawn_.end()) {
+        share_depth({water.depth, next_.velocity_x, next_.velocity_y}, dt / domain_.dx,
+                    dt / domain_.dy, rain * dt, next_.depth);
+    }
+    std::swap(water, next_);
+    for (Gradient* gradient : {&of_u_, &of_v_, &of_depth_}) {
+        std::swap(gradient->x, gradient->next_x);
+        std::swap(gradient->y, gradient->next_y);
+    }
+}
+
+void CipScheme::advance_block(const cip::SubStep& step, const Water& water, const Grid& bed,
+                              double rain, const Block& block, Strip& strip) {
+    for (int top = block.first_y - Strip::margin; top < block.last_y + Strip::margin; ++top) {
+        give_up_if_asked();
+        load_row(water, bed, block, top, strip);
+        if (top < block.first_y) continue;
+        accelerate(step, block, top - 1, strip);
+        const int y = top - 2;
+        if (!as_published_ && y >= block.first_y - 1) carry_depth(step, rain, block, y, strip);
+        if (y >= block.first_y) turn_gradients(step, block, y, strip);
+    }
+}
+
+void CipScheme::load_row(const Water& water, const Grid& bed, const Block& block, int y,
+                         Strip& strip) const {
+    const int row = wrapped(y);
+    const auto load = [&](Strip::Field field, const Grid& grid) {
+        const double* from = grid.row(row).data();
+        double* to = strip.row(field, y);
+        std::copy_n(from + block.first_x, block.count, to);
+        for (int k = 1; k <= Strip::margin; ++k) {
+            to[-k] = from[(((block.first_x - k) % nx_) + nx_) % nx_];
+            to[block.count - 1 + k] = from[(block.first_x + block.count - 1 + k) % nx_];
+        }
+    };
+    load(Strip::depth, water.depth);
+    load(Strip::bed, bed);
+    load(Strip::u, water.velocity_x);
+    load(Strip::v, water.velocity_y);
+}
+
+/// Velocities of row y after advection and forces, a cell further than the block on either side.
+void CipScheme::accelerate(const cip::SubStep& step, const Block& block, int y, Strip& strip) {
+    const int count = block.count + 2;
+    const auto from = [](const cip::Stencil& rows) {
+        return cip::Stencil{rows.south - 1, rows.here - 1, rows.north - 1};
+    };
+    const auto stencil = [&](Strip::Field field) { return from(strip.around(field, y)); };
+    const auto row = [&](Strip::Field field) { return strip.row(field, y) - 1; };
+    const int row_of_grid = wrapped(y);
+    const auto carried = [&](Strip::Field value, const Gradient& gradient) {
+        return cip::CarriedStencil{stencil(value),
+                                   from(around(gradient.x, row_of_grid, block.first_x)),
+                                   from(around(gradient.y, row_of_grid, block.first_x))};
+    };
+    cip::advect_velocities(
+        carried(Strip::u, of_u_), carried(Strip::v, of_v_), step, steep_, count,
+        {row(Strip::advected_u), row(Strip::u_gradient_x), row(Strip::u_gradient_y)},
+        {row(Strip::advected_v), row(Strip::v_gradient_x), row(Strip::v_gradient_y)});
+    const cip::Velocity advected{row(Strip::advected_u), row(Strip::advected_v)};
+    const cip::Accelerated after{row(Strip::next_u), row(Strip::next_v), row(Strip::gained_u),
+                                 row(Strip::gained_v)};
+    const cip::Stencil depth = stencil(Strip::depth);
+    const cip::Stencil bed = stencil(Strip::bed);
+    if (as_published_) {
+        cip::accelerate_row_as_published(depth, bed, {row(Strip::u), row(Strip::v)}, step, advected,
+                                         count, after);
+    } else if (steep_) {
+        cip::accelerate_row_steep(depth, bed, step, advected, count, after);
+    } else {
+        cip::accelerate_row(depth, bed, step, advected, count, after);
+    }
+    if (y < block.first_y || y >= block.last_y) return;
+    std::copy_n(strip.row(Strip::next_u, y), block.count,
+                next_.velocity_x.row(y).data() + block.first_x);
+    std::copy_n(strip.row(Strip::next_v, y), block.count,
+                next_.velocity_y.row(y).data() + block.first_x);
+    if (as_published_) advect_depth(step, block, y, strip);
+}
+
+void CipScheme::turn_gradients(const cip::SubStep& step, const Block& block, int y, Strip& strip) {
+    const auto turned = [&](Strip::Field x, Strip::Field across, Gradient& gradient) {
+        return cip::TurnedRow{strip.row(x, y), strip.row(across, y),
+                              gradient.next_x.row(y) + block.first_x,
+                              gradient.next_y.row(y) + block.first_x};
+    };
+    const auto changed = [&](Strip::Field before, Strip::Field after, Strip::Field gained) {
+        return cip::ChangedStencil{strip.around(before, y), strip.around(after, y),
+                                   strip.around(gained, y)};
+    };
+    cip::turn_velocity_gradients(changed(Strip::u, Strip::next_u, Strip::gained_u),
+                                 changed(Strip::v, Strip::next_v, Strip::gained_v), step, steep_,
+                                 block.count,
+                                 turned(Strip::u_gradient_x, Strip::u_gradient_y, of_u_),
+                                 turned(Strip::v_gradient_x, Strip::v_gradient_y, of_v_));
+    if (block.first_x + block.count < nx_) return;
+    for (Gradient* gradient : {&of_u_, &of_v_}) {
+        gradient->next_x.wrap(y);
+        gradient->next_y.wrap(y);
+    }
+}
+
+/// What passes the faces north of row y, and within the block the row's depth.
+void CipScheme::carry_depth(const cip::SubStep& step, double rain, const Block& block, int y,
+                            Strip& strip) {
+    const auto depth = [&](int row) { return strip.row(Strip::depth, row); };
+    double* north = strip.row(Strip::faces_north, y);
+    cip::through_faces({depth(y - 1), depth(y), depth(y + 1), depth(y + 2),
+                        strip.row(Strip::next_v, y), strip.row(Strip::next_v, y + 1)},
+                       step.dt / step.dy, block.count, north);
+    if (y < block.first_y) return;
+    double* east = strip.row(Strip::faces_east, y);
+    const double* here = depth(y) - 1;
+    const double* speed = strip.row(Strip::next_u, y) - 1;
+    cip::through_faces({here - 1, here, here + 1, here + 2, speed, speed + 1}, step.dt / step.dx,
+                       block.count + 1, east - 1);
+    const bool overdrawn =
+        cip::settle_row(depth(y), east, strip.row(Strip::faces_north, y - 1), north, rain * step.dt,
+                        block.count, next_.depth.row(y).data() + block.first_x);
+    if (overdrawn) overdrawn_[static_cast<std::size_t>(y)] = 1;
+}
+
+/// The depth waits in next_, its gradients in theirs, for the new velocities of the whole plane.
+void CipScheme::advect_depth(const cip::SubStep& step, const Block& block, int y, Strip& strip) {
+    cip::advect_row(
+        {strip.around(Strip::depth, y), around(of_depth_.x, y, block.first_x),
+         around(of_depth_.y, y, block.first_x)},
+        {strip.row(Strip::u, y), strip.row(Strip::v, y)}, step, block.count,
+        {next_.depth.row(y).data() + block.first_x, of_depth_.next_x.row(y) + block.first_x,
+         of_depth_.next_y.row(y) + block.first_x});
+}
+
+/// The new velocities' divergence thins the depth, and what that changes turns its gradients.
+void CipScheme::thin_as_published(const cip::SubStep& step, const Water& before, double rain) {
+    const auto padded = [this](const Grid& grid, int y, PaddedGrid& scratch) {
+        std::copy_n(grid.row(y).data(), nx_, scratch.row(0));
+        scratch.wrap(0);
+        return cip::Stencil{grid.row(wrapped(y - 1)).data(), scratch.row(0),
+                            grid.row(wrapped(y + 1)).data()};
+    };
+    const auto over_rows = [&](const Water& flow, const auto& body) {
+        pool_.for_ranges(ny_, [&](int begin, int end) {
+            PaddedGrid u_row(nx_, 1);
+            PaddedGrid v_row(nx_, 1);
+            for (int y = begin; y < end; ++y) {
+                give_up_if_asked();
+                body(y, padded(flow.velocity_x, y, u_row), padded(flow.velocity_y, y, v_row));
+            }
+        });
+    };
+    over_rows(next_, [&](int y, const cip::Stencil& u, const cip::Stencil& v) {
+        double* depth = next_.depth.row(y).data();
+        cip::thin_row(before.depth.row(y).data(), depth, u, v, step, rain, nx_, depth,
+                      gained_depth_.row(y));
+        gained_depth_.wrap(y);
+    });
+    over_rows(before, [&](int y, const cip::Stencil& u, const cip::Stencil& v) {
+        double* gradient_x = of_depth_.next_x.row(y);
+        double* gradient_y = of_depth_.next_y.row(y);
+        cip::turn_gradient_row(around(gained_depth_, y), u, v, step, nx_,
+                               {gradient_x, gradient_y, gradient_x, gradient_y});
+        of_depth_.next_x.wrap(y);
+        of_depth_.next_y.wrap(y);
+    });
+}
+
+cip::Stencil CipScheme::around(const PaddedGrid& grid, int y, int first_x) const {
+    return {grid.row(wrapped(y - 1)) + first_x, grid.row(y) + first_x,
+            grid.row(wrapped(y + 1)) + first_x};
+}
+
+std::vector<StateField> CipScheme::state() const {
+    std::vector<StateField> fields{{"velocity_x_gradient_x", of_u_.x.values()},
+                                   {"velocity_x_gradient_y", of_u_.y.values()},
+                                   {"velocity_y_gradient_x", of_v_.x.values()},
+                                   {"velocity_y_gradient_y", of_v_.y.values()}};
+    if (as_published_) {
+        fields.push_back({"depth_gradient_x", of_depth_.x.values()});
+        fields.push_back({"depth_gradient_y", of_depth_.y.values()});
     }
     return fields;
 }
 
 void CipScheme::carry(StateCarrier& carrier) {
-    const auto carry_one = [&carrier](const std::string& name, Carried& carried) {
-        carrier.values(name, carried.value.all_values());
-        carrier.values(name + "_gradient_x", carried.gradient_x.all_values());
-        carrier.values(name + "_gradient_y", carried.gradient_y.all_values());
+    const auto carry_one = [&carrier](const std::string& name, Gradient& gradient) {
+        carrier.values(name + "_gradient_x", gradient.x.all_values());
+        carrier.values(name + "_gradient_y", gradient.y.all_values());
     };
-    carry_one("carried_velocity_x", u_);
-    carry_one("carried_velocity_y", v_);
-    if (as_published_) carry_one("carried_depth", depth_);
-}
-
-cip::Stencil CipScheme::around(const PaddedGrid& grid, int y) const {
-    return {grid.row((y + ny_ - 1) % ny_), grid.row(y), grid.row((y + 1) % ny_)};
-}
-
-/// The gradients begin as central differences.
-void CipScheme::start_from(const Grid& values, Carried& carried) const {
-    for (int y = 0; y < ny_; ++y) copy_padded(values, carried.value, y);
-    for (int y = 0; y < ny_; ++y) {
-        const cip::Stencil value = around(carried.value, y);
-        for (int x = 0; x < nx_; ++x) {
-            carried.gradient_x.row(y)[x] = 0.5 * (value.here[x + 1] - value.here[x - 1]);
-            carried.gradient_y.row(y)[x] = 0.5 * (value.north[x] - value.south[x]);
-        }
-        carried.gradient_x.wrap(y);
-        carried.gradient_y.wrap(y);
-    }
-}
-
-void CipScheme::advect_and_accelerate(const cip::SubStep& step, Water& water, const Grid& bed) {
-    pool_.for_ranges(ny_, [&](int begin, int end) {
-        std::vector<double> advected_u(static_cast<std::size_t>(nx_));
-        std::vector<double> advected_v(static_cast<std::size_t>(nx_));
-        PaddedGrid bed_row(nx_, 1);
-        for (int y = begin; y < end; ++y) {
-            give_up_if_asked();
-            const auto advect = [&](Carried& carried, double* value) {
-                cip::advect_row({around(carried.value, y), around(carried.gradient_x, y),
-                                 around(carried.gradient_y, y)},
-                                u_.value.row(y), v_.value.row(y), step, nx_,
-                                {value, carried.next_x.row(y), carried.next_y.row(y)});
-                if (steep_) {
-                    cip::hold_advected_row(around(carried.value, y), u_.value.row(y),
-                                           v_.value.row(y), nx_, value);
-                }
-            };
-            advect(u_, advected_u.data());
-            advect(v_, advected_v.data());
-            if (!as_published_) copy_padded(water.depth, depth_.value, y);
-            std::copy(bed.row(y).begin(), bed.row(y).end(), bed_row.row(0));
-            bed_row.wrap(0);
-            const int south = (y + ny_ - 1) % ny_;
-            const int north = (y + 1) % ny_;
-            const cip::Stencil depth{water.depth.row(south).data(), depth_.value.row(y),
-                                     water.depth.row(north).data()};
-            const cip::Stencil ground{bed.row(south).data(), bed_row.row(0), bed.row(north).data()};
-            if (as_published_) {
-                advect(depth_, depth_.next.row(y));
-                cip::accelerate_row_as_published(depth, ground, u_.value.row(y), v_.value.row(y),
-                                                 step, nx_, advected_u.data(), advected_v.data(),
-                                                 u_.next.row(y), v_.next.row(y), u_.gained.row(y),
-                                                 v_.gained.row(y));
-            } else {
-                const auto accelerate = steep_ ? cip::accelerate_row_steep : cip::accelerate_row;
-                accelerate(depth, ground, step, nx_, advected_u.data(), advected_v.data(),
-                           u_.next.row(y), v_.next.row(y), u_.gained.row(y), v_.gained.row(y));
-            }
-            for (Carried* carried : {&u_, &v_}) {
-                carried->next.wrap(y);
-                carried->gained.wrap(y);
-            }
-            copy_row(u_.next, water.velocity_x, y);
-            copy_row(v_.next, water.velocity_y, y);
-            // While the rows around it are at hand; the first and the last row wait for others'.
-            if (y - 1 > begin) turn_velocity_gradients(step, y - 1);
-        }
-    });
-}
-
-/// The advected depth waits in depth_.next; the new velocities' divergence thins it.
-void CipScheme::thin_as_published(const cip::SubStep& step, double rain) {
-    pool_.for_ranges(ny_, [&](int begin, int end) {
-        for (int y = begin; y < end; ++y) {
-            give_up_if_asked();
-            cip::thin_row(depth_.value.row(y), depth_.next.row(y), around(u_.next, y),
-                          around(v_.next, y), step, rain, nx_, depth_.next.row(y),
-                          depth_.gained.row(y));
-            depth_.gained.wrap(y);
-            depth_.next.wrap(y);
-        }
-    });
-}
-
-void CipScheme::turn_velocity_gradients(const cip::SubStep& step, int y) {
-    turn_gradient(step, u_, y);
-    turn_gradient(step, v_, y);
-}
-
-void CipScheme::turn_gradient(const cip::SubStep& step, Carried& carried, int y) const {
-    cip::turn_gradient_row(around(carried.gained, y), around(u_.value, y), around(v_.value, y),
-                           step, nx_, carried.next_x.row(y), carried.next_y.row(y));
-    if (steep_) {
-        cip::hold_gradient_row(around(carried.next, y), nx_, carried.next_x.row(y),
-                               carried.next_y.row(y));
-    }
-    carried.next_x.wrap(y);
-    carried.next_y.wrap(y);
+    carry_one("carried_velocity_x", of_u_);
+    carry_one("carried_velocity_y", of_v_);
+    if (as_published_) carry_one("carried_depth", of_depth_);
 }
 
 }  // namespace fumon

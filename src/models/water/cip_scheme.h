@@ -1,9 +1,10 @@
 #pragma once
 
-#include <array>
+#include <limits>
 
 #include "models/shared/padded_grid.h"
-#include "models/water/cip_rows.h"
+#include "models/water/cip_strip.h"
+#include "models/water/cip_vectors.h"
 #include "models/water/depth_flux.h"
 #include "models/water/shallow_water.h"
 
@@ -12,11 +13,11 @@ namespace fumon {
 class WorkerPool;
 
 /// Shallow water on a periodic plane by the CIP method, as Saeki & Okamura (2007) compute it:
-/// values and gradients of the velocities are advected together (cip::advect_row), forces follow
-/// (eqs. 10, 11). The depth goes
+/// values and gradients of the velocities are advected together (cip::advect_velocities), forces
+/// follow (eqs. 10, 11). The depth goes
 ///
-///  * by default with conserved fluxes of the new velocities (DepthFlux): water is kept to rounding
-///    and never negative;
+///  * by default with conserved fluxes of the new velocities (cip::through_faces): water is kept to
+///    rounding and never negative;
 ///  * as published, with CIP too and −h ∇·u after it: .01 % of the water is lost at slope .04, a
 ///    third at slope .1, and depths can become negative.
 ///
@@ -33,29 +34,36 @@ class CipScheme : public ShallowWaterScheme {
     void carry(StateCarrier& carrier) override;
 
   private:
-    /// A carried quantity: value and per-cell gradient before and after a sub-step, and what the
-    /// value gained beside advection.
-    struct Carried {
-        Carried() = default;
-        Carried(int nx, int ny)
-            : value(nx, ny),
-              gradient_x(nx, ny),
-              gradient_y(nx, ny),
-              next(nx, ny),
-              next_x(nx, ny),
-              next_y(nx, ny),
-              gained(nx, ny) {}
-        PaddedGrid value, gradient_x, gradient_y;
-        PaddedGrid next, next_x, next_y;
-        PaddedGrid gained;
+    /// Of a carried quantity per cell, before and after a sub-step.
+    struct Gradient {
+        Gradient() = default;
+        Gradient(int nx, int ny) : x(nx, ny), y(nx, ny), next_x(nx, ny), next_y(nx, ny) {}
+        PaddedGrid x, y;
+        PaddedGrid next_x, next_y;
     };
 
-    void start_from(const Grid& values, Carried& carried) const;
-    void advect_and_accelerate(const cip::SubStep& step, Water& water, const Grid& bed);
-    void thin_as_published(const cip::SubStep& step, double rain);
-    void turn_velocity_gradients(const cip::SubStep& step, int y);
-    void turn_gradient(const cip::SubStep& step, Carried& carried, int y) const;
-    [[nodiscard]] cip::Stencil around(const PaddedGrid& grid, int y) const;
+    /// A block of columns and the rows of it that a thread takes.
+    struct Block {
+        int first_x;
+        int count;
+        int first_y;
+        int last_y;  ///< past it
+    };
+
+    void start_from(const Grid& values, Gradient& gradient) const;
+    void advance_block(const cip::SubStep& step, const Water& water, const Grid& bed, double rain,
+                       const Block& block, cip::Strip& strip);
+    void load_row(const Water& water, const Grid& bed, const Block& block, int y,
+                  cip::Strip& strip) const;
+    void accelerate(const cip::SubStep& step, const Block& block, int y, cip::Strip& strip);
+    void turn_gradients(const cip::SubStep& step, const Block& block, int y, cip::Strip& strip);
+    void carry_depth(const cip::SubStep& step, double rain, const Block& block, int y,
+                     cip::Strip& strip);
+    void advect_depth(const cip::SubStep& step, const Block& block, int y, cip::Strip& strip);
+    void thin_as_published(const cip::SubStep& step, const Water& before, double rain);
+    [[nodiscard]] int wrapped(int y) const { return ((y % ny_) + ny_) % ny_; }
+    [[nodiscard]] cip::Stencil around(const PaddedGrid& grid, int y, int first_x = 0) const;
+    [[nodiscard]] cip::SubStep sub_step(double dt) const;
 
     bool as_published_;
     bool steep_;
@@ -65,10 +73,13 @@ class CipScheme : public ShallowWaterScheme {
     double gravity_;
     double friction_;
     WorkerPool& pool_;
-    Carried u_;
-    Carried v_;
-    Carried depth_;
-    DepthFlux flux_;
+    Gradient of_u_;
+    Gradient of_v_;
+    Gradient of_depth_;  ///< as published only
+    PaddedGrid gained_depth_;
+    Water next_;
+    std::vector<cip::Strip> strips_;  // one a thread
+    std::vector<char> overdrawn_;     ///< rows where more would leave a cell than it has
 };
 
 }  // namespace fumon

@@ -40,7 +40,6 @@ Sediment::Sediment(const GullyParameters& parameters, const WaterDomain& domain,
       diffusion_(nx, ny, diffusion_rate_ / (domain.dx * domain.dx),
                  diffusion_rate_ / (domain.dy * domain.dy), domain.edges_x == EdgeKind::periodic,
                  domain.edges_y == EdgeKind::periodic, pool),
-      change_(nx, ny),
       row_changes_(static_cast<std::size_t>(ny)) {
     const double most =
         most_turns * stable_turn /
@@ -53,6 +52,7 @@ Sediment::Sediment(const GullyParameters& parameters, const WaterDomain& domain,
                         "or bed.nodata = \"fill\"",
                         diffusion_rate_, parameters.time_step, most));
     }
+    if (!domain.nodata.empty()) change_ = Grid(nx, ny);
     if (transport_ == SedimentTransport::as_printed ||
         transport_ == SedimentTransport::conservative) {
         flux_x_ = Grid(nx, ny);
@@ -86,11 +86,17 @@ void Sediment::advance(Grid& bed, const Water& water, double dt) {
     diffusion_.prepare(dt);
     pool_.for_ranges(ny_, [&](int begin, int end) {
         Scratch scratch(nx_);
-        for (int y = begin; y < end; ++y) {
+        for (int y = begin; masked && y < end; ++y) {
             give_up_if_asked();
-            transport_row(bed, water, dt, y, scratch);
+            transport_row(bed, water, dt, y, scratch, change_.row(y).data());
         }
-        if (!masked) diffusion_.first_half(bed, change_, begin, end);
+        for (int from = begin; !masked && from < end; from += BedDiffusion::rows_at_once) {
+            give_up_if_asked();
+            const int to = std::min(from + BedDiffusion::rows_at_once, end);
+            for (int y = from; y < to; ++y)
+                transport_row(bed, water, dt, y, scratch, scratch.changes.row(y - from).data());
+            diffusion_.first_half(bed, scratch.changes, from, to);
+        }
     });
     for (const double change : row_changes_) changed_.add(change);
     if (masked) {
@@ -145,8 +151,7 @@ void Sediment::hold_at_walls(int y) {
 }
 
 void Sediment::transport_row(const Grid& bed, const Water& water, double dt, int y,
-                             Scratch& scratch) {
-    double* change = change_.row(y).data();
+                             Scratch& scratch, double* change) {
     constexpr Beyond same = Beyond::same;
     switch (transport_) {
         case SedimentTransport::none:
@@ -171,7 +176,7 @@ void Sediment::transport_row(const Grid& bed, const Water& water, double dt, int
             }
             break;
         case SedimentTransport::conservative:
-            settle_row(bed, dt, y, scratch);
+            settle_row(bed, dt, y, scratch, change);
             break;
     }
     if (!domain_.nodata.empty()) {
@@ -183,8 +188,7 @@ void Sediment::transport_row(const Grid& bed, const Water& water, double dt, int
 }
 
 /// What conservative transport changes in a row.
-void Sediment::settle_row(const Grid& bed, double dt, int y, Scratch& scratch) {
-    double* change = change_.row(y).data();
+void Sediment::settle_row(const Grid& bed, double dt, int y, Scratch& scratch, double* change) {
     constexpr Beyond same = Beyond::same;
     const auto conserved = [](EdgeKind edge) {
         return edge == EdgeKind::wall ? Beyond::opposite : Beyond::same;

@@ -61,18 +61,21 @@ class Sediment {
               along_x(nx),
               along_y(nx),
               flux(static_cast<std::size_t>(nx)),
-              drop(static_cast<std::size_t>(nx)) {}
+              drop(static_cast<std::size_t>(nx)),
+              changes(nx, BedDiffusion::rows_at_once) {}
         RowSides bed, along_x, along_y;
         std::vector<double> flux;  ///< |q_s|, m²/s
         std::vector<double> drop;  ///< to the lowest neighbour, m; downhill only
+        Grid changes;              ///< of a few rows by transport in a sub-step, m
     };
 
     void find_rim();
     void find_fluxes(const Grid& bed, const Water& water);
     void flux_row(const Grid& bed, const Water& water, int y, Scratch& scratch);
     void hold_at_walls(int y);
-    void transport_row(const Grid& bed, const Water& water, double dt, int y, Scratch& scratch);
-    void settle_row(const Grid& bed, double dt, int y, Scratch& scratch);
+    void transport_row(const Grid& bed, const Water& water, double dt, int y, Scratch& scratch,
+                       double* change);
+    void settle_row(const Grid& bed, double dt, int y, Scratch& scratch, double* change);
     void diffuse_masked(Grid& bed, double dt);
 
     SedimentTransport transport_;
@@ -88,7 +91,7 @@ class Sediment {
     Grid flux_x_;  ///< q_s, m²/s, where its neighbours count
     Grid flux_y_;
     Mask rim_;     ///< of conserved sediment downhill: 1 beside open edges and cells without data
-    Grid change_;  ///< of the bed by transport in a sub-step, m
+    Grid change_;  ///< of the bed by transport in a sub-step, m; where cells are without data
     std::vector<double> row_changes_;
     CompensatedSum changed_;
 };

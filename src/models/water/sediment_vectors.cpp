@@ -211,16 +211,21 @@ void downhill_row(const FluxLaw& law, const double* here, const Sides& bed, int 
 void stress_row(const FluxLaw& law, const double* u, const double* v, int count, double* excess) {
     const double half_q = 0.5 * law.velocity_exponent;
     const double half_gamma = 0.5 * law.slope_exponent;
-    const auto stress_above = [&law, half_q, half_gamma](Vector steepness, Vector along_x,
-                                                         Vector along_y) HWY_ATTR {
+    // Two loops: of one as long as both the processor sees too few cells ahead to work on several.
+    const auto log_of_power = [half_q, half_gamma](Vector steepness, Vector along_x, Vector along_y)
+                                  HWY_ATTR {
+                                      const Vector speed = along_x * along_x + along_y * along_y;
+                                      return constant(half_q) * log_of_square(speed) +
+                                             constant(half_gamma) * log_of_square(steepness);
+                                  };
+    const auto stress_above = [&law](Vector log_of_it, Vector along_x, Vector along_y) HWY_ATTR {
         const Vector speed = along_x * along_x + along_y * along_y;
-        const Vector power =
-            vectors::HWY_NAMESPACE::exp(constant(half_q) * log_of_square(speed) +
-                                        constant(half_gamma) * log_of_square(steepness));
+        const Vector power = vectors::HWY_NAMESPACE::exp(log_of_it);
         const Vector stress = constant(law.stress_factor) * power - constant(law.critical_stress);
         const Vector above = greater(stress, hn::Zero(Doubles()));
         return hn::IfThenElseZero(hn::Gt(speed, constant(tiny)), above);
     };
+    for_each_cell(count, excess, log_of_power, excess, u, v);
     for_each_cell(count, excess, stress_above, excess, u, v);
 }
 

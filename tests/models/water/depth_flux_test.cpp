@@ -5,28 +5,48 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include "models/shared/padded_grid.h"
+#include "models/water/cip_vectors.h"
 #include "support/gully_run.h"
 
 namespace fumon::test {
 namespace {
 
-PaddedGrid padded(const Grid& grid) {
-    PaddedGrid out(grid.nx(), grid.ny());
-    for (int y = 0; y < grid.ny(); ++y) {
-        std::copy(grid.row(y).begin(), grid.row(y).end(), out.row(y));
-        out.wrap(y);
-    }
-    return out;
-}
-
+/// With periodic edges and cells of 1 m: as long as no cell gives more than it has, as the strips
+/// of CipScheme do it, else by share_depth.
 Grid carried(const Grid& depth, const Grid& u, const Grid& v, double dt) {
-    DepthFlux flux(depth.nx(), depth.ny(), 1.0, 1.0);
-    Grid after(depth.nx(), depth.ny());
-    const PaddedGrid before = padded(depth);
-    flux.begin(dt, 0.0);
-    flux.carry(before, padded(u), padded(v), 0, depth.ny(), after);
-    flux.finish(before, padded(u), padded(v), after);
+    const int nx = depth.nx();
+    const int ny = depth.ny();
+    const auto row = [ny](const Grid& grid, int y) { return grid.row((y + ny) % ny).data(); };
+    Grid after(nx, ny);
+    bool overdrawn = false;
+    for (int y = 0; y < ny; ++y) {
+        PaddedGrid h(nx, 1);
+        PaddedGrid speed(nx, 1);
+        std::copy_n(row(depth, y), nx, h.row(0));
+        std::copy_n(row(u, y), nx, speed.row(0));
+        h.wrap(0);
+        speed.wrap(0);
+        const auto count = static_cast<std::size_t>(nx);
+        std::vector<double> east(count + 1);
+        std::vector<double> south(count);
+        std::vector<double> north(count);
+        cip::through_faces(
+            {h.row(0) - 2, h.row(0) - 1, h.row(0), h.row(0) + 1, speed.row(0) - 1, speed.row(0)},
+            dt, nx + 1, east.data());
+        const auto along_y = [&](int from, std::vector<double>& faces) {
+            cip::through_faces({row(depth, from - 1), row(depth, from), row(depth, from + 1),
+                                row(depth, (from + 2) % ny), row(v, from), row(v, from + 1)},
+                               dt, nx, faces.data());
+        };
+        along_y(y - 1, south);
+        along_y(y, north);
+        overdrawn |= cip::settle_row(row(depth, y), east.data() + 1, south.data(), north.data(),
+                                     0.0, nx, after.row(y).data());
+    }
+    if (overdrawn) share_depth({depth, u, v}, dt, dt, 0.0, after);
     return after;
 }
 

@@ -1,0 +1,130 @@
+#pragma once
+
+namespace fumon::cip {
+
+/// A row and its two neighbours: the same cells of each, readable a cell past either end.
+struct Stencil {
+    const double* south;
+    const double* here;
+    const double* north;
+};
+
+/// A quantity with its gradient, which is kept per cell: ∂f/∂x·dx and ∂f/∂y·dy.
+struct CarriedStencil {
+    Stencil value;
+    Stencil gradient_x;
+    Stencil gradient_y;
+};
+
+struct CarriedRow {
+    double* value;
+    double* gradient_x;
+    double* gradient_y;
+};
+
+/// What all rows of a sub-step share.
+struct SubStep {
+    double dt;        ///< s
+    double dx;        ///< m
+    double dy;        ///< m
+    double gravity;   ///< m/s²
+    double pull;      ///< −g·slope, m/s²
+    double friction;  ///< C_f, halved where eq. 9 holds
+};
+
+/// A velocity's components along a row.
+struct Velocity {
+    const double* u;
+    const double* v;
+};
+
+/// What accelerating leaves: velocities, and what they gained.
+struct Accelerated {
+    double* u;
+    double* v;
+    double* gained_u;
+    double* gained_v;
+};
+
+/// Advects a quantity with the velocity: the value and the gradient of its cubic interpolation at
+/// the place the water came from, in the cell upwind (CIP, type A: Yabe, Ishikawa, Wang, Aoki,
+/// Kadota & Ikeda 1991, Comput. Phys. Commun. 66).
+void advect_row(const CarriedStencil& before, const Velocity& by, const SubStep& step, int count,
+                const CarriedRow& after);
+
+/// The same of the velocities themselves. Where `held`, a value stays between the four that it
+/// comes from: no extremum of its own.
+void advect_velocities(const CarriedStencil& u, const CarriedStencil& v, const SubStep& step,
+                       bool held, int count, const CarriedRow& u_after, const CarriedRow& v_after);
+
+/// Pressure, the plane's pull and friction after the advection (Saeki & Okamura 2007, eq. 10):
+/// velocities and what they gained. Friction is taken half implicitly, at the advected speed, so
+/// that thin films come to rest instead of turning round. Dry cells have no velocity.
+void accelerate_row(const Stencil& depth, const Stencil& bed, const SubStep& step,
+                    const Velocity& advected, int count, const Accelerated& after);
+
+/// The same for steep relief: toward a neighbour the surface rises no further than it falls on the
+/// other side, or than that neighbour is deep, so that a bank does not press on the water below it.
+/// Friction is implicit at the speed that it leaves.
+void accelerate_row_steep(const Stencil& depth, const Stencil& bed, const SubStep& step,
+                          const Velocity& advected, int count, const Accelerated& after);
+
+/// The same with all forces taken before the sub-step, as published.
+void accelerate_row_as_published(const Stencil& depth, const Stencil& bed, const Velocity& before,
+                                 const SubStep& step, const Velocity& advected, int count,
+                                 const Accelerated& after);
+
+/// An advected gradient, where it is and where it shall go; they may be the same.
+struct TurnedRow {
+    const double* advected_x;
+    const double* advected_y;
+    double* gradient_x;
+    double* gradient_y;
+};
+
+/// What the non-advective part does to a gradient (Saeki & Okamura 2007, eq. 11, with the cross
+/// terms of two dimensions). `gained` is what the value gained beside advection, (u, v) the
+/// velocity it was advected with.
+void turn_gradient_row(const Stencil& gained, const Stencil& u, const Stencil& v,
+                       const SubStep& step, int count, const TurnedRow& gradient);
+
+/// A velocity component around a row: before the sub-step, after it, and what it gained.
+struct ChangedStencil {
+    Stencil before;
+    Stencil after;
+    Stencil gained;
+};
+
+/// The same of both velocities' gradients. Where `held`, they are at most twice the larger step of
+/// the value toward a neighbour.
+void turn_velocity_gradients(const ChangedStencil& u, const ChangedStencil& v, const SubStep& step,
+                             bool held, int count, const TurnedRow& of_u, const TurnedRow& of_v);
+
+/// The advected depth less h ∇·u, as published, and what it gained.
+void thin_row(const double* depth, const double* advected, const Stencil& u, const Stencil& v,
+              const SubStep& step, double rain, int count, double* after, double* gained);
+
+/// Cells on either side of faces, two in each direction, and velocities next to them.
+struct FaceCells {
+    const double* depth_before;  ///< of the cell behind `depth_here`
+    const double* depth_here;
+    const double* depth_next;
+    const double* depth_after;
+    const double* speed_here;
+    const double* speed_next;
+};
+
+/// Depth that passes faces, onward where positive: second order in space and time with the
+/// monotonised central limiter (van Leer 1977, J. Comput. Phys. 23). `per_cell` is dt/dx.
+void through_faces(const FaceCells& cells, double per_cell, int count, double* faces);
+
+/// Depths after the faces have passed theirs and `rain` (m) has fallen; whether a cell gave more
+/// than it had. faces_x[x − 1] and faces_x[x] lie west and east of cell x.
+bool settle_row(const double* before, const double* faces_x, const double* faces_south,
+                const double* faces_north, double rain, int count, double* after);
+
+/// The largest (|u| + √(g h)) / dx + (|v| + √(g h)) / dy of a row, 1/s; 0 where all is dry. Cells
+/// whose values are not numbers are passed over.
+double fastest(const double* depth, const Velocity& velocity, const SubStep& step, int count);
+
+}  // namespace fumon::cip
