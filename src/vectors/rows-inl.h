@@ -96,8 +96,8 @@ HWY_INLINE double largest_of_row(int count, const Function& function) {
     return largest;
 }
 
-/// Likewise, but calls loop(d, x, several) for groups of vectors, as many as the constant `several`
-/// says: `group`, and one where no more are left.
+/// As for_each_vector, but calls loop(d, x, several) for groups of vectors, as many as the constant
+/// `several` says: `group`, and one where no more are left.
 template <std::size_t group, class Loop>
 HWY_INLINE void for_each_group(int count, const Loop& loop) {
     const hn::ScalableTag<double> doubles;

@@ -86,10 +86,13 @@ Sand::Sand(const SandParameters& parameters, ModelSetup setup)
     check_table(parameters);
     check_bed(parameters, setup);
     bed_ = std::move(setup.bed);
-    next_ = Grid(bed_.nx(), bed_.ny());
+    if (parameters.creep != Creep::every_cell) next_ = Grid(bed_.nx(), bed_.ny());
     scratch_.assign(static_cast<std::size_t>(pool_.size()), {RowHops(parameters, bed_.nx()), {}});
     for (Scratch& scratch : scratch_) {
-        for (auto& row : scratch.hopped) row.resize(static_cast<std::size_t>(bed_.nx()));
+        const auto width = static_cast<std::size_t>(bed_.nx());
+        for (auto& row : scratch.hopped) row.resize(width);
+        scratch.behind.resize(width);
+        scratch.ahead.resize(width);
     }
     picks_.resize(static_cast<std::size_t>(bed_.ny()));
 }
@@ -99,7 +102,6 @@ void Sand::step() {
     switch (parameters_.creep) {
         case Creep::every_cell:
             hop_rows_and_creep();
-            std::swap(bed_, next_);
             break;
         case Creep::maxima_only:
             hop_rows();
@@ -141,24 +143,26 @@ void Sand::for_rows(const std::function<void(int begin, int end, Scratch& scratc
     });
 }
 
-/// Both at once: a row creeps as soon as it and its two neighbours have hopped, so the bed is read
-/// once and written once. Rows at the border of two threads hop in both.
+/// Both at once, in place: a row creeps as soon as it and its two neighbours have hopped, so the
+/// bed is read once and written once. Rows beside those of a thread, which another one changes, hop
+/// first.
 void Sand::hop_rows_and_creep() {
     for_rows([this](int begin, int end, Scratch& scratch) {
         const int ny = bed_.ny();
-        auto& hopped = scratch.hopped;
-        const auto hop = [&](int y) {
-            hop_row(scratch, (y + ny) % ny, hopped[static_cast<std::size_t>((y + 3) % 3)]);
+        hop_row(scratch, (begin - 1 + ny) % ny, scratch.behind);
+        hop_row(scratch, end % ny, scratch.ahead);
+    });
+    for_rows([this](int begin, int end, Scratch& scratch) {
+        const auto hopped = [&](int y) -> std::vector<double>& {
+            if (y < begin) return scratch.behind;
+            if (y == end) return scratch.ahead;
+            return scratch.hopped[static_cast<std::size_t>(y % 3)];
         };
-        const auto row = [&](int y) -> std::span<const double> {
-            return hopped[static_cast<std::size_t>((y + 3) % 3)];
-        };
-        hop(begin - 1);
-        hop(begin);
+        hop_row(scratch, begin, hopped(begin));
         for (int y = begin; y < end; ++y) {
             give_up_if_asked();
-            hop(y + 1);
-            creep_row(row(y - 1), row(y), row(y + 1), parameters_.creep_rate, next_.row(y));
+            if (y + 1 < end) hop_row(scratch, y + 1, hopped(y + 1));
+            creep_row(hopped(y - 1), hopped(y), hopped(y + 1), parameters_.creep_rate, bed_.row(y));
         }
     });
 }

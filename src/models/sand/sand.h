@@ -56,6 +56,8 @@ class Sand : public Model {
         RowHops hops;
         Picks picks;
         std::array<std::vector<double>, 3> hopped{};  ///< rows that have not yet crept
+        std::vector<double> behind{};                 ///< the row before a thread's, hopped
+        std::vector<double> ahead{};                  ///< the one after its last, likewise
     };
 
     void share_picks();
@@ -72,7 +74,7 @@ class Sand : public Model {
     WorkerPool& pool_;
     std::int64_t steps_ = 0;
     Grid bed_;
-    Grid next_;
+    Grid next_;                        ///< empty where every cell creeps, which needs none
     std::vector<Scratch> scratch_;     ///< of each thread
     std::vector<std::int64_t> picks_;  ///< of each row, this step
     Picks drawn_;                      ///< of a single row: this step's …
