@@ -36,7 +36,7 @@ class FourierTransform::Convolution {
             sine_.push_back(elementary::sin(angle));
         }
         Scratch scratch = padded_.scratch();
-        std::fill_n(scratch.from.data(), padded_.length_ * rows, 0.0);
+        std::fill_n(scratch.from, padded_.length_ * rows, 0.0);
         for (std::size_t i = 0; i < length; ++i) {
             for (const std::size_t at : {i, (padded_.length_ - i) % padded_.length_}) {
                 scratch.from[at * rows] = cosine_[i];
@@ -56,14 +56,14 @@ class FourierTransform::Convolution {
 
     void transform(Scratch& scratch) const {
         const std::size_t length = cosine_.size();
-        fourier::turn_points(scratch.from.data(), cosine_.data(), sine_.data(), length);
+        fourier::turn_points(scratch.from, cosine_.data(), sine_.data(), length);
         std::fill_n(&scratch.from[length * rows], (padded_.length_ - length) * rows, 0.0);
         padded_.transform(scratch);
         // The inverse transform is the forward one between two conjugations.
-        fourier::multiply_and_mirror(scratch.from.data(), kernel_real_.data(),
-                                     kernel_imaginary_.data(), padded_.length_);
+        fourier::multiply_and_mirror(scratch.from, kernel_real_.data(), kernel_imaginary_.data(),
+                                     padded_.length_);
         padded_.transform(scratch);
-        double* z = scratch.from.data();
+        double* z = scratch.from;
         for (std::size_t m = 0; m < length; ++m) {
             for (std::size_t l = half; l < rows; ++l) z[m * rows + l] = -z[m * rows + l];
         }
@@ -102,7 +102,7 @@ FourierTransform::~FourierTransform() = default;
 
 FourierTransform::Scratch FourierTransform::scratch() const {
     if (convolution_) return convolution_->scratch();
-    return {Numbers(length_ * rows), Numbers(length_ * rows)};
+    return Scratch(length_ * rows);
 }
 
 /// Of the 4 complex rows in scratch.from, in place.
@@ -110,14 +110,14 @@ void FourierTransform::transform(Scratch& scratch) const {
     if (convolution_) {
         convolution_->transform(scratch);
     } else if (!radices_.empty()) {
-        run_stages({scratch.from.data(), rows}, {behind_stages(scratch), rows}, false, scratch);
-        if (behind_stages(scratch) != scratch.from.data()) std::swap(scratch.from, scratch.to);
+        run_stages({scratch.from, rows}, {behind_stages(scratch), rows}, false, scratch);
+        if (behind_stages(scratch) != scratch.from) std::swap(scratch.from, scratch.to);
     }
 }
 
 /// The half of the scratch that the last stage does not read: the first stage reads scratch.from.
 double* FourierTransform::behind_stages(Scratch& scratch) const {
-    return radices_.size() % 2 == 0 ? scratch.from.data() : scratch.to.data();
+    return radices_.size() % 2 == 0 ? scratch.from : scratch.to;
 }
 
 void FourierTransform::run_stages(const Points<const double>& from, const Points<double>& to,
@@ -131,7 +131,7 @@ void FourierTransform::run_stages(const Points<const double>& from, const Points
         remaining /= radix;
         const bool last = n + 1 == radices_.size();
         double* there = to.first;
-        if (!last) there = n % 2 == 0 ? scratch.to.data() : scratch.from.data();
+        if (!last) there = n % 2 == 0 ? scratch.to : scratch.from;
         const fourier::Stage stage{radix,           remaining,    stride,    length_,
                                    cosine_.data(),  sine_.data(), here_step, last ? to.step : rows,
                                    mirrored && last};
@@ -161,7 +161,7 @@ void FourierTransform::forward(const double* values, std::size_t stride, double*
     for (std::size_t i = 0; i < length_; ++i)
         std::copy_n(values + i * stride, rows, &scratch.from[i * rows]);
     transform(scratch);
-    fourier::part_rows(scratch.from.data(), length_, spectra);
+    fourier::part_rows(scratch.from, length_, spectra);
 }
 
 void FourierTransform::backward(const double* real, const double* imaginary,
@@ -169,9 +169,9 @@ void FourierTransform::backward(const double* real, const double* imaginary,
                                 Scratch& scratch) const {
     // The inverse of z is the forward transform of i·conj z, likewise turned back: its parts
     // change places.
-    fourier::join_rows({real, imaginary, spectrum_stride}, length_, scratch.from.data());
+    fourier::join_rows({real, imaginary, spectrum_stride}, length_, scratch.from);
     if (in_stages()) {
-        run_stages({scratch.from.data(), rows}, {values, stride}, true, scratch);
+        run_stages({scratch.from, rows}, {values, stride}, true, scratch);
         return;
     }
     transform(scratch);

@@ -22,22 +22,15 @@ class FourierTransform {
     FourierTransform(const FourierTransform&) = delete;
     FourierTransform& operator=(const FourierTransform&) = delete;
 
-    /// Numbers that begin as anything.
-    class Numbers {
-      public:
-        explicit Numbers(std::size_t count)
-            : first_(std::make_unique_for_overwrite<double[]>(count)) {}
-        double& operator[](std::size_t at) { return first_[at]; }
-        double* data() { return first_.get(); }
-
-      private:
-        std::unique_ptr<double[]> first_;
-    };
-
-    /// Working memory of one thread.
+    /// Working memory of one thread: it begins as anything.
     struct Scratch {
-        Numbers from;
-        Numbers to;
+        explicit Scratch(std::size_t count)
+            : memory(std::make_unique_for_overwrite<double[]>(2 * count)),
+              from(memory.get()),
+              to(from + count) {}
+        std::unique_ptr<double[]> memory;
+        double* from;
+        double* to;
     };
     [[nodiscard]] Scratch scratch() const;
 

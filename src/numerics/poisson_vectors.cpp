@@ -18,10 +18,11 @@ constexpr std::size_t lanes = hn::MaxLanes(Four());
 constexpr std::size_t groups = modes_together / lanes;  // vectors of modes
 
 /// Columns become rows. Of a block as wide as a vector.
-HWY_INLINE void transpose([[maybe_unused]] V (&block)[lanes]) {
+template <std::size_t side>
+HWY_INLINE void transpose([[maybe_unused]] V (&block)[side]) {
     [[maybe_unused]] const Four d;
 #if HWY_TARGET != HWY_SCALAR
-    if constexpr (lanes == 4) {
+    if constexpr (side == 4) {
         const V a = hn::InterleaveLower(d, block[0], block[1]);
         const V b = hn::InterleaveUpper(d, block[0], block[1]);
         const V c = hn::InterleaveLower(d, block[2], block[3]);
@@ -30,7 +31,7 @@ HWY_INLINE void transpose([[maybe_unused]] V (&block)[lanes]) {
         block[1] = hn::ConcatLowerLower(d, e, b);
         block[2] = hn::ConcatUpperUpper(d, c, a);
         block[3] = hn::ConcatUpperUpper(d, e, b);
-    } else if constexpr (lanes == 2) {
+    } else if constexpr (side == 2) {
         const V a = hn::InterleaveLower(d, block[0], block[1]);
         block[1] = hn::InterleaveUpper(d, block[0], block[1]);
         block[0] = a;

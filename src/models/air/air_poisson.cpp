@@ -96,11 +96,13 @@ void AirPoisson::invert_departures() {
 }
 
 void AirPoisson::solve_pinned(std::span<const double> right_side) {
-    for (int i = 0; i < plane_.nx; ++i) {
-        std::fill(&b_[at(i, 1)], &b_[at(i, lowest(i))], 0.0);
-        std::copy(&right_side[plane_.at(i, lowest(i))], &right_side[plane_.at(i, plane_.nz)],
-                  &b_[at(i, lowest(i))]);
-    }
+    over_plane(pool_, plane_.nx, rectangle_.size(), [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            std::fill(&b_[at(i, 1)], &b_[at(i, lowest(i))], 0.0);
+            std::copy(&right_side[plane_.at(i, lowest(i))], &right_side[plane_.at(i, plane_.nz)],
+                      &b_[at(i, lowest(i))]);
+        }
+    });
     rectangle_.begin(b_, plane_.nz);
     give_up_if_asked();
     rectangle_.write(p_, near_bed_);
@@ -130,10 +132,12 @@ void AirPoisson::solve(std::span<const double> right_side, std::span<double> pre
     solve_pinned(right_side);
     const std::size_t pinned = at(0, lowest(0));
     const double constant = p_[pinned] / of_constant_[pinned];
-    for (int i = 0; i < plane_.nx; ++i) {
-        air::subtract_multiple(&p_[at(i, lowest(i))], constant, &of_constant_[at(i, lowest(i))],
-                               plane_.nz - lowest(i), &pressure[plane_.at(i, lowest(i))]);
-    }
+    over_plane(pool_, plane_.nx, rectangle_.size(), [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            air::subtract_multiple(&p_[at(i, lowest(i))], constant, &of_constant_[at(i, lowest(i))],
+                                   plane_.nz - lowest(i), &pressure[plane_.at(i, lowest(i))]);
+        }
+    });
 }
 
 }  // namespace fumon

@@ -73,7 +73,9 @@ void share_depth(const CarriedDepth& carried, double per_x, double per_y, double
         give_up_if_asked();
         for (int x = 0; x <= nx; ++x) {
             double& moved = east(x, y);
-            moved *= share((moved > 0.0 ? x - 1 + nx : x) % nx, y);
+            const int west = x == 0 ? nx - 1 : x - 1;
+            const int east_of_it = x == nx ? 0 : x;
+            moved *= share(moved > 0.0 ? west : east_of_it, y);
         }
         for (int x = 0; x < nx; ++x) {
             double& moved = north(x, y);
