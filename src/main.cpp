@@ -1,3 +1,5 @@
+#include <malloc.h>
+
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -13,7 +15,19 @@ static int tell_out_of_memory() {
     return 1;
 }
 
+/// Gives large fields back to the system as they are freed. By itself the C library raises the size
+/// from which it does so, and each thread's heap keeps the most that it ever held: frames of a bed
+/// of 1024 x 1024 cells took 760 MB instead of 390.
+static void give_memory_back() {
+#ifdef __GLIBC__
+    constexpr int large = 4 << 20;
+    mallopt(M_MMAP_THRESHOLD, large);
+    mallopt(M_TRIM_THRESHOLD, 16 * large);
+#endif
+}
+
 int main(int count, char** values) {
+    give_memory_back();
     fumon::explain_crashes();
     std::signal(SIGXFSZ, SIG_IGN);  // what exceeds the limit on files is a failed write (EFBIG)
     try {
