@@ -226,7 +226,8 @@ Snapshot Gully::snapshot() const {
 }
 
 std::string Gully::doubt() const {
-    if (first_terrain_.empty() || steps_ == 0) return {};
+    const bool stays = parameters_.transport == SedimentTransport::none;
+    if (first_terrain_.empty() || steps_ == 0 || stays) return {};
     constexpr double least = 1.0;               // m
     constexpr double plausible = 1.0 / 3600.0;  // m/s: a flood in loose ground
     const double expected = std::max(least, plausible * time());
