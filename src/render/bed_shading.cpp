@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "base/elementary.h"
 #include "base/resampling.h"
@@ -104,7 +105,8 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
         tone = view.look.ground == Ground::endless ? Tone::agx_punchy : Tone::filmic;
     program.set("tone", tone == Tone::filmic ? 0 : tone == Tone::neutral ? 2 : 1);
     program.set("punch", tone == Tone::agx_punchy ? 1.0F : 0.0F);
-    program.set("exposure", static_cast<float>(std::exp2(view.look.exposure)));
+    program.set("exposure",
+                static_cast<float>(elementary::exp(std::numbers::ln2 * view.look.exposure)));
     program.set("to_sun", light.to_sun);
     program.set("sun_light", light.sun);
     program.set("sky_light", light.sky);

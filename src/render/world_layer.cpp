@@ -33,7 +33,8 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const DisplayBed& f
 
 void WorldLayer::build() {
     rays_ = static_cast<int>(static_cast<double>(view_.image.width) / pixels_a_ray) + 2;
-    rings_ = static_cast<int>(std::log(farthest / nearest) / std::log(ring_ratio)) + 2;
+    rings_ =
+        static_cast<int>(elementary::log(farthest / nearest) / elementary::log(ring_ratio)) + 2;
     std::vector<glm::vec2> places;
     places.reserve(static_cast<std::size_t>(rays_ * rings_));
     for (int ring = 0; ring < rings_; ++ring) {
