@@ -143,16 +143,16 @@ struct Depart {
 template <bool of_slope, class Length>
 HWY_INLINE void depart(const double* height, const double* in, const Length& length,
                        double to_nearest, const AmountLaw& law, int count, const Departures& out) {
-    const auto loop = [&](auto depart) HWY_ATTR {
-        for_each_vector(count, decltype(depart){height, in, length, to_nearest, law, out});
-    };
     const bool usual = law.upwind == nullptr && out.far_amount == nullptr;
     if (usual && out.from == nullptr && !law.from_sand_only) {
-        loop(Depart<Length, of_slope, Hops::row>{});
+        for_each_vector(
+            count, Depart<Length, of_slope, Hops::row>{height, in, length, to_nearest, law, out});
     } else if (usual && out.from != nullptr && law.from_sand_only) {
-        loop(Depart<Length, of_slope, Hops::picked>{});
+        for_each_vector(count, Depart<Length, of_slope, Hops::picked>{height, in, length,
+                                                                      to_nearest, law, out});
     } else {
-        loop(Depart<Length, of_slope, Hops::any>{});
+        for_each_vector(
+            count, Depart<Length, of_slope, Hops::any>{height, in, length, to_nearest, law, out});
     }
 }
 
