@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/elementary.h"
+#include "base/elementary_angle.h"
 #include "base/units.h"
 
 namespace fumon {
@@ -108,7 +109,7 @@ void stand(Camera& camera, const CameraSettings& settings, const Block& block) {
     if (distance < 1e-9) return;
     camera.focus = distance;
     camera.forward = toward / distance;
-    const double level = std::hypot(toward.x, toward.y);
+    const double level = elementary::hypot(toward.x, toward.y);
     if (level > 1e-9 * distance)
         camera.right = glm::dvec3(toward.y / level, -toward.x / level, 0.0);
     camera.up = glm::cross(camera.right, camera.forward);
