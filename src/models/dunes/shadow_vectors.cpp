@@ -12,17 +12,21 @@ namespace HWY_NAMESPACE {
 
 using namespace vectors::HWY_NAMESPACE;
 
-void fall(const Lines& lines, double soft_drop, double full_drop) {
+void fall(const Lines& lines, const Fall& fall) {
     const auto loop = [&](auto doubles, std::size_t i) HWY_ATTR {
-        const auto soft = hn::Sub(hn::LoadU(doubles, lines.soft + i), hn::Set(doubles, soft_drop));
-        const auto full = hn::Sub(hn::LoadU(doubles, lines.full + i), hn::Set(doubles, full_drop));
-        hn::StoreU(soft, doubles, lines.soft + i);
-        hn::StoreU(full, doubles, lines.full + i);
+        const auto add = [&](double* line, double change) HWY_ATTR {
+            hn::StoreU(hn::Add(hn::LoadU(doubles, line + i), hn::Set(doubles, change)), doubles,
+                       line + i);
+        };
+        add(lines.soft, -fall.soft);
+        add(lines.full, -fall.full);
+        add(lines.since, fall.length);
     };
     for_each_vector(lines.count, loop);
 }
 
-void shade(const Lines& lines, const Between& between, double* shade, double* envelope) {
+void shade(const Lines& lines, const Between& between, double range, double* shade,
+           double* envelope) {
     const double near = 1.0 - between.beyond;
     const auto loop = [&](auto doubles, std::size_t i) HWY_ATTR {
         const auto blend = [&](const double* line) HWY_ATTR {
@@ -31,12 +35,13 @@ void shade(const Lines& lines, const Between& between, double* shade, double* en
         };
         constexpr double thinnest = 1e-9;  // m: a hard edge
         const auto ground = hn::LoadU(doubles, between.heights + i + 1);
-        const auto soft = blend(lines.soft);
         const auto full = blend(lines.full);
-        const auto room = greater(hn::Sub(soft, full), hn::Set(doubles, thinnest));
-        const auto below = hn::Div(hn::Sub(soft, ground), room);
+        const auto room = greater(hn::Mul(blend(lines.since), hn::Set(doubles, range)),
+                                  hn::Set(doubles, thinnest));
+        const auto below = hn::Div(hn::Sub(blend(lines.soft), ground), room);
         const auto one = hn::Set(doubles, 1.0);
-        hn::StoreU(lesser(greater(below, hn::Zero(doubles)), one), doubles, shade + i);
+        const auto partly = lesser(greater(below, hn::Zero(doubles)), one);
+        hn::StoreU(hn::IfThenElse(hn::Gt(full, ground), one, partly), doubles, shade + i);
         hn::StoreU(greater(full, ground), doubles, envelope + i);
     };
     for_each_vector(lines.count - 1, loop);
@@ -48,7 +53,11 @@ void lift(const Lines& lines, const Between& between) {
         const auto ground = hn::Add(
             hn::Mul(hn::LoadU(doubles, between.heights + i), hn::Set(doubles, near)),
             hn::Mul(hn::LoadU(doubles, between.heights + i + 1), hn::Set(doubles, between.beyond)));
-        hn::StoreU(greater(hn::LoadU(doubles, lines.soft + i), ground), doubles, lines.soft + i);
+        const auto soft = hn::LoadU(doubles, lines.soft + i);
+        const auto since = hn::LoadU(doubles, lines.since + i);
+        const auto below = hn::Gt(soft, ground);
+        hn::StoreU(hn::IfThenElseZero(below, since), doubles, lines.since + i);
+        hn::StoreU(hn::IfThenElse(below, soft, ground), doubles, lines.soft + i);
         hn::StoreU(greater(hn::LoadU(doubles, lines.full + i), ground), doubles, lines.full + i);
     };
     for_each_vector(lines.count, loop);
@@ -65,12 +74,13 @@ HWY_EXPORT(fall);
 HWY_EXPORT(shade);
 HWY_EXPORT(lift);
 
-void fall(const Lines& lines, double soft_drop, double full_drop) {
-    HWY_DYNAMIC_DISPATCH(fall)(lines, soft_drop, full_drop);
+void fall(const Lines& lines, const Fall& fall) {
+    HWY_DYNAMIC_DISPATCH(fall)(lines, fall);
 }
 
-void shade(const Lines& lines, const Between& between, double* shade, double* envelope) {
-    HWY_DYNAMIC_DISPATCH(shade)(lines, between, shade, envelope);
+void shade(const Lines& lines, const Between& between, double range, double* shade,
+           double* envelope) {
+    HWY_DYNAMIC_DISPATCH(shade)(lines, between, range, shade, envelope);
 }
 
 void lift(const Lines& lines, const Between& between) {

@@ -137,7 +137,7 @@ void WindShadow::follow_lines(const Way& way, const ShadowTangents& tangents, in
                         : way.shift > 0.0   ? -std::ceil(way.shift * way.along) - 1.0
                                             : -1.0;
     const double soft_drop = tangents.soft * way.distance;
-    const double full_drop = tangents.full * way.distance;
+    const shadow_vectors::Fall fall{way.distance, soft_drop, tangents.full * way.distance};
     const double relief = *std::ranges::max_element(highest_) - *std::ranges::min_element(lowest_);
     const double reach = std::min<double>(std::ceil(relief / soft_drop) + 1.0, way.along);
     const int before = way.periodic_along ? static_cast<int>(reach) : 0;
@@ -146,10 +146,11 @@ void WindShadow::follow_lines(const Way& way, const ShadowTangents& tangents, in
     const auto size = static_cast<std::size_t>(count);
     std::vector<double> soft(size, below_all_ground);
     std::vector<double> full(size, below_all_ground);
+    std::vector<double> since(size);
     std::vector<double> heights(size + 1);
     std::vector<double> shade(size);
     std::vector<double> envelope(size);
-    const shadow_vectors::Lines lines{soft.data(), full.data(), count};
+    const shadow_vectors::Lines lines{soft.data(), full.data(), since.data(), count};
     for (int n = -before; n < way.along; ++n) {
         give_up_if_asked();
         const double at = base + way.shift * n;
@@ -159,9 +160,10 @@ void WindShadow::follow_lines(const Way& way, const ShadowTangents& tangents, in
         const int row = way.forward ? going : way.along - 1 - going;
         copy_beyond(heights_.row(row), from, way.periodic_across, heights);
         const shadow_vectors::Between between{heights.data(), at - cell};
-        shadow_vectors::fall(lines, soft_drop, full_drop);
+        shadow_vectors::fall(lines, fall);
         if (n >= 0) {
-            shadow_vectors::shade(lines, between, shade.data(), envelope.data());
+            shadow_vectors::shade(lines, between, tangents.full - tangents.soft, shade.data(),
+                                  envelope.data());
             const auto shade_row = found_shade_.row(row);
             const auto envelope_row = found_envelope_.row(row);
             for (int i = 0; i + 1 < count;) {

@@ -27,9 +27,9 @@ struct ShadowTangents {
 };
 
 /// The wind shadow: how far ground upwind keeps the wind off. From every point upwind a surface
-/// falls downwind at an angle; ground below the one that falls at the full angle is in shadow (1),
-/// ground above the one that falls at the soft angle is not (0), and between the two the shadow
-/// grows linearly.
+/// falls downwind at the full angle; ground below it is in shadow (1). Above that the shadow
+/// decreases linearly with the tangent under which the ground looks up to the crest whose surface
+/// at the soft angle is the highest there, to 0 at the soft angle.
 ///
 /// Lines along the wind, a cell apart across it, go over the ground side by side, with heights
 /// linear between cells; a cell takes what the two lines beside it find. Lines are independent of
