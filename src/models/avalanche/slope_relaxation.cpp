@@ -43,9 +43,10 @@ SlopeRelaxation::SlopeRelaxation(const AvalancheGround& ground, const ReposeAngl
       start_ratio_(tangent(angles.resting + tolerance) / moving_tangent_),
       sliding_ratio_(tangent(angles.moving + tolerance) / moving_tangent_),
       least_tangent_(moving_tangent_),
+      slope_of_unit_x_(metres_per_unit / ground.dx),
+      slope_of_unit_y_(metres_per_unit / ground.dy),
       candidates_(ground.nx, ground.ny),
       sliding_(ground.nx, ground.ny),
-      changed_(ground.nx, ground.ny),
       slides_x_(ground.nx, ground.ny),
       slides_y_(ground.nx, ground.ny),
       row_counts_(static_cast<std::size_t>(ground.ny)) {}
@@ -58,32 +59,23 @@ void SlopeRelaxation::set_moving_angles(const Grid& degrees) {
 
 SlopeRelaxation::Falls SlopeRelaxation::falls_at(const WholeGrid& surface, int x, int y) const {
     const std::int64_t here = surface(x, y);
-    const std::int64_t to_west = here - surface(west(x), y);
-    const std::int64_t to_east = here - surface(east(x), y);
-    const std::int64_t to_south = here - surface(x, south(y));
-    const std::int64_t to_north = here - surface(x, north(y));
-    const std::int64_t fall_x = std::max(to_west, to_east);
-    const std::int64_t fall_y = std::max(to_south, to_north);
-    Falls falls;
-    if (fall_x > 0) falls = {static_cast<double>(fall_x), 0.0, to_east >= to_west ? 1 : -1, 0};
-    if (fall_y > 0) {
-        falls.y = static_cast<double>(fall_y);
-        falls.way_y = to_north >= to_south ? 1 : -1;
-    }
-    return falls;
+    return {here - surface(west(x), y), here - surface(east(x), y), here - surface(x, south(y)),
+            here - surface(x, north(y))};
 }
 
 SlopeRelaxation::Slide SlopeRelaxation::slide_at(const WholeGrid& surface, const WholeGrid& floor,
                                                  int x, int y, double start_ratio) const {
-    const std::int64_t loose = surface(x, y) - floor(x, y);
-    if (loose <= 0) return {};
-    const Falls falls = falls_at(surface, x, y);
-    const double a = falls.x * metres_per_unit / ground_.dx;
-    const double b = falls.y * metres_per_unit / ground_.dy;
+    return slide_of(falls_at(surface, x, y), surface(x, y) - floor(x, y), tangent_at(x, y),
+                    start_ratio);
+}
+
+SlopeRelaxation::Slide SlopeRelaxation::slide_of(const Falls& falls, std::int64_t loose,
+                                                 double rest, double start_ratio) const {
+    const double a = falls.x * slope_of_unit_x_;
+    const double b = falls.y * slope_of_unit_y_;
     const double square = a * a + b * b;
-    const double rest = moving_tangents_.empty() ? moving_tangent_ : moving_tangents_(x, y);
     const double start = rest * start_ratio;
-    if (!(square > start * start)) return {};
+    if (!(square > start * start) || loose <= 0) return {};
     const double share = share_of_fall * (1.0 - rest / std::sqrt(square));
     auto along = static_cast<std::int64_t>(falls.x * share);
     auto across = static_cast<std::int64_t>(falls.y * share);
@@ -99,32 +91,14 @@ SlopeRelaxation::Slide SlopeRelaxation::slide_at(const WholeGrid& surface, const
 /// Candidates of the first pass: all cells of a row that are steep enough to start.
 void SlopeRelaxation::mark_row(const WholeGrid& surface, int y) {
     const double start = least_tangent_ * start_ratio_;
-    const double wx = metres_per_unit * metres_per_unit / (ground_.dx * ground_.dx);
-    const double wy = metres_per_unit * metres_per_unit / (ground_.dy * ground_.dy);
     CellRows::Word* words = candidates_.row(y);
     slope_vectors::mark_steep(surface.row(south(y)).data(), surface.row(y).data(),
-                              surface.row(north(y)).data(), wx, wy, start * start, nx(), words);
+                              surface.row(north(y)).data(), slope_of_unit_x_ * slope_of_unit_x_,
+                              slope_of_unit_y_ * slope_of_unit_y_, start * start, nx(), words);
     words[0] |= 1U;
     words[(nx() - 1) / CellRows::word_bits] |=
         CellRows::Word{1} << static_cast<unsigned>((nx() - 1) % CellRows::word_bits);
     candidates_.set_any(y, true);
-}
-
-/// Candidates of a later pass: what has changed, and its neighbours.
-void SlopeRelaxation::gather_row(int y) {
-    const int below = south(y);
-    const int above = north(y);
-    CellRows::Word* words = candidates_.row(y);
-    CellRows::Word all = 0;
-    if (changed_.any(y) || changed_.any(below) || changed_.any(above)) {
-        for (int w = 0; w < candidates_.words(); ++w) {
-            words[w] = changed_.row(y)[w] | changed_.from_west(y, w, periodic_x()) |
-                       changed_.from_east(y, w, periodic_x()) | changed_.row(below)[w] |
-                       changed_.row(above)[w];
-            all |= words[w];
-        }
-    }
-    candidates_.set_any(y, all != 0);
 }
 
 std::int64_t SlopeRelaxation::slide_row(const WholeGrid& surface, const WholeGrid& floor, int y,
@@ -133,8 +107,18 @@ std::int64_t SlopeRelaxation::slide_row(const WholeGrid& surface, const WholeGri
     CellRows::Word* words = sliding_.row(y);
     if (sliding_.any(y)) std::fill_n(words, sliding_.words(), CellRows::Word{0});
     if (candidates_.any(y)) {
+        const std::int64_t* here = surface.row(y).data();
+        const std::int64_t* below = surface.row(south(y)).data();
+        const std::int64_t* above = surface.row(north(y)).data();
+        const std::int64_t* rock = floor.row(y).data();
+        const double least_start = least_tangent_ * start_ratio * least_tangent_ * start_ratio;
         for_each_bit(candidates_, y, [&](int x) {
-            const Slide slide = slide_at(surface, floor, x, y, start_ratio);
+            const Falls falls(here[x] - here[west(x)], here[x] - here[east(x)], here[x] - below[x],
+                              here[x] - above[x]);
+            const double a = falls.x * slope_of_unit_x_;
+            const double b = falls.y * slope_of_unit_y_;
+            if (!(a * a + b * b > least_start)) return;
+            const Slide slide = slide_of(falls, here[x] - rock[x], tangent_at(x, y), start_ratio);
             if (!slide.any()) return;
             slides_x_(x, y) = slide.x;
             slides_y_(x, y) = slide.y;
@@ -147,23 +131,24 @@ std::int64_t SlopeRelaxation::slide_row(const WholeGrid& surface, const WholeGri
     return count;
 }
 
-/// Moves what slides to, within and from a row.
+/// Moves what slides to, within and from a row. Where something slid, and beside it, the next pass
+/// looks.
 void SlopeRelaxation::settle_row(WholeGrid& surface, int y) {
     const int below = south(y);
     const int above = north(y);
     CellRows::Word all = 0;
     if (sliding_.any(y) || sliding_.any(below) || sliding_.any(above)) {
-        CellRows::Word* words = changed_.row(y);
-        for (int w = 0; w < changed_.words(); ++w) {
+        CellRows::Word* words = candidates_.row(y);
+        for (int w = 0; w < candidates_.words(); ++w) {
             words[w] = sliding_.row(y)[w] | sliding_.from_west(y, w, periodic_x()) |
                        sliding_.from_east(y, w, periodic_x()) | sliding_.row(below)[w] |
                        sliding_.row(above)[w];
             all |= words[w];
         }
     }
-    changed_.set_any(y, all != 0);
+    candidates_.set_any(y, all != 0);
     if (all == 0) return;
-    for_each_bit(changed_, y, [&](int x) {
+    for_each_bit(candidates_, y, [&](int x) {
         std::int64_t change = 0;
         if (sliding_.contains(x, y))
             change -= std::abs(slides_x_(x, y)) + std::abs(slides_y_(x, y));
@@ -196,11 +181,7 @@ SlopeRelaxation::Outcome SlopeRelaxation::relax(WholeGrid& surface, const WholeG
         over_rows([&](int begin, int end) {
             for (int y = begin; y < end; ++y) {
                 give_up_if_asked();
-                if (first) {
-                    mark_row(surface, y);
-                } else {
-                    gather_row(y);
-                }
+                if (first) mark_row(surface, y);
                 row_counts_[static_cast<std::size_t>(y)] =
                     slide_row(surface, floor, y, first ? start_ratio_ : sliding_ratio_);
             }
@@ -269,8 +250,8 @@ double SlopeRelaxation::steepest(const WholeGrid& surface, const WholeGrid& floo
         for (int x = 0; x < nx(); ++x) {
             if (surface(x, y) <= floor(x, y)) continue;
             const Falls falls = falls_at(surface, x, y);
-            const double a = falls.x * metres_per_unit / ground_.dx;
-            const double b = falls.y * metres_per_unit / ground_.dy;
+            const double a = falls.x * slope_of_unit_x_;
+            const double b = falls.y * slope_of_unit_y_;
             steepest = std::max(steepest, std::sqrt(a * a + b * b));
         }
     }

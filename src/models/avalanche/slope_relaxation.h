@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -41,9 +42,10 @@ struct AvalancheGround {
 ///
 /// no more than it has above the floor: the nonlinear diffusion whose rest state is the
 /// slope θ, taken with the largest step that is stable for any direction of the slope. All cells of
-/// a pass read the ground before it. A pass looks at the cells that the last one has changed and at
-/// their neighbours; it goes on until no cell with loose ground is steeper than its angle by more
-/// than `tolerance`. Loose ground is conserved exactly; bare floor keeps any slope.
+/// a pass read the ground before it. A pass looks at the cells that gave in the last one and at
+/// their neighbours, since no other slope has grown; it goes on until no cell with loose ground is
+/// steeper than its angle by more than `tolerance`. Loose ground is conserved exactly; bare floor
+/// keeps any slope.
 class SlopeRelaxation {
   public:
     /// Degrees by which slopes may exceed the angle of repose where avalanches have ended.
@@ -80,8 +82,19 @@ class SlopeRelaxation {
         [[nodiscard]] bool any() const { return x != 0 || y != 0; }
     };
 
-    /// The lower neighbours of a cell: falls in units, ways −1 or +1.
+    /// The lower neighbours of a cell: falls in units, ways −1 or +1, 0 where none is lower.
     struct Falls {
+        Falls() = default;
+        Falls(std::int64_t west, std::int64_t east, std::int64_t south, std::int64_t north)
+            : x(static_cast<double>(std::max({west, east, std::int64_t{0}}))),
+              y(static_cast<double>(std::max({south, north, std::int64_t{0}}))),
+              way_x(x == 0.0       ? 0
+                    : east >= west ? 1
+                                   : -1),
+              way_y(y == 0.0         ? 0
+                    : north >= south ? 1
+                                     : -1) {}
+
         double x = 0.0;
         double y = 0.0;
         int way_x = 0;
@@ -100,8 +113,12 @@ class SlopeRelaxation {
     [[nodiscard]] Falls falls_at(const WholeGrid& surface, int x, int y) const;
     [[nodiscard]] Slide slide_at(const WholeGrid& surface, const WholeGrid& floor, int x, int y,
                                  double start_ratio) const;
+    [[nodiscard]] Slide slide_of(const Falls& falls, std::int64_t loose, double rest,
+                                 double start_ratio) const;
+    [[nodiscard]] double tangent_at(int x, int y) const {
+        return moving_tangents_.empty() ? moving_tangent_ : moving_tangents_(x, y);
+    }
     void mark_row(const WholeGrid& surface, int y);
-    void gather_row(int y);
     std::int64_t slide_row(const WholeGrid& surface, const WholeGrid& floor, int y,
                            double start_ratio);
     void settle_row(WholeGrid& surface, int y);
@@ -109,14 +126,15 @@ class SlopeRelaxation {
     AvalancheGround ground_;
     WorkerPool& pool_;
     double moving_tangent_;
-    double start_ratio_;    ///< of tangents: where ground at rest begins to slide, to tan(moving)
-    double sliding_ratio_;  ///< where ground beside what slides begins to slide, to tan(moving)
-    Grid moving_tangents_;  ///< of each cell; empty where all have the same
-    double least_tangent_;  ///< of them all
-    CellRows candidates_;   ///< cells to look at
-    CellRows sliding_;      ///< cells that give, this pass
-    CellRows changed_;      ///< cells whose height this pass has changed
-    WholeGrid slides_x_;    ///< of the sliding cells
+    double start_ratio_;      ///< of tangents: where ground at rest begins to slide, to tan(moving)
+    double sliding_ratio_;    ///< where ground beside what slides begins to slide, to tan(moving)
+    Grid moving_tangents_;    ///< of each cell; empty where all have the same
+    double least_tangent_;    ///< of them all
+    double slope_of_unit_x_;  ///< of a fall of one unit to the next cell
+    double slope_of_unit_y_;
+    CellRows candidates_;  ///< cells to look at
+    CellRows sliding_;     ///< cells that give, this pass
+    WholeGrid slides_x_;   ///< of the sliding cells
     WholeGrid slides_y_;
     std::vector<std::int64_t> row_counts_;
     std::vector<std::size_t> queue_;

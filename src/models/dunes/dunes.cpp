@@ -194,7 +194,8 @@ void Dunes::step() {
 }
 
 void Dunes::blow_continuously(const BlowingWind& wind) {
-    shadow_.cast(bed_.surface, wind, shadow_tangents_);
+    shadow_.cast(bed_.surface, wind, shadow_tangents_,
+                 shear_ ? WindShadow::Find::shade_and_envelope : WindShadow::Find::shade);
     if (shear_) {
         relief_ = shadow_.envelope();
         shear_->apply(relief_, wind);
@@ -210,7 +211,7 @@ Snapshot Dunes::snapshot() const {
     Grid sand = snapshot.bed;
     const Grid rock = in_metres(bed_.rock);
     std::ranges::transform(sand.values(), rock.values(), sand.values().begin(), std::minus<>());
-    shadow_.cast(bed_.surface, turns_.at(steps_), shadow_tangents_);
+    shadow_.cast(bed_.surface, turns_.at(steps_), shadow_tangents_, WindShadow::Find::shade);
     snapshot.fields = {
         {"sand", "thickness of the sand at rest", "m", std::move(sand)},
         {"rock", "height of the hard floor", "m", rock},

@@ -152,7 +152,7 @@ void SlabTransport::step_in_parallel(DuneBed& bed, const BlowingWind& wind, std:
     const std::int64_t substeps = parameters_.substeps;
     for (std::int64_t k = 0; k < substeps; ++k) {
         const std::int64_t substep = step * substeps + k;
-        shadow.cast(bed.surface, wind, shadow_);
+        shadow.cast(bed.surface, wind, shadow_, WindShadow::Find::shade);
         RandomStream shares(seed_, 0, substep, Purpose::picks_per_row);
         multinomial_equal(shares, (k + 1) * cells / substeps - k * cells / substeps, picks_);
         pool_.for_ranges(ground_.ny, [&](int begin, int end) {

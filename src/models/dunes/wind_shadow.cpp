@@ -64,7 +64,7 @@ WindShadow::WindShadow(const DuneGround& ground, WorkerPool& pool)
       highest_(static_cast<std::size_t>(ground.ny)) {}
 
 void WindShadow::cast(const WholeGrid& surface, const BlowingWind& wind,
-                      const ShadowTangents& tangents) {
+                      const ShadowTangents& tangents, Find find) {
     const bool turned = std::abs(wind.x) / ground_.dx > std::abs(wind.y) / ground_.dy;
     take_heights(surface, turned);
     const Way way = way_of(wind, turned);
@@ -73,7 +73,7 @@ void WindShadow::cast(const WholeGrid& surface, const BlowingWind& wind,
             ? way.across
             : way.across + static_cast<int>(std::ceil(std::abs(way.shift) * way.along)) + 3;
     pool_.for_ranges(lines, [&](int first, int last) { follow_lines(way, tangents, first, last); });
-    give_back(turned);
+    give_back(turned, find);
 }
 
 WindShadow::Way WindShadow::way_of(const BlowingWind& wind, bool turned) const {
@@ -117,7 +117,7 @@ void WindShadow::take_heights(const WholeGrid& surface, bool turned) {
     });
 }
 
-void WindShadow::give_back(bool turned) {
+void WindShadow::give_back(bool turned, Find find) {
     if (!turned) {
         std::swap(shade_, found_shade_);
         std::swap(envelope_, found_envelope_);
@@ -126,7 +126,8 @@ void WindShadow::give_back(bool turned) {
     const auto as_it_is = [](double value) { return value; };
     pool_.for_ranges(ground_.ny, [&](int begin, int end) {
         turn(found_shade_, shade_, begin, end, as_it_is);
-        turn(found_envelope_, envelope_, begin, end, as_it_is);
+        if (find == Find::shade_and_envelope)
+            turn(found_envelope_, envelope_, begin, end, as_it_is);
     });
 }
 

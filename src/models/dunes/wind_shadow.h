@@ -39,12 +39,15 @@ class WindShadow {
   public:
     WindShadow(const DuneGround& ground, WorkerPool& pool);
 
-    void cast(const WholeGrid& surface, const BlowingWind& wind, const ShadowTangents& tangents);
+    enum class Find { shade, shade_and_envelope };
+
+    void cast(const WholeGrid& surface, const BlowingWind& wind, const ShadowTangents& tangents,
+              Find find);
 
     /// 0 … 1.
     [[nodiscard]] const Grid& shade() const { return shade_; }
-    /// The bed with its separation bubbles: the higher of the bed and the surface that falls at the
-    /// full angle. Metres.
+    /// Where it was asked for, the bed with its separation bubbles: the higher of the bed and the
+    /// surface that falls at the full angle. Metres.
     [[nodiscard]] const Grid& envelope() const { return envelope_; }
 
   private:
@@ -61,7 +64,7 @@ class WindShadow {
     };
 
     void take_heights(const WholeGrid& surface, bool turned);
-    void give_back(bool turned);
+    void give_back(bool turned, Find find);
     void follow_lines(const Way& way, const ShadowTangents& tangents, int first, int last);
     [[nodiscard]] Way way_of(const BlowingWind& wind, bool turned) const;
 

@@ -74,7 +74,7 @@ TEST(SlopeRelaxation, ADroppedConeIsRoundAndAtItsAngle) {
     const WholeGrid cone = dropped_cone(120, 42'000.0, 40, pool);
     EXPECT_EQ(total(cone), 40 * to_units(42'000.0 / 40));
     double radius = 0.0;
-    EXPECT_LT(out_of_round(cone, 60, radius), 0.03);
+    EXPECT_LT(out_of_round(cone, 60, radius), 0.015);
     const double of_base = radius * 1.5;
     EXPECT_GT(of_base, 35.0);
     EXPECT_LT(of_base, 55.0) << "the cone is whole";
