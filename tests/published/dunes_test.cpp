@@ -48,11 +48,13 @@ Shape shape_of(const DuneBed& bed, double wind_x, double wind_y) {
     for (int y = 1; y + 1 < ny; ++y) {
         for (int x = 1; x + 1 < nx; ++x) {
             const double here = height(x, y);
+            constexpr double outline = 0.05;  // m
+            if (here < outline) continue;
+            least = std::min(least, y * wind_x - x * wind_y);
+            most = std::max(most, y * wind_x - x * wind_y);
             if (here < 0.1 * shape.height) continue;
             sand += here;
             shape.along += here * (x * wind_x + y * wind_y);
-            least = std::min(least, y * wind_x - x * wind_y);
-            most = std::max(most, y * wind_x - x * wind_y);
             if (here < 0.3 * shape.height) continue;
             const double gx = 0.5 * (height(x + 1, y) - height(x - 1, y));
             const double gy = 0.5 * (height(x, y + 1) - height(x, y - 1));

@@ -33,7 +33,7 @@ struct DunesParameters {
     double hop_length = 1.0;  ///< m
     double deposit_on_sand = 0.6;
     double deposit_on_rock = 0.4;
-    double slope_drift = 0.4;
+    double slope_drift = 0.3;
     WordOrReal time_step{"auto", 0.0};  ///< years, of continuous transport
 
     DuneSpeedUp speed_up = DuneSpeedUp::relief;
