@@ -1,23 +1,19 @@
 // Dunes against what is known of real ones: slip faces, proportions, speeds. A single heap of sand
 // on bare rock becomes a barchan, under a wind along the grid or across it.
 
-#include "measure/bed/dunes.h"
+#include "models/dunes/dunes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 #include <vector>
 
 #include "base/units.h"
 #include "base/worker_pool.h"
 #include "models/avalanche/slope_relaxation.h"
-#include "models/dunes/dunes.h"
 #include "numerics/line_fit.h"
-#include "scene/initial_bed.h"
-#include "scene/read.h"
 
 namespace fumon::test {
 namespace {
@@ -134,8 +130,8 @@ TEST(PublishedDunes, ABarchanHasNatureProportionsAlongTheGridAndAcross) {
 TEST(PublishedDunes, SmallBarchansAreFaster) {
     std::vector<double> heights;
     std::vector<double> slowness;
-    for (const double sigma : {9.0, 12.0, 15.0, 19.0}) {  // a decade of volume
-        const Barchan dune = barchan(270.0, sigma, 160 + static_cast<int>(6.0 * sigma));
+    for (const double sigma : {8.5, 11.0, 14.0, 18.0}) {  // nearly a decade of volume
+        const Barchan dune = barchan(270.0, sigma, 130 + static_cast<int>(4.0 * sigma));
         heights.push_back(dune.shape.height);
         slowness.push_back(1.0 / dune.speed);
     }
@@ -185,28 +181,6 @@ TEST(PublishedDunes, ALargeConeIsRound) {
     std::printf("    radius %.1f cells, %.4f out of round\n", mean, (most - least) / mean);
     EXPECT_GE(mean, 100.0);
     EXPECT_LE((most - least) / mean, 0.02);
-}
-
-/// A field of strewn sand under a wind from the west, after some years.
-DuneField field_of(const std::string& keys, std::int64_t steps) {
-    const Scene scene = parse_scene(
-        "[run]\nsteps = 1\n[grid]\nnx = 256\nny = 192\n[model]\nname = \"dunes\"\n" + keys,
-        "scene.toml", "");
-    InitialBed initial = make_initial_bed(scene);
-    WorkerPool pool;
-    Dunes dunes(std::any_cast<const DunesParameters&>(scene.model.parameters),
-                {std::move(initial.bed), {}, initial.scale, 1, pool});
-    while (dunes.steps_done() < steps) dunes.step();
-    const DuneField field = separate_dunes(dunes.snapshot().bed, true);
-    std::printf("    %zu dunes, cover %.3f, horns downwind %.2f\n", field.dunes.size(),
-                field.covered_share, field.share_horns_downwind);
-    return field;
-}
-
-TEST(PublishedDunes, HornsPointDownwind) {
-    const DuneField field = field_of("[bed]\nlow = 0\nhigh = 0.6\n", 5000);
-    EXPECT_GE(field.dunes.size(), 4U);
-    EXPECT_GE(field.share_horns_downwind, 0.95);
 }
 
 }  // namespace

@@ -134,19 +134,19 @@ template <class Spread>
 void ContinuousTransport::hop_all(DuneBed& bed, const Spread& spread, double reach_y) {
     constexpr double beside = 3.0;  // cells: the spread, and rounding
     const double least_height = 2.0 * (reach_y + beside);
-    const int pairs = static_cast<int>(ground_.ny / (2.0 * least_height));
+    const auto pairs = static_cast<std::int64_t>(ground_.ny / (2.0 * least_height));
     if (pairs == 0) {
         bed.outflow += hop_rows(bed, spread, 0, ground_.ny);
         return;
     }
-    const auto border = [&](int block) {
-        return static_cast<int>(static_cast<std::int64_t>(block) * ground_.ny / (2 * pairs));
+    const auto border = [&](std::int64_t block) {
+        return static_cast<int>(block * ground_.ny / (2 * pairs));
     };
     std::vector<std::int64_t> lost(2 * static_cast<std::size_t>(pairs));
     for (int odd = 0; odd < 2; ++odd) {
-        pool_.for_ranges(pairs, [&](int begin, int end) {
-            for (int pair = begin; pair < end; ++pair) {
-                const int block = 2 * pair + odd;
+        pool_.for_ranges(static_cast<int>(pairs), [&](int begin, int end) {
+            for (std::int64_t pair = begin; pair < end; ++pair) {
+                const std::int64_t block = 2 * pair + odd;
                 lost[static_cast<std::size_t>(block)] =
                     hop_rows(bed, spread, border(block), border(block + 1));
             }
@@ -206,12 +206,12 @@ void ContinuousTransport::blow_in(DuneBed& bed, const BlowingWind& wind) {
     const std::int64_t reach_x = ground_.periodic_x ? 0 : reach(along);
     const std::int64_t reach_y = ground_.periodic_y ? 0 : reach(across);
     const auto hop_in_from = [&](std::int64_t x, std::int64_t y) {
-        for (int j = 0; j < 3; ++j) {
-            const int to_y = row(y + across.first + j);
-            for (int i = 0; i < 3 && to_y >= 0; ++i) {
-                const int to_x = column(x + along.first + i);
+        for (std::size_t j = 0; j < 3; ++j) {
+            const int to_y = row(y + across.first + static_cast<std::int64_t>(j));
+            for (std::size_t i = 0; i < 3 && to_y >= 0; ++i) {
+                const int to_x = column(x + along.first + static_cast<std::int64_t>(i));
                 if (to_x < 0) continue;
-                const std::int64_t piece = pieces[static_cast<std::size_t>(3 * j + i)];
+                const std::int64_t piece = pieces[3 * j + i];
                 arrived_(to_x, to_y) += piece;
                 bed.inflow += piece;
             }
