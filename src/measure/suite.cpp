@@ -108,6 +108,7 @@ constexpr std::array suite_groups{
     entry<wave_group>(on_beds_and_profiles),
     entry<celerity_group>(on_beds_and_profiles),
     entry<slope_group>(on_beds_and_profiles),
+    entry<slip_face_group>(on_beds_and_profiles),
     entry<crest_group>(on_beds),
     entry<dune_group>(on_beds),
     entry<pile_group>(on_piles),
@@ -118,7 +119,7 @@ constexpr std::array suite_groups{
     entry<stress_group>(of_air),
     entry<air_group>(of_air),
     entry<flight_group>(of_air),
-    entry<number_group>(on_water | of_air),
+    entry<number_group>(on_beds_and_profiles | on_water | of_air),
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "base/find_named.h"
 #include "models/air/airflow.h"
+#include "models/dunes/dunes.h"
 #include "models/pile/sandpile.h"
 #include "models/sand/sand.h"
 #include "models/static/static_bed.h"
@@ -31,6 +32,9 @@ constexpr ModelEntry entry(std::string_view help, ModelDefaults home = {}) {
 
 constexpr std::array all_models{
     entry<SandParameters, Sand>("wind-blown sand that hops and creeps: ripples, dunes, barchans"),
+    entry<DunesParameters, Dunes>(
+        "dunes with slip faces under any wind, in metres and years: barchans, ridges, stars",
+        {.cell_size = 1.0}),
     entry<SandpileParameters, Sandpile>(
         "a pile that grains fall on and that topples: cones, avalanches and their sizes",
         {.starts_bare = true}),

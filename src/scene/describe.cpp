@@ -67,18 +67,23 @@ struct Section {
     }
 };
 
-/// A scene's keys with one item in each list of tables.
-void fill(Section& section) {
-    section.table = scene_keys(section.scene);
+/// The keys that `list_keys` gives, with one item in each list of tables.
+template <class ListKeys>
+void fill(Section& section, const ListKeys& list_keys) {
+    section.table = list_keys();
     for (bool changed = true; std::exchange(changed, false);) {
         for (const TableList& list : section.table.lists()) {
             if (list.size() > 0) continue;
             list.resize(1);
-            section.table = scene_keys(section.scene);
+            section.table = list_keys();
             changed = true;
             break;
         }
     }
+}
+
+void fill_with_scene(Section& section) {
+    fill(section, [&] { return scene_keys(section.scene); });
 }
 
 void check_name(const std::string& what) {
@@ -102,7 +107,7 @@ std::vector<std::unique_ptr<Section>> sections(const std::string& what) {
             "Keys of every scene (TOML: section.key, or key = value under [section]), each with\n"
             "what it decides (its role):\n\n" +
             describe_roles();
-        fill(*section);
+        fill_with_scene(*section);
         all.push_back(std::move(section));
     }
     for (const Topic& topic : topics) {
@@ -110,7 +115,7 @@ std::vector<std::unique_ptr<Section>> sections(const std::string& what) {
         auto section = std::make_unique<Section>();
         section->heading = topic.heading;
         section->topic = &topic;
-        fill(*section);
+        fill_with_scene(*section);
         all.push_back(std::move(section));
     }
     for (const ModelEntry& entry : models()) {
@@ -119,7 +124,11 @@ std::vector<std::unique_ptr<Section>> sections(const std::string& what) {
         section->model = entry.name;
         section->heading = fmt::format("Keys of the model \"{}\": {}", entry.name, entry.help);
         section->parameters = entry.default_parameters();
-        entry.list_keys(section->parameters, section->table);
+        fill(*section, [&] {
+            KeyTable table;
+            entry.list_keys(section->parameters, table);
+            return table;
+        });
         all.push_back(std::move(section));
     }
     return all;

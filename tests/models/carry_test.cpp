@@ -98,6 +98,10 @@ CarriedRun pile(const std::string& name, const std::string& keys) {
 CarriedRun gully(const std::string& name, const std::string& keys) {
     return {name, "[grid]\nnx = 20\nny = 26\n[model]\nname = \"gully\"\n" + keys};
 }
+CarriedRun dunes(const std::string& name, const std::string& keys) {
+    return {name, "[grid]\nnx = 36\nny = 30\n[model]\nname = \"dunes\"\n" + keys +
+                      "[[wind]]\nduration = 0.003\n[[wind]]\nfrom = 200\nduration = 0.002\n"};
+}
 CarriedRun air(const std::string& name, const std::string& keys) {
     return {name,
             "[grid]\nnx = 32\n[model]\nname = \"airflow\"\nnz = 12\nbed_amplitude = 0.1\n" + keys,
@@ -214,7 +218,13 @@ INSTANTIATE_TEST_SUITE_P(
         gully("SteepCip", "scheme = \"cip\"\nrelief = \"steep\"\nrain = 100\n"),
         gully("SteepSheet",
               "scheme = \"finite-volume\"\nrelief = \"steep\"\ntransport = \"conservative\"\n"),
-        gully("SubSteps", "time_step = 0.9\ndepth = 0.05\n"),
+        gully("SubSteps", "time_step = 0.9\ndepth = 0.05\n"), dunes("Barchans", ""),
+        dunes("Ridges", "speed_up = \"height\"\n"),
+        dunes("OpenEdges", "edges_x = \"open\"\ninflux = 0.5\nrock_level = -1\n"),
+        dunes("CoveredRock", "rock = \"bed\"\nshadow = \"hard\"\n"),
+        dunes("Slabs", "transport = \"slabs\"\nspeed_up = \"none\"\n"),
+        dunes("SlabsOneByOne",
+              "transport = \"slabs\"\nspeed_up = \"height\"\norder = \"sequential\"\n"),
         air("Staircase", "flights = true\nshown_paths = 2\nlid_speed = 0.2\n"),
         air("SecondOrder", "advection = \"second-order\"\n"),
         air("Fitted", "scheme = \"boundary-fitted\"\ntime_step = 1e-6\n"),

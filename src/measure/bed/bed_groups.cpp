@@ -6,12 +6,14 @@
 #include <optional>
 #include <utility>
 
+#include "base/snapshot_lookup.h"
 #include "measure/bed/bed_statistics.h"
 #include "measure/bed/celerity.h"
 #include "measure/bed/crest_height.h"
 #include "measure/bed/crest_lines.h"
 #include "measure/bed/crest_orientation.h"
 #include "measure/bed/dunes.h"
+#include "measure/bed/slip_faces.h"
 #include "measure/bed/slopes.h"
 #include "measure/bed/wavelength.h"
 
@@ -50,7 +52,9 @@ void carry_before(BedBefore& before, StateCarrier& carrier) {
 }
 
 /// Whether a bed is sand alone, down to height 0.
-bool is_of_sand(Landform landform) {
+bool is_of_sand(const Snapshot& first) {
+    const Landform landform = first.landform;
+    if (field_of(first.fields, "rock") != nullptr) return false;
     return landform == Landform::bed || landform == Landform::profile || landform == Landform::pile;
 }
 
@@ -69,8 +73,8 @@ MeasureGroup statistics_group(const Snapshot& first) {
           &BedStatistics::standard_deviation},
          {"minimum_height", "heights", "lowest cell", &BedStatistics::minimum},
          {"maximum_height", "heights", "highest cell", &BedStatistics::maximum},
-         {is_of_sand(first.landform) ? "total_sand" : "bed_volume", "heights x cells",
-          "sum of the heights", &BedStatistics::total}});
+         {is_of_sand(first) ? "total_sand" : "bed_volume", "heights x cells", "sum of the heights",
+          &BedStatistics::total}});
 }
 
 MeasureGroup wave_group() {
@@ -122,6 +126,22 @@ MeasureGroup slope_group() {
          {"steep_lee_slope", "heights/site", "90th percentile of the falls", &BedSlopes::steep_lee},
          {"stoss_to_lee_slope", "", "above 1: the upwind side is the steeper one",
           &BedSlopes::stoss_to_lee}});
+}
+
+MeasureGroup slip_face_group(const Snapshot& first) {
+    if (field_of(first.fields, "wind_shadow") == nullptr)
+        return {{}, [](const Snapshot&) { return std::vector<double>(); }};
+    return group_of<SlipFaces>(
+        [](const Snapshot& snapshot) -> std::optional<SlipFaces> {
+            const Grid* shadow = field_of(snapshot.fields, "wind_shadow");
+            if (shadow == nullptr || !snapshot.nodata.empty()) return std::nullopt;
+            const WorldScale& scale = snapshot.scale;
+            return slip_faces(snapshot.bed, *shadow, snapshot.periodic,
+                              scale.dx / scale.height_unit, scale.dy / scale.height_unit);
+        },
+        {{"slip_face_angle", "degrees", "median steepness of shadowed cells of 20 degrees or more",
+          &SlipFaces::angle},
+         {"slip_face_cover", "", "share of the cells that are such", &SlipFaces::cover}});
 }
 
 MeasureGroup crest_group() {

@@ -12,6 +12,8 @@ MeasureGroup wave_group();
 /// Celerity since the row before.
 MeasureGroup celerity_group();
 MeasureGroup slope_group();
+/// Angle and cover of slip faces, of a model that tells its wind shadow; of others no columns.
+MeasureGroup slip_face_group(const Snapshot& first);
 /// Orientation and defects of crests.
 MeasureGroup crest_group();
 /// Separate dunes.

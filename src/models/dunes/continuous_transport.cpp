@@ -1,0 +1,282 @@
+#include "models/dunes/continuous_transport.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "base/give_up.h"
+#include "base/worker_pool.h"
+#include "models/dunes/hop_spread.h"
+
+namespace fumon {
+
+namespace {
+
+/// The factor of the lift is never more: nothing linear holds there.
+constexpr double greatest_lift = 5.0;
+
+/// Sand this thick lets hops end as on sand, thinner sand less so. Metres.
+constexpr double full_cover = 0.01;
+
+/// Pieces of an amount over 3 × 3 cells, south-western one first. What rounding leaves goes to the
+/// middle.
+std::array<std::int64_t, 9> pieces_of(std::int64_t amount, const HopSpread& along,
+                                      const HopSpread& across) {
+    constexpr std::size_t middle = 4;
+    const auto whole = static_cast<double>(amount);
+    std::array<std::int64_t, 9> pieces{};
+    std::int64_t given = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+        const double of_row = whole * across.shares[j];
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (3 * j + i == middle) continue;
+            const auto piece = static_cast<std::int64_t>(of_row * along.shares[i]);
+            pieces[3 * j + i] = piece;
+            given += piece;
+        }
+    }
+    pieces[middle] = amount - given;
+    return pieces;
+}
+
+struct Spreads {
+    HopSpread along;
+    HopSpread across;
+};
+
+}  // namespace
+
+double hop_factor(const DunesParameters& parameters, double above_mean) {
+    const double factor =
+        1.0 + above_mean * (parameters.hop_per_height +
+                            parameters.hop_per_height_squared * std::abs(above_mean));
+    return std::max(factor, 0.0);
+}
+
+ContinuousTransport::ContinuousTransport(const DunesParameters& parameters,
+                                         const DuneGround& ground, double time_step,
+                                         WorkerPool& pool)
+    : parameters_(parameters),
+      ground_(ground),
+      layer_(units_per_metre * parameters.flux * time_step * parameters.deposit_on_sand /
+             parameters.hop_length),
+      pool_(pool),
+      drift_x_(parameters.slope_drift * parameters.flux * time_step / (ground.dx * ground.dx)),
+      drift_y_(parameters.slope_drift * parameters.flux * time_step / (ground.dy * ground.dy)),
+      arrived_(ground.nx, ground.ny),
+      after_(ground.nx, ground.ny) {}
+
+void ContinuousTransport::step(DuneBed& bed, const Wind& wind) {
+    const double layer = layer_ * wind.blowing.strength;
+    pool_.for_ranges(ground_.ny, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
+            lift(bed, wind, layer, y);
+            std::ranges::fill(arrived_.row(y), 0);
+        }
+    });
+    hop(bed, wind.blowing);
+    blow_in(bed, wind.blowing);
+    pool_.for_ranges(ground_.ny, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
+            drift_down(bed, wind.blowing.strength, y);
+            deposit(bed, wind.shade, y);
+        }
+    });
+    std::swap(bed.surface, after_);
+}
+
+void ContinuousTransport::lift(DuneBed& bed, const Wind& wind, double layer, int y) const {
+    const auto surface = bed.surface.row(y);
+    const auto rock = bed.rock.row(y);
+    const auto moving = bed.moving.row(y);
+    const auto shade = wind.shade.row(y);
+    for (std::size_t x = 0; x < surface.size(); ++x) {
+        double factor = 1.0 - shade[x];
+        if (wind.shear != nullptr) {
+            factor *= std::clamp(1.0 + wind.shear->row(y)[x], 0.0, greatest_lift);
+        }
+        const auto wanted = static_cast<std::int64_t>(layer * factor);
+        const std::int64_t lifted = std::min(wanted, surface[x] - rock[x]);
+        surface[x] -= lifted;
+        moving[x] += lifted;
+    }
+}
+
+void ContinuousTransport::hop(DuneBed& bed, const BlowingWind& wind) {
+    const double cells_x = parameters_.hop_length * wind.x / ground_.dx;
+    const double cells_y = parameters_.hop_length * wind.y / ground_.dy;
+    if (parameters_.speed_up != DuneSpeedUp::height) {
+        const Spreads all{HopSpread(cells_x), HopSpread(cells_y)};
+        hop_all(
+            bed, [&](int, int) -> const Spreads& { return all; }, std::abs(cells_y));
+        return;
+    }
+    const auto heights = bed.surface.values();
+    const std::int64_t highest = *std::ranges::max_element(heights);
+    const double mean = mean_height(bed.surface);
+    const double most = hop_factor(parameters_, to_metres(highest) - mean);
+    hop_all(
+        bed,
+        [&](int x, int y) {
+            const double factor = hop_factor(parameters_, to_metres(bed.surface(x, y)) - mean);
+            return Spreads{HopSpread(factor * cells_x), HopSpread(factor * cells_y)};
+        },
+        most * std::abs(cells_y));
+}
+
+/// Rows are hopped from in blocks, first every other one, then those between, so that no two
+/// threads meet.
+template <class Spread>
+void ContinuousTransport::hop_all(DuneBed& bed, const Spread& spread, double reach_y) {
+    constexpr double beside = 3.0;  // cells: the spread, and rounding
+    const double least_height = 2.0 * (reach_y + beside);
+    const auto pairs = static_cast<std::int64_t>(ground_.ny / (2.0 * least_height));
+    if (pairs == 0) {
+        bed.outflow += hop_rows(bed, spread, 0, ground_.ny);
+        return;
+    }
+    const auto border = [&](std::int64_t block) {
+        return static_cast<int>(block * ground_.ny / (2 * pairs));
+    };
+    std::vector<std::int64_t> lost(2 * static_cast<std::size_t>(pairs));
+    for (int odd = 0; odd < 2; ++odd) {
+        pool_.for_ranges(static_cast<int>(pairs), [&](int begin, int end) {
+            for (std::int64_t pair = begin; pair < end; ++pair) {
+                const std::int64_t block = 2 * pair + odd;
+                lost[static_cast<std::size_t>(block)] =
+                    hop_rows(bed, spread, border(block), border(block + 1));
+            }
+        });
+    }
+    bed.outflow += std::accumulate(lost.begin(), lost.end(), std::int64_t{0});
+}
+
+template <class Spread>
+std::int64_t ContinuousTransport::hop_rows(const DuneBed& bed, const Spread& spread, int begin,
+                                           int end) {
+    std::int64_t lost = 0;
+    for (int y = begin; y < end; ++y) {
+        give_up_if_asked();
+        for (int x = 0; x < ground_.nx; ++x) {
+            const std::int64_t amount = bed.moving(x, y);
+            if (amount == 0) continue;
+            const auto& [along, across] = spread(x, y);
+            const auto pieces = pieces_of(amount, along, across);
+            const std::int64_t west = x + along.first;
+            const bool inside = west >= 0 && west + 2 < ground_.nx;
+            for (int j = 0; j < 3; ++j) {
+                const int to_y = row(y + across.first + j);
+                const std::int64_t* piece = pieces.data() + std::ptrdiff_t{3} * j;
+                if (to_y < 0) {
+                    lost += piece[0] + piece[1] + piece[2];
+                } else if (inside) {
+                    std::int64_t* to = &arrived_(static_cast<int>(west), to_y);
+                    for (int i = 0; i < 3; ++i) to[i] += piece[i];
+                } else {
+                    for (int i = 0; i < 3; ++i) {
+                        const int to_x = column(west + i);
+                        if (to_x < 0) {
+                            lost += piece[i];
+                        } else {
+                            arrived_(to_x, to_y) += piece[i];
+                        }
+                    }
+                }
+            }
+        }
+    }
+    return lost;
+}
+
+/// Sand that hops in from beyond open edges.
+void ContinuousTransport::blow_in(DuneBed& bed, const BlowingWind& wind) {
+    const auto amount = static_cast<std::int64_t>(layer_ * wind.strength * parameters_.influx /
+                                                  parameters_.deposit_on_sand);
+    if (amount == 0 || (ground_.periodic_x && ground_.periodic_y)) return;
+    const HopSpread along(parameters_.hop_length * wind.x / ground_.dx);
+    const HopSpread across(parameters_.hop_length * wind.y / ground_.dy);
+    const auto pieces = pieces_of(amount, along, across);
+    const auto reach = [](const HopSpread& spread) {
+        return std::max(std::abs(spread.first), std::abs(spread.first + 2));
+    };
+    const std::int64_t reach_x = ground_.periodic_x ? 0 : reach(along);
+    const std::int64_t reach_y = ground_.periodic_y ? 0 : reach(across);
+    const auto hop_in_from = [&](std::int64_t x, std::int64_t y) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            const int to_y = row(y + across.first + static_cast<std::int64_t>(j));
+            for (std::size_t i = 0; i < 3 && to_y >= 0; ++i) {
+                const int to_x = column(x + along.first + static_cast<std::int64_t>(i));
+                if (to_x < 0) continue;
+                const std::int64_t piece = pieces[3 * j + i];
+                arrived_(to_x, to_y) += piece;
+                bed.inflow += piece;
+            }
+        }
+    };
+    for (std::int64_t y = -reach_y; y < ground_.ny + reach_y; ++y) {
+        const bool beyond = y < 0 || y >= ground_.ny;
+        for (std::int64_t x = -reach_x; x < ground_.nx + reach_x; ++x) {
+            if (!beyond && x == 0) x = ground_.nx;
+            if (x < ground_.nx + reach_x) hop_in_from(x, y);
+        }
+    }
+}
+
+/// What neighbours give one another, seen alike from both sides.
+void ContinuousTransport::drift_down(const DuneBed& bed, double strength, int y) {
+    const auto given = [](std::int64_t from, std::int64_t rock, std::int64_t to, double share) {
+        const auto wanted = static_cast<std::int64_t>(share * static_cast<double>(from - to));
+        return std::min(wanted, (from - rock) / 4);
+    };
+    const auto got = [&](std::int64_t here, std::int64_t rock, std::int64_t there,
+                         std::int64_t rock_there, double share) {
+        return there > here ? given(there, rock_there, here, share)
+                            : -given(here, rock, there, share);
+    };
+    const double share_x = drift_x_ * strength;
+    const double share_y = drift_y_ * strength;
+    const int south = row(y - 1);
+    const int north = row(y + 1);
+    const auto surface = bed.surface.row(y);
+    const auto rock = bed.rock.row(y);
+    for (int x = 0; x < ground_.nx; ++x) {
+        const auto here = static_cast<std::size_t>(x);
+        std::int64_t change = 0;
+        for (const int beside : {column(x - 1), column(x + 1)}) {
+            if (beside < 0) continue;
+            const auto there = static_cast<std::size_t>(beside);
+            change += got(surface[here], rock[here], surface[there], rock[there], share_x);
+        }
+        for (const int beside : {south, north}) {
+            if (beside < 0) continue;
+            change += got(surface[here], rock[here], bed.surface(x, beside), bed.rock(x, beside),
+                          share_y);
+        }
+        after_(x, y) = surface[here] + change;
+    }
+}
+
+void ContinuousTransport::deposit(DuneBed& bed, const Grid& shade, int y) {
+    constexpr double thickness = full_cover * units_per_metre;
+    const auto surface = after_.row(y);
+    const auto rock = bed.rock.row(y);
+    const auto moving = bed.moving.row(y);
+    const auto arrived = arrived_.row(y);
+    const auto shaded = shade.row(y);
+    const double on_rock = parameters_.deposit_on_rock;
+    const double more_on_sand = parameters_.deposit_on_sand - on_rock;
+    for (std::size_t x = 0; x < surface.size(); ++x) {
+        const auto sand = static_cast<double>(surface[x] - rock[x]);
+        const double cover = std::min(sand * (1.0 / thickness), 1.0);
+        const double share = std::max(shaded[x], on_rock + more_on_sand * cover);
+        const auto stays = static_cast<std::int64_t>(share * static_cast<double>(arrived[x]));
+        surface[x] += stays;
+        moving[x] = arrived[x] - stays;
+    }
+}
+
+}  // namespace fumon

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+
+#include "base/grid.h"
+#include "models/dunes/dune_bed.h"
+#include "models/dunes/dunes_parameters.h"
+#include "models/dunes/wind_shadow.h"
+#include "models/dunes/wind_turns.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// Drift without random numbers, after Nilles, Günther & Müller (2024). In a step each cell gives a
+/// layer
+///
+///     e = min(e0 f (1 − r), sand there)
+///
+/// to the air, all sand in the air hops by L along the wind, spread over 3 × 3 cells (HopSpread),
+/// and of what arrives in a cell the share max(r, p) stays there, the rest hops again in the next
+/// step. r is the wind shadow (0 … 1), p that of sand or of rock, blended where rock has a thin
+/// cover, f the lift's factor. Over flat sand the drift is saturated at e0 L / p a step, and it
+/// follows a change of f over the length L / p: ∂q/∂x = (q_sat − q) p / L.
+///
+/// Grains that hop over a slope also drift down it: a cell gives to each neighbour on the same
+/// surface that is lower by d over a distance dx the share c q0 Δt / dx² of d, where q0 is the
+/// saturated drift over flat sand, and no more than a quarter of its sand. That diffusion, which
+/// stands for the deflection of grains on slopes, takes away what varies from cell to cell.
+///
+/// Amounts are whole numbers; what division leaves over goes to the middle cell, so nothing is
+/// lost and no result depends on the order of the cells. Beyond open edges lies flat ground that
+/// drifts at the share `influx` of saturation.
+class ContinuousTransport {
+  public:
+    ContinuousTransport(const DunesParameters& parameters, const DuneGround& ground,
+                        double time_step, WorkerPool& pool);
+
+    /// What makes the wind of a step other than uniform.
+    struct Wind {
+        const BlowingWind& blowing;
+        const Grid& shade;            ///< r
+        const Grid* shear = nullptr;  ///< τ/τ0 − 1, of which the lift's factor is f = 1 + that
+    };
+
+    void step(DuneBed& bed, const Wind& wind);
+
+  private:
+    void lift(DuneBed& bed, const Wind& wind, double layer, int y) const;
+    void hop(DuneBed& bed, const BlowingWind& wind);
+    template <class Spread>
+    std::int64_t hop_rows(const DuneBed& bed, const Spread& spread, int begin, int end);
+    template <class Spread>
+    void hop_all(DuneBed& bed, const Spread& spread, double reach_y);
+    void blow_in(DuneBed& bed, const BlowingWind& wind);
+    void deposit(DuneBed& bed, const Grid& shade, int y);
+    void drift_down(const DuneBed& bed, double strength, int y);
+
+    /// Where a cell number along an axis lies in the grid; −1 beyond an open edge.
+    [[nodiscard]] int column(std::int64_t x) const {
+        return place(x, ground_.nx, ground_.periodic_x);
+    }
+    [[nodiscard]] int row(std::int64_t y) const { return place(y, ground_.ny, ground_.periodic_y); }
+    [[nodiscard]] static int place(std::int64_t cell, int count, bool periodic) {
+        if (cell >= 0 && cell < count) return static_cast<int>(cell);
+        if (!periodic) return -1;
+        return static_cast<int>(((cell % count) + count) % count);
+    }
+
+    DunesParameters parameters_;
+    DuneGround ground_;
+    double layer_;  ///< e0 of a wind of strength 1, units
+    WorkerPool& pool_;
+    double drift_x_;  ///< c q0 Δt / dx² of a wind of strength 1
+    double drift_y_;
+    WholeGrid arrived_;
+    WholeGrid after_;  ///< the surface after the step
+};
+
+/// How much further than over the mean surface hops reach at a height so many metres above it.
+double hop_factor(const DunesParameters& parameters, double above_mean);
+
+}  // namespace fumon

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+#include "models/shared/whole_lengths.h"
+
+namespace fumon {
+
+/// What dunes are made of, in units of whole_lengths.h. The sum of sand at rest and moving, plus
+/// outflow, less inflow, never changes.
+struct DuneBed {
+    WholeGrid surface;         ///< height of rock and sand
+    WholeGrid rock;            ///< height of the hard floor
+    WholeGrid moving;          ///< sand in the air, as a thickness
+    std::int64_t inflow = 0;   ///< over open edges since the start, as a thickness of one cell
+    std::int64_t outflow = 0;  ///< likewise
+};
+
+/// The mean height of a surface, metres.
+inline double mean_height(const WholeGrid& surface) {
+    double sum = 0.0;
+    for (int y = 0; y < surface.ny(); ++y) {
+        double of_row = 0.0;
+        for (const std::int64_t height : surface.row(y)) of_row += to_metres(height);
+        sum += of_row / surface.nx();
+    }
+    return sum / surface.ny();
+}
+
+}  // namespace fumon

@@ -1,0 +1,263 @@
+#include "models/dunes/dunes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/state_carrier.h"
+#include "base/units.h"
+#include "base/worker_pool.h"
+
+namespace fumon {
+
+namespace {
+
+double tangent(double degrees) {
+    return elementary::sin(degrees * degree) / elementary::cos(degrees * degree);
+}
+
+DuneGround ground_of(const DunesParameters& parameters, const ModelSetup& setup) {
+    return {setup.bed.nx(),
+            setup.bed.ny(),
+            setup.scale.dx,
+            setup.scale.dy,
+            parameters.edges_x == DuneEdge::periodic,
+            parameters.edges_y == DuneEdge::periodic};
+}
+
+void check_angles(const DunesParameters& parameters) {
+    if (parameters.static_angle < parameters.repose_angle) {
+        throw KeyError("model.static_angle",
+                       fmt::format("model.static_angle is {}, below model.repose_angle = {}; sand "
+                                   "at rest holds at least as steep a slope as sliding sand",
+                                   parameters.static_angle, parameters.repose_angle));
+    }
+    if (parameters.shadow == DuneShadow::soft &&
+        parameters.shadow_soft_angle >= parameters.shadow_angle) {
+        throw KeyError("model.shadow_soft_angle",
+                       fmt::format("model.shadow_soft_angle is {} and model.shadow_angle {}; a "
+                                   "soft shadow begins at the smaller angle",
+                                   parameters.shadow_soft_angle, parameters.shadow_angle));
+    }
+}
+
+void check_transport(const DunesParameters& parameters, const ModelSetup& setup) {
+    if (parameters.transport == DuneTransport::slabs &&
+        parameters.speed_up == DuneSpeedUp::relief) {
+        throw KeyError("model.speed_up",
+                       "slabs know no shear stress; write model.speed_up = \"height\" or \"none\", "
+                       "or model.transport = \"continuous\"");
+    }
+    if (parameters.order == SlabOrder::sequential && parameters.influx > 0.0 &&
+        parameters.transport == DuneTransport::slabs) {
+        throw KeyError("model.influx",
+                       "no sand blows in where slabs hop in sequence; write model.order = "
+                       "\"parallel\", or no model.influx");
+    }
+    const double box = std::min(setup.bed.nx() * setup.scale.dx, setup.bed.ny() * setup.scale.dy);
+    const double widest = std::max(setup.bed.nx() * setup.scale.dx, box);
+    if (parameters.hop_length > widest) {
+        throw KeyError("model.hop_length",
+                       fmt::format("hops of {:.4g} m exceed the box of {:.4g} m; take a wider grid "
+                                   "or shorter hops",
+                                   parameters.hop_length, widest));
+    }
+}
+
+void check_heights(const ModelSetup& setup) {
+    if (!setup.nodata.empty()) {
+        throw KeyError("bed.file",
+                       "the bed has cells without data, over which sand cannot hop; write "
+                       "bed.nodata = \"fill\" or give them a height");
+    }
+    constexpr double highest = 1e5;  // m
+    for (const double height : setup.bed.values()) {
+        if (std::abs(height) <= highest) continue;
+        throw KeyError("bed.kind", fmt::format("the bed has a height of {:.6g} m; dunes take beds "
+                                               "within {:.0f} m of 0",
+                                               height, highest));
+    }
+}
+
+DuneBed first_bed(const DunesParameters& parameters, const ModelSetup& setup) {
+    check_heights(setup);
+    const int nx = setup.bed.nx();
+    const int ny = setup.bed.ny();
+    DuneBed bed{WholeGrid(nx, ny), WholeGrid(nx, ny), WholeGrid(nx, ny)};
+    const std::int64_t cover = to_units(parameters.sand_cover);
+    const std::int64_t level = to_units(parameters.rock_level);
+    double sand = 0.0;
+    for (std::size_t cell = 0; cell < bed.surface.size(); ++cell) {
+        const std::int64_t height = to_units(setup.bed.values()[cell]);
+        const bool is_rock = parameters.rock == DuneRock::bed;
+        bed.surface.values()[cell] = is_rock ? height + cover : height;
+        bed.rock.values()[cell] = is_rock ? height : level;
+        const std::int64_t thickness = bed.surface.values()[cell] - bed.rock.values()[cell];
+        if (thickness < 0) {
+            throw KeyError("model.rock_level",
+                           fmt::format("the bed lies at {:.6g} m, below model.rock_level = {:.6g}; "
+                                       "lower the rock, or write model.rock = \"bed\"",
+                                       setup.bed.values()[cell], parameters.rock_level));
+        }
+        sand += to_metres(thickness);
+    }
+    constexpr double most_sand = 0x1p29;  // m: a quarter of what 64 bits hold
+    if (sand > most_sand) {
+        throw KeyError(
+            "model.rock_level",
+            fmt::format("there are {:.4g} m of sand over all cells, more than the {:.4g} "
+                        "that are counted exactly; raise model.rock_level",
+                        sand, most_sand));
+    }
+    return bed;
+}
+
+double slab_height_of(const DunesParameters& parameters, const DuneGround& ground) {
+    constexpr double aspect = 3.0;
+    return parameters.slab_height.is_word() ? std::min(ground.dx, ground.dy) / aspect
+                                            : parameters.slab_height.value;
+}
+
+/// Years that a step takes under a wind of that strength.
+double step_length(const DunesParameters& parameters, const DuneGround& ground, double strength) {
+    const double saturation = parameters.hop_length / parameters.deposit_on_sand;
+    if (parameters.transport == DuneTransport::slabs)
+        return slab_height_of(parameters, ground) * saturation / (parameters.flux * strength);
+    constexpr double lifted = 0.03;  // of a cell's size
+    return parameters.time_step.is_word()
+               ? lifted * std::min(ground.dx, ground.dy) * saturation / parameters.flux
+               : parameters.time_step.value;
+}
+
+Grid in_metres(const WholeGrid& whole) {
+    Grid grid(whole.nx(), whole.ny());
+    std::ranges::transform(whole.values(), grid.values().begin(), to_metres);
+    return grid;
+}
+
+/// Of sand at rest and moving, as a thickness of one cell.
+double total_sand(const DuneBed& bed) {
+    std::int64_t sum = 0;
+    for (std::size_t cell = 0; cell < bed.surface.size(); ++cell)
+        sum += bed.surface.values()[cell] - bed.rock.values()[cell] + bed.moving.values()[cell];
+    return to_metres(sum);
+}
+
+}  // namespace
+
+Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
+    : parameters_(parameters),
+      scale_(setup.scale),
+      ground_(ground_of(parameters, setup)),
+      pool_(setup.pool),
+      shadow_tangents_{tangent(parameters.shadow == DuneShadow::soft ? parameters.shadow_soft_angle
+                                                                     : parameters.shadow_angle),
+                       tangent(parameters.shadow_angle)},
+      slab_height_(slab_height_of(parameters, ground_)),
+      turns_(parameters.winds,
+             [&](double strength) { return step_length(parameters, ground_, strength); }),
+      bed_(first_bed(parameters, setup)),
+      slopes_(
+          {ground_.nx, ground_.ny, ground_.dx, ground_.dy, ground_.periodic_x, ground_.periodic_y},
+          {parameters.static_angle, parameters.repose_angle}, setup.pool),
+      shadow_(ground_, setup.pool) {
+    check_angles(parameters);
+    check_transport(parameters, setup);
+    if (parameters.transport == DuneTransport::slabs) {
+        slabs_.emplace(parameters, ground_, slab_height_, shadow_tangents_, setup.seed, pool_);
+        return;
+    }
+    continuous_.emplace(parameters, ground_, step_length(parameters, ground_, 1.0), pool_);
+    if (parameters.speed_up == DuneSpeedUp::relief)
+        shear_.emplace(ground_, parameters.shear_in_phase, parameters.shear_ahead, pool_);
+}
+
+void Dunes::step() {
+    const BlowingWind& wind = turns_.at(steps_);
+    const int most_passes = static_cast<int>(parameters_.avalanche_passes);
+    if (slabs_) {
+        SlabTransport::Avalanches avalanches{slopes_, most_passes};
+        slabs_->step(bed_, wind, steps_, shadow_, avalanches);
+        passes_ = avalanches.passes;
+        at_rest_ = avalanches.at_rest;
+    } else {
+        blow_continuously(wind);
+        const auto outcome = slopes_.relax(bed_.surface, bed_.rock, most_passes);
+        passes_ = outcome.passes;
+        at_rest_ = outcome.at_rest;
+    }
+    ++steps_;
+}
+
+void Dunes::blow_continuously(const BlowingWind& wind) {
+    shadow_.cast(bed_.surface, wind, shadow_tangents_,
+                 shear_ ? WindShadow::Find::shade_and_envelope : WindShadow::Find::shade);
+    if (shear_) {
+        relief_ = shadow_.envelope();
+        shear_->apply(relief_, wind);
+    }
+    continuous_->step(bed_, {wind, shadow_.shade(), shear_ ? &relief_ : nullptr});
+}
+
+Snapshot Dunes::snapshot() const {
+    Snapshot snapshot{steps_, time(), std::string(time_unit()), in_metres(bed_.surface),
+                      {},     scale_};
+    snapshot.landform = landform;
+    snapshot.periodic = ground_.periodic_x && ground_.periodic_y;
+    Grid sand = snapshot.bed;
+    const Grid rock = in_metres(bed_.rock);
+    std::ranges::transform(sand.values(), rock.values(), sand.values().begin(), std::minus<>());
+    shadow_.cast(bed_.surface, turns_.at(steps_), shadow_tangents_, WindShadow::Find::shade);
+    snapshot.fields = {
+        {"sand", "thickness of the sand at rest", "m", std::move(sand)},
+        {"rock", "height of the hard floor", "m", rock},
+        {"moving_sand", "sand in the air, as a thickness", "m", in_metres(bed_.moving)},
+        {"wind_shadow", "how far ground upwind keeps the wind off, 0 to 1", "1", shadow_.shade()}};
+    const double area = ground_.dx * ground_.dy;
+    snapshot.numbers = {{"sand_volume", "m3", area * total_sand(bed_)},
+                        {"sand_inflow", "m3", area * to_metres(bed_.inflow)},
+                        {"sand_outflow", "m3", area * to_metres(bed_.outflow)},
+                        {"avalanche_passes", "1", static_cast<double>(passes_)}};
+    return snapshot;
+}
+
+std::string Dunes::doubt() const {
+    if (at_rest_) return {};
+    return fmt::format(
+        "avalanches had not come to rest after model.avalanche_passes = {} passes, so that slopes "
+        "exceed model.repose_angle; raise it, or shorten model.time_step",
+        parameters_.avalanche_passes);
+}
+
+std::vector<StateField> Dunes::state() const {
+    state_bed_ = in_metres(bed_.surface);
+    state_rock_ = in_metres(bed_.rock);
+    state_moving_ = in_metres(bed_.moving);
+    state_flows_ = {to_metres(bed_.inflow), to_metres(bed_.outflow)};
+    return {{"bed", state_bed_.values()},
+            {"rock", state_rock_.values()},
+            {"moving_sand", state_moving_.values()},
+            {"flows", state_flows_}};
+}
+
+void Dunes::carry(StateCarrier& carrier) {
+    carrier.count("steps", steps_);
+    carrier.count("sand_inflow", bed_.inflow);
+    carrier.count("sand_outflow", bed_.outflow);
+    carrier.count("avalanche_passes", passes_);
+    carrier.value("avalanches_at_rest", at_rest_);
+    carrier.values("surface", bed_.surface.values());
+    carrier.values("rock", bed_.rock.values());
+    carrier.values("moving_sand", bed_.moving.values());
+    for (std::size_t cell = 0; cell < bed_.surface.size(); ++cell) {
+        if (bed_.surface.values()[cell] < bed_.rock.values()[cell] ||
+            bed_.moving.values()[cell] < 0)
+            carrier.refuse("it has cells with less than no sand");
+    }
+}
+
+}  // namespace fumon

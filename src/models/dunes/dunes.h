@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/avalanche/slope_relaxation.h"
+#include "models/dunes/continuous_transport.h"
+#include "models/dunes/dune_bed.h"
+#include "models/dunes/dunes_parameters.h"
+#include "models/dunes/relief_shear.h"
+#include "models/dunes/slab_transport.h"
+#include "models/dunes/wind_shadow.h"
+#include "models/dunes/wind_turns.h"
+#include "models/shared/model.h"
+
+namespace fumon {
+
+/// Dunes with slip faces: sand on a hard floor under winds that blow in turn, in metres and years.
+/// Each step
+///
+///     shadow      what keeps the wind off                       see WindShadow
+///     speed-up    of the drift over relief, or of hops by height see ReliefShear, hop_factor
+///     transport   continuous, or slabs at random                 see ContinuousTransport,
+///                                                                SlabTransport
+///     avalanches  down to the angle of repose                    see SlopeRelaxation
+///
+/// Heights are whole numbers of 2⁻³² m: sand at rest + moving sand + outflow − inflow is the same
+/// number after every step, and results do not depend on the number of threads. The linear shear
+/// stress holds for gentle slopes; the separation bubble that it sees behind a crest is a plane at
+/// the shadow's angle.
+class Dunes : public Model {
+  public:
+    static constexpr std::string_view model_name = "dunes";
+    static constexpr Landform landform = Landform::bed;
+
+    /// Throws KeyError for a masked bed, a bed below the rock or with more sand than whole numbers
+    /// hold, and parameters that do not fit one another.
+    Dunes(const DunesParameters& parameters, const ModelSetup& setup);
+
+    [[nodiscard]] std::string_view name() const override { return model_name; }
+    void step() override;
+    [[nodiscard]] std::int64_t steps_done() const override { return steps_; }
+    [[nodiscard]] double time() const override { return turns_.time(steps_); }
+    [[nodiscard]] std::string_view time_unit() const override { return "yr"; }
+
+    /// The bed, rock and sand; fields "sand", "rock", "moving_sand" (m) and "wind_shadow" (of the
+    /// next step's wind); numbers "sand_volume", "sand_inflow", "sand_outflow" (m³) and
+    /// "avalanche_passes".
+    [[nodiscard]] Snapshot snapshot() const override;
+
+    /// Where avalanches of the last step did not come to rest.
+    [[nodiscard]] std::string doubt() const override;
+
+    /// "bed", "rock", "moving_sand" in metres, and "flows": inflow and outflow. The spans hold
+    /// until the next call.
+    [[nodiscard]] std::vector<StateField> state() const override;
+
+    void carry(StateCarrier& carrier) override;
+
+    [[nodiscard]] const DuneBed& bed() const { return bed_; }
+
+  private:
+    void blow_continuously(const BlowingWind& wind);
+
+    DunesParameters parameters_;
+    WorldScale scale_;
+    DuneGround ground_;
+    WorkerPool& pool_;
+    ShadowTangents shadow_tangents_;
+    double slab_height_;  ///< m
+    WindTurns turns_;
+    DuneBed bed_;
+    SlopeRelaxation slopes_;
+    mutable WindShadow shadow_;
+    std::optional<ReliefShear> shear_;
+    std::optional<ContinuousTransport> continuous_;
+    std::optional<SlabTransport> slabs_;
+    std::int64_t steps_ = 0;
+    std::int64_t passes_ = 0;  ///< of the last step's avalanches
+    bool at_rest_ = true;      ///< whether they have ended
+    Grid relief_;              ///< working memory of the shear stress
+    mutable Grid state_bed_;
+    mutable Grid state_rock_;
+    mutable Grid state_moving_;
+    mutable std::vector<double> state_flows_;
+};
+
+}  // namespace fumon

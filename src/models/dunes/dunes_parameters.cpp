@@ -1,0 +1,140 @@
+#include "models/dunes/dunes_parameters.h"
+
+namespace fumon {
+
+namespace {
+
+void list_wind(DuneWind& wind, const std::string& path, KeyTable& table) {
+    table.real(path + ".from", wind.from,
+               {.unit = "degrees",
+                .range = {-360, 360},
+                .help = "where it blows from, clockwise from north; 270 blows toward +x"});
+    table.real(
+        path + ".strength", wind.strength,
+        {.range = {0, 100, true}, .help = "its drift over flat sand, in parts of model.flux"});
+    table.real(path + ".duration", wind.duration,
+               {.unit = "yr",
+                .range = {0, 1e6, true},
+                .help = "how long it blows, in whole steps, before the next one's turn"});
+}
+
+void list_transport_keys(DunesParameters& dunes, KeyTable& table) {
+    constexpr double longest_hop = 1e4;
+    table.choice(
+        "model.transport", dunes.transport,
+        {{DuneTransport::continuous, "continuous",
+          "every cell gives a layer to the wind, which is spread over the cells it reaches "
+          "(after Nilles, Guenther & Mueller 2024)"},
+         {DuneTransport::slabs, "slabs", "random slabs hop until they come to rest (Werner 1995)"}},
+        {.help = "how the wind carries sand"});
+    table.tables("wind", dunes.winds, "a wind; they blow in turn, and then from the first again",
+                 list_wind);
+    table.real("model.flux", dunes.flux,
+               {.unit = "m^2/yr",
+                .range = {0, 1e6, true},
+                .help = "drift over flat sand, where it is saturated: volume per width and year"});
+    table.real("model.hop_length", dunes.hop_length,
+               {.unit = "m",
+                .range = {0, longest_hop, true},
+                .help = "of a hop over flat ground; the drift saturates over this length divided "
+                        "by model.deposit_on_sand"});
+    table.real("model.deposit_on_sand", dunes.deposit_on_sand,
+               {.range = {0, 1, true}, .help = "share that a hop's end on sand leaves there"});
+    table.real("model.deposit_on_rock", dunes.deposit_on_rock,
+               {.range = {0, 1, true}, .help = "share that a hop's end on bare rock leaves there"});
+    table.real("model.slope_drift", dunes.slope_drift,
+               {.range = {0, 10},
+                .help = "drift down a slope of 1, in parts of the saturated one over flat sand; of "
+                        "continuous transport"});
+    table.word_or_real("model.time_step", dunes.time_step,
+                       {{"auto", "such that a step lifts 3 % of a cell's size from flat sand"}},
+                       {.unit = "yr",
+                        .range = {0, 1e3, true},
+                        .help = "of continuous transport; a step of slabs takes as long as its "
+                                "hops give model.flux"});
+    table.word_or_real("model.slab_height", dunes.slab_height,
+                       {{"auto", "a third of a cell's size (Werner 1995)"}},
+                       {.unit = "m", .range = {0, 1e3, true}, .help = "of slabs"});
+    table.choice("model.order", dunes.order,
+                 {{SlabOrder::parallel, "parallel",
+                   "the picks of a sub-step read the bed at its start; avalanches follow it"},
+                  {SlabOrder::sequential, "sequential",
+                   "slab after slab, each with its avalanches, on one thread (Werner 1995)"}},
+                 {.help = "of slabs"});
+    table.integer("model.substeps", dunes.substeps,
+                  {.range = {16, 4096}, .help = "sub-steps of a step of slabs in parallel order"});
+}
+
+void list_wind_keys(DunesParameters& dunes, KeyTable& table) {
+    table.choice("model.speed_up", dunes.speed_up,
+                 {{DuneSpeedUp::none, "none", "the same wind everywhere: dunes grow for ever"},
+                  {DuneSpeedUp::height, "height",
+                   "hops grow with the height above the mean surface (Momiji et al. 2000)"},
+                  {DuneSpeedUp::relief, "relief",
+                   "the drift follows the linear shear stress (A + iB) k_w^2/|k| h (Jackson & Hunt "
+                   "1975; Kroy et al. 2002), of the bed with its separation bubbles; continuous "
+                   "transport only"}},
+                 {.help = "how the wind speeds up over dunes"});
+    table.real("model.hop_per_height", dunes.hop_per_height,
+               {.unit = "1/m", .range = {0, 1e3}, .help = "C1/L0 of speed_up = \"height\""});
+    table.real("model.hop_per_height_squared", dunes.hop_per_height_squared,
+               {.unit = "1/m^2", .range = {0, 1e3}, .help = "C2/L0 of speed_up = \"height\""});
+    table.real("model.shear_in_phase", dunes.shear_in_phase,
+               {.range = {0, 100}, .help = "A of speed_up = \"relief\""});
+    table.real("model.shear_ahead", dunes.shear_ahead,
+               {.range = {0, 100}, .help = "B of speed_up = \"relief\": ahead of the crests"});
+    table.choice(
+        "model.shadow", dunes.shadow,
+        {{DuneShadow::soft, "soft", "grows from model.shadow_soft_angle to model.shadow_angle"},
+         {DuneShadow::hard, "hard", "begins at model.shadow_angle (Werner 1995)"}},
+        {.help = "where higher ground upwind keeps the wind off"});
+    table.real("model.shadow_angle", dunes.shadow_angle,
+               {.unit = "degrees",
+                .range = {1, 60},
+                .help = "ground that far below the line to a crest upwind has no wind"});
+    table.real("model.shadow_soft_angle", dunes.shadow_soft_angle,
+               {.unit = "degrees",
+                .range = {0, 60, true},
+                .help = "ground less far below it has the whole wind; below model.shadow_angle"});
+}
+
+void list_ground_keys(DunesParameters& dunes, KeyTable& table) {
+    table.real("model.repose_angle", dunes.repose_angle,
+               {.unit = "degrees",
+                .range = {5, 60},
+                .help = "dynamic: sliding sand comes to rest at it, within 0.4 degrees"});
+    table.real("model.static_angle", dunes.static_angle,
+               {.unit = "degrees",
+                .range = {5, 60},
+                .help = "a slope at rest slides from here on; model.repose_angle or more"});
+    table.integer("model.avalanche_passes", dunes.avalanche_passes,
+                  {.range = {1, 1e9},
+                   .help = "most passes of avalanches a step; where they do not suffice, the run "
+                           "says so"});
+    const std::vector<Choice<DuneEdge>> edges{
+        {DuneEdge::periodic, "periodic", "what leaves comes in on the other side"},
+        {DuneEdge::open, "open", "sand leaves with the wind, model.influx comes in"}};
+    table.choice("model.edges_x", dunes.edges_x, edges, {.help = "west and east edge"});
+    table.choice("model.edges_y", dunes.edges_y, edges, {.help = "south and north edge"});
+    table.real("model.influx", dunes.influx,
+               {.range = {0, 1},
+                .help = "drift that comes in over open edges, in parts of the saturated one"});
+    table.choice("model.rock", dunes.rock,
+                 {{DuneRock::level, "level", "at model.rock_level; the bed above it is sand"},
+                  {DuneRock::bed, "bed", "the bed, with model.sand_cover of sand on it"}},
+                 {.help = "the hard floor"});
+    table.real("model.rock_level", dunes.rock_level,
+               {.unit = "m", .range = {-1e5, 1e5}, .help = "of a flat floor"});
+    table.real("model.sand_cover", dunes.sand_cover,
+               {.unit = "m", .range = {0, 1e3}, .help = "sand on a floor that is the bed"});
+}
+
+}  // namespace
+
+void list_keys(DunesParameters& dunes, KeyTable& table) {
+    list_transport_keys(dunes, table);
+    list_wind_keys(dunes, table);
+    list_ground_keys(dunes, table);
+}
+
+}  // namespace fumon

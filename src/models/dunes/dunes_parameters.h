@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "keys/keys.h"
+
+namespace fumon {
+
+enum class DuneTransport { continuous, slabs };
+enum class DuneSpeedUp { none, height, relief };
+enum class DuneShadow { soft, hard };
+enum class DuneEdge { periodic, open };
+enum class DuneRock { level, bed };
+enum class SlabOrder { parallel, sequential };
+
+/// A wind that blows for a while.
+struct DuneWind {
+    double from = 270.0;    ///< degrees clockwise from north, where it blows from
+    double strength = 1.0;  ///< of its drift, in model.flux
+    double duration = 1.0;  ///< years
+
+    friend bool operator==(const DuneWind&, const DuneWind&) = default;
+};
+
+/// The parameters of the dune model, in metres and years.
+struct DunesParameters {
+    DuneTransport transport = DuneTransport::continuous;
+    std::vector<DuneWind> winds;  ///< in turn; none: one from 270 degrees
+
+    double flux = 100.0;      ///< saturated drift over flat sand, m²/yr (m³ per m width and year)
+    double hop_length = 1.0;  ///< m
+    double deposit_on_sand = 0.6;
+    double deposit_on_rock = 0.4;
+    double slope_drift = 0.3;
+    WordOrReal time_step{"auto", 0.0};  ///< years, of continuous transport
+
+    DuneSpeedUp speed_up = DuneSpeedUp::relief;
+    double hop_per_height = 0.1;          ///< 1/m
+    double hop_per_height_squared = 0.0;  ///< 1/m²
+    double shear_in_phase = 3.5;          ///< A
+    double shear_ahead = 2.0;             ///< B
+
+    DuneShadow shadow = DuneShadow::soft;
+    double shadow_angle = 15.0;       ///< degrees
+    double shadow_soft_angle = 10.0;  ///< degrees
+
+    WordOrReal slab_height{"auto", 0.0};  ///< m
+    SlabOrder order = SlabOrder::parallel;
+    std::int64_t substeps = 16;
+
+    double repose_angle = 33.0;  ///< degrees, dynamic
+    double static_angle = 33.0;  ///< degrees
+    std::int64_t avalanche_passes = 2000;
+
+    DuneEdge edges_x = DuneEdge::periodic;
+    DuneEdge edges_y = DuneEdge::periodic;
+    double influx = 0.0;  ///< share of the saturated drift
+
+    DuneRock rock = DuneRock::level;
+    double rock_level = 0.0;  ///< m
+    double sand_cover = 1.0;  ///< m
+};
+
+/// Lists the keys model.* and wind.* bound to these parameters.
+void list_keys(DunesParameters& parameters, KeyTable& table);
+
+}  // namespace fumon

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/grid.h"
+#include "base/random.h"
+#include "models/avalanche/slope_relaxation.h"
+#include "models/dunes/dune_bed.h"
+#include "models/dunes/dunes_parameters.h"
+#include "models/dunes/wind_shadow.h"
+#include "models/dunes/wind_turns.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// Slabs of sand that hop at random (Werner 1995). As many cells are picked in a step as there are;
+/// from a picked cell that is not in shadow a slab hops by L along the wind, and at each landing it
+/// comes to rest with a probability, that of sand, of rock, or 1 in shadow; else it hops on. A slab
+/// that is thinner than usual is what the cell still has. Where a landing lies between cells, the
+/// nearer one is the likelier, in proportion. A shadow of strength r (0 … 1) is one with
+/// probability r.
+///
+/// In parallel order a step is divided into sub-steps. Picks of a sub-step read the bed at its
+/// start; what they move is added up in whole numbers, so that no result depends on threads, and
+/// avalanches follow. The picks fall on rows as an exact multinomial, each row by its own random
+/// stream. In sequential order each slab's avalanches have ended before the next pick.
+class SlabTransport {
+  public:
+    SlabTransport(const DunesParameters& parameters, const DuneGround& ground, double slab_height,
+                  const ShadowTangents& shadow, std::uint64_t seed, WorkerPool& pool);
+
+    struct Avalanches {
+        SlopeRelaxation& slopes;
+        int most_passes;
+        int passes = 0;  ///< most of a sub-step
+        bool at_rest = true;
+    };
+
+    void step(DuneBed& bed, const BlowingWind& wind, std::int64_t step, WindShadow& shadow,
+              Avalanches& avalanches);
+
+  private:
+    struct Place {
+        int x = 0;
+        int y = 0;
+    };
+
+    void step_in_parallel(DuneBed& bed, const BlowingWind& wind, std::int64_t step,
+                          WindShadow& shadow, Avalanches& avalanches);
+    void step_in_sequence(DuneBed& bed, const BlowingWind& wind, std::int64_t step,
+                          Avalanches& avalanches);
+    [[nodiscard]] std::int64_t pick_row(const DuneBed& bed, const BlowingWind& wind,
+                                        const Grid& shade, int y, RandomStream& stream,
+                                        std::vector<std::int64_t>& left);
+    [[nodiscard]] std::int64_t blow_in(const DuneBed& bed, const BlowingWind& wind,
+                                       const Grid& shade, std::int64_t substep);
+    template <class Shade>
+    bool hop(const DuneBed& bed, const BlowingWind& wind, const Shade& shade, double from_x,
+             double from_y, RandomStream& stream, Place& place) const;
+    [[nodiscard]] double marched_shade(const DuneBed& bed, const BlowingWind& wind, int x, int y,
+                                       std::int64_t highest) const;
+    void add(int x, int y, std::int64_t amount);
+
+    DunesParameters parameters_;
+    DuneGround ground_;
+    std::int64_t slab_;
+    ShadowTangents shadow_;
+    std::uint64_t seed_;
+    WorkerPool& pool_;
+    double mean_ = 0.0;  ///< m, of the surface at the step's start
+    WholeGrid change_;
+    std::vector<std::int64_t> picks_;  ///< of each row
+    std::vector<std::int64_t> lost_;   ///< by each row
+};
+
+}  // namespace fumon

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <vector>
+
+#include "base/grid.h"
+#include "models/dunes/wind_turns.h"
+#include "models/shared/whole_lengths.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// The ground over which winds blow.
+struct DuneGround {
+    int nx = 0;
+    int ny = 0;
+    double dx = 1.0;  ///< m
+    double dy = 1.0;  ///< m
+    bool periodic_x = true;
+    bool periodic_y = true;
+};
+
+/// Angles of a wind shadow as tangents. Where they are the same, the shadow has a hard edge.
+struct ShadowTangents {
+    double soft = 0.0;
+    double full = 0.0;
+};
+
+/// The wind shadow: how far ground upwind keeps the wind off. From every point upwind a surface
+/// falls downwind at the full angle; ground below it is in shadow (1). Above that the shadow
+/// decreases linearly with the tangent under which the ground looks up to the crest whose surface
+/// at the soft angle is the highest there, to 0 at the soft angle.
+///
+/// Lines along the wind, a cell apart across it, go over the ground side by side, with heights
+/// linear between cells; a cell takes what the two lines beside it find. Lines are independent of
+/// one another, so threads share them. In a periodic bed they begin as far upwind as a shadow can
+/// reach, at most one time round.
+class WindShadow {
+  public:
+    WindShadow(const DuneGround& ground, WorkerPool& pool);
+
+    enum class Find { shade, shade_and_envelope };
+
+    void cast(const WholeGrid& surface, const BlowingWind& wind, const ShadowTangents& tangents,
+              Find find);
+
+    /// 0 … 1.
+    [[nodiscard]] const Grid& shade() const { return shade_; }
+    /// Where it was asked for, the bed with its separation bubbles: the higher of the bed and the
+    /// surface that falls at the full angle. Metres.
+    [[nodiscard]] const Grid& envelope() const { return envelope_; }
+
+  private:
+    /// The way of the lines over the grid, whose cells are taken with the axis along the wind
+    /// second.
+    struct Way {
+        int across = 0;  ///< cells across
+        int along = 0;   ///< cells along
+        bool periodic_across = true;
+        bool periodic_along = true;
+        bool forward = true;    ///< toward larger numbers
+        double shift = 0.0;     ///< cells across for each cell along
+        double distance = 0.0;  ///< m for each cell along
+    };
+
+    void take_heights(const WholeGrid& surface, bool turned);
+    void give_back(bool turned, Find find);
+    void follow_lines(const Way& way, const ShadowTangents& tangents, int first, int last);
+    [[nodiscard]] Way way_of(const BlowingWind& wind, bool turned) const;
+
+    DuneGround ground_;
+    WorkerPool& pool_;
+    Grid heights_;  ///< m, the axis along the wind second
+    Grid found_shade_;
+    Grid found_envelope_;
+    Grid shade_;
+    Grid envelope_;
+    std::vector<double> lowest_;   ///< of each row
+    std::vector<double> highest_;  ///< of each row
+};
+
+}  // namespace fumon

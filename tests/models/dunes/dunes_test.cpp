@@ -1,0 +1,291 @@
+#include "models/dunes/dunes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "base/random.h"
+#include "base/worker_pool.h"
+#include "models/shared/state_hash.h"
+#include "support/temporary_folder.h"
+
+namespace fumon::test {
+namespace {
+
+Grid noise(int nx, int ny, double high) {
+    Grid bed(nx, ny);
+    for (int y = 0; y < ny; ++y) {
+        RandomStream stream(3, static_cast<std::uint32_t>(y), 0, Purpose::initial_bed);
+        for (double& height : bed.row(y)) height = high * stream.uniform();
+    }
+    return bed;
+}
+
+ModelSetup setup(Grid bed, WorkerPool& pool, double cell = 1.0) {
+    return {std::move(bed), {}, {cell, cell, 1.0, true}, 7, pool};
+}
+
+std::int64_t sum(const WholeGrid& grid) {
+    return std::accumulate(grid.values().begin(), grid.values().end(), std::int64_t{0});
+}
+
+/// Sand at rest and moving, and what has left, less what has come.
+std::int64_t accounted(const DuneBed& bed) {
+    return sum(bed.surface) - sum(bed.rock) + sum(bed.moving) + bed.outflow - bed.inflow;
+}
+
+struct Kind {
+    std::string name;
+    DunesParameters parameters;
+};
+
+std::vector<Kind> kinds() {
+    std::vector<Kind> all;
+    for (const DuneSpeedUp speed_up :
+         {DuneSpeedUp::none, DuneSpeedUp::height, DuneSpeedUp::relief}) {
+        DunesParameters dunes;
+        dunes.speed_up = speed_up;
+        dunes.winds = {{270.0, 1.0, 0.003}, {30.0, 0.7, 0.002}, {135.0, 1.4, 0.002}};
+        all.push_back({"continuous " + std::to_string(static_cast<int>(speed_up)), dunes});
+        dunes.edges_x = DuneEdge::open;
+        dunes.edges_y = DuneEdge::open;
+        dunes.influx = 0.6;
+        all.push_back({all.back().name + " open", dunes});
+        if (speed_up == DuneSpeedUp::relief) continue;
+        dunes.transport = DuneTransport::slabs;
+        dunes.hop_length = 5.0;
+        dunes.winds = {{270.0, 1.0, 0.05}, {30.0, 1.0, 0.05}};
+        all.push_back({"slabs open", dunes});
+        dunes.edges_x = DuneEdge::periodic;
+        dunes.edges_y = DuneEdge::periodic;
+        all.push_back({"slabs", dunes});
+        dunes.order = SlabOrder::sequential;
+        dunes.influx = 0.0;
+        all.push_back({"slabs one by one", dunes});
+    }
+    return all;
+}
+
+TEST(Dunes, SandIsConservedToTheLastUnitInEveryStep) {
+    WorkerPool pool(2);
+    for (const Kind& kind : kinds()) {
+        SCOPED_TRACE(kind.name);
+        Dunes dunes(kind.parameters, setup(noise(48, 40, 1.5), pool));
+        const std::int64_t at_first = accounted(dunes.bed());
+        for (int step = 0; step < 24; ++step) {
+            dunes.step();
+            ASSERT_EQ(accounted(dunes.bed()), at_first) << step;
+        }
+        const bool open = kind.parameters.edges_x == DuneEdge::open;
+        EXPECT_EQ(dunes.bed().outflow > 0, open);
+        EXPECT_EQ(dunes.bed().inflow > 0, open);
+        for (std::size_t cell = 0; cell < dunes.bed().surface.size(); ++cell) {
+            ASSERT_GE(dunes.bed().surface.values()[cell], dunes.bed().rock.values()[cell]);
+            ASSERT_GE(dunes.bed().moving.values()[cell], 0);
+        }
+        EXPECT_EQ(dunes.doubt(), "");
+    }
+}
+
+TEST(Dunes, AnyNumberOfThreadsGivesTheSameBytes) {
+    for (const Kind& kind : kinds()) {
+        SCOPED_TRACE(kind.name);
+        std::vector<Sha256> hashes;
+        for (const int threads : {1, 2, 5}) {
+            WorkerPool pool(threads);
+            Dunes dunes(kind.parameters, setup(noise(70, 64, 1.5), pool));
+            for (int step = 0; step < 8; ++step) dunes.step();
+            hashes.push_back(state_hash(dunes));
+        }
+        EXPECT_EQ(hashes[0], hashes[1]);
+        EXPECT_EQ(hashes[0], hashes[2]);
+    }
+}
+
+TEST(Dunes, NoSlopeExceedsTheAngleOfRepose) {
+    WorkerPool pool(2);
+    for (const Kind& kind : kinds()) {
+        SCOPED_TRACE(kind.name);
+        Dunes dunes(kind.parameters, setup(noise(40, 40, 3.0), pool));
+        const bool periodic = kind.parameters.edges_x == DuneEdge::periodic;
+        const SlopeRelaxation slopes({40, 40, 1.0, 1.0, periodic, periodic}, {}, pool);
+        for (int step = 0; step < 12; ++step) {
+            dunes.step();
+            ASSERT_LE(slopes.steepest(dunes.bed().surface, dunes.bed().rock), 33.5);
+        }
+    }
+}
+
+/// Over flat sand the drift is what was asked for, wherever the wind blows.
+TEST(Dunes, FlatSandDriftsAtTheSaturatedFlux) {
+    WorkerPool pool(1);
+    for (const double from : {270.0, 240.0, 0.0}) {
+        DunesParameters dunes;
+        dunes.winds = {{from, 1.5, 1.0}};
+        dunes.flux = 80.0;
+        dunes.hop_length = 2.5;
+        dunes.time_step = 0.0004;
+        Dunes model(dunes, setup(Grid(32, 24, 1.0), pool, 0.8));
+        for (int step = 0; step < 60; ++step) model.step();
+        // What stayed in the air and what is lifted hop together.
+        const double in_air = to_metres(model.bed().moving(5, 5));
+        const double lifted = 1.5 * 80.0 * 0.0004 * 0.6 / 2.5;
+        EXPECT_NEAR((in_air + lifted) * 2.5 / 0.0004, 1.5 * 80.0, 1e-3) << from;
+        EXPECT_NEAR(to_metres(model.bed().surface(5, 5)), 1.0 - in_air, 1e-6);
+    }
+}
+
+TEST(Dunes, ShadowLiesBehindAWall) {
+    WorkerPool pool(2);
+    for (const auto& [from, behind_x, behind_y] :
+         {std::tuple{270.0, 1, 0}, std::tuple{90.0, -1, 0}, std::tuple{180.0, 0, 1},
+          std::tuple{0.0, 0, -1}, std::tuple{225.0, 1, 1}}) {
+        DuneGround ground{64, 64, 1.0, 1.0, true, true};
+        WholeGrid surface(64, 64);
+        for (int y = 28; y < 36; ++y) {
+            for (int x = 28; x < 36; ++x) surface(x, y) = to_units(3.0);
+        }
+        const WindTurns turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
+        WindShadow shadow(ground, pool);
+        const double full = std::tan(std::acos(-1.0) / 12.0);
+        shadow.cast(surface, turns.at(0), {0.5 * full, full}, WindShadow::Find::shade_and_envelope);
+        const double step = std::hypot(behind_x, behind_y);
+        const auto at = [&](int cells, const Grid& grid) {
+            const int side = behind_x + behind_y > 0 ? 35 : 28;
+            return grid(behind_x != 0 ? side + cells * behind_x : 32,
+                        behind_y != 0 ? side + cells * behind_y : 32);
+        };
+        SCOPED_TRACE(from);
+        EXPECT_EQ(at(0, shadow.shade()), 0.0) << "on top";
+        for (int cells = 1; cells < 25; ++cells) {
+            const double distance = cells * step;
+            const double full_line = 3.0 - full * distance;
+            const double soft_line = 3.0 - 0.5 * full * distance;
+            const double expected =
+                full_line >= 0.0 ? 1.0 : std::max(0.0, soft_line / (0.5 * full * distance));
+            EXPECT_NEAR(at(cells, shadow.shade()), expected, 1e-6) << cells;
+            EXPECT_NEAR(at(cells, shadow.envelope()), std::max(0.0, full_line), 1e-9) << cells;
+        }
+        EXPECT_EQ(at(-12, shadow.shade()), 0.0) << "before it";
+    }
+}
+
+TEST(Dunes, ShadowOfAPeriodicBedGoesRound) {
+    WorkerPool pool(1);
+    DuneGround ground{50, 10, 1.0, 1.0, true, true};
+    WholeGrid surface(50, 10);
+    for (int y = 0; y < 10; ++y) surface(45, y) = to_units(4.0);
+    const WindTurns turns({{270.0, 1.0, 1.0}}, [](double) { return 1.0; });
+    WindShadow shadow(ground, pool);
+    shadow.cast(surface, turns.at(0), {0.25, 0.25}, WindShadow::Find::shade_and_envelope);
+    EXPECT_EQ(shadow.shade()(49, 5), 1.0);
+    EXPECT_EQ(shadow.shade()(5, 5), 1.0) << "ten cells on";
+    EXPECT_EQ(shadow.shade()(15, 5), 0.0);
+    ground.periodic_x = false;
+    WindShadow open(ground, pool);
+    open.cast(surface, turns.at(0), {0.25, 0.25}, WindShadow::Find::shade_and_envelope);
+    EXPECT_EQ(open.shade()(5, 5), 0.0);
+}
+
+/// A single wave, for which the stress is known.
+TEST(Dunes, ShearStressLeadsTheCrests) {
+    WorkerPool pool(2);
+    constexpr int nx = 60;
+    constexpr int ny = 44;
+    const DuneGround ground{nx, ny, 2.0, 3.0, true, true};
+    for (const auto& [m, n] :
+         {std::pair{3, 0}, std::pair{0, 2}, std::pair{2, 3}, std::pair{-2, 1}, std::pair{5, -4}}) {
+        for (const double from : {270.0, 200.0}) {
+            const WindTurns turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
+            const BlowingWind wind = turns.at(0);
+            const double pi = std::acos(-1.0);
+            const double kx = 2.0 * pi * m / (nx * 2.0);
+            const double ky = 2.0 * pi * n / (ny * 3.0);
+            const double length = std::hypot(kx, ky);
+            const double along = kx * wind.x + ky * wind.y;
+            const double kept = std::exp(-(4.0 * kx * kx + 9.0 * ky * ky) / 8.0) * along / length;
+            Grid plane(nx, ny);
+            for (int y = 0; y < ny; ++y) {
+                for (int x = 0; x < nx; ++x)
+                    plane(x, y) = 0.7 + 0.1 * std::cos(kx * 2.0 * x + ky * 3.0 * y);
+            }
+            ReliefShear(ground, 3.5, 2.0, pool).apply(plane, wind);
+            for (const auto& [x, y] : {std::pair{0, 0}, std::pair{7, 31}, std::pair{41, 12}}) {
+                const double phase = kx * 2.0 * x + ky * 3.0 * y;
+                const double expected =
+                    0.1 * kept *
+                    (3.5 * along * std::cos(phase) - 2.0 * std::abs(along) * std::sin(phase));
+                EXPECT_NEAR(plane(x, y), expected, 1e-12) << m << ", " << n << ", " << from;
+            }
+        }
+    }
+}
+
+TEST(Dunes, WindsBlowInTurn) {
+    const WindTurns turns({{270.0, 1.0, 0.5}, {0.0, 2.0, 0.2}}, [](double) { return 0.1; });
+    EXPECT_EQ(turns.at(0).x, 1.0);
+    EXPECT_EQ(turns.at(0).y, 0.0);
+    EXPECT_EQ(turns.at(4).x, 1.0);
+    EXPECT_EQ(turns.at(5).y, -1.0) << "from north";
+    EXPECT_EQ(turns.at(6).strength, 2.0);
+    EXPECT_EQ(turns.at(7).x, 1.0) << "the first again";
+    EXPECT_DOUBLE_EQ(turns.time(17), 1.7);
+}
+
+TEST(Dunes, RockMayBeTheBedOrALevel) {
+    WorkerPool pool(1);
+    DunesParameters dunes;
+    dunes.rock = DuneRock::bed;
+    dunes.sand_cover = 0.5;
+    const Dunes covered(dunes, setup(Grid(20, 20, -3.0), pool));
+    EXPECT_EQ(covered.bed().rock(3, 3), to_units(-3.0));
+    EXPECT_EQ(covered.bed().surface(3, 3), to_units(-2.5));
+    dunes.rock = DuneRock::level;
+    EXPECT_NE(message_of<KeyError>([&] {
+                  Dunes(dunes, setup(Grid(20, 20, -3.0), pool));
+              }).find("below model.rock_level"),
+              std::string::npos);
+}
+
+TEST(Dunes, WhatDoesNotFitIsRefused) {
+    WorkerPool pool(1);
+    const auto refusal = [&](const DunesParameters& dunes) {
+        return message_of<KeyError>([&] { Dunes(dunes, setup(Grid(20, 20, 1.0), pool)); });
+    };
+    DunesParameters dunes;
+    dunes.static_angle = 30.0;
+    EXPECT_NE(refusal(dunes).find("model.static_angle is 30"), std::string::npos);
+    dunes = {};
+    dunes.shadow_soft_angle = 15.0;
+    EXPECT_NE(refusal(dunes).find("smaller angle"), std::string::npos);
+    dunes = {};
+    dunes.transport = DuneTransport::slabs;
+    EXPECT_NE(refusal(dunes).find("no shear stress"), std::string::npos);
+    dunes.speed_up = DuneSpeedUp::none;
+    dunes.order = SlabOrder::sequential;
+    dunes.influx = 0.5;
+    EXPECT_NE(refusal(dunes).find("hop in sequence"), std::string::npos);
+    dunes = {};
+    dunes.hop_length = 21.0;
+    EXPECT_NE(refusal(dunes).find("exceed the box"), std::string::npos);
+}
+
+TEST(Dunes, TheCapOnPassesIsADoubt) {
+    WorkerPool pool(1);
+    DunesParameters dunes;
+    dunes.avalanche_passes = 1;
+    Grid bed(30, 30, 0.5);
+    bed(15, 15) = 30.0;
+    Dunes model(dunes, setup(std::move(bed), pool));
+    model.step();
+    EXPECT_NE(model.doubt().find("had not come to rest"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fumon::test
