@@ -67,9 +67,12 @@ void list_transport_keys(DunesParameters& dunes, KeyTable& table) {
 
 void list_wind_keys(DunesParameters& dunes, KeyTable& table) {
     table.choice("model.speed_up", dunes.speed_up,
-                 {{DuneSpeedUp::none, "none", "the same wind everywhere: dunes grow for ever"},
+                 {{DuneSpeedUp::none, "none",
+                   "the same wind everywhere; continuous drift makes no dunes of a level bed then"},
                   {DuneSpeedUp::height, "height",
-                   "hops grow with the height above the mean surface (Momiji et al. 2000)"},
+                   "hops grow with the height above the mean surface (Momiji et al. 2000); no "
+                   "dunes of a level "
+                   "bed likewise"},
                   {DuneSpeedUp::relief, "relief",
                    "the drift follows the linear shear stress (A + iB) k_w^2/|k| h (Jackson & Hunt "
                    "1975; Kroy et al. 2002), of the bed with its separation bubbles; continuous "
