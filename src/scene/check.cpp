@@ -375,6 +375,29 @@ void check_frames(const Scene& scene, Faults& faults) {
     within_run(scene.output.fields_at, "output.fields_at");
 }
 
+void check_camera(const Scene& scene, Faults& faults) {
+    const Refuse refuse{scene, faults};
+    const CameraSettings& camera = scene.view.camera;
+    const bool perspective = camera.projection == Projection::perspective;
+    const auto check_place = [&](const char* key, const std::vector<double>& place) {
+        if (place.empty()) return;
+        if (place.size() != 3) {
+            refuse(key, fmt::format("{} has {} number{}; it takes [east, north, above the bed]",
+                                    key, place.size(), place.size() == 1 ? "" : "s"));
+        } else if (!perspective) {
+            refuse(key, fmt::format("{} belongs to camera.projection = \"perspective\"", key));
+        }
+    };
+    check_place("camera.at", camera.at);
+    check_place("camera.look_at", camera.look_at);
+    if (scene.view.look.ground != Ground::endless) return;
+    if (!perspective)
+        refuse("look.ground",
+               "look.ground = \"endless\" takes camera.projection = \"perspective\"");
+    if (scene.view.look.mode != ViewMode::scenic)
+        refuse("look.ground", "look.ground = \"endless\" takes look.mode = \"scenic\"");
+}
+
 void check_look(const Scene& scene, Faults& faults) {
     const Refuse refuse{scene, faults};
     const LookSettings& look = scene.view.look;
@@ -412,7 +435,8 @@ void check_scene(const Scene& scene, const std::set<std::string>& faulty, Faults
     const std::array all{
         Rules{{"run"}, check_length},         Rules{{"grid", "bed"}, check_bed},
         Rules{{"output"}, check_bed_formats}, Rules{{"frames", "run", "output"}, check_frames},
-        Rules{{"look", "image"}, check_look}, Rules{{"figure"}, check_figure}};
+        Rules{{"look", "image"}, check_look}, Rules{{"camera", "look"}, check_camera},
+        Rules{{"figure"}, check_figure}};
     for (const Rules& rules : all) {
         const bool sound =
             std::none_of(rules.sections.begin(), rules.sections.end(),

@@ -96,6 +96,12 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"fields_after_the_end", least + "[output]\nfields_at = [5, 11]\n",
                "scene.toml:6:13: output.fields_at names step 11, after the run's end at 10; "
                "lengthen run.steps or drop it"},
+        Broken{"half_a_place", least + "[camera]\nat = [1, 2]\n",
+               "scene.toml:6:6: camera.at has 2 numbers; it takes [east, north, above the bed]"},
+        Broken{"a_place_on_a_map", least + "[camera]\nprojection = \"map\"\nlook_at = [1, 2, 3]\n",
+               "scene.toml:7:11: camera.look_at belongs to camera.projection = \"perspective\""},
+        Broken{"an_endless_figure", least + "[look]\nground = \"endless\"\nmode = \"figure\"\n",
+               "scene.toml:6:10: look.ground = \"endless\" takes look.mode = \"scenic\""},
         Broken{
             "unknown_model", "[model]\nname = \"sant\"\n",
             "scene.toml:2:8: unknown model \"sant\"; did you mean \"sand\"? (see `fumon models`)"},
