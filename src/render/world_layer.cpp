@@ -15,8 +15,8 @@ namespace {
 const gl::TextureLayout height_layout{
     GL_R32F, GL_RED, GL_FLOAT, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
 
-constexpr double nearest = 1e-4;    // block lengths
-constexpr double farthest = 400.0;  // block lengths
+constexpr double innermost_ring = 1e-4;   // block lengths
+constexpr double outermost_ring = 400.0;  // block lengths
 constexpr double ring_ratio = 1.008;
 constexpr double pixels_a_ray = 2.0;
 
@@ -33,8 +33,9 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const DisplayBed& f
 
 void WorldLayer::build() {
     rays_ = static_cast<int>(static_cast<double>(view_.image.width) / pixels_a_ray) + 2;
-    rings_ =
-        static_cast<int>(elementary::log(farthest / nearest) / elementary::log(ring_ratio)) + 2;
+    rings_ = static_cast<int>(elementary::log(outermost_ring / innermost_ring) /
+                              elementary::log(ring_ratio)) +
+             2;
     std::vector<glm::vec2> places;
     places.reserve(static_cast<std::size_t>(rays_ * rings_));
     for (int ring = 0; ring < rings_; ++ring) {
@@ -107,13 +108,13 @@ void WorldLayer::draw(const BedShading& shading, const Light& light, const Camer
                          reduced(camera.eye.y, block_.width_y), camera.eye.z);
     Camera at_origin = camera;
     at_origin.eye = glm::dvec3(0.0);
-    at_origin.near_depth = nearest;
-    at_origin.far_depth = farthest * 1.1;
+    at_origin.near_depth = innermost_ring;
+    at_origin.far_depth = outermost_ring * 1.1;
     program_.set("clip_from_eye", glm::mat4(clip_matrix(at_origin)));
     program_.set("eye", glm::vec3(eye));
     program_.set("heading", glm::vec2(heading));
     program_.set("half_angle", static_cast<float>(half_angle));
-    program_.set("nearest", static_cast<float>(nearest));
+    program_.set("nearest", static_cast<float>(innermost_ring));
     program_.set("ring_ratio", static_cast<float>(ring_ratio));
     program_.set("spacing", static_cast<float>(2.0 * half_angle / rays_));
     program_.set("extent", glm::vec2(block_.width_x, block_.width_y));

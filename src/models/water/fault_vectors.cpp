@@ -20,8 +20,9 @@ struct Fault {
         const auto u = hn::LoadU(d, row.velocity_x + x);
         const auto v = hn::LoadU(d, row.velocity_y + x);
         const auto z = hn::LoadU(d, row.bed + x);
-        const auto shallow = hn::IfThenElseZero(hn::Lt(h, hn::Zero(d)), hn::Set(d, -1.0));
-        return (shallow + ((h - h) + (u - u))) + ((v - v) + (z - z));
+        const auto zero = hn::Zero(d);  // times what is not finite it is no number
+        const auto shallow = hn::IfThenElseZero(hn::Lt(h, zero), hn::Set(d, -1.0));
+        return (shallow + (h * zero + u * zero)) + (v * zero + z * zero);
     }
 };
 
