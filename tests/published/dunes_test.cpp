@@ -13,7 +13,6 @@
 #include "base/units.h"
 #include "base/worker_pool.h"
 #include "models/avalanche/slope_relaxation.h"
-#include "numerics/line_fit.h"
 
 namespace fumon::test {
 namespace {
@@ -125,22 +124,6 @@ TEST(PublishedDunes, ABarchanHasNatureProportionsAlongTheGridAndAcross) {
     EXPECT_NEAR(across.shape.height / along.shape.height, 1.0, 0.05);
     EXPECT_NEAR(across.shape.width / along.shape.width, 1.0, 0.05);
     EXPECT_NEAR(across.speed / along.speed, 1.0, 0.05);
-}
-
-TEST(PublishedDunes, SmallBarchansAreFaster) {
-    std::vector<double> heights;
-    std::vector<double> slowness;
-    for (const double sigma : {8.5, 11.0, 14.0, 18.0}) {  // nearly a decade of volume
-        const Barchan dune = barchan(270.0, sigma, 130 + static_cast<int>(4.0 * sigma));
-        heights.push_back(dune.shape.height);
-        slowness.push_back(1.0 / dune.speed);
-    }
-    const LineFit fit = fit_line(heights, slowness);
-    std::printf("    1/c = (%.5f + %.5f h) yr/m, R^2 = %.4f\n", fit.intercept, fit.slope,
-                fit.r_squared);
-    EXPECT_GT(fit.r_squared, 0.95);
-    EXPECT_GT(fit.slope, 0.0);
-    EXPECT_GT(fit.intercept, 0.0);
 }
 
 TEST(PublishedDunes, ALargeConeIsRound) {
