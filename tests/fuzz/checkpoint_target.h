@@ -22,7 +22,7 @@ struct CheckpointKind {
 };
 
 /// Every scheme whose state differs, by the number that is an input's first byte.
-inline constexpr std::array<CheckpointKind, 12> checkpoint_kinds{{
+inline constexpr std::array<CheckpointKind, 14> checkpoint_kinds{{
     {"sand", "[model]\nname = \"sand\"\n[grid]\nnx = 8\nny = 6\n"},
     {"sand-profile", "[model]\nname = \"sand\"\ncreep = \"profile\"\n[grid]\nnx = 9\nny = 4\n"},
     {"sandpile", "[model]\nname = \"sandpile\"\n[grid]\nnx = 8\nny = 6\n"},
@@ -46,6 +46,10 @@ inline constexpr std::array<CheckpointKind, 12> checkpoint_kinds{{
      "[model]\nname = \"airflow\"\nnz = 10\nbed_amplitude = 0.02\nscheme = \"boundary-fitted\"\n"
      "[grid]\nnx = 8\n"},
     {"static", "[model]\nname = \"static\"\n[grid]\nnx = 8\nny = 6\n"},
+    {"dunes", "[model]\nname = \"dunes\"\n[grid]\nnx = 8\nny = 6\n"},
+    {"dunes-slabs",
+     "[model]\nname = \"dunes\"\ntransport = \"slabs\"\nedges_x = \"open\"\n[grid]\nnx = 8\nny = "
+     "6\n"},
 }};
 
 /// A model of the n-th kind, on which a checkpoint's state can be put.

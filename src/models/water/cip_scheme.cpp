@@ -12,8 +12,6 @@
 
 namespace fumon {
 
-using cip::Strip;
-
 CipScheme::CipScheme(const GullyParameters& parameters, const WaterDomain& domain,
                      const Water& start, WorkerPool& pool)
     : as_published_(parameters.scheme == WaterScheme::cip_as_published),
@@ -81,7 +79,7 @@ double CipScheme::advance(Water& water, const Grid& bed, double dt, double rain)
             if (first_y == last_y) continue;
             std::fill(overdrawn_.begin() + first_y, overdrawn_.begin() + last_y, 0);
             std::fill(rates_.begin() + first_y, rates_.begin() + last_y, 0.0);
-            const int blocks = (nx_ + Strip::widest_block - 1) / Strip::widest_block;
+            const int blocks = (nx_ + cip::Strip::widest_block - 1) / cip::Strip::widest_block;
             for (int block = 0; block < blocks; ++block) {
                 const auto start = static_cast<int>(static_cast<long long>(nx_) * block / blocks);
                 const auto stop =
@@ -108,8 +106,9 @@ double CipScheme::advance(Water& water, const Grid& bed, double dt, double rain)
 }
 
 void CipScheme::advance_block(const cip::SubStep& step, const Water& water, const Grid& bed,
-                              double rain, const Block& block, Strip& strip) {
-    for (int top = block.first_y - Strip::margin; top < block.last_y + Strip::margin; ++top) {
+                              double rain, const Block& block, cip::Strip& strip) {
+    for (int top = block.first_y - cip::Strip::margin; top < block.last_y + cip::Strip::margin;
+         ++top) {
         give_up_if_asked();
         load_row(water, bed, block, top, strip);
         if (top < block.first_y) continue;
@@ -121,77 +120,80 @@ void CipScheme::advance_block(const cip::SubStep& step, const Water& water, cons
 }
 
 void CipScheme::load_row(const Water& water, const Grid& bed, const Block& block, int y,
-                         Strip& strip) const {
+                         cip::Strip& strip) const {
     const int row = wrapped(y);
-    const auto load = [&](Strip::Field field, const Grid& grid) {
+    const auto load = [&](cip::Strip::Field field, const Grid& grid) {
         const double* from = grid.row(row).data();
         double* to = strip.row(field, y);
         std::copy_n(from + block.first_x, block.count, to);
-        for (int k = 1; k <= Strip::margin; ++k) {
+        for (int k = 1; k <= cip::Strip::margin; ++k) {
             to[-k] = from[(((block.first_x - k) % nx_) + nx_) % nx_];
             to[block.count - 1 + k] = from[(block.first_x + block.count - 1 + k) % nx_];
         }
     };
-    load(Strip::depth, water.depth);
-    load(Strip::bed, bed);
-    load(Strip::u, water.velocity_x);
-    load(Strip::v, water.velocity_y);
+    load(cip::Strip::depth, water.depth);
+    load(cip::Strip::bed, bed);
+    load(cip::Strip::u, water.velocity_x);
+    load(cip::Strip::v, water.velocity_y);
 }
 
 /// Velocities of row y after advection and forces, a cell further than the block on either side.
-void CipScheme::accelerate(const cip::SubStep& step, const Block& block, int y, Strip& strip) {
+void CipScheme::accelerate(const cip::SubStep& step, const Block& block, int y, cip::Strip& strip) {
     const int count = block.count + 2;
     const auto from = [](const cip::Stencil& rows) {
         return cip::Stencil{rows.south - 1, rows.here - 1, rows.north - 1};
     };
-    const auto stencil = [&](Strip::Field field) { return from(strip.around(field, y)); };
-    const auto row = [&](Strip::Field field) { return strip.row(field, y) - 1; };
+    const auto stencil = [&](cip::Strip::Field field) { return from(strip.around(field, y)); };
+    const auto row = [&](cip::Strip::Field field) { return strip.row(field, y) - 1; };
     const int row_of_grid = wrapped(y);
-    const auto carried = [&](Strip::Field value, const Gradient& gradient) {
+    const auto carried = [&](cip::Strip::Field value, const Gradient& gradient) {
         return cip::CarriedStencil{stencil(value),
                                    from(around(gradient.x, row_of_grid, block.first_x)),
                                    from(around(gradient.y, row_of_grid, block.first_x))};
     };
     cip::advect_velocities(
-        carried(Strip::u, of_u_), carried(Strip::v, of_v_), step, steep_, count,
-        {row(Strip::advected_u), row(Strip::u_gradient_x), row(Strip::u_gradient_y)},
-        {row(Strip::advected_v), row(Strip::v_gradient_x), row(Strip::v_gradient_y)});
-    const cip::Velocity advected{row(Strip::advected_u), row(Strip::advected_v)};
-    const cip::Accelerated after{row(Strip::next_u), row(Strip::next_v), row(Strip::gained_u),
-                                 row(Strip::gained_v)};
-    const cip::Stencil depth = stencil(Strip::depth);
-    const cip::Stencil bed = stencil(Strip::bed);
+        carried(cip::Strip::u, of_u_), carried(cip::Strip::v, of_v_), step, steep_, count,
+        {row(cip::Strip::advected_u), row(cip::Strip::u_gradient_x), row(cip::Strip::u_gradient_y)},
+        {row(cip::Strip::advected_v), row(cip::Strip::v_gradient_x),
+         row(cip::Strip::v_gradient_y)});
+    const cip::Velocity advected{row(cip::Strip::advected_u), row(cip::Strip::advected_v)};
+    const cip::Accelerated after{row(cip::Strip::next_u), row(cip::Strip::next_v),
+                                 row(cip::Strip::gained_u), row(cip::Strip::gained_v)};
+    const cip::Stencil depth = stencil(cip::Strip::depth);
+    const cip::Stencil bed = stencil(cip::Strip::bed);
     if (as_published_) {
-        cip::accelerate_row_as_published(depth, bed, {row(Strip::u), row(Strip::v)}, step, advected,
-                                         count, after);
+        cip::accelerate_row_as_published(depth, bed, {row(cip::Strip::u), row(cip::Strip::v)}, step,
+                                         advected, count, after);
     } else if (steep_) {
         cip::accelerate_row_steep(depth, bed, step, advected, count, after);
     } else {
         cip::accelerate_row(depth, bed, step, advected, count, after);
     }
     if (y < block.first_y || y >= block.last_y) return;
-    std::copy_n(strip.row(Strip::next_u, y), block.count,
+    std::copy_n(strip.row(cip::Strip::next_u, y), block.count,
                 next_.velocity_x.row(y).data() + block.first_x);
-    std::copy_n(strip.row(Strip::next_v, y), block.count,
+    std::copy_n(strip.row(cip::Strip::next_v, y), block.count,
                 next_.velocity_y.row(y).data() + block.first_x);
     if (as_published_) advect_depth(step, block, y, strip);
 }
 
-void CipScheme::turn_gradients(const cip::SubStep& step, const Block& block, int y, Strip& strip) {
-    const auto turned = [&](Strip::Field x, Strip::Field across, Gradient& gradient) {
+void CipScheme::turn_gradients(const cip::SubStep& step, const Block& block, int y,
+                               cip::Strip& strip) {
+    const auto turned = [&](cip::Strip::Field x, cip::Strip::Field across, Gradient& gradient) {
         return cip::TurnedRow{strip.row(x, y), strip.row(across, y),
                               gradient.next_x.row(y) + block.first_x,
                               gradient.next_y.row(y) + block.first_x};
     };
-    const auto changed = [&](Strip::Field before, Strip::Field after, Strip::Field gained) {
+    const auto changed = [&](cip::Strip::Field before, cip::Strip::Field after,
+                             cip::Strip::Field gained) {
         return cip::ChangedStencil{strip.around(before, y), strip.around(after, y),
                                    strip.around(gained, y)};
     };
-    cip::turn_velocity_gradients(changed(Strip::u, Strip::next_u, Strip::gained_u),
-                                 changed(Strip::v, Strip::next_v, Strip::gained_v), step, steep_,
-                                 block.count,
-                                 turned(Strip::u_gradient_x, Strip::u_gradient_y, of_u_),
-                                 turned(Strip::v_gradient_x, Strip::v_gradient_y, of_v_));
+    cip::turn_velocity_gradients(changed(cip::Strip::u, cip::Strip::next_u, cip::Strip::gained_u),
+                                 changed(cip::Strip::v, cip::Strip::next_v, cip::Strip::gained_v),
+                                 step, steep_, block.count,
+                                 turned(cip::Strip::u_gradient_x, cip::Strip::u_gradient_y, of_u_),
+                                 turned(cip::Strip::v_gradient_x, cip::Strip::v_gradient_y, of_v_));
     if (block.first_x + block.count < nx_) return;
     for (Gradient* gradient : {&of_u_, &of_v_}) {
         gradient->next_x.wrap(y);
@@ -201,35 +203,37 @@ void CipScheme::turn_gradients(const cip::SubStep& step, const Block& block, int
 
 /// What passes the faces north of row y, and within the block the row's depth.
 void CipScheme::carry_depth(const cip::SubStep& step, double rain, const Block& block, int y,
-                            Strip& strip) {
-    const auto depth = [&](int row) { return strip.row(Strip::depth, row); };
-    double* north = strip.row(Strip::faces_north, y);
+                            cip::Strip& strip) {
+    const auto depth = [&](int row) { return strip.row(cip::Strip::depth, row); };
+    double* north = strip.row(cip::Strip::faces_north, y);
     cip::through_faces({depth(y - 1), depth(y), depth(y + 1), depth(y + 2),
-                        strip.row(Strip::next_v, y), strip.row(Strip::next_v, y + 1)},
+                        strip.row(cip::Strip::next_v, y), strip.row(cip::Strip::next_v, y + 1)},
                        step.dt / step.dy, block.count, north);
     if (y < block.first_y) return;
-    double* east = strip.row(Strip::faces_east, y);
+    double* east = strip.row(cip::Strip::faces_east, y);
     const double* here = depth(y) - 1;
-    const double* speed = strip.row(Strip::next_u, y) - 1;
+    const double* speed = strip.row(cip::Strip::next_u, y) - 1;
     cip::through_faces({here - 1, here, here + 1, here + 2, speed, speed + 1}, step.dt / step.dx,
                        block.count + 1, east - 1);
     const bool overdrawn =
-        cip::settle_row(depth(y), east, strip.row(Strip::faces_north, y - 1), north, rain * step.dt,
-                        block.count, next_.depth.row(y).data() + block.first_x);
+        cip::settle_row(depth(y), east, strip.row(cip::Strip::faces_north, y - 1), north,
+                        rain * step.dt, block.count, next_.depth.row(y).data() + block.first_x);
     const auto row = static_cast<std::size_t>(y);
     if (overdrawn) overdrawn_[row] = 1;
-    rates_[row] = std::max(
-        rates_[row], cip::fastest(next_.depth.row(y).data() + block.first_x,
-                                  {strip.row(Strip::next_u, y), strip.row(Strip::next_v, y)}, step,
-                                  block.count));
+    rates_[row] =
+        std::max(rates_[row],
+                 cip::fastest(next_.depth.row(y).data() + block.first_x,
+                              {strip.row(cip::Strip::next_u, y), strip.row(cip::Strip::next_v, y)},
+                              step, block.count));
 }
 
 /// The depth waits in next_, its gradients in theirs, for the new velocities of the whole plane.
-void CipScheme::advect_depth(const cip::SubStep& step, const Block& block, int y, Strip& strip) {
+void CipScheme::advect_depth(const cip::SubStep& step, const Block& block, int y,
+                             cip::Strip& strip) {
     cip::advect_row(
-        {strip.around(Strip::depth, y), around(of_depth_.x, y, block.first_x),
+        {strip.around(cip::Strip::depth, y), around(of_depth_.x, y, block.first_x),
          around(of_depth_.y, y, block.first_x)},
-        {strip.row(Strip::u, y), strip.row(Strip::v, y)}, step, block.count,
+        {strip.row(cip::Strip::u, y), strip.row(cip::Strip::v, y)}, step, block.count,
         {next_.depth.row(y).data() + block.first_x, of_depth_.next_x.row(y) + block.first_x,
          of_depth_.next_y.row(y) + block.first_x});
 }

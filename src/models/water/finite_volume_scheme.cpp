@@ -9,7 +9,6 @@
 namespace fumon {
 
 using finite_volume::Side;
-using finite_volume::Strip;
 
 namespace {
 
@@ -120,8 +119,9 @@ void FiniteVolumeScheme::run(const Stage& stage) {
             const int first = static_cast<int>(static_cast<long long>(ny_) * share / shares);
             const int last = static_cast<int>(static_cast<long long>(ny_) * (share + 1) / shares);
             if (first == last) continue;
-            Strip& strip = strips_[static_cast<std::size_t>(share)];
-            const int blocks = (nx_ + Strip::widest_block - 1) / Strip::widest_block;
+            finite_volume::Strip& strip = strips_[static_cast<std::size_t>(share)];
+            const int blocks =
+                (nx_ + finite_volume::Strip::widest_block - 1) / finite_volume::Strip::widest_block;
             for (int block = 0; block < blocks; ++block) {
                 const auto start = static_cast<long long>(nx_) * block / blocks;
                 const auto stop = static_cast<long long>(nx_) * (block + 1) / blocks;
@@ -136,14 +136,14 @@ void FiniteVolumeScheme::run(const Stage& stage) {
     left_ += 0.5 * stage.dt * sum;
 }
 
-void FiniteVolumeScheme::advance_block(const Stage& stage, Strip& strip, int first_row,
-                                       int last_row) {
+void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip& strip,
+                                       int first_row, int last_row) {
     const double dt_dx = stage.dt / domain_.dx;
     const double dt_dy = stage.dt / domain_.dy;
     const finite_volume::UpdateFactors factors{
         stage.dt, dt_dx, dt_dy, gravity_, gravity_ * domain_.slope, friction_, stage.rain};
-    const int lowest = first_row - Strip::margin;
-    for (int top = lowest; top < last_row + Strip::margin; ++top) {
+    const int lowest = first_row - finite_volume::Strip::margin;
+    for (int top = lowest; top < last_row + finite_volume::Strip::margin; ++top) {
         give_up_if_asked();
         load_row(stage, strip, top);
         if (top < lowest + 2) continue;
@@ -169,7 +169,7 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, Strip& strip, int fir
     }
 }
 
-void FiniteVolumeScheme::rate_row(const Water& water, const Strip& strip, int y) {
+void FiniteVolumeScheme::rate_row(const Water& water, const finite_volume::Strip& strip, int y) {
     const int x = strip.first_x();
     double& rate = row_rates_[static_cast<std::size_t>(y)];
     rate = larger_rate(rate, finite_volume::fastest(water.depth.row(y).data() + x,
@@ -178,7 +178,7 @@ void FiniteVolumeScheme::rate_row(const Water& water, const Strip& strip, int y)
                                                     domain_.dx, domain_.dy, strip.count()));
 }
 
-void FiniteVolumeScheme::load_row(const Stage& stage, Strip& strip, int y) const {
+void FiniteVolumeScheme::load_row(const Stage& stage, finite_volume::Strip& strip, int y) const {
     const Source row = source_of(y, ny_, domain_.edges_y);
     double* depth = strip.depth(y);
     double* surface = strip.surface(y);
@@ -202,20 +202,21 @@ void FiniteVolumeScheme::load_row(const Stage& stage, Strip& strip, int y) const
         if (!domain_.nodata.empty() && domain_.nodata(x, row.index) != 0) clear(k);
     };
     const auto load_beyond = [&](int k) {
-        const Source column = source_of(strip.first_x() + k - Strip::margin, nx_, domain_.edges_x);
+        const Source column =
+            source_of(strip.first_x() + k - finite_volume::Strip::margin, nx_, domain_.edges_x);
         if (column.outside) {
             clear(k);
         } else {
             load(k, column.index, column.mirrored ? -1.0 : 1.0);
         }
     };
-    for (int k = 0; k < Strip::margin; ++k) {
+    for (int k = 0; k < finite_volume::Strip::margin; ++k) {
         load_beyond(k);
         load_beyond(strip.padded() - 1 - k);
     }
     const int first = strip.first_x();
     const int count = strip.count();
-    constexpr int m = Strip::margin;
+    constexpr int m = finite_volume::Strip::margin;
     const auto source = [&](const Grid& grid) { return grid.row(row.index).data() + first; };
     finite_volume::load_cells(
         {source(stage.from.depth), source(stage.bed), source(stage.from.velocity_x),
@@ -228,7 +229,7 @@ void FiniteVolumeScheme::load_row(const Stage& stage, Strip& strip, int y) const
     }
 }
 
-void FiniteVolumeScheme::count_left(const Strip& strip, int y) {
+void FiniteVolumeScheme::count_left(const finite_volume::Strip& strip, int y) {
     double sum = 0.0;
     for (const Outlet& outlet : outlets_[static_cast<std::size_t>(y)]) {
         if (outlet.x < strip.first_x() || outlet.x >= strip.first_x() + strip.count()) continue;
