@@ -48,7 +48,8 @@ inline constexpr std::array<CheckpointKind, 14> checkpoint_kinds{{
     {"static", "[model]\nname = \"static\"\n[grid]\nnx = 8\nny = 6\n"},
     {"dunes", "[model]\nname = \"dunes\"\n[grid]\nnx = 8\nny = 6\n"},
     {"dunes-slabs",
-     "[model]\nname = \"dunes\"\ntransport = \"slabs\"\nedges_x = \"open\"\n[grid]\nnx = 8\nny = "
+     "[model]\nname = \"dunes\"\ntransport = \"slabs\"\nspeed_up = \"height\"\nedges_x = "
+     "\"open\"\n[grid]\nnx = 8\nny = "
      "6\n"},
 }};
 
