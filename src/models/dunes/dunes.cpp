@@ -141,11 +141,16 @@ Grid in_metres(const WholeGrid& whole) {
 
 /// Of sand at rest and moving, as a thickness of one cell.
 double total_sand(const DuneBed& bed) {
-    std::int64_t sum = 0;
-    for (std::size_t cell = 0; cell < bed.surface.size(); ++cell)
-        sum += bed.surface.values()[cell] - bed.rock.values()[cell] + bed.moving.values()[cell];
-    return to_metres(sum);
+    double sum = 0.0;
+    for (std::size_t cell = 0; cell < bed.surface.size(); ++cell) {
+        sum += to_metres(bed.surface.values()[cell] - bed.rock.values()[cell] +
+                         bed.moving.values()[cell]);
+    }
+    return sum;
 }
+
+/// What no bed of a checkpoint exceeds.
+constexpr double highest_bed = 1e6;  // m
 
 }  // namespace
 
@@ -253,10 +258,14 @@ void Dunes::carry(StateCarrier& carrier) {
     carrier.values("surface", bed_.surface.values());
     carrier.values("rock", bed_.rock.values());
     carrier.values("moving_sand", bed_.moving.values());
+    const std::int64_t highest = to_units(highest_bed);
     for (std::size_t cell = 0; cell < bed_.surface.size(); ++cell) {
-        if (bed_.surface.values()[cell] < bed_.rock.values()[cell] ||
-            bed_.moving.values()[cell] < 0)
-            carrier.refuse("it has cells with less than no sand");
+        const std::int64_t surface = bed_.surface.values()[cell];
+        const std::int64_t rock = bed_.rock.values()[cell];
+        const std::int64_t moving = bed_.moving.values()[cell];
+        if (surface > highest || rock < -highest || moving > highest)
+            carrier.refuse("it has cells higher or lower than any");
+        if (surface < rock || moving < 0) carrier.refuse("it has cells with less than no sand");
     }
 }
 
