@@ -283,6 +283,17 @@ TEST(ListsOfTables, AreReadAndWrittenBackInOrder) {
     EXPECT_NE(written.find("[[figure.panel.curve]]"), std::string::npos) << written;
 }
 
+TEST(ListsOfTables, OfAModelAreWrittenBackAfterItsKeys) {
+    const Scene scene = parse_scene(
+        "[model]\nname = \"dunes\"\nflux = 9\n[[wind]]\nfrom = 250\n[[wind]]\nfrom = 30\nduration "
+        "= "
+        "2\n[run]\nsteps = 3\n",
+        "scene.toml", "");
+    const std::string written = to_toml(scene);
+    EXPECT_EQ(to_toml(parse_scene(written, "resolved.toml", "")), written);
+    EXPECT_NE(written.find("[[wind]]\nfrom = 30"), std::string::npos) << written;
+}
+
 TEST(ListsOfTables, TakeSettingsAndMoreItems) {
     const Scene scene = parse_scene(least + "[[overlay]]\n", "scene.toml", "",
                                     {"overlay.0.size=0.5", "overlay.1.kind=arrow"});

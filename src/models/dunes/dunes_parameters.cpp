@@ -27,8 +27,6 @@ void list_transport_keys(DunesParameters& dunes, KeyTable& table) {
           "(after Nilles, Guenther & Mueller 2024)"},
          {DuneTransport::slabs, "slabs", "random slabs hop until they come to rest (Werner 1995)"}},
         {.help = "how the wind carries sand"});
-    table.tables("wind", dunes.winds, "a wind; they blow in turn, and then from the first again",
-                 list_wind);
     table.real("model.flux", dunes.flux,
                {.unit = "m^2/yr",
                 .range = {0, 1e6, true},
@@ -138,6 +136,9 @@ void list_keys(DunesParameters& dunes, KeyTable& table) {
     list_transport_keys(dunes, table);
     list_wind_keys(dunes, table);
     list_ground_keys(dunes, table);
+    // After all of [model], which a written scene cannot open twice.
+    table.tables("wind", dunes.winds, "a wind; they blow in turn, and then from the first again",
+                 list_wind);
 }
 
 }  // namespace fumon
