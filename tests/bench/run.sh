@@ -31,10 +31,16 @@ printf '%s, %d processors; vectors: %s; plain loops: g++ -O3 %s\n\n' "${processo
     "$taken" "${flags//;/ }"
 printf '| row | fumon | plain | ratio |\n|---|---|---|---|\n'
 for bench in "${benches[@]}"; do
-    "$build/tests/bench/$bench" --benchmark_filter="$filter" --benchmark_format=csv 2> /dev/null |
-        awk -F, '$1 == "name" { for (i = 1; i <= NF; ++i) { gsub(/"/, "", $i); column[$i] = i }; next }
-                 column["ratio"] && $column["ratio"] != "" {
-                     name = $1; gsub(/"/, "", name); sub(/\/manual_time$/, "", name)
-                     printf "| %s | %.3g | %.3g | %.1f |\n", name, $column["million_cell_steps_per_second"],
-                            $column["plain"], $column["ratio"] }'
+    "$build/tests/bench/$bench" --benchmark_filter="$filter" --benchmark_format=json 2> /dev/null | python3 -c '
+import json, sys
+text = sys.stdin.read()
+for row in json.loads(text[text.index("{"):])["benchmarks"] if "{" in text else []:
+    name = row["name"].removesuffix("/manual_time")
+    rate = row.get("million_cell_steps_per_second", row.get("million_node_steps_per_second"))
+    for key in sorted(row):
+        if key.startswith("ratio_to_"):
+            loop = key.removeprefix("ratio_to_")
+            label = name if loop == "plain" else name + ", " + loop.replace("_", " ")
+            print("| %s | %.3g | %.3g | %.1f |" % (label, rate, row[loop], row[key]))
+'
 done
