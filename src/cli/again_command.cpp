@@ -119,7 +119,7 @@ int figure_again(const AgainOptions& options, const FigureOrigin& origin) {
         [&](const InputFile& input) {
             return inputs.emplace_back(find_input(input, options.picture, "figure"));
         },
-        options.trust);
+        options.trust, origin.defaults);
     std::vector<std::string> settings = origin.settings;
     settings.insert(settings.end(), options.work.settings.begin(), options.work.settings.end());
     FigureRuns runs;
@@ -269,9 +269,9 @@ int perform(const AgainOptions& options) {
     WorkOptions work = options.work;
     work.pinned = work.pinned || (origin.environment && origin.environment->pinned);
     prepare_drawing(work);
-    Scene scene =
-        parse_scene({origin.scene, options.picture, "", options.trust, hashes_of(origin.inputs)},
-                    read_settings(options.work.settings));
+    Scene scene = parse_scene({origin.scene, options.picture, "", options.trust,
+                               hashes_of(origin.inputs), origin.version},
+                              read_settings(options.work.settings));
     check_limits(scene, 1, origin.step);
     find_bed(scene, origin, options.picture);
     return origin.is_movie ? movie_again(std::move(scene), options, origin)

@@ -27,12 +27,19 @@ struct Range {
     [[nodiscard]] std::string text() const;
 };
 
+/// The default that a key had in earlier versions of fumon, or what its absence meant there.
+struct EarlierDefault {
+    std::string_view until{};  ///< the first version with today's default, "1.2.3"; empty for none
+    std::string_view value{};  ///< as TOML
+};
+
 /// The unit, range and help of a key.
 struct KeyNotes {
     std::string unit{};  ///< "sites", "m", "degrees"; empty for none
     Range range{};
     std::string help{};     ///< one line
     bool required = false;  ///< has no default: a scene must say
+    EarlierDefault earlier{};
 };
 
 /// A word that a key takes.

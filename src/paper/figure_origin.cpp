@@ -29,6 +29,7 @@ FigureMetadata figure_metadata(const FigurePlan& plan, const FigureSources& sour
     Json origin;
     origin["scene"] = plan.file;
     origin["set"] = plan.settings;
+    if (!sources.version().empty()) origin["defaults"] = sources.version();
     origin["texts"] = Json::array();
     for (const SourceText& text : sources.all())
         origin["texts"].push_back({{"path", text.path}, {"text", text.text}});
@@ -51,6 +52,7 @@ bool is_figure(const FigureMetadata& metadata) {
 
 FigureOrigin read_figure_origin(const FigureMetadata& metadata, const std::string& figure) {
     FigureOrigin origin;
+    if (const std::string* version = text_of(metadata, version_keyword)) origin.version = *version;
     try {
         const Json json = parse_json(*text_of(metadata, figure_keyword));
         origin.scene = json.at("scene");
@@ -59,11 +61,12 @@ FigureOrigin read_figure_origin(const FigureMetadata& metadata, const std::strin
             origin.texts.push_back({text.at("path"), text.at("text")});
         for (const Json& input : json.at("inputs"))
             origin.inputs.push_back({input.at("path"), input.at("sha256")});
+        origin.defaults = json.value("defaults", origin.version);
     } catch (const nlohmann::json::exception&) {
         throw InputError(fmt::format("{}: its {} text is damaged; take an untouched copy", figure,
                                      figure_keyword));
     }
-    if (const std::string* version = text_of(metadata, version_keyword)) origin.version = *version;
+    if (origin.defaults == FUMON_VERSION) origin.defaults.clear();
     return origin;
 }
 

@@ -15,6 +15,7 @@ struct FigureOrigin {
     std::vector<SourceText> texts;      ///< of all scenes and tables that it reads
     std::vector<InputFile> inputs;      ///< terrain files
     std::string version;                ///< of the fumon that made it
+    std::string defaults;  ///< of the fumon whose defaults its scenes have; empty for this one's
 };
 
 /// The texts to write into a figure: Title, Software and fumon's own (fumon:version, fumon:scene,

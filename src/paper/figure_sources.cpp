@@ -22,8 +22,12 @@ std::string name_of(const fs::path& file) {
 }  // namespace
 
 FigureSources::FigureSources(std::vector<SourceText> texts, std::vector<InputFile> inputs,
-                             FindInput find, bool trusted)
-    : again_(true), trusted_(trusted), inputs_(std::move(inputs)), find_(std::move(find)) {
+                             FindInput find, bool trusted, std::string version)
+    : again_(true),
+      trusted_(trusted),
+      version_(std::move(version)),
+      inputs_(std::move(inputs)),
+      find_(std::move(find)) {
     for (SourceText& text : texts) {
         const std::string name = text.path;
         texts_[name] = std::move(text);
@@ -43,8 +47,12 @@ const SourceText& FigureSources::text(const fs::path& file) {
 
 SceneText FigureSources::scene(const fs::path& file) {
     const SourceText& source = text(file);
-    return {source.text, source.path, fs::path(source.path).parent_path(), trusted_,
-            again_ ? hashes_of(inputs_) : nullptr};
+    return {source.text,
+            source.path,
+            fs::path(source.path).parent_path(),
+            trusted_,
+            again_ ? hashes_of(inputs_) : nullptr,
+            version_};
 }
 
 std::vector<SourceText> FigureSources::all() const {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/initial_bed.h"
@@ -24,16 +25,18 @@ class FigureSources {
     /// Finds where an input lies now; throws InputError where it is not there or has changed.
     using FindInput = std::function<std::filesystem::path(const InputFile&)>;
 
-    /// `trusted`: of all scenes, see Scene::trusted.
-    explicit FigureSources(bool trusted = true) : trusted_(trusted) {}
+    /// `trusted`: of all scenes, see Scene::trusted; `version`: likewise, see SceneText::version.
+    explicit FigureSources(bool trusted = true, std::string version = {})
+        : trusted_(trusted), version_(std::move(version)) {}
     /// Of a figure that is made again.
     FigureSources(std::vector<SourceText> texts, std::vector<InputFile> inputs, FindInput find,
-                  bool trusted);
+                  bool trusted, std::string version);
 
     /// The text of a scene or CSV file. Throws InputError where it cannot be read, or is not among
     /// the texts of the figure.
     const SourceText& text(const std::filesystem::path& file);
     SceneText scene(const std::filesystem::path& file);
+    [[nodiscard]] const std::string& version() const { return version_; }
     /// Every text read so far, by path.
     [[nodiscard]] std::vector<SourceText> all() const;
 
@@ -45,6 +48,7 @@ class FigureSources {
   private:
     bool again_ = false;
     bool trusted_ = true;
+    std::string version_;  ///< whose defaults the scenes have
     std::map<std::string, SourceText> texts_;
     std::vector<InputFile> inputs_;
     FindInput find_;

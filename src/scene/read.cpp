@@ -21,6 +21,7 @@
 #include "keys/toml_text.h"
 #include "models/registry.h"
 #include "scene/check.h"
+#include "scene/earlier_defaults.h"
 #include "scene/faults.h"
 #include "scene/scene_keys.h"
 #include "scene/trust.h"
@@ -63,9 +64,10 @@ Setting parse_setting(const Override& given) {
 
 class Reader {
   public:
-    Reader(Scene& scene, std::vector<Setting> settings, Faults& faults)
+    Reader(Scene& scene, std::vector<Setting> settings, std::string version, Faults& faults)
         : scene_(scene),
           settings_(std::move(settings)),
+          version_(std::move(version)),
           table_(scene_keys(scene)),
           faults_(faults) {}
 
@@ -73,6 +75,7 @@ class Reader {
         has_model_ = attempt("model.name", [&] { choose_model(root); });
         if (!has_model_) take_keys_of(terrain_model().name);
         if (faults_.attempt([&] { size_lists(root); })) {
+            take_earlier_defaults(table_, version_);
             read_section(root, "");
             for (const Setting& setting : settings_) {
                 if (is_known_fault(setting.given.path)) continue;
@@ -338,6 +341,7 @@ class Reader {
 
     Scene& scene_;
     std::vector<Setting> settings_;
+    std::string version_;  ///< whose defaults hold
     KeyTable table_;
     Faults& faults_;
     std::set<std::string> faulty_;  ///< sections with a fault
@@ -359,7 +363,7 @@ Scene parse_scene(const SceneText& scene_text, const std::vector<Override>& over
         faults.attempt([&] { settings.push_back(parse_setting(override)); });
     const toml::table root = parse_toml(scene_text.text, scene.source,
                                         "a scene is TOML: [section] lines and key = value lines");
-    Reader(scene, std::move(settings), faults).read(root);
+    Reader(scene, std::move(settings), scene_text.version, faults).read(root);
     return scene;
 }
 

@@ -32,6 +32,8 @@ struct SceneText {
     std::filesystem::path directory;  ///< where its relative files are looked for
     bool trusted = true;              ///< see Scene::trusted
     std::shared_ptr<const std::vector<std::string>> bed_hashes{};  ///< see Scene::bed_hashes
+    std::string version{};  ///< of the fumon whose defaults hold where the text says nothing; empty
+                            ///< for this one's
 };
 
 /// Throws InputError when the file cannot be read.

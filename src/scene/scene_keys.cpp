@@ -205,7 +205,7 @@ void list_view_keys(View& view, KeyTable& table) {
         {{Ground::table, "table", "the bed is a block on a pale table"},
          {Ground::endless, "endless",
           "a periodic bed of sand goes on to the horizon, with wind ripples below its grid"}},
-        {.help = "what lies around the bed"});
+        {.help = "what lies around the bed", .earlier = {"0.2.0", "\"table\""}});
     table.choice(
         "look.sky", look.sky,
         {{SkyModel::automatic, "auto", "atmosphere over endless ground, else two-colours"},

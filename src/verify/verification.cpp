@@ -23,6 +23,10 @@ namespace fumon {
 
 namespace {
 
+CaseDefaults defaults_of(const VerificationOptions& options) {
+    return options.update ? CaseDefaults::of_today : CaseDefaults::as_recorded;
+}
+
 namespace fs = std::filesystem;
 
 /// A baseline and what its part of the output folder is called.
@@ -41,7 +45,7 @@ std::vector<Suite> read_suites(const VerificationOptions& options) {
         for (int n = 2; !names.insert(suite.name).second; ++n)
             suite.name = fmt::format("{}-{}", fs::path(file).stem().string(), n);
         for (const BaselineCase& one : suite.baseline.cases)
-            scene_of(suite.baseline, one, options.trust);
+            scene_of(suite.baseline, one, options.trust, defaults_of(options));
         if (!suite.baseline.orphans.empty() && !options.update) {
             throw InputError(
                 fmt::format("{}: recorded.{} belongs to no case; bring its case back, or let "
@@ -73,7 +77,7 @@ OutputClaims claim_outputs(const VerificationOptions& options, const std::vector
     for (const Suite& suite : suites) {
         claims.reads(suite.baseline.file);
         for (const BaselineCase& one : suite.baseline.cases) {
-            const Scene scene = scene_of(suite.baseline, one, options.trust);
+            const Scene scene = scene_of(suite.baseline, one, options.trust, defaults_of(options));
             for (OutputClaims* both : {&claims, &updates}) {
                 both->reads(scene.source);
                 both->reads(scene_files(scene));
@@ -153,7 +157,8 @@ class Verification {
   private:
     Verdict look_at(Suite& suite, const BaselineCase& one) {
         try {
-            const DrawnCase drawn = draw_case(suite.baseline, one, options_.trust, work_);
+            const DrawnCase drawn =
+                draw_case(suite.baseline, one, options_.trust, defaults_of(options_), work_);
             signal_ = drawn.signal;
             if (signal_ != 0) return {};
             return options_.update ? accept(suite, one, drawn) : check(suite, one, drawn);

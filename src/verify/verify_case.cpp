@@ -29,12 +29,18 @@ std::string state_of(const std::vector<RunRecord>& records) {
     return hex(all.finish());
 }
 
+/// As SceneText::version.
+std::string version_of(const Baseline& baseline, const BaselineCase& one, CaseDefaults defaults) {
+    const auto found = baseline.records.find(one.name);
+    if (defaults == CaseDefaults::of_today || found == baseline.records.end()) return {};
+    return found->second.fumon;
+}
+
 /// Makes the figure of a case's scene from runs of its own and draws it as pixels. Its state is
 /// that of its runs. Throws InputError where the figure is wrong, Error where a run or a drawing
 /// library fails.
-DrawnCase draw_figure_case(const Baseline& baseline, const BaselineCase& one, bool trusted,
-                           const WorkOptions& work) {
-    FigureSources sources(trusted);
+DrawnCase draw_figure_case(const Baseline& baseline, const BaselineCase& one,
+                           FigureSources& sources, const WorkOptions& work) {
     FigureRuns runs;
     DrawnCase drawn;
     const std::filesystem::path scene = baseline.file.parent_path() / one.scene;
@@ -96,24 +102,28 @@ std::int64_t step_of(const BaselineCase& one, const Scene& scene) {
 
 }  // namespace
 
-Scene scene_of(const Baseline& baseline, const BaselineCase& one, bool trusted) {
+Scene scene_of(const Baseline& baseline, const BaselineCase& one, bool trusted,
+               CaseDefaults defaults) {
     return located(one, trusted, [&] {
         std::vector<Override> overrides = read_settings(one.settings);
         for (std::size_t i = 0; i < overrides.size(); ++i)
             overrides[i].place = fmt::format("settings.{}", i + 1);
         SceneText text = read_scene_text(baseline.file.parent_path() / one.scene);
         text.trusted = trusted;
+        text.version = version_of(baseline, one, defaults);
         return parse_scene(text, overrides);
     });
 }
 
 DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, bool trusted,
-                    const WorkOptions& work) {
+                    CaseDefaults defaults, const WorkOptions& work) {
     if (one.figure) {
-        return located(one, trusted,
-                       [&] { return draw_figure_case(baseline, one, trusted, work); });
+        return located(one, trusted, [&] {
+            FigureSources sources(trusted, version_of(baseline, one, defaults));
+            return draw_figure_case(baseline, one, sources, work);
+        });
     }
-    Scene scene = scene_of(baseline, one, trusted);
+    Scene scene = scene_of(baseline, one, trusted, defaults);
     return located(one, trusted, [&] {
         PreparedRun prepared = prepare_run(std::move(scene), work.threads);
         Progress progress(work.verbosity, static_cast<std::int64_t>(prepared.initial.bed.size()));

@@ -1,0 +1,66 @@
+#include "scene/earlier_defaults.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/read.h"
+#include "scene/scene_keys.h"
+
+namespace fumon {
+namespace {
+
+TEST(EarlierDefaultsTest, VersionsCompareByTheirNumbers) {
+    EXPECT_TRUE(is_earlier_version("0.1.0", "0.2.0"));
+    EXPECT_TRUE(is_earlier_version("0.9.0", "0.10.0"));
+    EXPECT_TRUE(is_earlier_version("1.2.3", "1.2.4"));
+    EXPECT_FALSE(is_earlier_version("0.2.0", "0.2.0"));
+    EXPECT_FALSE(is_earlier_version("1.0.0", "0.2.0"));
+    for (const char* none : {"", "0.1", "0.x.1", "new"}) {
+        EXPECT_FALSE(is_earlier_version(none, "0.2.0")) << none;
+        EXPECT_FALSE(is_earlier_version("0.1.0", none)) << none;
+    }
+}
+
+/// A table of one key that was 3 before 0.2.0 and is 5 since.
+class OneKey {
+  public:
+    OneKey() {
+        table_.integer("look.layers", layers_, {.earlier = {"0.2.0", "3"}});
+        table_.text("look.name", name_, {});
+    }
+    std::int64_t layers_of(std::string_view version) {
+        layers_ = 5;
+        take_earlier_defaults(table_, version);
+        EXPECT_EQ(name_, "sand");
+        return layers_;
+    }
+
+  private:
+    std::int64_t layers_ = 5;
+    std::string name_ = "sand";
+    KeyTable table_;
+};
+
+TEST(EarlierDefaultsTest, AKeyHasTheDefaultOfItsSceneVersion) {
+    OneKey key;
+    EXPECT_EQ(key.layers_of("0.1.0"), 3);
+    EXPECT_EQ(key.layers_of("0.2.0"), 5);
+    EXPECT_EQ(key.layers_of(""), 5);
+}
+
+TEST(EarlierDefaultsTest, AllOfThemCanBeRead) {
+    Scene scene = default_scene("sand");
+    EXPECT_NO_THROW(take_earlier_defaults(scene_keys(scene), "0.0.0"));
+}
+
+TEST(EarlierDefaultsTest, WhatASceneSaysIsKept) {
+    const std::string text = "[model]\nname = \"sand\"\n[run]\nsteps = 1\n";
+    const auto ground_of = [](const std::string& said) {
+        return parse_scene(SceneText{said, "old.toml", "", true, nullptr, "0.1.0"}, {})
+            .view.look.ground;
+    };
+    EXPECT_EQ(ground_of(text), Ground::table);
+    EXPECT_EQ(ground_of(text + "[look]\nground = \"endless\"\n"), Ground::endless);
+}
+
+}  // namespace
+}  // namespace fumon
