@@ -1,6 +1,11 @@
 #include "scene/write.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
 
 #include "keys/key_value.h"
 #include "scene/scene_keys.h"
@@ -20,19 +25,21 @@ std::string header(const std::string& owner) {
 
 std::string to_toml(const Scene& scene) {
     Scene copy = scene;  // the table binds to writable values
-    const KeyTable table = scene_keys(copy);
-    std::string text;
-    std::string section;
+    return to_toml(scene_keys(copy));
+}
+
+std::string to_toml(const KeyTable& table) {
+    std::vector<std::string> sections;
+    std::unordered_map<std::string, std::size_t> places;
     for (const Key& key : table.keys()) {
         const std::size_t dot = key.path.rfind('.');
         const std::string owner = dot == std::string::npos ? "" : key.path.substr(0, dot);
-        if (owner != section) {
-            text += header(owner);
-            section = owner;
-        }
-        text += fmt::format("{} = {}\n", key.path.substr(dot + 1), value_text(key));
+        const auto [place, fresh] = places.emplace(owner, sections.size());
+        if (fresh) sections.push_back(owner.empty() ? "" : header(owner));
+        sections[place->second] +=
+            fmt::format("{} = {}\n", key.path.substr(dot + 1), value_text(key));
     }
-    return text;
+    return fmt::format("{}", fmt::join(sections, ""));
 }
 
 }  // namespace fumon

@@ -294,6 +294,22 @@ TEST(ListsOfTables, OfAModelAreWrittenBackAfterItsKeys) {
     EXPECT_NE(written.find("[[wind]]\nfrom = 30"), std::string::npos) << written;
 }
 
+void list_from(std::int64_t& wind, const std::string& path, KeyTable& table) {
+    table.integer(path + ".from", wind, {});
+}
+
+TEST(ListsOfTables, MayStandBetweenTheKeysOfTheirSection) {
+    std::vector<std::int64_t> winds = {1, 2};
+    std::int64_t before = 3;
+    std::int64_t after = 4;
+    KeyTable table;
+    table.integer("model.before", before, {});
+    table.tables("wind", winds, "", list_from);
+    table.integer("model.after", after, {});
+    EXPECT_EQ(to_toml(table),
+              "\n[model]\nbefore = 3\nafter = 4\n\n[[wind]]\nfrom = 1\n\n[[wind]]\nfrom = 2\n");
+}
+
 TEST(ListsOfTables, TakeSettingsAndMoreItems) {
     const Scene scene = parse_scene(least + "[[overlay]]\n", "scene.toml", "",
                                     {"overlay.0.size=0.5", "overlay.1.kind=arrow"});
