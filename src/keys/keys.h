@@ -27,7 +27,7 @@ struct Range {
     [[nodiscard]] std::string text() const;
 };
 
-/// The default that a key had in earlier versions of fumon, or what its absence meant there.
+/// What a key's absence meant in earlier versions of fumon, and the word "auto" where it takes it.
 struct EarlierDefault {
     std::string_view until{};  ///< the first version with today's default, "1.2.3"; empty for none
     std::string_view value{};  ///< as TOML

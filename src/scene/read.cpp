@@ -246,6 +246,9 @@ class Reader {
             throw InputError(fmt::format("{}: {} is no section; it takes {}", place, key.path,
                                          what_it_takes(key)));
         }
+        if (is_earlier_version(version_, key.notes.earlier.until) &&
+            value.value<std::string_view>() == "auto")
+            return;  // it has that value
         assign(key, value, [this](const auto& region) { return locate(region); });
     }
 

@@ -198,8 +198,13 @@ void list_view_keys(View& view, KeyTable& table) {
     table.word_or_real("look.high", look.high, {{"auto", "from the frame"}},
                        {.help = "value at the palette's end"});
     table.word_or_real("look.exaggeration", look.exaggeration,
-                       {{"auto", "a round number that shows the relief; 1 without metres"}},
-                       {.range = {0, 1e4, true}, .help = "vertical exaggeration"});
+                       {{"auto",
+                         "a round number that shows the relief and keeps 99 % of real terrain "
+                         "below 45°; 1 without metres"},
+                        {"relief", "a round number that shows the relief; 1 without metres"}},
+                       {.range = {0, 1e4, true},
+                        .help = "vertical exaggeration",
+                        .earlier = {"0.2.0", "\"relief\""}});
     table.choice(
         "look.ground", look.ground,
         {{Ground::table, "table", "the bed is a block on a pale table"},

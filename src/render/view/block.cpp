@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "render/view/water.h"
@@ -24,6 +26,8 @@ constexpr double lowest_sand = -0.5;      // model heights; the sand models dip 
 
 constexpr double least_mountain = 150.0;  // metres of relief: higher than dunes usually are
 constexpr double full_mountain = 450.0;
+
+constexpr double steepest_shown = 1.0;  // the tangent of 45°
 
 /// As the sheet of air over a strip is framed: no higher than this share of the longer side.
 constexpr double highest_air = 0.35;
@@ -71,6 +75,38 @@ bool is_terrain(const HeightStatistics& heights) {
     return heights.smoothness >= terrain_smoothness;
 }
 
+/// The tangent of the slope that 99 % of the cells stay below, by central differences where both
+/// neighbours are there.
+double steep_slope(const Snapshot& snapshot) {
+    const Grid& bed = snapshot.bed;
+    const auto inside = [&](int x, int y) {
+        return x >= 0 && x < bed.nx() && y >= 0 && y < bed.ny() &&
+               (snapshot.nodata.empty() || snapshot.nodata(x, y) == 0);
+    };
+    const auto rise = [&](int x, int y, int east, int north, double distance) {
+        const bool before = inside(x - east, y - north);
+        const bool after = inside(x + east, y + north);
+        if (!before && !after) return 0.0;
+        const double low = before ? bed(x - east, y - north) : bed(x, y);
+        const double high = after ? bed(x + east, y + north) : bed(x, y);
+        const double distances = before && after ? 2.0 * distance : distance;
+        return (high - low) * snapshot.scale.height_unit / distances;
+    };
+    std::vector<double> squares;
+    for (int y = 0; y < bed.ny(); ++y) {
+        for (int x = 0; x < bed.nx(); ++x) {
+            if (!inside(x, y)) continue;
+            const double eastward = rise(x, y, 1, 0, snapshot.scale.dx);
+            const double northward = rise(x, y, 0, 1, snapshot.scale.dy);
+            squares.push_back(eastward * eastward + northward * northward);
+        }
+    }
+    if (squares.empty()) return 0.0;
+    const auto place = static_cast<std::ptrdiff_t>(squares.size() * 99 / 100);
+    std::nth_element(squares.begin(), squares.begin() + place, squares.end());
+    return std::sqrt(squares[static_cast<std::size_t>(place)]);
+}
+
 }  // namespace
 
 HeightStatistics height_statistics(const Grid& bed, const Mask& nodata) {
@@ -105,7 +141,7 @@ HeightStatistics height_statistics(const Grid& bed, const Mask& nodata) {
     return result;
 }
 
-double automatic_exaggeration(const Snapshot& first) {
+double relief_exaggeration(const Snapshot& first) {
     if (!first.scale.in_metres) return 1.0;
     const HeightStatistics heights = height_statistics(first.bed, first.nodata);
     const double carved = carved_relief(first);
@@ -119,6 +155,19 @@ double automatic_exaggeration(const Snapshot& first) {
         if (air_height(first) > 0.0 && air * step > highest_air * longer_side(first)) break;
         chosen = step;
         if (relief * step >= wanted * longer_side(first)) break;
+    }
+    return chosen;
+}
+
+double automatic_exaggeration(const Snapshot& first) {
+    const double shown = relief_exaggeration(first);
+    if (shown == steps.front() || first.section ||
+        !is_terrain(height_statistics(first.bed, first.nodata)))
+        return shown;
+    const double slope = steep_slope(first);
+    double chosen = steps.front();
+    for (const double step : steps) {
+        if (step <= shown && step * slope <= steepest_shown) chosen = step;
     }
     return chosen;
 }

@@ -43,13 +43,18 @@ struct HeightStatistics {
 
 HeightStatistics height_statistics(const Grid& bed, const Mask& nodata);
 
-/// The automatic vertical exaggeration, from the first snapshot alone. Real terrain (heights in
-/// metres, neighbouring cells alike: correlation ≥ 0.5) gets the smallest of 1, 1.5, 2, 3, 5, 10,
-/// 15, 20, 30, 50, 100 that makes its relief at least 12 % of the longer side; a noise or flat bed,
-/// whose landforms are still to grow, and a bed without metres get 1. Under water the relief counts
-/// as at least ten depths (their 99th percentile), which the water may carve, and a noise or flat
-/// bed too gets the number that makes it 4 % of the longer side. Under a section
-/// it is a smaller one of these numbers, if need be, that keeps the air below 35 % of that side.
+/// The vertical exaggeration that shows the relief, from the first snapshot alone. Real terrain
+/// (heights in metres, neighbouring cells alike: correlation ≥ 0.5) gets the smallest of 1, 1.5, 2,
+/// 3, 5, 10, 15, 20, 30, 50, 100 that makes its relief at least 12 % of the longer side; a noise or
+/// flat bed, whose landforms are still to grow, and a bed without metres get 1. Under water the
+/// relief counts as at least ten depths (their 99th percentile), which the water may carve, and a
+/// noise or flat bed too gets the number that makes it 4 % of the longer side. Under a section it
+/// is a smaller one of these numbers, if need be, that keeps the air below 35 % of that side.
+double relief_exaggeration(const Snapshot& first);
+
+/// The same, but of real terrain (without a section) at most the largest of these numbers that
+/// leaves 99 % of its cells below 45°, so that slip faces and cliffs do not become spires; 1 where
+/// they are steeper as they are.
 double automatic_exaggeration(const Snapshot& first);
 
 /// Frames the first snapshot. `room` says how many model heights stay free above it. "auto": up to

@@ -40,8 +40,10 @@ std::optional<glm::dvec3> place_in_block(const std::vector<double>& place, const
 }  // namespace
 
 Block framed_block(const View& view, const Snapshot& first) {
-    const double exaggeration = view.look.exaggeration.is_word() ? automatic_exaggeration(first)
-                                                                 : view.look.exaggeration.value;
+    const WordOrReal& wanted = view.look.exaggeration;
+    const double exaggeration = !wanted.is_word()         ? wanted.value
+                                : wanted.word == "relief" ? relief_exaggeration(first)
+                                                          : automatic_exaggeration(first);
     Block block = frame_block(first, exaggeration, view.look.room);
     block.eye = place_in_block(view.camera.at, first, block);
     block.look_at = place_in_block(view.camera.look_at, first, block);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "support/view_beds.h"
@@ -33,6 +34,32 @@ TEST(Exaggeration, RaisesFlatRealTerrainToAReadableRelief) {
     EXPECT_EQ(automatic_exaggeration(terrain(500.0, 100.0)), 3.0);
     EXPECT_EQ(automatic_exaggeration(terrain(1.0, 1.0)), 15.0);  // a gully 1 m deep in 100 m
     EXPECT_EQ(automatic_exaggeration(terrain(1e-6, 1.0)), 100.0);
+}
+
+/// Ridges of metres across x: a long stoss, and a slip face of two cells whose tangent is given.
+Snapshot ridges(double slip_face) {
+    Snapshot snapshot;
+    snapshot.bed = Grid(480, 20);
+    for (int y = 0; y < 20; ++y) {
+        for (int x = 0; x < 480; ++x) {
+            const int on = x % 40;
+            const int below_brink = std::max(on - 38, 0);
+            const double stoss = std::min(on, 38) / 38.0;
+            snapshot.bed(x, y) = slip_face * (2.0 * stoss - below_brink);
+        }
+    }
+    snapshot.scale = {1.0, 1.0, 1.0, true};
+    return snapshot;
+}
+
+TEST(Exaggeration, KeepsSlipFacesFromBecomingSpires) {
+    EXPECT_EQ(relief_exaggeration(ridges(0.65)), 50.0);
+    EXPECT_EQ(automatic_exaggeration(ridges(0.65)), 1.5);
+    EXPECT_EQ(automatic_exaggeration(ridges(0.3)), 3.0);
+    EXPECT_EQ(automatic_exaggeration(ridges(3.0)), 1.0) << "steeper than 45° as it is";
+    Snapshot few = terrain(1.0, 1.0);
+    few.bed(50, 25) += 5.0;  // a rock
+    EXPECT_EQ(automatic_exaggeration(few), relief_exaggeration(few));
 }
 
 TEST(Exaggeration, LeavesModelBedsAlone) {
