@@ -56,6 +56,7 @@ Canvas::Parts::Parts(std::optional<PageFormat> format_, double width_, double he
     layout.reset(pango_cairo_create_layout(drawing.get()));
     PangoContext* context = pango_layout_get_context(layout.get());
     pango_cairo_context_set_font_options(context, options.get());
+    pango_context_set_round_glyph_positions(context, FALSE);  // which spaces letters unevenly
     pango_layout_set_alignment(layout.get(), PANGO_ALIGN_CENTER);
     pango_context_set_language(context, pango_language_from_string("ja"));
     if (format == PageFormat::png)

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 
+#include "figure/plot/axes.h"
 #include "figure/plot/ticks.h"
 
 namespace fumon {
@@ -22,11 +24,12 @@ constexpr double bar_width = 0.9;
 constexpr double from_frame = 0.8;
 constexpr double to_bar_below = 0.5;
 
-/// A bar's ticks, the room that their texts take, and how large its label is written.
+/// A bar's ticks, the room that their texts take, and how its label is written.
 struct BarLayout {
     Ticks ticks;
     double widest = 0.0;
     double highest = 0.0;
+    std::string label;  ///< in one line or two
     double label_size = bar_label_text;
     double label_height = 0.0;
 };
@@ -49,8 +52,10 @@ BarLayout lay_out_bar(const Canvas& canvas, double length, const ColourScale& sc
         if (upright || most <= 2 || count * (layout.widest + 0.6 * font) <= length) break;
     }
     if (scale.label.empty()) return layout;
-    const auto [width, height] = canvas.text_size(scale.label, bar_label_text);
-    const double shrink = std::min(1.0, (length + 2.0 * beyond_ends * font) / width);
+    const double longest = length + 2.0 * beyond_ends * font;
+    layout.label = in_two_lines(canvas, scale.label, longest, bar_label_text);
+    const auto [width, height] = canvas.text_size(layout.label, bar_label_text);
+    const double shrink = std::min(1.0, longest / width);
     layout.label_size = bar_label_text * shrink;
     layout.label_height = height * shrink + to_label * font;
     return layout;
@@ -135,10 +140,10 @@ void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& sc
     const double away =
         (to_tick_text + to_label) * font + (upright ? layout.widest : layout.highest);
     if (upright) {
-        canvas.write(scale.label, {right + away, bar.y + 0.5 * bar.height}, {0.0, 0.5}, ink,
+        canvas.write(layout.label, {right + away, bar.y + 0.5 * bar.height}, {0.0, 0.5}, ink,
                      layout.label_size, true);
     } else {
-        canvas.write(scale.label, {bar.x + 0.5 * bar.width, bottom + away}, {0.5, 0.0}, ink,
+        canvas.write(layout.label, {bar.x + 0.5 * bar.width, bottom + away}, {0.5, 0.0}, ink,
                      layout.label_size);
     }
 }

@@ -24,7 +24,49 @@ constexpr double longest_bar_of_frame = 0.35;  // of the frame's width
 constexpr double usual_speeds = 0.95;          // share of cells
 constexpr double arrows_apart = 1.7;           // font sizes
 
+/// The variance of the values that a box on the map covers.
+double spread_under(const Grid& values, const CanvasBox& frame, const CanvasBox& box) {
+    const auto cell = [](double share, int count) {
+        return std::clamp(static_cast<int>(std::floor(share * count)), 0, count - 1);
+    };
+    const int west = cell((box.x - frame.x) / frame.width, values.nx());
+    const int east = cell((box.right() - frame.x) / frame.width, values.nx());
+    const int north = cell((frame.bottom() - box.y) / frame.height, values.ny());
+    const int south = cell((frame.bottom() - box.bottom()) / frame.height, values.ny());
+    double sum = 0.0;
+    double squares = 0.0;
+    double count = 0.0;
+    for (int y = south; y <= north; ++y) {
+        for (int x = west; x <= east; ++x) {
+            const double value = values(x, y);
+            if (!std::isfinite(value)) continue;
+            sum += value;
+            squares += value * value;
+            count += 1.0;
+        }
+    }
+    return count > 0.0 ? std::max(squares / count - (sum / count) * (sum / count), 0.0) : 0.0;
+}
+
 }  // namespace
+
+Corner arrow_corner(const Grid& values, const CanvasBox& frame, const FurnitureSize& size,
+                    double margin, const std::vector<Corner>& taken) {
+    constexpr double much_less = 0.25;  // of the variance: half of the spread
+    const auto spread = [&](Corner corner) {
+        return spread_under(values, frame, corner_box(frame, corner, size, margin));
+    };
+    Corner best = Corner::upper_right;
+    double least = much_less * spread(best);
+    for (const Corner corner : {Corner::upper_left, Corner::lower_right, Corner::lower_left}) {
+        if (std::find(taken.begin(), taken.end(), corner) != taken.end()) continue;
+        const double here = spread(corner);
+        if (here >= least) continue;
+        least = here;
+        best = corner;
+    }
+    return best;
+}
 
 std::optional<MapFlow> water_flow_of(const Snapshot& snapshot) {
     if (!has_water(snapshot)) return std::nullopt;
@@ -114,8 +156,12 @@ void MapPanel::draw_furniture(Canvas& canvas, const CanvasBox& frame) const {
     }
     if (settings_.arrow) {
         const FurnitureSize size = ground_arrow_size(canvas, *settings_.arrow, map_axes());
-        draw_ground_arrow(canvas, *settings_.arrow, map_axes(),
-                          plate(settings_.arrow_corner, size));
+        std::vector<Corner> taken;
+        if (settings_.scale_bar) taken.push_back(settings_.scale_bar_corner);
+        if (!settings_.label.empty()) taken.push_back(settings_.label_corner);
+        if (settings_.compass) taken.push_back(settings_.compass_corner);
+        const Corner corner = arrow_corner(picture_.values, frame, size, margin, taken);
+        draw_ground_arrow(canvas, *settings_.arrow, map_axes(), plate(corner, size));
     }
     if (settings_.compass)
         draw_compass(canvas, map_axes(),

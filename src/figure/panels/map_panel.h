@@ -34,14 +34,19 @@ struct MapSettings {
     Corner scale_bar_corner = Corner::lower_right;
     std::string label;  ///< within the picture: "t = 100 s"
     Corner label_corner = Corner::upper_left;
-    std::optional<GroundDirection> arrow;  ///< of the wind or the flow
-    Corner arrow_corner = Corner::upper_right;
+    std::optional<GroundDirection> arrow;  ///< of the wind or the flow, see arrow_corner()
     bool compass = false;
     Corner compass_corner = Corner::lower_left;
     Ink blank{1.0, 1.0, 1.0, 1.0};  ///< of cells without a value
     std::optional<MapFlow> flow;
     int most_pixels = 2100;  ///< along a side; more cells are averaged
 };
+
+/// The corner of a map where an arrow hides least: the upper right one, unless the values under the
+/// plate in another that is not `taken` spread less than half as much about their mean. `size` of
+/// the plate and its `margin` from the frame are units, as those of the frame.
+Corner arrow_corner(const Grid& values, const CanvasBox& frame, const FurnitureSize& size,
+                    double margin, const std::vector<Corner>& taken);
 
 /// A map as a panel: equal scales along both axes, north up, every cell in the colour that the bar
 /// gives to its value.

@@ -160,7 +160,14 @@ PanelMargins ViewPanel::margins(const Canvas& canvas, double width, double heigh
 }
 
 void ViewPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
-    const Placement placement = place(canvas, frame);
+    // As margins() found it, whatever the rounding of the frame's place.
+    Placement placement = place(canvas, {0.0, 0.0, frame.width, frame.height});
+    for (CanvasBox* box :
+         {&placement.label, &placement.arrow, &placement.compass, &placement.heights}) {
+        box->x += frame.x;
+        box->y += frame.y;
+    }
+    placement.bar = ground_bar(frame);
     canvas.draw(picture_.image, frame);
     const GroundAxes axes = seen_axes(picture_.in(frame));
     const auto text = [&](const std::string& words, const CanvasBox& box) {

@@ -50,6 +50,22 @@ void outline(Canvas& canvas, const CanvasBox& box, double width) {
         width, black_ink);
 }
 
+std::string in_two_lines(const Canvas& canvas, const std::string& text, double longest,
+                         double size) {
+    std::string best = text;
+    double shortest = canvas.text_size(text, size)[0];
+    if (shortest <= longest) return best;
+    for (std::size_t i = text.find(' '); i != std::string::npos; i = text.find(' ', i + 1)) {
+        std::string two = text;
+        two[i] = '\n';
+        const double length = canvas.text_size(two, size)[0];
+        if (length >= shortest) continue;
+        shortest = length;
+        best = two;
+    }
+    return best;
+}
+
 void write_within(Canvas& canvas, const std::string& text, double longest, const CanvasPoint& at,
                   const CanvasPoint& anchor, double size, bool upright) {
     const double length = canvas.text_size(text, size)[0];

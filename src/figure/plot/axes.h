@@ -48,6 +48,11 @@ class Axes {
 /// The outline of a box, `width` units wide.
 void outline(Canvas& canvas, const CanvasBox& box, double width);
 
+/// A text of that size, broken at the space that leaves the shorter lines where it is longer than
+/// `longest` units.
+std::string in_two_lines(const Canvas& canvas, const std::string& text, double longest,
+                         double size);
+
 /// Writes a text smaller where it would be longer than `longest` units.
 void write_within(Canvas& canvas, const std::string& text, double longest, const CanvasPoint& at,
                   const CanvasPoint& anchor, double size, bool upright = false);

@@ -27,7 +27,7 @@ enum class SeriesKind {
     line_and_points,
     step,  ///< constant from each x to the next
     band,  ///< filled between y_low and y
-    fit,   ///< a thin black line over all points
+    fit,   ///< a thin line with a white edge over all points
 };
 
 /// One quantity over another. Values that are not finite, or not above 0 on a logarithmic axis, are

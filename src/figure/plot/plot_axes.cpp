@@ -74,23 +74,6 @@ std::string with_power(const std::string& label, int power) {
     return label + (label.empty() ? "(×" : " (×") + power_of_ten(power) + ')';
 }
 
-/// A label in two lines where it is longer than the room.
-std::string broken(const Canvas& canvas, const std::string& label, double longest) {
-    const double size = label_text;
-    if (canvas.text_size(label, size)[0] <= longest) return label;
-    std::string best = label;
-    double shortest = canvas.text_size(label, size)[0];
-    for (std::size_t i = label.find(' '); i != std::string::npos; i = label.find(' ', i + 1)) {
-        std::string two = label;
-        two[i] = '\n';
-        const double length = canvas.text_size(two, size)[0];
-        if (length >= shortest) continue;
-        shortest = length;
-        best = two;
-    }
-    return best;
-}
-
 }  // namespace
 
 PlotAxes::PlotAxes(const Canvas& canvas, const Plot& plot, const CanvasBox& frame, double stretch)
@@ -112,7 +95,7 @@ PlotAxes::Side PlotAxes::side(const Canvas& canvas, const PlotAxis& axis, const 
     Side side{scale, fitting_ticks(canvas, scale, length, dimension, apart), "", axis.tick_labels,
               0.0};
     if (!axis.ticks) side.ticks = {};
-    side.label = broken(canvas, with_power(axis.label, side.ticks.power), length);
+    side.label = in_two_lines(canvas, with_power(axis.label, side.ticks.power), length, label_text);
     side.widest = widest_label(canvas, side.ticks);
     return side;
 }

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double curve_width = 2.0;  // of the frame's line
 constexpr double band_opacity = 0.25;
-constexpr double cap = 0.2;  // half the cap of an error bar, font sizes
+constexpr double fit_edge = 2.5;  // of its own width
+constexpr double cap = 0.2;       // half the cap of an error bar, font sizes
 
 double line_width_of(const Canvas& canvas, const PlotSeries& series) {
     if (series.width > 0.0) return series.width;
@@ -113,8 +114,10 @@ void draw_bars(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes, c
 void draw_curve(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes,
                 const SeriesLook& look) {
     const double width = line_width_of(canvas, series);
-    for (const auto& piece : pieces_of(series, axes))
+    for (const auto& piece : pieces_of(series, axes)) {
+        if (series.kind == SeriesKind::fit) canvas.stroke(piece, fit_edge * width, white_ink);
         canvas.stroke(piece, width, look.ink, dash_lengths(look.dashes, width));
+    }
 }
 
 void draw_markers(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes,

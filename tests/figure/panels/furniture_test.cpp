@@ -7,6 +7,7 @@
 #include "figure/panels/axis_units.h"
 #include "figure/panels/colour_bar.h"
 #include "figure/panels/ground_arrow.h"
+#include "figure/panels/map_panel.h"
 #include "figure/panels/scale_bar.h"
 #include "figure/panels/step_text.h"
 #include "support/view_beds.h"
@@ -233,6 +234,24 @@ TEST(StepText, SaysStepAndTime) {
     EXPECT_EQ(time_text(snapshot), "t = 75 µs");
     snapshot.time = 9000;
     EXPECT_EQ(time_text(snapshot), "t = 2.5 h");
+}
+
+TEST(ArrowCorner, IsWhereLeastIsHidden) {
+    const auto arrow_corner = [](const Grid& values, const std::vector<Corner>& taken) {
+        return fumon::arrow_corner(values, {50.0, 20.0, 80.0, 40.0}, {20.0, 10.0}, 1.0, taken);
+    };
+    Grid flat(40, 20, 3.0);
+    EXPECT_EQ(arrow_corner(flat, {}), Corner::upper_right);
+    Grid dune = flat;
+    dune(38, 18) = 9.0;
+    EXPECT_EQ(arrow_corner(dune, {}), Corner::upper_left);
+    EXPECT_EQ(arrow_corner(dune, {Corner::upper_left}), Corner::lower_right);
+    dune(1, 18) = 8.0;
+    EXPECT_EQ(arrow_corner(dune, {Corner::lower_right}), Corner::lower_left);
+    Grid dunes(40, 20, 0.0);
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 40; ++x) dunes(x, y) = x % 4;
+    EXPECT_EQ(arrow_corner(dunes, {}), Corner::upper_right) << "as much everywhere";
 }
 
 }  // namespace
