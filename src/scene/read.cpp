@@ -18,11 +18,12 @@
 #include "base/utf8.h"
 #include "files/input_file.h"
 #include "keys/assign.h"
+#include "keys/earlier_defaults.h"
 #include "keys/toml_text.h"
 #include "models/registry.h"
 #include "scene/check.h"
-#include "scene/earlier_defaults.h"
 #include "scene/faults.h"
+#include "scene/look_presets.h"
 #include "scene/scene_keys.h"
 #include "scene/trust.h"
 
@@ -76,11 +77,13 @@ class Reader {
         if (!has_model_) take_keys_of(terrain_model().name);
         if (faults_.attempt([&] { size_lists(root); })) {
             take_earlier_defaults(table_, version_);
+            attempt("look.preset", [&] { choose_look(root); });
             read_section(root, "");
             for (const Setting& setting : settings_) {
                 if (is_known_fault(setting.given.path)) continue;
                 attempt(setting.given.path, [&] { apply(setting); });
             }
+            scene_.view.look.preset.clear();  // its values now stand in the keys themselves
             check_scene(scene_, faulty_, faults_);
             if (faults_.none()) check_limits(scene_, faults_);
         }
@@ -142,6 +145,22 @@ class Reader {
                                          scene_.model.name, suggestion(scene_.model.name, known)));
         }
         take_keys_of(scene_.model.name);
+    }
+
+    /// A look comes before all keys that say otherwise.
+    void choose_look(const toml::table& root) {
+        std::string name;
+        std::string place;
+        if (const auto node = root["look"]["preset"]; node.is_string()) {
+            name = node.value_or("");
+            place = locate(node.node()->source());
+        }
+        for (const Setting& setting : settings_) {
+            if (setting.given.path != "look.preset" || !setting.value().is_string()) continue;
+            name = setting.value().value_or("");
+            place = setting.locate(setting.value().source());
+        }
+        if (!name.empty()) apply_look_preset(table_, name, place);
     }
 
     void take_keys_of(std::string_view model) {

@@ -91,6 +91,7 @@ enum class Tone { automatic, filmic, agx, agx_punchy, neutral };
 enum class Datum { automatic, first, mean };
 
 struct LookSettings {
+    std::string preset;  ///< a look whose values stand for defaults; empty once a scene is read
     ViewMode mode = ViewMode::scenic;
     Colouring colour_by = Colouring::natural;
     std::string palette = "sand";

@@ -171,6 +171,11 @@ void list_view_keys(View& view, KeyTable& table) {
                {.range = {0, 1}, .help = "aerial perspective at the far edge of the block"});
 
     LookSettings& look = view.look;
+    table.text(
+        "look.preset", look.preset,
+        {.help = "a look for all keys of light, sky and colour that the scene leaves out: NAME "
+                 "of assets/looks/NAME.toml (golden-hour, noon, overcast, paper, …); empty in "
+                 "resolved scenes, which say them all"});
     table.choice(
         "look.mode", look.mode,
         {{ViewMode::scenic, "scenic", "sunlight, sky and haze"},

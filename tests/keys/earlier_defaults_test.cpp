@@ -1,4 +1,4 @@
-#include "scene/earlier_defaults.h"
+#include "keys/earlier_defaults.h"
 
 #include <gtest/gtest.h>
 
