@@ -35,6 +35,11 @@ namespace {
 
 constexpr int samples_in_a_band = 1 << 18;  // read at once: 1 MiB
 
+Snapshot shown_first(const Snapshot& first, const View& view) {
+    std::optional<Snapshot> shown = shown_snapshot(first, view);
+    return shown ? *std::move(shown) : first;
+}
+
 Datum chosen_datum(const LookSettings& look, const Snapshot& first) {
     if (look.datum != Datum::automatic) return look.datum;
     return has_water(first) ? Datum::mean : Datum::first;
@@ -139,7 +144,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
                        std::int64_t last_step_, WorkerPool& pool_, const RenderLimits& limits)
     : context(context_),
       view(view_),
-      first(shown_snapshot(first_, view_.look).value_or(first_)),
+      first(shown_first(first_, view_)),
       last_step(last_step_),
       pool(pool_),
       block(framed_block(view, first)),
@@ -301,7 +306,7 @@ std::pair<double, double> Renderer::colour_range() const {
 
 Image Renderer::render(const Snapshot& whole) {
     Parts& p = *parts_;
-    const std::optional<Snapshot> reshaped = shown_snapshot(whole, p.view.look);
+    const std::optional<Snapshot> reshaped = shown_snapshot(whole, p.view);
     const Snapshot& snapshot = reshaped ? *reshaped : whole;
     if (snapshot.bed.nx() != p.first.bed.nx() || snapshot.bed.ny() != p.first.bed.ny())
         throw Error("a snapshot of another size than the first one cannot be drawn");
