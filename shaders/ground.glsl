@@ -22,12 +22,11 @@ vec3 mountain(float broad, BedPoint point, float height) {
 
 vec3 ground_albedo(vec2 place, BedPoint point) {
     float value = texture(value_map, place).r;
-    float plain = max(natural, texture(uncoloured_map, place).r);
     vec3 noise = 2.0 * texture(noise_map, place).rgb - 1.0;
     vec3 own = mix(sand(1.5 * noise.r, noise.g, point, value), mountain(1.5 * noise.b, point, value), rock);
-    vec3 albedo = mix(linear_from_display(texture(palette, vec2(value * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb),
-                      own, plain);
-    return marked(albedo, place);
+    if (natural > 0.5) return marked(own, place);
+    vec3 coloured = linear_from_display(texture(palette, vec2(value * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb);
+    return marked(mix(coloured, own, texture(uncoloured_map, place).r), place);
 }
 
 // `gloss` is 1 for dry ground.

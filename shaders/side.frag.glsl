@@ -10,13 +10,23 @@ uniform float base;
 uniform float figure;  // 1: plain and grey
 uniform float rock;
 
-in vec3 world_point;
-in vec2 outward;
-in float ground;
-in float surface;  // above the ground where water stands on it
+uniform sampler2D seen;        // faces and heights, of side.vert.glsl
+uniform samplerBuffer faces;  // three texels each: the ends' places (0 … 1), normals, and grounds and surfaces
+
 out vec4 colour;
 
 void main() {
+    vec2 at_sample = texelFetch(seen, ivec2(gl_FragCoord.xy), 0).xy;
+    int face = int(at_sample.x);
+    float share = (at_sample.x - float(face) - 0.125) / 0.75;
+    vec4 ends = texelFetch(faces, 3 * face);
+    vec4 normals = texelFetch(faces, 3 * face + 1);
+    vec4 heights = texelFetch(faces, 3 * face + 2);
+    vec3 world_point = vec3((mix(ends.xy, ends.zw, share) - 0.5) * extent, at_sample.y);
+    vec2 outward = mix(normals.xy, normals.zw, share);
+    float ground = mix(heights.x, heights.y, share);
+    float surface = mix(heights.z, heights.w, share);  // above the ground where water stands on it
+
     float along = world_point.x + world_point.y;
     float depth = ground - world_point.z;
     // Sets of cross-beds: thick layers that undulate, each filled with thin laminae of its own dip.
@@ -42,8 +52,8 @@ void main() {
     float rim = 1.0 - 0.22 * exp(-depth * 160.0);  // the damp edge under the surface
     vec3 light = albedo * rim * (sun_light * 0.85 * sun + sky_light * open + bounce);
     if (world_point.z > ground && surface > ground) {  // water, cut through
-        float share = (surface - world_point.z) / (surface - ground);
-        light = mix(water_body_colour() * 1.6, vec3(0.10, 0.20, 0.22), 0.5 - 0.4 * share) * (sun_light * (0.35 + 0.5 * sun) + sky_light);
+        float up = (surface - world_point.z) / (surface - ground);
+        light = mix(water_body_colour() * 1.6, vec3(0.10, 0.20, 0.22), 0.5 - 0.4 * up) * (sun_light * (0.35 + 0.5 * sun) + sky_light);
     }
     vec3 scenic = tone_curve(with_haze(light, world_point, -direction_to_eye(world_point)));
     float grey = 0.42 + 0.25 * sun + 0.05 * lamina;

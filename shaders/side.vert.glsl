@@ -5,17 +5,11 @@ uniform mat4 clip_from_world;
 uniform vec2 extent;
 
 in vec2 east_north;  // 0 … 1
-in vec2 normal;
-in vec3 heights;  // of this corner, of the ground and of the surface above it
-out vec3 world_point;
-out vec2 outward;
-out float ground;
-out float surface;
+in float face;       // its number, and 1/8 at one end of it … 7/8 at the other
+in float height;
+out vec2 at_sample;
 
 void main() {
-    world_point = vec3((east_north - 0.5) * extent, heights.x);
-    outward = normal;
-    ground = heights.y;
-    surface = heights.z;
-    gl_Position = snapped(clip_from_world * vec4(world_point, 1.0));
+    at_sample = vec2(face, height);
+    gl_Position = snapped(clip_from_world * vec4((east_north - 0.5) * extent, height, 1.0));
 }

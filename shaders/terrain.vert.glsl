@@ -6,9 +6,9 @@ uniform vec2 extent;
 
 in vec2 east_north;  // 0 … 1
 in float height;
-out vec2 place;
+out vec2 at_sample;
 
 void main() {
-    place = east_north;
+    at_sample = east_north;
     gl_Position = snapped(clip_from_world * vec4((east_north - 0.5) * extent, height, 1.0));
 }

@@ -1,7 +1,10 @@
 #version 330 core
+uniform sampler2D seen;  // places, of terrain.vert.glsl
 uniform sampler2D shaded;
 
-in vec2 place;
 out vec4 colour;
 
-void main() { colour = vec4(texture(shaded, place).rgb, 1.0); }
+void main() {
+    vec2 place = texelFetch(seen, ivec2(gl_FragCoord.xy), 0).xy;
+    colour = vec4(texture(shaded, place).rgb, 1.0);
+}

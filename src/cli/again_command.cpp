@@ -231,7 +231,8 @@ int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& w
     if (const int signal = advance_to(prepared, origin.step, progress); signal != 0)
         return exit_status_of_signal(signal);
 
-    const DrawnStill still = draw_still(prepared, first, output.string(), work, progress);
+    const DrawnStill still =
+        draw_still(prepared, first, prepared.model->snapshot(), output.string(), work, progress);
     const std::string pixels = hex(still.pixels);
     if (origin.pixels_hash.empty() || !options.work.settings.empty()) {
         progress.note(fmt::format("{}: made", output.string()));

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "base/error.h"
 #include "base/limits.h"
@@ -100,14 +101,20 @@ int perform(const StillOptions& options) {
     claims.writes(options.output);
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(prepared.initial.bed.size()));
+    prepared.initial.bed = Grid();  // the model has its own, and a large one fills the memory
     if (!prepared.initial.note.empty()) progress.note(prepared.initial.note);
-    const Snapshot first = prepared.model->snapshot();
+    const bool moves =
+        options.time || step_of(options, prepared.scene) > prepared.model->steps_done();
+    std::optional<Snapshot> first;
+    if (moves) first = prepared.model->snapshot();
     const int signal = options.time
                            ? advance_to_time(prepared, *options.time,
                                              fmt::format("--time {}", *options.time), progress)
                            : advance_to(prepared, step_of(options, prepared.scene), progress);
     if (signal != 0) return exit_status_of_signal(signal);
-    draw_still(prepared, first, options.output, options.work, progress);
+    const Snapshot present = prepared.model->snapshot();
+    prepared.model.reset();  // a large bed is then in memory once
+    draw_still(prepared, first ? *first : present, present, options.output, options.work, progress);
     return 0;
 }
 

@@ -53,6 +53,9 @@
     X(PixelStorei, PFNGLPIXELSTOREIPROC)                         \
     X(ReadPixels, PFNGLREADPIXELSPROC)                           \
     X(ShaderSource, PFNGLSHADERSOURCEPROC)                       \
+    X(StencilFunc, PFNGLSTENCILFUNCPROC)                         \
+    X(StencilOp, PFNGLSTENCILOPPROC)                             \
+    X(TexBuffer, PFNGLTEXBUFFERPROC)                             \
     X(TexImage2D, PFNGLTEXIMAGE2DPROC)                           \
     X(TexParameteri, PFNGLTEXPARAMETERIPROC)                     \
     X(TexSubImage2D, PFNGLTEXSUBIMAGE2DPROC)                     \

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/error.h"
-#include "gl/shader_source.h"
 
 namespace fumon::gl {
 
@@ -29,10 +28,11 @@ LineNames supported_line_names() {
 /// One compiled stage; deleted once the program holds it.
 class Stage {
   public:
-    Stage(GLenum kind, std::string_view file) : shader_(functions().CreateShader(kind)) {
+    Stage(GLenum kind, std::string_view file, const Constants& constants)
+        : shader_(functions().CreateShader(kind)) {
         const Functions& gl = functions();
         const LineNames names = supported_line_names();
-        const ShaderSource source = assemble_shader(file, read_shader_file, names);
+        const ShaderSource source = assemble_shader(file, read_shader_file, names, constants);
         const char* text = source.text.c_str();
         gl.ShaderSource(shader_, 1, &text, nullptr);
         gl.CompileShader(shader_);
@@ -62,10 +62,10 @@ class Stage {
 }  // namespace
 
 Program::Program(std::string_view vertex_file, std::string_view fragment_file,
-                 std::initializer_list<const char*> attributes) {
+                 std::initializer_list<const char*> attributes, const Constants& constants) {
     const Functions& gl = functions();
-    const Stage vertex(GL_VERTEX_SHADER, vertex_file);
-    const Stage fragment(GL_FRAGMENT_SHADER, fragment_file);
+    const Stage vertex(GL_VERTEX_SHADER, vertex_file, constants);
+    const Stage fragment(GL_FRAGMENT_SHADER, fragment_file, constants);
     gl.AttachShader(program_.name(), vertex.name());
     gl.AttachShader(program_.name(), fragment.name());
     GLuint place = 0;

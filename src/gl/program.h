@@ -7,16 +7,18 @@
 #include <utility>
 
 #include "gl/handles.h"
+#include "gl/shader_source.h"
 
 namespace fumon::gl {
 
 /// A linked vertex and fragment shader, from files in shaders/.
 class Program {
   public:
-    /// `attributes` are bound to locations 0, 1, … Throws Error with the compiler's message (file
+    /// `attributes` are bound to locations 0, 1, …, the uniforms in `constants` keep their values.
+    /// Throws Error with the compiler's message (file
     /// and line) where a shader is missing or wrong.
     Program(std::string_view vertex_file, std::string_view fragment_file,
-            std::initializer_list<const char*> attributes = {});
+            std::initializer_list<const char*> attributes = {}, const Constants& constants = {});
 
     void use() const;
 

@@ -23,9 +23,26 @@ std::string_view trimmed(std::string_view line) {
     return line.substr(begin, line.find_last_not_of(blanks) - begin + 1);
 }
 
+/// "uniform TYPE NAME;", and maybe a comment after it.
+struct Declaration {
+    std::string_view type;
+    std::string_view name;
+};
+
+std::optional<Declaration> uniform_in(std::string_view line) {
+    constexpr std::string_view keyword = "uniform ";
+    const auto end = line.find(';');
+    if (!line.starts_with(keyword) || end == std::string_view::npos) return std::nullopt;
+    const std::string_view words = trimmed(line.substr(keyword.size(), end - keyword.size()));
+    const auto gap = words.find(' ');
+    if (gap == std::string_view::npos) return std::nullopt;
+    return Declaration{words.substr(0, gap), trimmed(words.substr(gap))};
+}
+
 class Assembler {
   public:
-    Assembler(const ShaderReader& read, LineNames names) : read_(read), names_(names) {}
+    Assembler(const ShaderReader& read, LineNames names, const Constants& constants)
+        : read_(read), names_(names), constants_(constants) {}
 
     void add(const std::string& name, const std::string& text) {
         chain_.push_back(name);
@@ -43,7 +60,7 @@ class Assembler {
             }
             if (!marked) mark(number, line_number);
             marked = true;
-            source_.text += line;
+            source_.text += with_constant(line);
             source_.text += '\n';
             if (content.starts_with("#version")) {
                 if (names_ == LineNames::files)
@@ -57,6 +74,17 @@ class Assembler {
     ShaderSource take() { return std::move(source_); }
 
   private:
+    [[nodiscard]] std::string with_constant(const std::string& line) const {
+        const auto declared = uniform_in(line);
+        if (!declared) return line;
+        for (const Constant& constant : constants_) {
+            if (constant.uniform != declared->name) continue;
+            return fmt::format("const {0} {1} = {0}({2:#});", declared->type, declared->name,
+                               constant.value);
+        }
+        return line;
+    }
+
     void mark(std::size_t number, int line) {
         if (names_ == LineNames::files) {
             source_.text += fmt::format("#line {} \"shaders/{}\"\n", line, source_.files[number]);
@@ -86,16 +114,18 @@ class Assembler {
 
     const ShaderReader& read_;
     LineNames names_;
+    const Constants& constants_;
     std::vector<std::string> chain_;
     ShaderSource source_;
 };
 
 }  // namespace
 
-ShaderSource assemble_shader(std::string_view name, const ShaderReader& read, LineNames names) {
+ShaderSource assemble_shader(std::string_view name, const ShaderReader& read, LineNames names,
+                             const Constants& constants) {
     const auto text = read(name);
     if (!text) throw Error(fmt::format("shaders/{} does not exist", name));
-    Assembler assembler(read, names);
+    Assembler assembler(read, names, constants);
     assembler.add(std::string(name), *text);
     return assembler.take();
 }

@@ -20,11 +20,20 @@ struct ShaderSource {
     std::vector<std::string> files;  ///< the n-th is the file that number n stands for
 };
 
+/// A uniform of one number whose value never changes while a program lives.
+struct Constant {
+    std::string_view uniform;
+    float value;
+};
+using Constants = std::vector<Constant>;
+
 /// Reads `name` and replaces each line `#include "other.glsl"` by that file, once (a file already
-/// included is not repeated). #line directives keep the compiler's messages true. Throws Error
-/// "file:line: …" for a missing file, a malformed include and an include that comes round to
-/// itself.
-ShaderSource assemble_shader(std::string_view name, const ShaderReader& read, LineNames names);
+/// included is not repeated). #line directives keep the compiler's messages true. The
+/// uniforms in `constants` become constants, so that the compiler leaves out what they exclude
+/// (llvmpipe does the work of both sides of a branch). Throws Error "file:line: …" for a missing
+/// file, a malformed include and an include that comes round to itself.
+ShaderSource assemble_shader(std::string_view name, const ShaderReader& read, LineNames names,
+                             const Constants& constants = {});
 
 /// The shader files that fumon ships, by data_file("shaders/NAME").
 std::optional<std::string> read_shader_file(std::string_view name);

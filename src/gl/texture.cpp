@@ -24,7 +24,8 @@ Texture2D::Texture2D(int width, int height, const TextureLayout& layout, const v
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, layout.filter);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, layout.wrap);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, layout.wrap);
-    if (layout.minification == 0) gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL,
+                     layout.minification == 0 ? 0 : layout.coarsest);
 }
 
 void Texture2D::upload(const void* pixels) const {
@@ -44,20 +45,24 @@ void Texture2D::bind(int unit) const {
     functions().BindTexture(GL_TEXTURE_2D, texture_.name());
 }
 
-RenderTarget::RenderTarget(int width, int height, const TextureLayout& colour, bool with_depth)
+DepthBuffer::DepthBuffer(int width, int height) {
+    const Functions& gl = functions();
+    gl.BindTexture(GL_TEXTURE_2D, texture_.name());
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH24_STENCIL8, width, height, 0, GL_DEPTH_STENCIL,
+                  GL_UNSIGNED_INT_24_8, nullptr);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+RenderTarget::RenderTarget(int width, int height, const TextureLayout& colour,
+                           const DepthBuffer* depth)
     : colour_(width, height, colour) {
     const Functions& gl = functions();
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.name(), 0);
-    if (with_depth) {
-        gl.BindTexture(GL_TEXTURE_2D, depth_.name());
-        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width, height, 0, GL_DEPTH_COMPONENT,
-                      GL_UNSIGNED_INT, nullptr);
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.name(),
-                                0);
-    }
+    if (depth != nullptr)
+        gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D,
+                                depth->name(), 0);
     if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error(fmt::format("OpenGL refuses a framebuffer of {} × {}", width, height));
 }

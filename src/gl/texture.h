@@ -12,6 +12,7 @@ struct TextureLayout {
     GLint filter = GL_LINEAR;  ///< magnification, and minification without mipmaps
     GLint minification = 0;    ///< 0: as `filter`
     GLint wrap = GL_CLAMP_TO_EDGE;
+    GLint coarsest = 1000;  ///< of its mipmaps, the coarsest that is looked at
 };
 
 /// A 2-D texture of a fixed size.
@@ -35,11 +36,23 @@ class Texture2D {
     TextureLayout layout_;
 };
 
-/// A framebuffer that draws into one colour texture and, where asked for, a depth texture.
+/// Depths (24 bits) and stencils (8 bits) of samples, for one render target or several of a size.
+class DepthBuffer {
+  public:
+    DepthBuffer(int width, int height);
+
+    [[nodiscard]] GLuint name() const { return texture_.name(); }
+
+  private:
+    Texture texture_;
+};
+
+/// A framebuffer that draws into one colour texture and, where one is given, a depth buffer.
 class RenderTarget {
   public:
-    /// Throws Error where OpenGL refuses the combination.
-    RenderTarget(int width, int height, const TextureLayout& colour, bool with_depth);
+    /// `depth` is as large, and outlives it. Throws Error where OpenGL refuses the combination.
+    RenderTarget(int width, int height, const TextureLayout& colour,
+                 const DepthBuffer* depth = nullptr);
 
     void bind() const;  ///< as the target, with a viewport over all of it
     [[nodiscard]] const Texture2D& colour() const { return colour_; }
@@ -48,7 +61,6 @@ class RenderTarget {
 
   private:
     Texture2D colour_;
-    Texture depth_;
     Framebuffer framebuffer_;
 };
 

@@ -11,10 +11,11 @@ const gl::TextureLayout floor_layout{GL_RG8,    GL_RG, GL_UNSIGNED_BYTE,
 
 }  // namespace
 
-BackgroundLayer::BackgroundLayer(const View& view, const Block& block, const FloorMap& floor)
+BackgroundLayer::BackgroundLayer(const View& view, const Block& block, const FloorMap& floor,
+                                 const gl::Constants& fixed)
     : view_(view),
       block_(block),
-      program_("screen.vert.glsl", "background.frag.glsl"),
+      program_("screen.vert.glsl", "background.frag.glsl", {}, fixed),
       floor_(FloorMap::cells, FloorMap::cells, floor_layout, floor.sun_and_sky.data()) {}
 
 void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile& tile) const {

@@ -14,7 +14,8 @@ namespace fumon {
 /// Draws what surrounds the block: plain and sky, or white paper in figure mode.
 class BackgroundLayer {
   public:
-    BackgroundLayer(const View& view, const Block& block, const FloorMap& floor);
+    BackgroundLayer(const View& view, const Block& block, const FloorMap& floor,
+                    const gl::Constants& fixed);
 
     /// Draws one tile's background into the bound target, top row first.
     void draw(const Light& light, const Camera& camera, const Tile& tile) const;

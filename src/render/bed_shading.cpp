@@ -16,6 +16,7 @@ namespace fumon {
 namespace {
 
 constexpr int enough_texels = 1024;  // along the longer side of the shaded bed, if it is small
+constexpr int coarsest_seen = 3;     // mipmap: at an edge the samples' places are no neighbours
 constexpr double texels_per_sample = 1.3;  // beyond which mipmaps are needed against shimmer
 constexpr double natural_spread = 2.2;     // standard deviations from trough to crest, half of it
 constexpr double least_natural_range = 0.03;  // of the longer side: a nearly flat bed stays even
@@ -46,6 +47,7 @@ gl::TextureLayout shaded_layout(bool mipmaps) {
     gl::TextureLayout layout;
     layout.internal_format = GL_RGBA8;
     if (mipmaps) layout.minification = GL_LINEAR_MIPMAP_LINEAR;
+    layout.coarsest = coarsest_seen;
     return layout;
 }
 
@@ -96,15 +98,39 @@ std::pair<double, double> natural_range(const Snapshot& snapshot, const Block& b
     return {block.reference + mean - half, block.reference + mean + half};
 }
 
+Tone chosen_tone(const LookSettings& look) {
+    if (look.tone != Tone::automatic) return look.tone;
+    return look.ground == Ground::endless ? Tone::agx_punchy : Tone::filmic;
+}
+
+float tone_number(Tone tone) {  // of colour.glsl
+    return tone == Tone::filmic ? 0.0F : tone == Tone::neutral ? 2.0F : 1.0F;
+}
+
+float switched(bool on) {
+    return on ? 1.0F : 0.0F;
+}
+
 }  // namespace
+
+gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& block) {
+    const Tone tone = chosen_tone(view.look);
+    return {{"tone", tone_number(tone)},
+            {"punch", switched(tone == Tone::agx_punchy)},
+            {"atmosphere", switched(light.atmosphere)},
+            {"parallel", switched(view.camera.projection != Projection::perspective)},
+            {"natural", switched(view.look.colour_by == Colouring::natural)},
+            {"marks", switched(view.look.mark != Marking::none)},
+            {"tinted", switched(!colours_water(view.look.colour_by))},
+            {"figure", switched(view.look.mode == ViewMode::figure)},
+            {"rock", static_cast<float>(block.rock)}};
+}
 
 void set_light(const gl::Program& program, const View& view, const Light& light,
                const Camera& camera, const Block& block) {
-    Tone tone = view.look.tone;
-    if (tone == Tone::automatic)
-        tone = view.look.ground == Ground::endless ? Tone::agx_punchy : Tone::filmic;
-    program.set("tone", tone == Tone::filmic ? 0 : tone == Tone::neutral ? 2 : 1);
-    program.set("punch", tone == Tone::agx_punchy ? 1.0F : 0.0F);
+    const Tone tone = chosen_tone(view.look);
+    program.set("tone", static_cast<int>(tone_number(tone)));
+    program.set("punch", switched(tone == Tone::agx_punchy));
     program.set("exposure",
                 static_cast<float>(elementary::exp(std::numbers::ln2 * view.look.exposure)));
     program.set("to_sun", light.to_sun);
@@ -133,12 +159,12 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
 }
 
 BedShading::BedShading(const View& view, const Block& block, const Snapshot& first,
-                       const DisplayBed& first_bed, int samples_across)
+                       const DisplayBed& first_bed, int samples_across, const gl::Constants& fixed)
     : view_(view),
       block_(block),
       refinement_(first_bed.z.nx() / first.bed.nx()),
       mipmaps_(longer_shaded_side(first_bed, samples_across) > texels_per_sample * samples_across),
-      program_("screen.vert.glsl", shader_of(view.look, first)),
+      program_("screen.vert.glsl", shader_of(view.look, first), {}, fixed),
       palette_(256, 1, palette_layout, chosen_palette(view.look).data()),
       lighting_(first_bed.z.nx(), first_bed.z.ny(), repeated(lighting_layout, view.look.ground)),
       values_(first_bed.z.nx(), first_bed.z.ny(), repeated(value_layout, view.look.ground)),
@@ -147,8 +173,7 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
       uncoloured_(colours_water(view.look.colour_by) ? first.bed.nx() : 1,
                   colours_water(view.look.colour_by) ? first.bed.ny() : 1, mark_layout),
       target_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
-              shaded_size(first_bed.z.ny(), first_bed, samples_across), shaded_layout(mipmaps_),
-              false) {
+              shaded_size(first_bed.z.ny(), first_bed, samples_across), shaded_layout(mipmaps_)) {
     if (view.look.mode == ViewMode::scenic) draw_noise();
     if (draws_water(view.look, first))
         water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny());
@@ -159,7 +184,7 @@ void BedShading::draw_noise() {
         return std::max(1, static_cast<int>(noise_texels * width));
     };
     noise_.emplace(texels(block_.width_x), texels(block_.width_y),
-                   repeated(noise_layout, view_.look.ground), false);
+                   repeated(noise_layout, view_.look.ground));
     const gl::Program program("screen.vert.glsl", "ground_noise.frag.glsl");
     const gl::VertexArray none;
     gl::functions().BindVertexArray(none.name());
@@ -215,6 +240,7 @@ void BedShading::bind(const gl::Program& program) const {
     program.set("shading", static_cast<float>(view_.look.shading));
     program.set("tinted", colours_water(view_.look.colour_by) ? 0.0F : 1.0F);
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
+    program.set("marks", switched(view_.look.mark != Marking::none));
     program.set("natural", view_.look.colour_by == Colouring::natural ? 1.0F : 0.0F);
     program.set("rock", static_cast<float>(block_.rock));
 }

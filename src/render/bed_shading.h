@@ -20,6 +20,10 @@ namespace fumon {
 /// The texture unit of the sky's radiances, bound while a frame is drawn.
 inline constexpr int sky_unit = 15;
 
+/// What never changes while a view is drawn, of the uniforms of light.glsl, colour.glsl, bed.glsl,
+/// ground.glsl and side.frag.glsl.
+gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& block);
+
 /// Sets the uniforms of shaders/light.glsl and shaders/colour.glsl and the eye of shaders/bed.glsl.
 void set_light(const gl::Program& program, const View& view, const Light& light,
                const Camera& camera, const Block& block);
@@ -31,7 +35,7 @@ class BedShading {
     /// `samples_across` is the length of the picture's longer side in samples. Throws InputError
     /// for an unknown palette.
     BedShading(const View& view, const Block& block, const Snapshot& first,
-               const DisplayBed& first_bed, int samples_across);
+               const DisplayBed& first_bed, int samples_across, const gl::Constants& fixed);
 
     /// Uploads what light (see lighting_texels) and colouring make of a snapshot. `water` is given
     /// where draws_water says so.

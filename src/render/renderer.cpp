@@ -35,6 +35,11 @@ namespace {
 
 constexpr int samples_in_a_band = 1 << 18;  // read at once: 1 MiB
 
+Snapshot shown_first(const Snapshot& first, const View& view) {
+    std::optional<Snapshot> shown = shown_snapshot(first, view);
+    return shown ? *std::move(shown) : first;
+}
+
 Datum chosen_datum(const LookSettings& look, const Snapshot& first) {
     if (look.datum != Datum::automatic) return look.datum;
     return has_water(first) ? Datum::mean : Datum::first;
@@ -81,6 +86,11 @@ Light light_of(const View& view) {
     return atmosphere && scenic ? make_atmospheric_light(view.sun) : make_light(view.sun);
 }
 
+gl::TextureLayout seen_layout() {
+    gl::TextureLayout layout{GL_RG32F, GL_RG, GL_FLOAT, GL_NEAREST, 0, GL_CLAMP_TO_EDGE};
+    return layout;
+}
+
 gl::TextureLayout plain_layout() {
     gl::TextureLayout layout;
     layout.filter = GL_NEAREST;
@@ -113,13 +123,16 @@ struct Renderer::Parts {
     int refinement;
     TilePlan plan;
     Light light;
+    gl::Constants fixed;
     gl::Texture2D sky;
     BedShading shading;
     TerrainLayer terrain;
     BackgroundLayer background;
     std::optional<AirLayer> air;
     std::optional<WorldLayer> world;  // where the bed is endless
+    gl::DepthBuffer depths;
     gl::RenderTarget samples;
+    std::optional<gl::RenderTarget> seen;  // what each sample sees of the block
     gl::RenderTarget surroundings;
     gl::VertexArray no_attributes;
     bool surroundings_drawn = false;
@@ -131,7 +144,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
                        std::int64_t last_step_, WorkerPool& pool_, const RenderLimits& limits)
     : context(context_),
       view(view_),
-      first(shown_snapshot(first_, view_.look).value_or(first_)),
+      first(shown_first(first_, view_)),
       last_step(last_step_),
       pool(pool_),
       block(framed_block(view, first)),
@@ -141,18 +154,23 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
                                static_cast<int>(std::max(view.image.width, view.image.height)))),
       plan(plan_of(view, limits)),
       light(light_of(view)),
+      fixed(fixed_uniforms(view, light, block)),
       sky(light.sky_columns, light.sky_rows, sky_layout, light.sky_texels.data()),
       shading(view, block, first, display_bed(first, block, refinement),
-              static_cast<int>(std::max(view.image.width, view.image.height)) * plan.factor),
-      terrain(view, block),
+              static_cast<int>(std::max(view.image.width, view.image.height)) * plan.factor, fixed),
+      terrain(view, block, fixed),
       background(
           view, block,
-          floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool)),
-      samples(plan.target_width, plan.target_height, plain_layout(), true),
-      surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(), false) {
+          floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool),
+          fixed),
+      depths(plan.target_width, plan.target_height),
+      samples(plan.target_width, plan.target_height, plain_layout(), &depths),
+      surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout()) {
     if (view.look.ground == Ground::endless) {
         check_endless(view, first, water);
         world.emplace(view, block, display_bed(first, block, refinement));
+    } else {
+        seen.emplace(plan.target_width, plan.target_height, seen_layout(), &depths);
     }
     if (first.section)
         air.emplace(block, camera_at(0),
@@ -238,12 +256,6 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
     gl.BindVertexArray(no_attributes.name());
     draw_background(tile, camera);
 
-    samples.bind();
-    gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    if (air)
-        air->draw_behind(surroundings.colour(), plan.factor,
-                         first_sample(tile) - target_corner(tile), {tile.width, tile.height});
     TileSamples placed{};
     placed.picture_size =
         glm::vec2(static_cast<float>(view.image.width), static_cast<float>(view.image.height)) *
@@ -251,10 +263,25 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
     placed.corner = glm::vec2(target_corner(tile));
     placed.size =
         glm::vec2(static_cast<float>(plan.target_width), static_cast<float>(plan.target_height));
+    gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    constexpr GLbitfield everything =
+        GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
+    if (seen) {
+        seen->bind();
+        gl.Clear(everything);
+        terrain.draw_seen(camera, placed);
+    }
+    samples.bind();
+    gl.Clear(seen ? GL_COLOR_BUFFER_BIT : everything);
+    if (air) {
+        gl.BindVertexArray(no_attributes.name());
+        air->draw_behind(surroundings.colour(), plan.factor,
+                         first_sample(tile) - target_corner(tile), {tile.width, tile.height});
+    }
     if (world) {
         world->draw(shading, light, camera, placed);
     } else {
-        terrain.draw(shading.colours(), light, camera, placed);
+        terrain.colour_seen(seen->colour(), shading.colours(), light, camera);
     }
     if (air) air->draw(camera, placed);
 
@@ -279,7 +306,7 @@ std::pair<double, double> Renderer::colour_range() const {
 
 Image Renderer::render(const Snapshot& whole) {
     Parts& p = *parts_;
-    const std::optional<Snapshot> reshaped = shown_snapshot(whole, p.view.look);
+    const std::optional<Snapshot> reshaped = shown_snapshot(whole, p.view);
     const Snapshot& snapshot = reshaped ? *reshaped : whole;
     if (snapshot.bed.nx() != p.first.bed.nx() || snapshot.bed.ny() != p.first.bed.ny())
         throw Error("a snapshot of another size than the first one cannot be drawn");

@@ -55,22 +55,23 @@ int advance_to_time(PreparedRun& prepared, double time, const std::string& asked
     return signal;
 }
 
-Drawing draw_present(PreparedRun& prepared, const Snapshot& first, const WorkOptions& work) {
+Drawing draw_snapshot(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
+                      const WorkOptions& work) {
     WorkerPool pool(work.threads, "fumon-render");
     const auto painter = make_frame_painter(prepared.scene, first, work.backend, pool);
     const MeasuredRows rows = prepared.plotted ? prepared.plotted->rows() : MeasuredRows{};
-    return {painter->paint(prepared.model->snapshot(), rows), painter->record()};
+    return {painter->paint(snapshot, rows), painter->record()};
 }
 
-DrawnStill draw_still(PreparedRun& prepared, const Snapshot& first, const std::string& file,
-                      const WorkOptions& work, Progress& progress) {
+DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
+                      const std::string& file, const WorkOptions& work, Progress& progress) {
     const Scene& scene = prepared.scene;
-    const auto [image, drawing] = draw_present(prepared, first, work);
+    const auto [image, drawing] = draw_snapshot(prepared, first, snapshot, work);
     tell_drawing(drawing, progress);
     const Sha256 pixels = pixel_hash(image);
-    const auto texts = picture_text(resolved_scene(scene, prepared.initial.inputs), scene,
-                                    prepared.model->steps_done(), prepared.initial.inputs, pixels,
-                                    drawing.environment);
+    const auto texts =
+        picture_text(resolved_scene(scene, prepared.initial.inputs), scene, snapshot.step,
+                     prepared.initial.inputs, pixels, drawing.environment);
     write_file(file, encode_png(image, scene.view.image.dots_per_inch, texts));
     if (drawing.exaggeration != 1.0) {
         progress.note(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));

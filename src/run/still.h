@@ -28,17 +28,18 @@ struct DrawnStill {
     RenderingEnvironment environment;
 };
 
-/// A picture of the model's present state, and what drew it.
+/// A picture of a snapshot, and what drew it.
 struct Drawing {
     Image image;
     DrawingRecord record;
 };
 
-/// Draws the model's present state as the run's frame of that step; `first` is the run's first.
-Drawing draw_present(PreparedRun& prepared, const Snapshot& first, const WorkOptions& work);
+/// Draws a snapshot as the run's frame of that step; `first` is the run's first. Needs no model.
+Drawing draw_snapshot(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
+                      const WorkOptions& work);
 
 /// The same, written whole with its metadata.
-DrawnStill draw_still(PreparedRun& prepared, const Snapshot& first, const std::string& file,
-                      const WorkOptions& work, Progress& progress);
+DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
+                      const std::string& file, const WorkOptions& work, Progress& progress);
 
 }  // namespace fumon

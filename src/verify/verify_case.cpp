@@ -134,7 +134,7 @@ DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, bool trus
                 ? advance_to_time(prepared, one.time, fmt::format("time {}", one.time), progress)
                 : advance_to(prepared, step_of(one, prepared.scene), progress);
         if (drawn.signal != 0) return drawn;
-        Drawing drawing = draw_present(prepared, first, work);
+        Drawing drawing = draw_snapshot(prepared, first, prepared.model->snapshot(), work);
         drawn.record = {FUMON_VERSION, drawing.record.environment, hex(state_hash(*prepared.model)),
                         fingerprint_of(drawing.image)};
         drawn.image = std::move(drawing.image);

@@ -34,7 +34,8 @@ TEST_P(EachBackend, OffersACoreContext) {
 }
 
 TEST_P(EachBackend, ClearsATargetToItsColour) {
-    const RenderTarget target(3, 2, TextureLayout{}, true);
+    const DepthBuffer depth(3, 2);
+    const RenderTarget target(3, 2, TextureLayout{}, &depth);
     target.bind();
     functions().ClearColor(1.0F, 0.0F, 0.2F, 1.0F);
     functions().Clear(GL_COLOR_BUFFER_BIT);

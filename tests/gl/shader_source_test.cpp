@@ -44,6 +44,19 @@ TEST(ShaderSource, NamesFilesWhereTheCompilerUnderstandsNames) {
               "#line 1 \"shaders/b.glsl\"\ninside\n");
 }
 
+TEST(ShaderSource, MakesConstantsOfUniforms) {
+    const auto read = reader({{"a.glsl",
+                               "#version 330 core\nuniform int tone;  // of colour\n"
+                               "uniform float tones;\nuniform vec3 tone_curve;\n"
+                               "#include \"b.glsl\"\n"},
+                              {"b.glsl", "uniform   float  rock ;\n"}});
+    const Constants constants = {{"tone", 2.0F}, {"rock", 0.1F}};
+    const ShaderSource source = assemble_shader("a.glsl", read, LineNames::numbers, constants);
+    EXPECT_EQ(source.text,
+              "#version 330 core\n#line 2 0\nconst int tone = int(2.0);\nuniform float tones;\n"
+              "uniform vec3 tone_curve;\n#line 1 1\nconst float rock = float(0.1);\n");
+}
+
 TEST(ShaderSource, IncludesAFileOnce) {
     const auto read = reader({{"a.glsl", "#include \"b.glsl\"\n#include \"c.glsl\"\n"},
                               {"b.glsl", "#include \"c.glsl\"\n"},

@@ -149,7 +149,7 @@ struct FrameOverlays::DrawnOverlay {
 FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first) {
     const std::vector<OverlaySettings>& overlays = scene.view.overlays;
     const bool flat = first.section && scene.view.look.mode == ViewMode::figure;
-    const std::optional<Snapshot> shown = shown_snapshot(first, scene.view.look);
+    const std::optional<Snapshot> shown = shown_snapshot(first, scene.view);
     const OverlayScene on{scene, first, shown ? *shown : first, flat};
     for (std::size_t number = 0; number < overlays.size(); ++number) {
         if (!overlays[number].show) continue;

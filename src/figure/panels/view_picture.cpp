@@ -56,7 +56,11 @@ ViewProjection ViewPicture::in(const CanvasBox& frame) const {
 
 ViewPicture view_picture(const View& view, const Image& image, const Snapshot& first,
                          double exaggeration, double progress) {
-    const Snapshot shown = shown_snapshot(first, view.look).value_or(first);
+    View drawn = view;
+    drawn.image.width = image.width;
+    drawn.image.height = image.height;
+    const std::optional<Snapshot> averaged = shown_snapshot(first, drawn);
+    const Snapshot& shown = averaged ? *averaged : first;
     ViewPicture picture;
     picture.block = frame_block(shown, exaggeration, view.look.room);
     picture.camera = place_camera(view.camera, picture.block,

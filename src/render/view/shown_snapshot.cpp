@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace fumon {
 
 namespace {
 
 constexpr int longest_drawn = 8192;        // cells on a side
+constexpr int least_drawn = 1024;          // that small pictures keep
 constexpr std::int64_t usual_strip = 900;  // sites: a dozen wavelengths of the published profiles
 constexpr int strip_proportion = 4;        // length to depth
 constexpr int strip_proportion_under_air = 3;
@@ -49,56 +51,86 @@ Snapshot as_strip(const Snapshot& snapshot, const LookSettings& look) {
     return shown;
 }
 
-/// Calls body(sum over the cells inside, their count, place) for every k × k cells; those over the
-/// east and north edge are fewer.
-template <class Body>
-void for_each_group(const Grid& fine, const Mask& nodata, int k, const Grid& coarse, Body body) {
+/// The means of every k × k cells, those without data left out; at the east and north edge they are
+/// fewer. 0 where there is none.
+Grid averaged(const Grid& fine, const Mask& nodata, int k) {
+    const auto groups = [k](int cells) { return (cells + k - 1) / k; };
+    Grid coarse(groups(fine.nx()), groups(fine.ny()));
+    std::vector<int> counts;
     for (int y = 0; y < coarse.ny(); ++y) {
-        for (int x = 0; x < coarse.nx(); ++x) {
-            double sum = 0.0;
-            int count = 0;
-            for (int v = y * k; v < std::min((y + 1) * k, fine.ny()); ++v) {
-                for (int u = x * k; u < std::min((x + 1) * k, fine.nx()); ++u) {
-                    if (!nodata.empty() && nodata(u, v) != 0) continue;
-                    sum += fine(u, v);
-                    ++count;
+        const auto sums = coarse.row(y);
+        counts.assign(sums.size(), 0);
+        for (int v = y * k; v < std::min((y + 1) * k, fine.ny()); ++v) {
+            const auto heights = fine.row(v);
+            std::size_t u = 0;
+            for (std::size_t x = 0; x < sums.size(); ++x) {
+                for (const std::size_t end =
+                         std::min(u + static_cast<std::size_t>(k), heights.size());
+                     u < end; ++u) {
+                    if (!nodata.empty() && nodata.row(v)[u] != 0) continue;
+                    sums[x] += heights[u];
+                    ++counts[x];
                 }
             }
-            body(x, y, sum, count);
         }
+        for (std::size_t x = 0; x < sums.size(); ++x)
+            if (counts[x] > 0) sums[x] /= counts[x];
     }
+    return coarse;
+}
+
+/// 1 where k × k cells are all without data.
+Mask all_missing(const Mask& nodata, int nx, int ny, int k) {
+    Mask missing(nx, ny, 1);
+    for (int v = 0; v < nodata.ny(); ++v) {
+        for (int u = 0; u < nodata.nx(); ++u)
+            if (nodata(u, v) == 0) missing(u / k, v / k) = 0;
+    }
+    return missing;
 }
 
 Snapshot coarser(const Snapshot& snapshot, int k) {
-    Snapshot shown = snapshot;
-    const auto groups = [k](int cells) { return (cells + k - 1) / k; };
-    const auto averaged = [&](const Grid& fine) {
-        Grid coarse(groups(fine.nx()), groups(fine.ny()));
-        for_each_group(fine, snapshot.nodata, k, coarse, [&](int x, int y, double sum, int count) {
-            coarse(x, y) = count > 0 ? sum / count : 0.0;
-        });
-        return coarse;
-    };
-    shown.bed = averaged(snapshot.bed);
-    for (SnapshotField& field : shown.fields) field.values = averaged(field.values);
-    if (!snapshot.nodata.empty()) {
-        shown.nodata = Mask(shown.bed.nx(), shown.bed.ny());
-        for_each_group(
-            snapshot.bed, snapshot.nodata, k, shown.bed,
-            [&](int x, int y, double, int count) { shown.nodata(x, y) = count == 0 ? 1 : 0; });
-    }
+    Snapshot shown;
+    shown.step = snapshot.step;
+    shown.time = snapshot.time;
+    shown.time_unit = snapshot.time_unit;
+    shown.bed = averaged(snapshot.bed, snapshot.nodata, k);
+    if (!snapshot.nodata.empty())
+        shown.nodata = all_missing(snapshot.nodata, shown.bed.nx(), shown.bed.ny(), k);
+    shown.scale = snapshot.scale;
     shown.scale.dx *= k;
     shown.scale.dy *= k;
+    shown.highest_expected = snapshot.highest_expected;
+    shown.periodic = snapshot.periodic;
+    for (const SnapshotField& field : snapshot.fields) {
+        shown.fields.push_back(
+            {field.name, field.long_name, field.unit, averaged(field.values, snapshot.nodata, k)});
+    }
+    shown.numbers = snapshot.numbers;
+    shown.section = snapshot.section;
+    shown.landform = snapshot.landform;
     return shown;
+}
+
+/// How many cells along each side become one.
+int cells_averaged(const Snapshot& snapshot, const View& view) {
+    const int longer = std::max(snapshot.bed.nx(), snapshot.bed.ny());
+    const int needed = (longer + longest_drawn - 1) / longest_drawn;
+    const CameraSettings& camera = view.camera;
+    const bool whole_block_seen = view.look.ground == Ground::table && camera.distance.is_word() &&
+                                  camera.at.empty() && camera.look_at.empty();
+    if (!whole_block_seen) return needed;
+    const auto pixels = static_cast<int>(std::max(view.image.width, view.image.height));
+    return std::max(needed, longer / std::max(pixels, least_drawn));
 }
 
 }  // namespace
 
-std::optional<Snapshot> shown_snapshot(const Snapshot& snapshot, const LookSettings& look) {
+std::optional<Snapshot> shown_snapshot(const Snapshot& snapshot, const View& view) {
     const int nx = snapshot.bed.nx();
     const int ny = snapshot.bed.ny();
-    if (ny == 1 && nx > 1) return as_strip(snapshot, look);
-    const int k = (std::max(nx, ny) + longest_drawn - 1) / longest_drawn;
+    if (ny == 1 && nx > 1) return as_strip(snapshot, view.look);
+    const int k = cells_averaged(snapshot, view);
     if (k > 1) return coarser(snapshot, k);
     return std::nullopt;
 }

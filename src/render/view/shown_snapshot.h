@@ -13,9 +13,12 @@ namespace fumon {
 ///   look.profile_start on, a quarter as deep as long and the same all across; where its air is
 ///   shown too (look.air, scenic), all of its sites, a third as deep as long. A strip has a section
 ///   only then;
-/// - a bed of more than 8192 cells on a side becomes one of fewer cells, each the mean of k × k.
+/// - a bed of far more cells than the picture has pixels becomes one of fewer, each the mean of
+///   k × k: where the whole block is in the picture (camera.distance = "fit"), as many as leave at
+///   least one cell a pixel along the longer sides of both, and 1024 cells; else, where it has more
+///   than 8192 cells on a side, no more than these.
 ///
 /// Nothing when the snapshot is drawn as it is.
-std::optional<Snapshot> shown_snapshot(const Snapshot& snapshot, const LookSettings& look);
+std::optional<Snapshot> shown_snapshot(const Snapshot& snapshot, const View& view);
 
 }  // namespace fumon

@@ -59,7 +59,7 @@ TEST(AirSheet, ChangesPixelsOnlyAboveTheFarEdge) {
     const View view = small_view();
     const Snapshot air = with_section(eddy_section(), [](SnapshotSection& s) { s.paths.clear(); });
     const Snapshot empty = with_section(air, still_and_empty);
-    const Snapshot strip = *shown_snapshot(air, view.look);
+    const Snapshot strip = *shown_snapshot(air, view);
     const Block block = frame_block(strip, automatic_exaggeration(strip));
     const Camera camera = place_camera(view.camera, block, 320.0 / 180.0, 0.0);
     const auto corner = [&](double east, double z) {
@@ -104,7 +104,7 @@ TEST(AirSheet, ShowsTheGrainsPathsAboveTheStrip) {
     const Snapshot without = with_section(with, [](SnapshotSection& s) { s.paths.clear(); });
     EXPECT_NE(picture(view, with), picture(view, without));
 
-    const Snapshot strip = *shown_snapshot(with, view.look);
+    const Snapshot strip = *shown_snapshot(with, view);
     const Block block = frame_block(strip, 1.0);
     const Camera camera = place_camera(view.camera, block, 320.0 / 180.0, 0.0);
     const auto span = [&](const Snapshot& snapshot) {

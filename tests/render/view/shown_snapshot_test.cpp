@@ -15,7 +15,7 @@ Snapshot of(Grid bed) {
 
 TEST(ShownSnapshot, AnOrdinaryBedIsDrawnAsItIs) {
     EXPECT_FALSE(shown_snapshot(of(Grid(100, 80)), {}));
-    EXPECT_FALSE(shown_snapshot(of(Grid(8192, 2)), {}));
+    EXPECT_FALSE(shown_snapshot(of(Grid(2000, 2)), {}));
     EXPECT_FALSE(shown_snapshot(of(Grid(1, 1)), {}));
 }
 
@@ -24,11 +24,12 @@ TEST(ShownSnapshot, AProfileBecomesAStripOfTheSitesAskedFor) {
     for (int x = 0; x < 1000; ++x) row(x, 0) = x;
     Snapshot profile = of(row);
     profile.fields.push_back({"twice", "", "1", row});
-    LookSettings look;
-    EXPECT_EQ(shown_snapshot(profile, look)->bed.nx(), 900);
+    View view;
+    LookSettings& look = view.look;
+    EXPECT_EQ(shown_snapshot(profile, view)->bed.nx(), 900);
     look.profile_start = 990;
     look.profile_sites = 40;
-    const auto strip = shown_snapshot(profile, look);
+    const auto strip = shown_snapshot(profile, view);
     ASSERT_TRUE(strip);
     ASSERT_EQ(strip->bed.nx(), 40);
     ASSERT_EQ(strip->bed.ny(), 10);
@@ -48,7 +49,9 @@ TEST(ShownSnapshot, AHugeBedIsAveraged) {
     huge.nodata = Mask(16385, 5);
     huge.nodata(0, 0) = 1;
     for (int y = 3; y < 5; ++y) huge.nodata(16384, y) = huge.nodata(16383, y) = 1;
-    const auto shown = shown_snapshot(huge, {});
+    View view;
+    view.camera.distance = {"", 1.0};
+    const auto shown = shown_snapshot(huge, view);
     ASSERT_TRUE(shown);
     ASSERT_EQ(shown->bed.nx(), 5462);
     ASSERT_EQ(shown->bed.ny(), 2);
@@ -58,6 +61,62 @@ TEST(ShownSnapshot, AHugeBedIsAveraged) {
     EXPECT_EQ(shown->nodata(0, 0), 0);
     EXPECT_EQ(shown->nodata(5461, 1), 1);
     EXPECT_DOUBLE_EQ(shown->scale.dx, 6.0);
+}
+
+TEST(ShownSnapshot, ABedOfMoreCellsThanPixelsIsAveragedWhereAllOfItIsSeen) {
+    const Snapshot bed = of(Grid(4100, 3));
+    View view;
+    const auto columns = [&] {
+        const auto shown = shown_snapshot(bed, view);
+        return shown ? shown->bed.nx() : bed.bed.nx();
+    };
+    view.image.width = 1920;
+    view.image.height = 1080;
+    EXPECT_EQ(columns(), 2050);
+    view.image.height = 2100;  // the longer side counts: still one cell a pixel at the least
+    EXPECT_EQ(columns(), 4100);
+    view.image.width = view.image.height = 64;
+    EXPECT_EQ(columns(), 1025);
+    const View small = view;
+    view.camera.distance = {"", 0.2};  // what is near may be large
+    EXPECT_EQ(columns(), 4100);
+    view = small;
+    view.camera.look_at = {1.0, 1.0, 0.0};
+    EXPECT_EQ(columns(), 4100);
+    view = small;
+    view.camera.at = {1.0, 1.0, 1.0};
+    EXPECT_EQ(columns(), 4100);
+    view = small;
+    view.look.ground = Ground::endless;
+    EXPECT_EQ(columns(), 4100);
+}
+
+TEST(ShownSnapshot, AnAveragedBedKeepsWhatIsNoField) {
+    Snapshot bed = of(Grid(4096, 2, 1.0));
+    bed.step = 7;
+    bed.time = 3.5;
+    bed.time_unit = "s";
+    bed.scale.in_metres = true;
+    bed.highest_expected = 2.0;
+    bed.periodic = true;
+    bed.fields.push_back({"depth", "how deep", "m", Grid(4096, 2, 4.0)});
+    bed.numbers.push_back({"lost", "1", 5.0});
+    bed.landform = Landform::water;
+    const auto shown = shown_snapshot(bed, {});
+    ASSERT_TRUE(shown);
+    EXPECT_EQ(shown->step, 7);
+    EXPECT_EQ(shown->time, 3.5);
+    EXPECT_EQ(shown->time_unit, "s");
+    EXPECT_TRUE(shown->scale.in_metres);
+    EXPECT_EQ(shown->highest_expected, 2.0);
+    EXPECT_TRUE(shown->periodic);
+    ASSERT_EQ(shown->fields.size(), 1U);
+    EXPECT_EQ(shown->fields.front().name, "depth");
+    EXPECT_EQ(shown->fields.front().long_name, "how deep");
+    EXPECT_EQ(shown->fields.front().unit, "m");
+    EXPECT_EQ(shown->fields.front().values(2047, 0), 4.0);
+    EXPECT_EQ(shown->numbers.size(), 1U);
+    EXPECT_EQ(shown->landform, Landform::water);
 }
 
 TEST(Marking, ToppledCellsStandOutMostAndOthersNotAtAll) {
