@@ -17,7 +17,8 @@ enum class Purpose : std::uint32_t {
     toppling_directions = 4,
     drop_sites = 5,
     bootstrap = 6,
-    influx = 7
+    influx = 7,
+    gusts = 8
 };
 
 /// Philox4x32-10 (Salmon, Moraes, Dror & Shaw 2011): ten rounds on a 128-bit counter under a 64-bit

@@ -51,6 +51,14 @@ struct SnapshotNumber {
     double value = 0.0;
 };
 
+/// A wind of a run: where it blows to, and the sand that it moves over flat ground, m²/yr over the
+/// whole time.
+struct SnapshotWind {
+    double x = 1.0;  ///< eastward part of a unit vector
+    double y = 0.0;  ///< northward part
+    double drift = 0.0;
+};
+
 /// An immutable copy of what a model shows between two steps. It is all that the renderer, the
 /// measures and the writers ever see of the model. `bed` is in model heights; `scale` relates these
 /// to metres.
@@ -69,6 +77,7 @@ struct Snapshot {
     /// What is above a bed of a single row, where the model knows; shared, since it is large.
     std::shared_ptr<const SnapshotSection> section{};
     Landform landform = Landform::bed;  ///< of the model
+    std::vector<SnapshotWind> winds{};  ///< of the whole run; empty: one toward +x
 };
 
 }  // namespace fumon

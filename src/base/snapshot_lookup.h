@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -19,6 +20,36 @@ inline std::optional<double> number_of(const Snapshot& snapshot, std::string_vie
 inline const Grid* field_of(std::span<const SnapshotField> fields, std::string_view name) {
     const SnapshotField* field = find_named(fields, name);
     return field == nullptr ? nullptr : &field->values;
+}
+
+/// A direction on the ground, a unit vector.
+struct Way {
+    double x = 1.0;  ///< eastward
+    double y = 0.0;  ///< northward
+
+    [[nodiscard]] bool is_east() const { return x == 1.0 && y == 0.0; }
+};
+
+/// Where the winds of a run move the sand on balance: the direction of the resultant of their
+/// drifts; +x where the model tells none. Nothing where they cancel: where the resultant is less
+/// than 1 % of the sum.
+inline std::optional<Way> downwind(const Snapshot& snapshot) {
+    constexpr double cancelled = 0.01;
+    constexpr double rounding = 1e-9;
+    if (snapshot.winds.empty()) return Way{};
+    double x = 0.0;
+    double y = 0.0;
+    double potential = 0.0;
+    for (const SnapshotWind& wind : snapshot.winds) {
+        x += wind.drift * wind.x;
+        y += wind.drift * wind.y;
+        potential += wind.drift;
+    }
+    const double resultant = std::sqrt(x * x + y * y);
+    if (!(resultant > cancelled * potential)) return std::nullopt;
+    if (std::abs(y) < rounding * resultant) return Way{x > 0.0 ? 1.0 : -1.0, 0.0};
+    if (std::abs(x) < rounding * resultant) return Way{0.0, y > 0.0 ? 1.0 : -1.0};
+    return Way{x / resultant, y / resultant};
 }
 
 }  // namespace fumon

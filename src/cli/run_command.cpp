@@ -21,6 +21,7 @@
 #include "run/terminal/interrupt.h"
 #include "scene/read.h"
 #include "scene/scene_files.h"
+#include "scene/wind_tables.h"
 
 namespace fumon {
 
@@ -101,6 +102,8 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(prepared.initial.bed.size()));
     if (!prepared.initial.note.empty()) progress.note(prepared.initial.note);
+    if (const std::string winds = winds_line(prepared.model->snapshot()); !winds.empty())
+        progress.note(winds);
 
     PipelineOptions how{options.work.backend, options.work.threads, options.checkpoint_every};
     std::optional<FormerRun> from;

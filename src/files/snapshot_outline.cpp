@@ -63,6 +63,8 @@ nlohmann::ordered_json outline_json(const Snapshot& snapshot) {
     json["numbers"] = nlohmann::ordered_json::array();
     for (const SnapshotNumber& number : snapshot.numbers)
         json["numbers"].push_back({{"name", number.name}, {"unit", number.unit}});
+    for (const SnapshotWind& wind : snapshot.winds)
+        json["winds"].push_back({{"x", wind.x}, {"y", wind.y}, {"drift", wind.drift}});
     if (const SnapshotSection* section = snapshot.section.get()) {
         json["section"] = {{"dx", section->dx},
                            {"dz", section->dz},
@@ -87,6 +89,10 @@ Snapshot read_outline(const nlohmann::ordered_json& json) {
     snapshot.fields = read_names<SnapshotField>(json.at("fields"));
     for (const auto& number : json.at("numbers"))
         snapshot.numbers.push_back({number.at("name"), number.at("unit"), 0.0});
+    if (json.contains("winds")) {
+        for (const auto& wind : json.at("winds"))
+            snapshot.winds.push_back({wind.at("x"), wind.at("y"), wind.at("drift")});
+    }
     if (json.contains("section")) snapshot.section = read_section_outline(json.at("section"));
     return snapshot;
 }

@@ -111,6 +111,8 @@ constexpr std::array suite_groups{
     entry<slip_face_group>(on_beds_and_profiles),
     entry<crest_group>(on_beds),
     entry<dune_group>(on_beds),
+    entry<lone_dune_group>(on_beds),
+    entry<crest_direction_group>(on_beds),
     entry<pile_group>(on_piles),
     entry<avalanche_group>(on_piles),
     entry<channel_group>(on_water),

@@ -71,7 +71,7 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
         shown.colour_bar = bar ? BarPlace::right : BarPlace::none;
         if (k == 0) {
             shown.scale_bar = settings.scale_bar;
-            shown.arrow = direction_of(settings.arrow);
+            shown.arrow = direction_of(settings.arrow, subject.first);
         }
         if (settings.vectors) shown.flow = water_flow_of(subject.snapshots[k]);
         MadePanel one;

@@ -34,7 +34,7 @@ std::vector<MadePanel> make_profiles(const PanelSubject& subject, PanelTools& /*
     const PanelSettings& settings = subject.panel.settings;
     ProfilePicture picture =
         profile_picture(subject.snapshots, row_of(settings, subject.snapshots.front().bed));
-    picture.wind = settings.arrow == PanelArrow::wind;
+    if (settings.arrow == PanelArrow::wind) picture.wind = wind_direction(subject.first);
     std::vector<MadePanel> made(1);
     made[0].data = {{".csv", profile_csv(picture)}};
     made[0].content = std::make_unique<ProfilePanel>(std::move(picture));

@@ -47,7 +47,7 @@ std::vector<MadePanel> make_views(const PanelSubject& subject, PanelTools& tools
         const double progress = steps > 0.0 ? static_cast<double>(snapshot.step) / steps : 0.0;
         ViewSettings shown;
         shown.scale_bar = settings.scale_bar;
-        shown.arrow = direction_of(settings.arrow);
+        shown.arrow = direction_of(settings.arrow, subject.first);
         MadePanel one;
         one.content =
             std::make_unique<ViewPanel>(view_picture(view, renderer.render(snapshot), subject.first,

@@ -23,8 +23,8 @@ std::optional<Colouring> colouring_of(const std::string& field) {
     return std::nullopt;
 }
 
-std::optional<GroundDirection> direction_of(PanelArrow arrow) {
-    if (arrow == PanelArrow::wind) return wind_direction();
+std::optional<GroundDirection> direction_of(PanelArrow arrow, const Snapshot& first) {
+    if (arrow == PanelArrow::wind) return wind_direction(first);
     if (arrow == PanelArrow::flow) return flow_direction();
     return std::nullopt;
 }

@@ -15,7 +15,7 @@ LookSettings look_of(const PanelSettings& panel, const Scene& scene);
 std::optional<Colouring> colouring_of(const std::string& field);
 
 /// What the arrow in the corner of a map or view shows; nothing where there is none.
-std::optional<GroundDirection> direction_of(PanelArrow arrow);
+std::optional<GroundDirection> direction_of(PanelArrow arrow, const Snapshot& first);
 
 /// The row that a profile or time-space panel shows; none: the mean over all.
 std::optional<int> row_of(const PanelSettings& panel, const Grid& bed);

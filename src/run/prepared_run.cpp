@@ -11,6 +11,7 @@
 #include "render/view/water.h"
 #include "scene/faults.h"
 #include "scene/overlay_keys.h"
+#include "scene/wind_tables.h"
 
 namespace fumon {
 
@@ -96,6 +97,7 @@ bool asks_for_more(const Scene& scene) {
 PreparedScene prepare_scene(Scene scene) {
     check_palette(scene);
     name_parameter_keys(scene);
+    read_wind_tables(scene);
     InitialBed initial = make_initial_bed(scene);
     scene.grid.nx = initial.bed.nx();  // resolved: a terrain file brings its own size
     scene.grid.ny = initial.bed.ny();

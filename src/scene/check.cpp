@@ -332,6 +332,12 @@ void check_bed(const Scene& scene, Faults& faults) {
         refuse("bed.refine",
                "bed.refine belongs to a terrain file; elsewhere take larger grid.nx and grid.ny");
     }
+    const bool is_heap = bed_kind(scene) == BedKind::heap;
+    if (is_heap && bed.heap_radius == 0.0)
+        refuse("bed.kind", "bed.heap_radius is missing; write how far the heap reaches");
+    if (!is_heap && bed.heap_radius != 0.0)
+        refuse("bed.heap_radius",
+               "bed.heap_radius belongs to a heap; write bed.kind = \"heap\" and bed.height");
     check_raster_keys(scene, from_file, refuse);
     if (bed.heights.size() == 1)
         refuse("bed.heights", "bed.heights has one number; it takes [low, high]");

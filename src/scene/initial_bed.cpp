@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/random.h"
@@ -301,6 +303,23 @@ Grid noise(const Scene& scene) {
     return bed;
 }
 
+Grid heap(const Scene& scene, const WorldScale& scale) {
+    Grid bed(static_cast<int>(scene.grid.nx), rows_of(scene));
+    const double dx = scale.in_metres ? scale.dx : 1.0;
+    const double dy = scale.in_metres ? scale.dy : 1.0;
+    for (int y = 0; y < bed.ny(); ++y) {
+        for (int x = 0; x < bed.nx(); ++x) {
+            const double east = dx * (x - 0.5 * (bed.nx() - 1));
+            const double north = dy * (y - 0.5 * (bed.ny() - 1));
+            const double share = std::sqrt(east * east + north * north) / scene.bed.heap_radius;
+            if (share >= 1.0) continue;
+            const double cosine = elementary::cos(0.5 * std::numbers::pi * share);
+            bed(x, y) = scene.bed.height * cosine * cosine;
+        }
+    }
+    return bed;
+}
+
 }  // namespace
 
 std::filesystem::path bed_path(const Scene& scene) {
@@ -323,8 +342,9 @@ InitialBed make_initial_bed(const Scene& scene) {
     }
     InitialBed initial;
     initial.scale = scale_of(scene, 0.0, 0.0);
-    initial.bed = kind == BedKind::noise
-                      ? noise(scene)
+    initial.bed = kind == BedKind::noise ? noise(scene)
+                  : kind == BedKind::heap
+                      ? heap(scene, initial.scale)
                       : Grid(static_cast<int>(scene.grid.nx), rows_of(scene), scene.bed.height);
     return initial;
 }

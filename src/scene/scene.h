@@ -27,11 +27,12 @@ struct GridSettings {
     WordOrReal height_unit{"auto", 0.0};  ///< metres per model height
 };
 
-enum class BedKind { automatic, flat, noise, file };
+enum class BedKind { automatic, flat, noise, heap, file };
 
 struct BedSettings {
     BedKind kind = BedKind::automatic;
-    double height = 0.0;           ///< flat: model heights
+    double height = 0.0;           ///< flat, or of the heap's top: model heights
+    double heap_radius = 0.0;      ///< heap: of its foot, metres or sites
     double low = 0.0, high = 1.0;  ///< noise: uniform in [low, high), model heights
     std::string file;              ///< file: as written in the scene
     std::vector<double> heights;   ///< file, PNG: metres of black and of white

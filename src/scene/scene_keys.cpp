@@ -63,10 +63,16 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                    "for others"},
                   {BedKind::flat, "flat", "one height everywhere"},
                   {BedKind::noise, "noise", "uniform random heights in [low, high)"},
+                  {BedKind::heap, "heap", "a round heap in the middle of bare ground at height 0"},
                   {BedKind::file, "file", "a terrain file"}},
                  {.help = "the initial bed"});
     table.real("bed.height", scene.bed.height,
-               {.unit = "model heights", .help = "height of a flat bed"});
+               {.unit = "model heights", .help = "height of a flat bed, or of a heap's top"});
+    table.real("bed.heap_radius", scene.bed.heap_radius,
+               {.unit = "m, or sites",
+                .range = {0, 1e9},
+                .help = "of a heap's foot, in metres where cells have a size; its height falls as "
+                        "the squared cosine"});
     table.real("bed.low", scene.bed.low,
                {.unit = "model heights", .help = "lower end of the noise"});
     table.real("bed.high", scene.bed.high,

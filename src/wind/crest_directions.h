@@ -31,6 +31,9 @@ struct CrestDirections {
     std::vector<double> fingering{};
 };
 
+/// γ of real dunes (Gao et al. 2015).
+inline constexpr double flux_ratio_of_dunes = 1.6;
+
 /// `flux_ratio`: γ, how much more sand moves over a crest that lies across the wind than over flat
 /// ground; 1.6 fits dunes (Gao et al. 2015).
 CrestDirections crest_directions(std::span<const SandFlux> fluxes, double flux_ratio);

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "scene/read.h"
+#include "support/temporary_folder.h"
 
 namespace fumon {
 namespace {
@@ -42,6 +43,21 @@ class InitialBedTest : public testing::Test {
 
     fs::path folder_;
 };
+
+TEST_F(InitialBedTest, AHeapStandsInTheMiddle) {
+    const InitialBed initial = make_initial_bed(
+        scene("dunes",
+              "[grid]\nnx = 41\nny = 31\ncell_size = [2.0]\n[bed]\nkind = \"heap\"\n"
+              "height = 6\nheap_radius = 24\n"));
+    EXPECT_DOUBLE_EQ(initial.bed(20, 15), 6.0);
+    EXPECT_NEAR(initial.bed(26, 15), 3.0, 1e-12) << "half way";
+    EXPECT_NEAR(initial.bed(20, 9), 3.0, 1e-12);
+    EXPECT_EQ(initial.bed(32, 15), 0.0);
+    EXPECT_NE(test::message_of<InputError>([&] {
+                  static_cast<void>(scene("dunes", "[bed]\nkind = \"heap\"\n"));
+              }).find("bed.heap_radius is missing"),
+              std::string::npos);
+}
 
 TEST_F(InitialBedTest, ARefinedTerrainKeepsItsPlaneItsMaskAndItsExtent) {
     std::ofstream plane(folder_ / "plane.asc");

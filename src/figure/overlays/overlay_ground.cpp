@@ -48,7 +48,7 @@ std::optional<GroundDirection> direction_of(const OverlayScene& on) {
         case Landform::air:
         case Landform::bed:
         case Landform::profile:
-            return wind_direction();
+            return wind_direction(on.first);
         case Landform::water:
             if (bed_kind(on.scene) == BedKind::file) return std::nullopt;
             return flow_direction();

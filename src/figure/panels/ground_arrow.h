@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "base/snapshot.h"
+#include "base/snapshot_lookup.h"
 #include "figure/canvas/furniture.h"
 #include "figure/panels/ground_axes.h"
 
@@ -13,9 +16,12 @@ struct GroundDirection {
     std::string label;
 };
 
-/// The wind blows toward +x, east.
-inline GroundDirection wind_direction() {
-    return {{1.0, 0.0}, "wind"};
+/// Toward +x, east, or where the winds of a run move the sand on balance; nothing where they
+/// cancel.
+inline std::optional<GroundDirection> wind_direction(const Snapshot& snapshot) {
+    const std::optional<Way> way = downwind(snapshot);
+    if (!way) return std::nullopt;
+    return GroundDirection{{way->x, way->y}, snapshot.winds.size() > 1 ? "drift" : "wind"};
 }
 
 /// Water flows down the slope, toward −y, south.

@@ -213,12 +213,12 @@ void ProfilePanel::draw(Canvas& canvas, const CanvasBox& frame) const {
     const double above = frame.y - 0.5 * room_of_name * font;
     canvas.write(fmt::format("heights × {:g}", exaggeration(frame.width, frame.height)),
                  {frame.right(), above}, {1.0, 0.5}, {}, tick_text);
-    if (!picture_.wind) return;
-    const GroundDirection wind{wind_direction().towards, ""};
+    if (!picture_.wind || picture_.wind->towards.y != 0.0) return;
+    const GroundDirection wind{picture_.wind->towards, ""};
     const FurnitureSize size = ground_arrow_size(canvas, wind, map_axes());
     draw_ground_arrow(canvas, wind, map_axes(),
                       {frame.x, above - 0.5 * size.height, size.width, size.height});
-    canvas.write(wind_direction().label, {frame.x + size.width + 0.4 * font, above}, {0.0, 0.5}, {},
+    canvas.write(picture_.wind->label, {frame.x + size.width + 0.4 * font, above}, {0.0, 0.5}, {},
                  tick_text);
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/snapshot.h"
 #include "figure/canvas/panel.h"
+#include "figure/panels/ground_arrow.h"
 #include "figure/plot/axes.h"
 
 namespace fumon {
@@ -27,7 +28,7 @@ struct ProfilePicture {
     std::vector<ProfileLine> lines;
     double length = 0.0;  ///< along x, metres or sites
     bool in_metres = false;
-    bool wind = false;          ///< show that it blows toward +x
+    std::optional<GroundDirection> wind;  ///< shown where it blows along x
     double exaggeration = 0.0;  ///< vertical; 0: the largest round number that the frame allows
 };
 

@@ -6,16 +6,22 @@
 #include <optional>
 #include <utility>
 
+#include "base/elementary_angle.h"
 #include "base/snapshot_lookup.h"
+#include "base/units.h"
+#include "measure/bed/bed_along_wind.h"
 #include "measure/bed/bed_statistics.h"
 #include "measure/bed/celerity.h"
 #include "measure/bed/crest_height.h"
 #include "measure/bed/crest_lines.h"
 #include "measure/bed/crest_orientation.h"
 #include "measure/bed/dunes.h"
+#include "measure/bed/lone_dunes.h"
 #include "measure/bed/slip_faces.h"
 #include "measure/bed/slopes.h"
 #include "measure/bed/wavelength.h"
+#include "wind/crest_directions.h"
+#include "wind/direction.h"
 
 namespace fumon {
 
@@ -29,6 +35,11 @@ auto of_whole_beds(Finding find) {
         if (!snapshot.nodata.empty()) return std::nullopt;
         return find(snapshot);
     };
+}
+
+/// A bed along the wind; of winds that cancel, along x.
+BedAlongWind along_the_wind(const Snapshot& snapshot) {
+    return bed_along_wind(snapshot, downwind(snapshot).value_or(Way{}));
 }
 
 /// The bed of the row before.
@@ -58,6 +69,66 @@ bool is_of_sand(const Snapshot& first) {
     return landform == Landform::bed || landform == Landform::profile || landform == Landform::pile;
 }
 
+/// The angle of crests against the normal to a wind toward `way`, of one against the normal to x.
+double turned_against(const Way& way, double degrees) {
+    double turned = degrees - elementary::atan2(way.y, way.x) * degrees_per_radian;
+    while (turned <= -90.0) turned += 180.0;
+    while (turned > 90.0) turned -= 180.0;
+    return turned;
+}
+
+/// The way of the wind over a snapshot's dunes.
+DuneWay dune_way(const Snapshot& snapshot) {
+    const std::optional<Way> way = downwind(snapshot);
+    return {way.value_or(Way{}), snapshot.scale.dy / snapshot.scale.dx, way.has_value()};
+}
+
+MeasureGroup no_columns() {
+    return {{}, [](const Snapshot&) { return std::vector<double>(); }};
+}
+
+/// Crests measured beside those predicted, degrees clockwise from north.
+struct CrestTheory {
+    double measured = undefined;
+    double gross_normal_transport = undefined;
+    double bed_instability = undefined;
+    double fingering = undefined;
+};
+
+/// Of directions that are equally favoured the one nearest to a line; undefined for none.
+double nearest(const std::vector<double>& directions, double line) {
+    double found = undefined;
+    double least = full_turn;
+    for (const double direction : directions) {
+        const double apart = std::abs(std::fmod(direction - line, half_turn));
+        const double angle = std::min(apart, half_turn - apart);
+        if (angle >= least) continue;
+        found = direction;
+        least = angle;
+    }
+    return found;
+}
+
+CrestTheory crest_theory(const Snapshot& snapshot, const CrestDirections& predicted) {
+    CrestTheory theory;
+    const CrestOrientation crests = crest_orientation(snapshot.bed, snapshot.periodic);
+    if (std::isnan(crests.degrees)) return theory;
+    theory.measured = std::fmod(half_turn - crests.degrees, half_turn);
+    theory.gross_normal_transport = nearest(predicted.gross_normal_transport, theory.measured);
+    theory.bed_instability = nearest(predicted.bed_instability, theory.measured);
+    theory.fingering = nearest(predicted.fingering, theory.measured);
+    return theory;
+}
+
+CrestDirections predicted_crests(const Snapshot& snapshot) {
+    std::vector<SandFlux> fluxes;
+    for (const SnapshotWind& wind : snapshot.winds) {
+        const double toward = elementary::atan2(wind.x, wind.y) * degrees_per_radian;
+        fluxes.push_back({toward < 0.0 ? toward + full_turn : toward, wind.drift});
+    }
+    return crest_directions(fluxes, flux_ratio_of_dunes);
+}
+
 struct Crests {
     CrestOrientation orientation;
     CrestDefects defects;
@@ -78,20 +149,28 @@ MeasureGroup statistics_group(const Snapshot& first) {
 }
 
 MeasureGroup wave_group() {
-    using Whole = const Snapshot*;
-    return group_of<Whole>(
-        of_whole_beds([](const Snapshot& snapshot) { return &snapshot; }),
-        {{"wavelength_spectrum", "sites", "along x: centroid of the power spectrum's peak",
-          [](Whole on) { return wavelength_spectrum(on->bed, on->periodic); }},
-         {"wavelength_autocorrelation", "sites", "along x: first peak of the autocorrelation",
-          [](Whole on) { return wavelength_autocorrelation(on->bed, on->periodic); }},
+    struct Waves {
+        BedAlongWind along;
+        const Grid* bed;
+    };
+    return group_of<Waves>(
+        of_whole_beds([](const Snapshot& snapshot) {
+            return Waves{along_the_wind(snapshot), &snapshot.bed};
+        }),
+        {{"wavelength_spectrum", "sites", "downwind: centroid of the power spectrum's peak",
+          [](const Waves& on) { return wavelength_spectrum(on.along.bed, on.along.periodic); }},
+         {"wavelength_autocorrelation", "sites", "downwind: first peak of the autocorrelation",
+          [](const Waves& on) {
+              return wavelength_autocorrelation(on.along.bed, on.along.periodic);
+          }},
          {"wavelength_crossings", "sites",
-          "along x: upward crossings with hysteresis (mean +- sd/2)",
-          [](Whole on) { return wavelength_crossings(on->bed, on->periodic); }},
+          "downwind: upward crossings with hysteresis (mean +- sd/2)",
+          [](const Waves& on) { return wavelength_crossings(on.along.bed, on.along.periodic); }},
          {"top_one_percent_height", "heights", "mean of the highest 1 % of the cells",
-          [](Whole on) { return top_one_percent_mean(on->bed); }},
-         {"crest_to_trough_height", "heights", "mean over the waves along x",
-          [](Whole on) { return crest_to_trough_height(on->bed, on->periodic); }}});
+          [](const Waves& on) { return top_one_percent_mean(*on.bed); }},
+         {"crest_to_trough_height", "heights", "mean over the waves downwind", [](const Waves& on) {
+              return crest_to_trough_height(on.along.bed, on.along.periodic);
+          }}});
 }
 
 MeasureGroup celerity_group() {
@@ -99,9 +178,15 @@ MeasureGroup celerity_group() {
     MeasureGroup group = group_of<Celerity>(
         of_whole_beds([before](const Snapshot& snapshot) {
             Celerity celerity;
-            const std::int64_t steps = snapshot.step - before->step;
-            if (snapshot.periodic && !before->bed.empty() && steps > 0)
-                celerity = celerity_along_x(before->bed, snapshot.bed, steps);
+            const std::optional<Way> way = downwind(snapshot);
+            if (way && snapshot.periodic && !before->bed.empty() && snapshot.step > before->step) {
+                Snapshot earlier;
+                earlier.step = before->step;
+                earlier.bed = std::move(before->bed);
+                earlier.scale = snapshot.scale;
+                earlier.periodic = true;
+                celerity = celerity_along(earlier, snapshot, *way);
+            }
             *before = {snapshot.bed, snapshot.step};
             return celerity;
         }),
@@ -115,8 +200,13 @@ MeasureGroup celerity_group() {
 
 MeasureGroup slope_group() {
     return group_of<BedSlopes>(
-        [](const Snapshot& snapshot) {
-            return bed_slopes(snapshot.bed, snapshot.periodic, snapshot.nodata);
+        [](const Snapshot& snapshot) -> std::optional<BedSlopes> {
+            const std::optional<Way> way = downwind(snapshot);
+            if (!way) return std::nullopt;
+            if (way->is_east()) return bed_slopes(snapshot.bed, snapshot.periodic, snapshot.nodata);
+            if (!snapshot.nodata.empty()) return std::nullopt;
+            const BedAlongWind along = bed_along_wind(snapshot, *way);
+            return bed_slopes(along.bed, along.periodic);
         },
         {{"stoss_slope", "heights/site", "mean of the sites that rise downwind (face the wind)",
           &BedSlopes::stoss},
@@ -129,8 +219,7 @@ MeasureGroup slope_group() {
 }
 
 MeasureGroup slip_face_group(const Snapshot& first) {
-    if (field_of(first.fields, "wind_shadow") == nullptr)
-        return {{}, [](const Snapshot&) { return std::vector<double>(); }};
+    if (field_of(first.fields, "wind_shadow") == nullptr) return no_columns();
     return group_of<SlipFaces>(
         [](const Snapshot& snapshot) -> std::optional<SlipFaces> {
             const Grid* shadow = field_of(snapshot.fields, "wind_shadow");
@@ -147,10 +236,14 @@ MeasureGroup slip_face_group(const Snapshot& first) {
 MeasureGroup crest_group() {
     return group_of<Crests>(
         of_whole_beds([](const Snapshot& snapshot) {
-            const Grid& bed = snapshot.bed;
-            return Crests{
-                crest_orientation(bed, snapshot.periodic),
-                crest_defects(bed, snapshot.periodic, wavelength_spectrum(bed, snapshot.periodic))};
+            const BedAlongWind along = along_the_wind(snapshot);
+            Crests crests{crest_orientation(snapshot.bed, snapshot.periodic),
+                          crest_defects(along.bed, along.periodic,
+                                        wavelength_spectrum(along.bed, along.periodic))};
+            const std::optional<Way> way = downwind(snapshot);
+            if (way && !way->is_east())
+                crests.orientation.degrees = turned_against(*way, crests.orientation.degrees);
+            return crests;
         }),
         {{"crest_orientation", "degrees",
           "of the crests against the normal to the wind, counterclockwise",
@@ -166,7 +259,7 @@ MeasureGroup crest_group() {
 MeasureGroup dune_group() {
     return group_of<DuneField>(
         of_whole_beds([](const Snapshot& snapshot) {
-            return separate_dunes(snapshot.bed, snapshot.periodic);
+            return separate_dunes(snapshot.bed, snapshot.periodic, {}, dune_way(snapshot));
         }),
         {{"dune_count", "", "pieces above 0.3 of the highest cell, of 20 cells or more",
           [](const DuneField& field) { return static_cast<double>(field.dunes.size()); }},
@@ -178,6 +271,41 @@ MeasureGroup dune_group() {
           &DuneField::share_horns_downwind},
          {"dune_horn_lag", "sites", "mean way of the two ends downwind of the middle",
           &DuneField::mean_horn_lag}});
+}
+
+MeasureGroup lone_dune_group(const Snapshot& first) {
+    if (first.winds.empty() || field_of(first.fields, "sand") == nullptr) return no_columns();
+    return group_of<LoneDunes>(
+        of_whole_beds([](const Snapshot& snapshot) {
+            const Grid* sand = field_of(snapshot.fields, "sand");
+            return lone_dunes(sand != nullptr ? *sand : snapshot.bed, snapshot.periodic,
+                              dune_way(snapshot));
+        }),
+        {{"lone_dune_count", "", "dunes with one summit, which touch no other",
+          [](const LoneDunes& dunes) { return static_cast<double>(dunes.count); }},
+         {"lone_dune_horns_downwind", "", "share of them whose horns point downwind",
+          &LoneDunes::share_horns_downwind},
+         {"lone_dune_height_to_width", "heights/site", "median of their height over their width",
+          &LoneDunes::height_to_width}});
+}
+
+MeasureGroup crest_direction_group(const Snapshot& first) {
+    if (first.winds.empty()) return no_columns();
+    const CrestDirections predicted = predicted_crests(first);
+    return group_of<CrestTheory>(
+        of_whole_beds(
+            [predicted](const Snapshot& snapshot) { return crest_theory(snapshot, predicted); }),
+        {{"crest_direction", "degrees", "along which crests run, clockwise from north, 0 to 180",
+          &CrestTheory::measured},
+         {"predicted_crests_gross_transport", "degrees",
+          "across which most sand moves (Rubin & Hunter 1987); of equal ones the nearest",
+          &CrestTheory::gross_normal_transport},
+         {"predicted_crests_bed_instability", "degrees",
+          "along which a bed of sand grows fastest (Courrech du Pont et al. 2014), likewise",
+          &CrestTheory::bed_instability},
+         {"predicted_growth_fingering", "degrees",
+          "toward which dunes on bare ground grow longer (the same), likewise",
+          &CrestTheory::fingering}});
 }
 
 }  // namespace fumon

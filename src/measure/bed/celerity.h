@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "base/grid.h"
+#include "base/snapshot.h"
+#include "base/snapshot_lookup.h"
 
 namespace fumon {
 
@@ -28,5 +30,11 @@ struct Celerity {
 /// in between. Two different speeds, of large and small dunes, come out as that of the greater
 /// relief. Throws Error for beds of different size and for steps < 1.
 Celerity celerity_along_x(const Grid& earlier, const Grid& later, std::int64_t steps);
+
+/// The same along any way, of two snapshots of one periodic bed. Along an axis of a grid of square
+/// cells it is celerity_along_x of the turned bed; else displacements of up to half the columns
+/// are tried site by site, with heights linear between cells, over all rows or, in large beds,
+/// every other, third … of them.
+Celerity celerity_along(const Snapshot& earlier, const Snapshot& later, const Way& way);
 
 }  // namespace fumon

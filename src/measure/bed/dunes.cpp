@@ -3,19 +3,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
-
-#include "measure/bed/dune_pieces.h"
 
 namespace fumon {
 
 namespace {
 
-/// One row of a dune, unwrapped: how many cells, the sum of their x, and the easternmost one.
+/// A strip of a dune along the wind, a site wide: how many cells, the sum of their places along the
+/// wind, and the last of them.
 struct DuneRow {
-    std::int64_t cells = 0;
-    double x_sum = 0.0;
-    int last = 0;
+    double cells = 0.0;
+    double along_sum = 0.0;
+    double last = 0.0;
+
+    void add(double share, double along) {
+        last = cells == 0.0 ? along : std::max(last, along);
+        cells += share;
+        along_sum += share * along;
+    }
 };
 
 int into_box(int value, int size) {
@@ -27,17 +33,35 @@ double into_box(double value, int size) {
     return value - size * std::floor(value / size);
 }
 
-/// Rows in ascending y; an 8-connected piece leaves none out.
-std::vector<DuneRow> rows_of(std::span<const RowRun> runs, int lowest_y) {
-    std::vector<DuneRow> rows;
+/// From right to left, looking downwind. A cell between two strips is shared by them.
+std::vector<DuneRow> rows_of(std::span<const RowRun> runs, const DuneWay& way) {
+    struct Place {
+        double along;
+        double across;
+    };
+    const auto place_of = [&](int x, int y) {
+        const double north = y * way.rows_of_dx;
+        return Place{x * way.way.x + north * way.way.y, north * way.way.x - x * way.way.y};
+    };
+    double rightmost = std::numeric_limits<double>::infinity();
     for (const RowRun& run : runs) {
-        const auto index = static_cast<std::size_t>(run.y - lowest_y);
+        for (const int x : {run.first, run.last})
+            rightmost = std::min(rightmost, place_of(x, run.y).across);
+    }
+    std::vector<DuneRow> rows;
+    const auto row = [&](std::size_t index) -> DuneRow& {
         if (index >= rows.size()) rows.resize(index + 1);
-        DuneRow& row = rows[index];
-        const int cells = run.last - run.first + 1;
-        row.last = row.cells == 0 ? run.last : std::max(row.last, run.last);
-        row.cells += cells;
-        row.x_sum += 0.5 * cells * (static_cast<double>(run.first) + run.last);
+        return rows[index];
+    };
+    for (const RowRun& run : runs) {
+        for (int x = run.first; x <= run.last; ++x) {
+            const Place place = place_of(x, run.y);
+            const double strip = std::floor(place.across - rightmost);
+            const double beyond = place.across - rightmost - strip;
+            const auto index = static_cast<std::size_t>(strip);
+            row(index).add(1.0 - beyond, place.along);
+            if (beyond > 0.0) row(index + 1).add(beyond, place.along);
+        }
     }
     return rows;
 }
@@ -53,27 +77,26 @@ double lag_of_ends(std::span<const DuneRow> rows) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const double y = static_cast<double>(i) - half_width;
         const double weight = y * y - mean_square;
-        moment += weight * rows[i].x_sum / static_cast<double>(rows[i].cells);
+        moment += weight * rows[i].along_sum / rows[i].cells;
         norm += weight * weight;
     }
     return moment / norm * half_width * half_width;
 }
 
 /// How far the rows of one side reach beyond the middle one.
-double horn(std::span<const DuneRow> side, int middle_last) {
-    int reach = middle_last;
+double horn(std::span<const DuneRow> side, double middle_last) {
+    double reach = middle_last;
     for (const DuneRow& row : side) reach = std::max(reach, row.last);
     return reach - middle_last;
 }
 
-Dune measured(const Grid& bed, const DunePiece& piece, std::span<const RowRun> runs) {
+Dune measured(const Grid& bed, const DunePiece& piece, std::span<const RowRun> runs,
+              const DuneWay& way) {
     Dune dune;
     dune.area = piece.cells;
     double x_sum = 0.0;
     double y_sum = 0.0;
-    int lowest_y = runs.front().y;
     for (const RowRun& run : runs) {
-        lowest_y = std::min(lowest_y, run.y);
         const int y = into_box(run.y, bed.ny());
         for (int x = run.first; x <= run.last; ++x) {
             const double height = bed(into_box(x, bed.nx()), y);
@@ -86,7 +109,8 @@ Dune measured(const Grid& bed, const DunePiece& piece, std::span<const RowRun> r
     }
     dune.centre_x = into_box(x_sum / static_cast<double>(dune.area), bed.nx());
     dune.centre_y = into_box(y_sum / static_cast<double>(dune.area), bed.ny());
-    const std::vector<DuneRow> rows = rows_of(runs, lowest_y);
+    if (!way.known) return dune;
+    const std::vector<DuneRow> rows = rows_of(runs, way);
     dune.horn_lag = lag_of_ends(rows);
     const std::size_t middle = rows.size() / 2;
     dune.right_horn = horn(std::span(rows).first(middle), rows[middle].last);
@@ -122,7 +146,12 @@ void set_means(DuneField& field) {
 
 }  // namespace
 
-DuneField separate_dunes(const Grid& bed, bool periodic, const DuneCriteria& criteria) {
+double horn_lag(std::span<const RowRun> runs, const DuneWay& way) {
+    return way.known ? lag_of_ends(rows_of(runs, way)) : std::numeric_limits<double>::quiet_NaN();
+}
+
+DuneField separate_dunes(const Grid& bed, bool periodic, const DuneCriteria& criteria,
+                         const DuneWay& way) {
     DuneField field;
     if (bed.empty()) return field;
     const double highest = *std::max_element(bed.values().begin(), bed.values().end());
@@ -132,7 +161,7 @@ DuneField separate_dunes(const Grid& bed, bool periodic, const DuneCriteria& cri
     for (const DunePiece& piece : found.pieces) {
         covered += piece.cells;
         if (piece.wraps || piece.cells < criteria.least_cells) continue;
-        field.dunes.push_back(measured(bed, piece, found.runs_of(piece)));
+        field.dunes.push_back(measured(bed, piece, found.runs_of(piece), way));
     }
     field.covered_share = static_cast<double>(covered) / static_cast<double>(bed.size());
     set_means(field);

@@ -45,6 +45,14 @@ void check_angles(const DunesParameters& parameters) {
     }
 }
 
+void check_winds(const DunesParameters& parameters) {
+    for (std::size_t n = 0; n < parameters.winds.size(); ++n) {
+        if (parameters.winds[n].table.empty()) continue;
+        throw KeyError(fmt::format("wind.{}.table", n),
+                       fmt::format("the winds of {} were not read", parameters.winds[n].table));
+    }
+}
+
 void check_transport(const DunesParameters& parameters, const ModelSetup& setup) {
     if (parameters.transport == DuneTransport::slabs &&
         parameters.speed_up == DuneSpeedUp::relief) {
@@ -128,9 +136,11 @@ double step_length(const DunesParameters& parameters, const DuneGround& ground, 
     if (parameters.transport == DuneTransport::slabs)
         return slab_height_of(parameters, ground) * saturation / (parameters.flux * strength);
     constexpr double lifted = 0.03;  // of a cell's size
-    return parameters.time_step.is_word()
-               ? lifted * std::min(ground.dx, ground.dy) * saturation / parameters.flux
-               : parameters.time_step.value;
+    double strongest = 1.0;
+    for (const DuneWind& wind : parameters.winds) strongest = std::max(strongest, wind.strength);
+    return parameters.time_step.is_word() ? lifted * std::min(ground.dx, ground.dy) * saturation /
+                                                (parameters.flux * strongest)
+                                          : parameters.time_step.value;
 }
 
 Grid in_metres(const WholeGrid& whole) {
@@ -163,13 +173,15 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
                                                                      : parameters.shadow_angle),
                        tangent(parameters.shadow_angle)},
       slab_height_(slab_height_of(parameters, ground_)),
-      turns_(parameters.winds,
-             [&](double strength) { return step_length(parameters, ground_, strength); }),
+      turns_(
+          parameters.winds,
+          [&](double strength) { return step_length(parameters, ground_, strength); }, setup.seed),
       bed_(first_bed(parameters, setup)),
       slopes_(
           {ground_.nx, ground_.ny, ground_.dx, ground_.dy, ground_.periodic_x, ground_.periodic_y},
           {parameters.static_angle, parameters.repose_angle}, setup.pool),
       shadow_(ground_, setup.pool) {
+    check_winds(parameters);
     check_angles(parameters);
     check_transport(parameters, setup);
     if (parameters.transport == DuneTransport::slabs) {
@@ -182,7 +194,7 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
 }
 
 void Dunes::step() {
-    const BlowingWind& wind = turns_.at(steps_);
+    const BlowingWind wind = turns_.at(steps_);
     const int most_passes = static_cast<int>(parameters_.avalanche_passes);
     if (slabs_) {
         SlabTransport::Avalanches avalanches{slopes_, most_passes};
@@ -213,6 +225,7 @@ Snapshot Dunes::snapshot() const {
                       {},     scale_};
     snapshot.landform = landform;
     snapshot.periodic = ground_.periodic_x && ground_.periodic_y;
+    snapshot.winds = turns_.drifts(parameters_.flux);
     Grid sand = snapshot.bed;
     const Grid rock = in_metres(bed_.rock);
     std::ranges::transform(sand.values(), rock.values(), sand.values().begin(), std::minus<>());

@@ -15,7 +15,23 @@ void list_wind(DuneWind& wind, const std::string& path, KeyTable& table) {
     table.real(path + ".duration", wind.duration,
                {.unit = "yr",
                 .range = {0, 1e6, true},
-                .help = "how long it blows, in whole steps, before the next one's turn"});
+                .help = "how long it blows, in whole steps, before the next one's turn; of a "
+                        "table, how long all its winds do"});
+    table.text(path + ".table", wind.table,
+               {.help = "a file of winds (direction,speed,frequency or direction,flux; see "
+                        "fumon orientation), which blow in turn instead of this one; as seen from "
+                        "the scene's folder"});
+    table.real(path + ".gust_angle", wind.gust_angle,
+               {.unit = "degrees",
+                .range = {0, 90},
+                .help = "gusts come from directions drawn about it: their standard deviation"});
+    table.real(path + ".gust_strength", wind.gust_strength,
+               {.range = {0, 1},
+                .help = "gusts are as strong as drawn about its strength: their standard "
+                        "deviation, in parts of it"});
+    table.real(
+        path + ".gust_duration", wind.gust_duration,
+        {.unit = "yr", .range = {0, 1e6, true}, .help = "how long a gust lasts, in whole steps"});
 }
 
 void list_transport_keys(DunesParameters& dunes, KeyTable& table) {
@@ -45,7 +61,9 @@ void list_transport_keys(DunesParameters& dunes, KeyTable& table) {
                 .help = "drift down a slope of 1, in parts of the saturated one over flat sand; of "
                         "continuous transport"});
     table.word_or_real("model.time_step", dunes.time_step,
-                       {{"auto", "such that a step lifts 3 % of a cell's size from flat sand"}},
+                       {{"auto",
+                         "such that a step of the strongest wind lifts 3 % of a cell's size from "
+                         "flat sand, at most"}},
                        {.unit = "yr",
                         .range = {0, 1e3, true},
                         .help = "of continuous transport; a step of slabs takes as long as its "

@@ -15,11 +15,15 @@ enum class DuneEdge { periodic, open };
 enum class DuneRock { level, bed };
 enum class SlabOrder { parallel, sequential };
 
-/// A wind that blows for a while.
+/// A wind that blows for a while, or a table of winds, whose place the winds in it take.
 struct DuneWind {
-    double from = 270.0;    ///< degrees clockwise from north, where it blows from
-    double strength = 1.0;  ///< of its drift, in model.flux
-    double duration = 1.0;  ///< years
+    double from = 270.0;         ///< degrees clockwise from north, where it blows from
+    double strength = 1.0;       ///< of its drift, in model.flux
+    double duration = 1.0;       ///< years; of a table, of all its winds together
+    std::string table{};         ///< a file; empty for a wind
+    double gust_angle = 0.0;     ///< degrees: standard deviation of gusts' directions about `from`
+    double gust_strength = 0.0;  ///< standard deviation of gusts' strengths, in parts of `strength`
+    double gust_duration = 0.01;  ///< years
 
     friend bool operator==(const DuneWind&, const DuneWind&) = default;
 };

@@ -1,10 +1,12 @@
 #include "models/dunes/relief_shear.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 
 #include "base/elementary.h"
+#include "base/worker_pool.h"
 
 namespace fumon {
 
@@ -20,17 +22,82 @@ std::vector<double> smoothing(int count) {
     return kept;
 }
 
+/// The next length whose transform is fast.
+int fast_length(int least) {
+    const auto is_fast = [](int length) {
+        for (const int prime : {2, 3, 5}) {
+            while (length % prime == 0) length /= prime;
+        }
+        return length == 1;
+    };
+    while (!is_fast(least)) ++least;
+    return least;
+}
+
+DuneGround extended(DuneGround ground) {
+    if (!ground.periodic_x) ground.nx = fast_length(ground.nx + (ground.nx + 1) / 2);
+    if (!ground.periodic_y) ground.ny = fast_length(ground.ny + (ground.ny + 1) / 2);
+    return ground;
+}
+
+/// The share of the edge ahead at a cell of the way from the one behind.
+double share_ahead(int cell, int cells) {
+    const double way = (cell + 1.0) / (cells + 1.0);
+    return way * way * (3.0 - 2.0 * way);
+}
+
 }  // namespace
 
 ReliefShear::ReliefShear(const DuneGround& ground, double in_phase, double ahead, WorkerPool& pool)
-    : ground_(ground),
+    : nx_(ground.nx),
+      ny_(ground.ny),
+      ground_(extended(ground)),
       in_phase_(in_phase),
       ahead_(ahead),
-      filter_(ground.nx, ground.ny, pool),
-      smoothing_x_(smoothing(ground.nx)),
-      smoothing_y_(smoothing(ground.ny)) {}
+      pool_(pool),
+      extended_(ground_.nx > nx_ || ground_.ny > ny_ ? Grid(ground_.nx, ground_.ny) : Grid()),
+      filter_(ground_.nx, ground_.ny, pool),
+      smoothing_x_(smoothing(ground_.nx)),
+      smoothing_y_(smoothing(ground_.ny)) {}
+
+void ReliefShear::go_on_past_edges(const Grid& plane) {
+    const int beyond_x = ground_.nx - nx_;
+    const int beyond_y = ground_.ny - ny_;
+    pool_.for_ranges(ny_, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            const auto from = plane.row(y);
+            const auto to = extended_.row(y);
+            std::ranges::copy(from, to.begin());
+            for (int i = 0; i < beyond_x; ++i) {
+                const double share = share_ahead(i, beyond_x);
+                to[static_cast<std::size_t>(nx_ + i)] =
+                    (1.0 - share) * from.back() + share * from.front();
+            }
+        }
+    });
+    pool_.for_ranges(beyond_y, [&](int begin, int end) {
+        for (int j = begin; j < end; ++j) {
+            const double share = share_ahead(j, beyond_y);
+            const auto south = extended_.row(0);
+            const auto north = extended_.row(ny_ - 1);
+            const auto to = extended_.row(ny_ + j);
+            for (std::size_t x = 0; x < to.size(); ++x)
+                to[x] = (1.0 - share) * north[x] + share * south[x];
+        }
+    });
+}
 
 void ReliefShear::apply(Grid& plane, const BlowingWind& wind) {
+    if (extended_.empty()) {
+        respond(plane, wind);
+        return;
+    }
+    go_on_past_edges(plane);
+    respond(extended_, wind);
+    for (int y = 0; y < ny_; ++y) std::copy_n(extended_.row(y).begin(), nx_, plane.row(y).begin());
+}
+
+void ReliefShear::respond(Grid& plane, const BlowingWind& wind) {
     const double unit_x = 2.0 * std::numbers::pi / (ground_.nx * ground_.dx);
     const double unit_y = 2.0 * std::numbers::pi / (ground_.ny * ground_.dy);
     filter_.apply(

@@ -1,9 +1,12 @@
 #include "models/dunes/wind_turns.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "base/elementary.h"
+#include "base/random.h"
 #include "base/units.h"
 
 namespace fumon {
@@ -16,22 +19,59 @@ double without_rounding(double component) {
     return std::abs(component) < rounding ? 0.0 : component;
 }
 
+/// Two independent numbers of the standard normal law (Box & Muller 1958).
+std::array<double, 2> normal_pair(RandomStream& stream) {
+    const double radius = std::sqrt(-2.0 * elementary::log(1.0 - stream.uniform()));
+    const double angle = 2.0 * std::numbers::pi * stream.uniform();
+    return {radius * elementary::cos(angle), radius * elementary::sin(angle)};
+}
+
+BlowingWind blowing(double from, double strength) {
+    return {without_rounding(-elementary::sin(from * degree)),
+            without_rounding(-elementary::cos(from * degree)), strength};
+}
+
+std::int64_t whole_steps(double duration, double step_length) {
+    constexpr double most_steps = 1e15;
+    return std::llround(std::clamp(duration / step_length, 1.0, most_steps));
+}
+
 }  // namespace
 
 void WindTurns::add(const DuneWind& wind, double step_length) {
-    BlowingWind blowing;
-    blowing.x = without_rounding(-elementary::sin(wind.from * degree));
-    blowing.y = without_rounding(-elementary::cos(wind.from * degree));
-    blowing.strength = wind.strength;
-    constexpr double most_steps = 1e15;
-    const double steps = std::clamp(wind.duration / step_length, 1.0, most_steps);
     const std::int64_t begin = turns_.empty() ? 0 : turns_.back().end;
-    turns_.push_back({blowing, begin + std::llround(steps), step_length});
+    const bool gusty = wind.gust_angle > 0.0 || wind.gust_strength > 0.0;
+    turns_.push_back({blowing(wind.from, wind.strength),
+                      begin + whole_steps(wind.duration, step_length), step_length, wind,
+                      gusty ? whole_steps(wind.gust_duration, step_length) : 0});
+}
+
+BlowingWind WindTurns::at(std::int64_t step) const {
+    const Turn& now = turn(step);
+    if (now.gust_steps == 0) return now.wind;
+    const std::int64_t begin = &now == turns_.data() ? 0 : (&now - 1)->end;
+    const std::int64_t into_turn = step % turns_.back().end - begin;
+    RandomStream stream(seed_, 0, step - into_turn % now.gust_steps, Purpose::gusts);
+    const std::array<double, 2> drawn = normal_pair(stream);
+    const double strength = 1.0 + now.asked.gust_strength * drawn[1];
+    return blowing(now.asked.from + now.asked.gust_angle * drawn[0],
+                   now.asked.strength * std::max(strength, 0.0));
 }
 
 const WindTurns::Turn& WindTurns::turn(std::int64_t step) const {
     const std::int64_t within = step % turns_.back().end;
     return *std::ranges::find_if(turns_, [&](const Turn& turn) { return within < turn.end; });
+}
+
+std::vector<SnapshotWind> WindTurns::drifts(double flux) const {
+    double whole = 0.0;
+    for (const Turn& turn : turns_) whole += turn.asked.duration;
+    std::vector<SnapshotWind> drifts;
+    for (const Turn& turn : turns_) {
+        const double drift = flux * turn.wind.strength * turn.asked.duration / whole;
+        drifts.push_back({turn.wind.x, turn.wind.y, drift});
+    }
+    return drifts;
 }
 
 double WindTurns::time(std::int64_t steps) const {

@@ -118,7 +118,7 @@ TEST(GroundArrow, PointsTheWindsWayWithinItsBox) {
         camera.azimuth = azimuth;
         const GroundAxes axes = seen_axes(projection_of(camera, wavy_bed(60, 40)));
         Canvas canvas(200, 200, 20.0);
-        const GroundDirection wind{wind_direction().towards, ""};
+        const GroundDirection wind{wind_direction(Snapshot{})->towards, ""};
         const FurnitureSize size = ground_arrow_size(canvas, wind, axes);
         const CanvasBox box{60.0, 60.0, size.width, size.height};
         draw_ground_arrow(canvas, wind, axes, box);
@@ -145,7 +145,7 @@ TEST(GroundArrow, PointsTheWindsWayWithinItsBox) {
 
 TEST(GroundArrow, KeepsItsLabelWithinItsBox) {
     Canvas canvas(300, 300, 15.0);
-    for (const GroundDirection& direction : {wind_direction(), flow_direction()}) {
+    for (const GroundDirection& direction : {*wind_direction(Snapshot{}), flow_direction()}) {
         const FurnitureSize size = ground_arrow_size(canvas, direction, map_axes());
         const CanvasBox box{50.0, 60.0, size.width, size.height};
         draw_ground_arrow(canvas, direction, map_axes(), box);

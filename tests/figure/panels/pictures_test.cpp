@@ -344,7 +344,7 @@ TEST(PicturePanels, DrawNothingOutsideTheirMargins) {
     for (const double azimuth : {180.0, 215.0, 280.0}) {
         ViewSettings settings;
         settings.label = "step 300";
-        settings.arrow = wind_direction();
+        settings.arrow = wind_direction(Snapshot{});
         settings.compass = true;
         settings.colour_bar = azimuth == 215.0 ? BarPlace::right : BarPlace::none;
         settings.colours = {read_palette("vik"), -1.0, 1.0, "change (mm)"};
@@ -354,7 +354,7 @@ TEST(PicturePanels, DrawNothingOutsideTheirMargins) {
     panels.emplace_back("time-space",
                         std::make_unique<TimeSpacePanel>(time_space_picture(heights(), ridge, 1)));
     ProfilePicture profiles = profile_picture(ridge, 1);
-    profiles.wind = true;
+    profiles.wind = wind_direction(Snapshot{});
     panels.emplace_back("profiles", std::make_unique<ProfilePanel>(profiles));
     profiles.lines.resize(1);
     panels.emplace_back("profile", std::make_unique<ProfilePanel>(profiles));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -236,6 +237,72 @@ TEST(Dunes, WindsBlowInTurn) {
     EXPECT_EQ(turns.at(6).strength, 2.0);
     EXPECT_EQ(turns.at(7).x, 1.0) << "the first again";
     EXPECT_DOUBLE_EQ(turns.time(17), 1.7);
+}
+
+TEST(Dunes, GustsAreDrawnAboutTheWind) {
+    DuneWind wind{270.0, 2.0, 10.0};
+    wind.gust_angle = 10.0;
+    wind.gust_strength = 0.3;
+    wind.gust_duration = 0.2;
+    const auto length = [](double) { return 0.1; };
+    const WindTurns turns({wind}, length, 5);
+    double angle_squares = 0.0;
+    double strength_squares = 0.0;
+    double strength_sum = 0.0;
+    constexpr int gusts = 4000;
+    for (int gust = 0; gust < gusts; ++gust) {
+        const BlowingWind first = turns.at(2 * gust);
+        EXPECT_EQ(first.x, turns.at(2 * gust + 1).x) << "a gust lasts two steps";
+        EXPECT_NEAR(std::hypot(first.x, first.y), 1.0, 1e-12);
+        const double angle = std::atan2(first.y, first.x) * 180.0 / std::acos(-1.0);
+        angle_squares += angle * angle;
+        strength_sum += first.strength;
+        strength_squares += (first.strength - 2.0) * (first.strength - 2.0);
+    }
+    EXPECT_NEAR(std::sqrt(angle_squares / gusts), 10.0, 0.5);
+    EXPECT_NEAR(strength_sum / gusts, 2.0, 0.03);
+    EXPECT_NEAR(std::sqrt(strength_squares / gusts), 0.6, 0.03);
+    EXPECT_NE(turns.at(0).y, turns.at(2).y);
+    EXPECT_NE(turns.at(0).y, WindTurns({wind}, length, 6).at(0).y) << "another seed";
+    wind.gust_angle = 0.0;
+    wind.gust_strength = 0.0;
+    EXPECT_EQ(WindTurns({wind}, length, 5).at(7).x, 1.0);
+}
+
+/// A dune at the inflow feels nothing of one at the outflow, which would be right before it if the
+/// bed went round.
+TEST(Dunes, AcrossOpenEdgesNothingIsFelt) {
+    WorkerPool pool(2);
+    constexpr int n = 96;
+    const auto bump = [](Grid& plane, double x0, double y0) {
+        for (int y = 0; y < n; ++y) {
+            for (int x = 0; x < n; ++x) {
+                const double square = (x - x0) * (x - x0) + (y - y0) * (y - y0);
+                plane(x, y) += 3.0 * std::exp(-square / 50.0);
+            }
+        }
+    };
+    for (const bool along_x : {true, false}) {
+        const DuneGround ground{n, n, 1.0, 1.0, !along_x, along_x};
+        const WindTurns turns({{along_x ? 270.0 : 180.0, 1.0, 1.0}}, [](double) { return 1.0; });
+        ReliefShear shear(ground, 3.5, 2.0, pool);
+        Grid alone(n, n);
+        bump(alone, along_x ? 8.0 : 48.0, along_x ? 48.0 : 8.0);
+        Grid both = alone;
+        bump(both, along_x ? 88.0 : 48.0, along_x ? 48.0 : 88.0);
+        shear.apply(alone, turns.at(0));
+        shear.apply(both, turns.at(0));
+        double most = 0.0;
+        double felt = 0.0;
+        for (int y = 0; y < (along_x ? n : 20); ++y) {
+            for (int x = 0; x < (along_x ? 20 : n); ++x) {
+                most = std::max(most, std::abs(alone(x, y)));
+                felt = std::max(felt, std::abs(both(x, y) - alone(x, y)));
+            }
+        }
+        EXPECT_GT(most, 0.5);
+        EXPECT_LT(felt, 0.02 * most) << "what is felt as far away in the open";
+    }
 }
 
 TEST(Dunes, RockMayBeTheBedOrALevel) {

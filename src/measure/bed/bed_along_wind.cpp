@@ -1,0 +1,92 @@
+#include "measure/bed/bed_along_wind.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fumon {
+
+namespace {
+
+/// The weights of the cells at −1, 0, 1, 2 for a place `beyond` the second of them (0 … 1).
+std::array<double, 4> convolution(double beyond) {
+    const double t = beyond;
+    return {0.5 * t * (t * (2.0 - t) - 1.0), 0.5 * (t * t * (3.0 * t - 5.0) + 2.0),
+            0.5 * t * (t * (4.0 - 3.0 * t) + 1.0), 0.5 * t * t * (t - 1.0)};
+}
+
+int cell_of(double cell, int count, bool periodic) {
+    if (!periodic) return static_cast<int>(std::clamp(cell, 0.0, count - 1.0));
+    return std::min(static_cast<int>(cell - count * std::floor(cell / count)), count - 1);
+}
+
+/// Turned by quarters: the cell (x, y) of the result is the cell origin + x·way + y·left.
+BedAlongWind turned_by_quarters(const Snapshot& snapshot, const Way& way) {
+    const Grid& bed = snapshot.bed;
+    const bool across = way.x == 0.0;
+    BedAlongWind turned{across ? Grid(bed.ny(), bed.nx()) : Grid(bed.nx(), bed.ny()),
+                        snapshot.periodic};
+    const auto from = [](double direction, int cell, int count) {
+        return direction > 0.0 ? cell : count - 1 - cell;
+    };
+    for (int y = 0; y < turned.bed.ny(); ++y) {
+        for (int x = 0; x < turned.bed.nx(); ++x) {
+            turned.bed(x, y) = across ? bed(from(-way.y, y, bed.nx()), from(way.y, x, bed.ny()))
+                                      : bed(from(way.x, x, bed.nx()), from(way.x, y, bed.ny()));
+        }
+    }
+    return turned;
+}
+
+}  // namespace
+
+double height_between(const Grid& bed, bool periodic, double x, double y) {
+    const double west = std::floor(x);
+    const double south = std::floor(y);
+    const std::array<double, 4> along = convolution(x - west);
+    const std::array<double, 4> across = convolution(y - south);
+    std::array<int, 4> columns{};
+    for (int i = 0; i < 4; ++i)
+        columns[static_cast<std::size_t>(i)] = cell_of(west + i - 1, bed.nx(), periodic);
+    double height = 0.0;
+    for (int j = 0; j < 4; ++j) {
+        const auto row = bed.row(cell_of(south + j - 1, bed.ny(), periodic));
+        double of_row = 0.0;
+        for (std::size_t i = 0; i < 4; ++i)
+            of_row += along[i] * row[static_cast<std::size_t>(columns[i])];
+        height += across[static_cast<std::size_t>(j)] * of_row;
+    }
+    return height;
+}
+
+BedAlongWind bed_along_wind(const Snapshot& snapshot, const Way& way) {
+    if (way.is_east()) return {snapshot.bed, snapshot.periodic};
+    const Grid& bed = snapshot.bed;
+    const double rows_of_dx = snapshot.scale.dy / snapshot.scale.dx;
+    const bool on_axis = way.x == 0.0 || way.y == 0.0;
+    if (on_axis && (rows_of_dx == 1.0 || way.y == 0.0)) return turned_by_quarters(snapshot, way);
+    const double wide = bed.nx();
+    const double high = bed.ny() * rows_of_dx;
+    double share = 1.0;
+    if (!snapshot.periodic) {
+        const double c = std::abs(way.x);
+        const double s = std::abs(way.y);
+        share = std::min(wide / (wide * c + high * s), high / (wide * s + high * c));
+    }
+    const int nx = std::max(1, static_cast<int>(share * wide));
+    const int ny = std::max(1, static_cast<int>(share * high));
+    BedAlongWind turned{Grid(nx, ny), false};
+    for (int y = 0; y < ny; ++y) {
+        const double across = y - 0.5 * (ny - 1);
+        for (int x = 0; x < nx; ++x) {
+            const double along = x - 0.5 * (nx - 1);
+            const double east = along * way.x - across * way.y;
+            const double north = along * way.y + across * way.x;
+            turned.bed(x, y) = height_between(bed, snapshot.periodic, 0.5 * (bed.nx() - 1) + east,
+                                              0.5 * (bed.ny() - 1) + north / rows_of_dx);
+        }
+    }
+    return turned;
+}
+
+}  // namespace fumon
