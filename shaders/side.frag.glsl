@@ -10,23 +10,17 @@ uniform float base;
 uniform float figure;  // 1: plain and grey
 uniform float rock;
 
-uniform sampler2D seen;        // faces and heights, of side.vert.glsl
-uniform samplerBuffer faces;  // three texels each: the ends' places (0 … 1), normals, and grounds and surfaces
+uniform sampler2D seen;      // grounds and surfaces, of side.vert.glsl
+uniform vec2 height_range;
 
+in vec3 world_point;
+in vec2 outward;
 out vec4 colour;
 
 void main() {
-    vec2 at_sample = texelFetch(seen, ivec2(gl_FragCoord.xy), 0).xy;
-    int face = int(at_sample.x);
-    float share = (at_sample.x - float(face) - 0.125) / 0.75;
-    vec4 ends = texelFetch(faces, 3 * face);
-    vec4 normals = texelFetch(faces, 3 * face + 1);
-    vec4 heights = texelFetch(faces, 3 * face + 2);
-    vec3 world_point = vec3((mix(ends.xy, ends.zw, share) - 0.5) * extent, at_sample.y);
-    vec2 outward = mix(normals.xy, normals.zw, share);
-    float ground = mix(heights.x, heights.y, share);
-    float surface = mix(heights.z, heights.w, share);  // above the ground where water stands on it
-
+    vec2 levels = mix(height_range.xx, height_range.yy, texelFetch(seen, ivec2(gl_FragCoord.xy), 0).xy);
+    float ground = levels.x;
+    float surface = levels.y;  // above the ground where water stands on it
     float along = world_point.x + world_point.y;
     float depth = ground - world_point.z;
     // Sets of cross-beds: thick layers that undulate, each filled with thin laminae of its own dip.

@@ -11,7 +11,6 @@ class DynamicBuffer {
   public:
     explicit DynamicBuffer(GLenum target) : target_(target) {}
 
-    [[nodiscard]] GLuint name() const { return buffer_.name(); }
     void bind() const { functions().BindBuffer(target_, buffer_.name()); }
 
     /// Binds it and replaces its content.

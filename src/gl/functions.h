@@ -28,6 +28,7 @@
     X(DeleteShader, PFNGLDELETESHADERPROC)                       \
     X(DeleteTextures, PFNGLDELETETEXTURESPROC)                   \
     X(DeleteVertexArrays, PFNGLDELETEVERTEXARRAYSPROC)           \
+    X(DepthFunc, PFNGLDEPTHFUNCPROC)                             \
     X(DepthMask, PFNGLDEPTHMASKPROC)                             \
     X(Disable, PFNGLDISABLEPROC)                                 \
     X(DrawArrays, PFNGLDRAWARRAYSPROC)                           \
@@ -55,7 +56,6 @@
     X(ShaderSource, PFNGLSHADERSOURCEPROC)                       \
     X(StencilFunc, PFNGLSTENCILFUNCPROC)                         \
     X(StencilOp, PFNGLSTENCILOPPROC)                             \
-    X(TexBuffer, PFNGLTEXBUFFERPROC)                             \
     X(TexImage2D, PFNGLTEXIMAGE2DPROC)                           \
     X(TexParameteri, PFNGLTEXPARAMETERIPROC)                     \
     X(TexSubImage2D, PFNGLTEXSUBIMAGE2DPROC)                     \

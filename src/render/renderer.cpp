@@ -87,7 +87,7 @@ Light light_of(const View& view) {
 }
 
 gl::TextureLayout seen_layout() {
-    gl::TextureLayout layout{GL_RG32F, GL_RG, GL_FLOAT, GL_NEAREST, 0, GL_CLAMP_TO_EDGE};
+    gl::TextureLayout layout{GL_RG16, GL_RG, GL_UNSIGNED_SHORT, GL_NEAREST, 0, GL_CLAMP_TO_EDGE};
     return layout;
 }
 
@@ -281,7 +281,7 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
     if (world) {
         world->draw(shading, light, camera, placed);
     } else {
-        terrain.colour_seen(seen->colour(), shading.colours(), light, camera);
+        terrain.colour_seen(seen->colour(), shading.colours(), light, camera, placed);
     }
     if (air) air->draw(camera, placed);
 

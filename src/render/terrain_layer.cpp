@@ -1,8 +1,10 @@
 #include "render/terrain_layer.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "render/bed_shading.h"
 #include "render/grain.h"
@@ -21,25 +23,33 @@ const gl::TextureLayout grain_layout{
 /// A corner of a side face as side.vert.glsl takes it.
 struct SideCorner {
     MeshPlace at;
-    float face;
+    MeshPlace normal;
     float height;
-};
-
-/// A side face as side.frag.glsl reads it.
-struct FaceTexels {
-    MeshPlace from, to;
-    MeshPlace normal_from, normal_to;
-    float ground_from, ground_to, surface_from, surface_to;
+    float ground;
+    float surface;
 };
 
 constexpr GLint surface_stencil = 1;
-constexpr GLint side_stencil = 2;
+constexpr GLint rim_stencil = 2;     // around cells without data
+constexpr GLint border_stencil = 3;  // and the next three
+// By which the rectangle around a border's faces is larger, in block lengths: more than rounding.
+constexpr float around_faces = 0.01F;
+
+constexpr std::array<MeshPlace, 4> border_normals = {
+    {{-1.0F, 0.0F}, {1.0F, 0.0F}, {0.0F, -1.0F}, {0.0F, 1.0F}}};
 
 void float_attribute(GLuint place, GLint count, std::size_t stride, std::size_t offset) {
     const gl::Functions& gl = gl::functions();
     gl.VertexAttribPointer(place, count, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
                            reinterpret_cast<const void*>(offset));
     gl.EnableVertexAttribArray(place);
+}
+
+/// Of the bound array, `count` indices from the place `first` on.
+void draw_triangles(std::size_t first, std::size_t count) {
+    if (count == 0) return;
+    gl::functions().DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                                 reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
 /// How large heights are on the screen over a block.
@@ -64,10 +74,10 @@ TerrainLayer::TerrainLayer(const View& view, const Block& block, const gl::Const
       block_(block),
       grainy_(view.look.mode == ViewMode::scenic && view.look.grain > 0.0),
       surface_program_("terrain.vert.glsl", "seen.frag.glsl", {"east_north", "height"}),
-      side_program_("side.vert.glsl", "seen.frag.glsl", {"east_north", "face", "height"}),
+      side_program_("side.vert.glsl", "seen.frag.glsl", {"east_north", "normal", "heights"}),
       surface_colours_("screen.vert.glsl",
                        grainy_ ? "terrain.frag.glsl" : "terrain_plain.frag.glsl"),
-      side_colours_("screen.vert.glsl", "side.frag.glsl", {}, fixed),
+      side_colours_("side.vert.glsl", "side.frag.glsl", {"east_north", "normal", "heights"}, fixed),
       grain_(grain_size, grain_size, grain_layout, grain_texels().data()) {
     grain_.make_mipmaps();
 }
@@ -90,8 +100,8 @@ void TerrainLayer::build(const DisplayBed& bed, int stride) {
     side_corners_.bind();
     constexpr std::size_t size = sizeof(SideCorner);
     float_attribute(0, 2, size, offsetof(SideCorner, at));
-    float_attribute(1, 1, size, offsetof(SideCorner, face));
-    float_attribute(2, 1, size, offsetof(SideCorner, height));
+    float_attribute(1, 2, size, offsetof(SideCorner, normal));
+    float_attribute(2, 3, size, offsetof(SideCorner, height));
     side_triangles_.bind();
     gl.BindVertexArray(0);
 }
@@ -116,44 +126,101 @@ void TerrainLayer::set_bed(const DisplayBed& bed, const Field<float>* water_dept
     heights_.fill(surface_);
     triangles_.fill(mesh.triangles);
     indices_ = static_cast<GLsizei>(mesh.triangles.size());
-    std::vector<SideFace> faces = rim_;
-    faces.insert(faces.end(), mesh.sides.begin(), mesh.sides.end());
-    set_sides(faces, bed);
+    set_sides(mesh.sides, bed);
     gl.BindVertexArray(0);
 }
 
-void TerrainLayer::set_sides(const std::vector<SideFace>& faces, const DisplayBed& bed) {
+void TerrainLayer::set_sides(const std::vector<SideFace>& borders, const DisplayBed& bed) {
     const auto base = static_cast<float>(block_.base);
     const auto ground = [&](std::uint32_t vertex) {
         return bed.z.values()[lattice_.cells[vertex]];
     };
+    const auto lower = [&](std::uint32_t vertex) { return std::min(base, ground(vertex)); };
     std::vector<SideCorner> corners;
-    std::vector<std::uint32_t> triangles;
-    std::vector<FaceTexels> texels;
-    corners.reserve(4 * faces.size());
-    triangles.reserve(6 * faces.size());
-    texels.reserve(faces.size());
-    for (const SideFace& face : faces) {
+    corners.reserve(4 * (rim_.size() + borders.size()));
+    float lowest = base;
+    float highest = base + 1e-6F;
+    const auto add_rectangle = [&](std::vector<std::uint32_t>& triangles,
+                                   const std::array<SideCorner, 4>& rectangle) {
         const auto first = static_cast<std::uint32_t>(corners.size());
-        const auto number = static_cast<float>(texels.size());
-        const auto add = [&](std::uint32_t vertex, float along, bool lower) {
-            corners.push_back({lattice_.places[vertex], number + 0.125F + 0.75F * along,
-                               lower ? std::min(base, ground(vertex)) : surface_[vertex]});
-        };
-        add(face.from, 0.0F, true);
-        add(face.to, 1.0F, true);
-        add(face.to, 1.0F, false);
-        add(face.from, 0.0F, false);
+        corners.insert(corners.end(), rectangle.begin(), rectangle.end());
         for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U}) triangles.push_back(first + k);
-        texels.push_back({lattice_.places[face.from], lattice_.places[face.to], face.normal_from,
-                          face.normal_to, ground(face.from), ground(face.to), surface_[face.from],
-                          surface_[face.to]});
+    };
+    const auto add_face = [&](Faces& faces, const SideFace& face) {
+        const auto corner = [&](std::uint32_t vertex, MeshPlace normal, bool low) {
+            lowest = std::min(lowest, lower(vertex));
+            highest = std::max({highest, surface_[vertex], ground(vertex)});
+            return SideCorner{lattice_.places[vertex], normal,
+                              low ? lower(vertex) : surface_[vertex], ground(vertex),
+                              surface_[vertex]};
+        };
+        add_rectangle(
+            faces.drawn,
+            {corner(face.from, face.normal_from, true), corner(face.to, face.normal_to, true),
+             corner(face.to, face.normal_to, false), corner(face.from, face.normal_from, false)});
+    };
+
+    faces_.clear();
+    faces_.push_back({rim_stencil, false, {}, 0, {}, 0});
+    for (const SideFace& face : rim_) add_face(faces_.back(), face);
+    faces_.back().coloured = faces_.back().drawn;
+    for (std::size_t side = 0; side < border_normals.size(); ++side) {
+        const MeshPlace normal = border_normals[side];
+        Faces faces{border_stencil + static_cast<GLint>(side), true, {}, 0, {}, 0};
+        for (const SideFace& face : borders) {
+            if (face.normal_from.east == normal.east && face.normal_from.north == normal.north)
+                add_face(faces, face);
+        }
+        faces_.push_back(std::move(faces));
+    }
+    for (std::size_t side = 0; side < border_normals.size(); ++side) {
+        Faces& faces = faces_[1 + side];
+        if (faces.drawn.empty()) continue;
+        // From left to right as seen from outside.
+        const MeshPlace normal = border_normals[side];
+        const auto corner = [&](float along, float height) {
+            return SideCorner{{0.5F + 0.5F * normal.east - along * normal.north,
+                               0.5F + 0.5F * normal.north + along * normal.east},
+                              normal,
+                              height,
+                              0.0F,
+                              0.0F};
+        };
+        const float half = 0.5F + around_faces / std::min(static_cast<float>(block_.width_x),
+                                                          static_cast<float>(block_.width_y));
+        add_rectangle(
+            faces.coloured,
+            {corner(-half, lowest - around_faces), corner(half, lowest - around_faces),
+             corner(half, highest + around_faces), corner(-half, highest + around_faces)});
+    }
+    height_range_ = {lowest, highest};
+    std::vector<std::uint32_t> triangles;
+    for (Faces& faces : faces_) {
+        faces.first_drawn = triangles.size();
+        triangles.insert(triangles.end(), faces.drawn.begin(), faces.drawn.end());
+        faces.first_coloured = triangles.size();
+        triangles.insert(triangles.end(), faces.coloured.begin(), faces.coloured.end());
     }
     gl::functions().BindVertexArray(side_array_.name());
-    faces_.fill(texels);
     side_corners_.fill(corners);
     side_triangles_.fill(triangles);
-    side_indices_ = static_cast<GLsizei>(triangles.size());
+}
+
+void TerrainLayer::place(const gl::Program& program, const Camera& camera,
+                         const TileSamples& tile) const {
+    program.use();
+    program.set("clip_from_world", glm::mat4(clip_matrix(camera)));
+    program.set("extent", glm::vec2(block_.width_x, block_.width_y));
+    program.set("picture_size", tile.picture_size);
+    program.set("tile_corner", tile.corner);
+    program.set("tile_size", tile.size);
+    program.set("height_range", height_range_);
+}
+
+bool TerrainLayer::no_back_is_seen(const Camera& camera) const {
+    const bool from_above =
+        camera.perspective ? camera.eye.z > block_.base : camera.forward.z < 0.0;
+    return view_.look.block_sides && from_above;
 }
 
 void TerrainLayer::draw_seen(const Camera& camera, const TileSamples& tile) const {
@@ -161,27 +228,18 @@ void TerrainLayer::draw_seen(const Camera& camera, const TileSamples& tile) cons
     gl.Enable(GL_DEPTH_TEST);
     gl.Enable(GL_STENCIL_TEST);
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    const bool from_above =
-        camera.perspective ? camera.eye.z > block_.base : camera.forward.z < 0.0;
-    const bool closed = view_.look.block_sides && from_above;  // so no back is seen
-    if (closed) gl.Enable(GL_CULL_FACE);
-    const auto prepare = [&](const gl::Program& program) {
-        program.use();
-        program.set("clip_from_world", glm::mat4(clip_matrix(camera)));
-        program.set("extent", glm::vec2(block_.width_x, block_.width_y));
-        program.set("picture_size", tile.picture_size);
-        program.set("tile_corner", tile.corner);
-        program.set("tile_size", tile.size);
-    };
-    prepare(surface_program_);
+    if (no_back_is_seen(camera)) gl.Enable(GL_CULL_FACE);
+    place(surface_program_, camera, tile);
     gl.StencilFunc(GL_ALWAYS, surface_stencil, 0xFF);
     gl.BindVertexArray(surface_array_.name());
     gl.DrawElements(GL_TRIANGLES, indices_, GL_UNSIGNED_INT, nullptr);
-    if (view_.look.block_sides && side_indices_ > 0) {
-        prepare(side_program_);
-        gl.StencilFunc(GL_ALWAYS, side_stencil, 0xFF);
+    if (view_.look.block_sides) {
+        place(side_program_, camera, tile);
         gl.BindVertexArray(side_array_.name());
-        gl.DrawElements(GL_TRIANGLES, side_indices_, GL_UNSIGNED_INT, nullptr);
+        for (const Faces& faces : faces_) {
+            gl.StencilFunc(GL_ALWAYS, faces.stencil, 0xFF);
+            draw_triangles(faces.first_drawn, faces.drawn.size());
+        }
     }
     gl.Disable(GL_CULL_FACE);
     gl.Disable(GL_STENCIL_TEST);
@@ -189,24 +247,35 @@ void TerrainLayer::draw_seen(const Camera& camera, const TileSamples& tile) cons
 }
 
 void TerrainLayer::colour_seen(const gl::Texture2D& seen, const gl::Texture2D& colours,
-                               const Light& light, const Camera& camera) const {
+                               const Light& light, const Camera& camera,
+                               const TileSamples& tile) const {
     const gl::Functions& gl = gl::functions();
     gl.Disable(GL_DEPTH_TEST);
     gl.Enable(GL_STENCIL_TEST);
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    gl.BindVertexArray(no_attributes_.name());
     seen.bind(2);
     surface_colours_.use();
     surface_colours_.set("seen", 2);
     colour_surface(colours);
     gl.StencilFunc(GL_EQUAL, surface_stencil, 0xFF);
+    gl.BindVertexArray(no_attributes_.name());
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    if (view_.look.block_sides && side_indices_ > 0) {
-        side_colours_.use();
+    if (view_.look.block_sides) {
+        place(side_colours_, camera, tile);
         side_colours_.set("seen", 2);
         colour_sides(light, camera);
-        gl.StencilFunc(GL_EQUAL, side_stencil, 0xFF);
-        gl.DrawArrays(GL_TRIANGLES, 0, 3);
+        gl.BindVertexArray(side_array_.name());
+        gl.DepthMask(GL_FALSE);
+        gl.DepthFunc(GL_LEQUAL);
+        for (const Faces& faces : faces_) {
+            // A rim may stand before another one.
+            if (!faces.in_one_plane) gl.Enable(GL_DEPTH_TEST);
+            gl.StencilFunc(GL_EQUAL, faces.stencil, 0xFF);
+            draw_triangles(faces.first_coloured, faces.coloured.size());
+            gl.Disable(GL_DEPTH_TEST);
+        }
+        gl.DepthFunc(GL_LESS);
+        gl.DepthMask(GL_TRUE);
     }
     gl.Disable(GL_STENCIL_TEST);
     gl.BindVertexArray(0);
@@ -232,12 +301,6 @@ void TerrainLayer::colour_sides(const Light& light, const Camera& camera) const 
     side_colours_.set("base", static_cast<float>(block_.base));
     side_colours_.set("rock", static_cast<float>(block_.rock));
     side_colours_.set("figure", view_.look.mode == ViewMode::figure ? 1.0F : 0.0F);
-    side_colours_.set("extent", glm::vec2(block_.width_x, block_.width_y));
-    const gl::Functions& gl = gl::functions();
-    gl.ActiveTexture(GL_TEXTURE0 + 3);
-    gl.BindTexture(GL_TEXTURE_BUFFER, faces_texture_.name());
-    gl.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, faces_.name());
-    side_colours_.set("faces", 3);
 }
 
 }  // namespace fumon

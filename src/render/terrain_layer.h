@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "gl/dynamic_buffer.h"
@@ -30,19 +32,21 @@ class TerrainLayer {
     /// added to the bed if given.
     void set_bed(const DisplayBed& bed, const Field<float>* water_depth, const Camera& camera);
 
-    /// Draws what each sample sees into the bound target of two floats and its cleared stencils:
-    /// of the surface the place, 0 … 1 east and north (stencil 1), of the sides the face and place
-    /// on it, see side.vert.glsl, and the height (stencil 2).
+    /// Draws what each sample sees into the bound target of two numbers 0 … 1 and its cleared
+    /// stencils: of the surface the place east and north, of the sides the ground and the surface
+    /// over it, see side.vert.glsl. The stencil says which of them it is.
     void draw_seen(const Camera& camera, const TileSamples& tile) const;
 
     /// Colours, in the bound target, the samples whose stencils that has set: each sample once,
     /// however many triangles its neighbours see.
     void colour_seen(const gl::Texture2D& seen, const gl::Texture2D& colours, const Light& light,
-                     const Camera& camera) const;
+                     const Camera& camera, const TileSamples& tile) const;
 
   private:
     void build(const DisplayBed& bed, int stride);
-    void set_sides(const std::vector<SideFace>& faces, const DisplayBed& bed);
+    void set_sides(const std::vector<SideFace>& borders, const DisplayBed& bed);
+    void place(const gl::Program& program, const Camera& camera, const TileSamples& tile) const;
+    [[nodiscard]] bool no_back_is_seen(const Camera& camera) const;
     void colour_surface(const gl::Texture2D& colours) const;
     void colour_sides(const Light& light, const Camera& camera) const;
 
@@ -62,14 +66,23 @@ class TerrainLayer {
     gl::DynamicBuffer triangles_{GL_ELEMENT_ARRAY_BUFFER};
     gl::DynamicBuffer side_corners_{GL_ARRAY_BUFFER};
     gl::DynamicBuffer side_triangles_{GL_ELEMENT_ARRAY_BUFFER};
-    gl::DynamicBuffer faces_{GL_TEXTURE_BUFFER};  // see side.frag.glsl
-    gl::Texture faces_texture_;
     TerrainLattice lattice_;
     std::vector<SideFace> rim_;
     TerrainMesher mesher_;
     std::vector<float> surface_;  // heights of the lattice's vertices, water included
     GLsizei indices_ = 0;
-    GLsizei side_indices_ = 0;
+    /// Faces with one stencil, as they are drawn and as they are coloured: by themselves, or where
+    /// all are in one plane by one rectangle around them.
+    struct Faces {
+        GLint stencil;
+        bool in_one_plane;
+        std::vector<std::uint32_t> drawn;
+        std::size_t first_drawn = 0;  // place in the buffer of indices
+        std::vector<std::uint32_t> coloured;
+        std::size_t first_coloured = 0;
+    };
+    std::vector<Faces> faces_;
+    glm::vec2 height_range_{0.0F, 1.0F};
     Mask nodata_;
     int stride_ = 0;
 };

@@ -13,10 +13,10 @@
 namespace fumon::test {
 namespace {
 
-/// Of a loop, how many of its instructions multiply, add, subtract and divide doubles.
+/// Of a loop, how many of its instructions multiply, add, subtract and divide its numbers.
 struct Arithmetic {
     int on_vectors = 0;  ///< on whole registers of the target
-    int on_less = 0;     ///< on a single double or narrower ones, as for the last cells of a row
+    int on_less = 0;     ///< on a single number or narrower ones, as for the last cells of a row
     int fused = 0;
 };
 
@@ -67,6 +67,29 @@ constexpr std::array loops_of_four{"butterflies_of_four(", "butterflies_of_five(
                                    "turn_points(",         "part_rows(",           "join_rows(",
                                    "eliminate(",           "substitute_back("};
 
+#ifdef FUMON_HAS_PICTURES
+constexpr std::array loops_on_floats{"sweep_shadow(", "add_sky(", "multiply_by_normal(",
+                                     "pack_texels(", "take_roots("};
+constexpr std::array loops_on_whole_numbers{"add_squares(", "halve("};
+#else
+constexpr std::array<const char*, 0> loops_on_floats{};
+constexpr std::array<const char*, 0> loops_on_whole_numbers{};
+#endif
+
+/// The instructions that work on a loop's numbers.
+struct Instructions {
+    std::vector<std::string_view> on_several;
+    std::vector<std::string_view> on_one;
+};
+
+Instructions instructions_of(std::string_view loop) {
+    if (std::ranges::find(loops_on_floats, loop) != loops_on_floats.end())
+        return {{"mulps ", "addps ", "subps ", "divps "}, {"mulss ", "addss ", "subss ", "divss "}};
+    if (std::ranges::find(loops_on_whole_numbers, loop) != loops_on_whole_numbers.end())
+        return {{"pmulld ", "paddd "}, {}};
+    return {{"mulpd ", "addpd ", "subpd ", "divpd "}, {"mulsd ", "addsd ", "subsd ", "divsd "}};
+}
+
 std::string_view registers_of(const Target& target, std::string_view loop) {
     const bool four = std::ranges::find(loops_of_four, loop) != loops_of_four.end();
     return four && std::string_view(target.registers) == "%zmm" ? "%ymm" : target.registers;
@@ -75,6 +98,8 @@ std::string_view registers_of(const Target& target, std::string_view loop) {
 std::vector<std::string_view> all_loops() {
     std::vector<std::string_view> all(loops.begin(), loops.end());
     all.insert(all.end(), loops_of_four.begin(), loops_of_four.end());
+    all.insert(all.end(), loops_on_floats.begin(), loops_on_floats.end());
+    all.insert(all.end(), loops_on_whole_numbers.begin(), loops_on_whole_numbers.end());
     return all;
 }
 
@@ -95,13 +120,14 @@ std::string machine_code() {
     return text;
 }
 
-void count(std::string_view instruction, std::string_view registers, Arithmetic& found) {
-    const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
+void count(std::string_view instruction, const Instructions& known, std::string_view registers,
+           Arithmetic& found) {
+    const auto is_one_of = [&](const std::vector<std::string_view>& names) {
         return std::ranges::any_of(names, [&](auto name) { return has(instruction, name); });
     };
     if (is_one_of({"vfmadd", "vfmsub", "vfnmadd", "vfnmsub"})) ++found.fused;
-    if (is_one_of({"mulsd ", "addsd ", "subsd ", "divsd "})) ++found.on_less;
-    if (is_one_of({"mulpd ", "addpd ", "subpd ", "divpd "}))
+    if (is_one_of(known.on_one)) ++found.on_less;
+    if (is_one_of(known.on_several))
         ++(has(instruction, registers) ? found.on_vectors : found.on_less);
 }
 
@@ -114,6 +140,7 @@ TEST(MachineCode, HotLoopsWorkOnWholeVectorsAndFuseNothing) {
     std::map<std::string, Arithmetic> found;  // by "N_AVX2::linear("
     Arithmetic* now = nullptr;
     std::string_view registers;
+    Instructions known;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         if (line.ends_with(">:")) {
@@ -124,10 +151,11 @@ TEST(MachineCode, HotLoopsWorkOnWholeVectorsAndFuseNothing) {
                     if (!has(line, name)) continue;
                     now = &found[name];
                     registers = registers_of(target, loop);
+                    known = instructions_of(loop);
                 }
             }
         } else if (now != nullptr) {
-            count(line, registers, *now);
+            count(line, known, registers, *now);
         }
     }
     for (const Target& target : targets) {

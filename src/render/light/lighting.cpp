@@ -1,43 +1,14 @@
 #include "render/light/lighting.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
-#include "base/multiversion.h"
-#include "base/rounding.h"
 #include "base/worker_pool.h"
+#include "render/light/light_vectors.h"
 #include "render/light/sky_visibility.h"
 #include "render/light/sun_sweep.h"
 
 namespace fumon {
-
-namespace {
-
-struct Slopes {
-    float scale_x;
-    float scale_y;
-};
-
-/// One row of texels. `row` has one place of padding at each end.
-FUMON_MULTIVERSION
-void pack_row(const float* __restrict south, const float* __restrict row,
-              const float* __restrict north, const float* __restrict sun,
-              const float* __restrict sky, Slopes slopes, int count,
-              std::uint16_t* __restrict texels) {
-    for (int x = 0; x < count; ++x) {
-        const float p = slopes.scale_x * (row[x + 2] - row[x]);
-        const float q = slopes.scale_y * (north[x] - south[x]);
-        const float length = std::sqrt(1.0F + p * p + q * q);
-        std::uint16_t* texel = texels + 4 * static_cast<std::ptrdiff_t>(x);
-        texel[0] = static_cast<std::uint16_t>(nearest(32767.0F - 32767.0F * p / length));
-        texel[1] = static_cast<std::uint16_t>(nearest(32767.0F - 32767.0F * q / length));
-        texel[2] = static_cast<std::uint16_t>(nearest(65535.0F * sun[x]));
-        texel[3] = static_cast<std::uint16_t>(nearest(65535.0F * sky[x]));
-    }
-}
-
-}  // namespace
 
 std::vector<std::uint16_t> lighting_texels(const DisplayBed& bed, const SunDirection& sun,
                                            int margin, WorkerPool& pool) {
@@ -58,14 +29,14 @@ std::vector<std::uint16_t> lighting_texels(const DisplayBed& bed, const SunDirec
             row.front() = nx > 1 ? 2.0F * row[1] - row[2] : row[1];
             const auto last = static_cast<std::size_t>(nx);
             row.back() = nx > 1 ? 2.0F * row[last] - row[last - 1] : row[last];
-            const Slopes slopes{
-                0.5F / bed.dx,
-                north > south ? 1.0F / (bed.dy * static_cast<float>(north - south)) : 0.0F};
-            pack_row(bed.z.row(south).data() + margin, row.data() + margin,
-                     bed.z.row(north).data() + margin, sun_share.row(y).data() + margin,
-                     sky_share.row(y).data() + margin, slopes, across,
-                     texels.data() +
-                         4 * static_cast<std::size_t>(inner) * static_cast<std::size_t>(across));
+            const float scale_y =
+                north > south ? 1.0F / (bed.dy * static_cast<float>(north - south)) : 0.0F;
+            light_vectors::pack_texels({bed.z.row(south).data() + margin, row.data() + margin,
+                                        bed.z.row(north).data() + margin, 0.5F / bed.dx, scale_y},
+                                       sun_share.row(y).data() + margin,
+                                       sky_share.row(y).data() + margin, across,
+                                       texels.data() + 4 * static_cast<std::size_t>(inner) *
+                                                           static_cast<std::size_t>(across));
         }
     });
     return texels;

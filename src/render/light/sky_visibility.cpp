@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/elementary_angle.h"
-#include "base/multiversion.h"
 #include "base/worker_pool.h"
+#include "render/light/light_vectors.h"
 
 namespace fumon {
 
@@ -25,51 +25,34 @@ struct Family {
     float weight;   ///< Δφ of one direction over 2π
 };
 
-/// For each cell of a line, the tangent of the horizon's elevation looking back to lower places,
-/// never below the horizontal.
-void sweep_horizon(const float* z, int count, std::ptrdiff_t stride, float* tangent, int* hull) {
-    int top = 0;
-    hull[0] = 0;
+/// A place of a line's hull, in cells along it.
+struct HullPoint {
+    float place;
+    float height;
+};
+
+/// For each cell of a line, taken in steps of `step`, the tangent of the horizon's elevation
+/// looking back to those before, never below the horizontal.
+template <std::ptrdiff_t step>
+void sweep_horizon(const float* z, int count, float* tangent, HullPoint* hull) {
+    HullPoint* top = hull;
+    *top = {0.0F, z[0]};
     tangent[0] = 0.0F;
     for (int i = 1; i < count; ++i) {
-        const float here = z[i * stride];
-        float rise = z[hull[top] * stride] - here;
-        auto run = static_cast<float>(i - hull[top]);
-        while (top > 0) {
-            const float next_rise = z[hull[top - 1] * stride] - here;
-            const auto next_run = static_cast<float>(i - hull[top - 1]);
+        const float here = z[i * step];
+        const auto place = static_cast<float>(i);
+        float rise = top->height - here;
+        float run = place - top->place;
+        while (top != hull) {
+            const float next_rise = top[-1].height - here;
+            const float next_run = place - top[-1].place;
             if (next_rise * run < rise * next_run) break;
             --top;
             rise = next_rise;
             run = next_run;
         }
-        tangent[i] = rise / run;
-        hull[++top] = i;
-    }
-}
-
-/// π/2 − θ − sin θ cos θ and cos² θ for θ = atan t, t ≥ 0.
-inline void sky_above(float t, float& tilted, float& level) {
-    constexpr float quarter = std::numbers::pi_v<float> / 2.0F;
-    const float arc = elementary::rough_atan(std::min(t, 1.0F) / std::max(t, 1.0F));
-    level = 1.0F / (1.0F + t * t);
-    tilted = (t > 1.0F ? arc : quarter - arc) - t * level;
-}
-
-/// Adds both directions of a line to `sum`: `back` and `ahead` are the horizons' tangents in cells.
-FUMON_MULTIVERSION
-void add_sky(const float* __restrict z, int count, const float* __restrict back,
-             const float* __restrict ahead, float spacing, float weight, float* __restrict sum) {
-    const float scale = 1.0F / spacing;
-    for (int i = 0; i < count; ++i) {
-        const float slope = 0.5F * scale * (z[i + 1] - z[i - 1]);
-        float tilted_back = 0.0F;
-        float level_back = 0.0F;
-        float tilted_ahead = 0.0F;
-        float level_ahead = 0.0F;
-        sky_above(std::max(back[i] * scale, 0.0F), tilted_back, level_back);
-        sky_above(std::max(ahead[i] * scale, 0.0F), tilted_ahead, level_ahead);
-        sum[i] += weight * (level_back + level_ahead + slope * (tilted_back - tilted_ahead));
+        tangent[i * step] = rise / run;
+        *++top = {place, here};
     }
 }
 
@@ -79,13 +62,11 @@ struct Scratch {
         : heights(static_cast<std::size_t>(length) + 2),
           back(static_cast<std::size_t>(length)),
           ahead(static_cast<std::size_t>(length)),
-          reversed(static_cast<std::size_t>(length)),
           hull(static_cast<std::size_t>(length)) {}
     std::vector<float> heights;  ///< with one place of padding at each end
     std::vector<float> back;
     std::vector<float> ahead;
-    std::vector<float> reversed;
-    std::vector<int> hull;
+    std::vector<HullPoint> hull;
 };
 
 /// Sweeps the line in scratch.heights[1 … count] both ways and adds its sky to `sum`.
@@ -94,11 +75,10 @@ void sweep_line(Scratch& scratch, int count, float spacing, float weight, float*
     // At the ends the slope is taken one-sided, by a padding that continues the line straight on.
     z[-1] = count > 1 ? 2.0F * z[0] - z[1] : z[0];
     z[count] = count > 1 ? 2.0F * z[count - 1] - z[count - 2] : z[0];
-    sweep_horizon(z, count, 1, scratch.back.data(), scratch.hull.data());
-    sweep_horizon(z + count - 1, count, -1, scratch.reversed.data(), scratch.hull.data());
-    std::reverse_copy(scratch.reversed.begin(), scratch.reversed.begin() + count,
-                      scratch.ahead.begin());
-    add_sky(z, count, scratch.back.data(), scratch.ahead.data(), spacing, weight, sum);
+    sweep_horizon<1>(z, count, scratch.back.data(), scratch.hull.data());
+    sweep_horizon<-1>(z + count - 1, count, scratch.ahead.data() + count - 1, scratch.hull.data());
+    light_vectors::add_sky(z, count, scratch.back.data(), scratch.ahead.data(), spacing, weight,
+                           sum);
 }
 
 void sweep_rows(const Field<float>& heights, float spacing, float weight, Field<float>& sum,
@@ -171,17 +151,6 @@ void sweep_family(const Field<float>& heights, const Family& family, Field<float
     });
 }
 
-FUMON_MULTIVERSION
-void multiply_by_normal(const float* __restrict south, const float* __restrict north,
-                        const float* __restrict row, int count, float scale_x, float scale_y,
-                        float* __restrict sum) {
-    for (int x = 1; x + 1 < count; ++x) {
-        const float p = scale_x * (row[x + 1] - row[x - 1]);
-        const float q = scale_y * (north[x] - south[x]);
-        sum[x] = std::min(std::max(sum[x] / std::sqrt(1.0F + p * p + q * q), 0.0F), 1.0F);
-    }
-}
-
 }  // namespace
 
 Field<float> sky_visibility(const Field<float>& heights, float dx, float dy, WorkerPool& pool) {
@@ -210,8 +179,9 @@ Field<float> sky_visibility(const Field<float>& heights, float dx, float dy, Wor
             row.back() = nx > 1 ? 2.0F * row[last] - row[last - 1] : row[last];
             const float scale_y =
                 north > south ? 1.0F / (dy * static_cast<float>(north - south)) : 0.0F;
-            multiply_by_normal(heights.row(south).data() - 1, heights.row(north).data() - 1,
-                               row.data(), nx + 2, 0.5F / dx, scale_y, sum.row(y).data() - 1);
+            light_vectors::multiply_by_normal({heights.row(south).data(), row.data(),
+                                               heights.row(north).data(), 0.5F / dx, scale_y},
+                                              nx, sum.row(y).data());
         }
     });
     return sum;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/grid.h"
-#include "base/multiversion.h"
+#include "render/light/light_vectors.h"
 
 namespace fumon {
 
@@ -29,69 +29,20 @@ Field<Number> transposed(const Field<Number>& field) {
     return result;
 }
 
-/// One row's step of the sweep.
-struct RowStep {
-    int count;
-    float fraction;    ///< of the way from a column to the next, where a ray crossed the row before
-    float lower_drop;  ///< how far the limbs' shadows sink between two rows
-    float upper_drop;
-};
-
 /// The shadows of the two limbs over a row: the height each reaches, and how far apart both of its
 /// occluder are. With places of padding at each end.
 struct RowShadow {
     explicit RowShadow(std::size_t size)
         : lower(size), lower_width(size), upper(size), upper_width(size) {}
+    [[nodiscard]] light_vectors::Shadow from(std::size_t place) {
+        return {lower.data() + place, lower_width.data() + place, upper.data() + place,
+                upper_width.data() + place};
+    }
     std::vector<float> lower;
     std::vector<float> lower_width;
     std::vector<float> upper;
     std::vector<float> upper_width;
 };
-
-/// Arrays of a row's shadow from one column on.
-struct ShadowView {
-    ShadowView(RowShadow& shadow, std::size_t from)
-        : lower(shadow.lower.data() + from),
-          lower_width(shadow.lower_width.data() + from),
-          upper(shadow.upper.data() + from),
-          upper_width(shadow.upper_width.data() + from) {}
-    float* lower;
-    float* lower_width;
-    float* upper;
-    float* upper_width;
-};
-
-FUMON_MULTIVERSION
-void sweep_row(const RowStep& step, const float* __restrict heights, const ShadowView& before,
-               const ShadowView& after, float* __restrict visibility) {
-    const float* __restrict lower_before = before.lower;
-    const float* __restrict lower_width_before = before.lower_width;
-    const float* __restrict upper_before = before.upper;
-    const float* __restrict upper_width_before = before.upper_width;
-    float* __restrict lower = after.lower;
-    float* __restrict lower_width = after.lower_width;
-    float* __restrict upper = after.upper;
-    float* __restrict upper_width = after.upper_width;
-    const float near = 1.0F - step.fraction;
-    const float far = step.fraction;
-    const float widening = step.upper_drop - step.lower_drop;
-    for (int x = 0; x < step.count; ++x) {
-        const float z = heights[x];
-        const float low = near * lower_before[x] + far * lower_before[x + 1] - step.lower_drop;
-        const float high = near * upper_before[x] + far * upper_before[x + 1] - step.upper_drop;
-        const float low_width =
-            near * lower_width_before[x] + far * lower_width_before[x + 1] + widening;
-        const float high_width =
-            near * upper_width_before[x] + far * upper_width_before[x + 1] + widening;
-        const float by_lower = 1.0F + (z - low) / low_width;
-        const float by_upper = (z - high) / high_width;
-        visibility[x] = std::min(std::max(std::min(by_lower, by_upper), 0.0F), 1.0F);
-        lower[x] = z >= low ? z : low;
-        lower_width[x] = z >= low ? 0.0F : low_width;
-        upper[x] = z >= high ? z : high;
-        upper_width[x] = z >= high ? 0.0F : high_width;
-    }
-}
 
 constexpr std::size_t padding = 2;
 
@@ -109,7 +60,8 @@ Field<float> sweep_rows(const Field<float>& heights, float dx, float dy, const S
     const float columns_per_row = (sun.east / dx) / (std::abs(sun.north) / dy);
     const float run = dy / std::abs(sun.north);  // horizontal length of a ray between two rows
     const float whole = std::floor(columns_per_row);
-    const RowStep step{nx, columns_per_row - whole, run * sun.lower_limb, run * sun.upper_limb};
+    const light_vectors::ShadowStep step{nx, columns_per_row - whole, run * sun.lower_limb,
+                                         run * sun.upper_limb};
     const auto shifted = static_cast<std::size_t>(static_cast<float>(padding) + whole);
 
     Field<float> visibility(nx, ny, 1.0F);
@@ -123,8 +75,8 @@ Field<float> sweep_rows(const Field<float>& heights, float dx, float dy, const S
         for (auto* row : {&shadow.lower, &shadow.lower_width, &shadow.upper, &shadow.upper_width})
             close_ends(*row);
         const int y = first + n * direction;
-        sweep_row(step, heights.row(y).data(), ShadowView(shadow, shifted),
-                  ShadowView(next, padding), visibility.row(y).data());
+        light_vectors::sweep_shadow(step, heights.row(y).data(), shadow.from(shifted),
+                                    next.from(padding), visibility.row(y).data());
         std::swap(shadow, next);
     }
     return visibility;

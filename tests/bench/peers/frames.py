@@ -10,6 +10,7 @@ on the machine only add to it. Needs what vtk_frames.py needs, and Xvfb (Debian 
 """
 
 import argparse
+import contextlib
 import os
 import pathlib
 import subprocess
@@ -31,6 +32,28 @@ def measured(command):
     return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1000
 
 
+@contextlib.contextmanager
+def virtual_display():
+    """A display by Xvfb, which VTK needs for an off-screen window."""
+    display = subprocess.Popen(["Xvfb", DISPLAY, "-screen", "0", "640x480x24"], stderr=subprocess.DEVNULL)
+    os.environ["DISPLAY"] = DISPLAY
+    time.sleep(2)
+    try:
+        yield
+    finally:
+        display.terminate()
+        display.wait()
+
+
+def in_turns(commands, turns):
+    """The least CPU seconds of each command, and the memory of that process."""
+    least = {}
+    for _ in range(turns):
+        for name, command in commands.items():
+            least[name] = min(least.get(name, (float("inf"), 0)), measured(command))
+    return least
+
+
 def fumon_command(fumon, scene, cells, work):
     heights = f"bed.heights=[{-0.005 * cells},{0.045 * cells}]"  # black and white of the bed's picture
     return [fumon, "run", HERE / f"frames-{scene}.toml", "--quiet", "--force", "-o", work / "frames",
@@ -42,10 +65,7 @@ def compare(fumon, cells, turns, vtk_options, work):
     measured([*vtk, work / "bed.png", "--write-bed"])
     commands = {scene: fumon_command(fumon, scene, cells, work) for scene in ("rippled", "rough")}
     commands["VTK"] = [*vtk, work / "vtk", *vtk_options]
-    least = {}
-    for _ in range(turns):
-        for name, command in commands.items():
-            least[name] = min(least.get(name, (float("inf"), 0)), measured(command))
+    least = in_turns(commands, turns)
     for name, (seconds, megabytes) in least.items():
         ratio = "" if name == "VTK" else f"  {seconds / least['VTK'][0]:.2f} of VTK's"
         print(f"{cells:5}²  {name:8}  {seconds:6.2f} s  {megabytes:5.0f} MB{ratio}", flush=True)
@@ -58,16 +78,9 @@ def main():
     parser.add_argument("--turns", type=int, default=3)
     parser.add_argument("--vtk", action="append", default=[], help="an option of vtk_frames.py")
     arguments = parser.parse_args()
-    display = subprocess.Popen(["Xvfb", DISPLAY, "-screen", "0", "640x480x24"], stderr=subprocess.DEVNULL)
-    os.environ["DISPLAY"] = DISPLAY
-    time.sleep(2)
-    try:
-        with tempfile.TemporaryDirectory() as work:
-            for cells in arguments.cells or [512, 1024]:
-                compare(arguments.fumon.resolve(), cells, arguments.turns, arguments.vtk, pathlib.Path(work))
-    finally:
-        display.terminate()
-        display.wait()
+    with virtual_display(), tempfile.TemporaryDirectory() as work:
+        for cells in arguments.cells or [512, 1024]:
+            compare(arguments.fumon.resolve(), cells, arguments.turns, arguments.vtk, pathlib.Path(work))
 
 
 if __name__ == "__main__":
