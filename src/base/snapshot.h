@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -69,6 +71,9 @@ struct Snapshot {
     /// What is above a bed of a single row, where the model knows; shared, since it is large.
     std::shared_ptr<const SnapshotSection> section{};
     Landform landform = Landform::bed;  ///< of the model
+    /// Towards where the wind moves sand on the whole, eastward and northward, a unit vector; none
+    /// where no wind blows.
+    std::optional<std::array<double, 2>> drift{};
 };
 
 }  // namespace fumon

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "render/light/floor_map.h"
 #include "render/light/light.h"
 #include "render/light/lighting.h"
+#include "render/light/repeated_light.h"
 #include "render/sample_vectors.h"
 #include "render/terrain_layer.h"
 #include "render/tiles.h"
@@ -25,7 +27,6 @@
 #include "render/view/camera.h"
 #include "render/view/display_bed.h"
 #include "render/view/framing.h"
-#include "render/view/repeated_bed.h"
 #include "render/view/shown_snapshot.h"
 #include "render/world_layer.h"
 
@@ -47,6 +48,12 @@ Block block_of_frame(const Block& block, const Snapshot& snapshot, Datum datum) 
     if (datum == Datum::mean)
         framed.reference = height_statistics(snapshot.bed, snapshot.nodata).mean;
     return framed;
+}
+
+/// Cells along the bed's longer side from which on it is drawn as it is. On endless ground one may
+/// stand.
+int smooth_enough(Ground ground) {
+    return ground == Ground::endless ? 1000 : 400;
 }
 
 TilePlan plan_of(const View& view, const RenderLimits& limits) {
@@ -138,7 +145,8 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       datum(chosen_datum(view.look, first)),
       water(draws_water(view.look, first)),
       refinement(refinement_of(first.bed.nx(), first.bed.ny(),
-                               static_cast<int>(std::max(view.image.width, view.image.height)))),
+                               static_cast<int>(std::max(view.image.width, view.image.height)),
+                               smooth_enough(view.look.ground))),
       plan(plan_of(view, limits)),
       light(light_of(view)),
       sky(light.sky_columns, light.sky_rows, sky_layout, light.sky_texels.data()),
@@ -152,7 +160,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(), false) {
     if (view.look.ground == Ground::endless) {
         check_endless(view, first, water);
-        world.emplace(view, block, display_bed(first, block, refinement));
+        world.emplace(view, block, first, refinement);
     }
     if (first.section)
         air.emplace(block, camera_at(0),
@@ -284,27 +292,32 @@ Image Renderer::render(const Snapshot& whole) {
     if (snapshot.bed.nx() != p.first.bed.nx() || snapshot.bed.ny() != p.first.bed.ny())
         throw Error("a snapshot of another size than the first one cannot be drawn");
     p.context.make_current();
-    const Camera camera = p.camera_at(snapshot.step);
     const Block framed = block_of_frame(p.block, snapshot, p.datum);
+    const Camera camera = above_ground(p.camera_at(snapshot.step), framed, snapshot);
     const SunDirection sun = sun_direction(p.view.sun);
-    const int around = p.world ? shading_margin(snapshot, framed, sun.lower_limb) : 0;
-    const DisplayBed bed = p.world ? display_bed_with_margin(snapshot, framed, p.refinement, around)
-                                   : display_bed(snapshot, framed, p.refinement);
     std::optional<DisplayWater> water;
     if (p.water) water = display_water(snapshot, p.refinement);
 
     gl::functions().BindVertexArray(p.no_attributes.name());
-    p.shading.upload(snapshot, p.first, lighting_texels(bed, sun, around * p.refinement, p.pool),
-                     water ? &*water : nullptr);
-    if (p.world) p.world->set_bed(without_margin(bed.z, around * p.refinement));
-    p.sky.bind(sky_unit);
-    if (!p.world) p.shading.shade(p.light, camera);
-    if (water) {
-        const auto rise = static_cast<float>(p.block.height_scale / snapshot.scale.height_unit);
-        for (float& depth : water->depth.values()) depth *= rise;
+    if (p.world) {
+        const RepeatedLight light =
+            repeated_light(snapshot, framed, p.refinement, sun,
+                           snapshot.drift.value_or(std::array<double, 2>{1.0, 0.0}), p.pool);
+        p.shading.upload(snapshot, p.first, light);
+        p.world->set_bed(snapshot, light);
+        p.sky.bind(sky_unit);
+    } else {
+        const DisplayBed bed = display_bed(snapshot, framed, p.refinement);
+        p.shading.upload(snapshot, p.first, lighting_texels(bed, sun, p.pool),
+                         water ? &*water : nullptr);
+        p.sky.bind(sky_unit);
+        p.shading.shade(p.light, camera);
+        if (water) {
+            const auto rise = static_cast<float>(p.block.height_scale / snapshot.scale.height_unit);
+            for (float& depth : water->depth.values()) depth *= rise;
+        }
+        p.terrain.set_bed(bed, water ? &water->depth : nullptr, camera);
     }
-
-    if (!p.world) p.terrain.set_bed(bed, water ? &water->depth : nullptr, camera);
     if (p.air && snapshot.section) p.air->set_air(snapshot, framed, camera, p.pool);
 
     Image image(static_cast<int>(p.view.image.width), static_cast<int>(p.view.image.height));

@@ -57,14 +57,18 @@ struct FrameSettings {
 };
 
 enum class Projection { perspective, orthographic, map };
+enum class Framing { block, overview, low, along_crest, slip_face, aerial };
 
 struct CameraSettings {
     Projection projection = Projection::perspective;
+    Framing framing = Framing::block;
     double azimuth = 215.0;           ///< where the camera stands, degrees clockwise from north
     double elevation = 32.0;          ///< degrees above the horizon
     WordOrReal distance{"fit", 0.0};  ///< from the block's centre, in units of its longer side
     double field_of_view = 28.0;      ///< vertical, degrees (perspective)
-    double margin = 0.04;             ///< free border around the fitted block, share of the picture
+    WordOrReal focal_length{"auto", 0.0};  ///< mm, of a lens before 36 × 24 mm (perspective)
+    double roll = 0.0;                     ///< degrees to the right (perspective)
+    double margin = 0.04;  ///< free border around the fitted block, share of the picture
     /// Where it stands and what it looks at: metres, or sites, eastward and northward from the
     /// bed's south-western corner, and above the bed there. Empty: around the block.
     std::vector<double> at;
@@ -80,6 +84,10 @@ struct SunSettings {
     double sky_strength = 1.0;
     double dust = 1.0;   ///< aerosol of the air against a clear day, for the sky "atmosphere"
     double haze = 0.35;  ///< aerial perspective at the far edge of the block, 0 … 1
+};
+
+struct AirSettings {
+    WordOrReal visibility{"auto", 0.0};  ///< km, how far dark things are seen
 };
 
 enum class Colouring { natural, height, slope, change, water_depth, speed, froude };
@@ -102,6 +110,7 @@ struct LookSettings {
     SkyModel sky = SkyModel::automatic;
     Tone tone = Tone::automatic;
     double exposure = 0.0;  ///< stops
+    WordOrReal contrast{"auto", 0.0};
     bool block_sides = true;
     double grain = 0.5;            ///< visible texture of the sand, 0 … 1
     double ripples = 1.0;          ///< steepness of wind ripples on endless ground, 0 … 1
@@ -143,6 +152,7 @@ struct SectionSettings {
 struct View {
     CameraSettings camera;
     SunSettings sun;
+    AirSettings air;
     LookSettings look;
     SectionSettings section;
     ImageSettings image;

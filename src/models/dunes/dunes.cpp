@@ -213,6 +213,7 @@ Snapshot Dunes::snapshot() const {
                       {},     scale_};
     snapshot.landform = landform;
     snapshot.periodic = ground_.periodic_x && ground_.periodic_y;
+    snapshot.drift = turns_.drift();
     Grid sand = snapshot.bed;
     const Grid rock = in_metres(bed_.rock);
     std::ranges::transform(sand.values(), rock.values(), sand.values().begin(), std::minus<>());

@@ -34,6 +34,24 @@ const WindTurns::Turn& WindTurns::turn(std::int64_t step) const {
     return *std::ranges::find_if(turns_, [&](const Turn& turn) { return within < turn.end; });
 }
 
+std::array<double, 2> WindTurns::drift() const {
+    double east = 0.0;
+    double north = 0.0;
+    double all = 0.0;
+    std::int64_t begin = 0;
+    for (const Turn& turn : turns_) {
+        const double moved =
+            turn.wind.strength * turn.step_length * static_cast<double>(turn.end - begin);
+        east += moved * turn.wind.x;
+        north += moved * turn.wind.y;
+        all += moved;
+        begin = turn.end;
+    }
+    const double length = std::sqrt(east * east + north * north);
+    if (length <= 1e-3 * all) return {turns_.front().wind.x, turns_.front().wind.y};
+    return {east / length, north / length};
+}
+
 double WindTurns::time(std::int64_t steps) const {
     const std::int64_t cycles = steps / turns_.back().end;
     const std::int64_t within = steps % turns_.back().end;

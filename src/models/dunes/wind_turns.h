@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -28,6 +29,9 @@ class WindTurns {
     [[nodiscard]] const BlowingWind& at(std::int64_t step) const { return turn(step).wind; }
     /// Years of the first `steps` steps.
     [[nodiscard]] double time(std::int64_t steps) const;
+    /// Where all winds together move the sand to, a unit vector; that of the first wind where they
+    /// cancel out.
+    [[nodiscard]] std::array<double, 2> drift() const;
 
   private:
     struct Turn {

@@ -122,6 +122,7 @@ Snapshot Sand::snapshot() const {
     Snapshot snapshot{steps_, time(), std::string(time_unit()), bed_, {}, scale_};
     snapshot.landform = landform;
     snapshot.periodic = true;
+    snapshot.drift = {1.0, 0.0};
     return snapshot;
 }
 

@@ -19,11 +19,17 @@ struct Slopes {
     float scale_y;
 };
 
+/// From a share of the sun to its texel.
+struct SunTexel {
+    float scale;
+    float offset;
+};
+
 /// One row of texels. `row` has one place of padding at each end.
 FUMON_MULTIVERSION
 void pack_row(const float* __restrict south, const float* __restrict row,
               const float* __restrict north, const float* __restrict sun,
-              const float* __restrict sky, Slopes slopes, int count,
+              const float* __restrict sky, Slopes slopes, SunTexel sun_texel, int count,
               std::uint16_t* __restrict texels) {
     for (int x = 0; x < count; ++x) {
         const float p = slopes.scale_x * (row[x + 2] - row[x]);
@@ -32,7 +38,7 @@ void pack_row(const float* __restrict south, const float* __restrict row,
         std::uint16_t* texel = texels + 4 * static_cast<std::ptrdiff_t>(x);
         texel[0] = static_cast<std::uint16_t>(nearest(32767.0F - 32767.0F * p / length));
         texel[1] = static_cast<std::uint16_t>(nearest(32767.0F - 32767.0F * q / length));
-        texel[2] = static_cast<std::uint16_t>(nearest(65535.0F * sun[x]));
+        texel[2] = static_cast<std::uint16_t>(nearest(sun_texel.scale * sun[x] + sun_texel.offset));
         texel[3] = static_cast<std::uint16_t>(nearest(65535.0F * sky[x]));
     }
 }
@@ -40,11 +46,19 @@ void pack_row(const float* __restrict south, const float* __restrict row,
 }  // namespace
 
 std::vector<std::uint16_t> lighting_texels(const DisplayBed& bed, const SunDirection& sun,
+                                           WorkerPool& pool) {
+    return lighting_texels(
+        bed,
+        {sun_visibility(bed.z, bed.dx, bed.dy, sun), sky_visibility(bed.z, bed.dx, bed.dy, pool)},
+        0, pool);
+}
+
+std::vector<std::uint16_t> lighting_texels(const DisplayBed& bed, const LightShares& shares,
                                            int margin, WorkerPool& pool) {
     const int nx = bed.z.nx();
     const int ny = bed.z.ny();
-    const Field<float> sun_share = sun_visibility(bed.z, bed.dx, bed.dy, sun);
-    const Field<float> sky_share = sky_visibility(bed.z, bed.dx, bed.dy, pool);
+    const float scale = 65535.0F / (shares.bounds.highest - shares.bounds.lowest);
+    const SunTexel sun_texel{scale, -scale * shares.bounds.lowest};
     const int across = nx - 2 * margin;
     std::vector<std::uint16_t> texels(4 * static_cast<std::size_t>(across) *
                                       static_cast<std::size_t>(ny - 2 * margin));
@@ -62,8 +76,8 @@ std::vector<std::uint16_t> lighting_texels(const DisplayBed& bed, const SunDirec
                 0.5F / bed.dx,
                 north > south ? 1.0F / (bed.dy * static_cast<float>(north - south)) : 0.0F};
             pack_row(bed.z.row(south).data() + margin, row.data() + margin,
-                     bed.z.row(north).data() + margin, sun_share.row(y).data() + margin,
-                     sky_share.row(y).data() + margin, slopes, across,
+                     bed.z.row(north).data() + margin, shares.sun.row(y).data() + margin,
+                     shares.sky.row(y).data() + margin, slopes, sun_texel, across,
                      texels.data() +
                          4 * static_cast<std::size_t>(inner) * static_cast<std::size_t>(across));
         }

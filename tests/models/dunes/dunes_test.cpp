@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -174,6 +175,21 @@ TEST(Dunes, ShadowLiesBehindAWall) {
         }
         EXPECT_EQ(at(-12, shadow.shade()), 0.0) << "before it";
     }
+}
+
+TEST(DuneWinds, MoveSandTogether) {
+    const auto of = [](std::vector<DuneWind> winds) {
+        return WindTurns(std::move(winds), [](double) { return 0.01; }).drift();
+    };
+    const auto expect = [](const std::array<double, 2>& drift, double east, double north) {
+        EXPECT_NEAR(drift[0], east, 1e-12);
+        EXPECT_NEAR(drift[1], north, 1e-12);
+    };
+    expect(of({}), 1.0, 0.0);
+    expect(of({{0.0, 1.0, 1.0}}), 0.0, -1.0);
+    expect(of({{210.0, 1.0, 0.5}, {330.0, 1.0, 0.5}}), 1.0, 0.0);
+    expect(of({{270.0, 1.0, 0.75}, {180.0, 3.0, 0.25}}), std::sqrt(0.5), std::sqrt(0.5));
+    expect(of({{90.0, 1.0, 1.0}, {270.0, 1.0, 1.0}}), -1.0, 0.0);
 }
 
 TEST(Dunes, ShadowOfAPeriodicBedGoesRound) {
