@@ -5,6 +5,8 @@ uniform float marks;          // 1: some cells stand out
 uniform sampler2D mark_map;   // 0 … 1: how much a cell stands out
 uniform sampler2D uncoloured_map;  // 1: the cell has no palette place
 uniform vec2 extent;          // of the block
+uniform float sun_span;       // of the sun's share in lighting_map, over the edges of shadows
+uniform float sun_lowest;
 
 uniform vec3 eye;        // perspective
 uniform vec3 eye_axis;   // towards the eye, for views without perspective
@@ -16,14 +18,37 @@ struct BedPoint {
     float sky;
 };
 
-BedPoint bed_point(vec2 place) {
-    vec4 texel = texture(lighting_map, place);
+BedPoint bed_point(vec4 texel) {
     vec2 slope = texel.xy * (65535.0 / 32767.0) - 1.0;
     BedPoint point;
     point.normal = vec3(slope, sqrt(max(1.0 - dot(slope, slope), 0.0)));
-    point.sun = texel.z;
+    point.sun = clamp(sun_lowest + sun_span * texel.z, 0.0, 1.0);
     point.sky = texel.w;
     return point;
+}
+
+BedPoint bed_point(vec2 place) { return bed_point(texture(lighting_map, place)); }
+
+// The mean over what a sample sees of ground that lies aslant to the view: of four places along it.
+BedPoint slanting_bed_point(vec2 place) {
+    vec2 along = dFdx(place);
+    vec2 across = dFdy(place);
+    if (dot(along, along) < dot(across, across)) {
+        vec2 other = along;
+        along = across;
+        across = other;
+    }
+    vec2 size = vec2(textureSize(lighting_map, 0));
+    float texels = max(0.25 * length(along * size), length(across * size));
+    float level = log2(max(texels, 1.0));
+    BedPoint mean = BedPoint(vec3(0.0), 0.0, 0.0);
+    for (int i = 0; i < 4; ++i) {
+        BedPoint point = bed_point(textureLod(lighting_map, place + (0.25 * float(i) - 0.375) * along, level));
+        mean.normal += 0.25 * point.normal;
+        mean.sun += 0.25 * point.sun;
+        mean.sky += 0.25 * point.sky;
+    }
+    return mean;
 }
 
 vec3 direction_to_eye(vec3 point) { return mix(normalize(eye - point), eye_axis, parallel); }

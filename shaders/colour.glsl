@@ -17,6 +17,9 @@ float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 uniform int tone;        // 0 filmic, 1 AgX, 2 neutral
 uniform float punch;     // 1: AgX with more contrast and colour
 uniform float exposure;  // a factor
+uniform float contrast;  // a power around middle grey
+
+const float grey = 0.18;
 
 // AgX (T. Sobotka, with B. Wrensch's polynomial), in Rec. 2020: bright colours turn pale.
 vec3 agx(vec3 c) {
@@ -31,6 +34,11 @@ vec3 agx(vec3 c) {
     const float lowest = -12.47393;  // stops
     const float highest = 4.026069;
     vec3 x = log2(max(inset * (rec2020_from_srgb * c), vec3(1e-10)));
+    if (contrast != 1.0) {  // which leaves the brightest where it is
+        vec3 above = x - log2(grey);
+        float room = highest - log2(grey);
+        x = log2(grey) + above * contrast / (1.0 + (contrast - 1.0) * clamp(above / room, 0.0, 1.0));
+    }
     x = clamp((x - lowest) / (highest - lowest), 0.0, 1.0);
     x = (((((15.5 * x - 40.14) * x + 31.96) * x - 6.868) * x + 0.4298) * x + 0.1191) * x - 0.00232;
     if (punch > 0.0) {  // its look "punchy"
@@ -66,6 +74,7 @@ vec3 filmic(vec3 c) {
 vec3 tone_curve(vec3 c) {
     c *= exposure;
     if (tone == 1) return agx(c);
+    if (contrast != 1.0) c = grey * pow(max(c / grey, vec3(1e-10)), vec3(contrast));
     if (tone == 2) return neutral(c);
     return filmic(c);
 }

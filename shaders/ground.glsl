@@ -8,6 +8,10 @@ uniform sampler2D noise_map;  // of ground_noise.frag.glsl
 vec3 sand(float broad, float fine, BedPoint point, float height) {
     vec3 crest = vec3(0.800, 0.500, 0.235);
     vec3 trough = vec3(0.600, 0.315, 0.120);
+    if (atmosphere > 0.5) {
+        crest = vec3(0.610, 0.425, 0.245);
+        trough = vec3(0.480, 0.305, 0.160);
+    }
     float open = clamp(0.35 + 0.45 * height + 0.9 * (point.sky - 0.85), 0.0, 1.0);
     open = clamp(open + 0.10 * broad + 0.04 * fine, 0.0, 1.0);
     return mix(trough, crest, open) * (1.0 + 0.035 * broad + 0.02 * fine);
@@ -39,7 +43,10 @@ vec3 ground_light(vec3 albedo, BedPoint point, vec3 to_eye, float gloss) {
     // One bounce: what the sky does not fill, sunlit sand around does.
     vec3 bounce = albedo * (sun_light * max(to_sun.z, 0.15) + 0.5 * sky_light) * (1.0 - point.sky) * 1.7;
     if (atmosphere > 0.5) {
-        sky = sky_light * point.sky * max(1.0 + sky_lean * dot(point.normal.xy, normalize(to_sun.xy + vec2(1e-6, 0.0))), 0.2);
+        float x = dot(point.normal.xy, normalize(to_sun.xy + vec2(1e-6, 0.0)));
+        float t = 1.0 - point.normal.z;
+        vec3 lean = x * (sky_lean_x + x * sky_lean_xx + t * sky_lean_tx) + t * sky_lean_t;
+        sky = sky_light * point.sky * max(1.0 + lean, 0.1);
         // A slope sees level ground, half of it in the sun, where it does not see the sky.
         float ground_seen = clamp(1.0 - point.sky, 0.0, 1.0);
         bounce = albedo * (0.5 * sun_light * to_sun.z + sky_light) * ground_seen;

@@ -7,19 +7,32 @@ uniform vec3 glow_colour;
 uniform vec3 zenith_colour;
 uniform float atmosphere;   // 1: the sky is that of sky_map
 uniform sampler2D sky_map;  // radiances times pi; see Light
-uniform vec3 sky_lean;
+// How much more of it a slope gets; see Light::sky_lean.
+uniform vec3 sky_lean_x;
+uniform vec3 sky_lean_xx;
+uniform vec3 sky_lean_t;
+uniform vec3 sky_lean_tx;
 
 // Aerial perspective: depth_plane gives 0 at the block's nearest corner and 1 at its farthest.
 uniform vec4 depth_plane;
 uniform float haze_log;  // log(1 − haze) of the far corner
+// The same by distance, where the air's visibility is known.
+uniform float extinction;  // per block length; below 0: not known
+uniform vec3 haze_eye;
 
 // Of sky_map in a direction of view (unit vector); rows below 1.2 degrees are seen through the whole air.
 vec3 scattered_sky(vec3 view) {
     float across = max(length(view.xy) * length(to_sun.xy), 1e-6);
-    float azimuth = acos(clamp(dot(view.xy, to_sun.xy) / across, -1.0, 1.0)) / 3.14159265;
+    float azimuth = sqrt(acos(clamp(dot(view.xy, to_sun.xy) / across, -1.0, 1.0)) / 3.14159265);
     float elevation = sqrt(asin(clamp(view.z, 0.021, 1.0)) / 1.57079633);
     vec2 size = vec2(textureSize(sky_map, 0));
     return texture(sky_map, (vec2(azimuth, elevation) * (size - 1.0) + 0.5) / size).rgb;
+}
+
+// Light of the sun that the eye, or a lens, scatters around it.
+vec3 glare(vec3 view) {
+    vec3 off = view - to_sun;
+    return sun_light * (0.00015 / (dot(off, off) + 0.0002));
 }
 
 // What far things fade into in a direction of view (unit vector).
@@ -31,6 +44,7 @@ vec3 haze_towards(vec3 view) {
 }
 
 vec3 with_haze(vec3 colour, vec3 point, vec3 view) {
+    if (extinction >= 0.0) return mix(haze_towards(view), colour, exp(-extinction * distance(haze_eye, point)));
     float depth = max(dot(depth_plane.xyz, point) + depth_plane.w, 0.0);
     return mix(haze_towards(view), colour, exp(haze_log * depth * depth));
 }

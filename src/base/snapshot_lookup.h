@@ -52,4 +52,11 @@ inline std::optional<Way> downwind(const Snapshot& snapshot) {
     return Way{x / resultant, y / resultant};
 }
 
+/// The same; where the winds cancel, the way of the first of them.
+inline Way prevailing_way(const Snapshot& snapshot) {
+    const auto way = downwind(snapshot);
+    if (way) return *way;
+    return {snapshot.winds.front().x, snapshot.winds.front().y};
+}
+
 }  // namespace fumon

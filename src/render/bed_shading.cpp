@@ -111,6 +111,18 @@ float switched(bool on) {
     return on ? 1.0F : 0.0F;
 }
 
+/// Of the air, per block length (Koschmieder 1924: contrast falls to 2 % within the visibility);
+/// below 0 where the haze does not follow distance.
+float extinction(const View& view, const Camera& camera, const Block& block) {
+    constexpr double usual = 40.0;  // km
+    constexpr double contrast_log = 3.912;
+    const bool known = !view.air.visibility.is_word();
+    if (!known && view.look.ground != Ground::endless) return -1.0F;
+    if (!camera.perspective) return 0.0F;
+    const double visibility = known ? view.air.visibility.value : usual;
+    return static_cast<float>(contrast_log / visibility * block.kilometres);
+}
+
 }  // namespace
 
 gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& block) {
@@ -133,6 +145,10 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
     program.set("punch", switched(tone == Tone::agx_punchy));
     program.set("exposure",
                 static_cast<float>(elementary::exp(std::numbers::ln2 * view.look.exposure)));
+    const double usual_contrast = view.look.ground == Ground::endless ? 1.35 : 1.0;
+    const WordOrReal& contrast = view.look.contrast;
+    program.set("contrast",
+                static_cast<float>(contrast.is_word() ? usual_contrast : contrast.value));
     program.set("to_sun", light.to_sun);
     program.set("sun_light", light.sun);
     program.set("sky_light", light.sky);
@@ -140,7 +156,10 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
     program.set("glow_colour", light.glow);
     program.set("zenith_colour", light.zenith);
     program.set("atmosphere", light.atmosphere ? 1.0F : 0.0F);
-    program.set("sky_lean", light.sky_lean);
+    program.set("sky_lean_x", light.sky_lean[0]);
+    program.set("sky_lean_xx", light.sky_lean[1]);
+    program.set("sky_lean_t", light.sky_lean[2]);
+    program.set("sky_lean_tx", light.sky_lean[3]);
     program.set("sky_map", sky_unit);
     program.set("eye", glm::vec3(camera.eye));
     program.set("eye_axis", glm::vec3(-camera.forward));
@@ -156,6 +175,8 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
     program.set("depth_plane", glm::vec4(camera.forward * scale, -nearest * scale));
     const double left = camera.perspective ? std::max(1.0 - view.sun.haze, 0.02) : 1.0;
     program.set("haze_log", static_cast<float>(elementary::log(left)));
+    program.set("extinction", extinction(view, camera, block));
+    program.set("haze_eye", glm::vec3(camera.eye));
 }
 
 BedShading::BedShading(const View& view, const Block& block, const Snapshot& first,
@@ -199,27 +220,42 @@ void BedShading::draw_noise() {
     gl::functions().BindVertexArray(0);
 }
 
-void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
-                        const std::vector<std::uint16_t>& lighting, const DisplayWater* water) {
-    lighting_.upload(lighting.data());
+/// The values that colours stand for, which set the range of these.
+Field<float> BedShading::ranged_values(const Snapshot& snapshot, const Snapshot& first) {
     const bool natural = view_.look.colour_by == Colouring::natural;
     Field<float> values = coloured_values(view_.look.colour_by, snapshot, first);
     range_ = natural ? natural_range(snapshot, block_) : colour_range(view_.look, snapshot, values);
     const Mask without = uncoloured_cells(view_.look.colour_by, snapshot);
     if (!without.empty()) continue_outward(values, without, static_cast<float>(range_.first));
-    if (view_.look.ground == Ground::endless) {
-        constexpr int margin = 2;  // cells that the refinement looks at
-        const Field<float> wide = refined(with_margin(values, margin), refinement_);
-        values_.upload(palette_places(without_margin(wide, margin * refinement_), range_).data());
-        lighting_.make_mipmaps();
-        values_.make_mipmaps();
-    } else {
-        values_.upload(palette_places(refined(values, refinement_), range_).data());
-    }
+    return values;
+}
 
+void BedShading::upload_marks(const Snapshot& snapshot) {
     marks_.upload(mark_texels(view_.look.mark, snapshot).data());
     uncoloured_.upload(uncoloured_texels(view_.look.colour_by, snapshot).data());
+}
+
+void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
+                        const std::vector<std::uint16_t>& lighting, const DisplayWater* water) {
+    lighting_.upload(lighting.data());
+    const Field<float> values = ranged_values(snapshot, first);
+    values_.upload(palette_places(refined(values, refinement_), range_).data());
+    upload_marks(snapshot);
     if (water_) water_->upload(snapshot, *water);
+}
+
+void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
+                        const RepeatedLight& light) {
+    // Means over several cells are of what each of them gets.
+    lighting_.upload(light.clamped.data());
+    lighting_.make_mipmaps();
+    lighting_.upload(light.texels.data());
+    constexpr int margin = 2;  // cells that the refinement looks at
+    const Field<float> wide =
+        refined(with_margin(ranged_values(snapshot, first), margin), refinement_);
+    values_.upload(palette_places(without_margin(wide, margin * refinement_), range_).data());
+    values_.make_mipmaps();
+    upload_marks(snapshot);
 }
 
 void BedShading::bind(const gl::Program& program) const {
@@ -237,6 +273,9 @@ void BedShading::bind(const gl::Program& program) const {
         noise_->colour().bind(5);
         program.set("noise_map", 5);
     }
+    const bool endless = view_.look.ground == Ground::endless;
+    program.set("sun_span", endless ? sun_bounds.highest - sun_bounds.lowest : 1.0F);
+    program.set("sun_lowest", endless ? sun_bounds.lowest : 0.0F);
     program.set("shading", static_cast<float>(view_.look.shading));
     program.set("tinted", colours_water(view_.look.colour_by) ? 0.0F : 1.0F);
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));

@@ -9,6 +9,7 @@
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/light/light.h"
+#include "render/light/repeated_light.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/display_bed.h"
@@ -41,6 +42,8 @@ class BedShading {
     /// where draws_water says so.
     void upload(const Snapshot& snapshot, const Snapshot& first,
                 const std::vector<std::uint16_t>& lighting, const DisplayWater* water);
+    /// The same for endless ground.
+    void upload(const Snapshot& snapshot, const Snapshot& first, const RepeatedLight& light);
 
     /// Shades what was uploaded.
     void shade(const Light& light, const Camera& camera);
@@ -55,6 +58,8 @@ class BedShading {
 
   private:
     void draw_noise();
+    Field<float> ranged_values(const Snapshot& snapshot, const Snapshot& first);
+    void upload_marks(const Snapshot& snapshot);
 
     View view_;
     Block block_;

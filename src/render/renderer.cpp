@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/snapshot_lookup.h"
 #include "base/worker_pool.h"
 #include "gl/context.h"
 #include "gl/functions.h"
@@ -18,14 +19,15 @@
 #include "render/light/floor_map.h"
 #include "render/light/light.h"
 #include "render/light/lighting.h"
+#include "render/light/repeated_light.h"
 #include "render/sample_vectors.h"
 #include "render/terrain_layer.h"
 #include "render/tiles.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
+#include "render/view/chosen_ground.h"
 #include "render/view/display_bed.h"
 #include "render/view/framing.h"
-#include "render/view/repeated_bed.h"
 #include "render/view/shown_snapshot.h"
 #include "render/world_layer.h"
 
@@ -54,6 +56,12 @@ Block block_of_frame(const Block& block, const Snapshot& snapshot, Datum datum) 
     return framed;
 }
 
+/// Cells along the bed's longer side from which on it is drawn as it is. On endless ground one may
+/// stand.
+int smooth_enough(Ground ground) {
+    return ground == Ground::endless ? 1000 : 400;
+}
+
 TilePlan plan_of(const View& view, const RenderLimits& limits) {
     GLint largest = 0;
     gl::functions().GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
@@ -63,20 +71,6 @@ TilePlan plan_of(const View& view, const RenderLimits& limits) {
 }
 
 const gl::TextureLayout sky_layout{GL_RGB32F, GL_RGB, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
-
-/// Throws InputError where nothing can go on to the horizon.
-void check_endless(const View& view, const Snapshot& first, bool water) {
-    const char* fault = nullptr;
-    if (view.look.mode != ViewMode::scenic) fault = "is for scenic views (look.mode)";
-    if (view.camera.projection != Projection::perspective)
-        fault = "is for the perspective camera (camera.projection)";
-    if (!first.periodic || first.bed.ny() < 2 || !first.nodata.empty() || first.section)
-        fault = "needs a whole periodic bed, as the sand models have";
-    if (water) fault = "is for beds without water";
-    if (fault != nullptr)
-        throw InputError(
-            fmt::format("look.ground = \"endless\" {}; \"table\" draws this one", fault));
-}
 
 Light light_of(const View& view) {
     const bool atmosphere =
@@ -143,15 +137,16 @@ struct Renderer::Parts {
 Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot& first_,
                        std::int64_t last_step_, WorkerPool& pool_, const RenderLimits& limits)
     : context(context_),
-      view(view_),
-      first(shown_first(first_, view_)),
+      view(with_chosen_ground(view_, first_)),
+      first(shown_first(first_, view)),
       last_step(last_step_),
       pool(pool_),
       block(framed_block(view, first)),
       datum(chosen_datum(view.look, first)),
       water(draws_water(view.look, first)),
       refinement(refinement_of(first.bed.nx(), first.bed.ny(),
-                               static_cast<int>(std::max(view.image.width, view.image.height)))),
+                               static_cast<int>(std::max(view.image.width, view.image.height)),
+                               smooth_enough(view.look.ground))),
       plan(plan_of(view, limits)),
       light(light_of(view)),
       fixed(fixed_uniforms(view, light, block)),
@@ -167,8 +162,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       samples(plan.target_width, plan.target_height, plain_layout(), &depths),
       surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout()) {
     if (view.look.ground == Ground::endless) {
-        check_endless(view, first, water);
-        world.emplace(view, block, display_bed(first, block, refinement));
+        world.emplace(view, block, first, refinement);
     } else {
         seen.emplace(plan.target_width, plan.target_height, seen_layout(), &depths);
     }
@@ -311,27 +305,31 @@ Image Renderer::render(const Snapshot& whole) {
     if (snapshot.bed.nx() != p.first.bed.nx() || snapshot.bed.ny() != p.first.bed.ny())
         throw Error("a snapshot of another size than the first one cannot be drawn");
     p.context.make_current();
-    const Camera camera = p.camera_at(snapshot.step);
     const Block framed = block_of_frame(p.block, snapshot, p.datum);
+    const Camera camera = above_ground(p.camera_at(snapshot.step), framed, snapshot);
     const SunDirection sun = sun_direction(p.view.sun);
-    const int around = p.world ? shading_margin(snapshot, framed, sun.lower_limb) : 0;
-    const DisplayBed bed = p.world ? display_bed_with_margin(snapshot, framed, p.refinement, around)
-                                   : display_bed(snapshot, framed, p.refinement);
     std::optional<DisplayWater> water;
     if (p.water) water = display_water(snapshot, p.refinement);
 
     gl::functions().BindVertexArray(p.no_attributes.name());
-    p.shading.upload(snapshot, p.first, lighting_texels(bed, sun, around * p.refinement, p.pool),
-                     water ? &*water : nullptr);
-    if (p.world) p.world->set_bed(without_margin(bed.z, around * p.refinement));
-    p.sky.bind(sky_unit);
-    if (!p.world) p.shading.shade(p.light, camera);
-    if (water) {
-        const auto rise = static_cast<float>(p.block.height_scale / snapshot.scale.height_unit);
-        for (float& depth : water->depth.values()) depth *= rise;
+    if (p.world) {
+        const RepeatedLight light =
+            repeated_light(snapshot, framed, p.refinement, sun, prevailing_way(snapshot), p.pool);
+        p.shading.upload(snapshot, p.first, light);
+        p.world->set_bed(snapshot, light);
+        p.sky.bind(sky_unit);
+    } else {
+        const DisplayBed bed = display_bed(snapshot, framed, p.refinement);
+        p.shading.upload(snapshot, p.first, lighting_texels(bed, sun, p.pool),
+                         water ? &*water : nullptr);
+        p.sky.bind(sky_unit);
+        p.shading.shade(p.light, camera);
+        if (water) {
+            const auto rise = static_cast<float>(p.block.height_scale / snapshot.scale.height_unit);
+            for (float& depth : water->depth.values()) depth *= rise;
+        }
+        p.terrain.set_bed(bed, water ? &water->depth : nullptr, camera);
     }
-
-    if (!p.world) p.terrain.set_bed(bed, water ? &water->depth : nullptr, camera);
     if (p.air && snapshot.section) p.air->set_air(snapshot, framed, camera, p.pool);
 
     Image image(static_cast<int>(p.view.image.width), static_cast<int>(p.view.image.height));

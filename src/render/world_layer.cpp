@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <vector>
 
@@ -14,39 +15,51 @@ namespace {
 
 const gl::TextureLayout height_layout{
     GL_R32F, GL_RED, GL_FLOAT, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
+const gl::TextureLayout wind_layout{
+    GL_R8, GL_RED, GL_UNSIGNED_BYTE, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
 
-constexpr double innermost_ring = 1e-4;   // block lengths
-constexpr double outermost_ring = 400.0;  // block lengths
-constexpr double ring_ratio = 1.008;
+constexpr int rings = 1000;
+constexpr double nearest_share = 0.2;    // of the eye's height above the ground: the first ring
+constexpr double least_nearest = 1e-6;   // block lengths
+constexpr double earth_radius = 6360.0;  // km
 constexpr double pixels_a_ray = 2.0;
+constexpr int detail_unit = 7;
+
+constexpr double ripple_metres = 0.12;
+constexpr double ripple_cells = 0.4;  // without metres: a hundredth of a dune of 40 cells
+constexpr double steepest = 0.2;
+constexpr double steps_a_ripple = 50.0;  // that it takes to move on by its length
+constexpr double longest_turn = 0.45;  // of a ripple, between two samples, at which it is not seen
 
 }  // namespace
 
-WorldLayer::WorldLayer(const View& view, const Block& block, const DisplayBed& first_bed)
+WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement)
     : view_(view),
       block_(block),
-      cell_(std::min(first_bed.dx, first_bed.dy)),
-      program_("world.vert.glsl", "world.frag.glsl", {"ray_and_ring"}),
-      heights_(first_bed.z.nx(), first_bed.z.ny(), height_layout) {
+      cell_(static_cast<float>(
+          std::min(block.width_x / first.bed.nx(), block.width_y / first.bed.ny()) / refinement)),
+      ripple_length_(first.scale.in_metres ? ripple_metres / block.side
+                                           : ripple_cells * cell_ * refinement),
+      near_program_("world.vert.glsl", "world_near.frag.glsl", {"ray_and_ring"}),
+      far_program_("world.vert.glsl", "world_far.frag.glsl", {"ray_and_ring"}),
+      heights_(first.bed.nx() * refinement, first.bed.ny() * refinement, height_layout),
+      wind_(first.bed.nx() * refinement, first.bed.ny() * refinement, wind_layout) {
     build();
 }
 
 void WorldLayer::build() {
     rays_ = static_cast<int>(static_cast<double>(view_.image.width) / pixels_a_ray) + 2;
-    rings_ = static_cast<int>(elementary::log(outermost_ring / innermost_ring) /
-                              elementary::log(ring_ratio)) +
-             2;
     std::vector<glm::vec2> places;
-    places.reserve(static_cast<std::size_t>(rays_ * rings_));
-    for (int ring = 0; ring < rings_; ++ring) {
+    places.reserve(static_cast<std::size_t>(rays_) * rings);
+    for (int ring = 0; ring < rings; ++ring) {
         for (int ray = 0; ray < rays_; ++ray)
             places.emplace_back(
                 -1.0F + 2.0F * static_cast<float>(ray) / static_cast<float>(rays_ - 1),
-                static_cast<float>(ring - 1));
+                static_cast<float>(ring - 1) / static_cast<float>(rings - 2));
     }
     std::vector<std::uint32_t> triangles;
     triangles.reserve(6 * places.size());
-    for (int ring = 0; ring + 1 < rings_; ++ring) {
+    for (int ring = 0; ring + 1 < rings; ++ring) {
         for (int ray = 0; ray + 1 < rays_; ++ray) {
             const auto a = static_cast<std::uint32_t>(ring * rays_ + ray);
             const std::uint32_t b = a + 1;
@@ -54,7 +67,6 @@ void WorldLayer::build() {
             triangles.insert(triangles.end(), {a, b, c, b, c + 1, c});
         }
     }
-    indices_ = static_cast<GLsizei>(triangles.size());
     const gl::Functions& gl = gl::functions();
     gl.BindVertexArray(array_.name());
     gl.BindBuffer(GL_ARRAY_BUFFER, places_.name());
@@ -69,38 +81,58 @@ void WorldLayer::build() {
     gl.BindVertexArray(0);
 }
 
-void WorldLayer::set_bed(const Field<float>& z) {
-    heights_.upload(z.data());
+void WorldLayer::set_bed(const Snapshot& snapshot, const RepeatedLight& light) {
+    heights_.upload(light.z.data());
     heights_.make_mipmaps();
+    wind_.upload(light.wind.data());
+    wind_.make_mipmaps();
+    z_ = light.z;
+    highest_ = *std::ranges::max_element(z_.values());
+    step_ = snapshot.step;
+    wind_ = prevailing_way(snapshot);
 }
 
-void WorldLayer::draw(const BedShading& shading, const Light& light, const Camera& camera,
-                      const TileSamples& tile) const {
-    const gl::Functions& gl = gl::functions();
-    gl.Enable(GL_DEPTH_TEST);
-    program_.use();
-    shading.bind(program_);
-    set_light(program_, view_, light, camera, block_);
-    heights_.bind(6);
-    program_.set("height_map", 6);
+double WorldLayer::ground_under(const glm::dvec3& eye) const {
+    const auto cell = [](double share, int count) {
+        const double within = share - std::floor(share);
+        return std::min(static_cast<int>(within * count), count - 1);
+    };
+    return z_(cell(eye.x / block_.width_x + 0.5, z_.nx()),
+              cell(eye.y / block_.width_y + 0.5, z_.ny()));
+}
 
-    // The fan: as wide as the picture's corners reach, all around where it looks down on itself.
+/// As wide as the picture's corners reach, all around where it looks down on itself; from the
+/// ground under the camera to where the planet's curvature hides the highest crests.
+WorldLayer::Fan WorldLayer::fan_of(const Camera& camera) const {
+    Fan fan;
     const glm::dvec2 level(camera.forward.x, camera.forward.y);
     const double length = glm::length(level);
-    const glm::dvec2 heading = length > 1e-6 ? level / length : glm::dvec2(0.0, 1.0);
-    double half_angle = 0.0;
+    if (length > 1e-6) fan.heading = level / length;
     for (const double x : {-1.0, 0.0, 1.0}) {
         for (const double y : {-1.0, 0.0, 1.0}) {
             const glm::dvec3 ray =
                 camera.forward + x * camera.half.x * camera.right + y * camera.half.y * camera.up;
             const glm::dvec2 flat(ray.x, ray.y);
-            const double along = glm::dot(flat, heading);
-            const double across = heading.x * flat.y - heading.y * flat.x;
-            half_angle = std::max(half_angle, std::abs(elementary::atan2(across, along)));
+            const double along = glm::dot(flat, fan.heading);
+            const double across = fan.heading.x * flat.y - fan.heading.y * flat.x;
+            fan.half_angle = std::max(fan.half_angle, std::abs(elementary::atan2(across, along)));
         }
     }
-    half_angle = half_angle > 1.4 ? std::numbers::pi : half_angle * 1.02 + 0.01;
+    fan.half_angle = fan.half_angle > 1.4 ? std::numbers::pi : fan.half_angle * 1.02 + 0.01;
+    fan.nearest =
+        std::max(nearest_share * (camera.eye.z - ground_under(camera.eye)), least_nearest);
+    const double twice_radius = 2.0 * earth_radius / block_.kilometres;
+    const auto horizon = [&](double height) {
+        return std::sqrt(std::max(height, 0.0) * twice_radius);
+    };
+    const double lowest = block_.surface - (highest_ - block_.surface);
+    fan.farthest = std::max(1.1 * (horizon(camera.eye.z - lowest) + horizon(highest_ - lowest)),
+                            1e3 * fan.nearest);
+    return fan;
+}
 
+void WorldLayer::set_fan(const gl::Program& program, const Fan& fan, const Camera& camera,
+                         const TileSamples& tile) const {
     const auto reduced = [](double place, double extent) {
         return place - extent * std::floor(place / extent + 0.5);
     };
@@ -108,33 +140,72 @@ void WorldLayer::draw(const BedShading& shading, const Light& light, const Camer
                          reduced(camera.eye.y, block_.width_y), camera.eye.z);
     Camera at_origin = camera;
     at_origin.eye = glm::dvec3(0.0);
-    at_origin.near_depth = innermost_ring;
-    at_origin.far_depth = outermost_ring * 1.1;
-    program_.set("clip_from_eye", glm::mat4(clip_matrix(at_origin)));
-    program_.set("eye", glm::vec3(eye));
-    program_.set("heading", glm::vec2(heading));
-    program_.set("half_angle", static_cast<float>(half_angle));
-    program_.set("nearest", static_cast<float>(innermost_ring));
-    program_.set("ring_ratio", static_cast<float>(ring_ratio));
-    program_.set("spacing", static_cast<float>(2.0 * half_angle / rays_));
-    program_.set("extent", glm::vec2(block_.width_x, block_.width_y));
-    program_.set("cell", cell_);
-    program_.set("curvature", 0.0F);
-    program_.set("picture_size", tile.picture_size);
-    program_.set("tile_corner", tile.corner);
-    program_.set("tile_size", tile.size);
-    constexpr double visibility = 40.0;  // block lengths
-    program_.set("extinction", static_cast<float>(3.912 / visibility));
-    const double ripple_length = 0.5 * cell_;
-    program_.set("wind", glm::vec2(1.0F, 0.0F));
-    program_.set("ripple_length", static_cast<float>(ripple_length));
-    const double turns = camera.eye.x / ripple_length;
-    program_.set("ripple_phase", static_cast<float>(turns - std::floor(turns)));
-    constexpr double steepest = 0.28;
-    program_.set("ripple_slope", static_cast<float>(steepest * view_.look.ripples));
-    program_.set("whole_eye", glm::vec2(camera.eye));
+    at_origin.near_depth = 0.5 * fan.nearest;
+    at_origin.far_depth = fan.farthest * 1.1;
+    program.set("clip_from_eye", glm::mat4(clip_matrix(at_origin)));
+    program.set("eye", glm::vec3(eye));
+    program.set("heading", glm::vec2(fan.heading));
+    program.set("half_angle", static_cast<float>(fan.half_angle));
+    program.set("nearest", static_cast<float>(fan.nearest));
+    const double reach = elementary::log(fan.farthest / fan.nearest);
+    program.set("reach", static_cast<float>(reach));
+    const double spacing = std::max(2.0 * fan.half_angle / rays_, reach / (rings - 2));
+    program.set("spacing", static_cast<float>(spacing));
+    program.set("extent", glm::vec2(block_.width_x, block_.width_y));
+    program.set("cell", cell_);
+    program.set("curvature", static_cast<float>(block_.kilometres / (2.0 * earth_radius)));
+    program.set("picture_size", tile.picture_size);
+    program.set("tile_corner", tile.corner);
+    program.set("tile_size", tile.size);
+}
+
+void WorldLayer::set_detail(const gl::Program& program, const Camera& camera) const {
+    const glm::dvec2 wind(wind_.x, wind_.y);
+    program.set("wind", glm::vec2(wind));
+    program.set("ripple_length", static_cast<float>(ripple_length_));
+    const double turns = glm::dot(glm::dvec2(camera.eye), wind) / ripple_length_ -
+                         static_cast<double>(step_) / steps_a_ripple;
+    program.set("ripple_phase", static_cast<float>(turns - std::floor(turns)));
+    program.set("ripple_slope", static_cast<float>(steepest * view_.look.ripples));
+    program.set("sand_grain", static_cast<float>(view_.look.grain));
+    program.set("whole_eye", glm::vec2(camera.eye));
+}
+
+void WorldLayer::draw_rings(int first, int last) const {
+    if (last <= first) return;
+    const std::size_t indices = 6 * static_cast<std::size_t>(rays_ - 1);
+    const std::size_t from = sizeof(std::uint32_t) * indices * static_cast<std::size_t>(first);
+    gl::functions().DrawElements(
+        GL_TRIANGLES, static_cast<GLsizei>(indices * static_cast<std::size_t>(last - first)),
+        GL_UNSIGNED_INT, reinterpret_cast<const void*>(from));
+}
+
+void WorldLayer::draw(const BedShading& shading, const Light& light, const Camera& camera,
+                      const TileSamples& tile) const {
+    const gl::Functions& gl = gl::functions();
+    gl.Enable(GL_DEPTH_TEST);
+    const Fan fan = fan_of(camera);
+    // Beyond that distance a sample spans too much of a ripple.
+    const double sample_angle = 2.0 * camera.half.y / static_cast<double>(tile.picture_size.y);
+    const double seen_to = 2.0 * longest_turn * ripple_length_ / sample_angle;
+    const double share = elementary::log(std::max(seen_to / fan.nearest, 1.0)) /
+                         elementary::log(fan.farthest / fan.nearest);
+    const int near_rings =
+        static_cast<int>(std::ceil(std::clamp(share, 0.0, 1.0) * (rings - 2))) + 1;
     gl.BindVertexArray(array_.name());
-    gl.DrawElements(GL_TRIANGLES, indices_, GL_UNSIGNED_INT, nullptr);
+    for (const bool near : {true, false}) {
+        const gl::Program& program = near ? near_program_ : far_program_;
+        program.use();
+        shading.bind(program);
+        set_light(program, view_, light, camera, block_);
+        heights_.bind(detail_unit - 1);
+        program.set("height_map", detail_unit - 1);
+        wind_.bind(detail_unit);
+        program.set("wind_map", detail_unit);
+        set_fan(program, fan, camera, tile);
+        set_detail(program, camera);
+        draw_rings(near ? 0 : near_rings, near ? near_rings : rings - 1);
+    }
     gl.BindVertexArray(0);
 }
 

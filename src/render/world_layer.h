@@ -1,44 +1,64 @@
 #pragma once
 
+#include "base/snapshot_lookup.h"
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/bed_shading.h"
 #include "render/light/light.h"
+#include "render/light/repeated_light.h"
 #include "render/terrain_layer.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
-#include "render/view/display_bed.h"
 #include "scene/scene.h"
 
 namespace fumon {
 
 /// A periodic bed repeated to the horizon: a fan of rays and rings around the camera, raised by the
-/// bed's heights.
+/// bed's heights. Wind ripples and tongues of avalanches, for which the grid is too coarse, are
+/// drawn where they are seen.
 class WorldLayer {
   public:
-    WorldLayer(const View& view, const Block& block, const DisplayBed& first_bed);
+    WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement);
 
-    /// Heights as z of the block.
-    void set_bed(const Field<float>& z);
+    void set_bed(const Snapshot& snapshot, const RepeatedLight& light);
 
     /// Draws into the bound target.
     void draw(const BedShading& shading, const Light& light, const Camera& camera,
               const TileSamples& tile) const;
 
   private:
+    /// The fan of a camera: radii in block lengths.
+    struct Fan {
+        glm::dvec2 heading{0.0, 1.0};  ///< of its middle, unit vector
+        double half_angle = 0.0;
+        double nearest = 0.0;
+        double farthest = 0.0;
+    };
+
     void build();
+    [[nodiscard]] double ground_under(const glm::dvec3& eye) const;
+    [[nodiscard]] Fan fan_of(const Camera& camera) const;
+    void set_fan(const gl::Program& program, const Fan& fan, const Camera& camera,
+                 const TileSamples& tile) const;
+    void set_detail(const gl::Program& program, const Camera& camera) const;
+    void draw_rings(int first, int last) const;
 
     View view_;
     Block block_;
-    float cell_;
-    gl::Program program_;
+    float cell_;            ///< of the drawn bed, block lengths
+    double ripple_length_;  ///< block lengths
+    Field<float> z_;        ///< of the bed
+    double highest_ = 0.0;
+    std::int64_t step_ = 0;
+    Way wind_;
+    gl::Program near_program_;
+    gl::Program far_program_;
     gl::Texture2D heights_;
+    gl::Texture2D wind_;
     gl::VertexArray array_;
     gl::Buffer places_;
     gl::Buffer triangles_;
-    GLsizei indices_ = 0;
     int rays_ = 0;
-    int rings_ = 0;
 };
 
 }  // namespace fumon

@@ -396,6 +396,20 @@ void check_camera(const Scene& scene, Faults& faults) {
     };
     check_place("camera.at", camera.at);
     check_place("camera.look_at", camera.look_at);
+    if (camera.framing != Framing::block) {
+        if (!perspective)
+            refuse("camera.framing",
+                   "camera.framing belongs to camera.projection = \"perspective\"");
+        for (const char* key : {"camera.at", "camera.look_at"}) {
+            if (written(scene, key))
+                refuse(key, fmt::format("{} and camera.framing both say where the camera stands; "
+                                        "take one of them",
+                                        key));
+        }
+    }
+    if (!camera.focal_length.is_word() && written(scene, "camera.field_of_view"))
+        refuse("camera.focal_length",
+               "camera.focal_length and camera.field_of_view say the same; take one of them");
     if (scene.view.look.ground != Ground::endless) return;
     if (!perspective)
         refuse("look.ground",

@@ -58,14 +58,18 @@ struct FrameSettings {
 };
 
 enum class Projection { perspective, orthographic, map };
+enum class Framing { block, overview, low, along_crest, slip_face, aerial };
 
 struct CameraSettings {
     Projection projection = Projection::perspective;
+    Framing framing = Framing::block;
     double azimuth = 215.0;           ///< where the camera stands, degrees clockwise from north
     double elevation = 32.0;          ///< degrees above the horizon
     WordOrReal distance{"fit", 0.0};  ///< from the block's centre, in units of its longer side
     double field_of_view = 28.0;      ///< vertical, degrees (perspective)
-    double margin = 0.04;             ///< free border around the fitted block, share of the picture
+    WordOrReal focal_length{"auto", 0.0};  ///< mm, of a lens before 36 × 24 mm (perspective)
+    double roll = 0.0;                     ///< degrees to the right (perspective)
+    double margin = 0.04;  ///< free border around the fitted block, share of the picture
     /// Where it stands and what it looks at: metres, or sites, eastward and northward from the
     /// bed's south-western corner, and above the bed there. Empty: around the block.
     std::vector<double> at;
@@ -83,10 +87,14 @@ struct SunSettings {
     double haze = 0.35;  ///< aerial perspective at the far edge of the block, 0 … 1
 };
 
+struct AirSettings {
+    WordOrReal visibility{"auto", 0.0};  ///< km, how far dark things are seen
+};
+
 enum class Colouring { natural, height, slope, change, water_depth, speed, froude };
 enum class ViewMode { scenic, figure };
 enum class Marking { none, last_avalanche };
-enum class Ground { table, endless };
+enum class Ground { automatic, table, endless };
 enum class SkyModel { automatic, two_colours, atmosphere };
 enum class Tone { automatic, filmic, agx, agx_punchy, neutral };
 enum class Datum { automatic, first, mean };
@@ -100,10 +108,11 @@ struct LookSettings {
     WordOrReal low{"auto", 0.0};           ///< value at the palette's start
     WordOrReal high{"auto", 0.0};          ///< value at its end
     WordOrReal exaggeration{"auto", 0.0};  ///< vertical
-    Ground ground = Ground::table;
+    Ground ground = Ground::automatic;
     SkyModel sky = SkyModel::automatic;
     Tone tone = Tone::automatic;
     double exposure = 0.0;  ///< stops
+    WordOrReal contrast{"auto", 0.0};
     bool block_sides = true;
     double grain = 0.5;            ///< visible texture of the sand, 0 … 1
     double ripples = 1.0;          ///< steepness of wind ripples on endless ground, 0 … 1
@@ -145,6 +154,7 @@ struct SectionSettings {
 struct View {
     CameraSettings camera;
     SunSettings sun;
+    AirSettings air;
     LookSettings look;
     SectionSettings section;
     ImageSettings image;

@@ -129,6 +129,16 @@ void list_view_keys(View& view, KeyTable& table) {
          {Projection::orthographic, "orthographic", "oblique, parallel lines stay parallel"},
          {Projection::map, "map", "straight from above, north up"}},
         {.help = "how the block is projected"});
+    table.choice(
+        "camera.framing", camera.framing,
+        {{Framing::block, "block", "around the whole block, or as camera.at says"},
+         {Framing::overview, "overview", "over the bed, down on its landforms"},
+         {Framing::low, "low", "across the crests, from a little above the highest"},
+         {Framing::along_crest, "along-crest", "along the highest crest, from beside it"},
+         {Framing::slip_face, "slip-face", "from downwind, up at the highest crest"},
+         {Framing::aerial, "aerial", "steeply down, as from an aeroplane"}},
+        {.help = "by name where the camera stands, from the bed it first sees and its wind; never "
+                 "within 10 degrees of the lattice's own directions"});
     table.real("camera.azimuth", camera.azimuth,
                {.unit = "degrees",
                 .range = {-360, 360},
@@ -143,6 +153,15 @@ void list_view_keys(View& view, KeyTable& table) {
     table.real(
         "camera.field_of_view", camera.field_of_view,
         {.unit = "degrees", .range = {2, 120}, .help = "vertical, for the perspective camera"});
+    table.word_or_real(
+        "camera.focal_length", camera.focal_length, {{"auto", "as camera.field_of_view says"}},
+        {.unit = "mm",
+         .range = {7, 700},
+         .help = "of a lens whose picture is 24 mm high, for the perspective camera"});
+    table.real("camera.roll", camera.roll,
+               {.unit = "degrees",
+                .range = {-180, 180},
+                .help = "of the camera to the right, for the perspective camera"});
     table.real(
         "camera.margin", camera.margin,
         {.range = {0, 0.4}, .help = "free border around the fitted block, share of the picture"});
@@ -175,6 +194,14 @@ void list_view_keys(View& view, KeyTable& table) {
                 .help = "aerosol of the air, for the sky \"atmosphere\"; 1 is a clear day"});
     table.real("sun.haze", sun.haze,
                {.range = {0, 1}, .help = "aerial perspective at the far edge of the block"});
+
+    table.word_or_real(
+        "air.visibility", view.air.visibility,
+        {{"auto", "40 km over endless ground; around a block on a table as sun.haze says"}},
+        {.unit = "km",
+         .range = {1e-4, 1e5},
+         .help = "how far dark things are seen: haze by distance (Koschmieder 1924); without "
+                 "metres the bed's longer side counts as 1 km"});
 
     LookSettings& look = view.look;
     table.text(
@@ -218,7 +245,10 @@ void list_view_keys(View& view, KeyTable& table) {
                         .earlier = {"0.2.0", "\"relief\""}});
     table.choice(
         "look.ground", look.ground,
-        {{Ground::table, "table", "the bed is a block on a pale table"},
+        {{Ground::automatic, "auto",
+          "endless in perspective for a whole periodic bed without water, as the sand models "
+          "have; else table"},
+         {Ground::table, "table", "the bed is a block on a pale table"},
          {Ground::endless, "endless",
           "a periodic bed of sand goes on to the horizon, with wind ripples below its grid"}},
         {.help = "what lies around the bed", .earlier = {"0.2.0", "\"table\""}});
@@ -239,6 +269,9 @@ void list_view_keys(View& view, KeyTable& table) {
         {.help = "from light to display values, in scenic views"});
     table.real("look.exposure", look.exposure,
                {.unit = "stops", .range = {-10, 10}, .help = "brighter by a factor of two each"});
+    table.word_or_real(
+        "look.contrast", look.contrast, {{"auto", "1.35 over endless ground, else 1"}},
+        {.range = {0.2, 4}, .help = "of light before the tone curve: a power around middle grey"});
     table.boolean("look.block_sides", look.block_sides,
                   {.help = "draw the cut sides of the block"});
     table.real("look.grain", look.grain, {.range = {0, 1}, .help = "visible grain of the sand"});

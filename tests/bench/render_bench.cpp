@@ -35,12 +35,13 @@ double cpu_milliseconds() {
     return of(usage.ru_utime) + of(usage.ru_stime);
 }
 
-void picture(benchmark::State& state) {
+void draw(benchmark::State& state, const View& view) {
     const auto cells = static_cast<int>(state.range(0));
     std::array<Snapshot, 2> beds = {dune_field(cells, 0.0), dune_field(cells, 0.05)};
     const auto context = gl::Context::create(gl::Backend::automatic);
     WorkerPool pool(2);
-    Renderer renderer(*context, View{}, beds[0], 1, pool);
+    for (Snapshot& bed : beds) bed.periodic = true;
+    Renderer renderer(*context, view, beds[0], 1, pool);
     benchmark::DoNotOptimize(renderer.render(beds[0]));  // compiles the shaders
     const double before = cpu_milliseconds();
     std::size_t next = 1;
@@ -50,6 +51,28 @@ void picture(benchmark::State& state) {
     }
     state.counters["cpu_ms"] =
         (cpu_milliseconds() - before) / static_cast<double>(state.iterations());
+}
+
+void picture(benchmark::State& state) {
+    draw(state, View{});
+}
+
+/// Endless ground from a little above it; its parts are switched off by arguments.
+void world(benchmark::State& state) {
+    View view;
+    view.look.ground = Ground::endless;
+    view.camera.framing = Framing::low;
+    if (state.range(1) == 0) {
+        view.look.ripples = 0.0;
+        view.look.grain = 0.0;
+    }
+    draw(state, view);
+}
+
+/// The sky and its light of one place of the sun, its tables included.
+void atmosphere(benchmark::State& state) {
+    SunSettings sun;
+    while (state.KeepRunning()) benchmark::DoNotOptimize(make_atmospheric_light(sun));
 }
 
 DisplayBed bench_bed(int cells) {
@@ -72,6 +95,8 @@ void sky(benchmark::State& state) {
 }
 
 BENCHMARK(picture)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(world)->Args({512, 0})->Args({512, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(atmosphere)->Unit(benchmark::kMillisecond);
 BENCHMARK(sun)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
 BENCHMARK(sky)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
 

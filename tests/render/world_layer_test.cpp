@@ -5,32 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
+#include "picture/tile_similarity.h"
 #include "support/drawn_picture.h"
+#include "support/photograph.h"
+#include "support/repeated_dunes.h"
 #include "support/view_beds.h"
 
 namespace fumon {
 namespace {
-
-/// Dunes of a periodic bed, shifted by whole cells.
-Snapshot periodic_dunes(int nx, int ny, int east, int north) {
-    Snapshot snapshot;
-    snapshot.periodic = true;
-    snapshot.bed = Grid(nx, ny);
-    const double turn = 2.0 * std::numbers::pi;
-    for (int y = 0; y < ny; ++y) {
-        for (int x = 0; x < nx; ++x) {
-            const double u = turn * ((x - east + nx) % nx) / nx;
-            const double v = turn * ((y - north + ny) % ny) / ny;
-            snapshot.bed(x, y) =
-                3.0 * std::sin(5.0 * u + std::sin(2.0 * v)) + std::sin(3.0 * v - u);
-        }
-    }
-    return snapshot;
-}
 
 View standing_view(double east, double north) {
     View view = small_view();
@@ -46,26 +32,106 @@ TEST(WorldLayer, ABedShiftedWithTheCameraLooksTheSame) {
         View view = standing_view(east, north);
         view.look.grain = 0.0;  // which stays where it is
         view.look.ripples = 0.0;
-        return picture(view, periodic_dunes(420, 400, east, north));
+        return picture(view, repeated_dunes(420, 400, east, north));
     };
     const Image expected = drawn(0, 0);
     const Image shifted = drawn(37, 290);
-    int most = 0;
-    double beyond_rounding = 0.0;  // share of the values: of shadows whose margins end elsewhere
+    // Crests near the horizon, finer than texels of the levels that they are taken from, are not
+    // quite where they were.
+    std::size_t off = 0;
     for (std::size_t i = 0; i < expected.rgb.size(); ++i) {
-        const int off = std::abs(int{expected.rgb[i]} - int{shifted.rgb[i]});
-        most = std::max(most, off);
-        if (off > 1) beyond_rounding += 1.0 / static_cast<double>(expected.rgb.size());
+        const int apart = std::abs(int{expected.rgb[i]} - int{shifted.rgb[i]});
+        EXPECT_LE(apart, 6);
+        if (apart > 1) ++off;
     }
-    EXPECT_LE(most, 12);
-    EXPECT_LE(beyond_rounding, 0.005);
+    EXPECT_LT(off, expected.rgb.size() / 5000);
+}
+
+/// Across the crests, the sun low at one side.
+View golden_hour() {
+    View view = standing_view(0, 0);
+    view.sun.elevation = 9.0;
+    view.sun.azimuth = 75.0;
+    view.camera.at = {200.0, 150.0, 12.0};
+    view.camera.look_at = {260.0, 220.0, 3.0};
+    return view;
+}
+
+TEST(WorldLayer, ShadowsOfAGoldenHourAreTheSkys) {
+    const Image image = picture(golden_hour(), repeated_dunes(420, 400));
+    const auto [shadow, light] = photograph::light_and_shadow(image);
+    EXPECT_LE(shadow.saturation, 0.6 * light.saturation);
+    EXPECT_GT(light.degrees, 20.0) << "sand";
+    EXPECT_LT(light.degrees, 45.0);
+    EXPECT_GE(photograph::lightness_span(image), 50.0);
+    EXPECT_LT(photograph::share_at_ends(image), 0.001);
+}
+
+TEST(WorldLayer, FarGroundMeetsTheSkyWithoutACrease) {
+    View view = golden_hour();
+    view.air.visibility = 4.0;
+    view.image.width = 64;
+    view.image.height = 360;
+    view.camera.look_at.clear();
+    view.camera.elevation = 1.0;
+    for (const double azimuth : {75.0, 255.0}) {  // away from the sun and toward it
+        view.camera.azimuth = azimuth;
+        const Image image = picture(view, repeated_dunes(420, 400));
+        const std::vector<double> rows = photograph::rows_of_luminance(image);
+        double most = 0.0;
+        for (std::size_t row = 120; row < 230; ++row)
+            most = std::max(most, std::abs(rows[row + 1] / rows[row] - 1.0));
+        EXPECT_LT(most, 0.05) << azimuth;
+        if (azimuth == 255.0) continue;  // the sun stands there
+        for (std::size_t row = 0; row < 90; row += 10)
+            EXPECT_LT(rows[row], rows[row + 10]) << "darkens upward";
+    }
+}
+
+/// The camera moves on by less than a third of a pixel of the nearest ground: what fine detail
+/// makes of that is flicker.
+TEST(WorldLayer, DetailDoesNotFlickerInASlowDolly) {
+    View view = golden_hour();
+    view.camera.at = {200.0, 150.0, 2.0};
+    view.camera.look_at = {260.0, 220.0, 0.0};
+    const Image before = picture(view, repeated_dunes(420, 400));
+    view.camera.at = {200.002, 150.002, 2.0};
+    const Image after = picture(view, repeated_dunes(420, 400));
+    const TileSimilarity similar = tile_similarity(before, after);
+    EXPECT_GE(similar.smallest, 0.98) << similar.x << ' ' << similar.y;
+    view.look.ripples = 0.0;
+    EXPECT_LT(tile_similarity(before, picture(view, repeated_dunes(420, 400))).smallest, 0.9)
+        << "there are ripples";
+}
+
+TEST(WorldLayer, RipplesMoveWithTheRun) {
+    Snapshot bed = repeated_dunes(420, 400);
+    View view = golden_hour();
+    const Image before = picture(view, bed);
+    bed.step = 25;
+    EXPECT_NE(picture(view, bed), before);
+    view.look.ripples = 0.0;
+    const Image bare = picture(view, bed);
+    bed.step = 0;
+    EXPECT_EQ(picture(view, bed), bare);
+}
+
+TEST(WorldLayer, HazeGrowsWithDistance) {
+    View view = golden_hour();
+    const auto horizon = [&](double kilometres) {
+        view.air.visibility = kilometres;
+        const Image image = picture(view, repeated_dunes(420, 400));
+        return photograph::lightness_span(image);
+    };
+    EXPECT_LT(horizon(0.5), horizon(5.0));
+    EXPECT_LT(horizon(5.0), horizon(100.0) + 0.01);
 }
 
 TEST(WorldLayer, ReachesTheHorizonUnderASkyThatDarkensUpward) {
     View view = standing_view(0, 0);
     view.camera.look_at = {260.0, 220.0, 5.0};
     view.image.height = 240;
-    const Image image = picture(view, periodic_dunes(420, 400, 0, 0));
+    const Image image = picture(view, repeated_dunes(420, 400));
     const auto luminance = [&](double x, double y) {
         const auto colour = colour_at(image, x, y);
         return 0.21 * colour[0] + 0.72 * colour[1] + 0.07 * colour[2];
@@ -80,7 +146,7 @@ TEST(WorldLayer, ReachesTheHorizonUnderASkyThatDarkensUpward) {
 }
 
 TEST(WorldLayer, IsTheSameForAnyNumberOfThreads) {
-    const Snapshot bed = periodic_dunes(60, 50, 0, 0);
+    const Snapshot bed = repeated_dunes(60, 50);
     const Image expected = picture(standing_view(0, 0), bed, 1);
     EXPECT_EQ(picture(standing_view(0, 0), bed, 3), expected);
     for (const char* raster_threads : {"0", "2"}) {
@@ -104,7 +170,7 @@ TEST(WorldLayer, RefusesWhatCannotGoOn) {
     EXPECT_EQ(refusal(view, wavy_bed(40, 30)),
               "look.ground = \"endless\" needs a whole periodic bed, as the sand models have; "
               "\"table\" draws this one");
-    const Snapshot dunes = periodic_dunes(40, 30, 0, 0);
+    const Snapshot dunes = repeated_dunes(40, 30);
     View from_above = view;
     from_above.camera.projection = Projection::map;
     EXPECT_NE(refusal(from_above, dunes).find("perspective camera"), std::string::npos);

@@ -39,7 +39,8 @@ TEST(SceneRoles, EachKeyDecidesWhatItSays) {
     EXPECT_EQ(paths_with(KeyRole::file), (Paths{"output.frames", "output.movie", "output.bed_every",
                                                 "output.bed_at", "output.bed_format"}));
     EXPECT_EQ(paths_with(KeyRole::sweep), (Paths{"sweep.over", "sweep.seeds"}));
-    const std::set<std::string> pictures{"camera", "sun", "look", "section", "image", "overlay"};
+    const std::set<std::string> pictures{"air",     "camera", "sun",    "look",
+                                         "section", "image",  "overlay"};
     for (const std::string& path : paths_with(KeyRole::look)) {
         const bool of_movie = path == "output.movie_rate" || path == "output.movie_quality";
         EXPECT_TRUE(of_movie || pictures.contains(path.substr(0, path.find('.')))) << path;

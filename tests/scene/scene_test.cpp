@@ -100,6 +100,14 @@ INSTANTIATE_TEST_SUITE_P(
                "scene.toml:6:6: camera.at has 2 numbers; it takes [east, north, above the bed]"},
         Broken{"a_place_on_a_map", least + "[camera]\nprojection = \"map\"\nlook_at = [1, 2, 3]\n",
                "scene.toml:7:11: camera.look_at belongs to camera.projection = \"perspective\""},
+        Broken{"a_framing_and_a_place", least + "[camera]\nframing = \"low\"\nat = [1, 2, 3]\n",
+               "scene.toml:7:6: camera.at and camera.framing both say where the camera stands; "
+               "take one of them"},
+        Broken{"a_framing_on_a_map", least + "[camera]\nprojection = \"map\"\nframing = \"low\"\n",
+               "scene.toml:7:11: camera.framing belongs to camera.projection = \"perspective\""},
+        Broken{"two_lenses", least + "[camera]\nfield_of_view = 30\nfocal_length = 50\n",
+               "scene.toml:7:16: camera.focal_length and camera.field_of_view say the same; take "
+               "one of them"},
         Broken{"an_endless_figure", least + "[look]\nground = \"endless\"\nmode = \"figure\"\n",
                "scene.toml:6:10: look.ground = \"endless\" takes look.mode = \"scenic\""},
         Broken{

@@ -26,7 +26,7 @@ constexpr double from_sun = 0.38;
 Field<float> hill_light(const Snapshot& snapshot, const HillShading& shading, WorkerPool& pool) {
     const Block block = frame_block(snapshot, shading.exaggeration);
     const DisplayBed bed = display_bed(snapshot, block, 1);
-    const auto texels = lighting_texels(bed, sun_direction(shading.sun), 0, pool);
+    const auto texels = lighting_texels(bed, sun_direction(shading.sun), pool);
     constexpr std::array<double, 4> sides{-67.5, -22.5, 22.5, 67.5};  // degrees from the sun
     constexpr std::array<double, 1> sun_only{0.0};
     const std::span<const double> turns =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -33,6 +34,7 @@ class WindTurns {
     /// What each wind moves over flat ground, on the mean over all turns, where `flux` is the drift
     /// of a wind of strength 1, m²/yr.
     [[nodiscard]] std::vector<SnapshotWind> drifts(double flux) const;
+
     /// Years of the first `steps` steps.
     [[nodiscard]] double time(std::int64_t steps) const;
 

@@ -19,7 +19,10 @@ constexpr glm::dvec3 extinction{0.09, 0.145, 0.25};
 constexpr glm::dvec3 sky_colour{0.56, 0.74, 1.0};
 constexpr double sky_share = 0.26;       // sky light against sun light on a plain, sun at 45°
 constexpr double level_exposure = 0.80;  // what a level plain receives, in luminance
-constexpr double least_height = 0.22;    // sine of the elevation below which exposure stops rising
+constexpr double photographic_exposure = 1.25;  // the same under the scattered sky
+constexpr double least_height = 0.22;   // sine of the elevation below which exposure stops rising
+constexpr double desert_aerosol = 3.0;  // of a clear day there, times that of Hillaire (2020)
+constexpr double adaptation = 0.2;      // to the colour of the present light
 
 double luminance(const glm::dvec3& colour) {
     return glm::dot(colour, glm::dvec3(0.2126, 0.7152, 0.0722));
@@ -37,6 +40,58 @@ glm::dvec3 transmittance(double mass) {
 
 double tangent(double degrees) {
     return elementary::sin(degrees * degree) / elementary::cos(degrees * degree);
+}
+
+/// Linear sRGB of light as a share of sunlight at 680, 550 and 440 nm, in between quadratic in the
+/// wavelength: the colour-matching functions of the CIE (1931, as fitted by Wyman, Sloan & Shirley
+/// 2013) over a black body of 5778 K, so that sunlight is white.
+glm::dvec3 srgb_of_wavelengths(const glm::dvec3& light) {
+    const glm::dvec3 red(0.4849, 0.7277, -0.2126);
+    const glm::dvec3 green(-0.0325, 1.0179, 0.0146);
+    const glm::dvec3 blue(-0.0383, 0.0672, 0.9711);
+    const glm::dvec3 found(glm::dot(red, light), glm::dot(green, light), glm::dot(blue, light));
+    return glm::max(found, glm::dvec3(0.0));
+}
+
+/// Light::sky_lean, by least squares over slopes of up to 45 degrees.
+std::array<glm::vec3, 4> fitted_lean(const SkyView& view) {
+    glm::dmat4 products(0.0);
+    std::array<glm::dvec4, 3> sums{glm::dvec4(0.0), glm::dvec4(0.0), glm::dvec4(0.0)};
+    const glm::dvec3 level =
+        glm::max(srgb_of_wavelengths(view.level_irradiance()), glm::dvec3(1e-9));
+    for (const double tilt : {15.0, 30.0, 45.0}) {
+        const double up = elementary::cos(tilt * degree);
+        for (int azimuth = 0; azimuth <= 180; azimuth += 30) {
+            const double x = elementary::sin(tilt * degree) * elementary::cos(azimuth * degree);
+            const glm::dvec3 share = srgb_of_wavelengths(view.irradiance(x, up)) / level;
+            const glm::dvec4 terms(x, x * x, 1.0 - up, (1.0 - up) * x);
+            products += glm::outerProduct(terms, terms);
+            for (int band = 0; band < 3; ++band)
+                sums[static_cast<std::size_t>(band)] +=
+                    terms * (share[band] / (0.5 + 0.5 * up) - 1.0);
+        }
+    }
+    const glm::dmat4 inverse = glm::inverse(products);
+    std::array<glm::vec3, 4> lean{};
+    for (int band = 0; band < 3; ++band) {
+        const glm::dvec4 factors = inverse * sums[static_cast<std::size_t>(band)];
+        for (int term = 0; term < 4; ++term)
+            lean[static_cast<std::size_t>(term)][band] = static_cast<float>(factors[term]);
+    }
+    return lean;
+}
+
+/// What colours are multiplied by: white lies between a clear day's light and what level ground
+/// gets now, since eyes and cameras adapt in part.
+glm::dvec3 adapted_white(const glm::dvec3& day, const glm::dvec3& now) {
+    glm::dvec3 white(1.0);
+    // As films do, a little away from green, which skies and sand under them are not to look.
+    const glm::dvec3 film(1.0, 0.975, 1.015);
+    for (int band = 0; band < 3; ++band) {
+        white[band] = film[band] * elementary::pow(luminance(day) / day[band], 1.0 - adaptation) *
+                      elementary::pow(luminance(now) / now[band], adaptation);
+    }
+    return white;
 }
 
 }  // namespace
@@ -73,15 +128,17 @@ Light make_atmospheric_light(const SunSettings& settings) {
     const double cos_e = elementary::cos(settings.elevation * degree);
     const AirTables clear(dusty_air(1.0, sand));
     const SkyView usual(clear, usual_elevation * degree, eye_height);
-    const glm::dvec3 day =
-        usual.sun() * elementary::sin(usual_elevation * degree) + usual.level_irradiance();
-    const glm::dvec3 white = luminance(day) / day;
-    const AirTables air(dusty_air(settings.dust, sand));
+    const glm::dvec3 day = srgb_of_wavelengths(
+        usual.sun() * elementary::sin(usual_elevation * degree) + usual.level_irradiance());
+    const AirTables air(dusty_air(desert_aerosol * settings.dust, sand));
     const SkyView view(air, settings.elevation * degree, eye_height);
-    const glm::dvec3 sun = view.sun() * white;
-    const glm::dvec3 sky = view.level_irradiance() * white;
+    const glm::dvec3 level = srgb_of_wavelengths(view.level_irradiance());
+    const glm::dvec3 now = srgb_of_wavelengths(view.sun()) * sin_e + level;
+    const glm::dvec3 white = adapted_white(day, now);
+    const glm::dvec3 sun = srgb_of_wavelengths(view.sun()) * white;
+    const glm::dvec3 sky = level * white;
     const double received = luminance(sun) * std::max(sin_e, least_height) + luminance(sky);
-    const double exposure = level_exposure / received;
+    const double exposure = photographic_exposure / received;
 
     Light light;
     light.atmosphere = true;
@@ -89,13 +146,13 @@ Light make_atmospheric_light(const SunSettings& settings) {
                     elementary::cos(settings.azimuth * degree) * cos_e, sin_e};
     light.sun = glm::vec3(sun * (exposure * settings.strength));
     light.sky = glm::vec3(sky * (exposure * settings.sky_strength));
-    light.sky_lean = glm::vec3(view.lean());
+    light.sky_lean = fitted_lean(view);
     light.sky_columns = view.table().columns();
     light.sky_rows = view.table().rows();
     light.sky_texels.clear();
     for (int row = 0; row < light.sky_rows; ++row) {
         for (int column = 0; column < light.sky_columns; ++column) {
-            const glm::dvec3 texel = view.table().at(column, row) * white *
+            const glm::dvec3 texel = srgb_of_wavelengths(view.table().at(column, row)) * white *
                                      (exposure * settings.sky_strength * std::numbers::pi);
             for (int band = 0; band < 3; ++band)
                 light.sky_texels.push_back(static_cast<float>(texel[band]));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -17,9 +18,11 @@ struct Light {
     glm::vec3 glow{1};          ///< the same towards the sun
     glm::vec3 zenith{1};        ///< the sky overhead
     bool atmosphere = false;    ///< the sky is that of the texels, not of the three colours
-    glm::vec3 sky_lean{0};  ///< how much more of it a slope of 1 toward the sun gets, as a share
-    /// Radiances of the sky times π, RGB: azimuth from the sun along the columns (0 … π), the
-    /// square root of the elevation along the rows (0 … √(π/2)).
+    /// How much more of the sky's light than of a uniform sky's a slope gets: with a normal whose
+    /// part along the sun's azimuth is x and upward 1 − t, its products with x, x², t and t·x.
+    std::array<glm::vec3, 4> sky_lean{};
+    /// Radiances of the sky times π, RGB: the square root of the azimuth from the sun along the
+    /// columns (0 … √π), that of the elevation along the rows (0 … √(π/2)).
     std::vector<float> sky_texels = std::vector<float>(3);
     int sky_columns = 1;
     int sky_rows = 1;

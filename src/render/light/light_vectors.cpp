@@ -50,7 +50,8 @@ void sweep_shadow(const ShadowStep& step, const float* heights, const Shadow& be
         const auto high_width = between(before.upper_width) + widening;
         const auto by_lower = hn::Set(d, 1.0F) + (z - low) / low_width;
         const auto by_upper = (z - high) / high_width;
-        hn::StoreU(clamped_to_share(d, hn::Min(by_upper, by_lower)), d, visibility + x);
+        const auto share = hn::Max(hn::Min(by_upper, by_lower), hn::Set(d, step.lowest));
+        hn::StoreU(hn::Min(share, hn::Set(d, step.highest)), d, visibility + x);
         const auto over_low = hn::Ge(z, low);
         const auto over_high = hn::Ge(z, high);
         hn::StoreU(hn::IfThenElse(over_low, z, low), d, after.lower + x);
@@ -132,8 +133,8 @@ HWY_INLINE auto nearest_of(D d, hn::Vec<D> values) {
     return hn::DemoteTo(shorts, hn::ConvertTo(integers, values + hn::Set(d, 0.5F)));
 }
 
-void pack_texels(const ThreeRows& heights, const float* sun, const float* sky, int count,
-                 std::uint16_t* texels) {
+void pack_texels(const ThreeRows& heights, const float* sun, const float* sky,
+                 const SunTexel& sun_texel, int count, std::uint16_t* texels) {
     for_each_cell(count, [&](auto d, std::size_t x) HWY_ATTR {
         const hn::Rebind<std::uint16_t, decltype(d)> shorts;
         const auto slope = slope_at(d, heights, x);
@@ -141,7 +142,8 @@ void pack_texels(const ThreeRows& heights, const float* sun, const float* sky, i
         const auto whole = hn::Set(d, 65535.0F);
         const auto east = nearest_of(d, half - half * slope.east / slope.length);
         const auto north = nearest_of(d, half - half * slope.north / slope.length);
-        const auto sun_share = nearest_of(d, whole * hn::LoadU(d, sun + x));
+        const auto sun_share = nearest_of(
+            d, hn::Set(d, sun_texel.scale) * hn::LoadU(d, sun + x) + hn::Set(d, sun_texel.offset));
         const auto sky_share = nearest_of(d, whole * hn::LoadU(d, sky + x));
         std::uint16_t* texel = texels + 4 * x;
         if constexpr (hn::MaxLanes(decltype(d)()) == 1) {
@@ -181,9 +183,9 @@ void multiply_by_normal(const ThreeRows& heights, int count, float* sum) {
     HWY_DYNAMIC_DISPATCH(multiply_by_normal)(heights, count, sum);
 }
 
-void pack_texels(const ThreeRows& heights, const float* sun, const float* sky, int count,
-                 std::uint16_t* texels) {
-    HWY_DYNAMIC_DISPATCH(pack_texels)(heights, sun, sky, count, texels);
+void pack_texels(const ThreeRows& heights, const float* sun, const float* sky,
+                 const SunTexel& sun_texel, int count, std::uint16_t* texels) {
+    HWY_DYNAMIC_DISPATCH(pack_texels)(heights, sun, sky, sun_texel, count, texels);
 }
 
 }  // namespace fumon::light_vectors

@@ -21,6 +21,8 @@ struct ShadowStep {
     float fraction;    ///< of the way from a column to the next, where a ray crossed the row before
     float lower_drop;  ///< how far the limbs' shadows sink between two rows
     float upper_drop;
+    float lowest;  ///< between which shares of the sun are kept
+    float highest;
 };
 
 /// The shadow after a row of heights, and the share of the sun that these see. Column x looks back
@@ -46,8 +48,14 @@ struct ThreeRows {
 /// sum[x] times the upward part of the normal, 0 … 1.
 void multiply_by_normal(const ThreeRows& heights, int count, float* sum);
 
+/// From a share of the sun to its number.
+struct SunTexel {
+    float scale;
+    float offset;
+};
+
 /// Four numbers a cell, as lighting_texels() says.
-void pack_texels(const ThreeRows& heights, const float* sun, const float* sky, int count,
-                 std::uint16_t* texels);
+void pack_texels(const ThreeRows& heights, const float* sun, const float* sky,
+                 const SunTexel& sun_texel, int count, std::uint16_t* texels);
 
 }  // namespace fumon::light_vectors

@@ -11,11 +11,19 @@
 namespace fumon {
 
 std::vector<std::uint16_t> lighting_texels(const DisplayBed& bed, const SunDirection& sun,
+                                           WorkerPool& pool) {
+    return lighting_texels(
+        bed,
+        {sun_visibility(bed.z, bed.dx, bed.dy, sun), sky_visibility(bed.z, bed.dx, bed.dy, pool)},
+        0, pool);
+}
+
+std::vector<std::uint16_t> lighting_texels(const DisplayBed& bed, const LightShares& shares,
                                            int margin, WorkerPool& pool) {
     const int nx = bed.z.nx();
     const int ny = bed.z.ny();
-    const Field<float> sun_share = sun_visibility(bed.z, bed.dx, bed.dy, sun);
-    const Field<float> sky_share = sky_visibility(bed.z, bed.dx, bed.dy, pool);
+    const float scale = 65535.0F / (shares.bounds.highest - shares.bounds.lowest);
+    const light_vectors::SunTexel sun_texel{scale, -scale * shares.bounds.lowest};
     const int across = nx - 2 * margin;
     std::vector<std::uint16_t> texels(4 * static_cast<std::size_t>(across) *
                                       static_cast<std::size_t>(ny - 2 * margin));
@@ -33,8 +41,8 @@ std::vector<std::uint16_t> lighting_texels(const DisplayBed& bed, const SunDirec
                 north > south ? 1.0F / (bed.dy * static_cast<float>(north - south)) : 0.0F;
             light_vectors::pack_texels({bed.z.row(south).data() + margin, row.data() + margin,
                                         bed.z.row(north).data() + margin, 0.5F / bed.dx, scale_y},
-                                       sun_share.row(y).data() + margin,
-                                       sky_share.row(y).data() + margin, across,
+                                       shares.sun.row(y).data() + margin,
+                                       shares.sky.row(y).data() + margin, sun_texel, across,
                                        texels.data() + 4 * static_cast<std::size_t>(inner) *
                                                            static_cast<std::size_t>(across));
         }

@@ -46,35 +46,59 @@ struct RowShadow {
 
 constexpr std::size_t padding = 2;
 
-/// Beyond the border the shadow is that of the border cell: no false light leaks in.
-void close_ends(std::vector<float>& row) {
+/// Beyond the border the shadow is that of the border cell: no false light leaks in; or that of the
+/// other side.
+void close_ends(std::vector<float>& row, LatticeBorder border) {
     const std::size_t last = row.size() - padding;
-    std::fill_n(row.begin(), padding, row[padding]);
-    std::fill(row.begin() + static_cast<std::ptrdiff_t>(last), row.end(), row[last - 1]);
+    for (std::size_t i = 0; i < padding; ++i) {
+        const bool around = border == LatticeBorder::periodic;
+        row[padding - 1 - i] = around ? row[last - 1 - i % (last - padding)] : row[padding];
+        row[last + i] = around ? row[padding + i % (last - padding)] : row[last - 1];
+    }
+}
+
+/// Rows before the first over which shadows may reach it.
+int rows_before(const Field<float>& heights, const light_vectors::ShadowStep& step,
+                LatticeBorder border) {
+    if (border == LatticeBorder::open) return 0;
+    constexpr int most_periods = 4;
+    const auto [low, high] = std::ranges::minmax(heights.values());
+    const float most = static_cast<float>(most_periods) * static_cast<float>(heights.ny());
+    const float relief = high - low;
+    if (relief >= most * step.lower_drop) return most_periods * heights.ny();
+    return static_cast<int>(relief / step.lower_drop) + 2;
 }
 
 /// The sweep where the sun stands more along y than along x (in cells): rows follow each other.
-Field<float> sweep_rows(const Field<float>& heights, float dx, float dy, const SunDirection& sun) {
+Field<float> sweep_rows(const Field<float>& heights, float dx, float dy, const SunDirection& sun,
+                        const ShareBounds& bounds, LatticeBorder border) {
     const int nx = heights.nx();
     const int ny = heights.ny();
     const float columns_per_row = (sun.east / dx) / (std::abs(sun.north) / dy);
     const float run = dy / std::abs(sun.north);  // horizontal length of a ray between two rows
     const float whole = std::floor(columns_per_row);
-    const light_vectors::ShadowStep step{nx, columns_per_row - whole, run * sun.lower_limb,
-                                         run * sun.upper_limb};
+    const light_vectors::ShadowStep step{nx,
+                                         columns_per_row - whole,
+                                         run * sun.lower_limb,
+                                         run * sun.upper_limb,
+                                         bounds.lowest,
+                                         bounds.highest};
     const auto shifted = static_cast<std::size_t>(static_cast<float>(padding) + whole);
 
-    Field<float> visibility(nx, ny, 1.0F);
+    Field<float> visibility(nx, ny, bounds.highest);
     RowShadow shadow(static_cast<std::size_t>(nx) + 2 * padding);
     RowShadow next = shadow;
-    const int first = sun.north > 0.0F ? ny - 1 : 0;
-    const int direction = sun.north > 0.0F ? -1 : 1;
-    std::copy_n(heights.row(first).data(), nx, shadow.lower.begin() + padding);
-    std::copy_n(heights.row(first).data(), nx, shadow.upper.begin() + padding);
-    for (int n = 1; n < ny; ++n) {
+    const int before = rows_before(heights, step, border);
+    const auto row_of = [&](int n) {  // counted away from the sun
+        const int within = ((n % ny) + ny) % ny;
+        return sun.north > 0.0F ? ny - 1 - within : within;
+    };
+    std::copy_n(heights.row(row_of(-before)).data(), nx, shadow.lower.begin() + padding);
+    std::copy_n(heights.row(row_of(-before)).data(), nx, shadow.upper.begin() + padding);
+    for (int n = 1 - before; n < ny; ++n) {
         for (auto* row : {&shadow.lower, &shadow.lower_width, &shadow.upper, &shadow.upper_width})
-            close_ends(*row);
-        const int y = first + n * direction;
+            close_ends(*row, border);
+        const int y = row_of(n);
         light_vectors::sweep_shadow(step, heights.row(y).data(), shadow.from(shifted),
                                     next.from(padding), visibility.row(y).data());
         std::swap(shadow, next);
@@ -85,11 +109,12 @@ Field<float> sweep_rows(const Field<float>& heights, float dx, float dy, const S
 }  // namespace
 
 Field<float> sun_visibility(const Field<float>& heights, float dx, float dy,
-                            const SunDirection& sun) {
+                            const SunDirection& sun, const ShareBounds& bounds,
+                            LatticeBorder border) {
     if (std::abs(sun.north) / dy >= std::abs(sun.east) / dx)
-        return sweep_rows(heights, dx, dy, sun);
+        return sweep_rows(heights, dx, dy, sun, bounds, border);
     const SunDirection turned{sun.north, sun.east, sun.lower_limb, sun.upper_limb};
-    return transposed(sweep_rows(transposed(heights), dy, dx, turned));
+    return transposed(sweep_rows(transposed(heights), dy, dx, turned, bounds, border));
 }
 
 }  // namespace fumon

@@ -12,6 +12,17 @@ struct SunDirection {
     float upper_limb = 0.5F;  ///< tangent of the elevation of its highest point
 };
 
+/// Between which bounds shares are kept. Beyond 0 … 1 they say how far a place lies inside the
+/// umbra or outside the penumbra, in widths of the penumbra: interpolated, they find a shadow's
+/// edge inside a cell.
+struct ShareBounds {
+    float lowest = 0.0F;
+    float highest = 1.0F;
+};
+
+/// What lies beyond a lattice: nothing that casts shadow, or its other side.
+enum class LatticeBorder { open, periodic };
+
 /// The share of the sun's disc seen from every cell, 0 (umbra) … 1, by one sweep away from the sun.
 ///
 /// Along each ray the heights that the shadows of the disc's two limbs reach are carried from one
@@ -20,8 +31,10 @@ struct SunDirection {
 /// (z − S_upper) / (S_lower − S_upper) of the disc; the least over the two limbs' places counts.
 /// O(cells).
 ///
-/// `heights`, `dx` and `dy` are in one unit of length. Beyond the border nothing casts shadow.
+/// `heights`, `dx` and `dy` are in one unit of length. Over a periodic lattice the sweep begins as
+/// far away as a shadow may reach, but at most four periods.
 Field<float> sun_visibility(const Field<float>& heights, float dx, float dy,
-                            const SunDirection& sun);
+                            const SunDirection& sun, const ShareBounds& bounds = {},
+                            LatticeBorder border = LatticeBorder::open);
 
 }  // namespace fumon

@@ -210,32 +210,44 @@ SkyView::SkyView(const AirTables& air, double sun_elevation, double eye_height)
         const double up = elementary::sin(elevation);
         const double across = elementary::cos(elevation);
         for (int column = 0; column < sky_columns; ++column) {
-            const double azimuth = pi * column / (sky_columns - 1);
+            const double azimuth_root = static_cast<double>(column) / (sky_columns - 1);
+            const double azimuth = pi * azimuth_root * azimuth_root;
             const double towards_sun = up * sun_up + across * sun_across * elementary::cos(azimuth);
             table_.at(column, row) =
                 air.radiance(radius, up, sun_up, std::clamp(towards_sun, -1.0, 1.0));
         }
     }
-    // Over cells of equal elevation and azimuth, both sides of the sun.
-    constexpr int elevations = 64;
-    constexpr int azimuths = 64;
+    constexpr int elevations = 48;
+    constexpr int azimuths = 48;
+    parts_.reserve(elevations * azimuths);
     for (int i = 0; i < elevations; ++i) {
         const double elevation = quarter_turn * (i + 0.5) / elevations;
-        const double weight = 2.0 * elementary::sin(elevation) * elementary::cos(elevation) *
-                              (quarter_turn / elevations) * (pi / azimuths);
-        const double slope = elementary::cos(elevation) / elementary::sin(elevation);
+        const double level = elementary::cos(elevation);
+        const double solid_angle = level * (quarter_turn / elevations) * (pi / azimuths);
         for (int j = 0; j < azimuths; ++j) {
             const double azimuth = pi * (j + 0.5) / azimuths;
-            const glm::dvec3 light = weight * this->radiance(elevation, azimuth);
-            level_irradiance_ += light;
-            lean_ += light * (slope * elementary::cos(azimuth));
+            parts_.push_back({level * elementary::cos(azimuth), level * elementary::sin(azimuth),
+                              elementary::sin(elevation),
+                              solid_angle * radiance(elevation, azimuth)});
         }
     }
-    lean_ /= level_irradiance_;
+    level_irradiance_ = irradiance(0.0, 1.0);
+}
+
+glm::dvec3 SkyView::irradiance(double toward_sun, double up) const {
+    const double across = std::sqrt(std::max(1.0 - toward_sun * toward_sun - up * up, 0.0));
+    glm::dvec3 light(0.0);
+    for (const Part& part : parts_) {
+        const double middle = toward_sun * part.toward_sun + up * part.up;
+        const double aside = across * part.across;
+        light += part.light * (std::max(middle + aside, 0.0) + std::max(middle - aside, 0.0));
+    }
+    return light;
 }
 
 glm::dvec3 SkyView::radiance(double elevation, double azimuth) const {
-    return table_.value(azimuth / pi, std::sqrt(std::max(elevation, 0.0) / quarter_turn));
+    return table_.value(std::sqrt(std::max(azimuth, 0.0) / pi),
+                        std::sqrt(std::max(elevation, 0.0) / quarter_turn));
 }
 
 }  // namespace fumon

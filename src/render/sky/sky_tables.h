@@ -82,17 +82,26 @@ class SkyView {
     [[nodiscard]] const glm::dvec3& sun() const { return sun_; }
     /// What the whole sky gives level ground.
     [[nodiscard]] const glm::dvec3& level_irradiance() const { return level_irradiance_; }
-    /// How much more of it a slope of 1 toward the sun gets, as a share.
-    [[nodiscard]] const glm::dvec3& lean() const { return lean_; }
-    /// Radiances, azimuth from the sun along the columns (0 … π), along the rows the square root of
-    /// elevation (0 … √(π/2)).
+    /// What it gives a slope with a normal, `toward_sun` along the sun's azimuth, `up` ≥ 0 and the
+    /// rest across it, where nothing hides the sky.
+    [[nodiscard]] glm::dvec3 irradiance(double toward_sun, double up) const;
+    /// Radiances, along the columns the square root of the azimuth from the sun (0 … √π), along the
+    /// rows that of the elevation (0 … √(π/2)).
     [[nodiscard]] const ColourTable& table() const { return table_; }
 
   private:
+    /// Light of a part of the sky, on a surface that faces it.
+    struct Part {
+        double toward_sun;
+        double across;
+        double up;
+        glm::dvec3 light;
+    };
+
     ColourTable table_;
+    std::vector<Part> parts_;  // of one half of the sky; the other is its mirror image
     glm::dvec3 sun_{0.0};
     glm::dvec3 level_irradiance_{0.0};
-    glm::dvec3 lean_{0.0};
 };
 
 }  // namespace fumon

@@ -176,6 +176,7 @@ Block frame_block(const Snapshot& first, double exaggeration, const WordOrReal& 
     const HeightStatistics heights = height_statistics(first.bed, first.nodata);
     Block block;
     block.side = longer_side(first);
+    if (first.scale.in_metres) block.kilometres = 1e-3 * block.side;
     block.width_x = first.bed.nx() * first.scale.dx / block.side;
     block.width_y = first.bed.ny() * first.scale.dy / block.side;
     block.outline = outline_of(first, block);

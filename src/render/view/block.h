@@ -14,6 +14,7 @@ namespace fumon {
 /// up. A cell covers dx × dy, so a bed of nx × ny cells measures nx·dx by ny·dy.
 struct Block {
     double side = 1.0;          ///< the longer side, in the snapshot's lengths (metres or sites)
+    double kilometres = 1.0;    ///< the same; 1 without metres
     double width_x = 1.0;       ///< extent eastward, in sides
     double width_y = 1.0;       ///< extent northward
     double exaggeration = 1.0;  ///< vertical
@@ -26,6 +27,7 @@ struct Block {
     /// both ends of every row.
     std::vector<glm::dvec2> outline;
     std::optional<glm::dvec3> eye;      ///< where the camera stands, if it stands at a place
+    double eye_above = 0.0;             ///< the ground there, at least
     std::optional<glm::dvec3> look_at;  ///< what it looks at, if that is a place
     double rock = 0.0;                  ///< 0 sand … 1 mountains, for the natural colouring
 

@@ -17,8 +17,18 @@ namespace {
 constexpr double turn_step =
     3.0;  // degrees between the azimuths at which a turning block is fitted
 
+/// Turns a camera about its axis, to the right.
+void roll(Camera& camera, double degrees) {
+    if (degrees == 0.0) return;
+    const double c = elementary::cos(degrees * degree);
+    const double s = elementary::sin(degrees * degree);
+    const glm::dvec3 right = camera.right;
+    camera.right = c * right - s * camera.up;
+    camera.up = c * camera.up + s * right;
+}
+
 /// Sets the three directions of a camera that stands at an azimuth and elevation.
-void aim(Camera& camera, double azimuth, double elevation) {
+void aim(Camera& camera, double azimuth, double elevation, double rolled) {
     const double sin_a = elementary::sin(azimuth * degree);
     const double cos_a = elementary::cos(azimuth * degree);
     const double sin_e = elementary::sin(elevation * degree);
@@ -26,6 +36,7 @@ void aim(Camera& camera, double azimuth, double elevation) {
     camera.forward = -glm::dvec3(sin_a * cos_e, cos_a * cos_e, sin_e);
     camera.right = glm::dvec3(-cos_a, sin_a, 0.0);
     camera.up = glm::cross(camera.right, camera.forward);
+    roll(camera, rolled);
 }
 
 /// A point along the camera's own axes: right, up, forward.
@@ -47,7 +58,7 @@ std::vector<glm::dvec3> corners_over_turn(const CameraSettings& settings, const 
         Camera turned;
         const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
         const double turn = std::clamp(settings.turn, -360.0, 360.0);
-        aim(turned, settings.azimuth + share * turn, settings.elevation);
+        aim(turned, settings.azimuth + share * turn, settings.elevation, settings.roll);
         for (const glm::dvec3& corner : block_corners(block))
             points.push_back(along_axes(turned, corner));
     }
@@ -110,9 +121,10 @@ void stand(Camera& camera, const CameraSettings& settings, const Block& block) {
     camera.focus = distance;
     camera.forward = toward / distance;
     const double level = elementary::hypot(toward.x, toward.y);
-    if (level > 1e-9 * distance)
-        camera.right = glm::dvec3(toward.y / level, -toward.x / level, 0.0);
+    const bool upright = level > 1e-9 * distance;
+    if (upright) camera.right = glm::dvec3(toward.y / level, -toward.x / level, 0.0);
     camera.up = glm::cross(camera.right, camera.forward);
+    if (upright) roll(camera, settings.roll);
 }
 
 void set_depths(Camera& camera, const Block& block) {
@@ -153,9 +165,13 @@ Camera place_camera(const CameraSettings& settings, const Block& block, double a
     }
     Camera camera;
     camera.perspective = settings.projection == Projection::perspective;
-    aim(camera, used.azimuth + used.turn * progress, used.elevation);
+    if (!camera.perspective) used.roll = 0.0;
+    aim(camera, used.azimuth + used.turn * progress, used.elevation, used.roll);
     const double half_angle = 0.5 * used.field_of_view * degree;
-    const double tangent = elementary::sin(half_angle) / elementary::cos(half_angle);
+    constexpr double half_film = 12.0;  // mm
+    const double tangent = used.focal_length.is_word()
+                               ? elementary::sin(half_angle) / elementary::cos(half_angle)
+                               : half_film / used.focal_length.value;
     camera.half = {tangent * aspect, tangent};
     if (block.eye || block.look_at) {
         stand(camera, used, block);

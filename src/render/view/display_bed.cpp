@@ -6,12 +6,7 @@
 
 namespace fumon {
 
-namespace {
-
-constexpr int smooth_enough = 400;  // cells along the longer side
-}  // namespace
-
-int refinement_of(int nx, int ny, int picture_side) {
+int refinement_of(int nx, int ny, int picture_side, int smooth_enough) {
     const int longer = std::max(nx, ny);
     const int wanted = std::min(smooth_enough, picture_side);
     return std::clamp((wanted + longer - 1) / longer, 1, 32);

@@ -15,10 +15,10 @@ struct DisplayBed {
     float dy = 1.0F;
 };
 
-/// How often each cell is divided: beds of fewer than about 400 cells along the longer side are
-/// refined, so that a paper's 100 × 100 sites do not look faceted, but not beyond the pixels of the
-/// picture's longer side.
-int refinement_of(int nx, int ny, int picture_side);
+/// How often each cell is divided: beds of fewer than `smooth_enough` cells along the longer side
+/// are refined, so that a paper's 100 × 100 sites do not look faceted, but not beyond the pixels of
+/// the picture's longer side.
+int refinement_of(int nx, int ny, int picture_side, int smooth_enough = 400);
 
 /// The display bed of a snapshot.
 DisplayBed display_bed(const Snapshot& snapshot, const Block& block, int refinement);

@@ -1,8 +1,17 @@
 #include "render/view/framing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <optional>
+#include <vector>
+
+#include "base/elementary.h"
+#include "base/elementary_angle.h"
+#include "base/snapshot_lookup.h"
+#include "base/units.h"
 
 namespace fumon {
 
@@ -37,6 +46,117 @@ std::optional<glm::dvec3> place_in_block(const std::vector<double>& place, const
                       block.z(ground + place[2] / first.scale.height_unit));
 }
 
+/// What a bed looks like from afar, in the block's lengths.
+struct Relief {
+    double low = 0.0;     ///< z of the 5th percentile
+    double high = 0.0;    ///< of the 99th
+    double length = 1.0;  ///< of its waves: 2π times the height over the slope, both as rms
+    glm::dvec2 highest{0.0};
+};
+
+Relief relief_of(const Snapshot& first, const Block& block) {
+    const Grid& bed = first.bed;
+    const double dx = block.width_x / bed.nx();
+    const double dy = block.width_y / bed.ny();
+    std::vector<double> heights(bed.values().begin(), bed.values().end());
+    std::ranges::sort(heights);
+    const auto at = [&](double share) {
+        return block.z(
+            heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))]);
+    };
+    Relief relief{at(0.05), at(0.99)};
+    double squares = 0.0;
+    double slopes = 0.0;
+    double most = std::numeric_limits<double>::lowest();
+    const double middle = at(0.5);
+    for (int y = 0; y < bed.ny(); ++y) {
+        for (int x = 0; x < bed.nx(); ++x) {
+            const double z = block.z(bed(x, y));
+            const double east = (block.z(bed((x + 1) % bed.nx(), y)) - z) / dx;
+            const double north = (block.z(bed(x, (y + 1) % bed.ny())) - z) / dy;
+            squares += (z - middle) * (z - middle);
+            slopes += 0.5 * (east * east + north * north);
+            // Of equal crests the one nearest to the middle.
+            const glm::dvec2 place((x + 0.5) * dx - 0.5 * block.width_x,
+                                   (y + 0.5) * dy - 0.5 * block.width_y);
+            const double rank = z - 0.05 * (relief.high - relief.low) * glm::length(place);
+            if (rank <= most) continue;
+            most = rank;
+            relief.highest = place;
+        }
+    }
+    if (slopes > 0.0)
+        relief.length = std::clamp(2.0 * std::numbers::pi * std::sqrt(squares / slopes), 0.02, 1.0);
+    return relief;
+}
+
+/// An azimuth at least 10 degrees away from the lattice's sides and diagonals, as near as may be.
+double off_lattice(double azimuth, const Block& block) {
+    constexpr double away = 10.0;
+    const double diagonal = elementary::atan2(block.width_x, block.width_y) / degree;
+    double best = azimuth;
+    double least = 1e9;
+    const auto distance = [](double a, double b) {
+        const double apart = std::fmod(std::abs(a - b), 180.0);
+        return std::min(apart, 180.0 - apart);
+    };
+    for (int tenths = -250; tenths <= 250; ++tenths) {
+        const double tried = azimuth + 0.1 * tenths;
+        bool clear = true;
+        for (const double lattice : {0.0, 90.0, diagonal, -diagonal})
+            clear = clear && distance(tried, lattice) >= away;
+        if (!clear || std::abs(0.1 * tenths) >= least) continue;
+        least = std::abs(0.1 * tenths);
+        best = tried;
+    }
+    return best;
+}
+
+/// Where the camera of a named framing stands and what it looks at.
+void set_framing(Block& block, Framing framing, const Snapshot& first) {
+    if (framing == Framing::block) return;
+    const Relief relief = relief_of(first, block);
+    const Way way = prevailing_way(first);
+    const double downwind = elementary::atan2(way.x, way.y) / degree;
+    const double height = std::max(relief.high - relief.low, 0.02 * relief.length);
+    struct Stand {
+        double azimuth;   ///< towards which it looks, from downwind, degrees
+        double distance;  ///< from what it looks at
+        double above;     ///< the middle of the relief
+        double target;    ///< height of what it looks at above the same
+    };
+    const double wave = relief.length;
+    Stand stand{};
+    switch (framing) {
+        case Framing::overview:
+            stand = {125.0, 2.2 * wave, 0.65 * wave, 0.0};
+            break;
+        case Framing::low:
+            stand = {150.0, 1.6 * wave, 0.8 * height, 0.15 * height};
+            break;
+        case Framing::along_crest:
+            stand = {72.0, 1.1 * wave, 0.75 * height, 0.3 * height};
+            break;
+        case Framing::slip_face:
+            stand = {200.0, 0.9 * wave, 0.1 * height, 0.25 * height};
+            break;
+        case Framing::aerial:
+            stand = {130.0, 1.2 * wave, 1.3 * wave, 0.0};
+            break;
+        case Framing::block:
+            return;
+    }
+    const double azimuth = off_lattice(downwind + stand.azimuth, block) * degree;
+    const glm::dvec2 ahead(elementary::sin(azimuth), elementary::cos(azimuth));
+    const glm::dvec2 place = relief.highest - stand.distance * ahead;
+    const double middle = 0.5 * (relief.low + relief.high);
+    const double ground = block.z(height_at(first, (place.x / block.width_x + 0.5) * first.bed.nx(),
+                                            (place.y / block.width_y + 0.5) * first.bed.ny()));
+    block.eye_above = 0.15 * height;
+    block.eye = glm::dvec3(place, std::max(middle + stand.above, ground + block.eye_above));
+    block.look_at = glm::dvec3(relief.highest, middle + stand.target);
+}
+
 }  // namespace
 
 Block framed_block(const View& view, const Snapshot& first) {
@@ -47,6 +167,9 @@ Block framed_block(const View& view, const Snapshot& first) {
     Block block = frame_block(first, exaggeration, view.look.room);
     block.eye = place_in_block(view.camera.at, first, block);
     block.look_at = place_in_block(view.camera.look_at, first, block);
+    if (block.eye)
+        block.eye_above = view.camera.at[2] / first.scale.height_unit * block.height_scale;
+    set_framing(block, view.camera.framing, first);
     return block;
 }
 
@@ -57,6 +180,15 @@ Camera camera_at_step(const View& view, const Block& block, std::int64_t step,
     const double aspect =
         static_cast<double>(view.image.width) / static_cast<double>(view.image.height);
     return place_camera(view.camera, block, aspect, std::clamp(progress, 0.0, 1.0));
+}
+
+Camera above_ground(Camera camera, const Block& block, const Snapshot& snapshot) {
+    if (!block.eye) return camera;
+    const double ground =
+        block.z(height_at(snapshot, (camera.eye.x / block.width_x + 0.5) * snapshot.bed.nx(),
+                          (camera.eye.y / block.width_y + 0.5) * snapshot.bed.ny()));
+    camera.eye.z = std::max(camera.eye.z, ground + block.eye_above);
+    return camera;
 }
 
 double pixels_per_length(const Camera& camera, const View& view) {

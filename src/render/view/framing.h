@@ -15,6 +15,9 @@ Block framed_block(const View& view, const Snapshot& first);
 Camera camera_at_step(const View& view, const Block& block, std::int64_t step,
                       std::int64_t last_step);
 
+/// A camera that stands at a place, raised where the ground of a frame has risen.
+Camera above_ground(Camera camera, const Block& block, const Snapshot& snapshot);
+
 /// Pixels that one length of the block spans across the picture at the block's middle.
 double pixels_per_length(const Camera& camera, const View& view);
 

@@ -1,9 +1,6 @@
 #pragma once
 
 #include "base/grid.h"
-#include "base/snapshot.h"
-#include "render/view/block.h"
-#include "render/view/display_bed.h"
 
 namespace fumon {
 
@@ -30,14 +27,5 @@ Field<Number> without_margin(const Field<Number>& wide, int margin) {
     }
     return field;
 }
-
-/// A periodic bed as it is shown, with `margin` of its cells again around it, so that its
-/// neighbours shade it and its edges fit them.
-DisplayBed display_bed_with_margin(const Snapshot& snapshot, const Block& block, int refinement,
-                                   int margin);
-
-/// The cells around a periodic bed that may cast shadows on it: `lowest_ray` is the tangent of the
-/// sun's lowest elevation. At least an eighth of the bed, at most one period.
-int shading_margin(const Snapshot& snapshot, const Block& block, double lowest_ray);
 
 }  // namespace fumon

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "render/view/chosen_ground.h"
+
 namespace fumon {
 
 namespace {
@@ -109,6 +111,7 @@ Snapshot coarser(const Snapshot& snapshot, int k) {
     shown.numbers = snapshot.numbers;
     shown.section = snapshot.section;
     shown.landform = snapshot.landform;
+    shown.winds = snapshot.winds;
     return shown;
 }
 
@@ -117,7 +120,8 @@ int cells_averaged(const Snapshot& snapshot, const View& view) {
     const int longer = std::max(snapshot.bed.nx(), snapshot.bed.ny());
     const int needed = (longer + longest_drawn - 1) / longest_drawn;
     const CameraSettings& camera = view.camera;
-    const bool whole_block_seen = view.look.ground == Ground::table && camera.distance.is_word() &&
+    const bool whole_block_seen = with_chosen_ground(view, snapshot).look.ground == Ground::table &&
+                                  camera.framing == Framing::block && camera.distance.is_word() &&
                                   camera.at.empty() && camera.look_at.empty();
     if (!whole_block_seen) return needed;
     const auto pixels = static_cast<int>(std::max(view.image.width, view.image.height));

@@ -18,7 +18,8 @@ TEST(AtmosphericLight, ShadowsAreBlueAndTheSunWarmsAsItSinks) {
     EXPECT_GT(blue_over_red(noon.sky), 1.8 * blue_over_red(noon.sun));
     EXPECT_LT(blue_over_red(evening.sun), 0.5 * blue_over_red(noon.sun));
     EXPECT_GT(blue_over_red(evening.sky), 3.0 * blue_over_red(evening.sun));
-    EXPECT_GT(evening.sky_lean.r, evening.sky_lean.b) << "the sun's side of the sky is the redder";
+    const glm::vec3 toward_sun = evening.sky_lean[0];
+    EXPECT_GT(toward_sun.r, toward_sun.b) << "the sun's side of the sky is the redder";
 }
 
 TEST(AtmosphericLight, DustTakesTheBlueOutOfTheSky) {

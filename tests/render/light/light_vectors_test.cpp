@@ -41,7 +41,7 @@ TEST(LightVectors, EveryTargetGivesTheSameTexels) {
             std::vector<std::uint16_t> first;
             for (const std::string& target : vectors::targets()) {
                 vectors::use_target(target);
-                const std::vector<std::uint16_t> texels = lighting_texels(bed, sun, 0, pool);
+                const std::vector<std::uint16_t> texels = lighting_texels(bed, sun, pool);
                 if (first.empty()) first = texels;
                 EXPECT_EQ(texels, first) << target << ", " << nx << " columns";
             }
@@ -65,7 +65,7 @@ TEST(LightVectors, ATexelHoldsTheNormalAndTheSharesRounded) {
         vectors::use_target(target);
         std::vector<std::uint16_t> texels(4 * 21 + 1, 7);
         light_vectors::pack_texels({south.data(), row.data(), north.data(), 0.5F, 1.0F}, sun.data(),
-                                   sky.data(), 21, texels.data());
+                                   sky.data(), {65535.0F, 0.0F}, 21, texels.data());
         for (std::size_t x = 0; x < 21; ++x) {
             EXPECT_NEAR(texels[4 * x], 32767.0 * (1.0 - 2.0 / length), 1.0) << target;
             EXPECT_NEAR(texels[4 * x + 1], 32767.0 * (1.0 - 1.5 / length), 1.0) << target;

@@ -98,5 +98,61 @@ TEST(SunSweep, ASteepLeeSlopeIsDark) {
     EXPECT_FLOAT_EQ(lit(25, 2), 0.0F);  // 45° down, away from a sun at 30°
 }
 
+/// Where the shadow of a wall ends on a steep face: shares beyond 0 and 1 place it inside a cell,
+/// wherever the face stands.
+TEST(SunSweep, SharesBeyondTheEndsFindAnEdgeInsideACell) {
+    constexpr int n = 64;
+    constexpr float rise = 1.5F;  // of the face, a cell
+    const double slope = tangent(30.0);
+    for (const float shift : {0.0F, 0.2F, 0.4F, 0.6F, 0.8F}) {
+        Field<float> heights(n, 3, 0.0F);
+        const float foot = 30.0F + shift;
+        for (int y = 0; y < 3; ++y) {
+            heights(10, y) = 20.0F;
+            for (int x = 30; x < n; ++x)
+                heights(x, y) = rise * std::max(static_cast<float>(x) - foot, 0.0F);
+        }
+        const Field<float> shares = sun_visibility(
+            heights, 1.0F, 1.0F, sun_direction(sun_at(270.0, 30.0, 0.2)), {-50.0F, 50.0F});
+        int x = 31;
+        while (shares(x, 1) < 0.5F) ++x;
+        const float edge =
+            static_cast<float>(x) - (shares(x, 1) - 0.5F) / (shares(x, 1) - shares(x - 1, 1));
+        // 20 − slope·(edge − 10) = rise·(edge − foot)
+        const double expected = (20.0 + slope * 10.0 + rise * foot) / (rise + slope);
+        EXPECT_NEAR(edge, expected, 0.05) << shift;
+    }
+}
+
+TEST(SunSweep, APeriodicBedIsLitTheSameWhereverItIsCut) {
+    const auto bumps = [](int east, int north) {
+        Field<float> heights(37, 23);
+        for (int y = 0; y < 23; ++y) {
+            for (int x = 0; x < 37; ++x) {
+                const int u = (x + east) % 37;
+                const int v = (y + north) % 23;
+                heights(x, y) = static_cast<float>((u * u * 7 + v * v * 5 + u * v) % 11);
+            }
+        }
+        return heights;
+    };
+    for (const double azimuth : {10.0, 80.0, 130.0, 200.0, 290.0, 330.0}) {
+        for (const double elevation : {3.0, 20.0}) {
+            const SunDirection sun = sun_direction(sun_at(azimuth, elevation, 1.0));
+            const auto lit = [&](int east, int north) {
+                return sun_visibility(bumps(east, north), 1.0F, 1.0F, sun, {},
+                                      LatticeBorder::periodic);
+            };
+            const Field<float> here = lit(0, 0);
+            const Field<float> there = lit(14, 9);
+            for (int y = 0; y < 23; ++y) {
+                for (int x = 0; x < 37; ++x)
+                    ASSERT_NEAR(there(x, y), here((x + 14) % 37, (y + 9) % 23), 1e-4)
+                        << azimuth << ' ' << elevation << ' ' << x << ' ' << y;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace fumon

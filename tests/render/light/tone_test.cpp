@@ -26,6 +26,7 @@ std::array<float, 3> toned(int tone, glm::vec3 colour) {
     program.set("tone", tone);
     program.set("punch", 0.0F);
     program.set("exposure", 1.0F);
+    program.set("contrast", 1.0F);
     program.set("given", colour);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
     std::array<float, 3> found{};

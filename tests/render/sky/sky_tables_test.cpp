@@ -152,5 +152,21 @@ TEST(SkyView, IsAsBrightAsPhotonsMakeIt) {
     }
 }
 
+TEST(SkyView, SlopesGetTheSkyTheyFace) {
+    const AirTables air(dusty_air(3.0, glm::dvec3(0.3)));
+    const SkyView sky(air, 0.15, 0.002);
+    EXPECT_EQ(sky.irradiance(0.0, 1.0), sky.level_irradiance());
+    const double tilt = 0.5;
+    const glm::dvec3 toward = sky.irradiance(std::sin(tilt), std::cos(tilt));
+    const glm::dvec3 away = sky.irradiance(-std::sin(tilt), std::cos(tilt));
+    const glm::dvec3 across = sky.irradiance(0.0, std::cos(tilt));
+    for (int band = 0; band < 3; ++band) {
+        EXPECT_GT(toward[band], across[band]);
+        EXPECT_GT(across[band], away[band]);
+        EXPECT_GT(away[band], 0.2 * sky.level_irradiance()[band]);
+    }
+    EXPECT_GT(away.b / away.r, 1.5 * toward.b / toward.r) << "bluer away from the sun";
+}
+
 }  // namespace
 }  // namespace fumon

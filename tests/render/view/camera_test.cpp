@@ -36,6 +36,7 @@ TEST(Camera, FitsTheBlockAndTouchesTheBorder) {
         settings.elevation = between(2.0, 90.0);
         settings.field_of_view = between(5.0, 90.0);
         settings.margin = between(0.0, 0.3);
+        settings.roll = between(-180.0, 180.0);
         const Camera camera = place_camera(settings, block, std::exp(between(-2.0, 2.0)), 0.0);
         EXPECT_NEAR(reach(camera, block, settings.margin), 1.0, 1e-9) << "round " << round;
         for (const glm::dvec3& corner : block_corners(block)) {
@@ -110,6 +111,33 @@ TEST(Camera, AMapHasNorthUpAndOneScale) {
     EXPECT_NEAR(left, 50.0, 1e-9);
     EXPECT_NEAR(width, 900.0, 1e-9);
     EXPECT_NEAR(top + 0.5 * height, 200.0, 1e-9);
+}
+
+TEST(Camera, ALensHasItsFieldOfView) {
+    const Block block = frame_block(wavy_bed(30, 20), 1.0);
+    CameraSettings settings;
+    settings.focal_length = 50.0;
+    EXPECT_NEAR(place_camera(settings, block, 1.5, 0.0).half.y, 0.24, 1e-12);
+    EXPECT_NEAR(place_camera(settings, block, 1.5, 0.0).half.x, 0.36, 1e-12);
+}
+
+TEST(Camera, RollsToTheRight) {
+    Block block = frame_block(wavy_bed(30, 20), 1.0);
+    CameraSettings settings;
+    for (const bool stands : {false, true}) {
+        if (stands) {
+            block.eye = glm::dvec3(0.1, -0.2, 0.3);
+            block.look_at = glm::dvec3(0.0, 0.1, 0.0);
+        }
+        settings.roll = 0.0;
+        const Camera level = place_camera(settings, block, 1.5, 0.0);
+        settings.roll = 30.0;
+        const Camera rolled = place_camera(settings, block, 1.5, 0.0);
+        EXPECT_NEAR(glm::dot(rolled.up, level.up), std::cos(M_PI / 6.0), 1e-12);
+        EXPECT_NEAR(glm::dot(rolled.up, level.right), 0.5, 1e-12) << "its top goes to the right";
+        EXPECT_NEAR(glm::dot(rolled.right, rolled.up), 0.0, 1e-12);
+        EXPECT_EQ(rolled.forward, level.forward);
+    }
 }
 
 }  // namespace

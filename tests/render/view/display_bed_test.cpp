@@ -83,7 +83,7 @@ TEST(Lighting, HoldsTheNormalOfAPlane) {
     WorkerPool pool(2);
     SunSettings high;
     high.elevation = 80.0;
-    const auto texels = lighting_texels(bed, sun_direction(high), 0, pool);
+    const auto texels = lighting_texels(bed, sun_direction(high), pool);
     const double length = std::sqrt(1.0 + 0.09 + 0.04);
     for (std::size_t i = 0; i < bed.z.size(); ++i) {
         EXPECT_NEAR(texels[4 * i] / 32767.0 - 1.0, -0.3 / length, 1e-4);

@@ -1,0 +1,68 @@
+#version 330 core
+// Sand so near that its wind ripples are seen, and the tongues of its avalanches.
+#include "colour.glsl"
+#include "light.glsl"
+#include "noise.glsl"
+#include "oren_nayar.glsl"
+#include "bed.glsl"
+#include "ground.glsl"
+#include "world.glsl"
+
+uniform vec2 wind;           // where it blows to, unit vector
+uniform float ripple_phase;  // of the eye's place, in turns
+uniform float ripple_slope;  // steepest
+uniform sampler2D wind_map;  // how far ground upwind leaves the wind to the bed
+
+const float tau = 6.2831853;
+
+// Cosine and sine of the ripples' phase at a place, and how high they stand. A second train of waves, whose
+// strength and phase wander, cancels the first in places: there crests end or fork.
+vec3 ripples(vec2 at, float height, vec2 wander, out float footprint) {
+    // Sand that rolls downslope turns crests: they run on around a dune as if each began that much later.
+    float phase = dot(at, wind) - 0.8 * height + ripple_phase +
+                  1.5 * value_noise(wander * 0.31 + 5.3) + 0.35 * value_noise(wander * 1.3 + 2.9);
+    footprint = fwidth(phase);
+    float turn = tau * fract(phase);
+    vec2 second = vec2(0.6 + 1.5 * value_noise(wander), 1.5 * value_noise(wander + 17.3));
+    float strength = length(second);
+    second /= max(strength, 1e-3);
+    float c = cos(turn);
+    float s = sin(turn);
+    return vec3(c * second.x - s * second.y, s * second.x + c * second.y, min(3.0 * strength, 1.0));
+}
+
+void main() {
+    vec2 place = bed_place();
+    BedPoint point = slanting_bed_point(place);
+    float far = length(offset);
+    vec3 to_eye = -offset / far;
+    vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);
+    float steep = length(slope);
+    vec2 lee = vec2(-wind.y, wind.x);  // along the crests
+
+    vec2 whole = (whole_eye + offset.xy) / ripple_length;
+    vec2 wander = vec2(dot(whole, wind), 0.45 * dot(whole, lee)) / 7.0;
+    float footprint;
+    vec3 wave = ripples(offset.xy / ripple_length, offset.z / ripple_length, wander, footprint);
+    float standing = wave.z * (0.75 + 0.35 * value_noise(wander * 0.21 + 9.1)) * smoothstep(0.15, 0.6, texture(wind_map, place).r) * (1.0 - smoothstep(0.488, 0.601, steep));
+    float resolved = standing * (1.0 - smoothstep(0.15, 0.45, footprint));
+    vec2 turned = wind - 0.8 * slope;
+    turned /= max(length(turned), 0.2);
+    vec2 tilt = turned * (ripple_slope * resolved * (wave.x - 0.2 * (2.0 * wave.x * wave.x - 1.0)));
+
+    // Tongues of sand that slid down steep faces.
+    float slid = smoothstep(0.46, 0.58, steep);
+    float length_down = (offset.z + eye.z) / ripple_length;
+    vec2 down = vec2(dot(whole, lee) / 6.0, length_down / 22.0);
+    float tongue = value_noise(down) + 0.5 * value_noise(2.3 * down + 7.7);
+    slid *= 1.0 - smoothstep(0.3, 0.8, footprint / 6.0);
+    tilt += lee * (0.07 * slid * tongue);
+
+    point.normal = normalize(vec3(-slope - tilt, 1.0));
+    vec2 across = fwidth(offset.xy);
+    vec3 albedo = ground_albedo(place, point) *
+                  (1.0 + 0.10 * sand_grain * grain(max(across.x, across.y)) + 0.03 * slid * tongue);
+    // Troughs see less of the sky.
+    point.sky *= 1.0 + 0.4 * ripple_slope * resolved * (wave.y - 1.0);
+    colour = seen(ground_light(albedo, point, to_eye, 1.0), to_eye, far);
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/grid.h"
+#include "base/snapshot_lookup.h"
+#include "render/light/sun_sweep.h"
+#include "render/view/block.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// A periodic bed and what light and wind do to it, among its own repetitions.
+struct RepeatedLight {
+    Field<float> z;                      ///< as the display bed's
+    std::vector<std::uint16_t> texels;   ///< as lighting_texels; the sun's within `sun_bounds`
+    std::vector<std::uint16_t> clamped;  ///< the same with the sun's share kept to 0 … 1
+    std::vector<std::uint8_t> wind;      ///< how far ground upwind leaves the wind to it, 0 … 255
+};
+
+/// Bounds of the sun's share in RepeatedLight::texels.
+inline constexpr ShareBounds sun_bounds{-15.0F, 16.0F};
+
+/// `refinement`: see refinement_of. `wind`: where it blows to; its shadow falls at 10 to 15 degrees
+/// behind crests. Independent of the pool's size, and the same for a bed shifted over its edges but
+/// for rounding.
+RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int refinement,
+                             const SunDirection& sun, const Way& wind, WorkerPool& pool);
+
+}  // namespace fumon

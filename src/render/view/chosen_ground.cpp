@@ -1,0 +1,32 @@
+#include "render/view/chosen_ground.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "render/view/water.h"
+
+namespace fumon {
+
+const char* why_not_endless(const View& view, const Snapshot& first) {
+    if (view.look.mode != ViewMode::scenic) return "is for scenic views (look.mode)";
+    if (view.camera.projection != Projection::perspective)
+        return "is for the perspective camera (camera.projection)";
+    if (!first.periodic || first.bed.ny() < 2 || !first.nodata.empty() || first.section)
+        return "needs a whole periodic bed, as the sand models have";
+    if (draws_water(view.look, first)) return "is for beds without water";
+    return nullptr;
+}
+
+View with_chosen_ground(View view, const Snapshot& first) {
+    Ground& ground = view.look.ground;
+    if (ground == Ground::table) return view;
+    const char* fault = why_not_endless(view, first);
+    if (ground == Ground::endless && fault != nullptr) {
+        throw InputError(
+            fmt::format("look.ground = \"endless\" {}; \"table\" draws this one", fault));
+    }
+    ground = fault == nullptr ? Ground::endless : Ground::table;
+    return view;
+}
+
+}  // namespace fumon

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "base/snapshot.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// Why the bed of a run that starts with `first` cannot go on to the horizon in this view: "is for
+/// scenic views (look.mode)"; null where it can.
+const char* why_not_endless(const View& view, const Snapshot& first);
+
+/// The view with look.ground chosen: where it is "auto", endless for what can be. Throws InputError
+/// where it is endless for what cannot be.
+View with_chosen_ground(View view, const Snapshot& first);
+
+}  // namespace fumon

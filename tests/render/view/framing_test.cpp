@@ -1,0 +1,67 @@
+#include "render/view/framing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/repeated_dunes.h"
+
+namespace fumon {
+namespace {
+
+constexpr Framing all[] = {Framing::overview, Framing::low, Framing::along_crest,
+                           Framing::slip_face, Framing::aerial};
+
+TEST(Framing, KeepsOffTheLatticesDirections) {
+    for (const Framing framing : all) {
+        for (int wind = 0; wind < 360; wind += 15) {
+            Snapshot bed = repeated_dunes(60, 40);
+            const double turn = wind * M_PI / 180.0;
+            bed.winds = {{std::sin(turn), std::cos(turn), 1.0}};
+            View view;
+            view.camera.framing = framing;
+            const Block block = framed_block(view, bed);
+            const Camera camera = camera_at_step(view, block, 0, 1);
+            const double heading = std::atan2(camera.forward.x, camera.forward.y) * 180.0 / M_PI;
+            for (const double lattice : {0.0, 90.0, std::atan2(60.0, 40.0) * 180.0 / M_PI,
+                                         -std::atan2(60.0, 40.0) * 180.0 / M_PI}) {
+                const double off = std::abs(std::remainder(heading - lattice, 180.0));
+                EXPECT_GE(off, 9.99) << static_cast<int>(framing) << " wind " << wind;
+            }
+        }
+    }
+}
+
+TEST(Framing, StandsOverTheGroundAndSeesTheHighestCrest) {
+    const Snapshot bed = repeated_dunes(90, 120);
+    for (const Framing framing : all) {
+        View view;
+        view.camera.framing = framing;
+        const Block block = framed_block(view, bed);
+        const Camera camera = above_ground(camera_at_step(view, block, 0, 1), block, bed);
+        ASSERT_TRUE(block.eye);
+        EXPECT_LT(glm::length(camera.eye - *block.eye), 1e-12) << "already above";
+        const glm::dvec2 crest = project(camera, *block.look_at);
+        EXPECT_NEAR(crest.x, 0.0, 1e-9);
+        EXPECT_NEAR(crest.y, 0.0, 1e-9);
+        EXPECT_LT(camera.forward.z, 0.2) << "looks at the bed";
+    }
+}
+
+TEST(Framing, ACameraRisesWithTheGround) {
+    Snapshot bed = repeated_dunes(50, 50);
+    View view;
+    view.camera.at = {20.0, 30.0, 2.0};
+    const Block block = framed_block(view, bed);
+    const Camera before = above_ground(camera_at_step(view, block, 0, 1), block, bed);
+    EXPECT_LT(glm::length(before.eye - *block.eye), 1e-12);
+    for (double& height : bed.bed.values()) height += 5.0;
+    const Camera after = above_ground(camera_at_step(view, block, 0, 1), block, bed);
+    EXPECT_NEAR(after.eye.z - before.eye.z, 5.0 * block.height_scale, 1e-12);
+    for (double& height : bed.bed.values()) height -= 9.0;
+    EXPECT_EQ(above_ground(camera_at_step(view, block, 0, 1), block, bed).eye, *block.eye)
+        << "but does not sink with it";
+}
+
+}  // namespace
+}  // namespace fumon
