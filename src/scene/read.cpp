@@ -19,11 +19,11 @@
 #include "files/input_file.h"
 #include "keys/assign.h"
 #include "keys/earlier_defaults.h"
+#include "keys/look_presets.h"
 #include "keys/toml_text.h"
 #include "models/registry.h"
 #include "scene/check.h"
 #include "scene/faults.h"
-#include "scene/look_presets.h"
 #include "scene/scene_keys.h"
 #include "scene/trust.h"
 

@@ -30,7 +30,7 @@ Field<float> repeated_sky(const Field<float>& z, float dx, float dy, WorkerPool&
 }  // namespace
 
 RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int refinement,
-                             const SunDirection& sun, const Way& wind, WorkerPool& pool) {
+                             const SunDirection& sun, const Way& way, WorkerPool& pool) {
     const DisplayBed coarse = display_bed(snapshot, block, 1);
     DisplayBed wide;
     wide.z = refined_around(coarse.z, refinement);
@@ -55,7 +55,7 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
 
     constexpr float full_shadow = 0.1763F;  // tan 10°
     constexpr float no_shadow = 0.2679F;    // tan 15°
-    const SunDirection upwind{static_cast<float>(-wind.x), static_cast<float>(-wind.y), full_shadow,
+    const SunDirection upwind{static_cast<float>(-way.x), static_cast<float>(-way.y), full_shadow,
                               no_shadow};
     const Field<float> wind =
         sun_visibility(light.z, wide.dx, wide.dy, upwind, {}, LatticeBorder::periodic);

@@ -23,10 +23,10 @@ struct RepeatedLight {
 /// Bounds of the sun's share in RepeatedLight::texels.
 inline constexpr ShareBounds sun_bounds{-15.0F, 16.0F};
 
-/// `refinement`: see refinement_of. `wind`: where it blows to; its shadow falls at 10 to 15 degrees
-/// behind crests. Independent of the pool's size, and the same for a bed shifted over its edges but
-/// for rounding.
+/// `refinement`: see refinement_of. `way`: where the wind blows to; its shadow falls at 10 to 15
+/// degrees behind crests. Independent of the pool's size, and the same for a bed shifted over its
+/// edges but for rounding.
 RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int refinement,
-                             const SunDirection& sun, const Way& wind, WorkerPool& pool);
+                             const SunDirection& sun, const Way& way, WorkerPool& pool);
 
 }  // namespace fumon

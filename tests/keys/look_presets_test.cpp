@@ -1,4 +1,4 @@
-#include "scene/look_presets.h"
+#include "keys/look_presets.h"
 
 #include <gtest/gtest.h>
 
