@@ -89,7 +89,7 @@ void WorldLayer::set_bed(const Snapshot& snapshot, const RepeatedLight& light) {
     z_ = light.z;
     highest_ = *std::ranges::max_element(z_.values());
     step_ = snapshot.step;
-    wind_ = prevailing_way(snapshot);
+    way_ = prevailing_way(snapshot);
 }
 
 double WorldLayer::ground_under(const glm::dvec3& eye) const {
@@ -160,7 +160,7 @@ void WorldLayer::set_fan(const gl::Program& program, const Fan& fan, const Camer
 }
 
 void WorldLayer::set_detail(const gl::Program& program, const Camera& camera) const {
-    const glm::dvec2 wind(wind_.x, wind_.y);
+    const glm::dvec2 wind(way_.x, way_.y);
     program.set("wind", glm::vec2(wind));
     program.set("ripple_length", static_cast<float>(ripple_length_));
     const double turns = glm::dot(glm::dvec2(camera.eye), wind) / ripple_length_ -

@@ -50,7 +50,7 @@ class WorldLayer {
     Field<float> z_;        ///< of the bed
     double highest_ = 0.0;
     std::int64_t step_ = 0;
-    Way wind_;
+    Way way_;
     gl::Program near_program_;
     gl::Program far_program_;
     gl::Texture2D heights_;
