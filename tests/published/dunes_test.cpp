@@ -8,11 +8,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
+#include "base/random.h"
 #include "base/units.h"
 #include "base/worker_pool.h"
+#include "measure/bed/bed_statistics.h"
+#include "measure/bed/crest_orientation.h"
+#include "measure/bed/dunes.h"
 #include "models/avalanche/slope_relaxation.h"
+#include "wind/crest_directions.h"
 
 namespace fumon::test {
 namespace {
@@ -113,8 +119,8 @@ Barchan barchan(double from, double sigma, int side) {
 }
 
 TEST(PublishedDunes, ABarchanHasNatureProportionsAlongTheGridAndAcross) {
-    const Barchan along = barchan(270.0, 11.0, 192);
-    const Barchan across = barchan(240.0, 11.0, 192);
+    const Barchan along = barchan(270.0, 11.0, 160);
+    const Barchan across = barchan(240.0, 11.0, 160);
     for (const Barchan& dune : {along, across}) {
         EXPECT_NEAR(dune.shape.lee, 33.0, 1.0);
         EXPECT_LE(dune.shape.stoss, 15.0);
@@ -164,6 +170,226 @@ TEST(PublishedDunes, ALargeConeIsRound) {
     std::printf("    radius %.1f cells, %.4f out of round\n", mean, (most - least) / mean);
     EXPECT_GE(mean, 100.0);
     EXPECT_LE((most - least) / mean, 0.02);
+}
+
+Grid noise(int side, double low, double high) {
+    Grid bed(side, side);
+    for (int y = 0; y < side; ++y) {
+        RandomStream stream(1, static_cast<std::uint32_t>(y), 0, Purpose::initial_bed);
+        for (double& height : bed.row(y)) height = low + (high - low) * stream.uniform();
+    }
+    return bed;
+}
+
+Grid heights_of(const DuneBed& bed) {
+    Grid grid(bed.surface.nx(), bed.surface.ny());
+    std::ranges::transform(bed.surface.values(), grid.values().begin(), to_metres);
+    return grid;
+}
+
+DunesParameters slabs(SlabOrder order) {
+    DunesParameters parameters;
+    parameters.transport = DuneTransport::slabs;
+    parameters.speed_up = DuneSpeedUp::none;
+    parameters.hop_length = 5.0;
+    parameters.order = order;
+    return parameters;
+}
+
+/// Little sand gathers into barchans, much into ridges, whether slabs hop all at once or one by
+/// one.
+TEST(PublishedDunes, SlabsMakeBarchansOfLittleSandAndRidgesOfMuch) {
+    constexpr double slab = 1.0 / 3.0;
+    for (const SlabOrder order : {SlabOrder::parallel, SlabOrder::sequential}) {
+        WorkerPool pool;
+        Dunes little(slabs(order),
+                     {noise(96, 0.0, 4.0 * slab), {}, {1.0, 1.0, 1.0, true}, 1, pool});
+        double downwind = 0.0;
+        double with_horns = 0.0;
+        for (int step = 1; step <= 200; ++step) {
+            little.step();
+            if (step < 140 || step % 20 != 0) continue;
+            for (const Dune& dune : separate_dunes(heights_of(little.bed()), true).dunes) {
+                if (std::isnan(dune.horn_lag)) continue;
+                with_horns += 1.0;
+                downwind += dune.horn_lag > 0.0 ? 1.0 : 0.0;
+            }
+        }
+        Dunes much(slabs(order),
+                   {noise(64, 11.5 * slab, 12.5 * slab), {}, {1.0, 1.0, 1.0, true}, 1, pool});
+        const double sd = bed_statistics(heights_of(much.bed()), {}).standard_deviation;
+        for (int step = 0; step < 120; ++step) much.step();
+        const Grid ridges = heights_of(much.bed());
+        const CrestOrientation crests = crest_orientation(ridges, true);
+        const double grown = bed_statistics(ridges, {}).standard_deviation;
+        std::printf(
+            "    %s: horns downwind %.2f of %.0f; ridges %.0f degrees, coherence %.2f, "
+            "deviation %.2f from %.2f m\n",
+            order == SlabOrder::parallel ? "parallel" : "one by one", downwind / with_horns,
+            with_horns, crests.degrees, crests.coherence, grown, sd);
+        EXPECT_GE(downwind, 0.9 * with_horns);
+        EXPECT_GE(with_horns, 5.0);
+        EXPECT_GT(crests.coherence, 0.25);
+        EXPECT_TRUE(separate_dunes(ridges, true).dunes.empty());
+        EXPECT_LT(std::abs(crests.degrees), 15.0);
+        EXPECT_GT(grown, 5.0 * sd);
+    }
+}
+
+/// Harmonics 0 … 10 of the contour of a third of the height, about its middle, in parts of its mean
+/// radius.
+std::vector<double> contour_harmonics(const Grid& bed) {
+    const double level = *std::ranges::max_element(bed.values()) / 3.0;
+    double x0 = 0.0;
+    double y0 = 0.0;
+    double cells = 0.0;
+    for (int y = 0; y < bed.ny(); ++y) {
+        for (int x = 0; x < bed.nx(); ++x) {
+            if (bed(x, y) <= level) continue;
+            x0 += x;
+            y0 += y;
+            cells += 1.0;
+        }
+    }
+    constexpr int directions = 720;
+    std::vector<double> real(11);
+    std::vector<double> imaginary(11);
+    for (int k = 0; k < directions; ++k) {
+        const double angle = 2.0 * k * std::acos(-1.0) / directions;
+        const auto height = [&](double radius) {
+            const double x = x0 / cells + radius * std::cos(angle);
+            const double y = y0 / cells + radius * std::sin(angle);
+            const int i = static_cast<int>(x);
+            const int j = static_cast<int>(y);
+            const double u = x - i;
+            const double v = y - j;
+            return (1 - v) * ((1 - u) * bed(i, j) + u * bed(i + 1, j)) +
+                   v * ((1 - u) * bed(i, j + 1) + u * bed(i + 1, j + 1));
+        };
+        double radius = 0.0;
+        while (height(radius) > level) radius += 0.02;
+        for (std::size_t n = 0; n < real.size(); ++n) {
+            real[n] += radius * std::cos(static_cast<double>(n) * angle);
+            imaginary[n] += radius * std::sin(static_cast<double>(n) * angle);
+        }
+    }
+    std::vector<double> harmonics;
+    for (std::size_t n = 0; n < real.size(); ++n)
+        harmonics.push_back(2.0 * std::hypot(real[n], imaginary[n]) / real[0]);
+    return harmonics;
+}
+
+/// Five winds at 72 degrees, in turn, make a star with as many corners of a round heap, and leave
+/// it where it is.
+TEST(PublishedDunes, FiveWindsMakeAStar) {
+    constexpr int side = 64;
+    constexpr double cell = 2.0;
+    DunesParameters parameters;
+    parameters.slope_drift = 0.2;
+    for (const double from : {270.0, 342.0, 54.0, 126.0, 198.0})
+        parameters.winds.push_back({from, 1.0, 0.02});
+    Grid heap(side, side);
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const double radius = cell * std::hypot(x - 0.5 * (side - 1), y - 0.5 * (side - 1));
+            if (radius < 44.0)
+                heap(x, y) = 8.0 * std::pow(std::cos(radius / 88.0 * std::acos(-1.0)), 2);
+        }
+    }
+    WorkerPool pool;
+    Dunes dunes(parameters, {std::move(heap), {}, {cell, cell, 1.0, true}, 1, pool});
+    for (int step = 0; step < 2000; ++step) dunes.step();
+    const Grid star = heights_of(dunes.bed());
+    const std::vector<double> harmonics = contour_harmonics(star);
+    double x0 = 0.0;
+    double y0 = 0.0;
+    double sand = 0.0;
+    double other = 0.0;
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            x0 += x * star(x, y);
+            y0 += y * star(x, y);
+            sand += star(x, y);
+        }
+    }
+    for (std::size_t n = 1; n < harmonics.size(); ++n) {
+        if (n != 5) other = std::max(other, harmonics[n]);
+    }
+    std::printf("    star: harmonic 5 %.3f, largest other %.3f; middle at %.2f, %.2f\n",
+                harmonics[5], other, x0 / sand, y0 / sand);
+    EXPECT_GT(harmonics[5], 0.02);
+    EXPECT_GT(harmonics[5], 2.0 * other);
+    EXPECT_NEAR(x0 / sand, 0.5 * (side - 1), 0.25) << "no drift";
+    EXPECT_NEAR(y0 / sand, 0.5 * (side - 1), 0.25);
+}
+
+/// How much more sand moves over the model's own ridge across the wind than over flat ground.
+double flux_ratio_of_ridges() {
+    constexpr double step = 0.001;
+    DunesParameters parameters;
+    parameters.time_step = {"", step};
+    WorkerPool pool;
+    Grid first(128, 24);
+    for (int y = 0; y < 24; ++y) {
+        RandomStream stream(1, static_cast<std::uint32_t>(y), 0, Purpose::initial_bed);
+        for (double& height : first.row(y)) height = 2.5 + stream.uniform();
+    }
+    Dunes dunes(parameters, {std::move(first), {}, {1.0, 1.0, 1.0, true}, 1, pool});
+    for (int n = 0; n < 1500; ++n) dunes.step();
+    const Grid ridges = heights_of(dunes.bed());
+    const BedStatistics heights = bed_statistics(ridges, {});
+    const double p = parameters.deposit_on_sand;
+    const double over_flat = parameters.flux * step * (1.0 - p) / parameters.hop_length;
+    double sum = 0.0;
+    double crests = 0.0;
+    for (int y = 0; y < ridges.ny(); ++y) {
+        for (int x = 0; x < ridges.nx(); ++x) {
+            if (ridges(x, y) < heights.mean + 0.8 * heights.standard_deviation) continue;
+            bool is_crest = true;
+            for (int k = 1; k <= 6; ++k) {
+                is_crest = is_crest && ridges(x, y) >= ridges((x + k) % 128, y) &&
+                           ridges(x, y) > ridges((x + 128 - k) % 128, y);
+            }
+            if (!is_crest) continue;
+            sum += to_metres(dunes.bed().moving(x, y)) / over_flat;
+            crests += 1.0;
+        }
+    }
+    return sum / crests - 1.0;
+}
+
+/// Of two winds whose sand parts by an angle, the stronger one toward +x, the direction of the
+/// crests, degrees counterclockwise from +x.
+double crests_under(double ratio, double apart, std::uint64_t seed) {
+    DunesParameters parameters;
+    parameters.time_step = {"", 0.001};
+    parameters.winds = {{270.0, 1.0, 0.04 * ratio}, {270.0 - apart, 1.0, 0.04}};
+    WorkerPool pool;
+    Grid first(128, 128);
+    for (int y = 0; y < 128; ++y) {
+        RandomStream stream(seed, static_cast<std::uint32_t>(y), 0, Purpose::initial_bed);
+        for (double& height : first.row(y)) height = 2.5 + stream.uniform();
+    }
+    Dunes dunes(parameters, {std::move(first), {}, {1.0, 1.0, 1.0, true}, seed, pool});
+    for (int n = 0; n < 1000; ++n) dunes.step();
+    return std::fmod(crest_orientation(heights_of(dunes.bed()), true).degrees + 270.0, 180.0);
+}
+
+TEST(PublishedDunes, CrestsOfTwoWindsRunAsTheoryHasIt) {
+    const double ratio = flux_ratio_of_ridges();
+    std::printf("    gamma %.2f\n", ratio);
+    EXPECT_GT(ratio, 0.8);
+    EXPECT_LT(ratio, 2.0);
+    for (const auto& [strength, apart] :
+         {std::pair{1.0, 60.0}, std::pair{2.0, 120.0}, std::pair{1.0, 150.0}}) {
+        const CrestDirections theory =
+            crest_directions(std::vector<SandFlux>{{0.0, strength}, {apart, 1.0}}, ratio);
+        double mean = 0.0;
+        for (const std::uint64_t seed : {1U, 2U}) mean += 0.5 * crests_under(strength, apart, seed);
+        std::printf("    ratio %.0f, %3.0f degrees apart: %.1f measured, %.1f predicted\n",
+                    strength, apart, mean, theory.bed_instability.at(0));
+        EXPECT_NEAR(mean, theory.bed_instability.at(0), 5.0);
+    }
 }
 
 }  // namespace

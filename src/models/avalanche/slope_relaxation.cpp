@@ -47,6 +47,9 @@ SlopeRelaxation::SlopeRelaxation(const AvalancheGround& ground, const ReposeAngl
       slope_of_unit_y_(metres_per_unit / ground.dy),
       candidates_(ground.nx, ground.ny),
       sliding_(ground.nx, ground.ny),
+      left_(ground.nx, ground.ny),
+      from_west_(ground.nx, ground.ny),
+      from_east_(ground.nx, ground.ny),
       slides_x_(ground.nx, ground.ny),
       slides_y_(ground.nx, ground.ny),
       row_counts_(static_cast<std::size_t>(ground.ny)) {}
@@ -112,7 +115,14 @@ std::int64_t SlopeRelaxation::slide_row(const WholeGrid& surface, const WholeGri
         const std::int64_t* above = surface.row(north(y)).data();
         const std::int64_t* rock = floor.row(y).data();
         const double least_start = least_tangent_ * start_ratio * least_tangent_ * start_ratio;
-        for_each_bit(candidates_, y, [&](int x) {
+        slope_vectors::slide({below, here, above, rock,
+                              moving_tangents_.empty() ? nullptr : moving_tangents_.row(y).data()},
+                             {slope_of_unit_x_, slope_of_unit_y_, moving_tangent_, start_ratio,
+                              least_start, share_of_fall},
+                             nx(), candidates_.row(y),
+                             {slides_x_.row(y).data(), slides_y_.row(y).data(), words},
+                             left_.row(y));
+        for_each_bit(left_, y, [&](int x) {
             const Falls falls(here[x] - here[west(x)], here[x] - here[east(x)], here[x] - below[x],
                               here[x] - above[x]);
             const double a = falls.x * slope_of_unit_x_;
@@ -124,8 +134,8 @@ std::int64_t SlopeRelaxation::slide_row(const WholeGrid& surface, const WholeGri
             slides_y_(x, y) = slide.y;
             words[x / CellRows::word_bits] |= CellRows::Word{1}
                                               << static_cast<unsigned>(x % CellRows::word_bits);
-            ++count;
         });
+        for (int w = 0; w < sliding_.words(); ++w) count += std::popcount(words[w]);
     }
     sliding_.set_any(y, count > 0);
     return count;
@@ -140,15 +150,25 @@ void SlopeRelaxation::settle_row(WholeGrid& surface, int y) {
     if (sliding_.any(y) || sliding_.any(below) || sliding_.any(above)) {
         CellRows::Word* words = candidates_.row(y);
         for (int w = 0; w < candidates_.words(); ++w) {
-            words[w] = sliding_.row(y)[w] | sliding_.from_west(y, w, periodic_x()) |
-                       sliding_.from_east(y, w, periodic_x()) | sliding_.row(below)[w] |
-                       sliding_.row(above)[w];
+            from_west_.row(y)[w] = sliding_.from_west(y, w, periodic_x());
+            from_east_.row(y)[w] = sliding_.from_east(y, w, periodic_x());
+            words[w] = sliding_.row(y)[w] | from_west_.row(y)[w] | from_east_.row(y)[w] |
+                       sliding_.row(below)[w] | sliding_.row(above)[w];
             all |= words[w];
         }
     }
     candidates_.set_any(y, all != 0);
     if (all == 0) return;
-    for_each_bit(candidates_, y, [&](int x) {
+    if (below == y || above == y) {  // nothing slides over an edge, nor round a single row
+        std::copy_n(candidates_.row(y), candidates_.words(), left_.row(y));
+    } else {
+        slope_vectors::settle(
+            {slides_x_.row(y).data(), slides_y_.row(y).data(), slides_y_.row(below).data(),
+             slides_y_.row(above).data(), sliding_.row(y), from_west_.row(y), from_east_.row(y),
+             sliding_.row(below), sliding_.row(above)},
+            nx(), candidates_.row(y), surface.row(y).data(), left_.row(y));
+    }
+    for_each_bit(left_, y, [&](int x) {
         std::int64_t change = 0;
         if (sliding_.contains(x, y))
             change -= std::abs(slides_x_(x, y)) + std::abs(slides_y_(x, y));

@@ -134,7 +134,10 @@ class SlopeRelaxation {
     double slope_of_unit_y_;
     CellRows candidates_;  ///< cells to look at
     CellRows sliding_;     ///< cells that give, this pass
-    WholeGrid slides_x_;   ///< of the sliding cells
+    CellRows left_;        ///< of a row's cells those that vectors leave to a loop over cells
+    CellRows from_west_;   ///< cells whose western neighbour gives
+    CellRows from_east_;
+    WholeGrid slides_x_;  ///< of the sliding cells
     WholeGrid slides_y_;
     std::vector<std::int64_t> row_counts_;
     std::vector<std::size_t> queue_;

@@ -2,7 +2,8 @@
 
 #include <cstdint>
 
-/// The search for steep cells as a loop over vectors.
+/// A pass of avalanches as loops over vectors. What they leave to loops over cells, since it lies
+/// at the ends of a row or since the ground is short, they name in the words `left`.
 namespace fumon::slope_vectors {
 
 /// Sets bit x of `bits` where the one-sided slope of cell x of the row `here` exceeds a limit:
@@ -13,5 +14,54 @@ namespace fumon::slope_vectors {
 /// whole numbers below 2⁵².
 void mark_steep(const std::int64_t* south, const std::int64_t* here, const std::int64_t* north,
                 double wx, double wy, double limit, int count, std::uint64_t* bits);
+
+/// A row, the rows beside it, its floor, and tangents of its cells' angles of repose, or null where
+/// all have the same.
+struct SlideRows {
+    const std::int64_t* south;
+    const std::int64_t* here;
+    const std::int64_t* north;
+    const std::int64_t* floor;
+    const double* tangents;
+};
+
+/// See SlopeRelaxation.
+struct SlideRule {
+    double slope_of_unit_x;
+    double slope_of_unit_y;
+    double tangent;       ///< where all cells have the same
+    double start_ratio;   ///< of the tangents
+    double least_square;  ///< of slopes that may slide
+    double share;         ///< of the excess fall
+};
+
+/// What leaves each cell, positive eastward and northward, and bits of the cells that it leaves.
+struct Slides {
+    std::int64_t* x;
+    std::int64_t* y;
+    std::uint64_t* sliding;
+};
+
+/// Finds what slides from the candidates of a row of `count` cells.
+void slide(const SlideRows& rows, const SlideRule& rule, int count, const std::uint64_t* candidates,
+           const Slides& slides, std::uint64_t* left);
+
+/// What slides from the cells of a row and of those beside it, with bits of the cells from which it
+/// does, in the places of the cells to which it goes.
+struct SettledRows {
+    const std::int64_t* x;
+    const std::int64_t* y;
+    const std::int64_t* y_south;
+    const std::int64_t* y_north;
+    const std::uint64_t* sliding;
+    const std::uint64_t* from_west;
+    const std::uint64_t* from_east;
+    const std::uint64_t* from_south;
+    const std::uint64_t* from_north;
+};
+
+/// Moves what slides to and from the candidates of a row.
+void settle(const SettledRows& rows, int count, const std::uint64_t* candidates,
+            std::int64_t* surface, std::uint64_t* left);
 
 }  // namespace fumon::slope_vectors

@@ -14,6 +14,10 @@ namespace fumon {
 
 namespace {
 
+/// Passes of avalanches after each sub-step but the last, after which they end: what slides on from
+/// one to the next is less than what the next one's slabs bring.
+constexpr int passes_between = 1;
+
 /// Where a place along an axis lies in the grid; −1 beyond an open edge.
 int cell_of(double place, int count, bool periodic) {
     const double cell = std::floor(place);
@@ -174,9 +178,12 @@ void SlabTransport::step_in_parallel(DuneBed& bed, const BlowingWind& wind, std:
                 std::ranges::fill(changes, 0);
             }
         });
-        const auto outcome = avalanches.slopes.relax(bed.surface, bed.rock, avalanches.most_passes);
+        const bool last = k + 1 == substeps;
+        const int most =
+            last ? avalanches.most_passes : std::min(passes_between, avalanches.most_passes);
+        const auto outcome = avalanches.slopes.relax(bed.surface, bed.rock, most);
         avalanches.passes = std::max(avalanches.passes, outcome.passes);
-        avalanches.at_rest = avalanches.at_rest && outcome.at_rest;
+        if (last) avalanches.at_rest = outcome.at_rest;
     }
 }
 

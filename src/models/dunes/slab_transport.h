@@ -24,8 +24,9 @@ class WorkerPool;
 ///
 /// In parallel order a step is divided into sub-steps. Picks of a sub-step read the bed at its
 /// start; what they move is added up in whole numbers, so that no result depends on threads, and
-/// avalanches follow. The picks fall on rows as an exact multinomial, each row by its own random
-/// stream. In sequential order each slab's avalanches have ended before the next pick.
+/// avalanches follow, which slide on through the sub-steps and end with the step. The picks fall on
+/// rows as an exact multinomial, each row by its own random stream. In sequential order each slab's
+/// avalanches have ended before the next pick.
 class SlabTransport {
   public:
     SlabTransport(const DunesParameters& parameters, const DuneGround& ground, double slab_height,
