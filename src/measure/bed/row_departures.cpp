@@ -1,6 +1,7 @@
 #include "measure/bed/row_departures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -9,6 +10,19 @@ namespace fumon {
 namespace {
 
 constexpr double rounding_of_departures = 1e-12;
+
+/// The largest magnitude, found in several lanes side by side.
+double largest_of(std::span<const double> values) {
+    constexpr std::size_t lanes = 8;
+    std::array<double, lanes> largest{};
+    std::size_t x = 0;
+    for (; x + lanes <= values.size(); x += lanes) {
+        for (std::size_t k = 0; k < lanes; ++k)
+            largest[k] = std::max(largest[k], std::abs(values[x + k]));
+    }
+    for (; x < values.size(); ++x) largest[0] = std::max(largest[0], std::abs(values[x]));
+    return std::ranges::max(largest);
+}
 
 }  // namespace
 
@@ -27,13 +41,10 @@ void row_departures(std::span<const double> row, bool periodic, std::span<double
         }
         slope = 12.0 * moment / (count * (count * count - 1.0));
     }
-    double largest = 0.0;
-    double largest_departure = 0.0;
-    for (std::size_t x = 0; x < nx; ++x) {
+    for (std::size_t x = 0; x < nx; ++x)
         departures[x] = row[x] - mean - slope * (static_cast<double>(x) - middle);
-        largest = std::max(largest, std::abs(row[x]));
-        largest_departure = std::max(largest_departure, std::abs(departures[x]));
-    }
+    const double largest = largest_of(row);
+    const double largest_departure = largest_of(departures);
     if (largest_departure <= rounding_of_departures * largest) {
         std::fill(departures.begin(), departures.end(), 0.0);
     }
