@@ -9,7 +9,8 @@ uniform vec2 heading;        // of the fan's middle, unit vector
 uniform float half_angle;    // of the fan, radians
 uniform float nearest;       // radius of the innermost ring, block lengths
 uniform float reach;         // log of the outermost ring's radius over that
-uniform float spacing;       // of rays or rings at distance 1
+uniform float ray_spacing;   // at distance 1
+uniform float ring_spacing;  // the same, on the whole
 uniform vec2 extent;
 uniform float cell;          // of the bed, block lengths
 uniform float curvature;     // 1 / (2 R), per block length
@@ -20,9 +21,10 @@ out vec3 offset;       // from the eye
 
 void main() {
     float angle = ray_and_ring.x * half_angle;
-    float radius = ray_and_ring.y < 0.0 ? 0.0 : nearest * exp(reach * ray_and_ring.y);
+    float radius = ray_and_ring.y < 0.0 ? 0.0 : nearest * exp(reach * ray_and_ring.y * (0.6 + 0.4 * ray_and_ring.y));  // closer at first
     vec2 along = radius * vec2(heading.x * cos(angle) - heading.y * sin(angle), heading.x * sin(angle) + heading.y * cos(angle));
     vec2 place = (eye.xy + along) / extent + 0.5;
+    float spacing = max(ray_spacing, ring_spacing * (0.6 + 0.8 * max(ray_and_ring.y, 0.0)));
     // Finer than between vertices, so that it matters little where the texels lie.
     float level = max(log2(radius * spacing / cell) - 3.5, 0.0);
     float height = textureLod(height_map, place, level).r;

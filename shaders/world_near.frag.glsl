@@ -56,7 +56,7 @@ void main() {
     vec2 down = vec2(dot(whole, lee) / 6.0, length_down / 22.0);
     float tongue = value_noise(down) + 0.5 * value_noise(2.3 * down + 7.7);
     slid *= 1.0 - smoothstep(0.3, 0.8, footprint / 6.0);
-    tilt += lee * (0.07 * slid * tongue);
+    tilt += lee * (0.045 * slid * tongue);
 
     point.normal = normalize(vec3(-slope - tilt, 1.0));
     vec2 across = fwidth(offset.xy);

@@ -108,11 +108,13 @@ WorldLayer::Fan WorldLayer::fan_of(const Camera& camera) const {
     const glm::dvec2 level(camera.forward.x, camera.forward.y);
     const double length = glm::length(level);
     if (length > 1e-6) fan.heading = level / length;
+    double least_run = 1e3;  // of a ray, while it sinks by 1
     for (const double x : {-1.0, 0.0, 1.0}) {
         for (const double y : {-1.0, 0.0, 1.0}) {
             const glm::dvec3 ray =
                 camera.forward + x * camera.half.x * camera.right + y * camera.half.y * camera.up;
             const glm::dvec2 flat(ray.x, ray.y);
+            if (ray.z < 0.0) least_run = std::min(least_run, glm::length(flat) / -ray.z);
             const double along = glm::dot(flat, fan.heading);
             const double across = fan.heading.x * flat.y - fan.heading.y * flat.x;
             fan.half_angle = std::max(fan.half_angle, std::abs(elementary::atan2(across, along)));
@@ -121,6 +123,9 @@ WorldLayer::Fan WorldLayer::fan_of(const Camera& camera) const {
     fan.half_angle = fan.half_angle > 1.4 ? std::numbers::pi : fan.half_angle * 1.02 + 0.01;
     fan.nearest =
         std::max(nearest_share * (camera.eye.z - ground_under(camera.eye)), least_nearest);
+    // Where the whole bed lies under the eye, nothing nearer than the steepest ray's foot is seen.
+    if (fan.half_angle < std::numbers::pi)
+        fan.nearest = std::max(fan.nearest, 0.9 * (camera.eye.z - highest_) * least_run);
     const double twice_radius = 2.0 * earth_radius / block_.kilometres;
     const auto horizon = [&](double height) {
         return std::sqrt(std::max(height, 0.0) * twice_radius);
@@ -149,8 +154,8 @@ void WorldLayer::set_fan(const gl::Program& program, const Fan& fan, const Camer
     program.set("nearest", static_cast<float>(fan.nearest));
     const double reach = elementary::log(fan.farthest / fan.nearest);
     program.set("reach", static_cast<float>(reach));
-    const double spacing = std::max(2.0 * fan.half_angle / rays_, reach / (rings - 2));
-    program.set("spacing", static_cast<float>(spacing));
+    program.set("ray_spacing", static_cast<float>(2.0 * fan.half_angle / rays_));
+    program.set("ring_spacing", static_cast<float>(reach / (rings - 2)));
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
     program.set("cell", cell_);
     program.set("curvature", static_cast<float>(block_.kilometres / (2.0 * earth_radius)));
@@ -190,8 +195,9 @@ void WorldLayer::draw(const BedShading& shading, const Light& light, const Camer
     const double seen_to = 2.0 * longest_turn * ripple_length_ / sample_angle;
     const double share = elementary::log(std::max(seen_to / fan.nearest, 1.0)) /
                          elementary::log(fan.farthest / fan.nearest);
-    const int near_rings =
-        static_cast<int>(std::ceil(std::clamp(share, 0.0, 1.0) * (rings - 2))) + 1;
+    // Of log radius = reach · u · (0.6 + 0.4 u).
+    const double u = 1.25 * (std::sqrt(0.36 + 1.6 * std::clamp(share, 0.0, 1.0)) - 0.6);
+    const int near_rings = static_cast<int>(std::ceil(u * (rings - 2))) + 1;
     gl.BindVertexArray(array_.name());
     for (const bool near : {true, false}) {
         const gl::Program& program = near ? near_program_ : far_program_;

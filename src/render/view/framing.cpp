@@ -55,6 +55,14 @@ struct Relief {
 };
 
 Relief relief_of(const Snapshot& first, const Block& block) {
+    if (height_statistics(first.bed, first.nodata).smoothness < 0.5) {
+        // Landforms are still to grow out of noise.
+        Relief expected;
+        expected.low = block.surface;
+        expected.high = std::max(block.z(first.highest_expected), block.surface + 0.015);
+        expected.length = 0.15;
+        return expected;
+    }
     const Grid& bed = first.bed;
     const double dx = block.width_x / bed.nx();
     const double dy = block.width_y / bed.ny();
