@@ -17,15 +17,21 @@ const char* why_not_endless(const View& view, const Snapshot& first) {
     return nullptr;
 }
 
+bool goes_on_endlessly(const View& view, const Snapshot& first) {
+    if (view.look.ground == Ground::automatic) return why_not_endless(view, first) == nullptr;
+    return view.look.ground == Ground::endless;
+}
+
 View with_chosen_ground(View view, const Snapshot& first) {
-    Ground& ground = view.look.ground;
-    if (ground == Ground::table) return view;
-    const char* fault = why_not_endless(view, first);
-    if (ground == Ground::endless && fault != nullptr) {
+    if (!goes_on_endlessly(view, first)) {
+        view.look.ground = Ground::table;
+        return view;
+    }
+    if (const char* fault = why_not_endless(view, first); fault != nullptr) {
         throw InputError(
             fmt::format("look.ground = \"endless\" {}; \"table\" draws this one", fault));
     }
-    ground = fault == nullptr ? Ground::endless : Ground::table;
+    view.look.ground = Ground::endless;
     return view;
 }
 

@@ -9,6 +9,9 @@ namespace fumon {
 /// scenic views (look.mode)"; null where it can.
 const char* why_not_endless(const View& view, const Snapshot& first);
 
+/// Whether it goes on: where look.ground says so, and where it is "auto" for what can.
+bool goes_on_endlessly(const View& view, const Snapshot& first);
+
 /// The view with look.ground chosen: where it is "auto", endless for what can be. Throws InputError
 /// where it is endless for what cannot be.
 View with_chosen_ground(View view, const Snapshot& first);
