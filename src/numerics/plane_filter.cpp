@@ -66,8 +66,12 @@ void PlaneFilter::apply(Grid& plane, const Response& response) {
             give_up_if_asked();
             const int from = block * together;
             const int to = std::min(from + together, nx_);
-            for (int y = 0; y < ny_; ++y)
+            for (int y = 0; y < ny_; ++y) {
                 std::copy_n(&plane(from, y), to - from, &padded_(from, y));
+                // Columns travel in pairs: what an earlier plane left beside the last one would
+                // grow from plane to plane.
+                std::fill_n(padded_.row(y).begin() + to, from + together - to, 0.0);
+            }
             along_y_.forward(&padded_(from, 0), stride, &real_(from, 0), &imaginary_(from, 0),
                              stride, scratch);
         }

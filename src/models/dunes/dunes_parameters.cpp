@@ -82,18 +82,19 @@ void list_transport_keys(DunesParameters& dunes, KeyTable& table) {
 }
 
 void list_wind_keys(DunesParameters& dunes, KeyTable& table) {
-    table.choice("model.speed_up", dunes.speed_up,
-                 {{DuneSpeedUp::none, "none",
-                   "the same wind everywhere; continuous drift makes no dunes of a level bed then"},
-                  {DuneSpeedUp::height, "height",
-                   "hops grow with the height above the mean surface (Momiji et al. 2000); no "
-                   "dunes of a level "
-                   "bed likewise"},
-                  {DuneSpeedUp::relief, "relief",
-                   "the drift follows the linear shear stress (A + iB) k_w^2/|k| h (Jackson & Hunt "
-                   "1975; Kroy et al. 2002), of the bed with its separation bubbles; continuous "
-                   "transport only"}},
-                 {.help = "how the wind speeds up over dunes"});
+    table.choice(
+        "model.speed_up", dunes.speed_up,
+        {{DuneSpeedUp::none, "none",
+          "the same wind everywhere; dunes of slabs grow of their randomness, continuous drift "
+          "makes none"},
+         {DuneSpeedUp::height, "height",
+          "hops grow with the height above the mean surface (Momiji et al. 2000), which slows "
+          "the growth of slabs' dunes; continuous drift makes none"},
+         {DuneSpeedUp::relief, "relief",
+          "the drift follows the linear shear stress (A + iB) k_w^2/|k| h (Jackson & Hunt "
+          "1975; Kroy et al. 2002), of the bed with its separation bubbles; continuous "
+          "transport only"}},
+        {.help = "how the wind speeds up over dunes"});
     table.real("model.hop_per_height", dunes.hop_per_height,
                {.unit = "1/m", .range = {0, 1e3}, .help = "C1/L0 of speed_up = \"height\""});
     table.real("model.hop_per_height_squared", dunes.hop_per_height_squared,

@@ -120,7 +120,7 @@ int cells_averaged(const Snapshot& snapshot, const View& view) {
     const int longer = std::max(snapshot.bed.nx(), snapshot.bed.ny());
     const int needed = (longer + longest_drawn - 1) / longest_drawn;
     const CameraSettings& camera = view.camera;
-    const bool whole_block_seen = with_chosen_ground(view, snapshot).look.ground == Ground::table &&
+    const bool whole_block_seen = !goes_on_endlessly(view, snapshot) &&
                                   camera.framing == Framing::block && camera.distance.is_word() &&
                                   camera.at.empty() && camera.look_at.empty();
     if (!whole_block_seen) return needed;

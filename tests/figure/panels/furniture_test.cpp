@@ -254,5 +254,19 @@ TEST(ArrowCorner, IsWhereLeastIsHidden) {
     EXPECT_EQ(arrow_corner(dunes, {}), Corner::upper_right) << "as much everywhere";
 }
 
+TEST(GroundArrow, TurnsWithTheWindsOfARun) {
+    Snapshot snapshot;
+    EXPECT_EQ(wind_direction(snapshot)->towards.x, 1.0);
+    snapshot.winds = {{0.0, -1.0, 30.0}};
+    EXPECT_EQ(wind_direction(snapshot)->towards.y, -1.0);
+    EXPECT_EQ(wind_direction(snapshot)->label, "wind");
+    snapshot.winds.push_back({1.0, 0.0, 40.0});
+    EXPECT_NEAR(wind_direction(snapshot)->towards.x, 0.8, 1e-12);
+    EXPECT_NEAR(wind_direction(snapshot)->towards.y, -0.6, 1e-12);
+    EXPECT_EQ(wind_direction(snapshot)->label, "drift");
+    snapshot.winds = {{1.0, 0.0, 30.0}, {-1.0, 0.0, 30.0}};
+    EXPECT_FALSE(wind_direction(snapshot).has_value()) << "they cancel";
+}
+
 }  // namespace
 }  // namespace fumon

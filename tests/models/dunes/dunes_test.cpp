@@ -228,6 +228,25 @@ TEST(Dunes, ShearStressLeadsTheCrests) {
     }
 }
 
+/// Grids whose rows are no multiple of what the transform takes at once.
+TEST(Dunes, ShearStressForgetsEarlierBeds) {
+    WorkerPool pool(1);
+    for (const int nx : {59, 60, 61, 64}) {
+        const DuneGround ground{nx, 30, 1.0, 1.0, true, true};
+        const WindTurns turns({{250.0, 1.0, 1.0}}, [](double) { return 1.0; });
+        ReliefShear shear(ground, 3.5, 2.0, pool);
+        const Grid bed = noise(nx, 30, 2.0);
+        Grid first = bed;
+        shear.apply(first, turns.at(0));
+        for (int n = 0; n < 250; ++n) {
+            Grid again = bed;
+            shear.apply(again, turns.at(0));
+            if (n % 50 != 0 && n != 249) continue;
+            ASSERT_TRUE(std::ranges::equal(again.values(), first.values())) << nx << ", " << n;
+        }
+    }
+}
+
 TEST(Dunes, WindsBlowInTurn) {
     const WindTurns turns({{270.0, 1.0, 0.5}, {0.0, 2.0, 0.2}}, [](double) { return 0.1; });
     EXPECT_EQ(turns.at(0).x, 1.0);

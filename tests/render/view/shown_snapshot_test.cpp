@@ -102,8 +102,13 @@ TEST(ShownSnapshot, AnAveragedBedKeepsWhatIsNoField) {
     bed.fields.push_back({"depth", "how deep", "m", Grid(4096, 2, 4.0)});
     bed.numbers.push_back({"lost", "1", 5.0});
     bed.landform = Landform::water;
-    const auto shown = shown_snapshot(bed, {});
+    bed.winds = {{0.0, 1.0, 3.0}};
+    View view;
+    view.look.ground = Ground::table;
+    const auto shown = shown_snapshot(bed, view);
     ASSERT_TRUE(shown);
+    ASSERT_EQ(shown->winds.size(), 1U);
+    EXPECT_EQ(shown->winds[0].y, 1.0);
     EXPECT_EQ(shown->step, 7);
     EXPECT_EQ(shown->time, 3.5);
     EXPECT_EQ(shown->time_unit, "s");
