@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "base/multiversion.h"
 #include "base/random.h"
+#include "support/multiversion.h"
 #include "support/ulps.h"
 
 namespace fumon {

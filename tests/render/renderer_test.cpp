@@ -148,6 +148,37 @@ TEST(Renderer, DrawsEverySizeAndProjection) {
     }
 }
 
+/// Each sample of the surface and the sides gets a colour, up to where two of them meet.
+TEST(Renderer, LeavesNoHolesInABlock) {
+    const std::array<std::uint8_t, 3> white{255, 255, 255};
+    Snapshot flat;
+    flat.bed = Grid(40, 30, 1.0);
+    for (const int width : {48, 333}) {
+        for (const int factor : {1, 2}) {
+            for (const double azimuth : {215.0, 40.0}) {
+                View view = small_view(width, 3 * width / 4);
+                view.image.supersampling = factor;
+                view.look.mode = ViewMode::figure;
+                view.camera.azimuth = azimuth;
+                const Image image = picture(view, flat);
+                int rows_drawn = 0;
+                for (int y = 0; y < image.height; ++y) {
+                    const auto is_drawn = [&](int x) {
+                        return !std::equal(white.begin(), white.end(),
+                                           image.row(y) + 3 * static_cast<std::size_t>(x));
+                    };
+                    int pieces = 0;
+                    for (int x = 0; x < image.width; ++x)
+                        if (is_drawn(x) && (x == 0 || !is_drawn(x - 1))) ++pieces;
+                    EXPECT_LE(pieces, 1) << "row " << y << " of " << width << " wide";
+                    rows_drawn += pieces;
+                }
+                EXPECT_GT(rows_drawn, image.height / 3);
+            }
+        }
+    }
+}
+
 struct PixelBox {
     int left, top, right, bottom;  // right and bottom lie beyond it
 };
