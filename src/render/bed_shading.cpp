@@ -63,6 +63,7 @@ int shaded_size(int count, const DisplayBed& bed, int samples_across) {
 }
 
 const char* shader_of(const LookSettings& look, const Snapshot& first) {
+    if (look.ground == Ground::endless) return "shade_albedo.frag.glsl";
     if (look.mode == ViewMode::figure) return "shade_figure.frag.glsl";
     return draws_water(look, first) ? "shade_water.frag.glsl" : "shade_scenic.frag.glsl";
 }
@@ -158,7 +159,8 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
     : view_(view),
       block_(block),
       refinement_(first_bed.z.nx() / first.bed.nx()),
-      mipmaps_(longer_shaded_side(first_bed, samples_across) > texels_per_sample * samples_across),
+      mipmaps_(view.look.ground == Ground::endless ||
+               longer_shaded_side(first_bed, samples_across) > texels_per_sample * samples_across),
       program_("screen.vert.glsl", shader_of(view.look, first)),
       palette_(256, 1, palette_layout, chosen_palette(view.look).data()),
       lighting_(first_bed.z.nx(), first_bed.z.ny(), repeated(lighting_layout, view.look.ground)),
@@ -168,8 +170,8 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
       uncoloured_(colours_water(view.look.colour_by) ? first.bed.nx() : 1,
                   colours_water(view.look.colour_by) ? first.bed.ny() : 1, mark_layout),
       target_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
-              shaded_size(first_bed.z.ny(), first_bed, samples_across), shaded_layout(mipmaps_),
-              false) {
+              shaded_size(first_bed.z.ny(), first_bed, samples_across),
+              repeated(shaded_layout(mipmaps_), view.look.ground), false) {
     if (view.look.mode == ViewMode::scenic) draw_noise();
     if (draws_water(view.look, first))
         water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny());
