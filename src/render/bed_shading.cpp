@@ -149,8 +149,10 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
     const double scale = 1.0 / std::max(farthest - nearest, 1e-6);
     program.set("depth_plane", glm::vec4(camera.forward * scale, -nearest * scale));
     const double left = camera.perspective ? std::max(1.0 - view.sun.haze, 0.02) : 1.0;
-    program.set("haze_log", static_cast<float>(elementary::log(left)));
-    program.set("extinction", extinction(view, camera, block));
+    const float by_distance = extinction(view, camera, block);
+    program.set("haze_log",
+                by_distance >= 0.0F ? -1.0F : static_cast<float>(elementary::log(left)));
+    program.set("extinction", by_distance);
     program.set("haze_eye", glm::vec3(camera.eye));
 }
 
