@@ -15,7 +15,7 @@ uniform vec3 sky_lean_tx;
 
 // Aerial perspective: depth_plane gives 0 at the block's nearest corner and 1 at its farthest.
 uniform vec4 depth_plane;
-uniform float haze_log;  // log(1 − haze) of the far corner
+uniform float haze_log;  // log(1 − haze) of the far corner; −1 by distance
 // The same by distance, where the air's visibility is known.
 uniform float extinction;  // per block length; below 0: not known
 uniform vec3 haze_eye;
@@ -44,7 +44,7 @@ vec3 haze_towards(vec3 view) {
 }
 
 vec3 with_haze(vec3 colour, vec3 point, vec3 view) {
-    if (extinction >= 0.0) return mix(haze_towards(view), colour, exp(-extinction * distance(haze_eye, point)));
     float depth = max(dot(depth_plane.xyz, point) + depth_plane.w, 0.0);
+    if (extinction >= 0.0) depth = sqrt(extinction * distance(haze_eye, point));
     return mix(haze_towards(view), colour, exp(haze_log * depth * depth));
 }

@@ -5,6 +5,8 @@ uniform float sand_grain;     // how much of it is seen
 uniform float ripple_length;  // block lengths
 
 in vec3 offset;  // from the eye
+in vec4 air;
+uniform sampler2D albedo_map;  // roots, of shade_albedo.frag.glsl
 out vec4 colour;
 
 vec2 bed_place() { return (eye.xy + offset.xy) / extent + 0.5; }
@@ -17,8 +19,13 @@ float grain(float footprint) {
     return mix(value_noise(at), value_noise(0.5 * at + 31.7), octave - whole);
 }
 
+vec3 sand_albedo(vec2 place, float brighter) {
+    vec3 root = texture(albedo_map, place).rgb;
+    return root * root * (1.0 + brighter);
+}
+
 // What the eye gets of light that leaves the ground.
-vec4 seen(vec3 light, vec3 to_eye, float far) {
-    light = mix(haze_towards(-to_eye), light, exp(-extinction * far)) + glare(-to_eye);
+vec4 seen(vec3 light, vec3 to_eye) {
+    light = light * air.a + air.rgb + glare(-to_eye);
     return vec4(display_from_linear(tone_curve(light)), 1.0);
 }

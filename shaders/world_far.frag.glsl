@@ -11,9 +11,8 @@
 void main() {
     vec2 place = bed_place();
     BedPoint point = slanting_bed_point(place);
-    float far = length(offset);
-    vec3 to_eye = -offset / far;
+    vec3 to_eye = -normalize(offset);
     vec2 across = fwidth(offset.xy);
-    vec3 albedo = ground_albedo(place, point) * (1.0 + 0.10 * sand_grain * grain(max(across.x, across.y)));
-    colour = seen(ground_light(albedo, point, to_eye, 1.0), to_eye, far);
+    vec3 albedo = sand_albedo(place, 0.10 * sand_grain * grain(max(across.x, across.y)));
+    colour = seen(ground_light(albedo, point, to_eye, 1.0), to_eye);
 }

@@ -33,9 +33,8 @@ vec3 ripples(vec2 at, float height, vec2 wander, out float footprint) {
 
 void main() {
     vec2 place = bed_place();
-    BedPoint point = slanting_bed_point(place);
-    float far = length(offset);
-    vec3 to_eye = -offset / far;
+    BedPoint point = bed_point(place);
+    vec3 to_eye = -normalize(offset);
     vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);
     float steep = length(slope);
     vec2 lee = vec2(-wind.y, wind.x);  // along the crests
@@ -60,9 +59,8 @@ void main() {
 
     point.normal = normalize(vec3(-slope - tilt, 1.0));
     vec2 across = fwidth(offset.xy);
-    vec3 albedo = ground_albedo(place, point) *
-                  (1.0 + 0.10 * sand_grain * grain(max(across.x, across.y)) + 0.03 * slid * tongue);
+    vec3 albedo = sand_albedo(place, 0.10 * sand_grain * grain(max(across.x, across.y)) + 0.03 * slid * tongue);
     // Troughs see less of the sky.
     point.sky *= 1.0 + 0.4 * ripple_slope * resolved * (wave.y - 1.0);
-    colour = seen(ground_light(albedo, point, to_eye, 1.0), to_eye, far);
+    colour = seen(ground_light(albedo, point, to_eye, 1.0), to_eye);
 }

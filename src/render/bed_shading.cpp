@@ -35,6 +35,7 @@ gl::TextureLayout repeated(gl::TextureLayout layout, Ground ground) {
     if (ground == Ground::endless) {
         layout.wrap = GL_REPEAT;
         layout.minification = GL_LINEAR_MIPMAP_LINEAR;
+        layout.coarsest = gl::TextureLayout{}.coarsest;
     }
     return layout;
 }
@@ -65,6 +66,7 @@ int shaded_size(int count, const DisplayBed& bed, int samples_across) {
 }
 
 const char* shader_of(const LookSettings& look, const Snapshot& first) {
+    if (look.ground == Ground::endless) return "shade_albedo.frag.glsl";
     if (look.mode == ViewMode::figure) return "shade_figure.frag.glsl";
     return draws_water(look, first) ? "shade_water.frag.glsl" : "shade_scenic.frag.glsl";
 }
@@ -174,8 +176,10 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
     const double scale = 1.0 / std::max(farthest - nearest, 1e-6);
     program.set("depth_plane", glm::vec4(camera.forward * scale, -nearest * scale));
     const double left = camera.perspective ? std::max(1.0 - view.sun.haze, 0.02) : 1.0;
-    program.set("haze_log", static_cast<float>(elementary::log(left)));
-    program.set("extinction", extinction(view, camera, block));
+    const float by_distance = extinction(view, camera, block);
+    program.set("haze_log",
+                by_distance >= 0.0F ? -1.0F : static_cast<float>(elementary::log(left)));
+    program.set("extinction", by_distance);
     program.set("haze_eye", glm::vec3(camera.eye));
 }
 
@@ -184,7 +188,8 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
     : view_(view),
       block_(block),
       refinement_(first_bed.z.nx() / first.bed.nx()),
-      mipmaps_(longer_shaded_side(first_bed, samples_across) > texels_per_sample * samples_across),
+      mipmaps_(view.look.ground == Ground::endless ||
+               longer_shaded_side(first_bed, samples_across) > texels_per_sample * samples_across),
       program_("screen.vert.glsl", shader_of(view.look, first), {}, fixed),
       palette_(256, 1, palette_layout, chosen_palette(view.look).data()),
       lighting_(first_bed.z.nx(), first_bed.z.ny(), repeated(lighting_layout, view.look.ground)),
@@ -194,7 +199,8 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
       uncoloured_(colours_water(view.look.colour_by) ? first.bed.nx() : 1,
                   colours_water(view.look.colour_by) ? first.bed.ny() : 1, mark_layout),
       target_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
-              shaded_size(first_bed.z.ny(), first_bed, samples_across), shaded_layout(mipmaps_)) {
+              shaded_size(first_bed.z.ny(), first_bed, samples_across),
+              repeated(shaded_layout(mipmaps_), view.look.ground)) {
     if (view.look.mode == ViewMode::scenic) draw_noise();
     if (draws_water(view.look, first))
         water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny());

@@ -318,6 +318,7 @@ Image Renderer::render(const Snapshot& whole) {
         p.shading.upload(snapshot, p.first, light);
         p.world->set_bed(snapshot, light);
         p.sky.bind(sky_unit);
+        p.shading.shade(p.light, camera);
     } else {
         const DisplayBed bed = display_bed(snapshot, framed, p.refinement);
         p.shading.upload(snapshot, p.first, lighting_texels(bed, sun, p.pool),

@@ -22,11 +22,11 @@ constexpr int rings = 1000;
 constexpr double nearest_share = 0.2;    // of the eye's height above the ground: the first ring
 constexpr double least_nearest = 1e-6;   // block lengths
 constexpr double earth_radius = 6360.0;  // km
-constexpr double pixels_a_ray = 2.0;
+constexpr double pixels_a_ray = 3.0;
 constexpr int detail_unit = 7;
 
 constexpr double ripple_metres = 0.12;
-constexpr double ripple_cells = 0.4;  // without metres: a hundredth of a dune of 40 cells
+constexpr double ripple_cells = 0.3;  // without metres: a hundredth of a dune of 30 cells
 constexpr double steepest = 0.2;
 constexpr double steps_a_ripple = 50.0;  // that it takes to move on by its length
 constexpr double longest_turn = 0.45;  // of a ripple, between two samples, at which it is not seen
@@ -206,6 +206,8 @@ void WorldLayer::draw(const BedShading& shading, const Light& light, const Camer
         set_light(program, view_, light, camera, block_);
         heights_.bind(detail_unit - 1);
         program.set("height_map", detail_unit - 1);
+        shading.colours().bind(detail_unit + 1);
+        program.set("albedo_map", detail_unit + 1);
         wind_.bind(detail_unit);
         program.set("wind_map", detail_unit);
         set_fan(program, fan, camera, tile);

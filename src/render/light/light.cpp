@@ -53,6 +53,15 @@ glm::dvec3 srgb_of_wavelengths(const glm::dvec3& light) {
     return glm::max(found, glm::dvec3(0.0));
 }
 
+/// With the sun at 45 degrees.
+glm::dvec3 level_light_of_a_clear_day(const glm::dvec3& ground, double eye_height) {
+    constexpr double usual_elevation = 45.0 * degree;
+    const AirTables clear(dusty_air(1.0, ground));
+    const SkyView usual(clear, usual_elevation, eye_height);
+    return srgb_of_wavelengths(usual.sun() * elementary::sin(usual_elevation) +
+                               usual.level_irradiance());
+}
+
 /// Light::sky_lean, by least squares over slopes of up to 45 degrees.
 std::array<glm::vec3, 4> fitted_lean(const SkyView& view) {
     glm::dmat4 products(0.0);
@@ -123,13 +132,9 @@ Light make_light(const SunSettings& settings) {
 Light make_atmospheric_light(const SunSettings& settings) {
     const glm::dvec3 sand(0.42, 0.30, 0.18);
     constexpr double eye_height = 0.002;  // km
-    constexpr double usual_elevation = 45.0;
     const double sin_e = elementary::sin(settings.elevation * degree);
     const double cos_e = elementary::cos(settings.elevation * degree);
-    const AirTables clear(dusty_air(1.0, sand));
-    const SkyView usual(clear, usual_elevation * degree, eye_height);
-    const glm::dvec3 day = srgb_of_wavelengths(
-        usual.sun() * elementary::sin(usual_elevation * degree) + usual.level_irradiance());
+    static const glm::dvec3 day = level_light_of_a_clear_day(sand, eye_height);
     const AirTables air(dusty_air(desert_aerosol * settings.dust, sand));
     const SkyView view(air, settings.elevation * degree, eye_height);
     const glm::dvec3 level = srgb_of_wavelengths(view.level_irradiance());

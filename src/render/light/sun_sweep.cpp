@@ -65,8 +65,9 @@ int rows_before(const Field<float>& heights, const light_vectors::ShadowStep& st
     const auto [low, high] = std::ranges::minmax(heights.values());
     const float most = static_cast<float>(most_periods) * static_cast<float>(heights.ny());
     const float relief = high - low;
-    if (relief >= most * step.lower_drop) return most_periods * heights.ny();
-    return static_cast<int>(relief / step.lower_drop) + 2;
+    // Twice, since neighbouring rays mix what they carry.
+    if (2.0F * relief >= most * step.lower_drop) return most_periods * heights.ny();
+    return static_cast<int>(2.0F * relief / step.lower_drop) + 2;
 }
 
 /// The sweep where the sun stands more along y than along x (in cells): rows follow each other.
