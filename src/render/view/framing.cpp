@@ -105,7 +105,8 @@ double off_lattice(double azimuth, const Block& block) {
     double best = azimuth;
     double least = 1e9;
     const auto distance = [](double a, double b) {
-        const double apart = std::fmod(std::abs(a - b), 180.0);
+        const double turns = (a - b) / 180.0;
+        const double apart = 180.0 * (turns - std::floor(turns));
         return std::min(apart, 180.0 - apart);
     };
     for (int tenths = -250; tenths <= 250; ++tenths) {
