@@ -162,7 +162,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       samples(plan.target_width, plan.target_height, plain_layout(), &depths),
       surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout()) {
     if (view.look.ground == Ground::endless) {
-        world.emplace(view, block, first, refinement);
+        world.emplace(view, block, first, refinement, fixed);
     } else {
         seen.emplace(plan.target_width, plan.target_height, seen_layout(), &depths);
     }

@@ -33,15 +33,16 @@ constexpr double longest_turn = 0.45;  // of a ripple, between two samples, at w
 
 }  // namespace
 
-WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement)
+WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
+                       const gl::Constants& fixed)
     : view_(view),
       block_(block),
       cell_(static_cast<float>(
           std::min(block.width_x / first.bed.nx(), block.width_y / first.bed.ny()) / refinement)),
       ripple_length_(first.scale.in_metres ? ripple_metres / block.side
                                            : ripple_cells * cell_ * refinement),
-      near_program_("world.vert.glsl", "world_near.frag.glsl", {"ray_and_ring"}),
-      far_program_("world.vert.glsl", "world_far.frag.glsl", {"ray_and_ring"}),
+      near_program_("world.vert.glsl", "world_near.frag.glsl", {"ray_and_ring"}, fixed),
+      far_program_("world.vert.glsl", "world_far.frag.glsl", {"ray_and_ring"}, fixed),
       heights_(first.bed.nx() * refinement, first.bed.ny() * refinement, height_layout),
       wind_(first.bed.nx() * refinement, first.bed.ny() * refinement, wind_layout) {
     build();

@@ -18,7 +18,8 @@ namespace fumon {
 /// drawn where they are seen.
 class WorldLayer {
   public:
-    WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement);
+    WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
+               const gl::Constants& fixed);
 
     void set_bed(const Snapshot& snapshot, const RepeatedLight& light);
 
