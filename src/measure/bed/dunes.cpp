@@ -6,6 +6,8 @@
 #include <limits>
 #include <span>
 
+#include "measure/bed/into_box.h"
+
 namespace fumon {
 
 namespace {
@@ -23,15 +25,6 @@ struct DuneRow {
         along_sum += share * along;
     }
 };
-
-int into_box(int value, int size) {
-    const int rest = value % size;
-    return rest < 0 ? rest + size : rest;
-}
-
-double into_box(double value, int size) {
-    return value - size * std::floor(value / size);
-}
 
 /// From right to left, looking downwind. A cell between two strips is shared by them.
 std::vector<DuneRow> rows_of(std::span<const RowRun> runs, const DuneWay& way) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "measure/bed/dune_pieces.h"
+#include "measure/bed/into_box.h"
 
 namespace fumon {
 
@@ -18,11 +19,6 @@ constexpr double top_share = 0.6;
 constexpr double outline_share = 0.3;
 constexpr std::int64_t least_cells = 20;
 constexpr std::int64_t least_top_cells = 5;
-
-int into_box(int value, int size) {
-    const int rest = value % size;
-    return rest < 0 ? rest + size : rest;
-}
 
 /// A piece that may stand alone.
 struct Candidate {
