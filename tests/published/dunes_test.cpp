@@ -172,7 +172,7 @@ TEST(PublishedDunes, ALargeConeIsRound) {
     EXPECT_LE((most - least) / mean, 0.02);
 }
 
-Grid noise(int side, double low, double high) {
+Grid noisy_bed(int side, double low, double high) {
     Grid bed(side, side);
     for (int y = 0; y < side; ++y) {
         RandomStream stream(1, static_cast<std::uint32_t>(y), 0, Purpose::initial_bed);
@@ -203,7 +203,7 @@ TEST(PublishedDunes, SlabsMakeBarchansOfLittleSandAndRidgesOfMuch) {
     for (const SlabOrder order : {SlabOrder::parallel, SlabOrder::sequential}) {
         WorkerPool pool;
         Dunes little(slabs(order),
-                     {noise(96, 0.0, 4.0 * slab), {}, {1.0, 1.0, 1.0, true}, 1, pool});
+                     {noisy_bed(96, 0.0, 4.0 * slab), {}, {1.0, 1.0, 1.0, true}, 1, pool});
         double downwind = 0.0;
         double with_horns = 0.0;
         for (int step = 1; step <= 200; ++step) {
@@ -216,7 +216,7 @@ TEST(PublishedDunes, SlabsMakeBarchansOfLittleSandAndRidgesOfMuch) {
             }
         }
         Dunes much(slabs(order),
-                   {noise(64, 11.5 * slab, 12.5 * slab), {}, {1.0, 1.0, 1.0, true}, 1, pool});
+                   {noisy_bed(64, 11.5 * slab, 12.5 * slab), {}, {1.0, 1.0, 1.0, true}, 1, pool});
         const double sd = bed_statistics(heights_of(much.bed()), {}).standard_deviation;
         for (int step = 0; step < 120; ++step) much.step();
         const Grid ridges = heights_of(much.bed());
