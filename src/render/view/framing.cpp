@@ -66,7 +66,17 @@ Relief relief_of(const Snapshot& first, const Block& block) {
     const Grid& bed = first.bed;
     const double dx = block.width_x / bed.nx();
     const double dy = block.width_y / bed.ny();
-    std::vector<double> heights(bed.values().begin(), bed.values().end());
+    const auto inside = [&](int x, int y) {
+        return first.nodata.empty() || first.nodata(x, y) == 0;
+    };
+    std::vector<double> heights;
+    heights.reserve(bed.size());
+    for (int y = 0; y < bed.ny(); ++y) {
+        for (int x = 0; x < bed.nx(); ++x) {
+            if (inside(x, y)) heights.push_back(bed(x, y));
+        }
+    }
+    if (heights.empty()) return {};
     std::ranges::sort(heights);
     const auto at = [&](double share) {
         return block.z(
@@ -79,9 +89,15 @@ Relief relief_of(const Snapshot& first, const Block& block) {
     const double middle = at(0.5);
     for (int y = 0; y < bed.ny(); ++y) {
         for (int x = 0; x < bed.nx(); ++x) {
+            if (!inside(x, y)) continue;
             const double z = block.z(bed(x, y));
-            const double east = (block.z(bed((x + 1) % bed.nx(), y)) - z) / dx;
-            const double north = (block.z(bed(x, (y + 1) % bed.ny())) - z) / dy;
+            const auto slope = [&](int column, int row, double distance) {
+                return inside(column, row) ? (block.z(bed(column, row)) - z) / distance : 0.0;
+            };
+            const bool ends_east = !first.periodic && x + 1 == bed.nx();
+            const bool ends_north = !first.periodic && y + 1 == bed.ny();
+            const double east = ends_east ? 0.0 : slope((x + 1) % bed.nx(), y, dx);
+            const double north = ends_north ? 0.0 : slope(x, (y + 1) % bed.ny(), dy);
             squares += (z - middle) * (z - middle);
             slopes += 0.5 * (east * east + north * north);
             // Of equal crests the one nearest to the middle.

@@ -48,6 +48,20 @@ TEST(Framing, StandsOverTheGroundAndSeesTheHighestCrest) {
     }
 }
 
+TEST(Framing, LeavesOutWhatIsNoGround) {
+    Snapshot bed = repeated_dunes(60, 50);
+    bed.nodata = Mask(60, 50);
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 60; ++x) bed.nodata(x, y) = 1;
+    View view;
+    view.camera.framing = Framing::low;
+    const Block block = framed_block(view, bed);
+    for (int x = 0; x < 60; ++x) bed.bed(x, 3) = x % 2 == 0 ? -1e3 : 1e3;
+    const Block same = framed_block(view, bed);
+    EXPECT_EQ(*block.eye, *same.eye);
+    EXPECT_EQ(*block.look_at, *same.look_at);
+}
+
 TEST(Framing, ACameraRisesWithTheGround) {
     Snapshot bed = repeated_dunes(50, 50);
     View view;
