@@ -186,6 +186,8 @@ int opened(const char* name, int folder, int flags, const Open& open) {
     const std::string path = absolute(name);
     if (!is_inside(path)) return open();
     const Guard guard(state().mutex);
+    // A file without a name: it takes space while it is made, and is not followed.
+    if ((flags & O_TMPFILE) == O_TMPFILE) return fails(Call::create, path) ? -1 : open();
     struct stat before {};
     const bool there = ::syscall(SYS_newfstatat, AT_FDCWD, path.c_str(), &before, 0) == 0;
     const bool makes = (flags & O_CREAT) != 0 && !there;
