@@ -29,10 +29,9 @@ BedPoint bed_point(vec4 texel) {
 
 BedPoint bed_point(vec2 place) { return bed_point(texture(lighting_map, place)); }
 
-// The mean over what a sample sees of ground that lies aslant to the view: of four places along it.
-BedPoint slanting_bed_point(vec2 place) {
-    vec2 along = dFdx(place);
-    vec2 across = dFdy(place);
+// The mean over what a sample sees of ground that lies aslant to the view: of four places along it. `along` and
+// `across` are how the place changes to the next samples.
+BedPoint slanting_bed_point(vec2 place, vec2 along, vec2 across) {
     if (dot(along, along) < dot(across, across)) {
         vec2 other = along;
         along = across;

@@ -1,7 +1,6 @@
 #version 330 core
 // The ground around the camera: a fan of rays and rings over it, raised by the periodic bed and lowered
 // by the planet's curvature.
-#include "light.glsl"
 #include "snap.glsl"
 
 uniform mat4 clip_from_eye;  // without the eye's place, which stands in `eye`
@@ -18,8 +17,7 @@ uniform float curvature;     // 1 / (2 R), per block length
 uniform sampler2D height_map;
 
 in vec2 ray_and_ring;  // −1 … 1, and 0 … 1; below 0: the point under the eye
-out vec3 offset;       // from the eye
-out vec4 air;          // what light the air adds up to there, and the share that it lets through
+out vec3 at_sample;    // the offset from the eye
 
 void main() {
     float angle = ray_and_ring.x * half_angle;
@@ -30,8 +28,6 @@ void main() {
     // Finer than between vertices, so that it matters little where the texels lie.
     float level = max(log2(radius * spacing / cell) - 3.5, 0.0);
     float height = textureLod(height_map, place, level).r;
-    offset = vec3(along, height - radius * radius * curvature - eye.z);
-    float through = exp(-extinction * length(offset));
-    air = vec4(haze_towards(normalize(vec3(along, 0.0) + vec3(1e-6 * heading, 0.0))) * (1.0 - through), through);
-    gl_Position = snapped(clip_from_eye * vec4(offset, 1.0));
+    at_sample = vec3(along, height - radius * radius * curvature - eye.z);
+    gl_Position = snapped(clip_from_eye * vec4(at_sample, 1.0));
 }

@@ -9,10 +9,9 @@
 #include "world.glsl"
 
 void main() {
-    vec2 place = bed_place();
-    BedPoint point = slanting_bed_point(place);
-    vec3 to_eye = -normalize(offset);
-    vec2 across = fwidth(offset.xy);
-    vec3 albedo = sand_albedo(place, 0.10 * sand_grain * grain(max(across.x, across.y)));
-    colour = seen(ground_light(albedo, point, to_eye, 1.0), to_eye);
+    SeenPlace at = seen_place();
+    BedPoint point = slanting_bed_point(bed_place(at), at.along.xy / extent, at.up.xy / extent);
+    vec3 to_eye = -normalize(at.offset);
+    vec3 albedo = sand_albedo(at, 0.10 * sand_grain * grain(at));
+    colour = seen(ground_light(albedo, point, to_eye, 1.0), at, to_eye);
 }

@@ -15,13 +15,15 @@ uniform sampler2D wind_map;  // how far ground upwind leaves the wind to the bed
 
 const float tau = 6.2831853;
 
+// Turns of a train of ripples from one place to another. Sand that rolls downslope turns crests: they run on around a
+// dune as if each began that much later.
+float turns(vec3 way) { return (dot(way.xy, wind) - 0.8 * way.z) / ripple_length; }
+
 // Cosine and sine of the ripples' phase at a place, and how high they stand. A second train of waves, whose
 // strength and phase wander, cancels the first in places: there crests end or fork.
-vec3 ripples(vec2 at, float height, vec2 wander, out float footprint) {
-    // Sand that rolls downslope turns crests: they run on around a dune as if each began that much later.
-    float phase = dot(at, wind) - 0.8 * height + ripple_phase +
+vec3 ripples(vec3 offset, vec2 wander) {
+    float phase = turns(offset) + ripple_phase +
                   1.5 * value_noise(wander * 0.31 + 5.3) + 0.35 * value_noise(wander * 1.3 + 2.9);
-    footprint = fwidth(phase);
     float turn = tau * fract(phase);
     vec2 second = vec2(0.6 + 1.5 * value_noise(wander), 1.5 * value_noise(wander + 17.3));
     float strength = length(second);
@@ -32,8 +34,12 @@ vec3 ripples(vec2 at, float height, vec2 wander, out float footprint) {
 }
 
 void main() {
-    vec2 place = bed_place();
-    BedPoint point = bed_point(place);
+    SeenPlace at = seen_place();
+    vec3 offset = at.offset;
+    vec2 place = bed_place(at);
+    vec2 place_along = at.along.xy / extent;
+    vec2 place_up = at.up.xy / extent;
+    BedPoint point = bed_point(textureGrad(lighting_map, place, place_along, place_up));
     vec3 to_eye = -normalize(offset);
     vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);
     float steep = length(slope);
@@ -41,9 +47,10 @@ void main() {
 
     vec2 whole = (whole_eye + offset.xy) / ripple_length;
     vec2 wander = vec2(dot(whole, wind), 0.45 * dot(whole, lee)) / 7.0;
-    float footprint;
-    vec3 wave = ripples(offset.xy / ripple_length, offset.z / ripple_length, wander, footprint);
-    float standing = wave.z * (0.75 + 0.35 * value_noise(wander * 0.21 + 9.1)) * smoothstep(0.15, 0.6, texture(wind_map, place).r) * (1.0 - smoothstep(0.488, 0.601, steep));
+    float footprint = abs(turns(at.along)) + abs(turns(at.up));
+    vec3 wave = ripples(offset, wander);
+    float open = textureGrad(wind_map, place, place_along, place_up).r;
+    float standing = wave.z * (0.75 + 0.35 * value_noise(wander * 0.21 + 9.1)) * smoothstep(0.15, 0.6, open) * (1.0 - smoothstep(0.488, 0.601, steep));
     float resolved = standing * (1.0 - smoothstep(0.15, 0.45, footprint));
     vec2 turned = wind - 0.8 * slope;
     turned /= max(length(turned), 0.2);
@@ -58,9 +65,8 @@ void main() {
     tilt += lee * (0.045 * slid * tongue);
 
     point.normal = normalize(vec3(-slope - tilt, 1.0));
-    vec2 across = fwidth(offset.xy);
-    vec3 albedo = sand_albedo(place, 0.10 * sand_grain * grain(max(across.x, across.y)) + 0.03 * slid * tongue);
+    vec3 albedo = sand_albedo(at, 0.10 * sand_grain * grain(at) + 0.03 * slid * tongue);
     // Troughs see less of the sky.
     point.sky *= 1.0 + 0.4 * ripple_slope * resolved * (wave.y - 1.0);
-    colour = seen(ground_light(albedo, point, to_eye, 1.0), to_eye);
+    colour = seen(ground_light(albedo, point, to_eye, 1.0), at, to_eye);
 }

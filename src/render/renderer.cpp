@@ -80,8 +80,11 @@ Light light_of(const View& view) {
     return atmosphere && scenic ? make_atmospheric_light(view.sun) : make_light(view.sun);
 }
 
-gl::TextureLayout seen_layout() {
+/// Of what a sample sees: a place on the block, or an offset from the eye over endless ground.
+gl::TextureLayout seen_layout(Ground ground) {
     gl::TextureLayout layout{GL_RG16, GL_RG, GL_UNSIGNED_SHORT, GL_NEAREST, 0, GL_CLAMP_TO_EDGE};
+    if (ground == Ground::endless)
+        layout = {GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_NEAREST, 0, GL_CLAMP_TO_EDGE};
     return layout;
 }
 
@@ -125,8 +128,8 @@ struct Renderer::Parts {
     std::optional<AirLayer> air;
     std::optional<WorldLayer> world;  // where the bed is endless
     gl::DepthBuffer depths;
+    gl::RenderTarget seen;  // what each sample sees of the ground
     gl::RenderTarget samples;
-    std::optional<gl::RenderTarget> seen;  // what each sample sees of the block
     gl::RenderTarget surroundings;
     gl::VertexArray no_attributes;
     bool surroundings_drawn = false;
@@ -159,12 +162,11 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
           floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool),
           fixed),
       depths(plan.target_width, plan.target_height),
+      seen(plan.target_width, plan.target_height, seen_layout(view.look.ground), &depths),
       samples(plan.target_width, plan.target_height, plain_layout(), &depths),
       surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout()) {
     if (view.look.ground == Ground::endless) {
         world.emplace(view, block, first, refinement, fixed);
-    } else {
-        seen.emplace(plan.target_width, plan.target_height, seen_layout(), &depths);
     }
     if (first.section)
         air.emplace(block, camera_at(0),
@@ -260,22 +262,24 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
     gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     constexpr GLbitfield everything =
         GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
-    if (seen) {
-        seen->bind();
-        gl.Clear(everything);
+    seen.bind();
+    gl.Clear(everything);
+    if (world) {
+        world->draw_seen(camera, placed);
+    } else {
         terrain.draw_seen(camera, placed);
     }
     samples.bind();
-    gl.Clear(seen ? GL_COLOR_BUFFER_BIT : everything);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
     if (air) {
         gl.BindVertexArray(no_attributes.name());
         air->draw_behind(surroundings.colour(), plan.factor,
                          first_sample(tile) - target_corner(tile), {tile.width, tile.height});
     }
     if (world) {
-        world->draw(shading, light, camera, placed);
+        world->colour_seen(seen.colour(), shading, light, camera);
     } else {
-        terrain.colour_seen(seen->colour(), shading.colours(), light, camera, placed);
+        terrain.colour_seen(seen.colour(), shading.colours(), light, camera, placed);
     }
     if (air) air->draw(camera, placed);
 

@@ -24,6 +24,8 @@ constexpr double least_nearest = 1e-6;   // block lengths
 constexpr double earth_radius = 6360.0;  // km
 constexpr double pixels_a_ray = 3.0;
 constexpr int detail_unit = 7;
+constexpr GLint near_stencil = 1;
+constexpr GLint far_stencil = 2;
 
 constexpr double ripple_metres = 0.12;
 constexpr double ripple_cells = 0.3;  // without metres: a hundredth of a dune of 30 cells
@@ -41,8 +43,9 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
           std::min(block.width_x / first.bed.nx(), block.width_y / first.bed.ny()) / refinement)),
       ripple_length_(first.scale.in_metres ? ripple_metres / block.side
                                            : ripple_cells * cell_ * refinement),
-      near_program_("world.vert.glsl", "world_near.frag.glsl", {"ray_and_ring"}, fixed),
-      far_program_("world.vert.glsl", "world_far.frag.glsl", {"ray_and_ring"}, fixed),
+      seen_program_("world.vert.glsl", "world_seen.frag.glsl", {"ray_and_ring"}),
+      near_colours_("screen.vert.glsl", "world_near.frag.glsl", {}, fixed),
+      far_colours_("screen.vert.glsl", "world_far.frag.glsl", {}, fixed),
       heights_(first.bed.nx() * refinement, first.bed.ny() * refinement, height_layout),
       wind_(first.bed.nx() * refinement, first.bed.ny() * refinement, wind_layout) {
     build();
@@ -137,19 +140,23 @@ WorldLayer::Fan WorldLayer::fan_of(const Camera& camera) const {
     return fan;
 }
 
-void WorldLayer::set_fan(const gl::Program& program, const Fan& fan, const Camera& camera,
-                         const TileSamples& tile) const {
+void WorldLayer::set_eye(const gl::Program& program, const Camera& camera) const {
     const auto reduced = [](double place, double extent) {
         return place - extent * std::floor(place / extent + 0.5);
     };
     const glm::dvec3 eye(reduced(camera.eye.x, block_.width_x),
                          reduced(camera.eye.y, block_.width_y), camera.eye.z);
+    program.set("eye", glm::vec3(eye));
+    program.set("extent", glm::vec2(block_.width_x, block_.width_y));
+}
+
+void WorldLayer::set_fan(const gl::Program& program, const Fan& fan, const Camera& camera,
+                         const TileSamples& tile) const {
     Camera at_origin = camera;
     at_origin.eye = glm::dvec3(0.0);
     at_origin.near_depth = 0.5 * fan.nearest;
     at_origin.far_depth = fan.farthest * 1.1;
     program.set("clip_from_eye", glm::mat4(clip_matrix(at_origin)));
-    program.set("eye", glm::vec3(eye));
     program.set("heading", glm::vec2(fan.heading));
     program.set("half_angle", static_cast<float>(fan.half_angle));
     program.set("nearest", static_cast<float>(fan.nearest));
@@ -157,7 +164,6 @@ void WorldLayer::set_fan(const gl::Program& program, const Fan& fan, const Camer
     program.set("reach", static_cast<float>(reach));
     program.set("ray_spacing", static_cast<float>(2.0 * fan.half_angle / rays_));
     program.set("ring_spacing", static_cast<float>(reach / (rings - 2)));
-    program.set("extent", glm::vec2(block_.width_x, block_.width_y));
     program.set("cell", cell_);
     program.set("curvature", static_cast<float>(block_.kilometres / (2.0 * earth_radius)));
     program.set("picture_size", tile.picture_size);
@@ -186,11 +192,8 @@ void WorldLayer::draw_rings(int first, int last) const {
         GL_UNSIGNED_INT, reinterpret_cast<const void*>(from));
 }
 
-void WorldLayer::draw(const BedShading& shading, const Light& light, const Camera& camera,
-                      const TileSamples& tile) const {
-    const gl::Functions& gl = gl::functions();
-    gl.Enable(GL_DEPTH_TEST);
-    const Fan fan = fan_of(camera);
+int WorldLayer::first_far_ring(const Fan& fan, const Camera& camera,
+                               const TileSamples& tile) const {
     // Beyond that distance a sample spans too much of a ripple.
     const double sample_angle = 2.0 * camera.half.y / static_cast<double>(tile.picture_size.y);
     const double seen_to = 2.0 * longest_turn * ripple_length_ / sample_angle;
@@ -198,23 +201,54 @@ void WorldLayer::draw(const BedShading& shading, const Light& light, const Camer
                          elementary::log(fan.farthest / fan.nearest);
     // Of log radius = reach · u · (0.6 + 0.4 u).
     const double u = 1.25 * (std::sqrt(0.36 + 1.6 * std::clamp(share, 0.0, 1.0)) - 0.6);
-    const int near_rings = static_cast<int>(std::ceil(u * (rings - 2))) + 1;
+    return std::min(static_cast<int>(std::ceil(u * (rings - 2))) + 1, rings - 1);
+}
+
+void WorldLayer::draw_seen(const Camera& camera, const TileSamples& tile) const {
+    const gl::Functions& gl = gl::functions();
+    gl.Enable(GL_DEPTH_TEST);
+    gl.Enable(GL_STENCIL_TEST);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    const Fan fan = fan_of(camera);
+    const int first_far = first_far_ring(fan, camera, tile);
+    seen_program_.use();
+    heights_.bind(detail_unit - 1);
+    seen_program_.set("height_map", detail_unit - 1);
+    set_eye(seen_program_, camera);
+    set_fan(seen_program_, fan, camera, tile);
     gl.BindVertexArray(array_.name());
+    gl.StencilFunc(GL_ALWAYS, near_stencil, 0xFF);
+    draw_rings(0, first_far);
+    gl.StencilFunc(GL_ALWAYS, far_stencil, 0xFF);
+    draw_rings(first_far, rings - 1);
+    gl.Disable(GL_STENCIL_TEST);
+    gl.BindVertexArray(0);
+}
+
+void WorldLayer::colour_seen(const gl::Texture2D& seen, const BedShading& shading,
+                             const Light& light, const Camera& camera) const {
+    const gl::Functions& gl = gl::functions();
+    gl.Disable(GL_DEPTH_TEST);
+    gl.Enable(GL_STENCIL_TEST);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    gl.BindVertexArray(no_attributes_.name());
     for (const bool near : {true, false}) {
-        const gl::Program& program = near ? near_program_ : far_program_;
+        const gl::Program& program = near ? near_colours_ : far_colours_;
         program.use();
         shading.bind(program);
         set_light(program, view_, light, camera, block_);
-        heights_.bind(detail_unit - 1);
-        program.set("height_map", detail_unit - 1);
-        shading.colours().bind(detail_unit + 1);
-        program.set("albedo_map", detail_unit + 1);
         wind_.bind(detail_unit);
         program.set("wind_map", detail_unit);
-        set_fan(program, fan, camera, tile);
+        shading.colours().bind(detail_unit + 1);
+        program.set("albedo_map", detail_unit + 1);
+        seen.bind(detail_unit + 2);
+        program.set("offsets", detail_unit + 2);
+        set_eye(program, camera);
         set_detail(program, camera);
-        draw_rings(near ? 0 : near_rings, near ? near_rings : rings - 1);
+        gl.StencilFunc(GL_EQUAL, near ? near_stencil : far_stencil, 0xFF);
+        gl.DrawArrays(GL_TRIANGLES, 0, 3);
     }
+    gl.Disable(GL_STENCIL_TEST);
     gl.BindVertexArray(0);
 }
 

@@ -23,9 +23,12 @@ class WorldLayer {
 
     void set_bed(const Snapshot& snapshot, const RepeatedLight& light);
 
-    /// Draws into the bound target.
-    void draw(const BedShading& shading, const Light& light, const Camera& camera,
-              const TileSamples& tile) const;
+    /// Notes in the bound target (three floats a sample, depths and stencils) how far from the eye
+    /// the ground is that each sample sees; colours are found later, once a sample.
+    void draw_seen(const Camera& camera, const TileSamples& tile) const;
+    /// Colours the samples of the bound target, which has the stencils of draw_seen().
+    void colour_seen(const gl::Texture2D& seen, const BedShading& shading, const Light& light,
+                     const Camera& camera) const;
 
   private:
     /// The fan of a camera: radii in block lengths.
@@ -41,7 +44,11 @@ class WorldLayer {
     [[nodiscard]] Fan fan_of(const Camera& camera) const;
     void set_fan(const gl::Program& program, const Fan& fan, const Camera& camera,
                  const TileSamples& tile) const;
+    void set_eye(const gl::Program& program, const Camera& camera) const;
     void set_detail(const gl::Program& program, const Camera& camera) const;
+    /// Rings before this one show ripples.
+    [[nodiscard]] int first_far_ring(const Fan& fan, const Camera& camera,
+                                     const TileSamples& tile) const;
     void draw_rings(int first, int last) const;
 
     View view_;
@@ -52,11 +59,13 @@ class WorldLayer {
     double highest_ = 0.0;
     std::int64_t step_ = 0;
     Way way_;
-    gl::Program near_program_;
-    gl::Program far_program_;
+    gl::Program seen_program_;
+    gl::Program near_colours_;
+    gl::Program far_colours_;
     gl::Texture2D heights_;
     gl::Texture2D wind_;
     gl::VertexArray array_;
+    gl::VertexArray no_attributes_;
     gl::Buffer places_;
     gl::Buffer triangles_;
     int rays_ = 0;
