@@ -4,7 +4,9 @@ uniform vec2 whole_eye;       // the eye's place, not reduced to one period
 uniform float sand_grain;     // how much of it is seen
 uniform float ripple_length;  // block lengths
 
-uniform sampler2D offsets;     // of what samples see from the eye, of world_seen.frag.glsl; nothing seen: 0
+uniform float sample_angle;   // between two samples
+
+uniform sampler2D offsets;     // of what samples see from the eye, and lengths, of world_seen.frag.glsl; nothing seen: 0
 uniform sampler2D albedo_map;  // roots, of shade_albedo.frag.glsl
 out vec4 colour;
 
@@ -18,17 +20,37 @@ struct SeenPlace {
 // The difference to the nearer of two neighbours: across an edge there is other ground.
 vec3 nearer(vec3 one, vec3 other) { return dot(one, one) < dot(other, other) ? one : other; }
 
+// Of the places of three samples in a row; one that sees the sky has none.
+vec3 change(vec3 before, vec3 at, vec3 after) {
+    bool none_before = before == vec3(0.0);
+    bool none_after = after == vec3(0.0);
+    return none_before && none_after ? vec3(0.0) : none_before ? after - at : none_after ? at - before : nearer(at - before, after - at);
+}
+
+// The same of far ground, which is seen so aslant that its neighbours may be on other crests: from what the sample sees.
+SeenPlace far_place() {
+    vec4 seen = texelFetch(offsets, ivec2(gl_FragCoord.xy), 0);
+    vec2 view = normalize(seen.xy + 1e-9);
+    SeenPlace place;
+    place.offset = seen.xyz;
+    place.along = vec3(-view.y, view.x, 0.0) * (sample_angle * length(seen.xyz));
+    place.up = vec3(view * seen.w, 0.0);
+    return place;
+}
+
+vec3 offset_at(ivec2 sample_place) { return texelFetch(offsets, sample_place, 0).xyz; }
+
 SeenPlace seen_place() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     ivec2 last = textureSize(offsets, 0) - 1;
     SeenPlace place;
-    place.offset = texelFetch(offsets, at, 0).xyz;
-    vec3 west = place.offset - texelFetch(offsets, ivec2(max(at.x - 1, 0), at.y), 0).xyz;
-    vec3 east = texelFetch(offsets, ivec2(min(at.x + 1, last.x), at.y), 0).xyz - place.offset;
-    vec3 south = place.offset - texelFetch(offsets, ivec2(at.x, max(at.y - 1, 0)), 0).xyz;
-    vec3 north = texelFetch(offsets, ivec2(at.x, min(at.y + 1, last.y)), 0).xyz - place.offset;
-    place.along = at.x == 0 ? east : at.x == last.x ? west : nearer(west, east);
-    place.up = at.y == 0 ? north : at.y == last.y ? south : nearer(south, north);
+    place.offset = offset_at(at);
+    vec3 west = at.x == 0 ? vec3(0.0) : offset_at(at - ivec2(1, 0));
+    vec3 east = at.x == last.x ? vec3(0.0) : offset_at(at + ivec2(1, 0));
+    vec3 south = at.y == 0 ? vec3(0.0) : offset_at(at - ivec2(0, 1));
+    vec3 north = at.y == last.y ? vec3(0.0) : offset_at(at + ivec2(0, 1));
+    place.along = change(west, place.offset, east);
+    place.up = change(south, place.offset, north);
     return place;
 }
 

@@ -9,7 +9,7 @@
 #include "world.glsl"
 
 void main() {
-    SeenPlace at = seen_place();
+    SeenPlace at = far_place();
     BedPoint point = slanting_bed_point(bed_place(at), at.along.xy / extent, at.up.xy / extent);
     vec3 to_eye = -normalize(at.offset);
     vec3 albedo = sand_albedo(at, 0.10 * sand_grain * grain(at));

@@ -277,7 +277,7 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
                          first_sample(tile) - target_corner(tile), {tile.width, tile.height});
     }
     if (world) {
-        world->colour_seen(seen.colour(), shading, light, camera);
+        world->colour_seen(seen.colour(), shading, light, camera, placed);
     } else {
         terrain.colour_seen(seen.colour(), shading.colours(), light, camera, placed);
     }

@@ -33,6 +33,11 @@ constexpr double steepest = 0.2;
 constexpr double steps_a_ripple = 50.0;  // that it takes to move on by its length
 constexpr double longest_turn = 0.45;  // of a ripple, between two samples, at which it is not seen
 
+/// Between two samples in the middle of the picture.
+double sample_angle(const Camera& camera, const TileSamples& tile) {
+    return 2.0 * camera.half.y / static_cast<double>(tile.picture_size.y);
+}
+
 }  // namespace
 
 WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
@@ -171,7 +176,9 @@ void WorldLayer::set_fan(const gl::Program& program, const Fan& fan, const Camer
     program.set("tile_size", tile.size);
 }
 
-void WorldLayer::set_detail(const gl::Program& program, const Camera& camera) const {
+void WorldLayer::set_detail(const gl::Program& program, const Camera& camera,
+                            const TileSamples& tile) const {
+    program.set("sample_angle", static_cast<float>(sample_angle(camera, tile)));
     const glm::dvec2 wind(way_.x, way_.y);
     program.set("wind", glm::vec2(wind));
     program.set("ripple_length", static_cast<float>(ripple_length_));
@@ -195,8 +202,7 @@ void WorldLayer::draw_rings(int first, int last) const {
 int WorldLayer::first_far_ring(const Fan& fan, const Camera& camera,
                                const TileSamples& tile) const {
     // Beyond that distance a sample spans too much of a ripple.
-    const double sample_angle = 2.0 * camera.half.y / static_cast<double>(tile.picture_size.y);
-    const double seen_to = 2.0 * longest_turn * ripple_length_ / sample_angle;
+    const double seen_to = 2.0 * longest_turn * ripple_length_ / sample_angle(camera, tile);
     const double share = elementary::log(std::max(seen_to / fan.nearest, 1.0)) /
                          elementary::log(fan.farthest / fan.nearest);
     // Of log radius = reach · u · (0.6 + 0.4 u).
@@ -226,7 +232,8 @@ void WorldLayer::draw_seen(const Camera& camera, const TileSamples& tile) const 
 }
 
 void WorldLayer::colour_seen(const gl::Texture2D& seen, const BedShading& shading,
-                             const Light& light, const Camera& camera) const {
+                             const Light& light, const Camera& camera,
+                             const TileSamples& tile) const {
     const gl::Functions& gl = gl::functions();
     gl.Disable(GL_DEPTH_TEST);
     gl.Enable(GL_STENCIL_TEST);
@@ -244,7 +251,7 @@ void WorldLayer::colour_seen(const gl::Texture2D& seen, const BedShading& shadin
         seen.bind(detail_unit + 2);
         program.set("offsets", detail_unit + 2);
         set_eye(program, camera);
-        set_detail(program, camera);
+        set_detail(program, camera, tile);
         gl.StencilFunc(GL_EQUAL, near ? near_stencil : far_stencil, 0xFF);
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
     }

@@ -23,12 +23,12 @@ class WorldLayer {
 
     void set_bed(const Snapshot& snapshot, const RepeatedLight& light);
 
-    /// Notes in the bound target (three floats a sample, depths and stencils) how far from the eye
+    /// Notes in the bound target (four floats a sample, depths and stencils) how far from the eye
     /// the ground is that each sample sees; colours are found later, once a sample.
     void draw_seen(const Camera& camera, const TileSamples& tile) const;
     /// Colours the samples of the bound target, which has the stencils of draw_seen().
     void colour_seen(const gl::Texture2D& seen, const BedShading& shading, const Light& light,
-                     const Camera& camera) const;
+                     const Camera& camera, const TileSamples& tile) const;
 
   private:
     /// The fan of a camera: radii in block lengths.
@@ -45,7 +45,8 @@ class WorldLayer {
     void set_fan(const gl::Program& program, const Fan& fan, const Camera& camera,
                  const TileSamples& tile) const;
     void set_eye(const gl::Program& program, const Camera& camera) const;
-    void set_detail(const gl::Program& program, const Camera& camera) const;
+    void set_detail(const gl::Program& program, const Camera& camera,
+                    const TileSamples& tile) const;
     /// Rings before this one show ripples.
     [[nodiscard]] int first_far_ring(const Fan& fan, const Camera& camera,
                                      const TileSamples& tile) const;
