@@ -61,7 +61,8 @@ FiniteVolumeScheme::FiniteVolumeScheme(const GullyParameters& parameters, const 
       friction_(parameters.friction == FrictionLaw::full ? parameters.friction_coefficient
                                                          : 0.5 * parameters.friction_coefficient),
       pool_(pool),
-      strips_(static_cast<std::size_t>(pool.size())) {}
+      strips_(static_cast<std::size_t>(pool.size()),
+              finite_volume::Strip(parameters.stopping_steps)) {}
 
 double FiniteVolumeScheme::step_at_courant_one(const Water& water) const {
     const int nx = water.depth.nx();

@@ -25,8 +25,9 @@ CellRow Strip::across_y(int y, int from) {
 }
 
 HalfSlopes Strip::slopes(Kind kind, int y, int from) {
+    double* bed = steps_ == StoppingSteps::bed ? row(kind + 4, y) + from : nullptr;
     return {row(kind, y) + from, row(kind + 1, y) + from, row(kind + 2, y) + from,
-            row(kind + 3, y) + from};
+            row(kind + 3, y) + from, bed};
 }
 
 Fluxes Strip::fluxes(Kind kind, int y, int from) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "models/water/finite_volume_vectors.h"
+#include "models/water/gully_parameters.h"
 
 namespace fumon::finite_volume {
 
@@ -18,7 +19,8 @@ class Strip {
     static constexpr int margin = 3;          ///< cells beyond the block that its update reads
     static constexpr int widest_block = 512;  ///< cells
 
-    Strip() : values_(static_cast<std::size_t>(fields) * kept * stride) {}
+    explicit Strip(StoppingSteps steps)
+        : steps_(steps), values_(static_cast<std::size_t>(fields) * kept * stride) {}
 
     /// Starts a block of `count` columns from column `first_x` on.
     void start(int first_x, int count);
@@ -48,11 +50,11 @@ class Strip {
     [[nodiscard]] double outward(int x, int y, Side side) const;
 
   private:
-    static constexpr int fields = 22;
+    static constexpr int fields = 24;
     static constexpr int kept = 4;  // rows; a power of two
     static constexpr int stride = widest_block + 2 * margin + 2;
 
-    enum Kind { cells = 0, x_slopes = 5, y_slopes = 9, x_fluxes = 13, y_fluxes = 17, shares = 21 };
+    enum Kind { cells = 0, x_slopes = 5, y_slopes = 10, x_fluxes = 15, y_fluxes = 19, shares = 23 };
 
     [[nodiscard]] std::size_t place(int field, int y) const {
         const auto slot = static_cast<std::size_t>(y & (kept - 1));
@@ -67,6 +69,7 @@ class Strip {
     [[nodiscard]] HalfSlopes slopes(Kind kind, int y, int from);
     [[nodiscard]] Fluxes fluxes(Kind kind, int y, int from);
 
+    StoppingSteps steps_;
     std::vector<double> values_;
     std::array<bool, kept> short_of_water_{};
     int first_x_ = 0;

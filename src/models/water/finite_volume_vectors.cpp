@@ -51,6 +51,8 @@ struct LoadCells {
     }
 };
 
+/// With the bed's slopes where `of_bed`.
+template <bool of_bed>
 struct LimitedHalfSlopes {
     CellRow b;
     CellRow c;
@@ -76,8 +78,9 @@ struct LimitedHalfSlopes {
         const V surface_back = (surface - hn::LoadU(d, b.surface + k)) * with_back;
         const V surface_forward = (hn::LoadU(d, f.surface + k) - surface) * with_forward;
         const V shallowest = smaller(smaller(depth_b, depth_f), depth);
-        const V bed_step =
-            larger(hn::Abs(surface_back - depth_back), hn::Abs(surface_forward - depth_forward));
+        const V bed_back = surface_back - depth_back;
+        const V bed_forward = surface_forward - depth_forward;
+        const V bed_step = larger(hn::Abs(bed_back), hn::Abs(bed_forward));
         const V bound = hn::IfThenElse(hn::Gt(shallowest, bed_step), one, half);
         const auto limited = [&](const double* back, const double* here,
                                  const double* forward) HWY_ATTR {
@@ -93,9 +96,15 @@ struct LimitedHalfSlopes {
                    out.surface + k);
         hn::StoreU(normal, d, out.normal + k);
         hn::StoreU(transverse, d, out.transverse + k);
+        if constexpr (of_bed) {
+            const V bed = half_slope(bed_back, bed_forward, one, quarter, zero);
+            hn::StoreU(bed, d, out.bed + k);
+        }
     }
 };
 
+/// Where `only_bed`, the bed's own steps alone stop water.
+template <bool only_bed>
 struct FaceFluxes {
     CellRow l;
     HalfSlopes ls;
@@ -111,10 +120,14 @@ struct FaceFluxes {
         const V half = hn::Set(d, 0.5);
         const V two = hn::Set(d, 2.0);
         const V g = hn::Set(d, gravity);
-        const V depth_l = hn::LoadU(d, l.depth + k) + hn::LoadU(d, ls.depth + k);
-        const V depth_r = hn::LoadU(d, r.depth + k) - hn::LoadU(d, rs.depth + k);
-        const V level_l = hn::LoadU(d, l.surface + k) + hn::LoadU(d, ls.surface + k);
-        const V level_r = hn::LoadU(d, r.surface + k) - hn::LoadU(d, rs.surface + k);
+        const V middle_l = hn::LoadU(d, l.depth + k);
+        const V middle_r = hn::LoadU(d, r.depth + k);
+        const V surface_at_l = hn::LoadU(d, l.surface + k);
+        const V surface_at_r = hn::LoadU(d, r.surface + k);
+        const V depth_l = middle_l + hn::LoadU(d, ls.depth + k);
+        const V depth_r = middle_r - hn::LoadU(d, rs.depth + k);
+        const V level_l = surface_at_l + hn::LoadU(d, ls.surface + k);
+        const V level_r = surface_at_r - hn::LoadU(d, rs.surface + k);
         const V ground_l = level_l - depth_l;
         const V ground_r = level_r - depth_r;
         const auto outside_l = hn::Eq(hn::LoadU(d, l.inside + k), zero);
@@ -155,8 +168,17 @@ struct FaceFluxes {
         const V fall_r = half_gravity * ((depth_r + hr) * (hr - above_r));
         const V against_l = larger(un_l, zero);
         const V against_r = smaller(un_r, zero);
-        const V stopped_l = (depth_l - hl) * (against_l * against_l);
-        const V stopped_r = (depth_r - hr) * (against_r * against_r);
+        V blocked_l = depth_l - hl;
+        V blocked_r = depth_r - hr;
+        if constexpr (only_bed) {
+            const V end_l = (surface_at_l - middle_l) + hn::LoadU(d, ls.bed + k);
+            const V end_r = (surface_at_r - middle_r) - hn::LoadU(d, rs.bed + k);
+            const V rise = end_r - end_l;
+            blocked_l = smaller(blocked_l, larger(rise, zero));
+            blocked_r = smaller(blocked_r, larger(zero - rise, zero));
+        }
+        const V stopped_l = blocked_l * (against_l * against_l);
+        const V stopped_r = blocked_r * (against_r * against_r);
         const V along_l = hn::LoadU(d, l.transverse + k) + hn::LoadU(d, ls.transverse + k);
         const V along_r = hn::LoadU(d, r.transverse + k) - hn::LoadU(d, rs.transverse + k);
         hn::StoreU(mass, d, out.mass + k);
@@ -310,12 +332,22 @@ void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int c
 
 void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
                          const HalfSlopes& out, int count) {
-    for_each_vector_anew(count, LimitedHalfSlopes{back, here, forward, out});
+    if (out.bed != nullptr) {
+        for_each_vector_anew(count, LimitedHalfSlopes<true>{back, here, forward, out});
+    } else {
+        for_each_vector_anew(count, LimitedHalfSlopes<false>{back, here, forward, out});
+    }
 }
 
 void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,
                  const HalfSlopes& right_slopes, double gravity, const Fluxes& out, int count) {
-    for_each_vector_anew(count, FaceFluxes{left, left_slopes, right, right_slopes, gravity, out});
+    if (left_slopes.bed != nullptr) {
+        for_each_vector_anew(
+            count, FaceFluxes<true>{left, left_slopes, right, right_slopes, gravity, out});
+    } else {
+        for_each_vector_anew(
+            count, FaceFluxes<false>{left, left_slopes, right, right_slopes, gravity, out});
+    }
 }
 
 bool payable_shares(const double* depth, const double* mass_west, const double* mass_east,

@@ -17,6 +17,7 @@ struct HalfSlopes {
     double* surface;
     double* normal;
     double* transverse;
+    double* bed;  ///< or null: then every step of the reconstruction stops water
 };
 
 /// What passes the faces of a row, per metre of face.
@@ -49,7 +50,7 @@ void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int c
 /// Monotonised central slopes (van Leer 1977) of `count` cells between their neighbours `back` and
 /// `forward`; flat toward a neighbour outside the domain. Where the water is thinner than
 /// the bed's steps, depth and surface take the smaller of the two differences (minmod), so that no
-/// two cells' beds overlap at a face and dam the water up.
+/// two cells' beds overlap at a face and dam the water up. The bed's slope is of the bed alone.
 void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
                          const HalfSlopes& out, int count);
 
@@ -57,8 +58,10 @@ void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow
 /// slopes, hydrostatic reconstruction of the bed's step (Audusse et al. 2004, by the intermediate
 /// height of Chen & Noelle 2017, which lets thin water fall down a step at its full weight), then
 /// HLLC with the two-rarefaction wave speeds and exact fronts next to dry ground (Toro 2001).
-/// Water that runs against a step and does not pass it loses its momentum there. Beyond a face to
-/// the outside is a dry step of equal height, over which water leaves.
+/// Water that runs against a step and does not pass it loses its momentum there: a step of the bed's
+/// own slopes, for the limited ones of depth and surface leave steps on a resolved slope too, which
+/// a shore climbs. Beyond a face to the outside is a dry step of equal height, over which water
+/// leaves.
 void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,
                  const HalfSlopes& right_slopes, double gravity, const Fluxes& out, int count);
 

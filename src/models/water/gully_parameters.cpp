@@ -27,6 +27,15 @@ void list_flow_keys(GullyParameters& gully, KeyTable& table) {
           "to them alone; in CIP no bank presses on water below it: stable on any terrain"}},
         {.help = "what the grid's differences are made for; as-printed transport is central on "
                  "either"});
+    table.choice(
+        "model.stopping_steps", gully.stopping_steps,
+        {{StoppingSteps::bed, "bed",
+          "the bed's own: a shore climbs a slope that the grid resolves"},
+         {StoppingSteps::all, "all",
+          "what limited reconstruction leaves too: a moving shore loses momentum"}},
+        {.help = "of finite volumes: the steps at which water that does not pass loses its "
+                 "momentum",
+         .earlier = {"0.2.0", "\"all\""}});
     table.real("model.time_step", gully.time_step,
                {.unit = "s", .range = {0, 1000, true}, .help = "of one step"});
     table.choice(

@@ -13,6 +13,7 @@ enum class FrictionLaw { full, half };
 enum class InitialWater { film, level, dry };
 enum class InitialFlow { automatic, uniform, rest };
 enum class EdgeKind { automatic, periodic, open, wall };
+enum class StoppingSteps { bed, all };
 enum class Substeps { adaptive, fixed };
 
 /// The parameters of the gully model (Saeki & Okamura 2007), in metres and seconds.
@@ -20,6 +21,7 @@ struct GullyParameters {
     WaterScheme scheme = WaterScheme::automatic;
     double time_step = 0.1;  ///< s: one step of the model
     Relief relief = Relief::automatic;
+    StoppingSteps stopping_steps = StoppingSteps::bed;  ///< of finite volumes
     Substeps substeps = Substeps::adaptive;
     double courant_number = 0.4;  ///< of the sub-steps
 

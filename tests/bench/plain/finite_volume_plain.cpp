@@ -24,7 +24,7 @@ double half_slope(double back, double forward, double bound) {
 
 /// A cell's side of a face.
 struct Side {
-    double depth, surface, normal, transverse;
+    double depth, surface, normal, transverse, bed;
 };
 
 struct Flux {
@@ -56,10 +56,13 @@ Flux through_face(const Side& l, const Side& r) {
     const double pressure_rise = 0.5 * gravity * ((hr - hl) * (hr + hl));
     const double fall_l = 0.5 * gravity * ((l.depth + hl) * (hl - above_l));
     const double fall_r = 0.5 * gravity * ((r.depth + hr) * (hr - above_r));
+    const double rise = r.bed - l.bed;  // of the bed by its own slopes
+    const double blocked_l = std::min(l.depth - hl, std::max(rise, 0.0));
+    const double blocked_r = std::min(r.depth - hr, std::max(0.0 - rise, 0.0));
     const double against_l = std::max(l.normal, 0.0);
     const double against_r = std::min(r.normal, 0.0);
-    const double stopped_l = (l.depth - hl) * (against_l * against_l);
-    const double stopped_r = (r.depth - hr) * (against_r * against_r);
+    const double stopped_l = blocked_l * (against_l * against_l);
+    const double stopped_r = blocked_r * (against_r * against_r);
     return {mass, (carried - slowest * pressure_rise) * share + (fall_l + stopped_l),
             (carried - quickest * pressure_rise) * share + (fall_r + stopped_r),
             std::max(mass, 0.0) * l.transverse + std::min(mass, 0.0) * r.transverse};
@@ -72,7 +75,7 @@ FiniteVolume::FiniteVolume(Grid bed, double slope, double depth, double speed)
     const Grid empty(n_, n_);
     now_ = {Grid(n_, n_, depth), empty, Grid(n_, n_, -speed)};
     between_ = {empty, empty, empty};
-    along_x_ = along_y_ = {empty, empty, empty, empty};
+    along_x_ = along_y_ = {empty, empty, empty, empty, empty};
     east_ = north_ = {empty, empty, empty, empty};
     share_ = empty;
 }
@@ -111,6 +114,8 @@ void FiniteVolume::take_slopes(const Flow& f) {
                 const double bound = shallowest > bed_step ? 1.0 : 0.5;
                 out.h(x, y) = half_slope(depth_back, depth_forward, bound);
                 out.surface(x, y) = half_slope(surface_back, surface_forward, bound);
+                out.bed(x, y) = half_slope(surface_back - depth_back,
+                                           surface_forward - depth_forward, 1.0);
                 out_normal(x, y) =
                     half_slope(normal(x, y) - normal(xb, yb), normal(xf, yf) - normal(x, y), 1.0);
                 out_transverse(x, y) = half_slope(transverse(x, y) - transverse(xb, yb),
@@ -129,10 +134,12 @@ void FiniteVolume::take_fluxes(const Flow& f) {
                                    const Grid& transverse, const Grid& s_normal,
                                    const Grid& s_transverse) {
                 const Side l{f.h(x, y) + s.h(x, y), (f.h(x, y) + z_(x, y)) + s.surface(x, y),
-                             normal(x, y) + s_normal(x, y), transverse(x, y) + s_transverse(x, y)};
+                             normal(x, y) + s_normal(x, y), transverse(x, y) + s_transverse(x, y),
+                             ((f.h(x, y) + z_(x, y)) - f.h(x, y)) + s.bed(x, y)};
                 const Side r{
                     f.h(xn, yn) - s.h(xn, yn), (f.h(xn, yn) + z_(xn, yn)) - s.surface(xn, yn),
-                    normal(xn, yn) - s_normal(xn, yn), transverse(xn, yn) - s_transverse(xn, yn)};
+                    normal(xn, yn) - s_normal(xn, yn), transverse(xn, yn) - s_transverse(xn, yn),
+                    ((f.h(xn, yn) + z_(xn, yn)) - f.h(xn, yn)) - s.bed(xn, yn)};
                 return through_face(l, r);
             };
             const auto put = [&](const Flux& flux, Fluxes& out) {

@@ -22,7 +22,7 @@ class FiniteVolume {
         Grid h, u, v;
     };
     struct Slopes {
-        Grid h, surface, u, v;
+        Grid h, surface, u, v, bed;
     };
     struct Fluxes {
         Grid mass, left, right, transverse;
