@@ -41,6 +41,9 @@ constexpr std::array all_models{
     entry<GullyParameters, Gully>(
         "water down a slope that it erodes: gullies, channels with banks, rain on terrain",
         {.cell_size = 1.0, .noise_height = 0.01}),
+    entry<WaterParameters, WaterModel>(
+        "water over a bed that stays: breaking dams, floods, lakes, rain on terrain",
+        {.starts_bare = true, .cell_size = 1.0}),
     entry<AirflowParameters, Airflow>(
         "air between a rippled bed and a moving lid: velocity, pressure, shear stress",
         {.starts_bare = true, .cell_size = 5e-5, .on_profile = true}),

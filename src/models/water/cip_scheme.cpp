@@ -20,8 +20,7 @@ CipScheme::CipScheme(const GullyParameters& parameters, const WaterDomain& domai
       ny_(start.depth.ny()),
       domain_(domain),
       gravity_(parameters.gravity),
-      friction_(parameters.friction_coefficient *
-                (parameters.friction == FrictionLaw::half ? 0.5 : 1.0)),
+      friction_(constant_friction(parameters)),
       pool_(pool),
       of_u_(nx_, ny_),
       of_v_(nx_, ny_),

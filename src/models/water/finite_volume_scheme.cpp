@@ -5,31 +5,13 @@
 
 #include "base/give_up.h"
 #include "base/worker_pool.h"
+#include "models/water/cell_source.h"
 
 namespace fumon {
 
-using finite_volume::Side;
-
 namespace {
 
-/// Where the cell at `index`, possibly beyond the edges, takes its values from.
-struct Source {
-    int index = 0;
-    bool mirrored = false;
-    bool outside = false;
-};
-
-Source source_of(int index, int count, EdgeKind edges) {
-    if (index >= 0 && index < count) return {index};
-    if (edges == EdgeKind::open) return {0, false, true};
-    if (edges == EdgeKind::wall) {
-        const int twice = 2 * count;
-        const int folded = ((index % twice) + twice) % twice;
-        if (folded < count) return {folded};
-        return {twice - 1 - folded, true};
-    }
-    return {((index % count) + count) % count};
-}
+using finite_volume::Side;
 
 /// What is not a number is above all else.
 double larger_rate(double a, double b) {
@@ -44,22 +26,14 @@ double step_of(const std::vector<double>& rates) {
 
 }  // namespace
 
-/// One Euler step of the two that make a step.
-struct FiniteVolumeScheme::Stage {
-    const Water& from;
-    const Water* before;  ///< the step's start, with which the second stage is averaged
-    Water& to;
-    const Grid& bed;
-    double dt;
-    double rain;
-};
-
 FiniteVolumeScheme::FiniteVolumeScheme(const GullyParameters& parameters, const WaterDomain& domain,
                                        WorkerPool& pool)
     : domain_(domain),
       gravity_(parameters.gravity),
-      friction_(parameters.friction == FrictionLaw::full ? parameters.friction_coefficient
-                                                         : 0.5 * parameters.friction_coefficient),
+      friction_(constant_friction(parameters)),
+      manning_(parameters.friction == FrictionLaw::manning
+                   ? parameters.gravity * (parameters.manning * parameters.manning)
+                   : 0.0),
       pool_(pool),
       strips_(static_cast<std::size_t>(pool.size()),
               finite_volume::Strip(parameters.stopping_steps)) {}
@@ -82,8 +56,10 @@ double FiniteVolumeScheme::advance(Water& water, const Grid& bed, double dt, dou
         nx_ = water.depth.nx();
         ny_ = water.depth.ny();
         between_ = {Grid(nx_, ny_), Grid(nx_, ny_), Grid(nx_, ny_)};
-        row_left_.resize(static_cast<std::size_t>(ny_));
-        row_rates_.resize(row_left_.size());
+        row_volumes_.resize(static_cast<std::size_t>(ny_));
+        row_rates_.resize(row_volumes_.size());
+        edges_ = std::make_unique<WaterEdges>(domain_, nx_, ny_);
+        edges_->set_time(time_);
         find_outlets();
     }
     run({water, nullptr, between_, bed, dt, rain});
@@ -91,28 +67,22 @@ double FiniteVolumeScheme::advance(Water& water, const Grid& bed, double dt, dou
     return step_of(row_rates_);
 }
 
-void FiniteVolumeScheme::find_outlets() {
-    outlets_.assign(static_cast<std::size_t>(ny_), {});
-    const auto is_outside = [&](int x, int y) {
-        const Source column = source_of(x, nx_, domain_.edges_x);
-        const Source row = source_of(y, ny_, domain_.edges_y);
-        return column.outside || row.outside ||
-               (!domain_.nodata.empty() && domain_.nodata(column.index, row.index) != 0);
-    };
-    for (int y = 0; y < ny_; ++y) {
-        auto& outlets = outlets_[static_cast<std::size_t>(y)];
-        for (int x = 0; x < nx_; ++x) {
-            if (is_outside(x, y)) continue;
-            if (is_outside(x - 1, y)) outlets.push_back({x, Side::west});
-            if (is_outside(x + 1, y)) outlets.push_back({x, Side::east});
-            if (is_outside(x, y - 1)) outlets.push_back({x, Side::south});
-            if (is_outside(x, y + 1)) outlets.push_back({x, Side::north});
-        }
-    }
+void FiniteVolumeScheme::set_time(double time) {
+    time_ = time;
+    if (edges_) edges_->set_time(time);
+}
+
+double FiniteVolumeScheme::edge_step_at_courant_one(double time, const Grid& bed) const {
+    return fumon::edge_step_at_courant_one(domain_, time, bed, gravity_);
+}
+
+void FiniteVolumeScheme::carry(StateCarrier& carrier) {
+    carrier.value("left_volume", left_);
+    if (!domain_.stretches.empty()) carrier.value("entered_volume", entered_);
 }
 
 void FiniteVolumeScheme::run(const Stage& stage) {
-    std::fill(row_left_.begin(), row_left_.end(), 0.0);
+    std::fill(row_volumes_.begin(), row_volumes_.end(), RowVolumes{});
     std::fill(row_rates_.begin(), row_rates_.end(), 0.0);
     const int shares = pool_.size();
     const auto work = [&](int begin, int end) {
@@ -126,15 +96,21 @@ void FiniteVolumeScheme::run(const Stage& stage) {
             for (int block = 0; block < blocks; ++block) {
                 const auto start = static_cast<long long>(nx_) * block / blocks;
                 const auto stop = static_cast<long long>(nx_) * (block + 1) / blocks;
-                strip.start(static_cast<int>(start), static_cast<int>(stop - start));
+                strip.start(static_cast<int>(start), static_cast<int>(stop - start),
+                            start == 0 && edges_->has_stretches(Side::west),
+                            stop == nx_ && edges_->has_stretches(Side::east));
                 advance_block(stage, strip, first, last);
             }
         }
     };
     pool_.for_ranges(shares, work);
-    double sum = 0.0;
-    for (const double row : row_left_) sum += row;
-    left_ += 0.5 * stage.dt * sum;
+    RowVolumes sum;
+    for (const RowVolumes& row : row_volumes_) {
+        sum.left += row.left;
+        sum.entered += row.entered;
+    }
+    left_ += 0.5 * stage.dt * sum.left;
+    entered_ += 0.5 * stage.dt * sum.entered;
 }
 
 void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip& strip,
@@ -142,8 +118,17 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip&
     const double dt_dx = stage.dt / domain_.dx;
     const double dt_dy = stage.dt / domain_.dy;
     const finite_volume::UpdateFactors factors{
-        stage.dt, dt_dx, dt_dy, gravity_, gravity_ * domain_.slope, friction_, stage.rain};
+        stage.dt,
+        dt_dx,
+        dt_dy,
+        gravity_,
+        gravity_ * domain_.slope,
+        0.0 - gravity_ * domain_.slope_x,  // not −0, which would change the sign of zeros
+        friction_,
+        manning_,
+        stage.rain};
     const int lowest = first_row - finite_volume::Strip::margin;
+    const bool flows = edges_->any_flow();
     for (int top = lowest; top < last_row + finite_volume::Strip::margin; ++top) {
         give_up_if_asked();
         load_row(stage, strip, top);
@@ -151,9 +136,13 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip&
         strip.take_y_slopes(top - 1);
         if (top < lowest + 3) continue;
         strip.take_y_fluxes(top - 2, gravity_);
+        if (flows) take_edge_y(strip, top - 2);
         if (top < lowest + 4) continue;
         strip.take_x_fluxes(top - 2, gravity_);
-        strip.cut_fluxes(top - 2, dt_dx, dt_dy);
+        if (flows) take_edge_x(strip, top - 2);
+        const bool beyond = (top - 2 < 0 && edges_->has_stretches(Side::south)) ||
+                            (top - 2 >= ny_ && edges_->has_stretches(Side::north));
+        strip.cut_fluxes(top - 2, dt_dx, dt_dy, beyond);
         const int y = top - 3;
         if (y < first_row) continue;
         finite_volume::UpdateInput in = strip.update_input(y);
@@ -180,7 +169,12 @@ void FiniteVolumeScheme::rate_row(const Water& water, const finite_volume::Strip
 }
 
 void FiniteVolumeScheme::load_row(const Stage& stage, finite_volume::Strip& strip, int y) const {
-    const Source row = source_of(y, ny_, domain_.edges_y);
+    if ((y < 0 && edges_->has_stretches(Side::south)) ||
+        (y >= ny_ && edges_->has_stretches(Side::north))) {
+        load_row_beyond(stage, strip, y);
+        return;
+    }
+    const CellSource row = source_of(y, ny_, domain_.edges_y);
     double* depth = strip.depth(y);
     double* surface = strip.surface(y);
     double* velocity_x = strip.velocity_x(y);
@@ -203,8 +197,18 @@ void FiniteVolumeScheme::load_row(const Stage& stage, finite_volume::Strip& stri
         if (!domain_.nodata.empty() && domain_.nodata(x, row.index) != 0) clear(k);
     };
     const auto load_beyond = [&](int k) {
-        const Source column =
-            source_of(strip.first_x() + k - finite_volume::Strip::margin, nx_, domain_.edges_x);
+        const int x = strip.first_x() + k - finite_volume::Strip::margin;
+        const Side side = x < 0 ? Side::west : Side::east;
+        const bool is_beyond = x < 0 || x >= nx_;
+        if (is_beyond && edges_->flows(side, row.index)) {
+            const bool is_low = x < 0;
+            const Place edge{is_low ? 0 : nx_ - 1, row.index};
+            const Place inner{is_low ? std::min(1, nx_ - 1) : std::max(nx_ - 2, 0), row.index};
+            load_on_line(stage, strip, k, y, edge, inner, is_low ? -x : x - nx_ + 1);
+            return;
+        }
+        const CellSource column =
+            source_of(x, nx_, is_beyond ? edges_->kind(side, row.index) : domain_.edges_x);
         if (column.outside) {
             clear(k);
         } else {
@@ -231,13 +235,21 @@ void FiniteVolumeScheme::load_row(const Stage& stage, finite_volume::Strip& stri
 }
 
 void FiniteVolumeScheme::count_left(const finite_volume::Strip& strip, int y) {
-    double sum = 0.0;
+    RowVolumes sum;
     for (const Outlet& outlet : outlets_[static_cast<std::size_t>(y)]) {
         if (outlet.x < strip.first_x() || outlet.x >= strip.first_x() + strip.count()) continue;
         const bool along_y = outlet.side == Side::west || outlet.side == Side::east;
-        sum += strip.outward(outlet.x, y, outlet.side) * (along_y ? domain_.dy : domain_.dx);
+        const double volume =
+            strip.outward(outlet.x, y, outlet.side) * (along_y ? domain_.dy : domain_.dx);
+        if (outlet.is_flow && volume < 0.0) {
+            sum.entered -= volume;
+        } else {
+            sum.left += volume;
+        }
     }
-    row_left_[static_cast<std::size_t>(y)] += sum;
+    RowVolumes& row = row_volumes_[static_cast<std::size_t>(y)];
+    row.left += sum.left;
+    row.entered += sum.entered;
 }
 
 }  // namespace fumon

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "base/state_carrier.h"
 #include "models/water/finite_volume_strip.h"
 #include "models/water/shallow_water.h"
+#include "models/water/water_edges.h"
 
 namespace fumon {
 
@@ -14,8 +16,10 @@ class WorkerPool;
 /// and dry ground:
 ///
 ///     ∂h/∂t + ∂(hu)/∂x + ∂(hv)/∂y = rain
-///     ∂(hu)/∂t + ∂(hu² + g h²/2)/∂x + ∂(huv)/∂y = −g h ∂z/∂x − C_f |u| u
+///     ∂(hu)/∂t + ∂(hu² + g h²/2)/∂x + ∂(huv)/∂y = −g h ∂z/∂x + g h·slope_x − C_f |u| u
 ///     ∂(hv)/∂t + ∂(huv)/∂x + ∂(hv² + g h²/2)/∂y = −g h ∂z/∂y − g h·slope − C_f |u| v
+///
+/// with C_f constant (published, or g/C² after Chézy) or g n² / h^(1/3) (Manning).
 ///
 /// Limited linear reconstruction of depth, surface and velocities (MUSCL), hydrostatic
 /// reconstruction of the bed's steps (Audusse et al. 2004; Chen & Noelle 2017), HLLC fluxes, Heun's
@@ -24,7 +28,8 @@ class WorkerPool;
 /// film at V = √(g h·slope/C_f) stays uniform. Water thinner than 10⁻⁹ m does not move.
 ///
 /// Edges: periodic; wall, a mirror; open, and likewise cells without data: a dry step of equal
-/// height over which water falls, so that it leaves freely and none comes in.
+/// height over which water falls, so that it leaves freely and none comes in. Stretches of edges
+/// that are not periodic may have a kind of their own, or a discharge or level (WaterEdges).
 class FiniteVolumeScheme : public ShallowWaterScheme {
   public:
     FiniteVolumeScheme(const GullyParameters& parameters, const WaterDomain& domain,
@@ -33,15 +38,35 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     [[nodiscard]] double step_at_courant_one(const Water& water) const override;
     double advance(Water& water, const Grid& bed, double dt, double rain) override;
     [[nodiscard]] double left() const override { return left_; }
-    void carry(StateCarrier& carrier) override { carrier.value("left_volume", left_); }
+    [[nodiscard]] double entered() const override { return entered_; }
+    void set_time(double time) override;
+    [[nodiscard]] double edge_step_at_courant_one(double time, const Grid& bed) const override;
+    void carry(StateCarrier& carrier) override;
 
   private:
-    struct Stage;
+    /// One Euler step of the two that make a step.
+    struct Stage {
+        const Water& from;
+        const Water* before;  ///< the step's start, with which the second stage is averaged
+        Water& to;
+        const Grid& bed;
+        double dt;
+        double rain;
+    };
 
-    /// A face of a cell through which water leaves the domain.
+    /// A face of a cell through which water leaves the domain, or where it flows over an edge.
     struct Outlet {
         int x = 0;
-        finite_volume::Side side = finite_volume::Side::west;
+        GridSide side = GridSide::west;
+        bool is_flow = false;
+    };
+    struct Place {
+        int x = 0;
+        int y = 0;
+    };
+    struct RowVolumes {
+        double left = 0.0;  ///< of a stage, m³/s
+        double entered = 0.0;
     };
 
     void find_outlets();
@@ -49,20 +74,30 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     void advance_block(const Stage& stage, finite_volume::Strip& strip, int first_row,
                        int last_row);
     void load_row(const Stage& stage, finite_volume::Strip& strip, int y) const;
+    void load_row_beyond(const Stage& stage, finite_volume::Strip& strip, int y) const;
+    void load_on_line(const Stage& stage, finite_volume::Strip& strip, int k, int y, Place edge,
+                      Place inner, int beyond) const;
+    void put_through(finite_volume::Strip& strip, int k, int y, GridSide side, int cell) const;
+    void take_edge_x(finite_volume::Strip& strip, int y) const;
+    void take_edge_y(finite_volume::Strip& strip, int y) const;
     void count_left(const finite_volume::Strip& strip, int y);
     void rate_row(const Water& water, const finite_volume::Strip& strip, int y);
 
     WaterDomain domain_;
     double gravity_;
     double friction_;
+    double manning_;  // g n², or 0
     WorkerPool& pool_;
     int nx_ = 0;
     int ny_ = 0;
     Water between_;                             // after the first stage
     std::vector<std::vector<Outlet>> outlets_;  // of each row
-    std::vector<double> row_left_;              // of a stage, m³/s
+    std::vector<RowVolumes> row_volumes_;
     std::vector<double> row_rates_;             // of the water that the last step left, 1/s
     double left_ = 0.0;
+    double entered_ = 0.0;
+    double time_ = 0.0;  // of the discharges and levels at the edges, s
+    std::unique_ptr<WaterEdges> edges_;  // of the grid's size
     std::vector<finite_volume::Strip> strips_;  // one a thread
 };
 

@@ -7,9 +7,11 @@ namespace fumon::finite_volume {
 // In a padded row of w cells, slopes are known at 1 … w−2, the face east of cell k at 1 … w−3, and
 // shares at 2 … w−3.
 
-void Strip::start(int first_x, int count) {
+void Strip::start(int first_x, int count, bool edge_west, bool edge_east) {
     first_x_ = first_x;
     count_ = count;
+    edge_west_ = edge_west;
+    edge_east_ = edge_east;
     for (int y = 0; y < kept; ++y) std::fill_n(row(shares, y), stride, 1.0);
     short_of_water_.fill(false);
 }
@@ -52,16 +54,19 @@ void Strip::take_y_fluxes(int y, double gravity) {
                 slopes(y_slopes, y + 1, 2), gravity, fluxes(y_fluxes, y, 2), padded() - 4);
 }
 
-void Strip::cut_fluxes(int y, double dt_dx, double dt_dy) {
+void Strip::cut_fluxes(int y, double dt_dx, double dt_dy, bool beyond) {
     const auto slot = static_cast<std::size_t>(y & (kept - 1));
     const auto slot_south = static_cast<std::size_t>((y - 1) & (kept - 1));
     const bool was_short = short_of_water_[slot];
     const double* x_mass = row(x_fluxes, y);
     const bool is_short =
+        !beyond &&
         payable_shares(depth(y) + 2, x_mass + 1, x_mass + 2, row(y_fluxes, y - 1) + 2,
                        row(y_fluxes, y) + 2, dt_dx, dt_dy, row(shares, y) + 2, padded() - 4);
     short_of_water_[slot] = is_short;
     if (was_short && !is_short) std::fill_n(row(shares, y), stride, 1.0);
+    if (is_short && edge_west_) std::fill_n(row(shares, y), margin, 1.0);
+    if (is_short && edge_east_) std::fill_n(row(shares, y) + margin + count_, margin, 1.0);
     if (is_short)
         cut_to_shares(fluxes(x_fluxes, y, 2), row(shares, y) + 2, row(shares, y) + 3, padded() - 5);
     if (is_short || short_of_water_[slot_south])
@@ -79,6 +84,32 @@ UpdateInput Strip::update_input(int y) {
     in.south = fluxes(y_fluxes, y - 1, margin);
     in.north = fluxes(y_fluxes, y, margin);
     return in;
+}
+
+EdgeWater Strip::at_face(int k, int y, Side side) const {
+    const bool is_x = side == Side::west || side == Side::east;
+    const double sign = side == Side::east || side == Side::north ? 1.0 : -1.0;
+    const int kind = slopes_across(side);
+    const auto value = [&](int field, int slope) {
+        return row(field, y)[k] + sign * row(kind + slope, y)[k];
+    };
+    const double depth = std::max(value(0, 0), 0.0);
+    return {depth, sign * value(is_x ? 2 : 3, 2), value(is_x ? 3 : 2, 3), value(1, 1) - depth};
+}
+
+void Strip::set_flux(int k, int y, Side side, const EdgeFlux& flux, double depth, double gravity) {
+    const bool is_x = side == Side::west || side == Side::east;
+    const bool is_low = side == Side::west || side == Side::south;
+    const int kind = is_x ? x_fluxes : y_fluxes;
+    const int face_row = side == Side::south ? y - 1 : y;
+    const int face = side == Side::west ? k - 1 : k;
+    const auto set = [&](int field, double value) { row(kind + field, face_row)[face] = value; };
+    const double sign = is_low ? -1.0 : 1.0;
+    const double change = flux.momentum - 0.5 * gravity * (depth * depth);
+    set(0, sign * flux.mass);
+    set(1, change);
+    set(2, change);
+    set(3, sign * flux.along);
 }
 
 double Strip::outward(int x, int y, Side side) const {

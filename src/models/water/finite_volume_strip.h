@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <vector>
 
+#include "models/water/edge_flow.h"
 #include "models/water/finite_volume_vectors.h"
 #include "models/water/gully_parameters.h"
+#include "models/water/water_settings.h"
 
 namespace fumon::finite_volume {
 
-enum class Side { west, east, south, north };
+using Side = GridSide;
 
 /// What a thread holds while it walks up a block of columns: the last four rows of cells, slopes,
 /// fluxes and shares, so that they stay in the cache from one kernel to the next. Each row goes on
@@ -22,8 +24,9 @@ class Strip {
     explicit Strip(StoppingSteps steps)
         : steps_(steps), values_(static_cast<std::size_t>(fields) * kept * stride) {}
 
-    /// Starts a block of `count` columns from column `first_x` on.
-    void start(int first_x, int count);
+    /// Starts a block of `count` columns from column `first_x` on. Where `edge_west` or `edge_east`,
+    /// cells beyond it pay for what comes in there.
+    void start(int first_x, int count, bool edge_west = false, bool edge_east = false);
 
     [[nodiscard]] int first_x() const { return first_x_; }
     [[nodiscard]] int count() const { return count_; }
@@ -41,8 +44,14 @@ class Strip {
     void take_y_slopes(int y);
     /// Fluxes through the faces between row y and the one north of it.
     void take_y_fluxes(int y, double gravity);
-    /// Cuts the fluxes of row y, and of the faces south of it, to what the cells can pay.
-    void cut_fluxes(int y, double dt_dx, double dt_dy);
+    /// Cuts the fluxes of row y, and of the faces south of it, to what the cells can pay; cells of a
+    /// row `beyond` an edge over which water comes in pay it all.
+    void cut_fluxes(int y, double dt_dx, double dt_dy, bool beyond);
+
+    /// The water of padded cell k of row y at its face on that side, as reconstructed.
+    [[nodiscard]] EdgeWater at_face(int k, int y, Side side) const;
+    /// Puts another flux through that face.
+    void set_flux(int k, int y, Side side, const EdgeFlux& flux, double depth, double gravity);
     /// What the update of row y's own cells reads, without the step's start.
     [[nodiscard]] UpdateInput update_input(int y);
 
@@ -61,6 +70,9 @@ class Strip {
         return (static_cast<std::size_t>(field) * kept + slot) * stride;
     }
     double* row(int field, int y) { return values_.data() + place(field, y); }
+    [[nodiscard]] static Kind slopes_across(Side side) {
+        return side == Side::west || side == Side::east ? x_slopes : y_slopes;
+    }
     [[nodiscard]] const double* row(int field, int y) const {
         return values_.data() + place(field, y);
     }
@@ -74,6 +86,8 @@ class Strip {
     std::array<bool, kept> short_of_water_{};
     int first_x_ = 0;
     int count_ = 0;
+    bool edge_west_ = false;
+    bool edge_east_ = false;
 };
 
 }  // namespace fumon::finite_volume

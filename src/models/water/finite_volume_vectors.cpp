@@ -252,7 +252,7 @@ struct CutToShares {
     }
 };
 
-template <bool heun>
+template <bool heun, bool manning>
 struct Update {
     UpdateInput i;
     UpdateFactors f;
@@ -281,13 +281,17 @@ struct Update {
             dt_dy * ((load(i.north.left) - load(i.south.right)) + weight * load(i.surface_y)) +
             dt_dx * (load(i.east.transverse) - load(i.west.transverse));
         V h1 = larger((h - lost) + hn::Set(d, f.dt * f.rain), zero) * load(i.cells.inside);
-        const V qx = h * load(i.cells.normal) - lost_x;
+        const V qx = (h * load(i.cells.normal) - lost_x) - hn::Set(d, f.dt * f.pull_x) * h;
         const V qy = (h * load(i.cells.transverse) - lost_y) - hn::Set(d, f.dt * f.pull) * h;
         const V per_depth = one / larger(h1, dry);
         const V ux = qx * per_depth;
         const V uy = qy * per_depth;
         const V speed = hn::Sqrt(ux * ux + uy * uy);
-        const V drag = hn::Set(d, 4.0 * f.dt * f.friction);
+        V drag = hn::Set(d, 4.0 * f.dt * (manning ? f.manning : f.friction));
+        if constexpr (manning) {
+            const V third = hn::Set(d, -1.0 / 3.0);
+            drag = drag * vectors::HWY_NAMESPACE::exp(third * log_of_normal(larger(h1, dry)));
+        }
         const V kept = two / (one + hn::Sqrt(one + drag * (speed * per_depth)));
         V u1 = hn::IfThenElseZero(hn::Gt(h1, dry), ux * kept);
         V v1 = hn::IfThenElseZero(hn::Gt(h1, dry), uy * kept);
@@ -367,10 +371,17 @@ void cut_to_shares(const Fluxes& fluxes, const double* left_shares, const double
 
 void update(const UpdateInput& in, const UpdateFactors& factors, double* depth, double* velocity_x,
             double* velocity_y, int count) {
-    if (in.depth_before == nullptr) {
-        for_each_vector_anew(count, Update<false>{in, factors, depth, velocity_x, velocity_y});
+    const bool manning = factors.manning > 0.0;
+    if (in.depth_before == nullptr && manning) {
+        for_each_vector_anew(count,
+                             Update<false, true>{in, factors, depth, velocity_x, velocity_y});
+    } else if (in.depth_before == nullptr) {
+        for_each_vector_anew(count,
+                             Update<false, false>{in, factors, depth, velocity_x, velocity_y});
+    } else if (manning) {
+        for_each_vector(count, Update<true, true>{in, factors, depth, velocity_x, velocity_y});
     } else {
-        for_each_vector(count, Update<true>{in, factors, depth, velocity_x, velocity_y});
+        for_each_vector(count, Update<true, false>{in, factors, depth, velocity_x, velocity_y});
     }
 }
 

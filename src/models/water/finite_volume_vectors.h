@@ -95,7 +95,9 @@ struct UpdateFactors {
     double dt_dy = 0.0;
     double gravity = 0.0;   ///< m/s²
     double pull = 0.0;      ///< g·slope, m/s², toward −y
+    double pull_x = 0.0;    ///< … toward −x
     double friction = 0.0;  ///< of τ = ρ · friction · |u| u
+    double manning = 0.0;   ///< g n², of τ = ρ · manning · h^(−1/3) · |u| u instead, where it is > 0
     double rain = 0.0;      ///< m/s
 };
 

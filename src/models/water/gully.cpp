@@ -14,6 +14,7 @@
 #include "base/worker_pool.h"
 #include "models/water/fault_vectors.h"
 #include "models/water/shallow_water.h"
+#include "models/water/time_table.h"
 
 namespace fumon {
 
@@ -134,11 +135,13 @@ Gully::Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool)
       scheme_(make_water_scheme(start, pool)),
       step_at_courant_one_(scheme_->step_at_courant_one(water_)),
       sediment_(parameters_, domain_, bed_.nx(), bed_.ny(), pool),
+      infiltration_(parameters_, domain_.dx * domain_.dy, bed_.nx(), bed_.ny(), pool),
       cell_area_(domain_.dx * domain_.dy),
       wet_area_(cell_area_ * sum_of(bed_, domain_.nodata, [](double) { return 1.0; })),
       first_water_(water_volume()),
       first_bed_(bed_volume()) {
-    check_time_step(parameters_, step_at_courant_one_);
+    check_time_step(parameters_, std::min(step_at_courant_one_,
+                                          scheme_->edge_step_at_courant_one(0.0, bed_)));
 }
 
 void Gully::step() {
@@ -163,7 +166,9 @@ void Gully::step() {
 /// An equal share of what remains of the step, as large as the Courant number allows.
 double Gully::sub_step_size(double remaining, double elapsed) const {
     if (parameters_.substeps == Substeps::fixed) return remaining;
-    const double limit = parameters_.courant_number * step_at_courant_one_;
+    const double step_at_one =
+        std::min(step_at_courant_one_, scheme_->edge_step_at_courant_one(elapsed, bed_));
+    const double limit = parameters_.courant_number * step_at_one;
     const double pieces = std::ceil(remaining / limit * (1.0 - 1e-12));
     if (pieces <= 1.0) return remaining;
     if (!(pieces <= most_substeps)) {
@@ -173,10 +178,22 @@ double Gully::sub_step_size(double remaining, double elapsed) const {
     return remaining / pieces;
 }
 
-void Gully::sub_step(double dt, double& elapsed) {
+/// The mean of a sub-step, m/s.
+double Gully::rain_rate(double elapsed, double dt) const {
+    if (!parameters_.rain_times.empty()) {
+        return mean_of_stairs(parameters_.rain_times, parameters_.rain_rates, elapsed,
+                              elapsed + dt) *
+               metres_per_second;
+    }
     const double until = parameters_.rain_until > 0.0 ? parameters_.rain_until : elapsed + dt;
     const double raining = std::clamp(until - elapsed, 0.0, dt) / dt;
-    const double rain = raining * parameters_.rain * metres_per_second;
+    return raining * parameters_.rain * metres_per_second;
+}
+
+void Gully::sub_step(double dt, double& elapsed) {
+    const double rain = rain_rate(elapsed, dt);
+    scheme_->set_time(elapsed + 0.5 * dt);
+    infiltration_.advance(water_.depth, elapsed, dt);
     step_at_courant_one_ = scheme_->advance(water_, bed_, dt, rain);
     rain_.add(rain * dt * wet_area_);
     sediment_.advance(bed_, water_, dt);
@@ -199,18 +216,25 @@ std::vector<SnapshotNumber> Gully::budgets() const {
     const double removed = sediment_.removed();
     const double in_relief =
         cell_area_ * sum_of(bed_, domain_.nodata, [](double z) { return std::fabs(z); });
-    return {
+    const double entered = scheme_->entered();
+    const double infiltrated = infiltration_.volume();
+    std::vector<SnapshotNumber> numbers{
         {"mean_slope", "m/m", domain_.slope},
         {"gravity", "m/s2", parameters_.gravity},
         {"water_volume", "m3", water},
         {"rain_volume", "m3", rain},
         {"left_volume", "m3", left},
         {"water_budget_error", "1",
-         share(((water - first_water_) - rain) + left, {water, first_water_, rain, left})},
+         share(((((water - first_water_) - rain) + left) - entered) + infiltrated,
+               {water, first_water_, rain, left, entered, infiltrated})},
         {"sediment_volume", "m3", sediment},
         {"sediment_removed", "m3", removed},
         {"sediment_budget_error", "1", share(sediment + removed, {sediment, removed, in_relief})},
         {"substeps", "1", static_cast<double>(substeps_)}};
+    if (!domain_.stretches.empty()) numbers.push_back({"entered_volume", "m3", entered});
+    if (infiltration_.takes()) numbers.push_back({"infiltrated_volume", "m3", infiltrated});
+    if (domain_.slope_x != 0.0) numbers.push_back({"mean_slope_x", "m/m", domain_.slope_x});
+    return numbers;
 }
 
 Snapshot Gully::snapshot() const {
@@ -263,6 +287,8 @@ std::vector<StateField> Gully::state() const {
                                    {"velocity_y", water_.velocity_y.values()}};
     const auto own = scheme_->state();
     fields.insert(fields.end(), own.begin(), own.end());
+    if (!infiltration_.total().empty())
+        fields.push_back({"infiltrated", infiltration_.total().values()});
     fields.push_back({"counters", counters_});
     return fields;
 }
@@ -276,6 +302,7 @@ void Gully::carry(StateCarrier& carrier) {
     carrier.values("velocity_y", water_.velocity_y.values());
     scheme_->carry(carrier);
     sediment_.carry(carrier);
+    infiltration_.carry(carrier);
     rain_.carry("rain_volume", carrier);
     carrier.values("counters", counters_);
     step_at_courant_one_ = scheme_->step_at_courant_one(water_);

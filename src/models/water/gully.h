@@ -6,6 +6,7 @@
 #include "models/shared/model.h"
 #include "models/water/gully_parameters.h"
 #include "models/water/gully_setup.h"
+#include "models/water/infiltration.h"
 #include "models/water/sediment.h"
 #include "models/water/shallow_water.h"
 
@@ -53,6 +54,7 @@ class Gully : public Model {
     Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool);
 
     void sub_step(double dt, double& elapsed);
+    [[nodiscard]] double rain_rate(double elapsed, double dt) const;
     [[nodiscard]] double sub_step_size(double remaining, double elapsed) const;
     [[nodiscard]] double water_volume() const;
     [[nodiscard]] double bed_volume() const;
@@ -68,6 +70,7 @@ class Gully : public Model {
     std::unique_ptr<ShallowWaterScheme> scheme_;
     double step_at_courant_one_;  ///< of the water as it is, s
     Sediment sediment_;
+    Infiltration infiltration_;
     double cell_area_;
     double wet_area_;  ///< of all cells with data, m²
     double first_water_;
@@ -76,6 +79,16 @@ class Gully : public Model {
     std::array<double, 3> counters_{};  ///< rain, left, sediment removed: m³
     std::int64_t steps_ = 0;
     std::int64_t substeps_ = 0;
+};
+
+/// The same over a bed that is fixed, level, walled in and dry unless a scene says otherwise:
+/// breaking dams, floods, lakes, rain.
+class WaterModel : public Gully {
+  public:
+    static constexpr std::string_view model_name = "water";
+
+    using Gully::Gully;
+    [[nodiscard]] std::string_view name() const override { return model_name; }
 };
 
 }  // namespace fumon

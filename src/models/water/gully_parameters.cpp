@@ -6,6 +6,52 @@ namespace fumon {
 
 namespace {
 
+/// What the ground does to the water.
+void list_ground_keys(GullyParameters& gully, KeyTable& table) {
+    table.real_list("model.rain_times", gully.rain_times, 0, 100000,
+                    {.unit = "s",
+                     .help = "at which the rain changes, rising; none before the first; empty: "
+                             "model.rain throughout"});
+    table.real_list("model.rain_rates", gully.rain_rates, 0, 100000,
+                    {.unit = "mm/h",
+                     .range = {0, 1e5},
+                     .help = "each from its time of model.rain_times to the next"});
+    table.choice("model.infiltration", gully.infiltration,
+                 {{InfiltrationLaw::none, "none", "the ground takes no water"},
+                  {InfiltrationLaw::constant, "constant", "model.infiltration_rate"},
+                  {InfiltrationLaw::horton, "horton",
+                   "falls from model.infiltration_start to model.infiltration_rate as e^(-kt) "
+                   "(Horton 1933)"},
+                  {InfiltrationLaw::green_ampt, "green-ampt",
+                   "K (1 + psi dtheta / F), F what the cell has taken (Green & Ampt 1911)"}},
+                 {.help = "how much water the ground takes where there is some"});
+    table.real("model.infiltration_rate", gully.infiltration_rate,
+               {.unit = "mm/h",
+                .range = {0, 1e5},
+                .help = "constant; in the end (horton); or the conductivity K (green-ampt)"});
+    table.real("model.infiltration_start", gully.infiltration_start,
+               {.unit = "mm/h", .range = {0, 1e6}, .help = "at t = 0, of horton"});
+    table.real("model.infiltration_decay", gully.infiltration_decay,
+               {.unit = "1/h", .range = {0, 1e6}, .help = "k of horton"});
+    table.real("model.suction_head", gully.suction_head,
+               {.unit = "m", .range = {0, 100}, .help = "psi of green-ampt"});
+    table.real("model.moisture_deficit", gully.moisture_deficit,
+               {.range = {0, 1}, .help = "dtheta of green-ampt: porosity less water content"});
+    table.choice("model.friction", gully.friction,
+                 {{FrictionLaw::full, "full", "tau = rho C_f |u| u (eq. 6)"},
+                  {FrictionLaw::half, "half", "tau = rho C_f |u| u / 2 (eq. 9)"},
+                  {FrictionLaw::chezy, "chezy", "tau = rho g |u| u / C^2"},
+                  {FrictionLaw::manning, "manning",
+                   "tau = rho g n^2 |u| u / h^(1/3); of finite volumes"}},
+                 {.help = "full and half are the paper's, which has both"});
+    table.real("model.friction_coefficient", gully.friction_coefficient,
+               {.range = {0, 10}, .help = "C_f of full and half"});
+    table.real("model.chezy", gully.chezy,
+               {.unit = "m^(1/2)/s", .range = {0, 1e4, true}, .help = "C"});
+    table.real("model.manning", gully.manning,
+               {.unit = "s/m^(1/3)", .range = {0, 10}, .help = "n"});
+}
+
 void list_flow_keys(GullyParameters& gully, KeyTable& table) {
     table.choice(
         "model.scheme", gully.scheme,
@@ -52,6 +98,10 @@ void list_flow_keys(GullyParameters& gully, KeyTable& table) {
                         .range = {0, 1},
                         .help = "of the mean plane, which descends southward; the bed is the "
                                 "departure from it"});
+    table.real("model.slope_x", gully.slope_x,
+               {.unit = "m/m",
+                .range = {-1, 1},
+                .help = "of the mean plane along x, where it descends eastward; of finite volumes"});
     table.real("model.channel_depth", gully.channel_depth,
                {.unit = "m",
                 .range = {0, 1000},
@@ -65,17 +115,25 @@ void list_flow_keys(GullyParameters& gully, KeyTable& table) {
          {InitialWater::level, "level",
           "a level surface with model.depth in the mean over all cells: deeper in the trough, none "
           "on what stands above it"},
-         {InitialWater::dry, "dry", "none: it takes rain"}},
+         {InitialWater::surface, "surface",
+          "a level surface at model.surface; what stands above it is dry"},
+         {InitialWater::dry, "dry", "none: it takes rain, [[water]] or [[edge]]"}},
         {.help = "the water at the start"});
     table.real("model.depth", gully.depth,
                {.unit = "m", .range = {0, 1e4}, .help = "h of the water at the start"});
+    table.real("model.surface", gully.surface,
+               {.unit = "m",
+                .range = {-1e5, 1e5},
+                .help = "height of the water's surface of model.initial_water = \"surface\""});
     table.choice("model.initial_flow", gully.initial_flow,
                  {{InitialFlow::automatic, "auto", "uniform on a slope, rest elsewhere"},
                   {InitialFlow::uniform, "uniform", "sqrt(g h S / C_f) down the mean plane"},
                   {InitialFlow::rest, "rest", "none"}},
                  {.help = "the water's velocity at the start"});
     const std::vector<Choice<EdgeKind>> edges{
-        {EdgeKind::automatic, "auto", "periodic, but open for a terrain file"},
+        {EdgeKind::automatic, "auto",
+         "open for a terrain file; else walls in model water and where [[edge]] says more; else "
+         "periodic"},
         {EdgeKind::periodic, "periodic", "what leaves comes in on the other side"},
         {EdgeKind::open, "open", "water leaves freely, none comes in"},
         {EdgeKind::wall, "wall", "nothing passes"}};
@@ -85,12 +143,7 @@ void list_flow_keys(GullyParameters& gully, KeyTable& table) {
                {.unit = "mm/h", .range = {0, 1e5}, .help = "on every cell"});
     table.real("model.rain_until", gully.rain_until,
                {.unit = "s", .range = {0, 1e12}, .help = "when the rain ends; 0: never"});
-    table.choice("model.friction", gully.friction,
-                 {{FrictionLaw::full, "full", "tau = rho C_f |u| u (eq. 6)"},
-                  {FrictionLaw::half, "half", "tau = rho C_f |u| u / 2 (eq. 9)"}},
-                 {.help = "the paper has both"});
-    table.real("model.friction_coefficient", gully.friction_coefficient,
-               {.range = {0, 10}, .help = "C_f"});
+    list_ground_keys(gully, table);
     table.real("model.gravity", gully.gravity,
                {.unit = "m/s^2", .range = {0, 100, true}, .help = "g"});
 }
@@ -128,9 +181,29 @@ void list_sediment_keys(GullyParameters& gully, KeyTable& table) {
 
 }  // namespace
 
+double constant_friction(const GullyParameters& parameters) {
+    switch (parameters.friction) {
+        case FrictionLaw::full:
+            return parameters.friction_coefficient;
+        case FrictionLaw::half:
+            return 0.5 * parameters.friction_coefficient;
+        case FrictionLaw::chezy:
+            return parameters.gravity / (parameters.chezy * parameters.chezy);
+        case FrictionLaw::manning:
+            break;
+    }
+    return 0.0;
+}
+
 void list_keys(GullyParameters& gully, KeyTable& table) {
     list_flow_keys(gully, table);
     list_sediment_keys(gully, table);
+    // After all of [model], which a written scene cannot open twice.
+    table.tables("water", gully.regions,
+                 "water at the start, in the order written, each over those before", list_region);
+    table.tables("edge", gully.edges,
+                 "a stretch of the grid's edge with a kind of its own; of finite volumes",
+                 list_edge);
 }
 
 }  // namespace fumon

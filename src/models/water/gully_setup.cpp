@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "models/water/cip_scheme.h"
 #include "models/water/finite_volume_scheme.h"
+#include "models/water/water_setup.h"
 
 namespace fumon {
 
@@ -25,9 +26,17 @@ bool all_periodic(const WaterDomain& domain) {
     return domain.edges_x == EdgeKind::periodic && domain.edges_y == EdgeKind::periodic;
 }
 
-EdgeKind decided(EdgeKind edge, bool from_file) {
+EdgeKind decided(EdgeKind edge, bool from_file, bool has_walls) {
     if (edge != EdgeKind::automatic) return edge;
-    return from_file ? EdgeKind::open : EdgeKind::periodic;
+    if (from_file) return EdgeKind::open;
+    return has_walls ? EdgeKind::wall : EdgeKind::periodic;
+}
+
+/// Whether a scene says more of the edges of an axis.
+bool has_stretches(const GullyParameters& parameters, bool across_x) {
+    return std::ranges::any_of(parameters.edges, [&](const EdgeSettings& edge) {
+        return (edge.side == GridSide::west || edge.side == GridSide::east) == across_x;
+    });
 }
 
 WaterDomain domain_of(const GullyParameters& parameters, ModelSetup& setup) {
@@ -36,14 +45,28 @@ WaterDomain domain_of(const GullyParameters& parameters, ModelSetup& setup) {
     domain.dy = setup.scale.dy;
     domain.slope = parameters.slope.is_word() ? (setup.from_file ? 0.0 : published_slope)
                                               : parameters.slope.value;
-    domain.edges_x = decided(parameters.edges_x, setup.from_file);
-    domain.edges_y = decided(parameters.edges_y, setup.from_file);
+    domain.slope_x = parameters.slope_x;
+    domain.edges_x = decided(parameters.edges_x, setup.from_file,
+                             parameters.basin || has_stretches(parameters, true));
+    domain.edges_y = decided(parameters.edges_y, setup.from_file,
+                             parameters.basin || has_stretches(parameters, false));
+    domain.stretches = stretches_of(parameters, domain, setup.bed.nx(), setup.bed.ny());
     domain.nodata = std::move(setup.nodata);
     return domain;
 }
 
 void check_scheme(const GullyParameters& parameters, const WaterDomain& domain) {
     if (parameters.scheme == WaterScheme::finite_volume) return;
+    if (parameters.friction == FrictionLaw::manning) {
+        throw KeyError("model.friction",
+                       "the CIP schemes have no Manning friction; take model.scheme = "
+                       "\"finite-volume\", or model.friction = \"chezy\"");
+    }
+    if (domain.slope_x != 0.0) {
+        throw KeyError("model.slope_x",
+                       "the CIP schemes slope along y alone; take model.scheme = "
+                       "\"finite-volume\"");
+    }
     if (!all_periodic(domain)) {
         throw KeyError("model.scheme",
                        "the CIP schemes need periodic edges; take model.scheme = "
@@ -56,16 +79,26 @@ void check_scheme(const GullyParameters& parameters, const WaterDomain& domain) 
     }
 }
 
+void check_slope(const GullyParameters& parameters) {
+    if (parameters.slope_x == 0.0 || parameters.transport == SedimentTransport::none) return;
+    throw KeyError("model.slope_x",
+                   "on a plane that slopes along x the bed stays as it is; take model.transport = "
+                   "\"none\", or turn the scene so that it slopes along y");
+}
+
 void check_motion(const GullyParameters& parameters, const WaterDomain& domain, bool from_file) {
-    const bool dry = parameters.initial_water == InitialWater::dry || parameters.depth == 0.0;
-    if (dry && parameters.rain == 0.0) {
+    const bool brought = parameters.rain > 0.0 || !parameters.rain_times.empty() ||
+                         !parameters.regions.empty() || !parameters.edges.empty();
+    if (parameters.basin || brought) return;
+    const bool dry = parameters.initial_water == InitialWater::dry ||
+                     (parameters.depth == 0.0 && parameters.initial_water != InitialWater::surface);
+    if (dry) {
         throw KeyError(parameters.depth == 0.0 ? "model.depth" : "model.initial_water",
                        "there is no water at the start and no rain; give model.depth with "
                        "model.initial_water = \"film\" or \"level\", or set model.rain");
     }
-    const bool level = parameters.initial_water == InitialWater::level;
-    if (domain.slope == 0.0 && all_periodic(domain) && !from_file && parameters.rain == 0.0 &&
-        parameters.channel_depth == 0.0 && !level) {
+    if (domain.slope == 0.0 && domain.slope_x == 0.0 && all_periodic(domain) && !from_file &&
+        parameters.channel_depth == 0.0 && parameters.initial_water == InitialWater::film) {
         throw KeyError("model.slope",
                        "model.slope is 0, and a film on a level periodic plane has nowhere to "
                        "flow; give a slope, rain, a channel or a terrain file");
@@ -99,10 +132,17 @@ Relief decided_relief(const GullyParameters& parameters, bool from_file) {
     return parameters.relief;
 }
 
+/// C_f in water of model.depth.
+double friction_in_film(const GullyParameters& parameters) {
+    if (parameters.friction != FrictionLaw::manning) return constant_friction(parameters);
+    if (parameters.depth == 0.0) return 0.0;
+    const double root = elementary::exp(elementary::log_of_normal(parameters.depth) / 3.0);
+    return parameters.gravity * (parameters.manning * parameters.manning) / root;
+}
+
 /// √(g h S / C_f), the speed at which friction holds the plane's pull, m/s; 0 for flow at rest.
 double initial_speed(const GullyParameters& parameters, const WaterDomain& domain) {
-    const double friction =
-        parameters.friction_coefficient * (parameters.friction == FrictionLaw::half ? 0.5 : 1.0);
+    const double friction = friction_in_film(parameters);
     switch (parameters.initial_flow) {
         case InitialFlow::rest:
             return 0.0;
@@ -110,15 +150,18 @@ double initial_speed(const GullyParameters& parameters, const WaterDomain& domai
             if (friction == 0.0) return 0.0;
             break;
         case InitialFlow::uniform:
-            if (friction == 0.0 && domain.slope > 0.0) {
+            if (friction == 0.0 && (domain.slope > 0.0 || domain.slope_x != 0.0)) {
                 throw KeyError("model.initial_flow",
                                "without friction no uniform flow exists; take "
                                "model.initial_flow = \"rest\" or a model.friction_coefficient");
             }
             break;
     }
-    if (domain.slope == 0.0) return 0.0;
-    return std::sqrt(parameters.gravity * parameters.depth * domain.slope / friction);
+    const double slope = domain.slope_x == 0.0 ? domain.slope
+                                               : std::sqrt(domain.slope * domain.slope +
+                                                           domain.slope_x * domain.slope_x);
+    if (slope == 0.0) return 0.0;
+    return std::sqrt(parameters.gravity * parameters.depth * slope / friction);
 }
 
 /// A Gaussian trough down the middle of the plane.
@@ -167,11 +210,23 @@ Water water_of(const GullyParameters& parameters, const WaterDomain& domain, con
             case InitialWater::level:
                 depth = std::max(0.0, level - bed.values()[cell]);
                 break;
+            case InitialWater::surface:
+                depth = std::max(0.0, parameters.surface - bed.values()[cell]);
+                break;
             case InitialWater::dry:
                 break;
         }
-        if (depth > 0.0) water.velocity_y.values()[cell] = -speed;
+        if (!(depth > 0.0)) continue;
+        if (domain.slope_x == 0.0) {
+            water.velocity_y.values()[cell] = -speed;
+            continue;
+        }
+        const double slope =
+            std::sqrt(domain.slope * domain.slope + domain.slope_x * domain.slope_x);
+        water.velocity_x.values()[cell] = speed * (domain.slope_x / slope);
+        water.velocity_y.values()[cell] = -speed * (domain.slope / slope);
     }
+    fill_regions(parameters, domain, bed, water);
     return water;
 }
 
@@ -183,9 +238,13 @@ GullyStart start_of_gully(const GullyParameters& parameters, ModelSetup& setup) 
     start.on_terrain = setup.from_file;
     start.domain = domain_of(parameters, setup);
     if (start.parameters.scheme == WaterScheme::automatic) {
-        const bool plane = all_periodic(start.domain) && start.domain.nodata.empty();
+        const bool plane = all_periodic(start.domain) && start.domain.nodata.empty() &&
+                           start.domain.slope_x == 0.0 &&
+                           parameters.friction != FrictionLaw::manning;
         start.parameters.scheme = plane ? WaterScheme::cip : WaterScheme::finite_volume;
     }
+    check_rain(parameters);
+    check_slope(parameters);
     check_scheme(start.parameters, start.domain);
     check_motion(parameters, start.domain, setup.from_file);
     decide_sediment(start.parameters, setup.from_file);

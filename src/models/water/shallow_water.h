@@ -1,10 +1,12 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "base/grid.h"
 #include "models/shared/model.h"
 #include "models/water/gully_parameters.h"
+#include "models/water/water_settings.h"
 
 namespace fumon {
 
@@ -15,13 +17,26 @@ struct Water {
     Grid velocity_y;  ///< v, m/s, northward
 };
 
+/// Cells `first` to `last` of a side whose edge has a kind of its own.
+struct EdgeStretch {
+    GridSide side = GridSide::west;
+    int first = 0;
+    int last = 0;
+    EdgeFlow kind = EdgeFlow::open;
+    std::vector<double> times{0.0};   ///< s, rising
+    std::vector<double> values{0.0};  ///< m³/s of the whole stretch, or levels, m
+    double depth = 0.0;               ///< m, of supercritical inflow; 0: critical
+};
+
 /// Where the water flows, fixed for a run.
 struct WaterDomain {
-    double dx = 1.0;     ///< m
-    double dy = 1.0;     ///< m
-    double slope = 0.0;  ///< of the mean plane, which descends toward −y: a body force −g·slope
+    double dx = 1.0;       ///< m
+    double dy = 1.0;       ///< m
+    double slope = 0.0;    ///< of the mean plane, which descends toward −y: a body force −g·slope
+    double slope_x = 0.0;  ///< … and toward +x: g·slope_x; of finite volumes
     EdgeKind edges_x = EdgeKind::periodic;  ///< never automatic
     EdgeKind edges_y = EdgeKind::periodic;
+    std::vector<EdgeStretch> stretches;  ///< of finite volumes, on sides that are not periodic
     Mask nodata;  ///< empty, or 1 outside the domain: water that gets there is gone
 };
 
@@ -49,6 +64,18 @@ class ShallowWaterScheme {
 
     /// Volume that left over open edges and into cells without data since the start, m³.
     [[nodiscard]] virtual double left() const { return 0.0; }
+
+    /// Volume that came in over edges since the start, m³.
+    [[nodiscard]] virtual double entered() const { return 0.0; }
+
+    /// Takes the discharges and levels at the edges of a time, s.
+    virtual void set_time(double /*time*/) {}
+
+    /// The sub-step, s, at which what comes in at that time over this bed has Courant number 1.
+    [[nodiscard]] virtual double edge_step_at_courant_one(double /*time*/,
+                                                          const Grid& /*bed*/) const {
+        return std::numeric_limits<double>::infinity();
+    }
 
     /// What the next sub-step depends on besides the water and the bed, in a fixed order.
     [[nodiscard]] virtual std::vector<StateField> state() const { return {}; }

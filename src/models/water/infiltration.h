@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "base/compensated_sum.h"
+#include "base/grid.h"
+#include "models/water/shallow_water.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// Water that the ground takes where there is some (f in m/s):
+///
+///  * constant: f;
+///  * Horton (1933): f + (f0 − f) e^(−k t), t since the start;
+///  * Green & Ampt (1911): dF/dt = K (1 + ψ Δθ / F), F what the cell has taken, m; implicit in F.
+///
+/// What is left keeps its velocity.
+class Infiltration {
+  public:
+    Infiltration(const GullyParameters& parameters, double cell_area, int nx, int ny,
+                 WorkerPool& pool);
+
+    [[nodiscard]] bool takes() const { return law_ != InfiltrationLaw::none; }
+    /// Takes water over `dt` seconds from `time` on.
+    void advance(Grid& depth, double time, double dt);
+    /// What the ground has taken since the start, m³.
+    [[nodiscard]] double volume() const { return volume_.value(); }
+    /// F of every cell, m, where later steps depend on it; else empty.
+    [[nodiscard]] const Grid& total() const { return total_; }
+
+    void carry(StateCarrier& carrier);
+
+  private:
+    InfiltrationLaw law_;
+    double rate_;   ///< m/s
+    double start_;  ///< m/s
+    double decay_;  ///< 1/s
+    double suction_;
+    double cell_area_;
+    WorkerPool& pool_;
+    Grid total_;
+    std::vector<double> rows_;
+    CompensatedSum volume_;
+};
+
+}  // namespace fumon

@@ -1,0 +1,71 @@
+#include "models/water/water_settings.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr std::size_t longest_table = 100000;
+constexpr double farthest = 1e7;  // m
+
+}  // namespace
+
+void list_edge(EdgeSettings& edge, const std::string& path, KeyTable& table) {
+    table.choice(path + ".side", edge.side,
+                 {{GridSide::west, "west", "x = 0"},
+                  {GridSide::east, "east", "the largest x"},
+                  {GridSide::south, "south", "y = 0"},
+                  {GridSide::north, "north", "the largest y"}},
+                 {.help = "the side of the grid on which the stretch lies"});
+    table.real(path + ".from", edge.from,
+               {.unit = "m",
+                .range = {0, farthest},
+                .help = "where the stretch begins, from the side's south or west end"});
+    table.real(path + ".to", edge.to,
+               {.unit = "m", .range = {0, farthest}, .help = "where it ends; 0: at the side's end"});
+    table.choice(path + ".kind", edge.kind,
+                 {{EdgeFlow::open, "open", "water leaves freely, none comes in"},
+                  {EdgeFlow::wall, "wall", "nothing passes"},
+                  {EdgeFlow::discharge, "discharge", "so much comes in, evenly along the stretch"},
+                  {EdgeFlow::level, "level",
+                   "the water stands at this level: it comes in or leaves"}},
+                 {.help = "what passes the stretch; elsewhere model.edges_x, model.edges_y hold"});
+    table.real(path + ".value", edge.value,
+               {.unit = "m^3/s, or m",
+                .range = {-1e5, 1e9},
+                .help = "the discharge of the whole stretch, or the level, as heights of the bed"});
+    table.real_list(path + ".times", edge.times, 0, longest_table,
+                    {.unit = "s",
+                     .help = "of edge.values, rising; in between the value changes evenly, before "
+                             "and after it stays; empty: edge.value at all times"});
+    table.real_list(path + ".values", edge.values, 0, longest_table,
+                    {.unit = "m^3/s, or m",
+                     .range = {-1e5, 1e9},
+                     .help = "discharges or levels at edge.times: a hydrograph"});
+    table.text(path + ".table", edge.table,
+               {.help = "a CSV file of two columns, seconds and discharge or level, for edge.times "
+                        "and edge.values"});
+    table.real(path + ".depth", edge.depth,
+               {.unit = "m",
+                .range = {0, 1e4},
+                .help = "of a discharge that comes in faster than its waves; 0: critical depth "
+                        "where the water inside leaves it free"});
+}
+
+void list_region(RegionSettings& region, const std::string& path, KeyTable& table) {
+    table.real_list(path + ".window", region.window, 0, 4,
+                    {.unit = "m",
+                     .help = "[west, south, east, north], from the grid's south-west corner: the "
+                             "cells whose middles lie in it; empty: all"});
+    table.word_or_real(path + ".depth", region.depth, {{"none", "water.level says it"}},
+                       {.unit = "m", .range = {0, 1e4}, .help = "h at the start"});
+    table.word_or_real(path + ".level", region.level, {{"none", "water.depth says it"}},
+                       {.unit = "m",
+                        .range = {-1e5, 1e5},
+                        .help = "height of the water's surface at the start; higher ground is dry"});
+    table.real(path + ".velocity_x", region.velocity_x,
+               {.unit = "m/s", .range = {-1e3, 1e3}, .help = "eastward, at the start"});
+    table.real(path + ".velocity_y", region.velocity_y,
+               {.unit = "m/s", .range = {-1e3, 1e3}, .help = "northward, at the start"});
+}
+
+}  // namespace fumon

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "keys/keys.h"
+
+namespace fumon {
+
+enum class GridSide { west, east, south, north };
+enum class EdgeFlow { wall, open, discharge, level };
+
+/// A stretch of an edge of the grid that has a kind of its own: [[edge]].
+struct EdgeSettings {
+    GridSide side = GridSide::west;
+    double from = 0.0;  ///< m along the side, from its south or west end
+    double to = 0.0;    ///< m; 0: to the other end
+    EdgeFlow kind = EdgeFlow::open;
+    double value = 0.0;          ///< m³/s or m
+    std::vector<double> times;   ///< s, rising; empty: `value` at all times
+    std::vector<double> values;  ///< at these times
+    std::string table;           ///< a file that has them
+    double depth = 0.0;          ///< m, of supercritical inflow; 0: critical
+};
+
+/// Water at the start where it is otherwise than elsewhere: [[water]].
+struct RegionSettings {
+    std::vector<double> window;  ///< m: west, south, east, north; empty: all
+    WordOrReal depth{"none", 0.0};
+    WordOrReal level{"none", 0.0};
+    double velocity_x = 0.0;  ///< m/s
+    double velocity_y = 0.0;
+};
+
+void list_edge(EdgeSettings& edge, const std::string& path, KeyTable& table);
+void list_region(RegionSettings& region, const std::string& path, KeyTable& table);
+
+}  // namespace fumon

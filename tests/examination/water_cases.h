@@ -1,0 +1,65 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/grid.h"
+#include "examination/exact_water.h"
+#include "models/water/gully_parameters.h"
+#include "models/water/shallow_water.h"
+
+namespace fumon::examination {
+
+/// A flow with a known solution, on any number of cells along x.
+struct Case {
+    std::string name;
+    std::string title;
+    double length = 0.0;  ///< m along x
+    bool square = false;  ///< as many cells along y; else a strip of a few, periodic
+    double west = 0.0;    ///< x of the first cell's west edge, m (of a square: y likewise)
+    double duration = 0.0;
+    GullyParameters parameters;  ///< of friction, rain, edges
+    /// The bed of `cells` cells along x.
+    std::function<Grid(int cells, int rows)> bed;
+    std::function<exact::Flow(double x, double y, double bed)> start;
+    std::function<exact::Flow(double x, double y, double t)> exact;
+    std::vector<double> kinks{};  ///< x where the solution is not smooth at the end, m
+    double until = 1e9;           ///< x up to which it holds, m
+    bool smooth = false;          ///< of second order away from kinks and shores
+};
+
+std::vector<Case> all_cases();
+
+/// A case on a grid.
+struct Setting {
+    Grid bed;
+    Water water;
+    WaterDomain domain;
+    GullyParameters parameters;
+};
+Setting setting_of(const Case& one, int cells);
+
+/// How far water at the end is from the exact solution.
+struct Errors {
+    double depth = 0.0;  ///< sum of |h − exact| over the exact volume
+    double away = 0.0;   ///< the same over cells more than five from shores and kinks
+    double speed = 0.0;  ///< the largest error of |u|, m/s, where all is at rest
+    double mass = 0.0;   ///< of the budget of water, relative
+};
+
+struct Outcome {
+    Errors errors;
+    double seconds = 0.0;  ///< of the processor
+    long steps = 0;
+};
+
+Errors errors_of(const Case& one, const Setting& setting, const Water& water);
+
+/// By fumon's finite volumes.
+Outcome run_case(const Case& one, int cells, int threads);
+
+/// By the plain scheme of first order (first_order.h).
+Outcome run_plainly(const Case& one, int cells);
+
+}  // namespace fumon::examination

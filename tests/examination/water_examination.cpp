@@ -1,0 +1,96 @@
+// Runs the cases with exact solutions and prints what comes of them as a table:
+//
+//     water_examination [CASE…] [--cells 100,200,400]
+//
+// L1 errors of the depth over the exact volume, the order from the last two grids, of all cells and
+// of those more than five from shores and kinks; the budget of water; seconds of the processor; and
+// beside them those of a plain scheme of first order.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "examination/water_cases.h"
+
+namespace {
+
+using namespace fumon::examination;
+
+std::vector<int> numbers_of(const std::string& text) {
+    std::vector<int> numbers;
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t length = 0;
+        numbers.push_back(std::stoi(text.substr(at), &length));
+        at += length + 1;
+    }
+    return numbers;
+}
+
+std::string order(double coarse, double fine, double ratio) {
+    if (!(fine > 1e-13) || !(coarse > 1e-13)) return "–";
+    return fmt::format("{:.2f}", std::log(coarse / fine) / std::log(ratio));
+}
+
+std::string error_text(double error) {
+    return error < 1e-13 ? "0" : fmt::format("{:.1e}", error);
+}
+
+void print_case(const Case& one, const std::vector<int>& grids) {
+    std::vector<Outcome> ours;
+    std::vector<Outcome> plain;
+    for (const int cells : grids) {
+        ours.push_back(run_case(one, cells, 1));
+        plain.push_back(run_plainly(one, cells));
+    }
+    std::string line = "| " + one.title + " |";
+    double mass = 0.0;
+    for (const Outcome& outcome : ours) {
+        line += ' ' + error_text(outcome.errors.depth) + " |";
+        mass = std::max(mass, outcome.errors.mass);
+    }
+    const std::size_t last = grids.size() - 1;
+    const double ratio = last == 0 ? 2.0 : static_cast<double>(grids[last]) / grids[last - 1];
+    const auto orders = [&](const std::vector<Outcome>& outcomes, double Errors::* error) {
+        if (last == 0) return std::string("–");
+        return order(outcomes[last - 1].errors.*error, outcomes[last].errors.*error, ratio);
+    };
+    fmt::print("{} {} | {} | {:.0e} | {:.2f} | {} | {} | {:.2f} |\n", line,
+               orders(ours, &Errors::depth), orders(ours, &Errors::away), mass,
+               ours[last].seconds, error_text(plain[last].errors.depth),
+               orders(plain, &Errors::depth), plain[last].seconds);
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    std::vector<int> grids{100, 200, 400};
+    std::vector<std::string> names;
+    for (int k = 1; k < count; ++k) {
+        const std::string word = arguments[k];
+        if (word == "--cells" && k + 1 < count) {
+            grids = numbers_of(arguments[++k]);
+        } else {
+            names.push_back(word);
+        }
+    }
+    std::string head = "| case |";
+    std::string rule = "|---|";
+    for (const int cells : grids) {
+        head += fmt::format(" {} |", cells);
+        rule += "---|";
+    }
+    fmt::print(
+        "{} order | away from shores and kinks | budget | s | first order: error | order | s |\n"
+        "{}---|---|---|---|---|---|---|\n",
+        head, rule);
+    for (const Case& one : all_cases()) {
+        if (names.empty() || std::ranges::find(names, one.name) != names.end())
+            print_case(one, grids);
+    }
+    return 0;
+}
