@@ -174,8 +174,8 @@ struct FaceFluxes {
             const V end_l = (surface_at_l - middle_l) + hn::LoadU(d, ls.bed + k);
             const V end_r = (surface_at_r - middle_r) - hn::LoadU(d, rs.bed + k);
             const V rise = end_r - end_l;
-            blocked_l = smaller(blocked_l, larger(rise, zero));
-            blocked_r = smaller(blocked_r, larger(zero - rise, zero));
+            blocked_l = larger(smaller(blocked_l - hl, rise), zero);
+            blocked_r = larger(smaller(blocked_r - hr, zero - rise), zero);
         }
         const V stopped_l = blocked_l * (against_l * against_l);
         const V stopped_r = blocked_r * (against_r * against_r);

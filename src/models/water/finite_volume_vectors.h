@@ -58,9 +58,9 @@ void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow
 /// slopes, hydrostatic reconstruction of the bed's step (Audusse et al. 2004, by the intermediate
 /// height of Chen & Noelle 2017, which lets thin water fall down a step at its full weight), then
 /// HLLC with the two-rarefaction wave speeds and exact fronts next to dry ground (Toro 2001).
-/// Water that runs against a step and does not pass it loses its momentum there: a step of the bed's
-/// own slopes, for the limited ones of depth and surface leave steps on a resolved slope too, which
-/// a shore climbs. Beyond a face to the outside is a dry step of equal height, over which water
+/// Water that runs against a step of more than half its depth loses there the momentum of what does
+/// not pass: a step of the bed's own slopes, for the limited ones of depth and surface leave steps
+/// on a resolved slope too, which a shore climbs. (Without slopes of the bed: against any step.) Beyond a face to the outside is a dry step of equal height, over which water
 /// leaves.
 void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,
                  const HalfSlopes& right_slopes, double gravity, const Fluxes& out, int count);

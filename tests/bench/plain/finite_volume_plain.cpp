@@ -57,8 +57,8 @@ Flux through_face(const Side& l, const Side& r) {
     const double fall_l = 0.5 * gravity * ((l.depth + hl) * (hl - above_l));
     const double fall_r = 0.5 * gravity * ((r.depth + hr) * (hr - above_r));
     const double rise = r.bed - l.bed;  // of the bed by its own slopes
-    const double blocked_l = std::min(l.depth - hl, std::max(rise, 0.0));
-    const double blocked_r = std::min(r.depth - hr, std::max(0.0 - rise, 0.0));
+    const double blocked_l = std::max(std::min((l.depth - hl) - hl, rise), 0.0);
+    const double blocked_r = std::max(std::min((r.depth - hr) - hr, 0.0 - rise), 0.0);
     const double against_l = std::max(l.normal, 0.0);
     const double against_r = std::min(r.normal, 0.0);
     const double stopped_l = blocked_l * (against_l * against_l);
