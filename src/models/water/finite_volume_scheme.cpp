@@ -77,8 +77,12 @@ double FiniteVolumeScheme::edge_step_at_courant_one(double time, const Grid& bed
 }
 
 void FiniteVolumeScheme::carry(StateCarrier& carrier) {
-    carrier.value("left_volume", left_);
-    if (!domain_.stretches.empty()) carrier.value("entered_volume", entered_);
+    if (domain_.stretches.empty()) {
+        carrier.value("left_volume", left_);
+    } else {
+        left_with_flow_.carry("left_volume", carrier);
+        entered_.carry("entered_volume", carrier);
+    }
 }
 
 void FiniteVolumeScheme::run(const Stage& stage) {
@@ -109,8 +113,12 @@ void FiniteVolumeScheme::run(const Stage& stage) {
         sum.left += row.left;
         sum.entered += row.entered;
     }
-    left_ += 0.5 * stage.dt * sum.left;
-    entered_ += 0.5 * stage.dt * sum.entered;
+    if (domain_.stretches.empty()) {
+        left_ += 0.5 * stage.dt * sum.left;
+    } else {
+        left_with_flow_.add(0.5 * stage.dt * sum.left);
+        entered_.add(0.5 * stage.dt * sum.entered);
+    }
 }
 
 void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip& strip,

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/compensated_sum.h"
 #include "base/state_carrier.h"
 #include "models/water/finite_volume_strip.h"
 #include "models/water/shallow_water.h"
@@ -37,8 +38,8 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
 
     [[nodiscard]] double step_at_courant_one(const Water& water) const override;
     double advance(Water& water, const Grid& bed, double dt, double rain) override;
-    [[nodiscard]] double left() const override { return left_; }
-    [[nodiscard]] double entered() const override { return entered_; }
+    [[nodiscard]] double left() const override { return left_ + left_with_flow_.value(); }
+    [[nodiscard]] double entered() const override { return entered_.value(); }
     void set_time(double time) override;
     [[nodiscard]] double edge_step_at_courant_one(double time, const Grid& bed) const override;
     void carry(StateCarrier& carrier) override;
@@ -95,7 +96,8 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     std::vector<RowVolumes> row_volumes_;
     std::vector<double> row_rates_;             // of the water that the last step left, 1/s
     double left_ = 0.0;
-    double entered_ = 0.0;
+    CompensatedSum left_with_flow_;  // where edges have stretches, over which much flows
+    CompensatedSum entered_;
     double time_ = 0.0;  // of the discharges and levels at the edges, s
     std::unique_ptr<WaterEdges> edges_;  // of the grid's size
     std::vector<finite_volume::Strip> strips_;  // one a thread

@@ -1,0 +1,164 @@
+// fumon's finite volumes beside exact solutions (tests/examination).
+
+#include "models/water/finite_volume_scheme.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "examination/water_cases.h"
+
+namespace fumon::examination {
+namespace {
+
+/// What is asked of a case on 100 and 200 cells: the error of depth over volume, the order of it,
+/// and that away from shores and kinks.
+struct Asked {
+    const char* name;
+    double error;  ///< on 200 cells
+    double order;
+    double order_away;
+};
+
+const std::vector<Asked> asked{
+    {"bump-subcritical", 6e-5, 1.7, 1.7},
+    {"bump-transcritical", 4e-4, 1.7, 1.7},
+    {"bump-jump", 4e-3, 0.9, 1.0},
+    {"channel-subcritical", 1.5e-4, -9.0, -9.0},
+    {"channel-supercritical", 9e-4, 1.4, 1.4},
+    {"channel-transcritical", 3e-4, 1.7, 1.7},
+    {"channel-jump", 4e-4, 1.4, 1.7},
+    {"channel-rain-subcritical", 8e-5, 1.0, 1.0},
+    {"channel-rain-supercritical", 6e-4, 1.7, 1.7},
+    {"dam-wet", 3.5e-3, 0.9, 0.9},
+    {"dam-dry", 3.5e-3, 0.9, 0.9},
+    {"dam-friction", 1.3e-3, 0.9, 0.9},
+    {"thacker-parabola", 1.0e-2, 1.6, 1.2},
+    {"thacker-planar", 7.5e-3, 1.2, 0.4},
+    {"thacker-radial", 2.0e-2, 1.2, 0.4},
+};
+
+const Case& case_of(const std::string& name) {
+    static const std::vector<Case> cases = all_cases();
+    for (const Case& one : cases) {
+        if (one.name == name) return one;
+    }
+    throw std::logic_error("no case " + name);
+}
+
+class ExactFlow : public ::testing::TestWithParam<Asked> {};
+
+TEST_P(ExactFlow, IsMet) {
+    const Case& one = case_of(GetParam().name);
+    const Outcome coarse = run_case(one, 100, 1);
+    const Outcome fine = run_case(one, 200, 1);
+    EXPECT_LT(fine.errors.depth, GetParam().error);
+    EXPECT_GT(std::log2(coarse.errors.depth / fine.errors.depth), GetParam().order);
+    EXPECT_GT(std::log2(coarse.errors.away / fine.errors.away), GetParam().order_away);
+    EXPECT_LT(coarse.errors.mass, 1e-13);
+    EXPECT_LT(fine.errors.mass, 1e-13);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, ExactFlow, ::testing::ValuesIn(asked),
+                         [](const auto& each) {
+                             std::string name = each.param.name;
+                             std::erase(name, '-');
+                             return name;
+                         });
+
+TEST(ExactLake, StaysAtRestOverABumpUnderAndAboveIt) {
+    for (const char* name : {"lake-immersed-bump", "lake-emerged-bump"}) {
+        const Outcome outcome = run_case(case_of(name), 100, 1);
+        EXPECT_LT(outcome.errors.speed, 1e-12) << name;
+        EXPECT_LT(outcome.errors.depth, 1e-13) << name;
+        EXPECT_LT(outcome.errors.mass, 1e-13) << name;
+    }
+}
+
+/// What the scheme's former rule costs, which older scenes keep.
+TEST(MovingShore, KeepsItsMomentumOnASlopeThatTheGridResolves) {
+    Case one = case_of("thacker-planar");
+    EXPECT_LT(run_case(one, 100, 1).errors.depth, 0.02);
+    one.parameters.stopping_steps = StoppingSteps::all;
+    EXPECT_GT(run_case(one, 100, 1).errors.depth, 0.04);
+}
+
+TEST(MovingShore, ADeepFlowLosesNothingAtTheFootOfABump) {
+    Case one = case_of("bump-subcritical");
+    EXPECT_LT(run_case(one, 50, 1).errors.depth, 1e-3);
+    one.parameters.stopping_steps = StoppingSteps::all;
+    EXPECT_GT(run_case(one, 50, 1).errors.depth, 2e-3);
+}
+
+TEST(PlainFirstOrder, IsFarFromTheExactFlow) {
+    const Case& one = case_of("channel-subcritical");
+    const Outcome coarse = run_plainly(one, 50);
+    const Outcome fine = run_plainly(one, 100);
+    const double order = std::log2(coarse.errors.depth / fine.errors.depth);
+    EXPECT_GT(order, 0.8);
+    EXPECT_LT(order, 1.2);
+    EXPECT_GT(fine.errors.depth, 20.0 * run_case(one, 100, 1).errors.depth);
+}
+
+/// The solutions themselves, by what they must fulfil.
+TEST(ExactSolutions, JumpsKeepMomentum) {
+    const double place = exact::bump_jump(0.18, 0.33);
+    EXPECT_NEAR(place, 11.665, 0.002);  // SWASHES draws it at 11.67 m
+    const double before = exact::bump_transcritical(place, 0.18).depth;
+    const double after = exact::bump_subcritical(place, 0.18, 0.33).depth;
+    const auto momentum = [](double q, double h) {
+        return q * q / h + 0.5 * exact::gravity * h * h;
+    };
+    EXPECT_NEAR(momentum(0.18, before), momentum(0.18, after), 1e-9);
+    const exact::Channel channel = exact::channel_with_jump();
+    EXPECT_NEAR(momentum(2.0, channel.depth(500.0 - 1e-9)), momentum(2.0, channel.depth(500.0)),
+                1e-4);
+}
+
+TEST(ExactSolutions, DamBreaksHavePublishedNumbers) {
+    const double t = 6.0;
+    EXPECT_NEAR(exact::dam_break(0.005, 0.001, 0.6, t).depth, 0.00253936, 1e-8);
+    EXPECT_NEAR(exact::dam_break(0.005, 0.001, 0.6, t).u, 0.127280, 1e-6);
+    EXPECT_EQ(exact::dam_break(0.005, 0.001, 0.209964 * t, t).depth, 0.001);
+    EXPECT_NEAR(exact::dam_break(0.005, 0.0, 0.0, t).depth, 4.0 / 9.0 * 0.005, 1e-12);
+    EXPECT_GT(exact::dam_break(0.005, 0.0, 0.4429 * t, t).depth, 0.0);
+    EXPECT_EQ(exact::dam_break(0.005, 0.0, 0.4430 * t, t).depth, 0.0);
+    EXPECT_NEAR(exact::dressler(6.0, 40.0, -40.0 * std::sqrt(exact::gravity * 6.0), 40.0).depth,
+                6.0, 1e-9);
+    // Without resistance Dressler's is Ritter's.
+    EXPECT_NEAR(exact::dressler(6.0, 1e9, 100.0, 40.0).depth,
+                exact::dam_break(6.0, 0.0, 100.0, 40.0).depth, 1e-9);
+}
+
+/// ∂h/∂t + ∂(hu)/∂x + ∂(hv)/∂y = 0 by differences.
+TEST(ExactSolutions, ThackersKeepTheirVolume) {
+    constexpr double d = 1e-5;
+    const auto loss = [&](const auto& flow, double x, double y, double t) {
+        const auto q = [&](double at_x, double at_y, bool along_x) {
+            const exact::Flow f = flow(at_x, at_y, t);
+            return f.depth * (along_x ? f.u : f.v);
+        };
+        return (flow(x, y, t + d).depth - flow(x, y, t - d).depth) / (2.0 * d) +
+               (q(x + d, y, true) - q(x - d, y, true)) / (2.0 * d) +
+               (q(x, y + d, false) - q(x, y - d, false)) / (2.0 * d);
+    };
+    const auto planar = [](double x, double y, double t) {
+        return exact::thacker_planar(x, y, t, 1.0, 0.1, 0.5);
+    };
+    const auto radial = [](double x, double y, double t) {
+        return exact::thacker_radial(x, y, t, 1.0, 0.1, 0.8);
+    };
+    const auto parabola = [](double x, double, double t) {
+        return exact::thacker_parabola(x, t, 1.0, 0.5);
+    };
+    EXPECT_NEAR(loss(planar, 0.3, 0.2, 0.4), 0.0, 1e-8);
+    EXPECT_NEAR(loss(radial, 0.3, 0.2, 0.4), 0.0, 1e-8);
+    EXPECT_NEAR(loss(parabola, -0.3, 0.0, 0.4), 0.0, 1e-8);
+    EXPECT_NEAR(exact::thacker_radial(0.7999, 0.0, 0.0, 1.0, 0.1, 0.8).depth, 0.0, 1e-3);
+    EXPECT_EQ(exact::thacker_radial(0.8001, 0.0, 0.0, 1.0, 0.1, 0.8).depth, 0.0);
+}
+
+}  // namespace
+}  // namespace fumon::examination
