@@ -2,15 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <filesystem>
+#include <variant>
+#include <vector>
+
 #include "base/error.h"
 #include "figure/overlays/frame_overlays.h"
 #include "figure/panels/section_figure.h"
+#include "files/csv_table.h"
+#include "files/input_file.h"
 #include "models/registry.h"
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
 #include "render/view/water.h"
 #include "scene/faults.h"
 #include "scene/overlay_keys.h"
+#include "scene/scene_keys.h"
 #include "scene/wind_tables.h"
 
 namespace fumon {
@@ -84,6 +92,57 @@ void check_overlays(const Scene& scene, const Snapshot& first) {
     }
 }
 
+/// Times and values of two columns of a file.
+void read_edge_table(const std::filesystem::path& file, std::vector<double>& times,
+                     std::vector<double>& values) {
+    const std::string text = read_input_file(file);
+    const Table table = parse_csv_table({file.string(), text});
+    if (table.columns.size() != 2 || table.rows() == 0) {
+        throw InputError(fmt::format("{}: {} columns and {} rows; it takes two columns, seconds "
+                                     "and discharge or level, under a line with their names",
+                                     file.string(), table.columns.size(), table.rows()));
+    }
+    for (const TableColumn& column : table.columns) {
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            if (std::isfinite(column.values[row])) continue;
+            throw InputError(fmt::format("{}: \"{}\" in row {} of \"{}\" is no number",
+                                         file.string(), column.text(row), row + 1, column.name));
+        }
+    }
+    times = table.columns[0].values;
+    values = table.columns[1].values;
+}
+
+/// Puts the tables that [[edge]] names in their place, so that a resolved scene needs no file.
+void read_edge_tables(Scene& scene) {
+    const KeyTable keys = scene_keys(scene);
+    const TableList* list = keys.find_list("edge");
+    for (std::size_t n = 0; list != nullptr && n < list->size(); ++n) {
+        const auto path = [&](const char* key) { return fmt::format("edge.{}.{}", n, key); };
+        std::string& written = *std::get<std::string*>(keys.find(path("table"))->target);
+        if (written.empty()) continue;
+        const std::string place = scene.at(path("table"));
+        const bool from_here = scene.set_on_command_line(path("table"));
+        if (!scene.trusted && !from_here) {
+            throw InputError(place + "a scene that others named reads no tables; name the scene's "
+                                     "file itself");
+        }
+        const auto list_of = [&](const char* key) {
+            return std::get<RealListTarget>(keys.find(path(key))->target).values;
+        };
+        if (!list_of("times")->empty())
+            throw InputError(place + "the table says the times; leave edge.times out");
+        const std::filesystem::path named(written);
+        try {
+            read_edge_table(named.is_absolute() || from_here ? named : scene.directory / named,
+                            *list_of("times"), *list_of("values"));
+        } catch (const InputError& fault) {
+            throw InputError(place + fault.what());
+        }
+        written.clear();
+    }
+}
+
 /// Whether a scene shows more than the bed, which a model may not have.
 bool asks_for_more(const Scene& scene) {
     const LookSettings& look = scene.view.look;
@@ -98,6 +157,7 @@ PreparedScene prepare_scene(Scene scene) {
     check_palette(scene);
     name_parameter_keys(scene);
     read_wind_tables(scene);
+    read_edge_tables(scene);
     InitialBed initial = make_initial_bed(scene);
     scene.grid.nx = initial.bed.nx();  // resolved: a terrain file brings its own size
     scene.grid.ny = initial.bed.ny();

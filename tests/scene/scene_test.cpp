@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
             "scene.toml:2:8: unknown model \"sant\"; did you mean \"sand\"? (see `fumon models`)"},
         Broken{"no_model", "[run]\nsteps = 3\n",
                "scene.toml:1:1: model.name is missing; write [model] and name = \"…\" (known: "
-               "sand, dunes, sandpile, gully, airflow, static)"},
+               "sand, dunes, sandpile, gully, water, airflow, static)"},
         Broken{"no_length", "[model]\nname = \"sand\"\n",
                "scene.toml: run.steps is missing; say how long to run, for example [run] steps = "
                "1000"},

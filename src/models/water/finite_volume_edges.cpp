@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "models/water/cell_source.h"
 #include "models/water/finite_volume_scheme.h"
 
 namespace fumon {

@@ -5,7 +5,6 @@
 
 #include "base/give_up.h"
 #include "base/worker_pool.h"
-#include "models/water/cell_source.h"
 
 namespace fumon {
 

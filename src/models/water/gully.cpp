@@ -14,7 +14,7 @@
 #include "base/worker_pool.h"
 #include "models/water/fault_vectors.h"
 #include "models/water/shallow_water.h"
-#include "models/water/time_table.h"
+#include "numerics/time_table.h"
 
 namespace fumon {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "models/water/time_table.h"
+#include "numerics/time_table.h"
 
 namespace fumon {
 

@@ -1,4 +1,4 @@
-#include "models/water/time_table.h"
+#include "numerics/time_table.h"
 
 #include <algorithm>
 #include <cstddef>
