@@ -98,9 +98,10 @@ void read_edge_table(const std::filesystem::path& file, std::vector<double>& tim
     const std::string text = read_input_file(file);
     const Table table = parse_csv_table({file.string(), text});
     if (table.columns.size() != 2 || table.rows() == 0) {
-        throw InputError(fmt::format("{}: {} columns and {} rows; it takes two columns, seconds "
-                                     "and discharge or level, under a line with their names",
-                                     file.string(), table.columns.size(), table.rows()));
+        throw InputError(
+            fmt::format("{}: {} columns and {} rows; it takes two columns, seconds "
+                        "and discharge or level, under a line with their names",
+                        file.string(), table.columns.size(), table.rows()));
     }
     for (const TableColumn& column : table.columns) {
         for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -124,8 +125,9 @@ void read_edge_tables(Scene& scene) {
         const std::string place = scene.at(path("table"));
         const bool from_here = scene.set_on_command_line(path("table"));
         if (!scene.trusted && !from_here) {
-            throw InputError(place + "a scene that others named reads no tables; name the scene's "
-                                     "file itself");
+            throw InputError(place +
+                             "a scene that others named reads no tables; name the scene's "
+                             "file itself");
         }
         const auto list_of = [&](const char* key) {
             return std::get<RealListTarget>(keys.find(path(key))->target).values;

@@ -245,8 +245,7 @@ Channel channel_with_jump() {
     channel.depth = [](double x) {
         if (x < 500.0) return unit_depth * (0.9 - std::exp(-x / 250.0) / 6.0);
         double sum = 1.0 + 0.8 * std::exp(x / 1000.0 - 1.0);
-        for (int k = 1; k <= 3; ++k)
-            sum += terms[k - 1] * std::exp(-20.0 * k * (x / 1000.0 - 0.5));
+        for (int k = 1; k <= 3; ++k) sum += terms[k - 1] * std::exp(-20.0 * k * (x / 1000.0 - 0.5));
         return unit_depth * sum;
     };
     channel.depth_slope = [](double x) {

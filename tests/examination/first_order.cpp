@@ -23,8 +23,7 @@ double FirstOrder::step_at_courant_one() const {
         most = std::max(most, (std::fabs(water_.velocity_x.values()[k]) + c) / domain_.dx +
                                   (std::fabs(water_.velocity_y.values()[k]) + c) / domain_.dy);
     }
-    const double of_edges =
-        edge_step_at_courant_one(domain_, 0.0, bed_, parameters_.gravity);
+    const double of_edges = edge_step_at_courant_one(domain_, 0.0, bed_, parameters_.gravity);
     return std::min(most > 0.0 ? 1.0 / most : std::numeric_limits<double>::infinity(), of_edges);
 }
 
@@ -51,8 +50,8 @@ FirstOrder::Flux FirstOrder::face(const Cell& left, const Cell& right) const {
     const double ql = hl * left.u;
     const double qr = hr * right.u;
     const double mass = mixed(ql, qr, hl, hr);
-    const double momentum = mixed(ql * left.u + 0.5 * g * hl * hl, qr * right.u + 0.5 * g * hr * hr,
-                                  ql, qr);
+    const double momentum =
+        mixed(ql * left.u + 0.5 * g * hl * hl, qr * right.u + 0.5 * g * hr * hr, ql, qr);
     return {mass, momentum - 0.5 * g * hl * hl, momentum - 0.5 * g * hr * hr,
             mass > 0.0 ? mass * left.v : mass * right.v};
 }
@@ -61,10 +60,9 @@ FirstOrder::Flux FirstOrder::at_edge(const Cell& inside, GridSide side, int cell
     const bool low = side == GridSide::west || side == GridSide::south;
     const double sign = low ? -1.0 : 1.0;
     if (edges_.flows(side, cell)) {
-        const EdgeFlux flux = edges_.flux(side, cell, {inside.h, sign * inside.u, inside.v, inside.z},
-                                          parameters_.gravity);
-        const double change =
-            flux.momentum - 0.5 * parameters_.gravity * inside.h * inside.h;
+        const EdgeFlux flux = edges_.flux(
+            side, cell, {inside.h, sign * inside.u, inside.v, inside.z}, parameters_.gravity);
+        const double change = flux.momentum - 0.5 * parameters_.gravity * inside.h * inside.h;
         return {sign * flux.mass, change, change, sign * flux.along};
     }
     const bool open = edges_.kind(side, cell) == EdgeKind::open;

@@ -54,7 +54,8 @@ Case bump_case(const char* name, const char* title, double duration) {
     one.duration = duration;
     one.parameters = frictionless();
     one.bed = [](int cells, int rows) {
-        return bed_along_x(cells, rows, [&](int x) { return exact::bump((x + 0.5) * 25.0 / cells); });
+        return bed_along_x(cells, rows,
+                           [&](int x) { return exact::bump((x + 0.5) * 25.0 / cells); });
     };
     one.kinks = {8.0, 12.0};
     return one;
@@ -62,6 +63,7 @@ Case bump_case(const char* name, const char* title, double duration) {
 
 Case lake(const char* name, const char* title, double level) {
     Case one = bump_case(name, title, 100.0);
+    one.level = level;
     one.start = [level](double, double, double bed) {
         return Flow{std::max(level - bed, 0.0), 0.0, 0.0};
     };
@@ -74,6 +76,7 @@ Case lake(const char* name, const char* title, double level) {
 Case flow_over_bump(const char* name, const char* title, double q, double out,
                     const std::function<Flow(double)>& steady) {
     Case one = bump_case(name, title, 300.0);
+    one.level = out;
     one.parameters.edges = {edge(GridSide::west, EdgeFlow::discharge, q),
                             edge(GridSide::east, EdgeFlow::level, out)};
     one.start = [out](double, double, double bed) {
@@ -86,17 +89,15 @@ Case flow_over_bump(const char* name, const char* title, double q, double out,
 void add_bumps(std::vector<Case>& cases) {
     cases.push_back(lake("lake-immersed-bump", "lake at rest, immersed bump", 0.5));
     cases.push_back(lake("lake-emerged-bump", "lake at rest, emerged bump", 0.1));
-    cases.push_back(flow_over_bump(
-        "bump-subcritical", "bump, subcritical", 4.42, 2.0,
-        [](double x) { return exact::bump_subcritical(x, 4.42, 2.0); }));
+    cases.push_back(flow_over_bump("bump-subcritical", "bump, subcritical", 4.42, 2.0,
+                                   [](double x) { return exact::bump_subcritical(x, 4.42, 2.0); }));
     cases.back().smooth = true;
     cases.push_back(flow_over_bump("bump-transcritical", "bump, transcritical", 1.53, 0.66,
                                    [](double x) { return exact::bump_transcritical(x, 1.53); }));
     cases.back().kinks.push_back(10.0);
     cases.back().smooth = true;
-    cases.push_back(flow_over_bump(
-        "bump-jump", "bump, transcritical with a jump", 0.18, 0.33,
-        [](double x) { return exact::bump_with_jump(x, 0.18, 0.33); }));
+    cases.push_back(flow_over_bump("bump-jump", "bump, transcritical with a jump", 0.18, 0.33,
+                                   [](double x) { return exact::bump_with_jump(x, 0.18, 0.33); }));
     cases.back().kinks.push_back(10.0);
     cases.back().kinks.push_back(exact::bump_jump(0.18, 0.33));
 }
@@ -126,6 +127,7 @@ Case channel_case(const char* name, const char* title, const exact::Channel& cha
         edge(GridSide::west, EdgeFlow::discharge, channel.inflow, is_fast(0.0) ? in : 0.0),
         is_fast(channel.length) ? edge(GridSide::east, EdgeFlow::open)
                                 : edge(GridSide::east, EdgeFlow::level, out)};
+    one.level = out;
     one.start = [out](double, double, double bed) {
         return Flow{std::max(out - bed, 0.0), 0.0, 0.0};
     };
@@ -165,6 +167,8 @@ Case dam(const char* name, const char* title, double length, double left, double
     one.length = length;
     one.west = -0.5 * length;
     one.duration = duration;
+    one.behind = left;
+    one.before = right;
     one.parameters = frictionless();
     one.bed = [](int cells, int rows) { return Grid(cells, rows); };
     one.start = [left, right](double x, double, double) {
@@ -179,8 +183,9 @@ Case dam(const char* name, const char* title, double length, double left, double
 void add_dams(std::vector<Case>& cases) {
     cases.push_back(dam("dam-wet", "breaking dam, wet bed (Stoker)", 10.0, 0.005, 0.001, 6.0));
     cases.push_back(dam("dam-dry", "breaking dam, dry bed (Ritter)", 10.0, 0.005, 0.0, 6.0));
-    cases.push_back(dam("dam-friction", "breaking dam, dry bed, friction (Dressler), before its tip",
-                        2000.0, 6.0, 0.0, 40.0));
+    cases.push_back(dam("dam-friction",
+                        "breaking dam, dry bed, friction (Dressler), before its tip", 2000.0, 6.0,
+                        0.0, 40.0));
     Case& one = cases.back();
     one.parameters.friction = FrictionLaw::chezy;
     one.parameters.chezy = 40.0;
@@ -218,10 +223,9 @@ Case basin(const char* name, const char* title, bool square, double h0, double d
 
 void add_basins(std::vector<Case>& cases) {
     const double parabola = 2.0 * std::numbers::pi / std::sqrt(2.0 * exact::gravity * 0.5);
-    cases.push_back(basin("thacker-parabola", "Thacker's parabola, 1 m x 4 m, 5 periods", false,
-                          0.5, 5.0 * parabola, [](double x, double, double t) {
-                              return exact::thacker_parabola(x, t, 1.0, 0.5);
-                          }));
+    cases.push_back(basin(
+        "thacker-parabola", "Thacker's parabola, 1 m x 4 m, 5 periods", false, 0.5, 5.0 * parabola,
+        [](double x, double, double t) { return exact::thacker_parabola(x, t, 1.0, 0.5); }));
     const double planar = 2.0 * std::numbers::pi / std::sqrt(2.0 * exact::gravity * 0.1);
     cases.push_back(basin("thacker-planar", "Thacker's plane surface going round, 1 period", true,
                           0.1, planar, [](double x, double y, double t) {
@@ -265,8 +269,8 @@ Setting setting_of(const Case& one, int cells) {
     setting.domain.stretches = stretches_of(setting.parameters, setting.domain, cells, rows);
     for (int y = 0; y < rows; ++y) {
         for (int x = 0; x < cells; ++x) {
-            const Flow flow = one.start(one.west + (x + 0.5) * dx, one.west + (y + 0.5) * dx,
-                                        setting.bed(x, y));
+            const Flow flow =
+                one.start(one.west + (x + 0.5) * dx, one.west + (y + 0.5) * dx, setting.bed(x, y));
             setting.water.depth(x, y) = flow.depth;
             setting.water.velocity_x(x, y) = flow.u;
             setting.water.velocity_y(x, y) = flow.v;
@@ -332,15 +336,15 @@ Outcome run_case(const Case& one, int cells, int threads) {
         for (const double depth : setting.water.depth.values()) sum.add(depth);
         return sum.value() * setting.domain.dx * setting.domain.dy;
     };
-    const double area = setting.domain.dx * setting.domain.dy * static_cast<double>(setting.bed.size());
+    const double area =
+        setting.domain.dx * setting.domain.dy * static_cast<double>(setting.bed.size());
     const double before = volume();
     const double began = processor_seconds();
     CompensatedSum fallen;
     double time = 0.0;
     while (time < one.duration) {
-        const double at_one =
-            std::min(scheme.step_at_courant_one(setting.water),
-                     scheme.edge_step_at_courant_one(time, setting.bed));
+        const double at_one = std::min(scheme.step_at_courant_one(setting.water),
+                                       scheme.edge_step_at_courant_one(time, setting.bed));
         const double dt = std::min(0.4 * at_one, one.duration - time);
         scheme.set_time(time + 0.5 * dt);
         scheme.advance(setting.water, setting.bed, dt, rain);
@@ -351,8 +355,7 @@ Outcome run_case(const Case& one, int cells, int threads) {
     outcome.seconds = processor_seconds() - began;
     outcome.errors = errors_of(one, setting, setting.water);
     const double after = volume();
-    const double balance =
-        ((after - before) - fallen.value()) + (scheme.left() - scheme.entered());
+    const double balance = ((after - before) - fallen.value()) + (scheme.left() - scheme.entered());
     outcome.errors.mass =
         std::fabs(balance) / std::max({after, before, scheme.left(), scheme.entered()});
     return outcome;

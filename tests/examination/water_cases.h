@@ -19,7 +19,9 @@ struct Case {
     bool square = false;  ///< as many cells along y; else a strip of a few, periodic
     double west = 0.0;    ///< x of the first cell's west edge, m (of a square: y likewise)
     double duration = 0.0;
-    GullyParameters parameters;  ///< of friction, rain, edges
+    double level = 0.0;  ///< of the water at the start, m, where it is not a dam's or a basin's
+    double behind = 0.0, before = 0.0;  ///< a dam: depths at its sides at the start, m
+    GullyParameters parameters;         ///< of friction, rain, edges
     /// The bed of `cells` cells along x.
     std::function<Grid(int cells, int rows)> bed;
     std::function<exact::Flow(double x, double y, double bed)> start;
@@ -58,6 +60,11 @@ Errors errors_of(const Case& one, const Setting& setting, const Water& water);
 
 /// By fumon's finite volumes.
 Outcome run_case(const Case& one, int cells, int threads);
+
+/// The scene of a case that is no square, and its bed as an ESRI ASCII grid (empty: flat), for
+/// `fumon run`.
+std::string scene_of(const Case& one, int cells);
+std::string bed_of(const Case& one, int cells);
 
 /// By the plain scheme of first order (first_order.h).
 Outcome run_plainly(const Case& one, int cells);

@@ -1,7 +1,9 @@
 // Runs the cases with exact solutions and prints what comes of them as a table:
 //
 //     water_examination [CASE…] [--cells 100,200,400]
+//     water_examination [CASE…] --scenes FOLDER
 //
+// or writes the scenes of those that are strips, on 100 cells, with their beds. What it prints are
 // L1 errors of the depth over the exact volume, the order from the last two grids, of all cells and
 // of those more than five from shores and kinks; the budget of water; seconds of the processor; and
 // beside them those of a plain scheme of first order.
@@ -11,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -54,15 +58,23 @@ void print_case(const Case& one, const std::vector<int>& grids) {
     }
     const std::size_t last = grids.size() - 1;
     const double ratio = last == 0 ? 2.0 : static_cast<double>(grids[last]) / grids[last - 1];
-    const auto orders = [&](const std::vector<Outcome>& outcomes, double Errors::* error) {
+    const auto orders = [&](const std::vector<Outcome>& outcomes, double Errors::*error) {
         if (last == 0) return std::string("–");
         return order(outcomes[last - 1].errors.*error, outcomes[last].errors.*error, ratio);
     };
     fmt::print("{} {} | {} | {:.0e} | {:.2f} | {} | {} | {:.2f} |\n", line,
-               orders(ours, &Errors::depth), orders(ours, &Errors::away), mass,
-               ours[last].seconds, error_text(plain[last].errors.depth),
-               orders(plain, &Errors::depth), plain[last].seconds);
+               orders(ours, &Errors::depth), orders(ours, &Errors::away), mass, ours[last].seconds,
+               error_text(plain[last].errors.depth), orders(plain, &Errors::depth),
+               plain[last].seconds);
     std::fflush(stdout);
+}
+
+void write_scene(const Case& one, const std::filesystem::path& folder) {
+    if (one.square || one.name == "thacker-parabola") return;
+    constexpr int cells = 100;
+    std::ofstream(folder / (one.name + ".toml")) << scene_of(one, cells);
+    const std::string bed = bed_of(one, cells);
+    if (!bed.empty()) std::ofstream(folder / (one.name + ".asc")) << bed;
 }
 
 }  // namespace
@@ -70,13 +82,25 @@ void print_case(const Case& one, const std::vector<int>& grids) {
 int main(int count, char** arguments) {
     std::vector<int> grids{100, 200, 400};
     std::vector<std::string> names;
+    std::filesystem::path folder;
     for (int k = 1; k < count; ++k) {
         const std::string word = arguments[k];
         if (word == "--cells" && k + 1 < count) {
             grids = numbers_of(arguments[++k]);
+        } else if (word == "--scenes" && k + 1 < count) {
+            folder = arguments[++k];
         } else {
             names.push_back(word);
         }
+    }
+    const auto is_asked = [&](const Case& one) {
+        return names.empty() || std::ranges::find(names, one.name) != names.end();
+    };
+    if (!folder.empty()) {
+        for (const Case& one : all_cases()) {
+            if (is_asked(one)) write_scene(one, folder);
+        }
+        return 0;
     }
     std::string head = "| case |";
     std::string rule = "|---|";
@@ -89,8 +113,7 @@ int main(int count, char** arguments) {
         "{}---|---|---|---|---|---|---|\n",
         head, rule);
     for (const Case& one : all_cases()) {
-        if (names.empty() || std::ranges::find(names, one.name) != names.end())
-            print_case(one, grids);
+        if (is_asked(one)) print_case(one, grids);
     }
     return 0;
 }

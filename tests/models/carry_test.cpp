@@ -209,7 +209,7 @@ INSTANTIATE_TEST_SUITE_P(
              "\"toward-direction\"\ndrop_direction = \"cycling\"\n"),
         pile("Sites", "drop_x = [3, 9, 6]\ndrop_y = [4, 2, 9]\ndrop_choice = \"random\"\n"),
         pile("SitesInTurn", "drop_x = [3, 9, 6]\ndrop_y = [4, 2, 9]\n"),
-gully("WaterThatComesIn",
+        gully("WaterThatComesIn",
               "friction = \"manning\"\ninfiltration = \"green-ampt\"\nrain_times = [0, "
               "0.5]\nrain_rates = [50, 90]\ntransport = \"none\"\nslope_x = 0.01\n[[water]]\n"
               "window = [3, 3, 9, 9]\ndepth = 0.4\n[[edge]]\nside = \"west\"\nkind = "

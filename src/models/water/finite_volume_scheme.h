@@ -94,12 +94,12 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     Water between_;                             // after the first stage
     std::vector<std::vector<Outlet>> outlets_;  // of each row
     std::vector<RowVolumes> row_volumes_;
-    std::vector<double> row_rates_;             // of the water that the last step left, 1/s
+    std::vector<double> row_rates_;  // of the water that the last step left, 1/s
     double left_ = 0.0;
     CompensatedSum left_with_flow_;  // where edges have stretches, over which much flows
     CompensatedSum entered_;
-    double time_ = 0.0;  // of the discharges and levels at the edges, s
-    std::unique_ptr<WaterEdges> edges_;  // of the grid's size
+    double time_ = 0.0;                         // of the discharges and levels at the edges, s
+    std::unique_ptr<WaterEdges> edges_;         // of the grid's size
     std::vector<finite_volume::Strip> strips_;  // one a thread
 };
 

@@ -59,10 +59,9 @@ void Strip::cut_fluxes(int y, double dt_dx, double dt_dy, bool beyond) {
     const auto slot_south = static_cast<std::size_t>((y - 1) & (kept - 1));
     const bool was_short = short_of_water_[slot];
     const double* x_mass = row(x_fluxes, y);
-    const bool is_short =
-        !beyond &&
-        payable_shares(depth(y) + 2, x_mass + 1, x_mass + 2, row(y_fluxes, y - 1) + 2,
-                       row(y_fluxes, y) + 2, dt_dx, dt_dy, row(shares, y) + 2, padded() - 4);
+    const bool is_short = !beyond && payable_shares(depth(y) + 2, x_mass + 1, x_mass + 2,
+                                                    row(y_fluxes, y - 1) + 2, row(y_fluxes, y) + 2,
+                                                    dt_dx, dt_dy, row(shares, y) + 2, padded() - 4);
     short_of_water_[slot] = is_short;
     if (was_short && !is_short) std::fill_n(row(shares, y), stride, 1.0);
     if (is_short && edge_west_) std::fill_n(row(shares, y), margin, 1.0);

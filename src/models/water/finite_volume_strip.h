@@ -24,8 +24,8 @@ class Strip {
     explicit Strip(StoppingSteps steps)
         : steps_(steps), values_(static_cast<std::size_t>(fields) * kept * stride) {}
 
-    /// Starts a block of `count` columns from column `first_x` on. Where `edge_west` or `edge_east`,
-    /// cells beyond it pay for what comes in there.
+    /// Starts a block of `count` columns from column `first_x` on. Where `edge_west` or
+    /// `edge_east`, cells beyond it pay for what comes in there.
     void start(int first_x, int count, bool edge_west = false, bool edge_east = false);
 
     [[nodiscard]] int first_x() const { return first_x_; }
@@ -44,8 +44,8 @@ class Strip {
     void take_y_slopes(int y);
     /// Fluxes through the faces between row y and the one north of it.
     void take_y_fluxes(int y, double gravity);
-    /// Cuts the fluxes of row y, and of the faces south of it, to what the cells can pay; cells of a
-    /// row `beyond` an edge over which water comes in pay it all.
+    /// Cuts the fluxes of row y, and of the faces south of it, to what the cells can pay; cells of
+    /// a row `beyond` an edge over which water comes in pay it all.
     void cut_fluxes(int y, double dt_dx, double dt_dy, bool beyond);
 
     /// The water of padded cell k of row y at its face on that side, as reconstructed.

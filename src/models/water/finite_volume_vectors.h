@@ -60,8 +60,8 @@ void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow
 /// HLLC with the two-rarefaction wave speeds and exact fronts next to dry ground (Toro 2001).
 /// Water that runs against a step of more than half its depth loses there the momentum of what does
 /// not pass: a step of the bed's own slopes, for the limited ones of depth and surface leave steps
-/// on a resolved slope too, which a shore climbs. (Without slopes of the bed: against any step.) Beyond a face to the outside is a dry step of equal height, over which water
-/// leaves.
+/// on a resolved slope too, which a shore climbs. (Without slopes of the bed: against any step.)
+/// Beyond a face to the outside is a dry step of equal height, over which water leaves.
 void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,
                  const HalfSlopes& right_slopes, double gravity, const Fluxes& out, int count);
 
@@ -97,8 +97,8 @@ struct UpdateFactors {
     double pull = 0.0;      ///< g·slope, m/s², toward −y
     double pull_x = 0.0;    ///< … toward −x
     double friction = 0.0;  ///< of τ = ρ · friction · |u| u
-    double manning = 0.0;   ///< g n², of τ = ρ · manning · h^(−1/3) · |u| u instead, where it is > 0
-    double rain = 0.0;      ///< m/s
+    double manning = 0.0;  ///< g n², of τ = ρ · manning · h^(−1/3) · |u| u instead, where it is > 0
+    double rain = 0.0;  ///< m/s
 };
 
 /// Depth and velocities after an Euler step, friction implicit; averaged with the step's start

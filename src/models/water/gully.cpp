@@ -140,8 +140,8 @@ Gully::Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool)
       wet_area_(cell_area_ * sum_of(bed_, domain_.nodata, [](double) { return 1.0; })),
       first_water_(water_volume()),
       first_bed_(bed_volume()) {
-    check_time_step(parameters_, std::min(step_at_courant_one_,
-                                          scheme_->edge_step_at_courant_one(0.0, bed_)));
+    check_time_step(parameters_,
+                    std::min(step_at_courant_one_, scheme_->edge_step_at_courant_one(0.0, bed_)));
 }
 
 void Gully::step() {

@@ -29,7 +29,7 @@ struct GullyParameters {
     double courant_number = 0.4;  ///< of the sub-steps
 
     WordOrReal slope{"auto", 0.0};  ///< of the mean plane, m/m; auto: 0.04, 0 for a terrain file
-    double slope_x = 0.0;        ///< … along x, where it descends eastward
+    double slope_x = 0.0;           ///< … along x, where it descends eastward
     double channel_depth = 0.0;     ///< m, of a Gaussian trough down the middle of the plane
     double channel_width = 4.0;     ///< m, its standard deviation
     InitialWater initial_water = InitialWater::film;
@@ -38,8 +38,8 @@ struct GullyParameters {
     InitialFlow initial_flow = InitialFlow::automatic;
     EdgeKind edges_x = EdgeKind::automatic;
     EdgeKind edges_y = EdgeKind::automatic;
-    double rain = 0.0;        ///< mm/h
-    double rain_until = 0.0;  ///< s; 0: as long as the run
+    double rain = 0.0;               ///< mm/h
+    double rain_until = 0.0;         ///< s; 0: as long as the run
     std::vector<double> rain_times;  ///< s, rising; empty: `rain` throughout
     std::vector<double> rain_rates;  ///< mm/h, from these times on
     InfiltrationLaw infiltration = InfiltrationLaw::none;

@@ -157,9 +157,10 @@ double initial_speed(const GullyParameters& parameters, const WaterDomain& domai
             }
             break;
     }
-    const double slope = domain.slope_x == 0.0 ? domain.slope
-                                               : std::sqrt(domain.slope * domain.slope +
-                                                           domain.slope_x * domain.slope_x);
+    const double slope =
+        domain.slope_x == 0.0
+            ? domain.slope
+            : std::sqrt(domain.slope * domain.slope + domain.slope_x * domain.slope_x);
     if (slope == 0.0) return 0.0;
     return std::sqrt(parameters.gravity * parameters.depth * slope / friction);
 }

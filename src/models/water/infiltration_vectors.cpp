@@ -38,8 +38,7 @@ struct GreenAmpt {
         const auto there = hn::LoadU(d, depth + x);
         const auto before = hn::LoadU(d, total + x);
         const auto grown = before + hn::Set(d, conductivity);
-        const auto root =
-            hn::Sqrt(grown * grown + hn::Set(d, 4.0 * conductivity * suction));
+        const auto root = hn::Sqrt(grown * grown + hn::Set(d, 4.0 * conductivity * suction));
         const auto could = hn::Set(d, 0.5) * (grown + root) - before;
         const auto gone = lesser(greater(could, hn::Zero(d)), there);
         hn::StoreU(gone, d, taken + x);

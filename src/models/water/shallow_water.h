@@ -30,10 +30,10 @@ struct EdgeStretch {
 
 /// Where the water flows, fixed for a run.
 struct WaterDomain {
-    double dx = 1.0;       ///< m
-    double dy = 1.0;       ///< m
-    double slope = 0.0;    ///< of the mean plane, which descends toward −y: a body force −g·slope
-    double slope_x = 0.0;  ///< … and toward +x: g·slope_x; of finite volumes
+    double dx = 1.0;     ///< m
+    double dy = 1.0;     ///< m
+    double slope = 0.0;  ///< of the mean plane, which descends toward −y: a body force −g·slope
+    double slope_x = 0.0;                   ///< … and toward +x: g·slope_x; of finite volumes
     EdgeKind edges_x = EdgeKind::periodic;  ///< never automatic
     EdgeKind edges_y = EdgeKind::periodic;
     std::vector<EdgeStretch> stretches;  ///< of finite volumes, on sides that are not periodic

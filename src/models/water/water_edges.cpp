@@ -43,8 +43,7 @@ WaterEdges::WaterEdges(const WaterDomain& domain, int nx, int ny)
         std::vector<int>& kinds = kinds_[number(stretch.side)];
         if (kinds.empty())
             kinds.assign(static_cast<std::size_t>(across_x(stretch.side) ? ny : nx), as_the_side);
-        const bool flows =
-            stretch.kind == EdgeFlow::discharge || stretch.kind == EdgeFlow::level;
+        const bool flows = stretch.kind == EdgeFlow::discharge || stretch.kind == EdgeFlow::level;
         any_flow_ = any_flow_ || flows;
         const int still = stretch.kind == EdgeFlow::wall ? wall_here : open_here;
         std::fill(kinds.begin() + stretch.first, kinds.begin() + stretch.last + 1,

@@ -20,15 +20,16 @@ void list_edge(EdgeSettings& edge, const std::string& path, KeyTable& table) {
                {.unit = "m",
                 .range = {0, farthest},
                 .help = "where the stretch begins, from the side's south or west end"});
-    table.real(path + ".to", edge.to,
-               {.unit = "m", .range = {0, farthest}, .help = "where it ends; 0: at the side's end"});
-    table.choice(path + ".kind", edge.kind,
-                 {{EdgeFlow::open, "open", "water leaves freely, none comes in"},
-                  {EdgeFlow::wall, "wall", "nothing passes"},
-                  {EdgeFlow::discharge, "discharge", "so much comes in, evenly along the stretch"},
-                  {EdgeFlow::level, "level",
-                   "the water stands at this level: it comes in or leaves"}},
-                 {.help = "what passes the stretch; elsewhere model.edges_x, model.edges_y hold"});
+    table.real(
+        path + ".to", edge.to,
+        {.unit = "m", .range = {0, farthest}, .help = "where it ends; 0: at the side's end"});
+    table.choice(
+        path + ".kind", edge.kind,
+        {{EdgeFlow::open, "open", "water leaves freely, none comes in"},
+         {EdgeFlow::wall, "wall", "nothing passes"},
+         {EdgeFlow::discharge, "discharge", "so much comes in, evenly along the stretch"},
+         {EdgeFlow::level, "level", "the water stands at this level: it comes in or leaves"}},
+        {.help = "what passes the stretch; elsewhere model.edges_x, model.edges_y hold"});
     table.real(path + ".value", edge.value,
                {.unit = "m^3/s, or m",
                 .range = {-1e5, 1e9},
@@ -58,10 +59,11 @@ void list_region(RegionSettings& region, const std::string& path, KeyTable& tabl
                              "cells whose middles lie in it; empty: all"});
     table.word_or_real(path + ".depth", region.depth, {{"none", "water.level says it"}},
                        {.unit = "m", .range = {0, 1e4}, .help = "h at the start"});
-    table.word_or_real(path + ".level", region.level, {{"none", "water.depth says it"}},
-                       {.unit = "m",
-                        .range = {-1e5, 1e5},
-                        .help = "height of the water's surface at the start; higher ground is dry"});
+    table.word_or_real(
+        path + ".level", region.level, {{"none", "water.depth says it"}},
+        {.unit = "m",
+         .range = {-1e5, 1e5},
+         .help = "height of the water's surface at the start; higher ground is dry"});
     table.real(path + ".velocity_x", region.velocity_x,
                {.unit = "m/s", .range = {-1e3, 1e3}, .help = "eastward, at the start"});
     table.real(path + ".velocity_y", region.velocity_y,

@@ -72,11 +72,11 @@ std::vector<EdgeStretch> stretches_of(const GullyParameters& parameters, const W
         stretch.first = first_from(edge.from, size, count);
         stretch.last = (edge.to > 0.0 ? first_from(edge.to, size, count) : count) - 1;
         if (stretch.first > stretch.last) {
-            throw KeyError(edge_key(n, edge.to > 0.0 ? "to" : "from"),
-                           fmt::format("no middle of a cell lies between {:g} m and {:g} m of a "
-                                       "side of {:g} m",
-                                       edge.from, edge.to > 0.0 ? edge.to : size * count,
-                                       size * count));
+            throw KeyError(
+                edge_key(n, edge.to > 0.0 ? "to" : "from"),
+                fmt::format("no middle of a cell lies between {:g} m and {:g} m of a "
+                            "side of {:g} m",
+                            edge.from, edge.to > 0.0 ? edge.to : size * count, size * count));
         }
         stretch.times = edge.times.empty() ? std::vector{0.0} : edge.times;
         stretch.values = edge.times.empty() ? std::vector{edge.value} : edge.values;
@@ -99,8 +99,7 @@ void fill_regions(const GullyParameters& parameters, const WaterDomain& domain, 
         const RegionSettings& region = parameters.regions[n];
         const auto key = [&](const char* name) { return fmt::format("water.{}.{}", n, name); };
         if (region.depth.is_word() == region.level.is_word()) {
-            throw KeyError(key("depth"),
-                           "give the water's depth or its level, and not both");
+            throw KeyError(key("depth"), "give the water's depth or its level, and not both");
         }
         int first_x = 0;
         int first_y = 0;

@@ -114,8 +114,8 @@ void FiniteVolume::take_slopes(const Flow& f) {
                 const double bound = shallowest > bed_step ? 1.0 : 0.5;
                 out.h(x, y) = half_slope(depth_back, depth_forward, bound);
                 out.surface(x, y) = half_slope(surface_back, surface_forward, bound);
-                out.bed(x, y) = half_slope(surface_back - depth_back,
-                                           surface_forward - depth_forward, 1.0);
+                out.bed(x, y) =
+                    half_slope(surface_back - depth_back, surface_forward - depth_forward, 1.0);
                 out_normal(x, y) =
                     half_slope(normal(x, y) - normal(xb, yb), normal(xf, yf) - normal(x, y), 1.0);
                 out_transverse(x, y) = half_slope(transverse(x, y) - transverse(xb, yb),

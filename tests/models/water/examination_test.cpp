@@ -1,14 +1,20 @@
 // fumon's finite volumes beside exact solutions (tests/examination).
 
-#include "models/water/finite_volume_scheme.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
+#include "base/worker_pool.h"
 #include "examination/water_cases.h"
+#include "models/registry.h"
+#include "models/water/finite_volume_scheme.h"
+#include "scene/initial_bed.h"
+#include "scene/read.h"
 
 namespace fumon::examination {
 namespace {
@@ -61,12 +67,11 @@ TEST_P(ExactFlow, IsMet) {
     EXPECT_LT(fine.errors.mass, 1e-13);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, ExactFlow, ::testing::ValuesIn(asked),
-                         [](const auto& each) {
-                             std::string name = each.param.name;
-                             std::erase(name, '-');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Cases, ExactFlow, ::testing::ValuesIn(asked), [](const auto& each) {
+    std::string name = each.param.name;
+    std::erase(name, '-');
+    return name;
+});
 
 TEST(ExactLake, StaysAtRestOverABumpUnderAndAboveIt) {
     for (const char* name : {"lake-immersed-bump", "lake-emerged-bump"}) {
@@ -100,6 +105,48 @@ TEST(PlainFirstOrder, IsFarFromTheExactFlow) {
     EXPECT_GT(order, 0.8);
     EXPECT_LT(order, 1.2);
     EXPECT_GT(fine.errors.depth, 20.0 * run_case(one, 100, 1).errors.depth);
+}
+
+std::string text_of(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The scenes that ship are those of the cases, and one run as a scene comes to the same end.
+TEST(ExaminationScenes, AreWrittenFromTheCases) {
+    const std::filesystem::path folder = FUMON_SCENES_FOLDER "/examinations";
+    int scenes = 0;
+    for (const Case& one : all_cases()) {
+        if (one.square || one.name == "thacker-parabola") continue;
+        ++scenes;
+        EXPECT_EQ(text_of(folder / (one.name + ".toml")), scene_of(one, 100)) << one.name;
+        EXPECT_EQ(text_of(folder / (one.name + ".asc")), bed_of(one, 100)) << one.name;
+    }
+    EXPECT_EQ(scenes, 14);
+}
+
+TEST(ExaminationScenes, RunToTheExactFlow) {
+    const std::filesystem::path folder = FUMON_SCENES_FOLDER "/examinations";
+    for (const char* name : {"channel-rain-supercritical", "dam-wet", "dam-friction"}) {
+        const Case& one = case_of(name);
+        const Scene scene = read_scene(folder / (one.name + ".toml"), {});
+        InitialBed initial = make_initial_bed(scene);
+        WorkerPool pool(1);
+        const auto model = find_model(scene.model.name)
+                               ->make(scene.model.parameters, {std::move(initial.bed),
+                                                               {},
+                                                               initial.scale,
+                                                               1,
+                                                               pool,
+                                                               bed_kind(scene) == BedKind::file});
+        while (model->steps_done() < scene.run.steps) model->step();
+        EXPECT_NEAR(model->time(), one.duration, 1e-6);
+        const Snapshot end = model->snapshot();
+        Water water{end.fields[0].values, end.fields[1].values, end.fields[2].values};
+        EXPECT_LT(errors_of(one, setting_of(one, 100), water).depth,
+                  1.05 * run_case(one, 100, 1).errors.depth)
+            << name;
+    }
 }
 
 /// The solutions themselves, by what they must fulfil.

@@ -199,8 +199,8 @@ TEST(WaterSetup, TheGroundTakesWaterByThreeLaws) {
     EXPECT_NEAR(taken(InfiltrationLaw::constant, 0.5, hour), 0.010, 1e-12);
     EXPECT_NEAR(taken(InfiltrationLaw::constant, 0.004, hour), 0.004, 1e-15) << "no more than is";
     // 10 mm + (60 − 10) mm/h · (1 − e^−2) / (2/h)
-    EXPECT_NEAR(taken(InfiltrationLaw::horton, 0.5, hour),
-                0.010 + 0.025 * (1.0 - std::exp(-2.0)), 1e-7);
+    EXPECT_NEAR(taken(InfiltrationLaw::horton, 0.5, hour), 0.010 + 0.025 * (1.0 - std::exp(-2.0)),
+                1e-7);
     // F − S ln(1 + F/S) = K t with S = 0.03 m
     const double total = taken(InfiltrationLaw::green_ampt, 0.5, hour);
     EXPECT_NEAR(total - 0.03 * std::log(1.0 + total / 0.03), 0.010, 2e-4);
