@@ -17,8 +17,6 @@ namespace {
 
 using exact::Flow;
 
-constexpr int strip_rows = 4;
-
 Grid bed_along_x(int cells, int rows, const std::function<double(int)>& height) {
     Grid bed(cells, rows);
     for (int y = 0; y < rows; ++y) {

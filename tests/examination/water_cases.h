@@ -11,6 +11,8 @@
 
 namespace fumon::examination {
 
+inline constexpr int strip_rows = 4;  ///< of a case that is no square
+
 /// A flow with a known solution, on any number of cells along x.
 struct Case {
     std::string name;

@@ -6,7 +6,6 @@ namespace fumon::examination {
 
 namespace {
 
-constexpr int strip_rows = 4;
 constexpr int steps = 100;
 
 std::string friction_of(const GullyParameters& parameters) {

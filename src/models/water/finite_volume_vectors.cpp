@@ -96,9 +96,10 @@ struct LimitedHalfSlopes {
                    out.surface + k);
         hn::StoreU(normal, d, out.normal + k);
         hn::StoreU(transverse, d, out.transverse + k);
-        if constexpr (of_bed) {
-            const V bed = half_slope(bed_back, bed_forward, one, quarter, zero);
-            hn::StoreU(bed, d, out.bed + k);
+        if constexpr (of_bed) {  // minmod
+            const V rising = larger(smaller(bed_back, bed_forward), zero);
+            const V falling = smaller(larger(bed_back, bed_forward), zero);
+            hn::StoreU(half * (rising + falling), d, out.bed + k);
         }
     }
 };

@@ -50,7 +50,7 @@ void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int c
 /// Monotonised central slopes (van Leer 1977) of `count` cells between their neighbours `back` and
 /// `forward`; flat toward a neighbour outside the domain. Where the water is thinner than
 /// the bed's steps, depth and surface take the smaller of the two differences (minmod), so that no
-/// two cells' beds overlap at a face and dam the water up. The bed's slope is of the bed alone.
+/// two cells' beds overlap at a face and dam the water up. The bed's own slope is minmod's.
 void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
                          const HalfSlopes& out, int count);
 

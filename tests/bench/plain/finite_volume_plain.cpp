@@ -22,6 +22,11 @@ double half_slope(double back, double forward, double bound) {
     return std::max(bound * std::max(back, forward), middle);
 }
 
+double minmod_half(double one, double other) {
+    if (!(one * other > 0.0)) return 0.0;
+    return 0.5 * (one > 0.0 ? std::min(one, other) : std::max(one, other));
+}
+
 /// A cell's side of a face.
 struct Side {
     double depth, surface, normal, transverse, bed;
@@ -115,7 +120,7 @@ void FiniteVolume::take_slopes(const Flow& f) {
                 out.h(x, y) = half_slope(depth_back, depth_forward, bound);
                 out.surface(x, y) = half_slope(surface_back, surface_forward, bound);
                 out.bed(x, y) =
-                    half_slope(surface_back - depth_back, surface_forward - depth_forward, 1.0);
+                    minmod_half(surface_back - depth_back, surface_forward - depth_forward);
                 out_normal(x, y) =
                     half_slope(normal(x, y) - normal(xb, yb), normal(xf, yf) - normal(x, y), 1.0);
                 out_transverse(x, y) = half_slope(transverse(x, y) - transverse(xb, yb),
