@@ -124,11 +124,11 @@ TEST(WaterSetup, WideGridsHaveNoSeamAtTheirEdges) {
     const auto flow = [&](int nx, int ny, bool wide) {
         WaterParameters water;
         water.substeps = Substeps::fixed;
-        water.time_step = 0.02;
+        water.time_step = 0.05;
         water.initial_water = InitialWater::film;
-        water.depth = 0.2;
-        water.edges = {edge(wide ? GridSide::south : GridSide::west, EdgeFlow::discharge, 900.0),
-                       edge(wide ? GridSide::north : GridSide::east, EdgeFlow::level, 0.1)};
+        water.depth = 0.002;  // so little that cells cannot pay in full
+        water.edges = {edge(wide ? GridSide::south : GridSide::west, EdgeFlow::discharge, 60.0),
+                       edge(wide ? GridSide::north : GridSide::east, EdgeFlow::level, 0.02)};
         Grid bed(nx, ny);
         for (int y = 0; y < ny; ++y) {
             for (int x = 0; x < nx; ++x)
