@@ -21,7 +21,13 @@ std::string parameters_of(const Scene& scene, const std::vector<std::string>& va
     Scene written = scene;
     Scene usual = default_scene(scene.model.name);
     const KeyTable keys = scene_keys(written);
-    const KeyTable defaults = scene_keys(usual);
+    KeyTable defaults = scene_keys(usual);
+    for (const TableList& list : keys.lists()) {  // items have their defaults too
+        const TableList* own =
+            list.role == KeyRole::parameter ? defaults.find_list(list.path) : nullptr;
+        if (own != nullptr) own->resize(list.size());
+    }
+    defaults = scene_keys(usual);
     std::vector<std::string> parts;
     for (const Key& key : keys.keys()) {
         const bool varies = std::find(varied.begin(), varied.end(), key.path) != varied.end();

@@ -67,6 +67,8 @@ Outcome run_case(const Case& one, int cells, int threads);
 /// `fumon run`.
 std::string scene_of(const Case& one, int cells);
 std::string bed_of(const Case& one, int cells);
+/// The exact depth at the end at so many points of it, as a table "x,depth", m.
+std::string curve_of(const Case& one, int points);
 
 /// By the plain scheme of first order (first_order.h).
 Outcome run_plainly(const Case& one, int cells);

@@ -3,10 +3,10 @@
 //     water_examination [CASE…] [--cells 100,200,400]
 //     water_examination [CASE…] --scenes FOLDER
 //
-// or writes the scenes of those that are strips, on 100 cells, with their beds. What it prints are
-// L1 errors of the depth over the exact volume, the order from the last two grids, of all cells and
-// of those more than five from shores and kinks; the budget of water; seconds of the processor; and
-// beside them those of a plain scheme of first order.
+// or writes the scenes of those that are strips, on 100 cells, with their beds and exact depths.
+// What it prints are L1 errors of the depth over the exact volume, the order from the last two
+// grids, of all cells and of those more than five from shores and kinks; the budget of water;
+// seconds of the processor; and beside them those of a plain scheme of first order.
 
 #include <fmt/format.h>
 
@@ -73,6 +73,8 @@ void write_scene(const Case& one, const std::filesystem::path& folder) {
     if (one.square || one.name == "thacker-parabola") return;
     constexpr int cells = 100;
     std::ofstream(folder / (one.name + ".toml")) << scene_of(one, cells);
+    constexpr int points = 200;
+    std::ofstream(folder / (one.name + ".csv")) << curve_of(one, points);
     const std::string bed = bed_of(one, cells);
     if (!bed.empty()) std::ofstream(folder / (one.name + ".asc")) << bed;
 }

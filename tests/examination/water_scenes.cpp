@@ -57,6 +57,16 @@ std::string scene_of(const Case& one, int cells) {
     return text + fmt::format("\n[run]\nsteps = {}\n\n[frames]\nevery = {}\n", steps, steps / 10);
 }
 
+std::string curve_of(const Case& one, int points) {
+    std::string text = "x,depth\n";
+    for (int k = 0; k < points; ++k) {
+        const double x = (k + 0.5) * one.length / points;
+        if (one.west + x > one.until) break;
+        text += fmt::format("{:.9g},{:.9g}\n", x, one.exact(one.west + x, 0.0, one.duration).depth);
+    }
+    return text;
+}
+
 std::string bed_of(const Case& one, int cells) {
     const Grid bed = one.bed(cells, strip_rows);
     bool is_flat = true;

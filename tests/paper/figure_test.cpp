@@ -51,6 +51,18 @@ TEST_F(FigureTest, CurvesHaveTheDataOfTheSweep) {
         EXPECT_NE(caption.find(part), std::string::npos) << part << "\n" << caption;
 }
 
+TEST_F(FigureTest, CaptionsTellWhatTheItemsOfAModelsListsSay) {
+    write_text(folder_ / "water.toml",
+               "[model]\nname = \"water\"\n[grid]\nnx = 12\nny = 8\n[run]\nsteps = 1\n"
+               "[[water]]\ndepth = 2\n[figure]\ndots_per_inch = 60\nformats = [\"png\"]\n"
+               "[[figure.panel]]\nkind = \"map\"\nfield = \"water_depth\"\n");
+    const Ended ended = fumon({"figure", "water.toml", "-q", "-o", "out"}, folder_.path());
+    ASSERT_EQ(ended.status, 0) << ended.errors;
+    const std::string caption = text("out/water.caption.txt");
+    EXPECT_NE(caption.find("water.0.depth = 2"), std::string::npos) << caption;
+    EXPECT_EQ(caption.find("water.0.level"), std::string::npos) << caption;
+}
+
 TEST_F(FigureTest, AProfileHasEveryFieldAndAPanelsPaletteRunsItsOwnWay) {
     const auto water = [](const std::string& look, const std::string& panel) {
         return "[model]\nname = \"gully\"\n[grid]\nnx = 12\nny = 8\n[run]\nsteps = 2\n[look]\n" +

@@ -24,7 +24,8 @@ void FiniteVolumeScheme::find_outlets() {
                 if (at_edge && edges_->flows(side, cell)) {
                     outlets.push_back({x, side, true});
                 } else if (at_edge && edges_->has_stretches(side)) {
-                    if (edges_->kind(side, cell) == EdgeKind::open) outlets.push_back({x, side});
+                    if (edges_->kind(side, cell) == EdgeKind::open)
+                        outlets.push_back({x, side, false});
                 } else if (is_outside(to_x, to_y)) {
                     outlets.push_back({x, side});
                 }

@@ -17,6 +17,7 @@ bool across_x(GridSide side) {
 /// m²/s inward, or a level, m.
 double value_of(const WaterDomain& domain, const EdgeStretch& stretch, double time) {
     const double value = value_at(stretch.times, stretch.values, time);
+    if (stretch.kind == EdgeFlow::open) return -std::numeric_limits<double>::infinity();
     if (stretch.kind == EdgeFlow::level) return value;
     const double cell = across_x(stretch.side) ? domain.dy : domain.dx;
     return value / (cell * (stretch.last - stretch.first + 1));
@@ -43,11 +44,10 @@ WaterEdges::WaterEdges(const WaterDomain& domain, int nx, int ny)
         std::vector<int>& kinds = kinds_[number(stretch.side)];
         if (kinds.empty())
             kinds.assign(static_cast<std::size_t>(across_x(stretch.side) ? ny : nx), as_the_side);
-        const bool flows = stretch.kind == EdgeFlow::discharge || stretch.kind == EdgeFlow::level;
+        const bool flows = stretch.kind != EdgeFlow::wall;
         any_flow_ = any_flow_ || flows;
-        const int still = stretch.kind == EdgeFlow::wall ? wall_here : open_here;
         std::fill(kinds.begin() + stretch.first, kinds.begin() + stretch.last + 1,
-                  flows ? static_cast<int>(n) : still);
+                  flows ? static_cast<int>(n) : wall_here);
     }
     set_time(0.0);
 }
@@ -56,7 +56,6 @@ EdgeKind WaterEdges::kind(GridSide side, int cell) const {
     if (has_stretches(side)) {
         const int here = kinds_[number(side)][static_cast<std::size_t>(cell)];
         if (here == wall_here) return EdgeKind::wall;
-        if (here == open_here) return EdgeKind::open;
     }
     return across_x(side) ? domain_.edges_x : domain_.edges_y;
 }
@@ -69,9 +68,9 @@ void WaterEdges::set_time(double time) {
 EdgeFlux WaterEdges::flux(GridSide side, int cell, const EdgeWater& inside, double gravity) const {
     const auto n = static_cast<std::size_t>(kinds_[number(side)][static_cast<std::size_t>(cell)]);
     const EdgeStretch& stretch = domain_.stretches[n];
-    return stretch.kind == EdgeFlow::level
-               ? level_at_edge(inside, values_[n], gravity)
-               : discharge_through_edge(inside, values_[n], stretch.depth, gravity);
+    return stretch.kind == EdgeFlow::discharge
+               ? discharge_through_edge(inside, values_[n], stretch.depth, gravity)
+               : level_at_edge(inside, values_[n], gravity);
 }
 
 double edge_step_at_courant_one(const WaterDomain& domain, double time, const Grid& bed,

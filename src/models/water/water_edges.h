@@ -55,14 +55,13 @@ class WaterEdges {
     static std::size_t number(GridSide side) { return static_cast<std::size_t>(side); }
 
     static constexpr int wall_here = -1;
-    static constexpr int open_here = -2;
-    static constexpr int as_the_side = -3;
+    static constexpr int as_the_side = -2;
 
     const WaterDomain& domain_;
     bool any_flow_ = false;
     /// Of each side's cells: the number of a stretch with flow, or one of those above; or empty.
     std::array<std::vector<int>, 4> kinds_;
-    std::vector<double> values_;  ///< of each stretch now: m²/s inward, or a level, m
+    std::vector<double> values_;  ///< of each stretch now: m²/s inward, or a level, m (−∞: a fall)
 };
 
 /// The sub-step, s, at which what comes in over the edges at a time, over this bed, has Courant

@@ -25,7 +25,7 @@ void list_edge(EdgeSettings& edge, const std::string& path, KeyTable& table) {
         {.unit = "m", .range = {0, farthest}, .help = "where it ends; 0: at the side's end"});
     table.choice(
         path + ".kind", edge.kind,
-        {{EdgeFlow::open, "open", "water leaves freely, none comes in"},
+        {{EdgeFlow::open, "open", "a fall: water leaves freely, none comes in"},
          {EdgeFlow::wall, "wall", "nothing passes"},
          {EdgeFlow::discharge, "discharge", "so much comes in, evenly along the stretch"},
          {EdgeFlow::level, "level", "the water stands at this level: it comes in or leaves"}},

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace fumon {
 namespace {
@@ -46,6 +47,15 @@ TEST(EdgeFlow, OntoDryGroundADischargeComesInCritical) {
     const double h = std::cbrt(4.0 / g);
     EXPECT_EQ(in.mass, -2.0);
     EXPECT_NEAR(in.momentum, 4.0 / h + 0.5 * g * h * h, 1e-9);
+}
+
+TEST(EdgeFlow, OverAFallWaterLeavesCriticalAndNoneComesIn) {
+    const double nowhere = -std::numeric_limits<double>::infinity();
+    const EdgeFlux still = level_at_edge({0.9, 0.0, 0.0, 1.0}, nowhere, g);
+    const double c = 2.0 / 3.0 * std::sqrt(g * 0.9);
+    EXPECT_NEAR(still.mass, c * c * c / g, 1e-12);
+    EXPECT_EQ(level_at_edge({0.9, -7.0, 0.0, 1.0}, nowhere, g).mass, 0.0);
+    EXPECT_NEAR(level_at_edge({0.9, 5.0, 0.0, 1.0}, nowhere, g).mass, 4.5, 1e-12);
 }
 
 TEST(EdgeFlow, WaterAtRestAtItsLevelStays) {

@@ -33,11 +33,11 @@ const std::vector<Asked> asked{
     {"bump-transcritical", 4e-4, 1.7, 1.7},
     {"bump-jump", 4e-3, 0.9, 1.0},
     {"channel-subcritical", 1.5e-4, -9.0, -9.0},
-    {"channel-supercritical", 9e-4, 1.4, 1.4},
-    {"channel-transcritical", 3e-4, 1.7, 1.7},
+    {"channel-supercritical", 4e-5, 1.7, 1.7},
+    {"channel-transcritical", 1.2e-5, 1.7, 1.7},
     {"channel-jump", 4e-4, 1.4, 1.7},
     {"channel-rain-subcritical", 8e-5, 1.0, 1.0},
-    {"channel-rain-supercritical", 6e-4, 1.7, 1.7},
+    {"channel-rain-supercritical", 5e-5, 1.7, 1.7},
     {"dam-wet", 3.5e-3, 0.9, 0.9},
     {"dam-dry", 3.5e-3, 0.9, 0.9},
     {"dam-friction", 1.3e-3, 0.9, 0.9},
@@ -121,6 +121,7 @@ TEST(ExaminationScenes, AreWrittenFromTheCases) {
         ++scenes;
         EXPECT_EQ(text_of(folder / (one.name + ".toml")), scene_of(one, 100)) << one.name;
         EXPECT_EQ(text_of(folder / (one.name + ".asc")), bed_of(one, 100)) << one.name;
+        EXPECT_EQ(text_of(folder / (one.name + ".csv")), curve_of(one, 200)) << one.name;
     }
     EXPECT_EQ(scenes, 14);
 }
