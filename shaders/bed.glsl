@@ -1,8 +1,8 @@
 // What is known of the bed at a place (0 … 1): the lighting texture of render/lighting.h.
 uniform sampler2D lighting_map;
 uniform sampler2D value_map;  // palette places
-uniform float marks;          // 1: some cells stand out
-uniform sampler2D mark_map;   // 0 … 1: how much a cell stands out
+uniform float marks;          // 1: some cells stand out, 2: plants and rock do
+uniform sampler2D mark_map;   // 0 … 1: how much a cell stands out; of plants and rock 128/255 is bare sand
 uniform sampler2D uncoloured_map;  // 1: the cell has no palette place
 uniform vec2 extent;          // of the block
 uniform float sun_span;       // of the sun's share in lighting_map, over the edges of shadows
@@ -54,5 +54,10 @@ vec3 direction_to_eye(vec3 point) { return mix(normalize(eye - point), eye_axis,
 
 vec3 marked(vec3 albedo, vec2 place) {
     if (marks < 0.5) return albedo;
-    return mix(albedo, vec3(0.030, 0.120, 0.330), texture(mark_map, place).r);
+    float mark = texture(mark_map, place).r;
+    if (marks < 1.5) return mix(albedo, vec3(0.030, 0.120, 0.330), mark);
+    // Dry grass between whose tufts sand shows, and weathered rock.
+    float ground = (255.0 * mark - 128.0) / 127.0;
+    albedo = mix(albedo, vec3(0.105, 0.125, 0.042), 0.9 * smoothstep(0.0, 0.9, ground));
+    return mix(albedo, vec3(0.215, 0.155, 0.115), smoothstep(0.15, 0.85, -ground));
 }

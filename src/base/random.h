@@ -18,7 +18,9 @@ enum class Purpose : std::uint32_t {
     drop_sites = 5,
     bootstrap = 6,
     influx = 7,
-    gusts = 8
+    gusts = 8,
+    first_plants = 9,
+    plants = 10
 };
 
 /// Philox4x32-10 (Salmon, Moraes, Dror & Shaw 2011): ten rounds on a 128-bit counter under a 64-bit

@@ -134,7 +134,7 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
             {"atmosphere", switched(light.atmosphere)},
             {"parallel", switched(view.camera.projection != Projection::perspective)},
             {"natural", switched(view.look.colour_by == Colouring::natural)},
-            {"marks", switched(view.look.mark != Marking::none)},
+            {"marks", mark_number(view.look.mark)},
             {"tinted", switched(!colours_water(view.look.colour_by))},
             {"figure", switched(view.look.mode == ViewMode::figure)},
             {"rock", static_cast<float>(block.rock)}};
@@ -285,7 +285,7 @@ void BedShading::bind(const gl::Program& program) const {
     program.set("shading", static_cast<float>(view_.look.shading));
     program.set("tinted", colours_water(view_.look.colour_by) ? 0.0F : 1.0F);
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
-    program.set("marks", switched(view_.look.mark != Marking::none));
+    program.set("marks", mark_number(view_.look.mark));
     program.set("natural", view_.look.colour_by == Colouring::natural ? 1.0F : 0.0F);
     program.set("rock", static_cast<float>(block_.rock));
 }

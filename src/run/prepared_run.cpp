@@ -49,6 +49,11 @@ void check_palette(const Scene& scene) {
 void check_marking(const Scene& scene, const Snapshot& first) {
     const Marking mark = scene.view.look.mark;
     if (mark == Marking::none || marked_field(mark, first) != nullptr) return;
+    if (mark == Marking::ground) {
+        throw InputError(
+            fmt::format("{}look.mark = \"ground\" needs a model with sand on rock (dunes), not {}",
+                        scene.at("look.mark"), scene.model.name));
+    }
     throw InputError(
         fmt::format("{}look.mark = \"last-avalanche\" needs a model with avalanches ({}), not {}",
                     scene.at("look.mark"), models_of(Landform::pile), scene.model.name));

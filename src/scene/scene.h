@@ -93,7 +93,7 @@ struct AirSettings {
 
 enum class Colouring { natural, height, slope, change, water_depth, speed, froude };
 enum class ViewMode { scenic, figure };
-enum class Marking { none, last_avalanche };
+enum class Marking { none, last_avalanche, ground };
 enum class Ground { automatic, table, endless };
 enum class SkyModel { automatic, two_colours, atmosphere };
 enum class Tone { automatic, filmic, agx, agx_punchy, neutral };

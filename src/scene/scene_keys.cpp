@@ -305,8 +305,11 @@ void list_view_keys(View& view, KeyTable& table) {
     table.choice("look.mark", look.mark,
                  {{Marking::none, "none", "the bed alone"},
                   {Marking::last_avalanche, "last-avalanche",
-                   "the cells of the pile's last avalanche: toppled ones dark, others lighter"}},
-                 {.help = "cells that stand out in blue"});
+                   "the cells of the pile's last avalanche in blue: toppled ones dark, others "
+                   "lighter"},
+                  {Marking::ground, "ground",
+                   "plants in their green where the dunes have some, and rock without sand"}},
+                 {.help = "cells that stand out"});
     table.integer("look.profile_start", look.profile_start,
                   {.unit = "sites",
                    .range = {0, largest_grid_side},

@@ -22,7 +22,7 @@ struct CheckpointKind {
 };
 
 /// Every scheme whose state differs, by the number that is an input's first byte.
-inline constexpr std::array<CheckpointKind, 14> checkpoint_kinds{{
+inline constexpr std::array<CheckpointKind, 15> checkpoint_kinds{{
     {"sand", "[model]\nname = \"sand\"\n[grid]\nnx = 8\nny = 6\n"},
     {"sand-profile", "[model]\nname = \"sand\"\ncreep = \"profile\"\n[grid]\nnx = 9\nny = 4\n"},
     {"sandpile", "[model]\nname = \"sandpile\"\n[grid]\nnx = 8\nny = 6\n"},
@@ -51,6 +51,9 @@ inline constexpr std::array<CheckpointKind, 14> checkpoint_kinds{{
      "[model]\nname = \"dunes\"\ntransport = \"slabs\"\nspeed_up = \"height\"\nedges_x = "
      "\"open\"\n[grid]\nnx = 8\nny = "
      "6\n"},
+    {"dunes-plants",
+     "[model]\nname = \"dunes\"\nplants = \"grow\"\ngrass_cover = 0.4\nrock_wear = 0.01\n"
+     "growth_period = 0.001\n[grid]\nnx = 8\nny = 6\n"},
 }};
 
 /// A model of the n-th kind, on which a checkpoint's state can be put.

@@ -9,6 +9,7 @@
 #include "base/give_up.h"
 #include "base/worker_pool.h"
 #include "models/dunes/hop_spread.h"
+#include "models/dunes/plants.h"
 
 namespace fumon {
 
@@ -77,28 +78,32 @@ void ContinuousTransport::step(DuneBed& bed, const Wind& wind) {
             std::ranges::fill(arrived_.row(y), 0);
         }
     });
-    hop(bed, wind.blowing);
+    hop(bed, wind);
     blow_in(bed, wind.blowing);
     pool_.for_ranges(ground_.ny, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
             give_up_if_asked();
             drift_down(bed, wind.blowing.strength, y);
-            deposit(bed, wind.shade, y);
+            deposit(bed, wind, y);
         }
     });
     std::swap(bed.surface, after_);
+}
+
+double ContinuousTransport::lift_factor(const Wind& wind, int x, int y) {
+    double factor = 1.0 - wind.shade(x, y);
+    if (wind.shear != nullptr) factor *= std::clamp(1.0 + (*wind.shear)(x, y), 0.0, greatest_lift);
+    if (wind.before_walls != nullptr) factor *= std::abs((*wind.before_walls)(x, y));
+    if (wind.plants != nullptr) factor *= wind.plants->lifted(wind.plants->cover()(x, y));
+    return factor;
 }
 
 void ContinuousTransport::lift(DuneBed& bed, const Wind& wind, double layer, int y) const {
     const auto surface = bed.surface.row(y);
     const auto rock = bed.rock.row(y);
     const auto moving = bed.moving.row(y);
-    const auto shade = wind.shade.row(y);
     for (std::size_t x = 0; x < surface.size(); ++x) {
-        double factor = 1.0 - shade[x];
-        if (wind.shear != nullptr) {
-            factor *= std::clamp(1.0 + wind.shear->row(y)[x], 0.0, greatest_lift);
-        }
+        const double factor = lift_factor(wind, static_cast<int>(x), y);
         const auto wanted = static_cast<std::int64_t>(layer * factor);
         const std::int64_t lifted = std::min(wanted, surface[x] - rock[x]);
         surface[x] -= lifted;
@@ -106,9 +111,20 @@ void ContinuousTransport::lift(DuneBed& bed, const Wind& wind, double layer, int
     }
 }
 
-void ContinuousTransport::hop(DuneBed& bed, const BlowingWind& wind) {
-    const double cells_x = parameters_.hop_length * wind.x / ground_.dx;
-    const double cells_y = parameters_.hop_length * wind.y / ground_.dy;
+void ContinuousTransport::hop(DuneBed& bed, const Wind& wind) {
+    const double cells_x = parameters_.hop_length * wind.blowing.x / ground_.dx;
+    const double cells_y = parameters_.hop_length * wind.blowing.y / ground_.dy;
+    const Grid* walls = wind.before_walls;
+    if (parameters_.speed_up != DuneSpeedUp::height && walls != nullptr) {
+        hop_all(
+            bed,
+            [&](int x, int y) {
+                const double slowed = (*walls)(x, y);
+                return Spreads{HopSpread(slowed * cells_x), HopSpread(slowed * cells_y)};
+            },
+            std::abs(cells_y));
+        return;
+    }
     if (parameters_.speed_up != DuneSpeedUp::height) {
         const Spreads all{HopSpread(cells_x), HopSpread(cells_y)};
         hop_all(
@@ -122,7 +138,8 @@ void ContinuousTransport::hop(DuneBed& bed, const BlowingWind& wind) {
     hop_all(
         bed,
         [&](int x, int y) {
-            const double factor = hop_factor(parameters_, to_metres(bed.surface(x, y)) - mean);
+            double factor = hop_factor(parameters_, to_metres(bed.surface(x, y)) - mean);
+            if (walls != nullptr) factor *= (*walls)(x, y);
             return Spreads{HopSpread(factor * cells_x), HopSpread(factor * cells_y)};
         },
         most * std::abs(cells_y));
@@ -260,19 +277,23 @@ void ContinuousTransport::drift_down(const DuneBed& bed, double strength, int y)
     }
 }
 
-void ContinuousTransport::deposit(DuneBed& bed, const Grid& shade, int y) {
+void ContinuousTransport::deposit(DuneBed& bed, const Wind& wind, int y) {
     constexpr double thickness = full_cover * units_per_metre;
     const auto surface = after_.row(y);
     const auto rock = bed.rock.row(y);
     const auto moving = bed.moving.row(y);
     const auto arrived = arrived_.row(y);
-    const auto shaded = shade.row(y);
+    const auto shaded = wind.shade.row(y);
     const double on_rock = parameters_.deposit_on_rock;
     const double more_on_sand = parameters_.deposit_on_sand - on_rock;
     for (std::size_t x = 0; x < surface.size(); ++x) {
         const auto sand = static_cast<double>(surface[x] - rock[x]);
         const double cover = std::min(sand * (1.0 / thickness), 1.0);
-        const double share = std::max(shaded[x], on_rock + more_on_sand * cover);
+        double share = on_rock + more_on_sand * cover;
+        if (wind.plants != nullptr) share += wind.plants->cover().row(y)[x] * (1.0 - share);
+        if (wind.before_walls != nullptr)
+            share = std::max(share, 1.0 - std::abs(wind.before_walls->row(y)[x]));
+        share = std::max(shaded[x], share);
         const auto stays = static_cast<std::int64_t>(share * static_cast<double>(arrived[x]));
         surface[x] += stays;
         moving[x] = arrived[x] - stays;

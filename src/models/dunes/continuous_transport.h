@@ -10,6 +10,7 @@
 
 namespace fumon {
 
+class Plants;
 class WorkerPool;
 
 /// Drift without random numbers, after Nilles, Günther & Müller (2024). In a step each cell gives a
@@ -28,6 +29,10 @@ class WorkerPool;
 /// saturated drift over flat sand, and no more than a quarter of its sand. That diffusion, which
 /// stands for the deflection of grains on slopes, takes away what varies from cell to cell.
 ///
+/// Under plants less is lifted and more stays (see Plants). Where the wind before a wall is u of
+/// what it would be (see WindwardWalls), |u| as much is lifted, hops reach u L, and of what arrives
+/// at least 1 − |u| stays.
+///
 /// Amounts are whole numbers; what division leaves over goes to the middle cell, so nothing is
 /// lost and no result depends on the order of the cells. Beyond open edges lies flat ground that
 /// drifts at the share `influx` of saturation.
@@ -41,19 +46,28 @@ class ContinuousTransport {
         const BlowingWind& blowing;
         const Grid& shade;            ///< r
         const Grid* shear = nullptr;  ///< τ/τ0 − 1, of which the lift's factor is f = 1 + that
+        const Plants* plants = nullptr;
+        const Grid* before_walls = nullptr;  ///< u
     };
 
     void step(DuneBed& bed, const Wind& wind);
 
+    /// What came down in each cell in the last step.
+    [[nodiscard]] const WholeGrid& landed() const { return arrived_; }
+
+    /// f (1 − r) in a cell: what the wind lifts of loose sand, in parts of what it would from flat
+    /// ground.
+    static double lift_factor(const Wind& wind, int x, int y);
+
   private:
     void lift(DuneBed& bed, const Wind& wind, double layer, int y) const;
-    void hop(DuneBed& bed, const BlowingWind& wind);
+    void hop(DuneBed& bed, const Wind& wind);
     template <class Spread>
     std::int64_t hop_rows(const DuneBed& bed, const Spread& spread, int begin, int end);
     template <class Spread>
     void hop_all(DuneBed& bed, const Spread& spread, double reach_y);
     void blow_in(DuneBed& bed, const BlowingWind& wind);
-    void deposit(DuneBed& bed, const Grid& shade, int y);
+    void deposit(DuneBed& bed, const Wind& wind, int y);
     void drift_down(const DuneBed& bed, double strength, int y);
 
     /// Where a cell number along an axis lies in the grid; −1 beyond an open edge.

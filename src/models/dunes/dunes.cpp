@@ -11,6 +11,7 @@
 #include "base/state_carrier.h"
 #include "base/units.h"
 #include "base/worker_pool.h"
+#include "models/dunes/ground_features.h"
 
 namespace fumon {
 
@@ -66,6 +67,16 @@ void check_transport(const DunesParameters& parameters, const ModelSetup& setup)
                        "no sand blows in where slabs hop in sequence; write model.order = "
                        "\"parallel\", or no model.influx");
     }
+    if (parameters.transport == DuneTransport::slabs && parameters.rock_wear > 0.0) {
+        throw KeyError("model.rock_wear",
+                       "slabs wear no rock; write model.transport = \"continuous\", or no "
+                       "model.rock_wear");
+    }
+    if (parameters.transport == DuneTransport::slabs && !parameters.wall_angle.is_word()) {
+        throw KeyError("model.wall_angle",
+                       "slabs meet no walls; write model.transport = \"continuous\", or "
+                       "model.wall_angle = \"none\"");
+    }
     const double box = std::min(setup.bed.nx() * setup.scale.dx, setup.bed.ny() * setup.scale.dy);
     const double widest = std::max(setup.bed.nx() * setup.scale.dx, box);
     if (parameters.hop_length > widest) {
@@ -91,6 +102,20 @@ void check_heights(const ModelSetup& setup) {
     }
 }
 
+void check_plants(const DunesParameters& parameters) {
+    if (parameters.plants != DunePlants::none) return;
+    for (std::size_t n = 0; n < parameters.features.size(); ++n) {
+        const FeatureKind kind = parameters.features[n].kind;
+        if (kind == FeatureKind::rock || kind == FeatureKind::sand) continue;
+        throw KeyError(fmt::format("feature.{}.kind", n),
+                       "there are no plants; write model.plants = \"grow\" or \"fixed\"");
+    }
+    if (parameters.grass.cover > 0.0 || parameters.shrubs.cover > 0.0) {
+        throw KeyError(parameters.grass.cover > 0.0 ? "model.grass_cover" : "model.shrub_cover",
+                       "there are no plants; write model.plants = \"grow\" or \"fixed\"");
+    }
+}
+
 DuneBed first_bed(const DunesParameters& parameters, const ModelSetup& setup) {
     check_heights(setup);
     const int nx = setup.bed.nx();
@@ -111,8 +136,10 @@ DuneBed first_bed(const DunesParameters& parameters, const ModelSetup& setup) {
                                        "lower the rock, or write model.rock = \"bed\"",
                                        setup.bed.values()[cell], parameters.rock_level));
         }
-        sand += to_metres(thickness);
     }
+    set_features(parameters.features, ground_of(parameters, setup), bed);
+    for (std::size_t cell = 0; cell < bed.surface.size(); ++cell)
+        sand += to_metres(bed.surface.values()[cell] - bed.rock.values()[cell]);
     constexpr double most_sand = 0x1p29;  // m: a quarter of what 64 bits hold
     if (sand > most_sand) {
         throw KeyError(
@@ -184,6 +211,11 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
     check_winds(parameters);
     check_angles(parameters);
     check_transport(parameters, setup);
+    check_plants(parameters);
+    if (parameters.plants != DunePlants::none) {
+        plants_.emplace(parameters, ground_, bed_, setup.seed, pool_);
+        steepen_under_plants();
+    }
     if (parameters.transport == DuneTransport::slabs) {
         slabs_.emplace(parameters, ground_, slab_height_, shadow_tangents_, setup.seed, pool_);
         return;
@@ -191,6 +223,16 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
     continuous_.emplace(parameters, ground_, step_length(parameters, ground_, 1.0), pool_);
     if (parameters.speed_up == DuneSpeedUp::relief)
         shear_.emplace(ground_, parameters.shear_in_phase, parameters.shear_ahead, pool_);
+    if (parameters.rock_wear > 0.0) {
+        rock_wear_.emplace(ground_, parameters.rock_wear, tangent(parameters.rock_repose_angle),
+                           pool_);
+    }
+    if (!parameters.wall_angle.is_word())
+        walls_.emplace(ground_, tangent(parameters.wall_angle.value));
+}
+
+void Dunes::steepen_under_plants() {
+    slopes_.set_moving_angles(plants_->angles());
 }
 
 void Dunes::step() {
@@ -198,7 +240,7 @@ void Dunes::step() {
     const int most_passes = static_cast<int>(parameters_.avalanche_passes);
     if (slabs_) {
         SlabTransport::Avalanches avalanches{slopes_, most_passes};
-        slabs_->step(bed_, wind, steps_, shadow_, avalanches);
+        slabs_->step(bed_, wind, plants_ ? &*plants_ : nullptr, steps_, shadow_, avalanches);
         passes_ = avalanches.passes;
         at_rest_ = avalanches.at_rest;
     } else {
@@ -207,17 +249,44 @@ void Dunes::step() {
         passes_ = outcome.passes;
         at_rest_ = outcome.at_rest;
     }
+    if (plants_ && plants_->grow(bed_, turns_.time(steps_ + 1), steps_)) steepen_under_plants();
     ++steps_;
 }
 
-void Dunes::blow_continuously(const BlowingWind& wind) {
+ContinuousTransport::Wind Dunes::wind_over_bed(const BlowingWind& wind) const {
     shadow_.cast(bed_.surface, wind, shadow_tangents_,
                  shear_ ? WindShadow::Find::shade_and_envelope : WindShadow::Find::shade);
+    ContinuousTransport::Wind over{wind, shadow_.shade()};
     if (shear_) {
         relief_ = shadow_.envelope();
         shear_->apply(relief_, wind);
+        over.shear = &relief_;
     }
-    continuous_->step(bed_, {wind, shadow_.shade(), shear_ ? &relief_ : nullptr});
+    if (walls_) {
+        walls_->find(bed_.surface, wind);
+        over.before_walls = &walls_->wind();
+    }
+    return over;
+}
+
+void Dunes::blow_continuously(const BlowingWind& wind) {
+    ContinuousTransport::Wind over = wind_over_bed(wind);
+    if (plants_) over.plants = &*plants_;
+    continuous_->step(bed_, over);
+    if (rock_wear_) {
+        rock_wear_->wear(bed_, wind, continuous_->landed(), plants_ ? &plants_->cover() : nullptr);
+    }
+}
+
+Grid Dunes::local_wind() const {
+    const BlowingWind wind = turns_.at(steps_);
+    const ContinuousTransport::Wind over = wind_over_bed(wind);
+    Grid local(ground_.nx, ground_.ny);
+    for (int y = 0; y < ground_.ny; ++y) {
+        for (int x = 0; x < ground_.nx; ++x)
+            local(x, y) = ContinuousTransport::lift_factor(over, x, y);
+    }
+    return local;
 }
 
 Snapshot Dunes::snapshot() const {
@@ -229,18 +298,32 @@ Snapshot Dunes::snapshot() const {
     Grid sand = snapshot.bed;
     const Grid rock = in_metres(bed_.rock);
     std::ranges::transform(sand.values(), rock.values(), sand.values().begin(), std::minus<>());
-    shadow_.cast(bed_.surface, turns_.at(steps_), shadow_tangents_, WindShadow::Find::shade);
+    Grid local = local_wind();
     snapshot.fields = {
         {"sand", "thickness of the sand at rest", "m", std::move(sand)},
         {"rock", "height of the hard floor", "m", rock},
         {"moving_sand", "sand in the air, as a thickness", "m", in_metres(bed_.moving)},
-        {"wind_shadow", "how far ground upwind keeps the wind off, 0 to 1", "1", shadow_.shade()}};
+        {"wind_shadow", "how far ground upwind keeps the wind off, 0 to 1", "1", shadow_.shade()},
+        {"local_wind", "drift that the wind lifts there, in parts of that over flat ground", "1",
+         std::move(local)}};
     const double area = ground_.dx * ground_.dy;
     snapshot.numbers = {{"sand_volume", "m3", area * total_sand(bed_)},
                         {"sand_inflow", "m3", area * to_metres(bed_.inflow)},
                         {"sand_outflow", "m3", area * to_metres(bed_.outflow)},
                         {"avalanche_passes", "1", static_cast<double>(passes_)}};
+    if (rock_wear_) snapshot.numbers.push_back({"rock_worn", "m3", area * to_metres(bed_.worn)});
+    if (plants_) add_plants(snapshot);
     return snapshot;
+}
+
+void Dunes::add_plants(Snapshot& snapshot) const {
+    snapshot.fields.push_back({"cover", "plants of both species, 0 to 1", "1", plants_->cover()});
+    snapshot.fields.push_back({"grass", "grass, 0 to 1", "1", plants_->grass()});
+    snapshot.fields.push_back({"shrubs", "shrubs, 0 to 1", "1", plants_->shrubs()});
+    const auto cover = plants_->cover().values();
+    snapshot.numbers.push_back(
+        {"plant_cover", "1",
+         std::accumulate(cover.begin(), cover.end(), 0.0) / static_cast<double>(cover.size())});
 }
 
 std::string Dunes::doubt() const {
@@ -256,10 +339,25 @@ std::vector<StateField> Dunes::state() const {
     state_rock_ = in_metres(bed_.rock);
     state_moving_ = in_metres(bed_.moving);
     state_flows_ = {to_metres(bed_.inflow), to_metres(bed_.outflow)};
-    return {{"bed", state_bed_.values()},
-            {"rock", state_rock_.values()},
-            {"moving_sand", state_moving_.values()},
-            {"flows", state_flows_}};
+    std::vector<StateField> state{{"bed", state_bed_.values()},
+                                  {"rock", state_rock_.values()},
+                                  {"moving_sand", state_moving_.values()},
+                                  {"flows", state_flows_}};
+    if (rock_wear_) {
+        state_worn_ = {to_metres(bed_.worn)};
+        state.push_back({"worn", state_worn_});
+    }
+    if (plants_) {
+        state_grass_ = plants_->grass();
+        state_shrubs_ = plants_->shrubs();
+        state_surface_then_ = in_metres(plants_->surface_then());
+        state_time_then_ = {plants_->time_then()};
+        state.push_back({"grass", state_grass_.values()});
+        state.push_back({"shrubs", state_shrubs_.values()});
+        state.push_back({"surface_at_growth", state_surface_then_.values()});
+        state.push_back({"time_of_growth", state_time_then_});
+    }
+    return state;
 }
 
 void Dunes::carry(StateCarrier& carrier) {
@@ -271,6 +369,11 @@ void Dunes::carry(StateCarrier& carrier) {
     carrier.values("surface", bed_.surface.values());
     carrier.values("rock", bed_.rock.values());
     carrier.values("moving_sand", bed_.moving.values());
+    if (rock_wear_) carrier.count("rock_worn", bed_.worn);
+    if (plants_) {
+        plants_->carry(carrier);
+        steepen_under_plants();
+    }
     const std::int64_t highest = to_units(highest_bed);
     for (std::size_t cell = 0; cell < bed_.surface.size(); ++cell) {
         const std::int64_t surface = bed_.surface.values()[cell];

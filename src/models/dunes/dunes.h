@@ -9,10 +9,13 @@
 #include "models/dunes/continuous_transport.h"
 #include "models/dunes/dune_bed.h"
 #include "models/dunes/dunes_parameters.h"
+#include "models/dunes/plants.h"
 #include "models/dunes/relief_shear.h"
+#include "models/dunes/rock_wear.h"
 #include "models/dunes/slab_transport.h"
 #include "models/dunes/wind_shadow.h"
 #include "models/dunes/wind_turns.h"
+#include "models/dunes/windward_walls.h"
 #include "models/shared/model.h"
 
 namespace fumon {
@@ -24,12 +27,14 @@ namespace fumon {
 ///     speed-up    of the drift over relief, or of hops by height see ReliefShear, hop_factor
 ///     transport   continuous, or slabs at random                 see ContinuousTransport,
 ///                                                                SlabTransport
+///     rock        worn where it is bare                          see RockWear
 ///     avalanches  down to the angle of repose                    see SlopeRelaxation
+///     plants      grow, spread, are buried                       see Plants
 ///
-/// Heights are whole numbers of 2⁻³² m: sand at rest + moving sand + outflow − inflow is the same
-/// number after every step, and results do not depend on the number of threads. The linear shear
-/// stress holds for gentle slopes; the separation bubble that it sees behind a crest is a plane at
-/// the shadow's angle.
+/// Heights are whole numbers of 2⁻³² m: sand at rest + moving sand + outflow − inflow − worn rock
+/// is the same number after every step, and results do not depend on the number of threads. The
+/// linear shear stress holds for gentle slopes; the separation bubble that it sees behind a crest
+/// is a plane at the shadow's angle.
 class Dunes : public Model {
   public:
     static constexpr std::string_view model_name = "dunes";
@@ -45,16 +50,18 @@ class Dunes : public Model {
     [[nodiscard]] double time() const override { return turns_.time(steps_); }
     [[nodiscard]] std::string_view time_unit() const override { return "yr"; }
 
-    /// The bed, rock and sand; fields "sand", "rock", "moving_sand" (m) and "wind_shadow" (of the
-    /// next step's wind); numbers "sand_volume", "sand_inflow", "sand_outflow" (m³) and
-    /// "avalanche_passes".
+    /// The bed, rock and sand; fields "sand", "rock", "moving_sand" (m), "wind_shadow" and
+    /// "local_wind" (of the next step's wind), with plants "cover", "grass" and "shrubs"; numbers
+    /// "sand_volume", "sand_inflow", "sand_outflow" (m³) and "avalanche_passes", with rock that is
+    /// worn "rock_worn" (m³), with plants "plant_cover".
     [[nodiscard]] Snapshot snapshot() const override;
 
     /// Where avalanches of the last step did not come to rest.
     [[nodiscard]] std::string doubt() const override;
 
-    /// "bed", "rock", "moving_sand" in metres, and "flows": inflow and outflow. The spans hold
-    /// until the next call.
+    /// "bed", "rock", "moving_sand" in metres, "flows": inflow and outflow; with rock that is worn
+    /// "worn", with plants "grass", "shrubs", "surface_at_growth" and "time_of_growth". The spans
+    /// hold until the next call.
     [[nodiscard]] std::vector<StateField> state() const override;
 
     void carry(StateCarrier& carrier) override;
@@ -63,6 +70,11 @@ class Dunes : public Model {
 
   private:
     void blow_continuously(const BlowingWind& wind);
+    /// The wind over the bed as it is, of continuous transport.
+    ContinuousTransport::Wind wind_over_bed(const BlowingWind& wind) const;
+    void steepen_under_plants();
+    void add_plants(Snapshot& snapshot) const;
+    [[nodiscard]] Grid local_wind() const;
 
     DunesParameters parameters_;
     WorldScale scale_;
@@ -74,17 +86,25 @@ class Dunes : public Model {
     DuneBed bed_;
     SlopeRelaxation slopes_;
     mutable WindShadow shadow_;
-    std::optional<ReliefShear> shear_;
+    mutable std::optional<ReliefShear> shear_;
+    mutable std::optional<WindwardWalls> walls_;
+    std::optional<Plants> plants_;
+    std::optional<RockWear> rock_wear_;
     std::optional<ContinuousTransport> continuous_;
     std::optional<SlabTransport> slabs_;
     std::int64_t steps_ = 0;
     std::int64_t passes_ = 0;  ///< of the last step's avalanches
     bool at_rest_ = true;      ///< whether they have ended
-    Grid relief_;              ///< working memory of the shear stress
+    mutable Grid relief_;      ///< working memory of the shear stress
     mutable Grid state_bed_;
     mutable Grid state_rock_;
     mutable Grid state_moving_;
     mutable std::vector<double> state_flows_;
+    mutable std::vector<double> state_worn_;
+    mutable Grid state_grass_;
+    mutable Grid state_shrubs_;
+    mutable Grid state_surface_then_;
+    mutable std::vector<double> state_time_then_;
 };
 
 }  // namespace fumon

@@ -34,6 +34,95 @@ void list_wind(DuneWind& wind, const std::string& path, KeyTable& table) {
         {.unit = "yr", .range = {0, 1e6, true}, .help = "how long a gust lasts, in whole steps"});
 }
 
+void list_feature(DuneFeature& feature, const std::string& path, KeyTable& table) {
+    constexpr double farthest = 1e6;  // m
+    table.choice(path + ".kind", feature.kind,
+                 {{FeatureKind::rock, "rock", "rock that stands on the floor"},
+                  {FeatureKind::sand, "sand", "a heap of sand"},
+                  {FeatureKind::clearing, "clearing", "ground from which plants are taken"},
+                  {FeatureKind::grass, "grass", "grass, up to model.grass_cover"},
+                  {FeatureKind::shrubs, "shrubs", "shrubs, up to model.shrub_cover"}},
+                 {.help = "what is set on the ground"});
+    table.choice(path + ".shape", feature.shape,
+                 {{FeatureShape::block, "block", "a box with vertical sides"},
+                  {FeatureShape::cone, "cone", "rises evenly to its middle"},
+                  {FeatureShape::hill, "hill", "a squared cosine, level at its foot and top"}},
+                 {.help = "its shape; of plants and clearings, how they fade outward"});
+    table.real(path + ".x", feature.x,
+               {.unit = "m",
+                .range = {-farthest, farthest},
+                .help = "of its middle, from the bed's western edge"});
+    table.real(path + ".y", feature.y,
+               {.unit = "m",
+                .range = {-farthest, farthest},
+                .help = "of its middle, from the bed's southern edge"});
+    table.real(
+        path + ".length", feature.length,
+        {.unit = "m", .range = {0, farthest, true}, .help = "along its axis, from foot to foot"});
+    table.real(path + ".width", feature.width,
+               {.unit = "m",
+                .range = {0, farthest},
+                .help = "across its axis, from foot to foot; 0: as its length"});
+    table.real(path + ".height", feature.height,
+               {.unit = "m", .range = {0, 1e4}, .help = "of rock and sand"});
+    table.real(path + ".axis", feature.axis,
+               {.unit = "degrees",
+                .range = {-360, 360},
+                .help = "of its length, clockwise from north; 90 lies along x"});
+}
+
+void list_species(DuneSpecies& species, const std::string& name, const std::string& plural,
+                  KeyTable& table) {
+    table.real("model." + name + "_cover", species.cover,
+               {.range = {0, 1}, .help = "of " + plural + " at first, where they grow"});
+    table.real("model." + name + "_share", species.share,
+               {.range = {0, 1},
+                .help = "of the cells, drawn by the seed, on which " + plural + " grow at first"});
+    table.real_list("model." + name + "_balances", species.balances, 5, 5,
+                    {.unit = "m/yr",
+                     .range = {-1e3, 1e3},
+                     .help = "rising rates of deposition at which the cover of " + plural +
+                             " changes by -1, 0, its growth, 0 and -1 a year; linear between "
+                             "and beyond them (Baas 2002; Nield & Baas 2008)"});
+    table.real("model." + name + "_growth", species.growth,
+               {.unit = "1/yr",
+                .range = {0, 1e3},
+                .help = "of the cover of " + plural + " at the third of these balances"});
+}
+
+void list_plant_keys(DunesParameters& dunes, KeyTable& table) {
+    table.choice("model.plants", dunes.plants,
+                 {{DunePlants::none, "none", "none"},
+                  {DunePlants::fixed, "fixed", "their cover stays as it is at first"},
+                  {DunePlants::grow, "grow", "two species grow, spread, and are buried"}},
+                 {.help = "plants, which hold sand: less is lifted under them, more stays, and it "
+                          "lies more steeply"});
+    list_species(dunes.grass, "grass", "grasses, which thrive on burial,", table);
+    list_species(dunes.shrubs, "shrub", "shrubs, which thrive on ground at rest,", table);
+    table.real("model.plant_spread", dunes.plant_spread,
+               {.unit = "m/yr",
+                .range = {0, 1e3},
+                .help = "how fast plants spread to the cells beside them, on the mean"});
+    table.real("model.plant_pioneers", dunes.plant_pioneers,
+               {.unit = "1/(m^2 yr)",
+                .range = {0, 1e3},
+                .help = "first plants on bare sand far from others, on the mean"});
+    table.real("model.growth_period", dunes.growth_period,
+               {.unit = "yr",
+                .range = {0, 1e3, true},
+                .help = "plants grow once in it, in whole steps, by the balance since they last "
+                        "did"});
+    table.real("model.cover_without_lift", dunes.cover_without_lift,
+               {.range = {0, 1, true},
+                .help = "cover of plants from which on no sand is lifted; less cover lets less "
+                        "in proportion"});
+    table.real("model.plant_repose_angle", dunes.plant_repose_angle,
+               {.unit = "degrees",
+                .range = {5, 60},
+                .help = "model.repose_angle under a plant cover of 0.3 or more; in proportion "
+                        "under less"});
+}
+
 void list_transport_keys(DunesParameters& dunes, KeyTable& table) {
     constexpr double longest_hop = 1e4;
     table.choice(
@@ -147,6 +236,21 @@ void list_ground_keys(DunesParameters& dunes, KeyTable& table) {
                {.unit = "m", .range = {-1e5, 1e5}, .help = "of a flat floor"});
     table.real("model.sand_cover", dunes.sand_cover,
                {.unit = "m", .range = {0, 1e3}, .help = "sand on a floor that is the bed"});
+    table.real("model.rock_wear", dunes.rock_wear,
+               {.range = {0, 1},
+                .help = "bare rock that landing sand turns to sand, in parts of its volume on a "
+                        "level floor; more on slopes that face the wind; of continuous transport"});
+    table.real("model.rock_repose_angle", dunes.rock_repose_angle,
+               {.unit = "degrees",
+                .range = {5, 89},
+                .help = "worn rock that is steeper crumbles to sand"});
+    table.word_or_real("model.wall_angle", dunes.wall_angle, {{"none", "no ground is so steep"}},
+                       {.unit = "degrees",
+                        .range = {35, 89},
+                        .help = "before ground that rises more steeply into the wind, from twice "
+                                "its height on, the wind slackens, and turns back nearer than .4 "
+                                "of its height (echo dunes; Tsoar 1983: about 55 degrees); of "
+                                "continuous transport"});
 }
 
 }  // namespace
@@ -155,9 +259,13 @@ void list_keys(DunesParameters& dunes, KeyTable& table) {
     list_transport_keys(dunes, table);
     list_wind_keys(dunes, table);
     list_ground_keys(dunes, table);
+    list_plant_keys(dunes, table);
     // After all of [model], which a written scene cannot open twice.
     table.tables("wind", dunes.winds, "a wind; they blow in turn, and then from the first again",
                  list_wind);
+    table.tables("feature", dunes.features,
+                 "something set on the ground before the first step; rock and sand in their order",
+                 list_feature);
 }
 
 }  // namespace fumon

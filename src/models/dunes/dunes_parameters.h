@@ -14,6 +14,9 @@ enum class DuneShadow { soft, hard };
 enum class DuneEdge { periodic, open };
 enum class DuneRock { level, bed };
 enum class SlabOrder { parallel, sequential };
+enum class DunePlants { none, fixed, grow };
+enum class FeatureKind { rock, sand, clearing, grass, shrubs };
+enum class FeatureShape { block, cone, hill };
 
 /// A wind that blows for a while, or a table of winds, whose place the winds in it take.
 struct DuneWind {
@@ -26,6 +29,28 @@ struct DuneWind {
     double gust_duration = 0.01;  ///< years
 
     friend bool operator==(const DuneWind&, const DuneWind&) = default;
+};
+
+/// Something set on the ground before the first step; see ground_features.h.
+struct DuneFeature {
+    FeatureKind kind = FeatureKind::rock;
+    FeatureShape shape = FeatureShape::hill;
+    double x = 0.0;        ///< m from the bed's western edge to its middle
+    double y = 0.0;        ///< m from the southern edge
+    double length = 10.0;  ///< m along its axis
+    double width = 0.0;    ///< m across it; 0: as its length
+    double height = 2.0;   ///< m, of rock and sand
+    double axis = 90.0;    ///< degrees clockwise from north
+
+    friend bool operator==(const DuneFeature&, const DuneFeature&) = default;
+};
+
+/// A species of plants: how it begins, and its growth against the balance of sand (see plants.h).
+struct DuneSpecies {
+    double cover = 0.0;            ///< of the ground that it grows on at first, 0 … 1
+    double share = 1.0;            ///< of the cells on which it grows at first
+    std::vector<double> balances;  ///< m/yr: five, rising
+    double growth = 0.0;           ///< at the third of them, 1/yr
 };
 
 /// The parameters of the dune model, in metres and years.
@@ -65,6 +90,20 @@ struct DunesParameters {
     DuneRock rock = DuneRock::level;
     double rock_level = 0.0;  ///< m
     double sand_cover = 1.0;  ///< m
+
+    double rock_wear = 0.0;              ///< of the volume of the sand that lands
+    double rock_repose_angle = 68.0;     ///< degrees, of rock that is worn
+    WordOrReal wall_angle{"none", 0.0};  ///< degrees
+    std::vector<DuneFeature> features;
+
+    DunePlants plants = DunePlants::none;
+    DuneSpecies grass{0.0, 1.0, {-1.4, 0.2, 0.6, 2.0, 2.2}, 0.2};
+    DuneSpecies shrubs{0.0, 1.0, {-1.4, -0.65, 0.0, 0.2, 2.8}, 0.05};
+    double plant_spread = 0.2;         ///< m/yr
+    double plant_pioneers = 0.05;      ///< 1/(m² yr)
+    double growth_period = 0.1;        ///< years
+    double cover_without_lift = 0.5;   ///< at which no sand is lifted
+    double plant_repose_angle = 45.0;  ///< degrees
 };
 
 /// Lists the keys model.* and wind.* bound to these parameters.

@@ -9,6 +9,7 @@
 #include "base/give_up.h"
 #include "base/worker_pool.h"
 #include "models/dunes/continuous_transport.h"
+#include "models/dunes/plants.h"
 
 namespace fumon {
 
@@ -42,8 +43,14 @@ SlabTransport::SlabTransport(const DunesParameters& parameters, const DuneGround
       picks_(static_cast<std::size_t>(ground.ny)),
       lost_(static_cast<std::size_t>(ground.ny)) {}
 
-void SlabTransport::step(DuneBed& bed, const BlowingWind& wind, std::int64_t step,
-                         WindShadow& shadow, Avalanches& avalanches) {
+double SlabTransport::held(double shade, int x, int y) const {
+    if (plants_ == nullptr) return shade;
+    return 1.0 - (1.0 - shade) * plants_->lifted(plants_->cover()(x, y));
+}
+
+void SlabTransport::step(DuneBed& bed, const BlowingWind& wind, const Plants* plants,
+                         std::int64_t step, WindShadow& shadow, Avalanches& avalanches) {
+    plants_ = plants;
     if (parameters_.speed_up == DuneSpeedUp::height) mean_ = mean_height(bed.surface);
     if (parameters_.order == SlabOrder::sequential) {
         step_in_sequence(bed, wind, step, avalanches);
@@ -79,8 +86,8 @@ bool SlabTransport::hop(const DuneBed& bed, const BlowingWind& wind, const Shade
         place.y = cell_of(y, ground_.ny, ground_.periodic_y);
         if (place.x < 0 || place.y < 0) return false;
         const bool on_sand = bed.surface(place.x, place.y) > bed.rock(place.x, place.y);
-        const double of_ground =
-            on_sand ? parameters_.deposit_on_sand : parameters_.deposit_on_rock;
+        double of_ground = on_sand ? parameters_.deposit_on_sand : parameters_.deposit_on_rock;
+        if (plants_ != nullptr) of_ground += plants_->cover()(place.x, place.y) * (1.0 - of_ground);
         if (stream.uniform() < std::max(of_ground, shade(place.x, place.y))) return true;
     }
 }
@@ -96,7 +103,7 @@ std::int64_t SlabTransport::pick_row(const DuneBed& bed, const BlowingWind& wind
         const double shaded = shade(x, y);
         const double chance = stream.uniform();
         std::int64_t& here = left[static_cast<std::size_t>(x)];
-        if (here <= 0 || chance < shaded) continue;
+        if (here <= 0 || chance < held(shaded, x, y)) continue;
         const std::int64_t slab = std::min(slab_, here);
         here -= slab;
         add(x, y, -slab);
@@ -246,7 +253,7 @@ void SlabTransport::step_in_sequence(DuneBed& bed, const BlowingWind& wind, std:
         const auto y = static_cast<int>(cell / nx);
         const double chance = stream.uniform();
         const std::int64_t slab = std::min(slab_, bed.surface(x, y) - bed.rock(x, y));
-        if (slab <= 0 || chance < shade_at(x, y)) continue;
+        if (slab <= 0 || chance < held(shade_at(x, y), x, y)) continue;
         bed.surface(x, y) -= slab;
         Place place;
         const bool rests = hop(bed, wind, shade_at, x, y, stream, place);

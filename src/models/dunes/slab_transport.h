@@ -13,6 +13,7 @@
 
 namespace fumon {
 
+class Plants;
 class WorkerPool;
 
 /// Slabs of sand that hop at random (Werner 1995). As many cells are picked in a step as there are;
@@ -39,8 +40,9 @@ class SlabTransport {
         bool at_rest = true;
     };
 
-    void step(DuneBed& bed, const BlowingWind& wind, std::int64_t step, WindShadow& shadow,
-              Avalanches& avalanches);
+    /// `plants`: what holds the sand (see Plants), or null.
+    void step(DuneBed& bed, const BlowingWind& wind, const Plants* plants, std::int64_t step,
+              WindShadow& shadow, Avalanches& avalanches);
 
   private:
     struct Place {
@@ -63,6 +65,8 @@ class SlabTransport {
     [[nodiscard]] double marched_shade(const DuneBed& bed, const BlowingWind& wind, int x, int y,
                                        std::int64_t highest) const;
     void add(int x, int y, std::int64_t amount);
+    /// The probability that a picked slab stays where it is.
+    [[nodiscard]] double held(double shade, int x, int y) const;
 
     DunesParameters parameters_;
     DuneGround ground_;
@@ -70,7 +74,8 @@ class SlabTransport {
     ShadowTangents shadow_;
     std::uint64_t seed_;
     WorkerPool& pool_;
-    double mean_ = 0.0;  ///< m, of the surface at the step's start
+    const Plants* plants_ = nullptr;  ///< of the step
+    double mean_ = 0.0;               ///< m, of the surface at the step's start
     WholeGrid change_;
     std::vector<std::int64_t> picks_;  ///< of each row
     std::vector<std::int64_t> lost_;   ///< by each row

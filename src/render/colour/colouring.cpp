@@ -118,13 +118,46 @@ Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double
     return places;
 }
 
+namespace {
+
+Field<std::uint8_t> ground_texels(const Snapshot& snapshot) {
+    constexpr double hidden = 0.01;  // m of sand, under which no rock is seen
+    constexpr int bare_sand = 128;
+    Field<std::uint8_t> texels(snapshot.bed.nx(), snapshot.bed.ny(), bare_sand);
+    const SnapshotField* sand = find_named(snapshot.fields, "sand");
+    const SnapshotField* cover = find_named(snapshot.fields, "cover");
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const double thickness = sand != nullptr ? sand->values.values()[i] : hidden;
+        const double plants = cover != nullptr ? cover->values.values()[i] : 0.0;
+        const double rock = (1.0 - plants) * std::clamp(1.0 - thickness / hidden, 0.0, 1.0);
+        texels.values()[i] = static_cast<std::uint8_t>(
+            nearest(static_cast<float>(bare_sand + 127.0 * plants - 128.0 * rock)));
+    }
+    return texels;
+}
+
+}  // namespace
+
+float mark_number(Marking mark) {
+    switch (mark) {
+        case Marking::none:
+            return 0.0F;
+        case Marking::last_avalanche:
+            return 1.0F;
+        case Marking::ground:
+            return 2.0F;
+    }
+    return 0.0F;
+}
+
 const SnapshotField* marked_field(Marking mark, const Snapshot& snapshot) {
     if (mark == Marking::none) return nullptr;
-    return find_named(snapshot.fields, "last_avalanche");
+    return find_named(snapshot.fields, mark == Marking::ground ? "sand" : "last_avalanche");
 }
 
 Field<std::uint8_t> mark_texels(Marking mark, const Snapshot& snapshot) {
     if (mark == Marking::none) return {1, 1, 0};
+    if (mark == Marking::ground) return ground_texels(snapshot);
     Field<std::uint8_t> texels(snapshot.bed.nx(), snapshot.bed.ny());
     const SnapshotField* field = marked_field(mark, snapshot);
     if (field == nullptr) return texels;

@@ -41,8 +41,12 @@ Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double
 /// The field of a snapshot that a marking shows, or nullptr where the model has none.
 const SnapshotField* marked_field(Marking mark, const Snapshot& snapshot);
 
+/// A marking's number in shaders/bed.glsl.
+float mark_number(Marking mark);
+
 /// How much each cell stands out, 0 … 255: for the last avalanche, cells that toppled fully and
-/// cells that only received grains by half. A single 0 when nothing is marked.
+/// cells that only received grains by half. Of the ground, 128 is bare sand, more are plants and
+/// less is rock under less than a centimetre of sand. A single 0 when nothing is marked.
 Field<std::uint8_t> mark_texels(Marking mark, const Snapshot& snapshot);
 
 }  // namespace fumon

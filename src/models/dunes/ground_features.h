@@ -1,0 +1,25 @@
+#pragma once
+
+#include "base/grid.h"
+#include "models/dunes/dune_bed.h"
+#include "models/dunes/dunes_parameters.h"
+#include "models/dunes/wind_shadow.h"
+
+namespace fumon {
+
+/// How high a feature stands in each cell, in parts of its height, 0 … 1: with u and v the
+/// distances of the cell's middle from the feature's, along and across its axis, in parts of half
+/// its length and width, and r² = u² + v²,
+///
+///     block   1 where |u| ≤ 1 and |v| ≤ 1, else 0
+///     cone    max(1 − r, 0)
+///     hill    cos²(π r / 2) where r < 1, else 0
+///
+/// In a periodic bed distances go the shorter way round.
+Grid feature_shape(const DuneFeature& feature, const DuneGround& ground);
+
+/// Sets rock and sand on a bed, one after the other: rock raises the floor, and the surface where
+/// the sand there was no thicker; sand raises the surface.
+void set_features(const std::vector<DuneFeature>& features, const DuneGround& ground, DuneBed& bed);
+
+}  // namespace fumon

@@ -1,0 +1,93 @@
+#include "models/dunes/windward_walls.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/give_up.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr double still_at = 0.4;                     // of the wall's height, before it
+constexpr double free_at = 2.0;                      // likewise
+constexpr double back_at_foot = 0.5;                 // of the wind
+constexpr double top_tangent = 0.57735026918962573;  // of 30 degrees
+
+double wind_at(double s) {
+    if (s >= free_at) return 1.0;
+    if (s >= still_at) return (s - still_at) / (free_at - still_at);
+    return back_at_foot * (s / still_at - 1.0);
+}
+
+}  // namespace
+
+WindwardWalls::WindwardWalls(const DuneGround& ground, double tangent)
+    : ground_(ground), tangent_(tangent), wind_(ground.nx, ground.ny, 1.0) {}
+
+bool WindwardWalls::place(const Line& line, int x, int y, int n, int& to_x, int& to_y) const {
+    const auto find = [](double cell, int count, bool periodic, int& found) {
+        double at = std::floor(cell + 0.5);
+        if (periodic) at -= count * std::floor(at / count);
+        found = static_cast<int>(at);
+        return found >= 0 && found < count;
+    };
+    return find(x + n * line.x, ground_.nx, ground_.periodic_x, to_x) &&
+           find(y + n * line.y, ground_.ny, ground_.periodic_y, to_y);
+}
+
+bool WindwardWalls::height_at(const WholeGrid& surface, const Line& line, int x, int y, int n,
+                              std::int64_t& height) const {
+    int to_x = 0;
+    int to_y = 0;
+    if (!place(line, x, y, n, to_x, to_y)) return false;
+    height = surface(to_x, to_y);
+    return true;
+}
+
+void WindwardWalls::find(const WholeGrid& surface, const BlowingWind& wind) {
+    std::ranges::fill(wind_.values(), 1.0);
+    const double cells_x = wind.x / ground_.dx;
+    const double cells_y = wind.y / ground_.dy;
+    const double most = std::max(std::abs(cells_x), std::abs(cells_y));
+    const Line line{cells_x / most, cells_y / most, 1.0 / most};
+    const double steep = tangent_ * line.distance * units_per_metre;
+    for (int y = 0; y < ground_.ny; ++y) {
+        give_up_if_asked();
+        for (int x = 0; x < ground_.nx; ++x) {
+            const std::int64_t here = surface(x, y);
+            std::int64_t ahead = 0;
+            if (!height_at(surface, line, x, y, 1, ahead) ||
+                static_cast<double>(ahead - here) <= steep)
+                continue;
+            std::int64_t behind = 0;
+            const bool within_wall = height_at(surface, line, x, y, -1, behind) &&
+                                     static_cast<double>(here - behind) > steep;
+            if (!within_wall) slacken_before(surface, line, x, y);
+        }
+    }
+}
+
+void WindwardWalls::slacken_before(const WholeGrid& surface, const Line& line, int x, int y) {
+    const int longest = std::max(ground_.nx, ground_.ny);
+    const double rises = top_tangent * line.distance * units_per_metre;
+    std::int64_t top = surface(x, y);
+    for (int n = 1; n < longest; ++n) {
+        std::int64_t height = 0;
+        if (!height_at(surface, line, x, y, n, height)) break;
+        if (static_cast<double>(height - top) < rises) break;
+        top = height;
+    }
+    const double height = to_metres(top - surface(x, y));
+    for (int n = 0; n < longest && n * line.distance < free_at * height; ++n) {
+        int to_x = 0;
+        int to_y = 0;
+        if (!place(line, x, y, -n, to_x, to_y)) break;
+        const double above = to_metres(top - surface(to_x, to_y));
+        if (above <= 0.0) break;
+        double& wind = wind_(to_x, to_y);
+        wind = std::min(wind, wind_at(n * line.distance / above));
+    }
+}
+
+}  // namespace fumon

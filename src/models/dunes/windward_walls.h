@@ -1,0 +1,49 @@
+#pragma once
+
+#include "base/grid.h"
+#include "models/dunes/dune_bed.h"
+#include "models/dunes/wind_shadow.h"
+#include "models/dunes/wind_turns.h"
+
+namespace fumon {
+
+/// The wind before steep walls, which turns back at their foot and lets sand fall before it: echo
+/// dunes. After Tsoar (1983), who saw them before walls of 55 degrees and more, and the regions of
+/// Nilles, Günther & Müller (2024).
+///
+/// Where the ground rises along the wind by more than the tangent of an angle from one cell to the
+/// next, it is a wall, up to where it rises by less than 30 degrees. In a cell at a distance d
+/// upwind of its foot, over which it stands H high, the wind is
+///
+///     u = (s − 0.4) / 1.6 for 0.4 ≤ s < 2,   u = (s / 0.4 − 1) / 2 for s < 0.4,   s = d / H,
+///
+/// in parts of what it would be: hops reach u times as far, back where u < 0. The least u of all
+/// walls holds.
+class WindwardWalls {
+  public:
+    WindwardWalls(const DuneGround& ground, double tangent);
+
+    void find(const WholeGrid& surface, const BlowingWind& wind);
+
+    /// u, −0.5 … 1.
+    [[nodiscard]] const Grid& wind() const { return wind_; }
+
+  private:
+    struct Line {
+        double x;         ///< cells for each cell along
+        double y;         ///< likewise
+        double distance;  ///< m for each cell along
+    };
+
+    void slacken_before(const WholeGrid& surface, const Line& line, int x, int y);
+    /// The height n cells along from (x, y), 2⁻³² m; false beyond an open edge.
+    bool height_at(const WholeGrid& surface, const Line& line, int x, int y, int n,
+                   std::int64_t& height) const;
+    bool place(const Line& line, int x, int y, int n, int& to_x, int& to_y) const;
+
+    DuneGround ground_;
+    double tangent_;
+    Grid wind_;
+};
+
+}  // namespace fumon
