@@ -120,19 +120,48 @@ Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double
 
 namespace {
 
+/// The mean of each cell and its neighbours along both axes, with weights 1 : 2 : 1, so that
+/// outlines do not show the cells.
+Grid softened(const Grid& field, bool periodic) {
+    const auto place = [&](int cell, int count) {
+        if (cell >= 0 && cell < count) return cell;
+        return periodic ? (cell + count) % count : std::clamp(cell, 0, count - 1);
+    };
+    Grid along(field.nx(), field.ny());
+    for (int y = 0; y < field.ny(); ++y) {
+        for (int x = 0; x < field.nx(); ++x) {
+            along(x, y) = 0.5 * field(x, y) + 0.25 * (field(place(x - 1, field.nx()), y) +
+                                                      field(place(x + 1, field.nx()), y));
+        }
+    }
+    Grid both(field.nx(), field.ny());
+    for (int y = 0; y < field.ny(); ++y) {
+        for (int x = 0; x < field.nx(); ++x) {
+            both(x, y) = 0.5 * along(x, y) + 0.25 * (along(x, place(y - 1, field.ny())) +
+                                                     along(x, place(y + 1, field.ny())));
+        }
+    }
+    return both;
+}
+
+/// Plants as parts above 0, rock as parts below.
 Field<std::uint8_t> ground_texels(const Snapshot& snapshot) {
-    constexpr double hidden = 0.01;  // m of sand, under which no rock is seen
-    constexpr int bare_sand = 128;
-    Field<std::uint8_t> texels(snapshot.bed.nx(), snapshot.bed.ny(), bare_sand);
+    constexpr double hidden = 0.03;  // m of sand, under which no rock is seen
+    constexpr double bare_sand = 128.0;
     const SnapshotField* sand = find_named(snapshot.fields, "sand");
     const SnapshotField* cover = find_named(snapshot.fields, "cover");
-    for (std::size_t i = 0; i < texels.size(); ++i) {
+    Grid ground(snapshot.bed.nx(), snapshot.bed.ny());
+    for (std::size_t i = 0; i < ground.size(); ++i) {
         const double thickness = sand != nullptr ? sand->values.values()[i] : hidden;
         const double plants = cover != nullptr ? cover->values.values()[i] : 0.0;
         const double rock = (1.0 - plants) * std::clamp(1.0 - thickness / hidden, 0.0, 1.0);
-        texels.values()[i] = static_cast<std::uint8_t>(
-            nearest(static_cast<float>(bare_sand + 127.0 * plants - 128.0 * rock)));
+        ground.values()[i] = bare_sand + 127.0 * plants - 128.0 * rock;
     }
+    ground = softened(ground, snapshot.periodic);
+    Field<std::uint8_t> texels(ground.nx(), ground.ny());
+    std::ranges::transform(ground.values(), texels.values().begin(), [](double value) {
+        return static_cast<std::uint8_t>(nearest(static_cast<float>(value)));
+    });
     return texels;
 }
 

@@ -46,7 +46,7 @@ float mark_number(Marking mark);
 
 /// How much each cell stands out, 0 … 255: for the last avalanche, cells that toppled fully and
 /// cells that only received grains by half. Of the ground, 128 is bare sand, more are plants and
-/// less is rock under less than a centimetre of sand. A single 0 when nothing is marked.
+/// less is rock that little or no sand covers. A single 0 when nothing is marked.
 Field<std::uint8_t> mark_texels(Marking mark, const Snapshot& snapshot);
 
 }  // namespace fumon
