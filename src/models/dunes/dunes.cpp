@@ -228,7 +228,7 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
                            pool_);
     }
     if (!parameters.wall_angle.is_word())
-        walls_.emplace(ground_, tangent(parameters.wall_angle.value));
+        walls_.emplace(ground_, tangent(parameters.wall_angle.value), pool_);
 }
 
 void Dunes::steepen_under_plants() {

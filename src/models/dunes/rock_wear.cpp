@@ -26,35 +26,30 @@ RockWear::RockWear(const DuneGround& ground, double share, double tangent, Worke
       before_(ground.nx, ground.ny),
       worn_of_row_(1, ground.ny) {}
 
-std::int64_t RockWear::before_at(int x, int y) const {
-    const auto place = [](int cell, int count, bool periodic) {
-        if (cell >= 0 && cell < count) return cell;
-        return periodic ? (cell + count) % count : std::clamp(cell, 0, count - 1);
-    };
-    return before_(place(x, ground_.nx, ground_.periodic_x),
-                   place(y, ground_.ny, ground_.periodic_y));
+RockWear::Around RockWear::around(int x, int y) const {
+    const int last_x = ground_.nx - 1;
+    const int last_y = ground_.ny - 1;
+    const int west = x > 0 ? x - 1 : ground_.periodic_x ? last_x : 0;
+    const int east = x < last_x ? x + 1 : ground_.periodic_x ? 0 : last_x;
+    const int south = y > 0 ? y - 1 : ground_.periodic_y ? last_y : 0;
+    const int north = y < last_y ? y + 1 : ground_.periodic_y ? 0 : last_y;
+    return {before_(west, y), before_(east, y), before_(x, south), before_(x, north)};
 }
 
-double RockWear::slope_along(const BlowingWind& wind, int x, int y) const {
-    const double along_x =
-        to_metres(before_at(x + 1, y) - before_at(x - 1, y)) / (2.0 * ground_.dx);
-    const double along_y =
-        to_metres(before_at(x, y + 1) - before_at(x, y - 1)) / (2.0 * ground_.dy);
-    return along_x * wind.x + along_y * wind.y;
+double RockWear::slope_along(const BlowingWind& wind, const Around& rock) const {
+    return to_metres(rock.east - rock.west) / (2.0 * ground_.dx) * wind.x +
+           to_metres(rock.north - rock.south) / (2.0 * ground_.dy) * wind.y;
 }
 
-std::int64_t RockWear::crumbles(int x, int y) const {
-    const std::int64_t here = before_(x, y);
-    const std::int64_t fall_x =
-        std::max({here - before_at(x - 1, y), here - before_at(x + 1, y), std::int64_t{0}});
-    const std::int64_t fall_y =
-        std::max({here - before_at(x, y - 1), here - before_at(x, y + 1), std::int64_t{0}});
+std::int64_t RockWear::crumbles(std::int64_t here, const Around& rock) const {
+    const std::int64_t fall_x = std::max({here - rock.west, here - rock.east, std::int64_t{0}});
+    const std::int64_t fall_y = std::max({here - rock.south, here - rock.north, std::int64_t{0}});
     const double a = to_metres(fall_x) / ground_.dx;
     const double b = to_metres(fall_y) / ground_.dy;
-    const double slope = std::sqrt(a * a + b * b);
-    if (slope <= tangent_) return 0;
+    const double square = a * a + b * b;
+    if (square <= tangent_ * tangent_) return 0;
     const auto fall = static_cast<double>(std::max(fall_x, fall_y));
-    return static_cast<std::int64_t>(share_of_excess * (1.0 - tangent_ / slope) * fall);
+    return static_cast<std::int64_t>(share_of_excess * (1.0 - tangent_ / std::sqrt(square)) * fall);
 }
 
 void RockWear::wear(DuneBed& bed, const BlowingWind& wind, const WholeGrid& landed,
@@ -65,14 +60,16 @@ void RockWear::wear(DuneBed& bed, const BlowingWind& wind, const WholeGrid& land
             give_up_if_asked();
             std::int64_t of_row = 0;
             for (int x = 0; x < ground_.nx; ++x) {
-                const std::int64_t crumbled = crumbles(x, y);
                 const double sand = to_metres(bed.surface(x, y) - bed.rock(x, y));
-                double open = std::max(1.0 - sand / sheltering, 0.0);
+                double open = 1.0 - sand / sheltering;
+                if (!(open > 0.0)) continue;
                 if (cover != nullptr) open *= 1.0 - (*cover)(x, y);
+                const Around rock = around(x, y);
+                const std::int64_t crumbled = crumbles(before_(x, y), rock);
                 std::int64_t blown = 0;
-                if (open > 0.0 && landed(x, y) > 0) {
+                if (landed(x, y) > 0) {
                     const double facing =
-                        std::clamp(1.0 + slope_along(wind, x, y) / descent, 0.0, most_on_slopes);
+                        std::clamp(1.0 + slope_along(wind, rock) / descent, 0.0, most_on_slopes);
                     blown = static_cast<std::int64_t>(share_ * facing * open *
                                                       static_cast<double>(landed(x, y)));
                 }

@@ -16,9 +16,9 @@ class WorkerPool;
 /// away, where q is the thickness that lands, m the slope of the floor along the wind, t the sand
 /// at rest on it and ρ the plants' cover, none of the factors less than 0: grains come down at a
 /// slope of about a fifth (Bagnold 1941: 10 to 16 degrees), so that ground that faces the wind
-/// takes more of them and lee slopes none. What is worn off is in the air. Rock steeper than its
-/// angle of repose, by the one-sided slope of SlopeRelaxation, crumbles: a quarter of the excess
-/// fall to its lowest neighbour becomes sand where it is.
+/// takes more of them and lee slopes none. What is worn off is in the air. Rock under less than 5
+/// cm of sand that is steeper than its angle of repose, by the one-sided slope of SlopeRelaxation,
+/// crumbles: a quarter of the excess fall to its lowest neighbour becomes sand where it is.
 ///
 /// What is worn off is counted in DuneBed::worn to the last unit.
 class RockWear {
@@ -30,9 +30,17 @@ class RockWear {
     void wear(DuneBed& bed, const BlowingWind& wind, const WholeGrid& landed, const Grid* cover);
 
   private:
-    [[nodiscard]] std::int64_t crumbles(int x, int y) const;
-    [[nodiscard]] double slope_along(const BlowingWind& wind, int x, int y) const;
-    [[nodiscard]] std::int64_t before_at(int x, int y) const;
+    /// The floor beside a cell.
+    struct Around {
+        std::int64_t west;
+        std::int64_t east;
+        std::int64_t south;
+        std::int64_t north;
+    };
+
+    [[nodiscard]] Around around(int x, int y) const;
+    [[nodiscard]] std::int64_t crumbles(std::int64_t here, const Around& rock) const;
+    [[nodiscard]] double slope_along(const BlowingWind& wind, const Around& rock) const;
 
     DuneGround ground_;
     double share_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/give_up.h"
+#include "base/worker_pool.h"
 
 namespace fumon {
 
@@ -22,8 +23,12 @@ double wind_at(double s) {
 
 }  // namespace
 
-WindwardWalls::WindwardWalls(const DuneGround& ground, double tangent)
-    : ground_(ground), tangent_(tangent), wind_(ground.nx, ground.ny, 1.0) {}
+WindwardWalls::WindwardWalls(const DuneGround& ground, double tangent, WorkerPool& pool)
+    : ground_(ground),
+      tangent_(tangent),
+      pool_(pool),
+      feet_(static_cast<std::size_t>(ground.ny)),
+      wind_(ground.nx, ground.ny, 1.0) {}
 
 bool WindwardWalls::place(const Line& line, int x, int y, int n, int& to_x, int& to_y) const {
     const auto find = [](double cell, int count, bool periodic, int& found) {
@@ -51,20 +56,37 @@ void WindwardWalls::find(const WholeGrid& surface, const BlowingWind& wind) {
     const double cells_y = wind.y / ground_.dy;
     const double most = std::max(std::abs(cells_x), std::abs(cells_y));
     const Line line{cells_x / most, cells_y / most, 1.0 / most};
-    const double steep = tangent_ * line.distance * units_per_metre;
-    for (int y = 0; y < ground_.ny; ++y) {
-        give_up_if_asked();
-        for (int x = 0; x < ground_.nx; ++x) {
-            const std::int64_t here = surface(x, y);
-            std::int64_t ahead = 0;
-            if (!height_at(surface, line, x, y, 1, ahead) ||
-                static_cast<double>(ahead - here) <= steep)
-                continue;
-            std::int64_t behind = 0;
-            const bool within_wall = height_at(surface, line, x, y, -1, behind) &&
-                                     static_cast<double>(here - behind) > steep;
-            if (!within_wall) slacken_before(surface, line, x, y);
+    pool_.for_ranges(ground_.ny, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
+            find_feet(surface, line, y);
         }
+    });
+    for (int y = 0; y < ground_.ny; ++y) {
+        for (const int x : feet_[static_cast<std::size_t>(y)]) slacken_before(surface, line, x, y);
+    }
+}
+
+void WindwardWalls::find_feet(const WholeGrid& surface, const Line& line, int y) {
+    std::vector<int>& feet = feet_[static_cast<std::size_t>(y)];
+    feet.clear();
+    const double steep = tangent_ * line.distance * units_per_metre;
+    const int ahead_x = static_cast<int>(std::floor(line.x + 0.5));
+    const int ahead_y = static_cast<int>(std::floor(line.y + 0.5));
+    const bool inside_y = y + ahead_y >= 0 && y + ahead_y < ground_.ny;
+    for (int x = 0; x < ground_.nx; ++x) {
+        const std::int64_t here = surface(x, y);
+        std::int64_t ahead = 0;
+        if (inside_y && x + ahead_x >= 0 && x + ahead_x < ground_.nx) {
+            ahead = surface(x + ahead_x, y + ahead_y);
+        } else if (!height_at(surface, line, x, y, 1, ahead)) {
+            continue;
+        }
+        if (static_cast<double>(ahead - here) <= steep) continue;
+        std::int64_t behind = 0;
+        const bool within_wall = height_at(surface, line, x, y, -1, behind) &&
+                                 static_cast<double>(here - behind) > steep;
+        if (!within_wall) feet.push_back(x);
     }
 }
 

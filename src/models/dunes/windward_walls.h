@@ -1,11 +1,15 @@
 #pragma once
 
+#include <vector>
+
 #include "base/grid.h"
 #include "models/dunes/dune_bed.h"
 #include "models/dunes/wind_shadow.h"
 #include "models/dunes/wind_turns.h"
 
 namespace fumon {
+
+class WorkerPool;
 
 /// The wind before steep walls, which turns back at their foot and lets sand fall before it: echo
 /// dunes. After Tsoar (1983), who saw them before walls of 55 degrees and more, and the regions of
@@ -21,7 +25,7 @@ namespace fumon {
 /// walls holds.
 class WindwardWalls {
   public:
-    WindwardWalls(const DuneGround& ground, double tangent);
+    WindwardWalls(const DuneGround& ground, double tangent, WorkerPool& pool);
 
     void find(const WholeGrid& surface, const BlowingWind& wind);
 
@@ -35,6 +39,7 @@ class WindwardWalls {
         double distance;  ///< m for each cell along
     };
 
+    void find_feet(const WholeGrid& surface, const Line& line, int y);
     void slacken_before(const WholeGrid& surface, const Line& line, int x, int y);
     /// The height n cells along from (x, y), 2⁻³² m; false beyond an open edge.
     bool height_at(const WholeGrid& surface, const Line& line, int x, int y, int n,
@@ -43,6 +48,8 @@ class WindwardWalls {
 
     DuneGround ground_;
     double tangent_;
+    WorkerPool& pool_;
+    std::vector<std::vector<int>> feet_;  ///< of each row, where walls begin
     Grid wind_;
 };
 

@@ -171,7 +171,8 @@ TEST(Walls, TurnTheWindBackAtTheirFoot) {
             for (int x = 25; x < 35; ++x) surface(x, y) = to_units(10.0);
         }
         const WindTurns turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
-        WindwardWalls walls(ground, std::tan(55.0 * std::acos(-1.0) / 180.0));
+        WorkerPool pool(2);
+        WindwardWalls walls(ground, std::tan(55.0 * std::acos(-1.0) / 180.0), pool);
         walls.find(surface, turns.at(0));
         const auto at = [&](int cells) {
             const int x = dx == 0 ? 30 : dx < 0 ? 24 - cells : 35 + cells;
