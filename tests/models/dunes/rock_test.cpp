@@ -21,13 +21,13 @@ ModelSetup thin_sand(int nx, int ny, double thickness, WorkerPool& pool) {
     return {Grid(nx, ny, thickness), {}, {1.0, 1.0, 1.0, true}, 7, pool};
 }
 
-std::int64_t total(const WholeGrid& grid) {
+std::int64_t units_of(const WholeGrid& grid) {
     return std::accumulate(grid.values().begin(), grid.values().end(), std::int64_t{0});
 }
 
 std::int64_t sand_less_sources(const DuneBed& bed) {
-    return total(bed.surface) - total(bed.rock) + total(bed.moving) + bed.outflow - bed.inflow -
-           bed.worn;
+    return units_of(bed.surface) - units_of(bed.rock) + units_of(bed.moving) + bed.outflow -
+           bed.inflow - bed.worn;
 }
 
 TEST(WornRock, SandOutflowInflowAndWornRockBalanceExactly) {
@@ -49,11 +49,11 @@ TEST(WornRock, SandOutflowInflowAndWornRockBalanceExactly) {
                 {FeatureKind::rock, FeatureShape::cone, 48.0, 28.0, 10.0, 10.0, 4.0, 90.0}};
             Dunes model(dunes, thin_sand(64, 40, 0.08, pool));
             const std::int64_t first = sand_less_sources(model.bed());
-            const std::int64_t rock = total(model.bed().rock);
+            const std::int64_t rock = units_of(model.bed().rock);
             for (int step = 0; step < 50; ++step) {
                 model.step();
                 ASSERT_EQ(sand_less_sources(model.bed()), first) << step;
-                ASSERT_EQ(rock - total(model.bed().rock), model.bed().worn);
+                ASSERT_EQ(rock - units_of(model.bed().rock), model.bed().worn);
             }
             EXPECT_GT(to_metres(model.bed().worn), 1.0);
             EXPECT_EQ(model.bed().outflow > 0, open);
@@ -85,7 +85,7 @@ TEST(WornRock, LevelRockLosesItsShareOfWhatLands) {
     EXPECT_NEAR(to_metres(bed.rock(7, 4)), -0.001, 1e-9) << "half sheltered by sand";
     EXPECT_EQ(bed.rock(9, 4), 0) << "under sand";
     EXPECT_NEAR(to_metres(bed.rock(3, 4)), -0.0005, 1e-9) << "under plants";
-    EXPECT_EQ(bed.worn, -total(bed.rock));
+    EXPECT_EQ(bed.worn, -units_of(bed.rock));
 }
 
 TEST(WornRock, SlopesThatFaceTheWindLoseMost) {
