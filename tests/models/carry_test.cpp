@@ -230,11 +230,12 @@ INSTANTIATE_TEST_SUITE_P(
         dunes("CoveredRock", "rock = \"bed\"\nshadow = \"hard\"\n"),
         dunes("PlantsAndWornRock",
               "plants = \"grow\"\ngrass_cover = 0.4\nshrub_cover = 0.3\nshrub_share = "
-              "0.5\ngrowth_period = 0.002\nplant_pioneers = 9\nrock_wear = 0.05\nwall_angle = 55\n"
+              "0.5\ngrowth_period = 0.002\navalanche_age = true\nplant_pioneers = 9\nrock_wear = "
+              "0.05\nwall_angle = 55\n"
               "[[feature]]\nshape = \"block\"\nx = 18\ny = 15\nlength = 8\nheight = 5\n"),
         dunes("SlabsAmongPlants",
               "transport = \"slabs\"\nspeed_up = \"none\"\nplants = \"grow\"\nshrub_cover = "
-              "0.4\nshrub_share = 0.3\ngrowth_period = 0.01\n"),
+              "0.4\nshrub_share = 0.3\navalanche_age = true\ngrowth_period = 0.01\n"),
         dunes("Slabs", "transport = \"slabs\"\nspeed_up = \"none\"\n"),
         dunes("SlabsOneByOne",
               "transport = \"slabs\"\nspeed_up = \"height\"\norder = \"sequential\"\n"),

@@ -136,6 +136,7 @@ std::int64_t SlopeRelaxation::slide_row(const WholeGrid& surface, const WholeGri
                                               << static_cast<unsigned>(x % CellRows::word_bits);
         });
         for (int w = 0; w < sliding_.words(); ++w) count += std::popcount(words[w]);
+        for (int w = 0; w < slid_.words(); ++w) slid_.row(y)[w] |= words[w];
     }
     sliding_.set_any(y, count > 0);
     return count;
@@ -255,6 +256,10 @@ bool SlopeRelaxation::relax_near(WholeGrid& surface, const WholeGrid& floor,
             return false;
         }
         surface(x, y) -= std::abs(slide.x) + std::abs(slide.y);
+        if (slid_.words() > 0) {
+            slid_.row(y)[x / CellRows::word_bits] |=
+                CellRows::Word{1} << static_cast<unsigned>(x % CellRows::word_bits);
+        }
         if (slide.x != 0) surface(slide.x > 0 ? east(x) : west(x), y) += std::abs(slide.x);
         if (slide.y != 0) surface(x, slide.y > 0 ? north(y) : south(y)) += std::abs(slide.y);
         add_around(x, y);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/grid.h"
@@ -56,6 +58,21 @@ class SlopeRelaxation {
     /// Angles that differ from cell to cell, in degrees: moving ones, each with the same ratio of
     /// tan(resting) to tan(moving) as before.
     void set_moving_angles(const Grid& degrees);
+
+    /// From here on remembers which cells slide.
+    void remember_sliding() { slid_ = CellRows(nx(), ny()); }
+    /// Calls body(x, y) for each cell that has slid since it was last asked, by the numbers of the
+    /// rows; none unless they are remembered.
+    template <class Body>
+    void forget_slid(const Body& body) {
+        for (int y = 0; y < ny() && slid_.words() > 0; ++y) {
+            CellRows::Word* words = slid_.row(y);
+            for (int w = 0; w < slid_.words(); ++w) {
+                for (CellRows::Word left = std::exchange(words[w], 0); left != 0; left &= left - 1)
+                    body(w * CellRows::word_bits + std::countr_zero(left), y);
+            }
+        }
+    }
 
     struct Outcome {
         int passes = 0;
@@ -134,6 +151,7 @@ class SlopeRelaxation {
     double slope_of_unit_y_;
     CellRows candidates_;  ///< cells to look at
     CellRows sliding_;     ///< cells that give, this pass
+    CellRows slid_;        ///< cells that have given, where they are remembered
     CellRows left_;        ///< of a row's cells those that vectors leave to a loop over cells
     CellRows from_west_;   ///< cells whose western neighbour gives
     CellRows from_east_;

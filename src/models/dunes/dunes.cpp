@@ -170,22 +170,6 @@ double step_length(const DunesParameters& parameters, const DuneGround& ground, 
                                           : parameters.time_step.value;
 }
 
-Grid in_metres(const WholeGrid& whole) {
-    Grid grid(whole.nx(), whole.ny());
-    std::ranges::transform(whole.values(), grid.values().begin(), to_metres);
-    return grid;
-}
-
-/// Of sand at rest and moving, as a thickness of one cell.
-double total_sand(const DuneBed& bed) {
-    double sum = 0.0;
-    for (std::size_t cell = 0; cell < bed.surface.size(); ++cell) {
-        sum += to_metres(bed.surface.values()[cell] - bed.rock.values()[cell] +
-                         bed.moving.values()[cell]);
-    }
-    return sum;
-}
-
 /// What no bed of a checkpoint exceeds.
 constexpr double highest_bed = 1e6;  // m
 
@@ -215,6 +199,10 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
     if (parameters.plants != DunePlants::none) {
         plants_.emplace(parameters, ground_, bed_, setup.seed, pool_);
         steepen_under_plants();
+    }
+    if (parameters.avalanche_age) {
+        slopes_.remember_sliding();
+        slid_at_ = WholeGrid(ground_.nx, ground_.ny);
     }
     if (parameters.transport == DuneTransport::slabs) {
         slabs_.emplace(parameters, ground_, slab_height_, shadow_tangents_, setup.seed, pool_);
@@ -249,8 +237,13 @@ void Dunes::step() {
         passes_ = outcome.passes;
         at_rest_ = outcome.at_rest;
     }
+    if (parameters_.avalanche_age) note_slides();
     if (plants_ && plants_->grow(bed_, turns_.time(steps_ + 1), steps_)) steepen_under_plants();
     ++steps_;
+}
+
+void Dunes::note_slides() {
+    slopes_.forget_slid([&](int x, int y) { slid_at_(x, y) = steps_ + 1; });
 }
 
 ContinuousTransport::Wind Dunes::wind_over_bed(const BlowingWind& wind) const {
@@ -278,86 +271,12 @@ void Dunes::blow_continuously(const BlowingWind& wind) {
     }
 }
 
-Grid Dunes::local_wind() const {
-    const BlowingWind wind = turns_.at(steps_);
-    const ContinuousTransport::Wind over = wind_over_bed(wind);
-    Grid local(ground_.nx, ground_.ny);
-    for (int y = 0; y < ground_.ny; ++y) {
-        for (int x = 0; x < ground_.nx; ++x)
-            local(x, y) = ContinuousTransport::lift_factor(over, x, y);
-    }
-    return local;
-}
-
-Snapshot Dunes::snapshot() const {
-    Snapshot snapshot{steps_, time(), std::string(time_unit()), in_metres(bed_.surface),
-                      {},     scale_};
-    snapshot.landform = landform;
-    snapshot.periodic = ground_.periodic_x && ground_.periodic_y;
-    snapshot.winds = turns_.drifts(parameters_.flux);
-    Grid sand = snapshot.bed;
-    const Grid rock = in_metres(bed_.rock);
-    std::ranges::transform(sand.values(), rock.values(), sand.values().begin(), std::minus<>());
-    Grid local = local_wind();
-    snapshot.fields = {
-        {"sand", "thickness of the sand at rest", "m", std::move(sand)},
-        {"rock", "height of the hard floor", "m", rock},
-        {"moving_sand", "sand in the air, as a thickness", "m", in_metres(bed_.moving)},
-        {"wind_shadow", "how far ground upwind keeps the wind off, 0 to 1", "1", shadow_.shade()},
-        {"local_wind", "drift that the wind lifts there, in parts of that over flat ground", "1",
-         std::move(local)}};
-    const double area = ground_.dx * ground_.dy;
-    snapshot.numbers = {{"sand_volume", "m3", area * total_sand(bed_)},
-                        {"sand_inflow", "m3", area * to_metres(bed_.inflow)},
-                        {"sand_outflow", "m3", area * to_metres(bed_.outflow)},
-                        {"avalanche_passes", "1", static_cast<double>(passes_)}};
-    if (rock_wear_) snapshot.numbers.push_back({"rock_worn", "m3", area * to_metres(bed_.worn)});
-    if (plants_) add_plants(snapshot);
-    return snapshot;
-}
-
-void Dunes::add_plants(Snapshot& snapshot) const {
-    snapshot.fields.push_back({"cover", "plants of both species, 0 to 1", "1", plants_->cover()});
-    snapshot.fields.push_back({"grass", "grass, 0 to 1", "1", plants_->grass()});
-    snapshot.fields.push_back({"shrubs", "shrubs, 0 to 1", "1", plants_->shrubs()});
-    const auto cover = plants_->cover().values();
-    snapshot.numbers.push_back(
-        {"plant_cover", "1",
-         std::accumulate(cover.begin(), cover.end(), 0.0) / static_cast<double>(cover.size())});
-}
-
 std::string Dunes::doubt() const {
     if (at_rest_) return {};
     return fmt::format(
         "avalanches had not come to rest after model.avalanche_passes = {} passes, so that slopes "
         "exceed model.repose_angle; raise it, or shorten model.time_step",
         parameters_.avalanche_passes);
-}
-
-std::vector<StateField> Dunes::state() const {
-    state_bed_ = in_metres(bed_.surface);
-    state_rock_ = in_metres(bed_.rock);
-    state_moving_ = in_metres(bed_.moving);
-    state_flows_ = {to_metres(bed_.inflow), to_metres(bed_.outflow)};
-    std::vector<StateField> state{{"bed", state_bed_.values()},
-                                  {"rock", state_rock_.values()},
-                                  {"moving_sand", state_moving_.values()},
-                                  {"flows", state_flows_}};
-    if (rock_wear_) {
-        state_worn_ = {to_metres(bed_.worn)};
-        state.push_back({"worn", state_worn_});
-    }
-    if (plants_) {
-        state_grass_ = plants_->grass();
-        state_shrubs_ = plants_->shrubs();
-        state_surface_then_ = in_metres(plants_->surface_then());
-        state_time_then_ = {plants_->time_then()};
-        state.push_back({"grass", state_grass_.values()});
-        state.push_back({"shrubs", state_shrubs_.values()});
-        state.push_back({"surface_at_growth", state_surface_then_.values()});
-        state.push_back({"time_of_growth", state_time_then_});
-    }
-    return state;
 }
 
 void Dunes::carry(StateCarrier& carrier) {
@@ -373,6 +292,12 @@ void Dunes::carry(StateCarrier& carrier) {
     if (plants_) {
         plants_->carry(carrier);
         steepen_under_plants();
+    }
+    if (parameters_.avalanche_age) {
+        carrier.values("slid_at", slid_at_.values());
+        for (const std::int64_t step : slid_at_.values()) {
+            if (step < 0 || step > steps_) carrier.refuse("it has avalanches of steps to come");
+        }
     }
     const std::int64_t highest = to_units(highest_bed);
     for (std::size_t cell = 0; cell < bed_.surface.size(); ++cell) {

@@ -51,7 +51,8 @@ class Dunes : public Model {
     [[nodiscard]] std::string_view time_unit() const override { return "yr"; }
 
     /// The bed, rock and sand; fields "sand", "rock", "moving_sand" (m), "wind_shadow" and
-    /// "local_wind" (of the next step's wind), with plants "cover", "grass" and "shrubs"; numbers
+    /// "local_wind" (of the next step's wind), with plants "cover", "grass" and "shrubs", if asked
+    /// for "avalanche_age" (yr; of cells that never slid, since the start); numbers
     /// "sand_volume", "sand_inflow", "sand_outflow" (m³) and "avalanche_passes", with rock that is
     /// worn "rock_worn" (m³), with plants "plant_cover".
     [[nodiscard]] Snapshot snapshot() const override;
@@ -74,6 +75,8 @@ class Dunes : public Model {
     ContinuousTransport::Wind wind_over_bed(const BlowingWind& wind) const;
     void steepen_under_plants();
     void add_plants(Snapshot& snapshot) const;
+    void note_slides();
+    [[nodiscard]] Grid avalanche_age() const;
     [[nodiscard]] Grid local_wind() const;
 
     DunesParameters parameters_;
@@ -92,6 +95,7 @@ class Dunes : public Model {
     std::optional<RockWear> rock_wear_;
     std::optional<ContinuousTransport> continuous_;
     std::optional<SlabTransport> slabs_;
+    WholeGrid slid_at_;  ///< step in which each cell last slid, 0 for none, where that is kept
     std::int64_t steps_ = 0;
     std::int64_t passes_ = 0;  ///< of the last step's avalanches
     bool at_rest_ = true;      ///< whether they have ended

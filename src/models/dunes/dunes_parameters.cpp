@@ -220,6 +220,8 @@ void list_ground_keys(DunesParameters& dunes, KeyTable& table) {
                   {.range = {1, 1e9},
                    .help = "most passes of avalanches a step; where they do not suffice, the run "
                            "says so"});
+    table.boolean("model.avalanche_age", dunes.avalanche_age,
+                  {.help = "keep the field avalanche_age: years since sand last slid from a cell"});
     const std::vector<Choice<DuneEdge>> edges{
         {DuneEdge::periodic, "periodic", "what leaves comes in on the other side"},
         {DuneEdge::open, "open", "sand leaves with the wind, model.influx comes in"}};

@@ -83,6 +83,8 @@ struct DunesParameters {
     double static_angle = 33.0;  ///< degrees
     std::int64_t avalanche_passes = 2000;
 
+    bool avalanche_age = false;
+
     DuneEdge edges_x = DuneEdge::periodic;
     DuneEdge edges_y = DuneEdge::periodic;
     double influx = 0.0;  ///< share of the saturated drift

@@ -324,6 +324,38 @@ TEST(Dunes, AcrossOpenEdgesNothingIsFelt) {
     }
 }
 
+/// Faces of avalanches are young, and ground that never slid as old as the run; in any transport.
+TEST(Dunes, AgesAreSinceTheLastAvalanche) {
+    WorkerPool pool(2);
+    for (const Kind& kind : kinds()) {
+        SCOPED_TRACE(kind.name);
+        DunesParameters dunes = kind.parameters;
+        dunes.avalanche_age = true;
+        Grid bed(40, 40, 0.5);
+        for (int y = 16; y < 24; ++y) {
+            for (int x = 16; x < 24; ++x) bed(x, y) = 6.0;
+        }
+        Dunes model(dunes, setup(bed, pool));
+        const auto age = [&] {
+            const Snapshot now = model.snapshot();
+            return std::ranges::find(now.fields, "avalanche_age", &SnapshotField::name)->values;
+        };
+        model.step();
+        EXPECT_EQ(age()(23, 20), 0.0) << "its edge has come down";
+        const bool even = dunes.transport == DuneTransport::continuous;  // slabs are steep steps
+        if (even) {
+            EXPECT_EQ(age()(3, 3), model.time()) << "far from it";
+        }
+        for (int step = 0; step < 3; ++step) model.step();
+        if (even) {
+            EXPECT_EQ(age()(3, 3), model.time());
+        }
+        const Grid ages = age();
+        for (const double years : ages.values())
+            EXPECT_TRUE(years >= 0.0 && years <= model.time()) << years;
+    }
+}
+
 TEST(Dunes, RockMayBeTheBedOrALevel) {
     WorkerPool pool(1);
     DunesParameters dunes;

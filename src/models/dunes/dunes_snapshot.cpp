@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include "models/dunes/dunes.h"
+
+namespace fumon {
+
+namespace {
+
+Grid in_metres(const WholeGrid& whole) {
+    Grid grid(whole.nx(), whole.ny());
+    std::ranges::transform(whole.values(), grid.values().begin(), to_metres);
+    return grid;
+}
+
+/// Of sand at rest and moving, as a thickness of one cell.
+double total_sand(const DuneBed& bed) {
+    double sum = 0.0;
+    for (std::size_t cell = 0; cell < bed.surface.size(); ++cell) {
+        sum += to_metres(bed.surface.values()[cell] - bed.rock.values()[cell] +
+                         bed.moving.values()[cell]);
+    }
+    return sum;
+}
+
+}  // namespace
+
+Grid Dunes::local_wind() const {
+    const BlowingWind wind = turns_.at(steps_);
+    const ContinuousTransport::Wind over = wind_over_bed(wind);
+    Grid local(ground_.nx, ground_.ny);
+    for (int y = 0; y < ground_.ny; ++y) {
+        for (int x = 0; x < ground_.nx; ++x)
+            local(x, y) = ContinuousTransport::lift_factor(over, x, y);
+    }
+    return local;
+}
+
+Grid Dunes::avalanche_age() const {
+    Grid age(ground_.nx, ground_.ny);
+    std::ranges::transform(slid_at_.values(), age.values().begin(),
+                           [&](std::int64_t step) { return time() - turns_.time(step); });
+    return age;
+}
+
+Snapshot Dunes::snapshot() const {
+    Snapshot snapshot{steps_, time(), std::string(time_unit()), in_metres(bed_.surface),
+                      {},     scale_};
+    snapshot.landform = landform;
+    snapshot.periodic = ground_.periodic_x && ground_.periodic_y;
+    snapshot.winds = turns_.drifts(parameters_.flux);
+    Grid sand = snapshot.bed;
+    const Grid rock = in_metres(bed_.rock);
+    std::ranges::transform(sand.values(), rock.values(), sand.values().begin(), std::minus<>());
+    Grid local = local_wind();
+    snapshot.fields = {
+        {"sand", "thickness of the sand at rest", "m", std::move(sand)},
+        {"rock", "height of the hard floor", "m", rock},
+        {"moving_sand", "sand in the air, as a thickness", "m", in_metres(bed_.moving)},
+        {"wind_shadow", "how far ground upwind keeps the wind off, 0 to 1", "1", shadow_.shade()},
+        {"local_wind", "drift that the wind lifts there, in parts of that over flat ground", "1",
+         std::move(local)}};
+    const double area = ground_.dx * ground_.dy;
+    snapshot.numbers = {{"sand_volume", "m3", area * total_sand(bed_)},
+                        {"sand_inflow", "m3", area * to_metres(bed_.inflow)},
+                        {"sand_outflow", "m3", area * to_metres(bed_.outflow)},
+                        {"avalanche_passes", "1", static_cast<double>(passes_)}};
+    if (rock_wear_) snapshot.numbers.push_back({"rock_worn", "m3", area * to_metres(bed_.worn)});
+    if (plants_) add_plants(snapshot);
+    if (parameters_.avalanche_age) {
+        snapshot.fields.push_back(
+            {"avalanche_age", "time since sand last slid from the cell", "yr", avalanche_age()});
+    }
+    return snapshot;
+}
+
+void Dunes::add_plants(Snapshot& snapshot) const {
+    snapshot.fields.push_back({"cover", "plants of both species, 0 to 1", "1", plants_->cover()});
+    snapshot.fields.push_back({"grass", "grass, 0 to 1", "1", plants_->grass()});
+    snapshot.fields.push_back({"shrubs", "shrubs, 0 to 1", "1", plants_->shrubs()});
+    const auto cover = plants_->cover().values();
+    snapshot.numbers.push_back(
+        {"plant_cover", "1",
+         std::accumulate(cover.begin(), cover.end(), 0.0) / static_cast<double>(cover.size())});
+}
+
+std::vector<StateField> Dunes::state() const {
+    state_bed_ = in_metres(bed_.surface);
+    state_rock_ = in_metres(bed_.rock);
+    state_moving_ = in_metres(bed_.moving);
+    state_flows_ = {to_metres(bed_.inflow), to_metres(bed_.outflow)};
+    std::vector<StateField> state{{"bed", state_bed_.values()},
+                                  {"rock", state_rock_.values()},
+                                  {"moving_sand", state_moving_.values()},
+                                  {"flows", state_flows_}};
+    if (rock_wear_) {
+        state_worn_ = {to_metres(bed_.worn)};
+        state.push_back({"worn", state_worn_});
+    }
+    if (plants_) {
+        state_grass_ = plants_->grass();
+        state_shrubs_ = plants_->shrubs();
+        state_surface_then_ = in_metres(plants_->surface_then());
+        state_time_then_ = {plants_->time_then()};
+        state.push_back({"grass", state_grass_.values()});
+        state.push_back({"shrubs", state_shrubs_.values()});
+        state.push_back({"surface_at_growth", state_surface_then_.values()});
+        state.push_back({"time_of_growth", state_time_then_});
+    }
+    return state;
+}
+
+}  // namespace fumon
