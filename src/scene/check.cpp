@@ -400,14 +400,18 @@ void check_camera(const Scene& scene, Faults& faults) {
         if (!perspective)
             refuse("camera.framing",
                    "camera.framing belongs to camera.projection = \"perspective\"");
-        for (const char* key : {"camera.at", "camera.look_at"}) {
-            if (written(scene, key))
-                refuse(key, fmt::format("{} and camera.framing both say where the camera stands; "
-                                        "take one of them",
-                                        key));
-        }
+        const auto check_alone = [&](const char* key, const std::vector<double>& place) {
+            // Resolved scenes list all keys.
+            if (place.empty()) return;
+            refuse(key, fmt::format("{} and camera.framing both say where the camera stands; "
+                                    "take one of them",
+                                    key));
+        };
+        check_alone("camera.at", camera.at);
+        check_alone("camera.look_at", camera.look_at);
     }
-    if (!camera.focal_length.is_word() && written(scene, "camera.field_of_view"))
+    if (!camera.focal_length.is_word() && written(scene, "camera.field_of_view") &&
+        camera.field_of_view != CameraSettings{}.field_of_view)
         refuse("camera.focal_length",
                "camera.focal_length and camera.field_of_view say the same; take one of them");
     if (scene.view.look.ground != Ground::endless) return;

@@ -302,6 +302,17 @@ TEST(ListsOfTables, OfAModelAreWrittenBackAfterItsKeys) {
     EXPECT_NE(written.find("[[wind]]\nfrom = 30"), std::string::npos) << written;
 }
 
+/// A resolved scene lists all keys, those too that another one rules out.
+TEST(Scene, ResolvedScenesWithAFramingOrALensAreReadAgain) {
+    for (const char* camera : {"framing = \"low\"", "focal_length = 50"}) {
+        const Scene scene = parse_scene(
+            std::string("[model]\nname = \"dunes\"\n[run]\nsteps = 1\n[camera]\n") + camera + "\n",
+            "scene.toml", "");
+        const std::string written = to_toml(scene);
+        EXPECT_EQ(to_toml(parse_scene(written, "resolved.toml", "")), written);
+    }
+}
+
 void list_from(std::int64_t& wind, const std::string& path, KeyTable& table) {
     table.integer(path + ".from", wind, {});
 }
