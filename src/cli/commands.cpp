@@ -7,6 +7,7 @@
     COMMAND(figure)             \
     COMMAND(still)              \
     COMMAND(hop_law)            \
+    COMMAND(film)               \
     COMMAND(again)              \
     COMMAND(measure)            \
     COMMAND(orientation)        \

@@ -5,12 +5,14 @@ extern "C" {
 #include <libavcodec/bsf.h>
 #include <libavformat/avformat.h>
 #include <libavutil/opt.h>
+#include <libavutil/pixdesc.h>
 #include <libswscale/swscale.h>
 }
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -18,10 +20,13 @@ extern "C" {
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
+#include "picture/colour_table.h"
+#include "picture/encoder_options.h"
 #include "picture/frame_rate.h"
 
 namespace fumon {
@@ -29,7 +34,6 @@ namespace fumon {
 namespace {
 
 constexpr int codec_threads = 2;                  // fixed: the bytes depend on it
-constexpr const char* codec_preset = "veryfast";  // 49 ms a frame at 1080p
 
 template <auto release>
 struct Release {
@@ -70,6 +74,15 @@ void copy_padded(const Image& image, AVFrame& frame) {
     }
 }
 
+void copy_indexed(const Image& image, const ColourTable& colours, AVFrame& frame) {
+    const std::vector<std::uint8_t> indices = colours.indices(image);
+    const auto width = static_cast<std::size_t>(image.width);
+    for (int y = 0; y < image.height; ++y)
+        std::memcpy(frame.data[0] + static_cast<std::ptrdiff_t>(y) * frame.linesize[0],
+                    indices.data() + static_cast<std::size_t>(y) * width, width);
+    std::memcpy(frame.data[1], colours.colours().data(), sizeof(colours.colours()));
+}
+
 }  // namespace
 
 struct Movie::Parts {
@@ -90,11 +103,14 @@ struct Movie::Parts {
     std::unique_ptr<SwsContext, ReleaseScaler> scaler;
     AVStream* stream = nullptr;  ///< the container's
 
-    Parts(const std::filesystem::path& file_, int width_, int height_)
+    MovieCoding coding;
+
+    Parts(const std::filesystem::path& file_, int width_, int height_, const MovieCoding& coding_)
         : file(resolved_link(file_)),
           temporary(temporary_name(file)),
           width(width_),
-          height(height_) {
+          height(height_),
+          coding(coding_) {
         if (!takes_a_rename(file)) fail("it is a pipe or a device; a movie needs a file on disk");
     }
     Parts(const Parts&) = delete;
@@ -125,7 +141,7 @@ struct Movie::Parts {
         if (opened) ::unlink(temporary.c_str());
     }
 
-    void open_codec(AVRational rate, int quality);
+    void open_codec(AVRational rate);
     void open_converter();
     void open_container(AVRational rate);
     void open_filter();
@@ -133,29 +149,42 @@ struct Movie::Parts {
     void write_filtered(AVPacket* input);
 };
 
-void Movie::Parts::open_codec(AVRational rate, int quality) {
-    const AVCodec* encoder = avcodec_find_encoder_by_name("libx264");
-    if (encoder == nullptr)
-        fail(
-            "libavcodec has no H.264 encoder (libx264); install Debian's libavcodec59 or an FFmpeg "
-            "built with libx264, or write no movie");
+void Movie::Parts::open_codec(AVRational rate) {
+    const std::string name(coding.format.encoder);
+    const AVCodec* encoder = avcodec_find_encoder_by_name(name.c_str());
+    if (encoder == nullptr) {
+        fail(fmt::format("libavcodec has no encoder {} for {}; install Debian's libavcodec59 or an "
+                         "FFmpeg built with it, or write no such movie",
+                         name, coding.format.name));
+    }
     codec.reset(checked(avcodec_alloc_context3(encoder)));
-    codec->width = even(width);
-    codec->height = even(height);
-    codec->pix_fmt = AV_PIX_FMT_YUV420P;
+    const bool even_sides = coding.format.even_sides;
+    codec->width = even_sides ? even(width) : width;
+    codec->height = even_sides ? even(height) : height;
+    codec->pix_fmt = av_get_pix_fmt(std::string(coding.format.pixels).c_str());
     codec->time_base = av_inv_q(rate);
     codec->framerate = rate;
-    codec->colorspace = AVCOL_SPC_BT709;
-    codec->color_primaries = AVCOL_PRI_BT709;
-    codec->color_trc = AVCOL_TRC_BT709;
-    codec->color_range = AVCOL_RANGE_MPEG;
-    codec->chroma_sample_location = AVCHROMA_LOC_LEFT;
+    if (coding.format.pixels.starts_with("yuv")) {
+        codec->colorspace = AVCOL_SPC_BT709;
+        codec->color_primaries = AVCOL_PRI_BT709;
+        codec->color_trc = AVCOL_TRC_BT709;
+        codec->color_range = AVCOL_RANGE_MPEG;
+        codec->chroma_sample_location = AVCHROMA_LOC_LEFT;
+    }
     codec->thread_count = codec_threads;
-    codec->flags |= AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_GLOBAL_HEADER;
-    check(av_opt_set(codec->priv_data, "preset", codec_preset, 0));
-    check(av_opt_set_double(codec->priv_data, "crf", quality, 0));
-    // The same choices whatever instructions the processor has.
-    check(av_opt_set(codec->priv_data, "x264-params", "cpu-independent=1", 0));
+    codec->gop_size = std::max(1, static_cast<int>(std::lround(av_q2d(rate))));
+    codec->flags |= AV_CODEC_FLAG_BITEXACT;
+    if (coding.format.muxer != "gif" && coding.format.muxer != "webp")
+        codec->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+    for (const auto& [option, value] : encoder_options(coding.format, coding.quality)) {
+        if (option == "tag") {
+            codec->codec_tag = 0;
+            for (std::size_t i = value.size(); i-- > 0;)
+                codec->codec_tag = codec->codec_tag << 8U | static_cast<unsigned char>(value[i]);
+        } else {
+            check(av_opt_set(codec.get(), option.c_str(), value.c_str(), AV_OPT_SEARCH_CHILDREN));
+        }
+    }
     check(avcodec_open2(codec.get(), encoder, nullptr));
 }
 
@@ -169,10 +198,12 @@ void Movie::Parts::open_converter() {
         frame->format = frame == rgb.get() ? AV_PIX_FMT_RGB24 : codec->pix_fmt;
         check(av_frame_get_buffer(frame, 0));
     }
+    if (coding.colours != nullptr) return;
     constexpr int accurate = SWS_BILINEAR | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INP;
     scaler.reset(checked(sws_getContext(codec->width, codec->height, AV_PIX_FMT_RGB24, codec->width,
                                         codec->height, codec->pix_fmt, accurate, nullptr, nullptr,
                                         nullptr)));
+    if (!coding.format.pixels.starts_with("yuv")) return;
     const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
     constexpr int full_range = 1;
     constexpr int limited_range = 0;
@@ -189,7 +220,8 @@ void Movie::Parts::open_container(AVRational rate) {
     AVFormatContext* made = nullptr;
     // "file:" keeps libavformat from reading a protocol out of a name with a colon.
     const std::string url = "file:" + temporary.string();
-    check(avformat_alloc_output_context2(&made, nullptr, "mp4", url.c_str()));
+    const std::string muxer(coding.format.muxer);
+    check(avformat_alloc_output_context2(&made, nullptr, muxer.c_str(), url.c_str()));
     container.reset(made);
     container->flags |= AVFMT_FLAG_BITEXACT;
     stream = checked(avformat_new_stream(container.get(), nullptr));
@@ -200,17 +232,24 @@ void Movie::Parts::open_container(AVRational rate) {
     ::unlink(temporary.c_str());  // what an interrupted run may have left
     check(avio_open(&container->pb, url.c_str(), AVIO_FLAG_WRITE));
     AVDictionary* options = nullptr;
-    av_dict_set(&options, "movflags", "+faststart+use_metadata_tags", 0);
+    if (muxer == "mp4" || muxer == "mov")
+        av_dict_set(&options, "movflags", "+faststart+use_metadata_tags", 0);
+    if (muxer == "webp") av_dict_set(&options, "loop", "0", 0);
+    if (muxer == "apng") av_dict_set(&options, "plays", "0", 0);
     const int written = avformat_write_header(container.get(), &options);
     av_dict_free(&options);
     check(written);
     check_file();
 }
 
-/// x264 signs its streams with a version and its settings, in a SEI unit (type 6).
+/// x264 signs its streams with a version and its settings, in a SEI unit (type 6); x265 likewise
+/// (types 39 and 40).
 void Movie::Parts::open_filter() {
     AVBSFContext* made = nullptr;
-    check(av_bsf_list_parse_str("filter_units=remove_types=6", &made));
+    const char* filter = coding.format.name == "h264"   ? "filter_units=remove_types=6"
+                         : coding.format.name == "hevc" ? "filter_units=remove_types=39|40"
+                                                        : "null";
+    check(av_bsf_list_parse_str(filter, &made));
     without_version.reset(made);
     check(avcodec_parameters_copy(without_version->par_in, stream->codecpar));
     without_version->time_base_in = codec->time_base;
@@ -246,14 +285,19 @@ void Movie::Parts::encode(const AVFrame* frame) {
 
 Movie::Movie(const std::filesystem::path& file, int width, int height, double frames_per_second,
              int quality)
-    : parts_(std::make_unique<Parts>(file, width, height)) {
+    : Movie(file, width, height, frames_per_second,
+            MovieCoding{movie_formats().front(), quality}) {}
+
+Movie::Movie(const std::filesystem::path& file, int width, int height, double frames_per_second,
+             const MovieCoding& coding)
+    : parts_(std::make_unique<Parts>(file, width, height, coding)) {
     av_log_set_level(AV_LOG_QUIET);
     if (width < 1 || height < 1 || !(frames_per_second > 0.0) || !std::isfinite(frames_per_second))
         parts_->fail(fmt::format("a movie of {} × {} pixels at {} frames per second cannot be made",
                                  width, height, frames_per_second));
     const FrameRate rate = frame_rate(frames_per_second);
     const AVRational rational{rate.frames, rate.seconds};
-    parts_->open_codec(rational, quality);
+    parts_->open_codec(rational);
     parts_->open_converter();
     parts_->open_container(rational);
     parts_->open_filter();
@@ -262,10 +306,10 @@ Movie::Movie(const std::filesystem::path& file, int width, int height, double fr
 Movie::~Movie() = default;
 
 int Movie::padded_width() const {
-    return even(parts_->width);
+    return parts_->codec->width;
 }
 int Movie::padded_height() const {
-    return even(parts_->height);
+    return parts_->codec->height;
 }
 
 void Movie::add(const Image& image) {
@@ -274,11 +318,15 @@ void Movie::add(const Image& image) {
     if (image.width != parts.width || image.height != parts.height)
         parts.fail(fmt::format("a frame has {} × {} pixels, the movie {} × {}", image.width,
                                image.height, parts.width, parts.height));
-    copy_padded(image, *parts.rgb);
     parts.check(av_frame_make_writable(parts.yuv.get()));
-    const int lines = sws_scale(parts.scaler.get(), parts.rgb->data, parts.rgb->linesize, 0,
-                                parts.rgb->height, parts.yuv->data, parts.yuv->linesize);
-    if (lines != parts.yuv->height) parts.fail("libswscale did not convert a frame");
+    if (parts.coding.colours != nullptr) {
+        copy_indexed(image, *parts.coding.colours, *parts.yuv);
+    } else {
+        copy_padded(image, *parts.rgb);
+        const int lines = sws_scale(parts.scaler.get(), parts.rgb->data, parts.rgb->linesize, 0,
+                                    parts.rgb->height, parts.yuv->data, parts.yuv->linesize);
+        if (lines != parts.yuv->height) parts.fail("libswscale did not convert a frame");
+    }
     parts.yuv->pts = parts.frames++;
     parts.encode(parts.yuv.get());
 }

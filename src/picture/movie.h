@@ -6,11 +6,22 @@
 #include <string>
 
 #include "base/image.h"
+#include "picture/movie_format.h"
 #include "picture/png.h"
 
 namespace fumon {
 
-/// An MP4 movie (H.264, yuv420p, BT.709, faststart). An odd size is padded by repeating the edge
+class ColourTable;
+
+/// How a movie is encoded.
+struct MovieCoding {
+    const MovieFormat& format;
+    int quality = 18;                       ///< constant rate factor, 0 … 51
+    const ColourTable* colours = nullptr;   ///< of a GIF, which needs one; outlives the movie
+};
+
+/// A movie: MP4 (H.264, yuv420p, BT.709, faststart) or another format. A key frame comes at least
+/// every second. Where the format needs even sides, an odd one is padded by repeating the edge
 /// column or row. It is written to a temporary name; finish() gives it its own.
 class Movie {
   public:
@@ -18,6 +29,8 @@ class Movie {
     /// file cannot be made.
     Movie(const std::filesystem::path& file, int width, int height, double frames_per_second,
           int quality);
+    Movie(const std::filesystem::path& file, int width, int height, double frames_per_second,
+          const MovieCoding& coding);
     ~Movie();  ///< an unfinished movie is deleted
     Movie(const Movie&) = delete;
     Movie& operator=(const Movie&) = delete;

@@ -18,6 +18,10 @@ BackgroundLayer::BackgroundLayer(const View& view, const Block& block, const Flo
       program_("screen.vert.glsl", "background.frag.glsl", {}, fixed),
       floor_(FloorMap::cells, FloorMap::cells, floor_layout, floor.sun_and_sky.data()) {}
 
+void BackgroundLayer::set_floor(const FloorMap& floor) const {
+    floor_.upload(floor.sun_and_sky.data());
+}
+
 void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile& tile) const {
     const gl::Functions& gl = gl::functions();
     gl.Disable(GL_DEPTH_TEST);

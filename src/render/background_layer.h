@@ -17,6 +17,9 @@ class BackgroundLayer {
     BackgroundLayer(const View& view, const Block& block, const FloorMap& floor,
                     const gl::Constants& fixed);
 
+    /// For the light of another sun.
+    void set_floor(const FloorMap& floor) const;
+
     /// Draws one tile's background into the bound target, top row first.
     void draw(const Light& light, const Camera& camera, const Tile& tile) const;
 

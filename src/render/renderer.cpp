@@ -104,6 +104,7 @@ struct Renderer::Parts {
     /// A tile's first sample, and the sample its target begins at; from the picture's lower left.
     [[nodiscard]] glm::ivec2 first_sample(const Tile& tile) const;
     [[nodiscard]] glm::ivec2 target_corner(const Tile& tile) const;
+    void set_light(const FramePose& pose);
     void draw_tile(const Tile& tile, const Camera& camera, Image& image);
     void draw_background(const Tile& tile, const Camera& camera);
     void read_background(const Tile& tile);
@@ -306,11 +307,37 @@ Image Renderer::render(const Snapshot& whole) {
     Parts& p = *parts_;
     const std::optional<Snapshot> reshaped = shown_snapshot(whole, p.view);
     const Snapshot& snapshot = reshaped ? *reshaped : whole;
+    const Block framed = block_of_frame(p.block, snapshot, p.datum);
+    return draw(snapshot, framed, above_ground(p.camera_at(snapshot.step), framed, snapshot));
+}
+
+Image Renderer::render(const Snapshot& whole, const FramePose& pose) {
+    Parts& p = *parts_;
+    const std::optional<Snapshot> reshaped = shown_snapshot(whole, p.view);
+    const Snapshot& snapshot = reshaped ? *reshaped : whole;
+    p.context.make_current();
+    p.set_light(pose);
+    p.surroundings_drawn = false;
+    return draw(snapshot, block_of_frame(p.block, snapshot, p.datum), pose.camera);
+}
+
+void Renderer::Parts::set_light(const FramePose& pose) {
+    if (pose.sun.azimuth != view.sun.azimuth || pose.sun.elevation != view.sun.elevation) {
+        view.sun.azimuth = pose.sun.azimuth;
+        view.sun.elevation = pose.sun.elevation;
+        light = light_of(view);
+        sky.upload(light.sky_texels.data());
+        background.set_floor(floor_map(display_bed(first, block, refinement), block,
+                                       sun_direction(view.sun), pool));
+    }
+    light.stops = pose.exposure;
+}
+
+Image Renderer::draw(const Snapshot& snapshot, const Block& framed, const Camera& camera) {
+    Parts& p = *parts_;
     if (snapshot.bed.nx() != p.first.bed.nx() || snapshot.bed.ny() != p.first.bed.ny())
         throw Error("a snapshot of another size than the first one cannot be drawn");
     p.context.make_current();
-    const Block framed = block_of_frame(p.block, snapshot, p.datum);
-    const Camera camera = above_ground(p.camera_at(snapshot.step), framed, snapshot);
     const SunDirection sun = sun_direction(p.view.sun);
     std::optional<DisplayWater> water;
     if (p.water) water = display_water(snapshot, p.refinement);

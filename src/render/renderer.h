@@ -5,6 +5,7 @@
 
 #include "base/image.h"
 #include "base/snapshot.h"
+#include "render/view/camera.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -13,6 +14,13 @@ namespace gl {
 class Context;
 }
 class WorkerPool;
+
+/// What a film changes from frame to frame.
+struct FramePose {
+    Camera camera;          ///< in the block of the view, see framed_block()
+    SunSettings sun;        ///< of which the azimuth and the elevation count
+    double exposure = 0.0;  ///< stops, besides look.exposure
+};
 
 /// How much is drawn at once.
 struct RenderLimits {
@@ -35,6 +43,8 @@ class Renderer {
 
     /// The picture of one snapshot. Its bed has the size of the first one.
     Image render(const Snapshot& snapshot);
+    /// The same from another place and in another light, which later pictures keep.
+    Image render(const Snapshot& snapshot, const FramePose& pose);
 
     /// The vertical exaggeration in use.
     [[nodiscard]] double exaggeration() const;
@@ -42,6 +52,8 @@ class Renderer {
     [[nodiscard]] std::pair<double, double> colour_range() const;
 
   private:
+    Image draw(const Snapshot& snapshot, const Block& framed, const Camera& camera);
+
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };

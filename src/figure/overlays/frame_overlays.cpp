@@ -14,6 +14,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "figure/canvas/furniture.h"
+#include "figure/canvas/layers.h"
 #include "figure/overlays/overlay_text.h"
 #include "render/view/shown_snapshot.h"
 #include "scene/scene.h"
@@ -119,41 +120,29 @@ void draw_rounded(Canvas& canvas, double width, double height, double radius, co
     canvas.fill(outline, ink);
 }
 
-/// Over, in sRGB.
-void lay_over(Image& image, const CanvasLayer& layer, int left, int top) {
-    std::size_t n = 0;
-    for (int y = 0; y < layer.height; ++y) {
-        std::uint8_t* out = image.row(top + y) + 3 * static_cast<std::ptrdiff_t>(left);
-        for (int x = 0; x < layer.width; ++x, ++n) {
-            const std::uint32_t pixel = layer.pixels[n];
-            const std::uint32_t through = 255U - (pixel >> 24U);
-            for (const unsigned shift : {16U, 8U, 0U}) {
-                const std::uint32_t below = (*out * through + 127U) / 255U;
-                *out++ =
-                    static_cast<std::uint8_t>(std::min(255U, ((pixel >> shift) & 255U) + below));
-            }
-        }
-    }
-}
-
 }  // namespace
 
 /// An overlay with its layer as last drawn, used again while its text is the same.
 struct FrameOverlays::DrawnOverlay {
     std::unique_ptr<Overlay> overlay;
     double opacity = 0.0;
+    bool shadowed = false;  ///< pale letters with a shadow, no plate
     std::optional<std::string> look;
     CanvasLayer layer;
 };
 
-FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first) {
+FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first,
+                             const OverlayStyle& style) {
     const std::vector<OverlaySettings>& overlays = scene.view.overlays;
     const bool flat = first.section && scene.view.look.mode == ViewMode::figure;
     const std::optional<Snapshot> shown = shown_snapshot(first, scene.view);
-    const OverlayScene on{scene, first, shown ? *shown : first, flat};
+    const OverlayScene on{scene, first, shown ? *shown : first, flat, style.camera_moves};
     for (std::size_t number = 0; number < overlays.size(); ++number) {
         if (!overlays[number].show) continue;
-        drawn_.push_back({make_overlay(on, number), overlays[number].opacity, {}, {}});
+        // A colour bar's colours mean something.
+        const bool shadowed = style.shadowed && overlays[number].kind != OverlayKind::colour_bar;
+        drawn_.push_back(
+            {make_overlay(on, number), shadowed ? 0.0 : overlays[number].opacity, shadowed, {}, {}});
         placed_.push_back({number, {}, 0.0});
     }
     const auto width = static_cast<double>(scene.view.image.width);
@@ -171,7 +160,8 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first) {
             const double room = 2.0 * plate_padding * placed_[i].font_size;
             pieces.push_back({settings.corner, {size.width + room, size.height + room}});
         }
-        const auto boxes = stacked_boxes(pieces, width, height, gap_of_plates * tried);
+        const auto boxes = stacked_boxes(pieces, width, height,
+                                         std::max(gap_of_plates * tried, style.edge));
         const std::size_t misfit = first_misfit(boxes, width, height);
         if (misfit == boxes.size()) {
             for (std::size_t i = 0; i < boxes.size(); ++i) placed_[i].box = boxes[i];
@@ -189,7 +179,7 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first) {
 
 FrameOverlays::~FrameOverlays() = default;
 
-void FrameOverlays::draw(Image& image, const OverlayFrame& frame) {
+void FrameOverlays::draw(Image& image, const OverlayFrame& frame, double opacity) {
     for (std::size_t i = 0; i < placed_.size(); ++i) {
         const PlacedOverlay& place = placed_[i];
         DrawnOverlay& drawn = drawn_[i];
@@ -205,9 +195,13 @@ void FrameOverlays::draw(Image& image, const OverlayFrame& frame) {
             drawn.overlay->draw(
                 canvas, {room, room, place.box.width - 2.0 * room, place.box.height - 2.0 * room},
                 frame);
-            drawn.layer = canvas.layer();
+            drawn.layer = drawn.shadowed
+                              ? with_soft_shadow(inverted(canvas.layer()),
+                                                 std::max(2, static_cast<int>(0.4 * room)))
+                              : canvas.layer();
         }
-        lay_over(image, drawn.layer, static_cast<int>(place.box.x), static_cast<int>(place.box.y));
+        lay_over(image, drawn.layer, static_cast<int>(place.box.x), static_cast<int>(place.box.y),
+                 opacity);
     }
 }
 

@@ -7,6 +7,13 @@
 
 namespace fumon {
 
+/// How overlays stand on frames.
+struct OverlayStyle {
+    bool shadowed = false;      ///< pale letters with a soft shadow instead of dark ones on a plate
+    bool camera_moves = false;  ///< frames tell their camera (OverlayFrame::camera)
+    double edge = 0.0;          ///< pixels kept free along the picture's edges, at least
+};
+
 /// Where an overlay stands.
 struct PlacedOverlay {
     std::size_t number = 0;  ///< of the scene's overlays, shown ones and others
@@ -29,14 +36,14 @@ class FrameOverlays {
     /// The overlays of a scene that are shown; the scene outlives them, and `first` is the run's
     /// first snapshot as the model gives it. Throws KeyError for one that the scene cannot have, or
     /// for which the picture is too small.
-    FrameOverlays(const Scene& scene, const Snapshot& first);
+    FrameOverlays(const Scene& scene, const Snapshot& first, const OverlayStyle& style = {});
     ~FrameOverlays();
     FrameOverlays(const FrameOverlays&) = delete;
     FrameOverlays& operator=(const FrameOverlays&) = delete;
 
     [[nodiscard]] const std::vector<PlacedOverlay>& placed() const { return placed_; }
-    /// Lays them over a frame.
-    void draw(Image& image, const OverlayFrame& frame);
+    /// Lays them over a frame. `opacity`: 0 … 1, of all of them.
+    void draw(Image& image, const OverlayFrame& frame, double opacity = 1.0);
 
   private:
     struct DrawnOverlay;

@@ -10,6 +10,7 @@
 #include "figure/canvas/canvas.h"
 #include "figure/canvas/furniture.h"
 #include "measure/measured_rows.h"
+#include "render/view/camera.h"
 #include "scene/overlay_kinds.h"
 #include "scene/scene.h"
 
@@ -21,6 +22,7 @@ struct OverlayScene {
     const Snapshot& first;  ///< of the run, as the model gives it
     const Snapshot& shown;  ///< the same as it is drawn, see shown_snapshot()
     bool flat = false;      ///< the frames are a section's flat figure
+    bool camera_moves = false;  ///< as frames say, see OverlayFrame
 };
 
 /// One frame, for what stands over it.
@@ -29,6 +31,8 @@ struct OverlayFrame {
     const MeasuredRows& rows;  ///< up to it
     /// The values at the palette's ends in the frame, as colour_range() gives them.
     std::pair<double, double> colours{0.0, 1.0};
+    /// Its camera, where it is not the one of the scene's view.
+    const Camera* camera = nullptr;
 };
 
 /// Something written or drawn over every frame of a run.

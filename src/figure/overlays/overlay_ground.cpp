@@ -65,6 +65,7 @@ class ArrowOverlay : public Overlay {
         : view_(on.scene.view),
           last_step_(on.scene.run.steps),
           flat_(on.flat),
+          moves_(on.camera_moves),
           direction_(direction_of(on)) {
         if (!flat_) block_ = framed_block(view_, on.shown);
         if (flat_ && !direction_) {
@@ -82,11 +83,11 @@ class ArrowOverlay : public Overlay {
                 std::max(sizes.arrow.height, sizes.compass.height)};
     }
     [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
-        const GroundAxes axes = axes_at(frame.snapshot.step);
+        const GroundAxes axes = axes_of(frame);
         return fmt::format("{} {} {} {}", axes.east.x, axes.east.y, axes.north.x, axes.north.y);
     }
     void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const override {
-        const GroundAxes axes = axes_at(frame.snapshot.step);
+        const GroundAxes axes = axes_of(frame);
         const Sizes sizes = sizes_over_run(canvas);
         if (direction_) {
             const CanvasBox left{box.x, box.y, sizes.arrow.width, box.height};
@@ -122,9 +123,29 @@ class ArrowOverlay : public Overlay {
         most = {std::max(most.width, size.width), std::max(most.height, size.height)};
     }
 
+    [[nodiscard]] GroundAxes axes_of(const OverlayFrame& frame) const {
+        if (frame.camera != nullptr && !flat_) return axes_seen(*frame.camera);
+        return axes_at(frame.snapshot.step);
+    }
+
     [[nodiscard]] GroundAxes axes_at(std::int64_t step) const {
         if (flat_) return map_axes();
-        const Camera camera = camera_at_step(view_, block_, step, last_step_);
+        return axes_seen(camera_at_step(view_, block_, step, last_step_));
+    }
+
+    /// From above at any azimuth, where arrows are longest.
+    [[nodiscard]] GroundAxes axes_turned(double azimuth) const {
+        CameraSettings settings;
+        settings.projection = Projection::orthographic;
+        settings.azimuth = azimuth;
+        settings.elevation = 80.0;
+        settings.distance = 1.0;
+        const double aspect =
+            static_cast<double>(view_.image.width) / static_cast<double>(view_.image.height);
+        return axes_seen(place_camera(settings, block_, aspect, 0.0));
+    }
+
+    [[nodiscard]] GroundAxes axes_seen(const Camera& camera) const {
         return seen_axes({camera,
                           block_,
                           {0.0, 0.0, static_cast<double>(view_.image.width),
@@ -134,13 +155,15 @@ class ArrowOverlay : public Overlay {
     [[nodiscard]] Sizes sizes_over_run(const Canvas& canvas) const {
         constexpr std::int64_t most_looks = 90;  // over a turn: 4 degrees of a whole circle
         const bool turns = !flat_ && view_.camera.turn != 0.0;
-        const std::int64_t looks = turns ? std::min(last_step_, most_looks) : 0;
+        const std::int64_t looks = moves_ ? most_looks : turns ? std::min(last_step_, most_looks) : 0;
         Sizes sizes;
         for (std::int64_t i = 0; i <= looks; ++i) {
             const auto share =
                 static_cast<double>(i) / static_cast<double>(std::max<std::int64_t>(looks, 1));
             const GroundAxes axes =
-                axes_at(static_cast<std::int64_t>(share * static_cast<double>(last_step_)));
+                moves_ && !flat_
+                    ? axes_turned(360.0 * share)
+                    : axes_at(static_cast<std::int64_t>(share * static_cast<double>(last_step_)));
             if (direction_)
                 take(sizes.arrow, ground_arrow_size(canvas, *direction_, axes, arrow_length));
             take(sizes.compass, compass_size(canvas, axes, needle_length));
@@ -151,6 +174,7 @@ class ArrowOverlay : public Overlay {
     View view_;
     std::int64_t last_step_;
     bool flat_;
+    bool moves_;
     std::optional<GroundDirection> direction_;
     Block block_;
 };

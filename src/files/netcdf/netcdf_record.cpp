@@ -103,6 +103,24 @@ std::size_t record_of(const NetcdfInput& input, std::int64_t step) {
     return first;
 }
 
+std::vector<FieldsMoment> moments_of(const NetcdfInput& input) {
+    const auto step = input.find_variable("step");
+    const auto time = input.find_variable("time");
+    if (!step || !time || input.dimensions(*step).size() != 1 ||
+        input.dimensions(*time) != input.dimensions(*step))
+        input.refuse("is not a fields file of fumon's", "take the one that the run wrote");
+    const std::vector<int> over = input.dimensions(*step);
+    const std::size_t records = input.values_over(over);
+    std::vector<FieldsMoment> moments(records);
+    for (std::size_t record = 0; record < records; ++record) {
+        long long value = 0;
+        check_netcdf(nc_get_var1_longlong(input.id(), *step, &record, &value));
+        moments[record].step = value;
+        check_netcdf(nc_get_var1_double(input.id(), *time, &record, &moments[record].time));
+    }
+    return moments;
+}
+
 int variable_of(const NetcdfInput& input, const std::string& name) {
     const auto variable = input.find_variable(name);
     if (!variable) input.refuse(fmt::format("has no {}", name), "it is of another run: delete it");
@@ -164,6 +182,10 @@ auto locked(const std::filesystem::path& file, const Reading& reading) {
 }
 
 }  // namespace
+
+std::vector<FieldsMoment> read_fields_moments(const std::filesystem::path& file) {
+    return locked(file, [](const NetcdfInput& input) { return moments_of(input); });
+}
 
 Snapshot read_fields_snapshot(const std::filesystem::path& file, std::int64_t step,
                               Snapshot outline) {

@@ -23,6 +23,16 @@ struct FieldsRecord {
 /// Throws InputError "FILE: what; remedy" for a damaged one, and for one without a record.
 std::optional<FieldsRecord> read_fields_record(const std::filesystem::path& file);
 
+/// When a record of a fields file was taken.
+struct FieldsMoment {
+    std::int64_t step = 0;
+    double time = 0.0;
+};
+
+/// The moments of all records of such a file, in their order. Throws InputError where it is damaged
+/// or no such file.
+std::vector<FieldsMoment> read_fields_moments(const std::filesystem::path& file);
+
 /// The snapshot of a step from such a file. What changes from step to step is the record's: bed,
 /// fields, numbers, section, step and time; all else (size, units, names, scale) is that of
 /// `outline`, whose own values do not matter. Where that has a mask, the cells that have no bed in

@@ -17,6 +17,7 @@ struct Light {
     glm::vec3 haze{1};          ///< what far things fade into, away from the sun
     glm::vec3 glow{1};          ///< the same towards the sun
     glm::vec3 zenith{1};        ///< the sky overhead
+    double stops = 0.0;         ///< of exposure, besides look.exposure
     bool atmosphere = false;    ///< the sky is that of the texels, not of the three colours
     /// How much more of the sky's light than of a uniform sky's a slope gets: with a normal whose
     /// part along the sun's azimuth is x and upward 1 − t, its products with x, x², t and t·x.

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "film/film.h"
+#include "scene/faults.h"
+
+namespace fumon {
+
+/// Checks the keys of a film against each other, without a run; adds what breaks the rules to
+/// `faults`, located at the key to change.
+void check_film(const Film& film, Faults& faults);
+
+}  // namespace fumon

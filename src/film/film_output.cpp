@@ -1,0 +1,156 @@
+#include "film/film_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/find_named.h"
+#include "base/nearest_name.h"
+#include "files/text_source.h"
+#include "outputs/output_claims.h"
+#include "picture/movie_format.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a film is made for.
+struct Purpose {
+    std::string_view name;
+    std::string_view format;
+    std::string_view size;  ///< empty: the film's own
+    double rate;            ///< 0: the film's own
+    std::int64_t most_bytes;
+    std::int64_t quality;  ///< 0: the film's own
+};
+
+constexpr std::int64_t megabyte = 1'000'000;
+constexpr std::array<Purpose, 4> purposes{
+    {{"talk", "h264", "", 0.0, 0, 0},
+     {"social", "h264", "vertical", 0.0, 0, 0},
+     {"readme", "webp", "360p", 15.0, 3 * megabyte, 28},
+     {"gif", "gif", "small", 12.5, 8 * megabyte, 0}}};
+
+bool is_picture(std::string_view format) {
+    return format == "sheet" || format == "poster";
+}
+
+void set_size(Film& film, std::string_view size) {
+    film.settings.size = std::string(size);
+    film.settings.width = 0;
+    film.settings.height = 0;
+}
+
+FilmOutput output_for(const Film& film, const fs::path& base, const std::string& name) {
+    FilmOutput output{base, film, 0};
+    std::string format = name;
+    if (const Purpose* purpose = find_named(purposes, name)) {
+        format = purpose->format;
+        if (!purpose->size.empty()) set_size(output.film, purpose->size);
+        if (purpose->rate > 0.0) output.film.settings.rate = purpose->rate;
+        if (purpose->quality > 0) output.film.settings.quality = purpose->quality;
+        output.most_bytes = purpose->most_bytes;
+    } else if (!is_picture(name) && find_movie_format(name) == nullptr) {
+        std::vector<std::string> known{"sheet", "poster"};
+        for (const Purpose& one : purposes) known.emplace_back(one.name);
+        for (const MovieFormat& one : movie_formats()) known.emplace_back(one.name);
+        throw InputError(
+            fmt::format("--formats: unknown format \"{}\"; {}", name, suggestion(name, known)));
+    }
+    output.film.settings.format = format;
+    output.file += "-" + name + ending_of(format);
+    return output;
+}
+
+/// The format of a file by its ending, the film's own where that has it too.
+std::string format_of(const Film& film, const fs::path& file) {
+    const std::string ending = small_ending(file);
+    const std::string& own = film.settings.format;
+    if (ending == ending_of(own)) return own;
+    if (ending == ".png") return "poster";
+    std::string endings = ".png";
+    for (const MovieFormat& format : movie_formats()) {
+        if (ending == format.ending) return std::string(format.name);
+        if (endings.find(format.ending) == std::string::npos)
+            endings += ", " + std::string(format.ending);
+    }
+    throw InputError(fmt::format("{}: a film's name ends in one of {}", file.string(), endings));
+}
+
+fs::path without_ending(fs::path file) {
+    return file.replace_extension();
+}
+
+}  // namespace
+
+std::string ending_of(const std::string& format) {
+    if (is_picture(format)) return ".png";
+    return std::string(find_movie_format(format)->ending);
+}
+
+std::string output_names() {
+    std::string names;
+    for (const Purpose& purpose : purposes) names += std::string(purpose.name) + ", ";
+    return names + "sheet, poster, " + movie_format_names();
+}
+
+std::vector<FilmOutput> film_outputs(const Film& film, const fs::path& file,
+                                     const std::vector<std::string>& formats,
+                                     std::int64_t most_bytes) {
+    std::vector<FilmOutput> outputs;
+    if (formats.empty()) {
+        outputs.push_back({file, film, most_bytes});
+        outputs.back().film.settings.format = format_of(film, file);
+        return outputs;
+    }
+    for (const std::string& name : formats) {
+        outputs.push_back(output_for(film, without_ending(file), name));
+        if (most_bytes > 0) outputs.back().most_bytes = most_bytes;
+    }
+    return outputs;
+}
+
+std::vector<FilmOutput> draft_outputs(const Film& film, const fs::path& file) {
+    constexpr std::int64_t part_of_side = 4;
+    constexpr double part_of_frames = 10.0;
+    Film draft = film;
+    const FilmSize size = film_size(film);
+    draft.settings.width = std::max(smallest_film_side, size.width / part_of_side);
+    draft.settings.height = std::max(smallest_film_side, size.height / part_of_side);
+    draft.settings.supersampling = 1;
+    draft.settings.rate = std::max(1.0, film.settings.rate / part_of_frames);
+    draft.settings.format = "h264";
+    fs::path base = without_ending(file);
+    base += "-draft";
+    std::vector<FilmOutput> outputs{{base, draft, 0}, {base, draft, 0}};
+    outputs[0].file += ".mp4";
+    outputs[1].file += ".png";
+    outputs[1].film.settings.format = "sheet";
+    return outputs;
+}
+
+std::int64_t bytes_of_size(const std::string& text) {
+    const ParsedNumber number = parse_number(text);
+    std::string unit = text.substr(std::min(number.length, text.size()));
+    std::ranges::transform(unit, unit.begin(), [](unsigned char letter) {
+        return static_cast<char>(letter >= 'A' && letter <= 'Z' ? letter + 'a' - 'A' : letter);
+    });
+    const double factor = unit.empty() || unit == "b" ? 1.0
+                          : unit == "kb"              ? 1e3
+                          : unit == "mb"              ? 1e6
+                          : unit == "gb"              ? 1e9
+                                                      : 0.0;
+    const double bytes = number.value * factor;
+    constexpr double most = 1e15;
+    if (number.kind != NumberKind::finite || !(bytes >= 1.0) || bytes > most)
+        throw InputError(
+            fmt::format("--max-size: it takes a size such as 8MB or 500kB, not \"{}\"", text));
+    return static_cast<std::int64_t>(std::llround(bytes));
+}
+
+}  // namespace fumon

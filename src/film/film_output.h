@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "film/film.h"
+#include "film/film_sizes.h"
+#include "picture/png.h"
+
+namespace fumon {
+
+/// One file to make of a film.
+struct FilmOutput {
+    std::filesystem::path file;
+    Film film;                  ///< with the size, rate and format of this file
+    std::int64_t most_bytes = 0;  ///< 0: any
+};
+
+/// What --formats calls a purpose or a format, in a row: "talk, social, readme, gif, …".
+std::string output_names();
+
+/// The outputs of a film: one file, or one for each name in `formats` ("talk", "social", "readme",
+/// "gif", a movie format, "sheet", "poster"), called NAME-talk.mp4 … after `file`. Throws InputError
+/// for unknown names and endings that do not fit.
+std::vector<FilmOutput> film_outputs(const Film& film, const std::filesystem::path& file,
+                                     const std::vector<std::string>& formats,
+                                     std::int64_t most_bytes);
+
+/// The outputs of a draft: a small movie (a quarter of each side, a tenth of the frames) and a
+/// contact sheet, called NAME-draft.mp4 and NAME-draft.png.
+std::vector<FilmOutput> draft_outputs(const Film& film, const std::filesystem::path& file);
+
+/// "8MB", "500kB", "1.5MB" or bytes as a number of bytes. Throws InputError for another text.
+std::int64_t bytes_of_size(const std::string& text);
+
+/// The ending of a format's files: ".mp4", ".png".
+std::string ending_of(const std::string& format);
+
+}  // namespace fumon

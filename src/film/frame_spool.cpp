@@ -1,0 +1,102 @@
+#include "film/frame_spool.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "base/error.h"
+#include "files/atomic_file.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr std::size_t channels = 3;
+
+/// How much of each pixel of a line goes into each pixel of another.
+struct Share {
+    int from;
+    double weight;
+};
+
+std::vector<std::vector<Share>> shares_of(int from, int to) {
+    std::vector<std::vector<Share>> all(static_cast<std::size_t>(to));
+    const double ratio = static_cast<double>(from) / to;
+    for (int i = 0; i < to; ++i) {
+        const double begin = i * ratio;
+        const double end = (i + 1) * ratio;
+        for (int k = static_cast<int>(begin); k < from && k < end; ++k) {
+            const double covered = std::min(end, k + 1.0) - std::max(begin, static_cast<double>(k));
+            if (covered > 0.0) all[static_cast<std::size_t>(i)].push_back({k, covered / ratio});
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+FrameSpool::FrameSpool(const std::filesystem::path& beside, int width, int height)
+    : name_(temporary_name(beside.string() + ".frames")), width_(width), height_(height) {
+    const int descriptor =
+        ::open(name_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    if (descriptor < 0) refuse_to_write(name_, errno);
+    ::unlink(name_.c_str());
+    file_.reset(::fdopen(descriptor, "w+b"));
+    if (!file_) refuse_to_write(name_, errno);
+}
+
+void FrameSpool::add(const Image& image) {
+    if (std::fseek(file_.get(), 0, SEEK_END) != 0 ||
+        std::fwrite(image.rgb.data(), 1, image.rgb.size(), file_.get()) != image.rgb.size() ||
+        std::fflush(file_.get()) != 0)
+        refuse_to_write(name_, errno);
+    ++frames_;
+}
+
+Image FrameSpool::frame(std::int64_t number) const {
+    Image image(width_, height_);
+    const auto at = static_cast<off_t>(number) * static_cast<off_t>(image.rgb.size());
+    if (::fseeko(file_.get(), at, SEEK_SET) != 0 ||
+        std::fread(image.rgb.data(), 1, image.rgb.size(), file_.get()) != image.rgb.size())
+        throw Error(name_.string() + ": a frame that was kept there cannot be read again");
+    return image;
+}
+
+Image resized(const Image& image, int width, int height) {
+    if (image.width == width && image.height == height) return image;
+    const auto columns = shares_of(image.width, width);
+    const auto rows = shares_of(image.height, height);
+    std::vector<double> narrow(channels * static_cast<std::size_t>(width) *
+                               static_cast<std::size_t>(image.height));
+    auto* out = narrow.data();
+    for (int y = 0; y < image.height; ++y) {
+        const std::uint8_t* in = image.row(y);
+        for (const auto& column : columns) {
+            for (std::size_t c = 0; c < channels; ++c) {
+                double sum = 0.0;
+                for (const Share& share : column)
+                    sum += share.weight * in[channels * static_cast<std::size_t>(share.from) + c];
+                *out++ = sum;
+            }
+        }
+    }
+    Image small(width, height);
+    const std::size_t line = channels * static_cast<std::size_t>(width);
+    for (int y = 0; y < height; ++y) {
+        std::uint8_t* pixel = small.row(y);
+        for (std::size_t i = 0; i < line; ++i) {
+            double sum = 0.0;
+            for (const Share& share : rows[static_cast<std::size_t>(y)])
+                sum += share.weight * narrow[line * static_cast<std::size_t>(share.from) + i];
+            pixel[i] = static_cast<std::uint8_t>(std::lround(std::clamp(sum, 0.0, 255.0)));
+        }
+    }
+    return small;
+}
+
+}  // namespace fumon

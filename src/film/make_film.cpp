@@ -1,0 +1,271 @@
+#include "film/make_film.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "base/sha256.h"
+#include "base/stopwatch.h"
+#include "film/film_painter.h"
+#include "film/film_read.h"
+#include "film/frame_spool.h"
+#include "files/atomic_file.h"
+#include "files/hash.h"
+#include "picture/colour_table.h"
+#include "picture/movie.h"
+#include "run/picture_text.h"
+#include "run/terminal/interrupt.h"
+#include "run/terminal/progress.h"
+#include "scene/json.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int sheet_tile = 480;     // pixels across
+constexpr int sheet_columns = 5;
+constexpr int worst_quality = 44;   // before pictures become smaller instead
+constexpr int coarser = 4;          // rate factors from one try to the next
+constexpr int most_tries = 14;
+
+/// Ends a film that was interrupted.
+struct Interrupted {
+    int signal;
+};
+
+/// One film being made into one file.
+class FilmMaker {
+  public:
+    FilmMaker(const FilmOutput& output, const StoredBeds& beds, const std::string& remake,
+              const WorkOptions& work, StatusLine& status)
+        : output_(output),
+          film_(output.film),
+          beds_(beds),
+          status_(status),
+          facts_{film_.settings.title.empty() ? beds.scene().title : film_.settings.title, remake},
+          pool_(work.threads, "fumon-render"),
+          painter_(film_, beds, film_size(film_), facts_, work.backend, pool_) {
+        for (const std::string& note : painter_.notes()) status.note(note);
+    }
+
+    MadeFilm make() {
+        const FilmSize size = film_size(film_);
+        made_ = {painter_.frames(), static_cast<double>(painter_.frames()) / film_.settings.rate,
+                 static_cast<int>(size.width), static_cast<int>(size.height), 0};
+        try {
+            const std::string& format = film_.settings.format;
+            if (format == "poster") {
+                write_poster();
+            } else if (format == "sheet") {
+                write_sheet();
+            } else if (format == "gif" || output_.most_bytes > 0) {
+                write_in_tries();
+            } else {
+                write_at_once();
+            }
+        } catch (const Interrupted& stop) {
+            made_.signal = stop.signal;
+        }
+        status_.clear();
+        return made_;
+    }
+
+  private:
+    Image draw(std::int64_t frame, std::int64_t done, std::int64_t all) {
+        if (const int signal = interrupting_signal(); signal != 0) throw Interrupted{signal};
+        Image image = painter_.paint(frame);
+        const Sha256 hash = pixel_hash(image);
+        pixels_.add(hash.data(), hash.size());
+        if (status_.due()) {
+            const double seconds = watch_.seconds();
+            const double left = seconds * static_cast<double>(all - done - 1) /
+                                static_cast<double>(done + 1);
+            status_.show(fmt::format("frame {}/{} at {:.2g} frames/s, {} left",
+                                     with_commas(done + 1), with_commas(all),
+                                     static_cast<double>(done + 1) / seconds, clock_text(left)));
+        }
+        return image;
+    }
+
+    [[nodiscard]] PictureText texts() const {
+        PictureText texts;
+        if (!facts_.title.empty()) texts.emplace_back("Title", facts_.title);
+        texts.emplace_back("Software", "fumon " FUMON_VERSION);
+        texts.emplace_back(version_keyword, FUMON_VERSION);
+        texts.emplace_back("fumon:film", film_toml(film_));
+        texts.emplace_back("fumon:scene", resolved_scene(beds_.scene(), beds_.inputs()));
+        texts.emplace_back("fumon:pixels-sha256", hex(pixels_.so_far()));
+        texts.emplace_back("fumon:environment", environment_text(painter_.record().environment));
+        return texts;
+    }
+
+    void write_poster() {
+        const double second = film_.settings.poster_second;
+        const std::int64_t frame =
+            second < 0.0 ? painter_.frames() / 2
+                         : std::min<std::int64_t>(std::lround(second * film_.settings.rate),
+                                                  painter_.frames() - 1);
+        const Image image = draw(frame, 0, 1);
+        made_.frames = 1;
+        write_file(output_.file,
+                   encode_png(image, beds_.scene().view.image.dots_per_inch, texts()));
+    }
+
+    /// A picture of every second, and of the last frame.
+    void write_sheet() {
+        std::vector<std::int64_t> frames;
+        const auto second = static_cast<std::int64_t>(std::max(1.0, film_.settings.rate));
+        for (std::int64_t frame = 0; frame < painter_.frames(); frame += second)
+            frames.push_back(frame);
+        if (frames.back() != painter_.frames() - 1) frames.push_back(painter_.frames() - 1);
+        const int width = std::min(made_.width, sheet_tile);
+        const int height = std::max(1, static_cast<int>(std::lround(
+                                           static_cast<double>(width) * made_.height / made_.width)));
+        const int columns = std::min(sheet_columns, static_cast<int>(frames.size()));
+        const int rows = (static_cast<int>(frames.size()) + columns - 1) / columns;
+        constexpr int gap = 4;
+        Image sheet(columns * (width + gap) - gap, rows * (height + gap) - gap);
+        for (std::size_t i = 0; i < frames.size(); ++i) {
+            const Image tile =
+                resized(draw(frames[i], static_cast<std::int64_t>(i),
+                             static_cast<std::int64_t>(frames.size())),
+                        width, height);
+            const int left = static_cast<int>(i) % columns * (width + gap);
+            const int top = static_cast<int>(i) / columns * (height + gap);
+            for (int y = 0; y < height; ++y)
+                std::copy_n(tile.row(y), 3 * width, sheet.row(top + y) + std::ptrdiff_t{3} * left);
+        }
+        made_.frames = static_cast<std::int64_t>(frames.size());
+        write_file(output_.file, encode_png(sheet, 100.0, texts()));
+    }
+
+    [[nodiscard]] const MovieFormat& format() const {
+        return *find_movie_format(film_.settings.format);
+    }
+
+    [[nodiscard]] PictureText movie_texts() const {
+        PictureText all = texts();
+        all.emplace_back("fumon:encoder", movie_encoder());
+        return all;
+    }
+
+    void write_at_once() {
+        Movie movie(output_.file, made_.width, made_.height, film_.settings.rate,
+                    MovieCoding{format(), static_cast<int>(film_.settings.quality)});
+        for (std::int64_t frame = 0; frame < painter_.frames(); ++frame)
+            movie.add(draw(frame, frame, painter_.frames()));
+        made_.width = movie.padded_width();
+        made_.height = movie.padded_height();
+        movie.finish(movie_texts());
+    }
+
+    /// Keeps the frames, and encodes them worse and smaller until they fit.
+    void write_in_tries() {
+        FrameSpool spool(output_.file, made_.width, made_.height);
+        ColourCounts counts;
+        for (std::int64_t frame = 0; frame < painter_.frames(); ++frame) {
+            const Image image = draw(frame, frame, painter_.frames());
+            counts.add(image);
+            spool.add(image);
+        }
+        std::optional<ColourTable> colours;
+        if (film_.settings.format == "gif") colours.emplace(counts);
+        const bool has_quality = film_.settings.format != "gif" &&
+                                 film_.settings.format != "apng" &&
+                                 film_.settings.format != "ffv1" && film_.settings.format != "prores";
+        int quality = static_cast<int>(film_.settings.quality);
+        double scale = 1.0;
+        for (int tries = 0; tries < most_tries; ++tries) {
+            const std::int64_t bytes =
+                encode(spool, colours ? &*colours : nullptr, quality, scale);
+            if (output_.most_bytes == 0 || bytes <= output_.most_bytes) return;
+            fs::remove(output_.file);
+            if (has_quality && quality + coarser <= worst_quality) {
+                quality += coarser;
+                continue;
+            }
+            const double ratio =
+                static_cast<double>(output_.most_bytes) / static_cast<double>(bytes);
+            scale *= std::min(0.95, 0.98 * std::sqrt(ratio));
+            if (std::min(made_.width, made_.height) * scale < smallest_film_side) break;
+        }
+        throw Error(fmt::format("{}: cannot be made as small as {} bytes; let the film be shorter "
+                                "or have fewer frames a second",
+                                output_.file.string(), with_commas(output_.most_bytes)));
+    }
+
+    std::int64_t encode(const FrameSpool& spool, const ColourTable* colours, int quality,
+                        double scale) {
+        const FilmSize size = film_size(film_);
+        const auto scaled = [&](std::int64_t side) {
+            if (scale == 1.0) return static_cast<int>(side);
+            return std::max(2, 2 * static_cast<int>(std::lround(
+                                       0.5 * scale * static_cast<double>(side))));
+        };
+        Movie movie(output_.file, scaled(size.width), scaled(size.height), film_.settings.rate,
+                    MovieCoding{format(), quality, colours});
+        for (std::int64_t frame = 0; frame < spool.frames(); ++frame) {
+            if (const int signal = interrupting_signal(); signal != 0) throw Interrupted{signal};
+            movie.add(resized(spool.frame(frame), scaled(size.width), scaled(size.height)));
+        }
+        made_.width = movie.padded_width();
+        made_.height = movie.padded_height();
+        movie.finish(movie_texts());
+        return static_cast<std::int64_t>(fs::file_size(output_.file));
+    }
+
+    const FilmOutput& output_;
+    const Film& film_;
+    const StoredBeds& beds_;
+    StatusLine& status_;
+    TitleFacts facts_;
+    WorkerPool pool_;
+    FilmPainter painter_;
+    Sha256Stream pixels_;
+    Stopwatch watch_;
+    MadeFilm made_;
+
+  public:
+    /// What stands beside the file.
+    void write_beside() const {
+        const std::string& name = film_.settings.format;
+        if (name == "sheet" || name == "poster") return;
+        if (!film_.captions.empty()) {
+            write_file(captions_of(output_.file),
+                       subrip(ready_captions(film_, beds_.scene(), beds_.first(), facts_)));
+        }
+        if (format().muxer == "mp4") return;
+        nlohmann::ordered_json json;
+        for (const auto& [keyword, text] : movie_texts()) json[keyword] = text;
+        write_file(sidecar_of(output_.file), json_text(json, 2) + "\n");
+    }
+};
+
+}  // namespace
+
+fs::path sidecar_of(const fs::path& file) {
+    return file.string() + ".json";
+}
+
+fs::path captions_of(fs::path file) {
+    return file.replace_extension(".srt");
+}
+
+MadeFilm make_film(const FilmOutput& output, const StoredBeds& beds, const std::string& remake,
+                   const WorkOptions& work, StatusLine& status) {
+    FilmMaker maker(output, beds, remake, work, status);
+    const MadeFilm made = maker.make();
+    if (made.signal == 0) maker.write_beside();
+    return made;
+}
+
+}  // namespace fumon

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "film/film.h"
+#include "film/lettering.h"
+#include "film/stage.h"
+#include "film/timeline.h"
+
+namespace fumon {
+
+/// What the words of cards and captions may name besides the keys of the run's scene.
+struct TitleFacts {
+    std::string title;
+    std::string remake;  ///< the command that makes the film again
+};
+
+/// A caption with its words filled in.
+struct ReadyCaption {
+    double from = 0.0;  ///< seconds
+    double to = 0.0;
+    std::string text;
+};
+
+/// The captions of a film. Throws InputError, located, for a name that there is not.
+std::vector<ReadyCaption> ready_captions(const Film& film, const Scene& scene,
+                                         const Snapshot& first, const TitleFacts& facts);
+
+/// Captions as a SubRip file (.srt).
+std::string subrip(const std::vector<ReadyCaption>& captions);
+
+/// The cards and captions of a film, drawn over its frames: within a twentieth of the picture's
+/// width and height from its edges (title-safe), captions below, above overlays that stand there.
+class Titles {
+  public:
+    /// `taken`: boxes of the overlays. Throws InputError, located.
+    Titles(const Film& film, const FilmStage& stage, const Snapshot& first,
+           const TitleFacts& facts, const Timeline& timeline, const std::vector<CanvasBox>& taken);
+
+    /// Over a frame of the film.
+    void draw(Image& image, std::int64_t frame) const;
+    /// A dark card alone, `share` of which has passed.
+    [[nodiscard]] Image dark_card(std::size_t card, double share) const;
+    /// One line for the user where no font has a letter; else empty.
+    [[nodiscard]] std::string missing_letters() const;
+
+  private:
+    struct OverPicture {
+        std::size_t number = 0;     ///< of film.cards
+        std::int64_t first = 0;  ///< frames
+        std::int64_t frames = 0;
+    };
+    struct Placed {
+        ReadyCaption caption;
+        Lettering lettering;
+    };
+
+    [[nodiscard]] double opacity_of(const Card& card, double seconds) const;
+
+    Film film_;
+    int width_;
+    int height_;
+    double rate_;
+    std::vector<Lettering> cards_;
+    std::vector<OverPicture> over_;
+    std::vector<Placed> captions_;
+    double bottom_ = 0.0;  ///< of captions, pixels from above
+};
+
+}  // namespace fumon

@@ -1,0 +1,47 @@
+#include "picture/encoder_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace fumon {
+
+namespace {
+
+/// A rate factor of H.264 as one of a scale of its own, about as good to look at.
+int scaled(int quality, int highest) {
+    return std::clamp((quality * highest + 25) / 51, 0, highest);
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> encoder_options(const MovieFormat& format,
+                                                                 int quality) {
+    const std::string crf = fmt::format("{}", quality);
+    if (format.name == "h264") {
+        // The same choices whatever instructions the processor has.
+        return {{"preset", "veryfast"}, {"crf", crf}, {"x264-params", "cpu-independent=1"}};
+    }
+    if (format.name == "hevc") {
+        return {{"preset", "fast"},
+                {"crf", crf},
+                {"x265-params", "pools=2:frame-threads=1:wpp=1:log-level=none:info=0"},
+                {"tag", "hvc1"}};
+    }
+    if (format.name == "av1")
+        return {{"preset", "8"}, {"crf", fmt::format("{}", scaled(quality, 63))}};
+    if (format.name == "webm") {
+        return {{"b", "0"},
+                {"crf", fmt::format("{}", scaled(quality, 63))},
+                {"deadline", "good"},
+                {"cpu-used", "4"},
+                {"row-mt", "1"}};
+    }
+    if (format.name == "prores") return {{"profile", "4444"}, {"vendor", "fumo"}};
+    if (format.name == "ffv1") return {{"level", "3"}, {"slices", "4"}, {"slicecrc", "1"}};
+    if (format.name == "webp")
+        return {{"quality", fmt::format("{}", 100 - quality)}, {"compression_level", "4"}};
+    return {};
+}
+
+}  // namespace fumon
