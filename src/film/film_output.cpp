@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include "base/error.h"
 #include "base/find_named.h"
 #include "base/nearest_name.h"
-#include "files/text_source.h"
 #include "outputs/output_claims.h"
 #include "picture/movie_format.h"
 
@@ -135,8 +135,10 @@ std::vector<FilmOutput> draft_outputs(const Film& film, const fs::path& file) {
 }
 
 std::int64_t bytes_of_size(const std::string& text) {
-    const ParsedNumber number = parse_number(text);
-    std::string unit = text.substr(std::min(number.length, text.size()));
+    double number = 0.0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, number);
+    std::string unit(read.ptr, end);
     std::ranges::transform(unit, unit.begin(), [](unsigned char letter) {
         return static_cast<char>(letter >= 'A' && letter <= 'Z' ? letter + 'a' - 'A' : letter);
     });
@@ -145,9 +147,9 @@ std::int64_t bytes_of_size(const std::string& text) {
                           : unit == "mb"              ? 1e6
                           : unit == "gb"              ? 1e9
                                                       : 0.0;
-    const double bytes = number.value * factor;
+    const double bytes = number * factor;
     constexpr double most = 1e15;
-    if (number.kind != NumberKind::finite || !(bytes >= 1.0) || bytes > most)
+    if (read.ec != std::errc{} || !(bytes >= 1.0) || bytes > most)
         throw InputError(
             fmt::format("--max-size: it takes a size such as 8MB or 500kB, not \"{}\"", text));
     return static_cast<std::int64_t>(std::llround(bytes));

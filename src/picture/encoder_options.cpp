@@ -19,8 +19,13 @@ std::vector<std::pair<std::string, std::string>> encoder_options(const MovieForm
                                                                  int quality) {
     const std::string crf = fmt::format("{}", quality);
     if (format.name == "h264") {
-        // The same choices whatever instructions the processor has.
-        return {{"preset", "veryfast"}, {"crf", crf}, {"x264-params", "cpu-independent=1"}};
+        // The same choices whatever instructions the processor has; even parts get bits enough to keep the
+        // dither of the sky, without which it shows bands.
+        return {{"preset", "veryfast"},
+                {"crf", crf},
+                {"x264-params",
+                 "cpu-independent=1:aq-mode=3:aq-strength=1.7:deadzone-inter=4:deadzone-intra=4:"
+                 "no-dct-decimate=1:deblock=-2,-2"}};
     }
     if (format.name == "hevc") {
         return {{"preset", "fast"},

@@ -15,6 +15,7 @@ extern "C" {
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -185,6 +186,7 @@ void Movie::Parts::open_codec(AVRational rate) {
             check(av_opt_set(codec.get(), option.c_str(), value.c_str(), AV_OPT_SEARCH_CHILDREN));
         }
     }
+    ::setenv("SVT_LOG", "0", 0);  // SVT-AV1 else tells of itself on standard error
     check(avcodec_open2(codec.get(), encoder, nullptr));
 }
 
