@@ -12,11 +12,11 @@
 #include "cli/command.h"
 #include "cli/commands.h"
 #include "cli/shared_options.h"
+#include "files/input_file.h"
+#include "files/json_text.h"
 #include "film/film_read.h"
 #include "film/make_film.h"
 #include "film/stored_beds.h"
-#include "files/input_file.h"
-#include "files/json_text.h"
 #include "outputs/output_claims.h"
 #include "outputs/own_file.h"
 #include "picture/movie_format.h"
@@ -44,8 +44,7 @@ void declare(CLI::App& command, FilmOptions& options) {
     command.add_option("RUN", options.run, "the folder of a finished run that stored beds")
         ->required();
     command
-        .add_option("FILM", options.film,
-                    "a film file (TOML), or the name of one that fumon ships")
+        .add_option("FILM", options.film, "a film file (TOML), or the name of one that fumon ships")
         ->required();
     command
         .add_option("-o,--output", options.output,

@@ -22,14 +22,14 @@ double light_on(const Snapshot& snapshot, int x, int y, int stride) {
         return bed(std::clamp(i, 0, bed.nx() - 1), std::clamp(j, 0, bed.ny() - 1)) *
                snapshot.scale.height_unit;
     };
-    const double east = (height(x + stride, y) - height(x - stride, y)) /
-                        (2.0 * stride * snapshot.scale.dx);
-    const double north = (height(x, y + stride) - height(x, y - stride)) /
-                         (2.0 * stride * snapshot.scale.dy);
-    constexpr double level = 0.5;              // of the unit vector to the sun, west and north
+    const double east =
+        (height(x + stride, y) - height(x - stride, y)) / (2.0 * stride * snapshot.scale.dx);
+    const double north =
+        (height(x, y + stride) - height(x, y - stride)) / (2.0 * stride * snapshot.scale.dy);
+    constexpr double level = 0.5;  // of the unit vector to the sun, west and north
     constexpr double up = 0.7071067811865476;
-    return std::max(0.0, (level * east - level * north + up) /
-                             std::sqrt(1.0 + east * east + north * north));
+    return std::max(
+        0.0, (level * east - level * north + up) / std::sqrt(1.0 + east * east + north * north));
 }
 
 double value_of(const StoredBed& bed, FilmClock clock) {
@@ -39,8 +39,8 @@ double value_of(const StoredBed& bed, FilmClock clock) {
 /// The number on the scale of a value between two stored ones.
 double place_of(double value, const std::vector<double>& values,
                 const std::vector<double>& places) {
-    const auto after = static_cast<std::size_t>(std::ranges::upper_bound(values, value) -
-                                                values.begin());
+    const auto after =
+        static_cast<std::size_t>(std::ranges::upper_bound(values, value) - values.begin());
     if (after == 0) return places.front();
     if (after == values.size()) return places.back();
     const double share = (value - values[after - 1]) / (values[after] - values[after - 1]);

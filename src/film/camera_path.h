@@ -36,8 +36,8 @@ class CameraPath {
     [[nodiscard]] double length() const { return length_; }
 
   private:
-    std::vector<CameraPose> samples_;   ///< dense
-    std::vector<double> distances_;     ///< of each from the first, along the way
+    std::vector<CameraPose> samples_;  ///< dense
+    std::vector<double> distances_;    ///< of each from the first, along the way
     double length_ = 0.0;
 };
 

@@ -36,17 +36,17 @@ enum class Plates { translucent, none };
 
 /// The whole film.
 struct FilmSettings {
-    std::string title;              ///< empty: the scene's
-    std::string size = "1080p";     ///< by name
-    std::int64_t width = 0;         ///< pixels; 0: by name
-    std::int64_t height = 0;        ///< likewise
-    double rate = 30.0;             ///< frames per second
-    std::string format = "h264";    ///< name of a movie format
-    std::int64_t quality = 18;      ///< constant rate factor
-    std::int64_t supersampling = 0; ///< 0: the scene's
-    double cap_height = 28.0;       ///< of captions, pixels where the shorter side has 1080
+    std::string title;               ///< empty: the scene's
+    std::string size = "1080p";      ///< by name
+    std::int64_t width = 0;          ///< pixels; 0: by name
+    std::int64_t height = 0;         ///< likewise
+    double rate = 30.0;              ///< frames per second
+    std::string format = "h264";     ///< name of a movie format
+    std::int64_t quality = 18;       ///< constant rate factor
+    std::int64_t supersampling = 0;  ///< 0: the scene's
+    double cap_height = 28.0;        ///< of captions, pixels where the shorter side has 1080
     Plates plates = Plates::translucent;
-    double poster_second = -1.0;    ///< below 0: the middle
+    double poster_second = -1.0;  ///< below 0: the middle
 };
 
 /// A place of the camera on its way.
@@ -74,10 +74,10 @@ struct Shot {
     WordOrReal focal_length{"scene", 0.0};  ///< mm
     WordOrReal sun_azimuth{"scene", 0.0};
     WordOrReal sun_elevation{"scene", 0.0};
-    WordOrReal exposure{"scene", 0.0};  ///< stops
-    std::vector<double> subject;        ///< as camera.look_at; empty: the bed's middle
-    double turn = 360.0;                ///< degrees of an orbit
-    WordOrReal clearance{"auto", 0.0};  ///< least height over the ground, m or sites
+    WordOrReal exposure{"scene", 0.0};        ///< stops
+    std::vector<double> subject;              ///< as camera.look_at; empty: the bed's middle
+    double turn = 360.0;                      ///< degrees of an orbit
+    WordOrReal clearance{"auto", 0.0};        ///< least height over the ground, m or sites
     Transition transition = Transition::cut;  ///< from what comes before
     double transition_seconds = 1.0;
     std::vector<ShotKey> keys;
@@ -88,9 +88,9 @@ struct Card {
     CardPlace place = CardPlace::start;
     CardGround ground = CardGround::picture;
     double seconds = 4.0;
-    std::string title;                ///< large
+    std::string title;               ///< large
     std::vector<std::string> lines;  ///< below it
-    double fade = 0.6;                ///< seconds in which it comes and goes
+    double fade = 0.6;               ///< seconds in which it comes and goes
 };
 
 /// A line below the picture for a while.

@@ -74,10 +74,10 @@ void check_times(const Film& film, std::size_t number) {
     if (shot.transition == Transition::cut) return;
     const double before = number > 0 ? film.shots[number - 1].seconds : shot.seconds;
     if (2.0 * shot.transition_seconds > std::min(before, shot.seconds)) {
-        throw InputError(fmt::format(
-            "{}{}.transition_seconds = {} is more than half of the shorter shot ({} s)",
-            film.at(path + ".transition_seconds"), path, shot.transition_seconds,
-            std::min(before, shot.seconds)));
+        throw InputError(
+            fmt::format("{}{}.transition_seconds = {} is more than half of the shorter shot ({} s)",
+                        film.at(path + ".transition_seconds"), path, shot.transition_seconds,
+                        std::min(before, shot.seconds)));
     }
 }
 

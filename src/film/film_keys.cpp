@@ -103,26 +103,28 @@ void list_shot(Shot& shot, const std::string& path, KeyTable& table) {
                  {{FilmClock::step, "step", "steps"},
                   {FilmClock::time, "time", "the model's time, in its unit"}},
                  {.help = "what .from and .to count"});
-    table.choice(path + ".pace", shot.pace,
-                 {{Pace::linear, "linear", "evenly"},
-                  {Pace::logarithmic, "logarithmic", "each second by the same factor"},
-                  {Pace::eased, "eased", "slowly at both ends"},
-                  {Pace::change, "change", "the same visible change in every frame"}},
-                 {.help = "how the run's time passes; stored beds alone are drawn, the nearest one"});
     table.choice(
-        path + ".move", shot.move,
-        {{Move::still, "still", "the camera stands"},
-         {Move::keys, "keys", "through the places of [[shot.key]]"},
-         {Move::orbit, "orbit", "around the subject by .turn degrees"},
-         {Move::push_in, "push-in", "towards the subject, to a third of the distance"},
-         {Move::crane, "crane", "up from low over the ground, looking at the subject"},
-         {Move::fly_over, "fly-over", "low across the bed, looking ahead"},
-         {Move::along_crest, "along-crest", "along the highest crest, from beside it"},
-         {Move::map_to_perspective, "map-to-perspective", "from above, north up, to where .azimuth "
-                                                          "and .elevation say"},
-         {Move::morning_to_evening, "morning-to-evening", "the camera stands, the sun goes from "
-                                                          "east over south to west"}},
-        {.help = "of the camera"});
+        path + ".pace", shot.pace,
+        {{Pace::linear, "linear", "evenly"},
+         {Pace::logarithmic, "logarithmic", "each second by the same factor"},
+         {Pace::eased, "eased", "slowly at both ends"},
+         {Pace::change, "change", "the same visible change in every frame"}},
+        {.help = "how the run's time passes; stored beds alone are drawn, the nearest one"});
+    table.choice(path + ".move", shot.move,
+                 {{Move::still, "still", "the camera stands"},
+                  {Move::keys, "keys", "through the places of [[shot.key]]"},
+                  {Move::orbit, "orbit", "around the subject by .turn degrees"},
+                  {Move::push_in, "push-in", "towards the subject, to a third of the distance"},
+                  {Move::crane, "crane", "up from low over the ground, looking at the subject"},
+                  {Move::fly_over, "fly-over", "low across the bed, looking ahead"},
+                  {Move::along_crest, "along-crest", "along the highest crest, from beside it"},
+                  {Move::map_to_perspective, "map-to-perspective",
+                   "from above, north up, to where .azimuth "
+                   "and .elevation say"},
+                  {Move::morning_to_evening, "morning-to-evening",
+                   "the camera stands, the sun goes from "
+                   "east over south to west"}},
+                 {.help = "of the camera"});
     table.choice(path + ".speed", shot.speed,
                  {{CameraSpeed::constant, "constant", "the same all along"},
                   {CameraSpeed::eased, "eased", "it starts and stops gently"}},
@@ -140,10 +142,11 @@ void list_shot(Shot& shot, const std::string& path, KeyTable& table) {
                         .help = "from the subject, in units of the bed's longer side"});
     list_light(path, shot.focal_length, shot.sun_azimuth, shot.sun_elevation, shot.exposure,
                "scene", "as the scene says", table);
-    table.real_list(path + ".subject", shot.subject, 0, 3,
-                    {.unit = "m or sites",
-                     .range = {-1e9, 1e9},
-                     .help = "what the camera looks at, as camera.look_at; empty: the bed's middle"});
+    table.real_list(
+        path + ".subject", shot.subject, 0, 3,
+        {.unit = "m or sites",
+         .range = {-1e9, 1e9},
+         .help = "what the camera looks at, as camera.look_at; empty: the bed's middle"});
     table.real(path + ".turn", shot.turn,
                {.unit = "degrees", .range = {-3600, 3600}, .help = "of an orbit, clockwise"});
     table.word_or_real(

@@ -30,11 +30,10 @@ struct Purpose {
 };
 
 constexpr std::int64_t megabyte = 1'000'000;
-constexpr std::array<Purpose, 4> purposes{
-    {{"talk", "h264", "", 0.0, 0, 0},
-     {"social", "h264", "vertical", 0.0, 0, 0},
-     {"readme", "webp", "360p", 15.0, 3 * megabyte, 28},
-     {"gif", "gif", "small", 12.5, 8 * megabyte, 0}}};
+constexpr std::array<Purpose, 4> purposes{{{"talk", "h264", "", 0.0, 0, 0},
+                                           {"social", "h264", "vertical", 0.0, 0, 0},
+                                           {"readme", "webp", "360p", 15.0, 3 * megabyte, 28},
+                                           {"gif", "gif", "small", 12.5, 8 * megabyte, 0}}};
 
 bool is_picture(std::string_view format) {
     return format == "sheet" || format == "poster";

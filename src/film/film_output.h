@@ -15,7 +15,7 @@ namespace fumon {
 /// One file to make of a film.
 struct FilmOutput {
     std::filesystem::path file;
-    Film film;                  ///< with the size, rate and format of this file
+    Film film;                    ///< with the size, rate and format of this file
     std::int64_t most_bytes = 0;  ///< 0: any
 };
 
@@ -23,8 +23,8 @@ struct FilmOutput {
 std::string output_names();
 
 /// The outputs of a film: one file, or one for each name in `formats` ("talk", "social", "readme",
-/// "gif", a movie format, "sheet", "poster"), called NAME-talk.mp4 … after `file`. Throws InputError
-/// for unknown names and endings that do not fit.
+/// "gif", a movie format, "sheet", "poster"), called NAME-talk.mp4 … after `file`. Throws
+/// InputError for unknown names and endings that do not fit.
 std::vector<FilmOutput> film_outputs(const Film& film, const std::filesystem::path& file,
                                      const std::vector<std::string>& formats,
                                      std::int64_t most_bytes);

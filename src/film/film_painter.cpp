@@ -19,9 +19,8 @@ namespace fumon {
 
 namespace {
 
-constexpr double safe_edge = 0.05;       // of the picture's shorter side, kept free of overlays
+constexpr double safe_edge = 0.05;           // of the picture's shorter side, kept free of overlays
 constexpr double usual_short_side = 1080.0;  // pixels for which film.cap_height is meant
-
 
 /// `share` of the second image and the rest of the first.
 Image mixed(Image first, const Image& second, double share) {
@@ -114,8 +113,8 @@ void FilmPainter::fix_ranges() {
         }
     }
     LookSettings& look = stage_.scene.view.look;
-    const bool ranged = look.colour_by != Colouring::natural &&
-                        (look.low.is_word() || look.high.is_word());
+    const bool ranged =
+        look.colour_by != Colouring::natural && (look.low.is_word() || look.high.is_word());
     const bool watery =
         look.water && look.water_clarity.is_word() && beds_.first().landform == Landform::water;
     if (ranged || watery) {
@@ -126,8 +125,8 @@ void FilmPainter::fix_ranges() {
             const auto bed = beds_.snapshot(number);
             if (watery) clarity = std::max(clarity, water_clarity(look, water_statistics(*bed)));
             if (!ranged) continue;
-            const auto [from, to] = colour_range(
-                look, *bed, coloured_values(look.colour_by, *bed, beds_.first()));
+            const auto [from, to] =
+                colour_range(look, *bed, coloured_values(look.colour_by, *bed, beds_.first()));
             low = std::min(low, from);
             high = std::max(high, to);
         }
@@ -142,8 +141,7 @@ void FilmPainter::fix_ranges() {
         if (overlay.kind != OverlayKind::plot) continue;
         const MeasuredColumn* column = rows_[*shown.rbegin()].find(overlay.y);
         if (column == nullptr) continue;
-        const auto [low, high] =
-            growing_range({column->values.data(), column->values.size()});
+        const auto [low, high] = growing_range({column->values.data(), column->values.size()});
         if (overlay.low.is_word()) overlay.low = low;
         if (overlay.high.is_word()) overlay.high = high;
     }
@@ -164,10 +162,9 @@ void FilmPainter::write_over(Image& image, const PartOfFrame& shown) {
     if (!overlays_ || shown.part->kind == FilmPart::Kind::card) return;
     const StagedShot& shot = shots_[shown.part->number];
     const std::size_t number = shot.bed_at(shown.share);
-    const Camera camera =
-        level_camera(camera_of(stage_, shot.pose_at(shown.share)), stage_.aspect);
-    overlays_->draw(image, {*beds_.snapshot(number), rows_[number], renderer_->colour_range(),
-                            &camera});
+    const Camera camera = level_camera(camera_of(stage_, shot.pose_at(shown.share)), stage_.aspect);
+    overlays_->draw(image,
+                    {*beds_.snapshot(number), rows_[number], renderer_->colour_range(), &camera});
 }
 
 Image FilmPainter::paint(std::int64_t frame) {
@@ -195,9 +192,9 @@ Image FilmPainter::paint(std::int64_t frame) {
 DrawingRecord FilmPainter::record() const {
     const std::string name = context_->renderer_name();
     const std::string obstacle = gl::rendering_is_pinned() ? text_is_not_pinned : "";
-    DrawingRecord record{opengl_environment(context_->backend_name(), name, context_->version(),
-                                            false),
-                         obstacle, renderer_->exaggeration(), figure_library()};
+    DrawingRecord record{
+        opengl_environment(context_->backend_name(), name, context_->version(), false), obstacle,
+        renderer_->exaggeration(), figure_library()};
     return record;
 }
 

@@ -42,8 +42,8 @@ std::string film_size_names() {
 FilmSize film_size(const Film& film) {
     const FilmSettings& settings = film.settings;
     if (settings.width != 0 || settings.height != 0) {
-        for (const auto& [key, side] : {std::pair{"film.width", settings.width},
-                                        std::pair{"film.height", settings.height}}) {
+        for (const auto& [key, side] :
+             {std::pair{"film.width", settings.width}, std::pair{"film.height", settings.height}}) {
             if (side < smallest_film_side) {
                 throw InputError(fmt::format(
                     "{}{} = {}: a film has {} to {} pixels along each side; give both sides, or a "

@@ -13,11 +13,11 @@
 #include "base/number_text.h"
 #include "base/sha256.h"
 #include "base/stopwatch.h"
+#include "files/atomic_file.h"
+#include "files/hash.h"
 #include "film/film_painter.h"
 #include "film/film_read.h"
 #include "film/frame_spool.h"
-#include "files/atomic_file.h"
-#include "files/hash.h"
 #include "picture/colour_table.h"
 #include "picture/movie.h"
 #include "run/picture_text.h"
@@ -31,10 +31,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int sheet_tile = 480;     // pixels across
+constexpr int sheet_tile = 480;  // pixels across
 constexpr int sheet_columns = 5;
-constexpr int worst_quality = 44;   // before pictures become smaller instead
-constexpr int coarser = 4;          // rate factors from one try to the next
+constexpr int worst_quality = 44;  // before pictures become smaller instead
+constexpr int coarser = 4;         // rate factors from one try to the next
 constexpr int most_tries = 14;
 
 /// Ends a film that was interrupted.
@@ -87,8 +87,8 @@ class FilmMaker {
         pixels_.add(hash.data(), hash.size());
         if (status_.due()) {
             const double seconds = watch_.seconds();
-            const double left = seconds * static_cast<double>(all - done - 1) /
-                                static_cast<double>(done + 1);
+            const double left =
+                seconds * static_cast<double>(all - done - 1) / static_cast<double>(done + 1);
             status_.show(fmt::format("frame {}/{} at {:.2g} frames/s, {} left",
                                      with_commas(done + 1), with_commas(all),
                                      static_cast<double>(done + 1) / seconds, clock_text(left)));
@@ -128,17 +128,16 @@ class FilmMaker {
             frames.push_back(frame);
         if (frames.back() != painter_.frames() - 1) frames.push_back(painter_.frames() - 1);
         const int width = std::min(made_.width, sheet_tile);
-        const int height = std::max(1, static_cast<int>(std::lround(
-                                           static_cast<double>(width) * made_.height / made_.width)));
+        const int height = std::max(1, static_cast<int>(std::lround(static_cast<double>(width) *
+                                                                    made_.height / made_.width)));
         const int columns = std::min(sheet_columns, static_cast<int>(frames.size()));
         const int rows = (static_cast<int>(frames.size()) + columns - 1) / columns;
         constexpr int gap = 4;
         Image sheet(columns * (width + gap) - gap, rows * (height + gap) - gap);
         for (std::size_t i = 0; i < frames.size(); ++i) {
-            const Image tile =
-                resized(draw(frames[i], static_cast<std::int64_t>(i),
-                             static_cast<std::int64_t>(frames.size())),
-                        width, height);
+            const Image tile = resized(draw(frames[i], static_cast<std::int64_t>(i),
+                                            static_cast<std::int64_t>(frames.size())),
+                                       width, height);
             const int left = static_cast<int>(i) % columns * (width + gap);
             const int top = static_cast<int>(i) / columns * (height + gap);
             for (int y = 0; y < height; ++y)
@@ -179,14 +178,13 @@ class FilmMaker {
         }
         std::optional<ColourTable> colours;
         if (film_.settings.format == "gif") colours.emplace(counts);
-        const bool has_quality = film_.settings.format != "gif" &&
-                                 film_.settings.format != "apng" &&
-                                 film_.settings.format != "ffv1" && film_.settings.format != "prores";
+        const bool has_quality =
+            film_.settings.format != "gif" && film_.settings.format != "apng" &&
+            film_.settings.format != "ffv1" && film_.settings.format != "prores";
         int quality = static_cast<int>(film_.settings.quality);
         double scale = 1.0;
         for (int tries = 0; tries < most_tries; ++tries) {
-            const std::int64_t bytes =
-                encode(spool, colours ? &*colours : nullptr, quality, scale);
+            const std::int64_t bytes = encode(spool, colours ? &*colours : nullptr, quality, scale);
             if (output_.most_bytes == 0 || bytes <= output_.most_bytes) return;
             fs::remove(output_.file);
             if (has_quality && quality + coarser <= worst_quality) {
@@ -196,11 +194,14 @@ class FilmMaker {
             const double ratio =
                 static_cast<double>(output_.most_bytes) / static_cast<double>(bytes);
             scale *= std::min(0.95, 0.98 * std::sqrt(ratio));
-            if (std::min(made_.width, made_.height) * scale < smallest_film_side) break;
+            const FilmSize size = film_size(film_);
+            if (static_cast<double>(std::min(size.width, size.height)) * scale < smallest_film_side)
+                break;
         }
-        throw Error(fmt::format("{}: cannot be made as small as {} bytes; let the film be shorter "
-                                "or have fewer frames a second",
-                                output_.file.string(), with_commas(output_.most_bytes)));
+        throw Error(
+            fmt::format("{}: cannot be made as small as {} bytes; let the film be shorter "
+                        "or have fewer frames a second",
+                        output_.file.string(), with_commas(output_.most_bytes)));
     }
 
     std::int64_t encode(const FrameSpool& spool, const ColourTable* colours, int quality,
@@ -208,8 +209,8 @@ class FilmMaker {
         const FilmSize size = film_size(film_);
         const auto scaled = [&](std::int64_t side) {
             if (scale == 1.0) return static_cast<int>(side);
-            return std::max(2, 2 * static_cast<int>(std::lround(
-                                       0.5 * scale * static_cast<double>(side))));
+            return std::max(
+                2, 2 * static_cast<int>(std::lround(0.5 * scale * static_cast<double>(side))));
         };
         Movie movie(output_.file, scaled(size.width), scaled(size.height), film_.settings.rate,
                     MovieCoding{format(), quality, colours});

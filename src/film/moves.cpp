@@ -30,8 +30,7 @@ glm::dvec3 towards(double azimuth, double elevation) {
 /// What the poses of a shot start from.
 class ShotPoses {
   public:
-    ShotPoses(const Shot& shot, const FilmStage& stage, const StoredBeds& beds,
-              const Snapshot& bed)
+    ShotPoses(const Shot& shot, const FilmStage& stage, const StoredBeds& beds, const Snapshot& bed)
         : shot_(shot), stage_(stage), bed_(bed) {
         const View& view = beds.scene().view;
         azimuth_ = chosen(shot.azimuth, view.camera.azimuth);
@@ -46,8 +45,7 @@ class ShotPoses {
         usual_.focal_length = chosen(shot.focal_length, usual_lens);
         usual_.sun_azimuth = chosen(shot.sun_azimuth, view.sun.azimuth);
         usual_.sun_elevation = chosen(shot.sun_elevation, view.sun.elevation);
-        usual_.exposure =
-            shot.exposure.is_word() ? 0.0 : shot.exposure.value - view.look.exposure;
+        usual_.exposure = shot.exposure.is_word() ? 0.0 : shot.exposure.value - view.look.exposure;
         look_exposure_ = view.look.exposure;
         scenes_own_place(view, beds.first());
     }
@@ -148,8 +146,7 @@ class ShotPoses {
     [[nodiscard]] CameraPose of_key(const ShotKey& key) const {
         CameraPose pose = usual_;
         pose.eye = place_on_stage(stage_, key.at, bed_);
-        pose.look_at =
-            key.look_at.empty() ? subject_ : place_on_stage(stage_, key.look_at, bed_);
+        pose.look_at = key.look_at.empty() ? subject_ : place_on_stage(stage_, key.look_at, bed_);
         pose.focal_length = chosen(key.focal_length, usual_.focal_length);
         pose.sun_azimuth = chosen(key.sun_azimuth, usual_.sun_azimuth);
         pose.sun_elevation = chosen(key.sun_elevation, usual_.sun_elevation);
@@ -173,7 +170,7 @@ class ShotPoses {
     }
 
     [[nodiscard]] std::vector<CameraPose> crane() const {
-        constexpr double low = 5.0;   // degrees
+        constexpr double low = 5.0;  // degrees
         constexpr double high = 40.0;
         constexpr int count = 8;
         const double top = std::max(high, elevation_);
@@ -228,8 +225,8 @@ class ShotPoses {
             const double share = static_cast<double>(i) / count;
             const double azimuth = north_up + turn * share;
             const double elevation = above + (elevation_ - above) * share;
-            const double away = (1.0 - share) * distance(north_up, above) +
-                                share * distance(azimuth_, elevation_);
+            const double away =
+                (1.0 - share) * distance(north_up, above) + share * distance(azimuth_, elevation_);
             poses.push_back(around(azimuth, elevation, away));
         }
         return poses;

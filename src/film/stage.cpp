@@ -31,13 +31,13 @@ FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& s
     FilmStage stage{beds.scene(), {}, 1.0};
     View& view = stage.scene.view;
     if (view.look.mode == ViewMode::figure && beds.first().section) {
-        throw InputError("the run's frames are flat figures of a section, which no camera passes; "
-                         "give its scene look.mode = \"scenic\"");
+        throw InputError(
+            "the run's frames are flat figures of a section, which no camera passes; "
+            "give its scene look.mode = \"scenic\"");
     }
     view.image.width = size.width;
     view.image.height = size.height;
-    if (film.settings.supersampling != 0)
-        view.image.supersampling = film.settings.supersampling;
+    if (film.settings.supersampling != 0) view.image.supersampling = film.settings.supersampling;
     view.camera.projection = Projection::perspective;
     view.camera.framing = Framing::block;
     view.camera.distance = 1.0;  // it is not always the whole block that is seen
@@ -77,8 +77,7 @@ void HighestGround::add(const Snapshot& bed) {
     if (highest_.size() == 0)
         highest_ = Grid(bed.bed.nx(), bed.bed.ny(), stage_.block.z(bed.bed.values().front()));
     for (std::size_t i = 0; i < highest_.size(); ++i)
-        highest_.values()[i] =
-            std::max(highest_.values()[i], stage_.block.z(bed.bed.values()[i]));
+        highest_.values()[i] = std::max(highest_.values()[i], stage_.block.z(bed.bed.values()[i]));
 }
 
 double HighestGround::at(double x, double y) const {
@@ -86,10 +85,10 @@ double HighestGround::at(double x, double y) const {
     constexpr int around = 2;  // cells
     const int nx = highest_.nx();
     const int ny = highest_.ny();
-    const int column = static_cast<int>(
-        std::floor(std::clamp((x / stage_.block.width_x + 0.5) * nx, -1e8, 1e8)));
-    const int row = static_cast<int>(
-        std::floor(std::clamp((y / stage_.block.width_y + 0.5) * ny, -1e8, 1e8)));
+    const int column =
+        static_cast<int>(std::floor(std::clamp((x / stage_.block.width_x + 0.5) * nx, -1e8, 1e8)));
+    const int row =
+        static_cast<int>(std::floor(std::clamp((y / stage_.block.width_y + 0.5) * ny, -1e8, 1e8)));
     double most = nowhere;
     for (int j = row - around; j <= row + around; ++j) {
         for (int i = column - around; i <= column + around; ++i) {

@@ -57,21 +57,23 @@ Json read_manifest(const fs::path& folder) {
         throw InputError(fmt::format("{}: is no folder; a film is cut from the folder of a run",
                                      folder.string()));
     if (!fs::is_regular_file(file, fault))
-        throw InputError(fmt::format("{}: holds no run (no run.json); `fumon run SCENE -o {}` "
-                                     "makes one",
-                                     folder.string(), folder.string()));
+        throw InputError(
+            fmt::format("{}: holds no run (no run.json); `fumon run SCENE -o {}` "
+                        "makes one",
+                        folder.string(), folder.string()));
     try {
         Json manifest = parse_json(read_input_file(file));
         if (manifest.at("status") != "complete") {
-            throw InputError(fmt::format(
-                "{}: its run is not finished; `fumon run --resume {}` goes on with it",
-                folder.string(), folder.string()));
+            throw InputError(
+                fmt::format("{}: its run is not finished; `fumon run --resume {}` goes on with it",
+                            folder.string(), folder.string()));
         }
         return manifest;
     } catch (const nlohmann::json::exception&) {
-        throw InputError(fmt::format("{}: is no manifest of a run, or is damaged; run the scene "
-                                     "again",
-                                     file.string()));
+        throw InputError(
+            fmt::format("{}: is no manifest of a run, or is damaged; run the scene "
+                        "again",
+                        file.string()));
     }
 }
 
@@ -117,10 +119,10 @@ std::vector<StoredBed> beds_of(const Json& manifest, const fs::path& folder,
             folder.string()));
     }
     if (first.section || first.landform == Landform::water) {
-        throw InputError(fmt::format(
-            "{}: its run stored beds without {}; run the scene again with --set "
-            "output.fields_every=N",
-            folder.string(), first.section ? "their air" : "their water"));
+        throw InputError(
+            fmt::format("{}: its run stored beds without {}; run the scene again with --set "
+                        "output.fields_every=N",
+                        folder.string(), first.section ? "their air" : "their water"));
     }
     return beds;
 }
@@ -143,8 +145,8 @@ StoredBeds::StoredBeds(fs::path folder, int threads) : folder_(std::move(folder)
         first_ = run_.model->snapshot();
         beds_ = beds_of(manifest, folder_, first_);
     } catch (const nlohmann::json::exception&) {
-        throw InputError(fmt::format("{}: is damaged; run the scene again",
-                                     (folder_ / "run.json").string()));
+        throw InputError(
+            fmt::format("{}: is damaged; run the scene again", (folder_ / "run.json").string()));
     }
     run_.model.reset();
 }
@@ -155,8 +157,8 @@ Snapshot StoredBeds::read(std::size_t number) const {
     Snapshot snapshot = first_;
     InitialBed read = make_initial_bed(scene_of_bed(run_.scene, folder_ / bed.file));
     if (read.bed.nx() != first_.bed.nx() || read.bed.ny() != first_.bed.ny()) {
-        throw InputError(fmt::format("{}: has another size than the run's beds",
-                                     (folder_ / bed.file).string()));
+        throw InputError(
+            fmt::format("{}: has another size than the run's beds", (folder_ / bed.file).string()));
     }
     snapshot.bed = std::move(read.bed);
     if (!snapshot.nodata.empty() && !read.nodata.empty()) snapshot.nodata = std::move(read.nodata);
@@ -167,9 +169,8 @@ Snapshot StoredBeds::read(std::size_t number) const {
 
 std::shared_ptr<const Snapshot> StoredBeds::snapshot(std::size_t number) const {
     const auto found = std::ranges::find(kept_, number, &Kept::number);
-    Kept kept = found != kept_.end()
-                    ? *found
-                    : Kept{number, std::make_shared<const Snapshot>(read(number))};
+    Kept kept = found != kept_.end() ? *found
+                                     : Kept{number, std::make_shared<const Snapshot>(read(number))};
     if (found != kept_.end()) kept_.erase(found);
     kept_.push_back(kept);
     if (kept_.size() > most_kept) kept_.erase(kept_.begin());
@@ -185,9 +186,10 @@ std::vector<MeasuredRows> StoredBeds::measurements(const std::vector<std::string
     const fs::path file = folder_ / "measurements.csv";
     std::error_code fault;
     if (!fs::is_regular_file(file, fault))
-        throw InputError(fmt::format("{}: is not there, and a plot shows it; run the scene with "
-                                     "output.measurements = true",
-                                     file.string()));
+        throw InputError(
+            fmt::format("{}: is not there, and a plot shows it; run the scene with "
+                        "output.measurements = true",
+                        file.string()));
     const Table table = parse_csv_table({file.string(), read_input_file(file)});
     const MeasureSuite suite(measured_landform(first_), first_);
     RowGatherer gatherer(names, suite.columns(), first_);
@@ -204,7 +206,8 @@ std::vector<MeasuredRows> StoredBeds::measurements(const std::vector<std::string
         std::vector<double> row;
         for (const MeasureColumn& column : suite.columns()) {
             const TableColumn* found = table.find(column.name);
-            row.push_back(found == nullptr ? std::numeric_limits<double>::quiet_NaN() : found->values[i]);
+            row.push_back(found == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                                           : found->values[i]);
         }
         gatherer.take(at, row);
     }

@@ -25,9 +25,9 @@ struct StoredBed {
 /// which hold no water and no air.
 class StoredBeds {
   public:
-    /// Reads run.json and builds the run's model, which is not stepped, for what all its snapshots have in common. Throws
-    /// InputError where the folder holds no run, one that is not finished, or one that stored no
-    /// beds, and says what to ask for.
+    /// Reads run.json and builds the run's model, which is not stepped, for what all its snapshots
+    /// have in common. Throws InputError where the folder holds no run, one that is not finished,
+    /// or one that stored no beds, and says what to ask for.
     StoredBeds(std::filesystem::path folder, int threads);
 
     [[nodiscard]] const Scene& scene() const { return run_.scene; }

@@ -10,8 +10,7 @@ Timeline::Timeline(const Film& film) : rate_(film.settings.rate) {
         for (std::size_t i = 0; i < film.cards.size(); ++i) {
             const Card& card = film.cards[i];
             if (card.place != place || card.ground != CardGround::dark) continue;
-            add({FilmPart::Kind::card, i}, card.seconds,
-                place == CardPlace::end ? card.fade : 0.0);
+            add({FilmPart::Kind::card, i}, card.seconds, place == CardPlace::end ? card.fade : 0.0);
         }
     };
     add_cards(CardPlace::start);
@@ -48,9 +47,10 @@ std::vector<PartOfFrame> Timeline::at(std::int64_t frame) const {
         const std::int64_t within = frame - part.first;
         if (within < 0 || within >= part.frames) continue;
         const std::int64_t moving = part.frames - part.held;
-        const double share = moving > 1 ? std::min(1.0, static_cast<double>(within) /
-                                                            static_cast<double>(moving - 1))
-                                        : 0.0;
+        const double share =
+            moving > 1
+                ? std::min(1.0, static_cast<double>(within) / static_cast<double>(moving - 1))
+                : 0.0;
         double weight = 1.0;
         if (within < part.overlap) {
             weight = static_cast<double>(within + 1) / static_cast<double>(part.overlap + 1);

@@ -12,8 +12,8 @@ namespace fumon {
 struct FilmPart {
     enum class Kind { shot, card };
     Kind kind = Kind::shot;
-    std::size_t number = 0;     ///< of film.shots or film.cards
-    std::int64_t first = 0;     ///< frame of the film
+    std::size_t number = 0;  ///< of film.shots or film.cards
+    std::int64_t first = 0;  ///< frame of the film
     std::int64_t frames = 0;
     std::int64_t overlap = 0;  ///< of these, how many the part before it still shows
     std::int64_t held = 0;     ///< the last ones of a shot, which are like the one before them
@@ -35,7 +35,8 @@ class Timeline {
     [[nodiscard]] const std::vector<FilmPart>& parts() const { return parts_; }
     /// One part, or the two of a cross-fade, the one that goes first.
     [[nodiscard]] std::vector<PartOfFrame> at(std::int64_t frame) const;
-    /// The first and the frame after the last one of the shots, without dark cards before and after.
+    /// The first and the frame after the last one of the shots, without dark cards before and
+    /// after.
     [[nodiscard]] std::int64_t shots_begin() const { return shots_begin_; }
     [[nodiscard]] std::int64_t shots_end() const { return shots_end_; }
     [[nodiscard]] double rate() const { return rate_; }

@@ -14,12 +14,12 @@ namespace fumon {
 
 namespace {
 
-constexpr double safe_margin = 0.05;     // of the picture's width and height
-constexpr double title_size = 2.2;       // of a caption's
-constexpr double usual_side = 1080.0;    // pixels for which film.cap_height is meant
-constexpr double caption_fade = 0.25;    // seconds
-constexpr std::uint8_t darkness = 16;    // of a card's ground
-constexpr double veil = 0.35;            // of black under a card over the picture
+constexpr double safe_margin = 0.05;   // of the picture's width and height
+constexpr double title_size = 2.2;     // of a caption's
+constexpr double usual_side = 1080.0;  // pixels for which film.cap_height is meant
+constexpr double caption_fade = 0.25;  // seconds
+constexpr std::uint8_t darkness = 16;  // of a card's ground
+constexpr double veil = 0.35;          // of black under a card over the picture
 
 std::string filled(const Film& film, const std::string& key, const std::string& text,
                    const Scene& scene, const Snapshot& first, const TitleFacts& facts) {
@@ -53,8 +53,8 @@ std::vector<LetteredLine> lines_of(const Film& film, std::size_t number, const S
     }
     std::vector<LetteredLine> lines;
     if (!title.empty())
-        lines.push_back({filled(film, path + ".title", title, scene, first, facts),
-                         title_size * font, true});
+        lines.push_back(
+            {filled(film, path + ".title", title, scene, first, facts), title_size * font, true});
     for (const std::string& line : below)
         lines.push_back({filled(film, path + ".lines", line, scene, first, facts), font, false});
     return lines;
@@ -79,9 +79,9 @@ std::vector<ReadyCaption> ready_captions(const Film& film, const Scene& scene,
     std::vector<ReadyCaption> captions;
     for (std::size_t i = 0; i < film.captions.size(); ++i) {
         const Caption& caption = film.captions[i];
-        captions.push_back({caption.from, caption.to,
-                            filled(film, fmt::format("caption.{}.text", i), caption.text, scene,
-                                   first, facts)});
+        captions.push_back(
+            {caption.from, caption.to,
+             filled(film, fmt::format("caption.{}.text", i), caption.text, scene, first, facts)});
     }
     return captions;
 }
@@ -116,8 +116,8 @@ Titles::Titles(const Film& film, const FilmStage& stage, const Snapshot& first,
         }
         if (card.ground == CardGround::dark) continue;
         const std::int64_t shots = timeline.shots_end() - timeline.shots_begin();
-        const std::int64_t frames = std::clamp<std::int64_t>(
-            std::lround(card.seconds * rate_), 1, shots);
+        const std::int64_t frames =
+            std::clamp<std::int64_t>(std::lround(card.seconds * rate_), 1, shots);
         over_.push_back({i,
                          card.place == CardPlace::start ? timeline.shots_begin()
                                                         : timeline.shots_end() - frames,

@@ -36,8 +36,8 @@ std::string subrip(const std::vector<ReadyCaption>& captions);
 class Titles {
   public:
     /// `taken`: boxes of the overlays. Throws InputError, located.
-    Titles(const Film& film, const FilmStage& stage, const Snapshot& first,
-           const TitleFacts& facts, const Timeline& timeline, const std::vector<CanvasBox>& taken);
+    Titles(const Film& film, const FilmStage& stage, const Snapshot& first, const TitleFacts& facts,
+           const Timeline& timeline, const std::vector<CanvasBox>& taken);
 
     /// Over a frame of the film.
     void draw(Image& image, std::int64_t frame) const;
@@ -48,7 +48,7 @@ class Titles {
 
   private:
     struct OverPicture {
-        std::size_t number = 0;     ///< of film.cards
+        std::size_t number = 0;  ///< of film.cards
         std::int64_t first = 0;  ///< frames
         std::int64_t frames = 0;
     };

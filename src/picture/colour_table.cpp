@@ -167,7 +167,8 @@ std::vector<std::uint8_t> ColourTable::indices(const Image& image) const {
     for (int y = 0; y < image.height; ++y) {
         const std::uint8_t* pixel = image.row(y);
         for (int x = 0; x < image.width; ++x) {
-            const double shift = spread_ * bayer(static_cast<unsigned>(x), static_cast<unsigned>(y));
+            const double shift =
+                spread_ * bayer(static_cast<unsigned>(x), static_cast<unsigned>(y));
             std::size_t place = 0;
             for (std::size_t c = 0; c < channels; ++c, ++pixel) {
                 const double value = std::clamp((*pixel + shift) * 63.0 / 255.0, 0.0, 63.0);

@@ -19,8 +19,9 @@ class ColourCounts {
 };
 
 /// At most 255 colours that stand for all of some pictures (median cut, Heckbert 1982: the box with
-/// the largest sum of squares is cut where it lowers that most), and the picture in them. Colours in between are
-/// mixed by ordered dithering (Bayer 1973, 8 x 8), which keeps still what stands still.
+/// the largest sum of squares is cut where it lowers that most), and the picture in them. Colours
+/// in between are mixed by ordered dithering (Bayer 1973, 8 x 8), which keeps still what stands
+/// still.
 class ColourTable {
   public:
     explicit ColourTable(const ColourCounts& counts);
@@ -34,7 +35,7 @@ class ColourTable {
   private:
     std::array<std::uint32_t, 256> colours_{};
     int count_ = 0;
-    double spread_ = 0.0;  ///< usual distance of neighbouring colours, 0 … 255
+    double spread_ = 0.0;                ///< usual distance of neighbouring colours, 0 … 255
     std::vector<std::uint8_t> nearest_;  ///< of each 6-bit colour
 };
 

@@ -19,8 +19,8 @@ std::vector<std::pair<std::string, std::string>> encoder_options(const MovieForm
                                                                  int quality) {
     const std::string crf = fmt::format("{}", quality);
     if (format.name == "h264") {
-        // The same choices whatever instructions the processor has; even parts get bits enough to keep the
-        // dither of the sky, without which it shows bands.
+        // The same choices whatever instructions the processor has; even parts get bits enough to
+        // keep the dither of the sky, without which it shows bands.
         return {{"preset", "veryfast"},
                 {"crf", crf},
                 {"x264-params",

@@ -34,7 +34,7 @@ namespace fumon {
 
 namespace {
 
-constexpr int codec_threads = 2;                  // fixed: the bytes depend on it
+constexpr int codec_threads = 2;  // fixed: the bytes depend on it
 
 template <auto release>
 struct Release {
@@ -154,9 +154,10 @@ void Movie::Parts::open_codec(AVRational rate) {
     const std::string name(coding.format.encoder);
     const AVCodec* encoder = avcodec_find_encoder_by_name(name.c_str());
     if (encoder == nullptr) {
-        fail(fmt::format("libavcodec has no encoder {} for {}; install Debian's libavcodec59 or an "
-                         "FFmpeg built with it, or write no such movie",
-                         name, coding.format.name));
+        fail(
+            fmt::format("libavcodec has no encoder {} for {}; install Debian's libavcodec59 or an "
+                        "FFmpeg built with it, or write no such movie",
+                        name, coding.format.name));
     }
     codec.reset(checked(avcodec_alloc_context3(encoder)));
     const bool even_sides = coding.format.even_sides;
@@ -287,8 +288,8 @@ void Movie::Parts::encode(const AVFrame* frame) {
 
 Movie::Movie(const std::filesystem::path& file, int width, int height, double frames_per_second,
              int quality)
-    : Movie(file, width, height, frames_per_second,
-            MovieCoding{movie_formats().front(), quality}) {}
+    : Movie(file, width, height, frames_per_second, MovieCoding{movie_formats().front(), quality}) {
+}
 
 Movie::Movie(const std::filesystem::path& file, int width, int height, double frames_per_second,
              const MovieCoding& coding)

@@ -16,8 +16,8 @@ class ColourTable;
 /// How a movie is encoded.
 struct MovieCoding {
     const MovieFormat& format;
-    int quality = 18;                       ///< constant rate factor, 0 … 51
-    const ColourTable* colours = nullptr;   ///< of a GIF, which needs one; outlives the movie
+    int quality = 18;                      ///< constant rate factor, 0 … 51
+    const ColourTable* colours = nullptr;  ///< of a GIF, which needs one; outlives the movie
 };
 
 /// A movie: MP4 (H.264, yuv420p, BT.709, faststart) or another format. A key frame comes at least

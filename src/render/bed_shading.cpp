@@ -145,9 +145,8 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
     const Tone tone = chosen_tone(view.look);
     program.set("tone", static_cast<int>(tone_number(tone)));
     program.set("punch", switched(tone == Tone::agx_punchy));
-    program.set("exposure",
-                static_cast<float>(
-                    elementary::exp(std::numbers::ln2 * (view.look.exposure + light.stops))));
+    program.set("exposure", static_cast<float>(elementary::exp(
+                                std::numbers::ln2 * (view.look.exposure + light.stops))));
     const double usual_contrast = view.look.ground == Ground::endless ? 1.35 : 1.0;
     const WordOrReal& contrast = view.look.contrast;
     program.set("contrast",

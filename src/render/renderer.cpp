@@ -327,8 +327,8 @@ void Renderer::Parts::set_light(const FramePose& pose) {
         view.sun.elevation = pose.sun.elevation;
         light = light_of(view);
         sky.upload(light.sky_texels.data());
-        background.set_floor(floor_map(display_bed(first, block, refinement), block,
-                                       sun_direction(view.sun), pool));
+        background.set_floor(
+            floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool));
     }
     light.stops = pose.exposure;
 }

@@ -33,7 +33,8 @@ void blur_line(float* line, int count, std::ptrdiff_t stride, int radius,
 }  // namespace
 
 void lay_over(Image& image, const CanvasLayer& layer, int left, int top, double opacity) {
-    const auto share = static_cast<std::uint32_t>(std::lround(255.0 * std::clamp(opacity, 0.0, 1.0)));
+    const auto share =
+        static_cast<std::uint32_t>(std::lround(255.0 * std::clamp(opacity, 0.0, 1.0)));
     if (share == 0) return;
     const int begin = std::max(0, -left);
     const int end = std::min(layer.width, image.width - left);

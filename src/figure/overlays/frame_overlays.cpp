@@ -131,8 +131,7 @@ struct FrameOverlays::DrawnOverlay {
     CanvasLayer layer;
 };
 
-FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first,
-                             const OverlayStyle& style) {
+FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const OverlayStyle& style) {
     const std::vector<OverlaySettings>& overlays = scene.view.overlays;
     const bool flat = first.section && scene.view.look.mode == ViewMode::figure;
     const std::optional<Snapshot> shown = shown_snapshot(first, scene.view);
@@ -141,8 +140,11 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first,
         if (!overlays[number].show) continue;
         // A colour bar's colours mean something.
         const bool shadowed = style.shadowed && overlays[number].kind != OverlayKind::colour_bar;
-        drawn_.push_back(
-            {make_overlay(on, number), shadowed ? 0.0 : overlays[number].opacity, shadowed, {}, {}});
+        drawn_.push_back({make_overlay(on, number),
+                          shadowed ? 0.0 : overlays[number].opacity,
+                          shadowed,
+                          {},
+                          {}});
         placed_.push_back({number, {}, 0.0});
     }
     const auto width = static_cast<double>(scene.view.image.width);
@@ -160,8 +162,8 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first,
             const double room = 2.0 * plate_padding * placed_[i].font_size;
             pieces.push_back({settings.corner, {size.width + room, size.height + room}});
         }
-        const auto boxes = stacked_boxes(pieces, width, height,
-                                         std::max(gap_of_plates * tried, style.edge));
+        const auto boxes =
+            stacked_boxes(pieces, width, height, std::max(gap_of_plates * tried, style.edge));
         const std::size_t misfit = first_misfit(boxes, width, height);
         if (misfit == boxes.size()) {
             for (std::size_t i = 0; i < boxes.size(); ++i) placed_[i].box = boxes[i];

@@ -19,9 +19,9 @@ namespace fumon {
 /// What overlays are made for: the frames of a scene, which outlives them.
 struct OverlayScene {
     const Scene& scene;
-    const Snapshot& first;  ///< of the run, as the model gives it
-    const Snapshot& shown;  ///< the same as it is drawn, see shown_snapshot()
-    bool flat = false;      ///< the frames are a section's flat figure
+    const Snapshot& first;      ///< of the run, as the model gives it
+    const Snapshot& shown;      ///< the same as it is drawn, see shown_snapshot()
+    bool flat = false;          ///< the frames are a section's flat figure
     bool camera_moves = false;  ///< as frames say, see OverlayFrame
 };
 

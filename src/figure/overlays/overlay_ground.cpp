@@ -155,7 +155,9 @@ class ArrowOverlay : public Overlay {
     [[nodiscard]] Sizes sizes_over_run(const Canvas& canvas) const {
         constexpr std::int64_t most_looks = 90;  // over a turn: 4 degrees of a whole circle
         const bool turns = !flat_ && view_.camera.turn != 0.0;
-        const std::int64_t looks = moves_ ? most_looks : turns ? std::min(last_step_, most_looks) : 0;
+        const std::int64_t looks = moves_  ? most_looks
+                                   : turns ? std::min(last_step_, most_looks)
+                                           : 0;
         Sizes sizes;
         for (std::int64_t i = 0; i <= looks; ++i) {
             const auto share =

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "picture/movie.h"
+#include "picture/png.h"
+#include "support/program.h"
+
+namespace fumon::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* short_film =
+    "[film]\nwidth = 64\nheight = 48\nrate = 5\nsupersampling = 1\ncap_height = 90\n"
+    "[[shot]]\nseconds = 1\nmove = \"orbit\"\nturn = 60\n[[caption]]\nfrom = 0.2\nto = 1\ntext = "
+    "\"seed {seed}\"\n";
+
+/// A run that stored every second bed, and a film of it.
+class FilmCommandTest : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        write_text(folder_ / "scene.toml", small_scene());
+        write_text(folder_ / "film.toml", short_film);
+        ASSERT_EQ(run({"output.fields_every=2"}).status, 0);
+    }
+
+    Ended run(const std::vector<std::string>& settings) {
+        std::vector<std::string> arguments{"run",     "scene.toml",
+                                           "-o",      "out",
+                                           "--quiet", "--force",
+                                           "--set",   "output.frames=false",
+                                           "--set",   "output.movie=false",
+                                           "--set",   "look.ground=table"};
+        for (const std::string& setting : settings) {
+            arguments.emplace_back("--set");
+            arguments.push_back(setting);
+        }
+        return fumon(arguments, folder_.path());
+    }
+
+    Ended film(const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"film", "out", "film.toml"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return fumon(arguments, folder_.path());
+    }
+
+    ScratchFolder folder_;
+};
+
+TEST_F(FilmCommandTest, MakesTheSameFilmOnAnyNumberOfThreads) {
+    const Ended one = film({"-o", "one.mp4", "--threads", "1"});
+    ASSERT_EQ(one.status, 0) << one.errors;
+    EXPECT_NE(one.errors.find("one.mp4: 5 frames of 64 x 48 pixels, 1 s"), std::string::npos)
+        << one.errors;
+    ASSERT_EQ(film({"-o", "two.mp4", "--threads", "2"}).status, 0);
+    EXPECT_EQ(read_text(folder_ / "one.mp4"), read_text(folder_ / "two.mp4"));
+    EXPECT_EQ(read_text(folder_ / "one.srt"), "1\n00:00:00,200 --> 00:00:01,000\nseed 5\n\n");
+    std::string kept;
+    for (const auto& [keyword, text] : read_movie_texts(folder_ / "one.mp4"))
+        if (keyword == "fumon:film") kept = text;
+    EXPECT_NE(kept.find("turn = 60"), std::string::npos);
+    EXPECT_EQ(film({"-o", "one.mp4"}).status, 0) << "its own file is replaced";
+    write_text(folder_ / "mine.mp4", "mine");
+    EXPECT_EQ(film({"-o", "mine.mp4"}).status, 2);
+}
+
+TEST_F(FilmCommandTest, MakesSheetsPostersAndFilesThatFit) {
+    const Ended ended =
+        film({"-o", "f.mp4", "--formats", "sheet,poster,webp", "--set", "shot.0.seconds=2"});
+    ASSERT_EQ(ended.status, 0) << ended.errors;
+    ASSERT_EQ(film({"-o", "free.gif"}).status, 0);
+    const auto bytes = fs::file_size(folder_ / "free.gif");
+    const Ended fitted = film({"-o", "f.gif", "--max-size", std::to_string(bytes / 2)});
+    ASSERT_EQ(fitted.status, 0) << fitted.errors;
+    EXPECT_LE(fs::file_size(folder_ / "f.gif"), bytes / 2);
+    EXPECT_GT(fs::file_size(folder_ / "f.gif"), bytes / 8);
+    const Image sheet = read_png(folder_ / "f-sheet.png");
+    EXPECT_EQ(sheet.width, 3 * 64 + 2 * 4);  // seconds 0 and 1, and the last frame
+    EXPECT_EQ(sheet.height, 48);
+    EXPECT_EQ(read_png(folder_ / "f-poster.png").width, 64);
+    EXPECT_TRUE(fs::exists(folder_ / "f-webp.webp.json"));
+    EXPECT_EQ(film({"-o", "f.mp4", "--formats", "webp"}).status, 0) << "known by its sidecar";
+}
+
+TEST_F(FilmCommandTest, ADraftIsSmallAndHasASheet) {
+    const Ended ended = film({"-o", "f.mp4", "--draft", "--set", "film.width=256", "--set",
+                              "film.height=192", "--set", "film.rate=20"});
+    ASSERT_EQ(ended.status, 0) << ended.errors;
+    EXPECT_NE(ended.errors.find("f-draft.mp4: 2 frames of 64 x 48 pixels"), std::string::npos)
+        << ended.errors;
+    EXPECT_TRUE(fs::exists(folder_ / "f-draft.png"));
+}
+
+TEST_F(FilmCommandTest, SaysWhatIsMissingAndWritesNothing) {
+    EXPECT_EQ(film({"--set", "shot.0.from=1e4"}).errors,
+              "--set 1: shot.0.from = 10000: beds are stored of steps 0 to 20\n");
+    write_text(folder_ / "film.toml", "[[shot]]\nsecond = 1\n");
+    const Ended wrong = film({});
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_EQ(wrong.errors,
+              "film.toml:2:1: unknown key shot.0.second; did you mean "
+              "\"shot.0.seconds\"?\n");
+    write_text(folder_ / "film.toml", short_film);
+    ASSERT_EQ(run({}).status, 0);
+    const Ended none = film({});
+    EXPECT_EQ(none.status, 2);
+    EXPECT_EQ(none.errors,
+              "out: its run stored no beds to cut a film from; run the scene again with "
+              "--set output.fields_every=N (all fields) or output.bed_every=N (beds alone), every "
+              "N steps\n");
+    EXPECT_EQ(fumon({"film", "nowhere", "film.toml"}, folder_.path()).status, 2);
+    EXPECT_FALSE(fs::exists(folder_ / "film.mp4"));
+}
+
+TEST_F(FilmCommandTest, OneThatIsKilledLeavesNoHalfFile) {
+    for (const int signal : {SIGINT, SIGKILL}) {
+        Program long_film(
+            {"film", "out", "film.toml", "-o", "f.mp4", "--set", "shot.0.seconds=3000"},
+            folder_.path());
+        for (int i = 0; i < 400 && !fs::exists(folder_ / "f.mp4.part"); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        ASSERT_TRUE(fs::exists(folder_ / "f.mp4.part"));
+        long_film.send(signal);
+        EXPECT_EQ(long_film.wait().status, 128 + signal);
+        EXPECT_FALSE(fs::exists(folder_ / "f.mp4"));
+        EXPECT_EQ(fs::exists(folder_ / "f.mp4.part"), signal == SIGKILL);
+    }
+    EXPECT_EQ(film({"-o", "f.mp4", "--force"}).status, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "f.mp4.part"));
+}
+
+}  // namespace
+}  // namespace fumon::test

@@ -1,0 +1,190 @@
+#include "film/film_painter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "film/film_read.h"
+#include "support/program.h"
+
+namespace fumon {
+namespace {
+
+using test::fumon;
+using test::ScratchFolder;
+
+/// A run of the small scene that stored every bed, made once.
+const std::filesystem::path& filmed_run() {
+    static const ScratchFolder folder;
+    static const std::filesystem::path run = [] {
+        test::write_text(folder / "scene.toml", test::small_scene());
+        fumon(
+            {"run", "scene.toml", "-o", "out", "--quiet", "--set", "output.fields_every=1", "--set",
+             "look.ground=table", "--set", "output.frames=false", "--set", "output.movie=false"},
+            folder.path());
+        return folder / "out";
+    }();
+    return run;
+}
+
+constexpr const char* film_head = "[film]\nwidth = 64\nheight = 48\nrate = 5\nsupersampling = 1\n";
+
+/// A film's painter with all that it needs.
+struct FilmAtWork {
+    explicit FilmAtWork(const std::string& text)
+        : film(parse_film(film_head + text, "f.toml")),
+          beds(filmed_run(), 1),
+          pool(1),
+          painter(film, beds, film_size(film), {}, gl::Backend::automatic, pool) {}
+
+    Film film;
+    StoredBeds beds;
+    WorkerPool pool;
+    FilmPainter painter;
+};
+
+TEST(StoredBeds, AreThoseThatTheRunRecorded) {
+    const StoredBeds beds(filmed_run(), 1);
+    ASSERT_EQ(beds.beds().size(), 21U);
+    EXPECT_EQ(beds.beds()[7].step, 7);
+    EXPECT_EQ(beds.snapshot(7)->step, 7);
+    EXPECT_EQ(visible_change(*beds.snapshot(0), beds.first()), 0.0);
+    EXPECT_GT(visible_change(*beds.snapshot(20), beds.first()), 0.0);
+    EXPECT_EQ(beds.scene().title, "small");
+    const auto rows = beds.measurements({"step", "wavelength_spectrum"});
+    EXPECT_EQ(rows[4].find("step")->values.size(), 1U);
+    EXPECT_EQ(rows[20].find("step")->values.size(), 5U);
+}
+
+TEST(BedClock, KeepsItsPace) {
+    const FilmAtWork at(
+        "[[shot]]\n[[shot]]\npace = \"logarithmic\"\n[[shot]]\nfrom = 20\nto = 5\n"
+        "[[shot]]\nfrom = 4\nto = 4\n[[shot]]\npace = \"change\"\n[[shot]]\nclock = \"time\"\nfrom "
+        "= 3\nto = 9.2\n");
+    const auto& shots = at.painter.shots();
+    EXPECT_EQ(shots[0].bed_at(0.5), 10U);
+    EXPECT_EQ(shots[0].bed_at(1.0), 20U);
+    EXPECT_EQ(shots[1].bed_at(0.5), 4U);  // sqrt(21) - 1 = 3.6
+    EXPECT_EQ(shots[2].bed_at(0.0), 20U);
+    EXPECT_EQ(shots[2].bed_at(1.0), 5U);
+    EXPECT_EQ(shots[3].bed_at(0.7), 4U);
+    EXPECT_EQ(shots[5].bed_at(1.0), 9U);
+    // Equal visible change: no half of the shot shows more of it than the other, but for one bed's.
+    const auto& beds = at.beds;
+    const auto change = [&](std::size_t from, std::size_t to, double& most) {
+        double sum = 0.0;
+        for (std::size_t i = from; i < to; ++i) {
+            const double one = visible_change(*beds.snapshot(i), *beds.snapshot(i + 1));
+            most = std::max(most, one);
+            sum += one;
+        }
+        return sum;
+    };
+    double most = 0.0;
+    const std::size_t middle = shots[4].bed_at(0.5);
+    const double first_half = change(0, middle, most);
+    const double second_half = change(middle, 20, most);
+    EXPECT_NEAR(first_half, second_half, 1.01 * most);
+}
+
+TEST(FilmPainter, AFreezeWithAStillCameraDoesNotChange) {
+    FilmAtWork at(
+        "[[shot]]\nseconds = 1\nfrom = 12\nto = 12\n[[overlay]]\nkind = \"time\"\nfont_size = 6\n");
+    const Image first = at.painter.paint(0);
+    for (std::int64_t frame = 1; frame < at.painter.frames(); ++frame)
+        EXPECT_EQ(at.painter.paint(frame), first) << frame;
+}
+
+TEST(FilmPainter, FramesDoNotDependOnThoseDrawnBefore) {
+    FilmAtWork at(
+        "[[shot]]\nseconds = 1\nmove = \"morning-to-evening\"\n[[shot]]\nseconds = 1\nmove = "
+        "\"orbit\"\ntransition = \"cross-fade\"\ntransition_seconds = 0.4\nexposure = 1\n");
+    std::vector<Image> frames;
+    for (std::int64_t i = 0; i < at.painter.frames(); ++i) frames.push_back(at.painter.paint(i));
+    for (std::int64_t i = at.painter.frames() - 1; i >= 0; --i)
+        EXPECT_EQ(at.painter.paint(i), frames[static_cast<std::size_t>(i)]) << i;
+    EXPECT_NE(frames[0], frames[2]);
+}
+
+double film_brightness(const Image& image) {
+    double sum = 0.0;
+    for (const std::uint8_t value : image.rgb) sum += value;
+    return sum / static_cast<double>(image.rgb.size());
+}
+
+TEST(FilmPainter, KeysMoveCameraLensSunAndExposure) {
+    FilmAtWork at(
+        "[[shot]]\nseconds = 2\nmove = \"keys\"\nspeed = \"constant\"\nfocal_length = 30\n"
+        "[[shot.key]]\nat = [2, 3, 6]\nlook_at = [12, 10, 0]\n"
+        "[[shot.key]]\nat = [20, 4, 9]\nlook_at = [12, 12, 0]\nfocal_length = 60\nsun_azimuth = "
+        "100\nsun_elevation = 20\nexposure = 2\n");
+    const StagedShot& shot = at.painter.shots().front();
+    const FilmStage& stage = at.painter.stage();
+    const auto& bed = *at.beds.snapshot(0);
+    EXPECT_LT(glm::length(shot.pose_at(0.0).eye - place_on_stage(stage, {2, 3, 6}, bed)), 1e-9);
+    EXPECT_LT(glm::length(shot.pose_at(1.0).eye - place_on_stage(stage, {20, 4, 9}, bed)), 1e-9);
+    EXPECT_LT(glm::length(shot.pose_at(1.0).look_at - place_on_stage(stage, {12, 12, 0}, bed)),
+              1e-9);
+    EXPECT_NEAR(shot.pose_at(0.0).focal_length, 30.0, 1e-9);
+    EXPECT_NEAR(shot.pose_at(0.5).focal_length, std::sqrt(30.0 * 60.0), 0.5);
+    EXPECT_NEAR(shot.pose_at(1.0).sun_azimuth, 100.0, 1e-9);
+    EXPECT_NEAR(camera_of(stage, shot.pose_at(1.0)).half.y, 12.0 / 60.0, 1e-9);
+    EXPECT_GT(film_brightness(at.painter.paint(9)), film_brightness(at.painter.paint(0)) + 20.0);
+}
+
+/// The largest distance of the bed's corners from the picture's middle, 1 at its edge.
+double film_extent(const std::string& size, const std::string& move) {
+    const Film film =
+        parse_film("[film]\n" + size + "[[shot]]\nmove = \"" + move + "\"\n", "f.toml");
+    const StoredBeds beds(filmed_run(), 1);
+    const FilmStage stage = make_stage(film, beds, film_size(film));
+    const StagedShot shot(film, 0, stage, beds);
+    double most = 0.0;
+    for (int i = 0; i <= 40; ++i) {
+        const Camera camera = camera_of(stage, shot.pose_at(i / 40.0));
+        for (const glm::dvec3& corner : block_corners(stage.block)) {
+            const glm::dvec2 seen = project(camera, corner);
+            most = std::max({most, std::abs(seen.x), std::abs(seen.y)});
+        }
+    }
+    return most;
+}
+
+TEST(FilmPainter, ABedThatFitsFillsThePictureWhateverItsShape) {
+    for (const char* size : {"size = \"1080p\"\n", "size = \"vertical\"\n", "size = \"square\"\n",
+                             "size = \"widescreen\"\n"}) {
+        for (const char* move : {"still", "orbit"}) {
+            EXPECT_LE(film_extent(size, move), 1.0) << size << move;
+            EXPECT_GE(film_extent(size, move), 0.85) << size << move;
+        }
+    }
+}
+
+TEST(FilmPainter, TheColourBarHasTheRangeOfTheWholeFilm) {
+    const ScratchFolder folder;
+    test::write_text(folder / "scene.toml", test::small_scene());
+    ASSERT_EQ(fumon({"run", "scene.toml", "-o", "out", "--quiet", "--set", "output.bed_every=5",
+                     "--set", "look.colour_by=height", "--set", "look.ground=table", "--set",
+                     "output.movie=false"},
+                    folder.path())
+                  .status,
+              0);
+    const Film film =
+        parse_film(std::string(film_head) + "[[shot]]\nseconds = 1\nfrom = 5\nto = 15\n", "f.toml");
+    const StoredBeds beds(folder / "out", 1);
+    ASSERT_EQ(beds.beds().size(), 5U);  // of the files in beds/
+    WorkerPool pool(1);
+    const FilmPainter painter(film, beds, film_size(film), {}, gl::Backend::automatic, pool);
+    const LookSettings& look = painter.stage().scene.view.look;
+    ASSERT_FALSE(look.low.is_word());
+    const auto range_of = [&](std::size_t number) {
+        const auto& heights = beds.snapshot(number)->bed.values();
+        return *std::max_element(heights.begin(), heights.end());
+    };
+    const double highest = std::max({range_of(1), range_of(2), range_of(3)});
+    EXPECT_LE(look.high.value, highest);
+    EXPECT_GT(look.high.value, 0.8 * highest);
+}
+
+}  // namespace
+}  // namespace fumon

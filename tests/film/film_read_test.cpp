@@ -1,0 +1,89 @@
+#include "film/film_read.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "film/film_output.h"
+#include "film/film_sizes.h"
+#include "support/temporary_folder.h"
+
+namespace fumon {
+namespace {
+
+using test::message_of;
+
+std::string film_refusal(const std::string& text, const std::vector<std::string>& settings = {}) {
+    return message_of<InputError>([&] { parse_film(text, "f.toml", settings); });
+}
+
+TEST(FilmRead, TakesShotsKeysCardsAndCaptions) {
+    const Film film = parse_film(
+        "[film]\nsize = \"vertical\"\n[[shot]]\nseconds = 3\nfrom = 100\nto = \"end\"\npace = "
+        "\"change\"\nmove = \"keys\"\n[[shot.key]]\nat = [1, 2, 3]\n[[shot.key]]\nat = [4, 5, "
+        "6]\nfocal_length = 85\n[[card]]\ntitle = \"風紋\"\n[[caption]]\nfrom = 1\nto = 2\ntext = "
+        "\"a\"\n[[overlay]]\nkind = \"time\"\n",
+        "f.toml");
+    EXPECT_EQ(film_size(film).width, 1080);
+    EXPECT_EQ(film_size(film).height, 1920);
+    ASSERT_EQ(film.shots.size(), 1U);
+    EXPECT_EQ(film.shots[0].pace, Pace::change);
+    EXPECT_EQ(film.shots[0].from.value, 100.0);
+    EXPECT_EQ(film.shots[0].to.word, "end");
+    ASSERT_EQ(film.shots[0].keys.size(), 2U);
+    EXPECT_EQ(film.shots[0].keys[1].focal_length.value, 85.0);
+    EXPECT_EQ(film.cards[0].title, "風紋");
+    EXPECT_EQ(film.captions[0].to, 2.0);
+    EXPECT_EQ(film.overlays.size(), 1U);
+    EXPECT_EQ(film_toml(parse_film(film_toml(film), "again")), film_toml(film));
+}
+
+TEST(FilmRead, LocatesEveryFault) {
+    EXPECT_EQ(film_refusal("[[shot]]\nsecond = 3\n[film]\nrat = 3\nquality = \"good\"\n"),
+              "f.toml:2:1: unknown key shot.0.second; did you mean \"shot.0.seconds\"?\n"
+              "f.toml:4:1: unknown key film.rat; did you mean \"film.rate\"?\n"
+              "f.toml:5:11: film.quality is 'good'; it takes a whole number 0 … 51");
+    EXPECT_EQ(film_refusal("[film]\nsize = \"2k\"\n[[shot]]\n").substr(0, 37),
+              "f.toml:2:8: unknown film.size \"2k\"; d");
+    EXPECT_EQ(film_refusal("[film]\n"), "f.toml:1:1: a film needs a [[shot]] at least");
+    EXPECT_EQ(film_refusal("[[shot]]\nmove = \"keys\"\n"),
+              "f.toml:2:8: shot.0.move = \"keys\" needs two [[shot.key]] at least");
+    EXPECT_EQ(film_refusal("[[shot]]\nmove = \"orbit\"\n[[shot.key]]\nat = [0, 0, 1]\n"),
+              "f.toml:2:8: shot.0 has [[shot.key]] and a ready move; write move = \"keys\"");
+    EXPECT_EQ(film_refusal("[[shot]]\n[[shot.key]]\nat = [0, 1]\n"),
+              "f.toml:3:6: shot.0.key.0.at has 2 numbers; it takes three: east, north, above the "
+              "bed");
+    EXPECT_EQ(film_refusal("[[shot]]\n[[caption]]\nfrom = 3\nto = 2\n"),
+              "f.toml:4:6: caption.0.to = 2 is not after its from = 3");
+    EXPECT_EQ(film_refusal("[[shot]]\nseconds = 1\ntransition = \"cross-fade\"\n"),
+              "f.toml: shot.0.transition_seconds = 1 is more than half of the shorter shot (1 s)");
+    EXPECT_NE(film_refusal("[[shot]]\n[[overlay]]\nkind = \"scale-bar\"\n")
+                  .find("f.toml:3:8: overlay.0.kind: a scale bar has no constant length"),
+              std::string::npos);
+    EXPECT_EQ(film_refusal("[[shot]]\n", {"film.siz=4k"}),
+              "--set 1:1: unknown key film.siz; did you mean \"film.size\"?");
+    EXPECT_EQ(film_size(parse_film("[[shot]]\n", "f.toml", {"film.size=4k"})).width, 3840);
+}
+
+TEST(FilmOutput, NamesAFileForEachPurpose) {
+    const Film film = parse_film("[[shot]]\n", "f.toml");
+    const auto outputs = film_outputs(film, "a/b.mp4", {"talk", "social", "readme", "poster"}, 0);
+    ASSERT_EQ(outputs.size(), 4U);
+    EXPECT_EQ(outputs[0].file, "a/b-talk.mp4");
+    EXPECT_EQ(film_size(outputs[1].film).height, 1920);
+    EXPECT_EQ(outputs[2].file, "a/b-readme.webp");
+    EXPECT_EQ(outputs[2].most_bytes, 3'000'000);
+    EXPECT_EQ(outputs[3].file, "a/b-poster.png");
+    EXPECT_THROW(film_outputs(film, "b.mp4", {"gift"}, 0), InputError);
+    EXPECT_THROW(film_outputs(film, "b.avi", {}, 0), InputError);
+    EXPECT_EQ(film_outputs(film, "b.WEBM", {}, 0).front().film.settings.format, "webm");
+    const auto draft = draft_outputs(film, "b.mp4");
+    EXPECT_EQ(film_size(draft[0].film).width, 480);
+    EXPECT_EQ(draft[0].film.settings.rate, 3.0);
+    EXPECT_EQ(bytes_of_size("8MB"), 8'000'000);
+    EXPECT_EQ(bytes_of_size("1.5kB"), 1500);
+    EXPECT_THROW(bytes_of_size("8 MB"), InputError);
+    EXPECT_THROW(bytes_of_size("-8MB"), InputError);
+}
+
+}  // namespace
+}  // namespace fumon
