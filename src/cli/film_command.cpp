@@ -44,7 +44,9 @@ void declare(CLI::App& command, FilmOptions& options) {
     command.add_option("RUN", options.run, "the folder of a finished run that stored beds")
         ->required();
     command
-        .add_option("FILM", options.film, "a film file (TOML), or the name of one that fumon ships")
+        .add_option(
+            "FILM", options.film,
+            "a film file (TOML), the name of one that fumon ships, or an MP4 or PNG of a film")
         ->required();
     command
         .add_option("-o,--output", options.output,
@@ -123,8 +125,11 @@ void claim(OutputClaims& claims, const FilmOutput& output) {
 int perform(const FilmOptions& options) {
     const InterruptGuard guard;
     const fs::path file = film_argument(options.film);
-    const Film film = read_film(file, options.work.settings);
-    const fs::path usual = file.stem().string() + ending_of(film.settings.format);
+    const FilmText text = film_text(file);
+    const Film film = parse_film(text.text, file.string(), options.work.settings);
+    const bool again = small_ending(file) != ".toml";
+    const fs::path usual =
+        file.stem().string() + (again ? "-again" : "") + ending_of(film.settings.format);
     const fs::path named = options.output.empty() ? usual : fs::path(options.output);
     const std::vector<FilmOutput> outputs =
         options.draft
@@ -138,9 +143,8 @@ int perform(const FilmOptions& options) {
     claims.reads(beds.files());
     for (const FilmOutput& output : outputs) claim(claims, output);
     StatusLine status(options.work.verbosity);
-    const std::string remake = fmt::format("fumon film RUN {}", file.filename().string());
     for (const FilmOutput& output : outputs) {
-        const MadeFilm made = make_film(output, beds, remake, options.work, status);
+        const MadeFilm made = make_film(output, beds, text.remake, options.work, status);
         if (made.signal != 0) return exit_status_of_signal(made.signal);
         const FilmSize size = film_size(output.film);
         const bool padded = made.width > size.width || made.height > size.height;

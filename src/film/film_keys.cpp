@@ -1,5 +1,6 @@
 #include "film/film_keys.h"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "film/film_sizes.h"
@@ -42,7 +43,8 @@ void list_film(FilmSettings& film, KeyTable& table) {
     table.choice(
         "film.plates", film.plates,
         {{Plates::translucent, "translucent", "dark letters on a pale plate (overlay.opacity)"},
-         {Plates::none, "none", "pale letters with a soft shadow, without a plate"}},
+         {Plates::none, "none",
+          "pale letters with a soft shadow, without a plate; plots and colour bars keep theirs"}},
         {.help = "what overlays stand on"});
     table.real("film.poster_second", film.poster_second,
                {.unit = "s",
@@ -206,18 +208,36 @@ KeyTable film_keys(Film& film) {
     return table;
 }
 
-std::string describe_film() {
+namespace {
+
+/// A film with one item in each of its lists.
+Film film_of_all_keys() {
     Film film;
     film.shots.resize(1);
     film.shots.front().keys.resize(1);
     film.cards.resize(1);
     film.captions.resize(1);
+    return film;
+}
+
+}  // namespace
+
+std::string describe_film() {
+    Film film = film_of_all_keys();
     const KeyTable table = film_keys(film);
     std::string text =
         "Keys of a film, for `fumon film`. N counts its [[shot]], [[shot.key]], [[card]] and\n"
         "[[caption]] sections from 0; [[overlay]] takes the keys of `fumon describe overlay`\n\n";
     for (const Key& key : table.keys()) text += describe_key(key);
     return text;
+}
+
+std::string describe_film_json() {
+    Film film = film_of_all_keys();
+    const KeyTable table = film_keys(film);
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Key& key : table.keys()) all.push_back(key_json(key));
+    return all.dump(2) + "\n";
 }
 
 }  // namespace fumon

@@ -9,11 +9,14 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/utf8.h"
+#include "files/input_file.h"
 #include "film/film_check.h"
 #include "film/film_keys.h"
 #include "keys/assign.h"
 #include "keys/override.h"
 #include "keys/toml_text.h"
+#include "picture/movie.h"
+#include "picture/png.h"
 #include "scene/faults.h"
 #include "scene/read.h"
 #include "scene/write.h"
@@ -177,9 +180,28 @@ Film parse_film(std::string_view text, const std::string& source,
     return film;
 }
 
-Film read_film(const std::filesystem::path& file, const std::vector<std::string>& settings) {
-    const SceneText text = read_scene_text(file);
-    return parse_film(text.text, text.source, settings);
+FilmText film_text(const std::filesystem::path& file) {
+    constexpr std::size_t signature = 4;
+    std::error_code fault;
+    const bool regular = std::filesystem::is_regular_file(file, fault);
+    const bool movie = regular && is_movie(file);
+    const bool png = regular && start_of_input_file(file, signature) == "\x89PNG";
+    if (!movie && !png) {
+        return {read_scene_text(file).text,
+                fmt::format("fumon film RUN {}", file.filename().string())};
+    }
+    FilmText film;
+    for (const auto& [keyword, text] : movie ? read_movie_texts(file) : read_png_texts(file)) {
+        if (keyword == film_keyword) film.text = text;
+        if (keyword == remake_keyword) film.remake = text;
+    }
+    if (film.text.empty()) {
+        throw InputError(
+            fmt::format("{}: carries no film; `fumon film` takes a film file, or an MP4 or PNG "
+                        "that it made",
+                        file.string()));
+    }
+    return film;
 }
 
 std::string film_toml(const Film& film) {

@@ -9,12 +9,24 @@
 
 namespace fumon {
 
-/// Reads a film's file; `settings` are "key.path=VALUE" overrides of the command line. Throws
-/// InputError with a line "file:line:column: what is wrong; what would be right" for each fault: an
-/// unknown key, a wrong type, a number out of range, keys that contradict.
-Film read_film(const std::filesystem::path& file, const std::vector<std::string>& settings = {});
+/// The keywords of a film's texts in the files that are made of it.
+inline constexpr const char* film_keyword = "fumon:film";
+inline constexpr const char* remake_keyword = "fumon:remake";
 
-/// The same of a film's text; `source` names it in messages.
+/// What a film is read from.
+struct FilmText {
+    std::string text;    ///< TOML
+    std::string remake;  ///< the command that makes it, as its end card shows it
+};
+
+/// Of a film file, or what an MP4 or PNG that `fumon film` made carries. Throws InputError where it
+/// is neither.
+FilmText film_text(const std::filesystem::path& file);
+
+/// Reads a film; `source` names it in messages, `settings` are "key.path=VALUE" overrides of the
+/// command line. Throws InputError with a line "file:line:column: what is wrong; what would be
+/// right" for each fault: an unknown key, a wrong type, a number out of range, keys that
+/// contradict.
 Film parse_film(std::string_view text, const std::string& source,
                 const std::vector<std::string>& settings = {});
 

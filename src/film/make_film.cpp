@@ -101,7 +101,8 @@ class FilmMaker {
         if (!facts_.title.empty()) texts.emplace_back("Title", facts_.title);
         texts.emplace_back("Software", "fumon " FUMON_VERSION);
         texts.emplace_back(version_keyword, FUMON_VERSION);
-        texts.emplace_back("fumon:film", film_toml(film_));
+        texts.emplace_back(film_keyword, film_toml(film_));
+        texts.emplace_back(remake_keyword, facts_.remake);
         texts.emplace_back("fumon:scene", resolved_scene(beds_.scene(), beds_.inputs()));
         texts.emplace_back("fumon:pixels-sha256", hex(pixels_.so_far()));
         texts.emplace_back("fumon:environment", environment_text(painter_.record().environment));

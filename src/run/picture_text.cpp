@@ -114,6 +114,12 @@ PictureOrigin read_origin(const std::filesystem::path& picture) {
     }
     for (auto& [keyword, text] : movie ? read_movie_texts(picture) : read_png_texts(picture))
         texts[keyword] = std::move(text);
+    if (texts.contains("fumon:film")) {
+        throw InputError(fmt::format(
+            "{}: is a film, cut from the beds that a run has stored; `fumon film RUN {}` makes "
+            "it again from the run's folder",
+            picture.string(), picture.string()));
+    }
     for (const char* keyword : {scene_keyword, step_keyword, inputs_keyword}) {
         if (!texts.contains(keyword)) {
             throw InputError(fmt::format(

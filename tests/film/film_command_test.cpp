@@ -51,9 +51,12 @@ class FilmCommandTest : public ::testing::Test {
 };
 
 TEST_F(FilmCommandTest, MakesTheSameFilmOnAnyNumberOfThreads) {
+    write_text(
+        folder_ / "film.toml",
+        std::string(short_film) + "[[card]]\nplace = \"end\"\nground = \"dark\"\nseconds = 0.6\n");
     const Ended one = film({"-o", "one.mp4", "--threads", "1"});
     ASSERT_EQ(one.status, 0) << one.errors;
-    EXPECT_NE(one.errors.find("one.mp4: 5 frames of 64 x 48 pixels, 1 s"), std::string::npos)
+    EXPECT_NE(one.errors.find("one.mp4: 7 frames of 64 x 48 pixels, 1.4 s"), std::string::npos)
         << one.errors;
     ASSERT_EQ(film({"-o", "two.mp4", "--threads", "2"}).status, 0);
     EXPECT_EQ(read_text(folder_ / "one.mp4"), read_text(folder_ / "two.mp4"));
@@ -62,6 +65,13 @@ TEST_F(FilmCommandTest, MakesTheSameFilmOnAnyNumberOfThreads) {
     for (const auto& [keyword, text] : read_movie_texts(folder_ / "one.mp4"))
         if (keyword == "fumon:film") kept = text;
     EXPECT_NE(kept.find("turn = 60"), std::string::npos);
+    const Ended again = fumon({"film", "out", "one.mp4"}, folder_.path());
+    ASSERT_EQ(again.status, 0) << again.errors;
+    EXPECT_EQ(read_text(folder_ / "one.mp4"), read_text(folder_ / "one-again.mp4"));
+    EXPECT_EQ(
+        fumon({"again", "one.mp4"}, folder_.path()).errors,
+        "one.mp4: is a film, cut from the beds that a run has stored; `fumon film RUN one.mp4` "
+        "makes it again from the run's folder\n");
     EXPECT_EQ(film({"-o", "one.mp4"}).status, 0) << "its own file is replaced";
     write_text(folder_ / "mine.mp4", "mine");
     EXPECT_EQ(film({"-o", "mine.mp4"}).status, 2);

@@ -138,8 +138,10 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
     const OverlayScene on{scene, first, shown ? *shown : first, flat, style.camera_moves};
     for (std::size_t number = 0; number < overlays.size(); ++number) {
         if (!overlays[number].show) continue;
-        // A colour bar's colours mean something.
-        const bool shadowed = style.shadowed && overlays[number].kind != OverlayKind::colour_bar;
+        // A colour bar's and a plot's colours mean something.
+        const OverlayKind kind = overlays[number].kind;
+        const bool shadowed = style.shadowed && kind != OverlayKind::colour_bar &&
+                              kind != OverlayKind::plot;
         drawn_.push_back({make_overlay(on, number),
                           shadowed ? 0.0 : overlays[number].opacity,
                           shadowed,
