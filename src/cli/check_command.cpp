@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <optional>
 
 #include "base/error.h"
 #include "base/tell.h"
 #include "cli/command.h"
 #include "cli/scene_argument.h"
 #include "cli/shared_options.h"
+#include "film/film_read.h"
+#include "film/timeline.h"
 #include "paper/figure_plan.h"
 #include "run/prepared_run.h"
 #include "scene/read.h"
@@ -22,8 +26,20 @@ struct CheckOptions {
 };
 
 void declare(CLI::App& command, CheckOptions& options) {
-    command.add_option("SCENE", options.scenes, "scene files")->required();
+    command.add_option("SCENE", options.scenes, "scene files, and film files")->required();
     add_settings(command, options.settings, "override a scene key");
+}
+
+/// What is said of a fine film; nothing of what is no film.
+std::optional<std::string> checked_film(const std::string& file,
+                                        const std::vector<std::string>& settings) {
+    std::error_code fault;
+    if (!std::filesystem::is_regular_file(file, fault)) return std::nullopt;
+    const SceneText text = read_scene_text(file);
+    if (!is_film(text.text, text.source)) return std::nullopt;
+    const Timeline timeline(parse_film(text.text, text.source, settings));
+    return fmt::format("{}: fine (a film of {} frames, {:.4g} s)\n", file, timeline.frames(),
+                       static_cast<double>(timeline.frames()) / timeline.rate());
 }
 
 int perform(const CheckOptions& options) {
@@ -32,6 +48,10 @@ int perform(const CheckOptions& options) {
     for (const std::string& given : options.scenes) {
         try {
             const std::string file = scene_argument(given);
+            if (const auto film = checked_film(file, options.settings)) {
+                std::fputs(film->c_str(), stdout);
+                continue;
+            }
             const PreparedRun prepared = prepare_run(read_scene(file, options.settings), 1);
             if (!prepared.scene.figure.panels.empty()) {
                 FigureSources sources;
@@ -54,8 +74,8 @@ int perform(const CheckOptions& options) {
 }  // namespace
 
 Command check_command() {
-    return make_command<CheckOptions>("check", "check scenes, and say where they are wrong",
-                                      declare, perform);
+    return make_command<CheckOptions>(
+        "check", "check scenes and films, and say where they are wrong", declare, perform);
 }
 
 }  // namespace fumon

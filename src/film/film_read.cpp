@@ -167,6 +167,12 @@ std::string Film::at(const std::string& key) const {
     return (place == locations.end() ? source : place->second) + ": ";
 }
 
+bool is_film(std::string_view text, const std::string& source) {
+    const toml::table root =
+        parse_toml(text, source, "a scene is TOML: [section] lines and key = value lines");
+    return root.contains("shot") && !root.contains("model");
+}
+
 Film parse_film(std::string_view text, const std::string& source,
                 const std::vector<std::string>& settings) {
     Film film;

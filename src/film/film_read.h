@@ -30,6 +30,9 @@ FilmText film_text(const std::filesystem::path& file);
 Film parse_film(std::string_view text, const std::string& source,
                 const std::vector<std::string>& settings = {});
 
+/// Whether a text is that of a film: it has shots. Throws InputError for what is no TOML.
+bool is_film(std::string_view text, const std::string& source);
+
 /// The film as TOML, every key with its value.
 std::string film_toml(const Film& film);
 

@@ -216,6 +216,7 @@ TEST(CommandLine, EveryShippedSceneIsFine) {
     const ScratchFolder folder;
     const Ended ended = fumon(arguments, folder.path());
     EXPECT_EQ(ended.status, 0) << ended.errors;
+    EXPECT_NE(ended.output.find("films/barchans.toml: fine (a film of 91"), std::string::npos);
 }
 
 }  // namespace
