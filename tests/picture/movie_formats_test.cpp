@@ -124,11 +124,10 @@ TEST(MovieKeys, ComeEverySecond) {
 
 TEST(MovieSky, KeepsItsDither) {
     const TemporaryFolder folder;
-    Movie movie(folder / "m.mp4", 480, 360, 10.0, 18);
+    Movie movie(folder / "m.mp4", 480, 360, 10.0, 23);
     for (int i = 0; i < 12; ++i) movie.add(sky_over_ground(480, 360));
     movie.finish();
-    // With x264's own settings nearly all blocks lose their detail; the sky itself has a fifth
-    // without.
+    // With x264's own settings 60 % of all blocks lose their detail, with ours 20 %.
     EXPECT_LT(played_file(folder / "m.mp4").even_blocks, 0.3);
 }
 
