@@ -65,6 +65,7 @@ PoseNumbers between(const std::array<PoseNumbers, 4>& points, const std::array<d
 std::vector<CameraPose> sampled(const std::vector<CameraPose>& poses) {
     const std::size_t spans = poses.size() - 1;
     std::vector<PoseNumbers> points;
+    points.reserve(poses.size() + 2);
     for (const CameraPose& pose : poses) points.push_back(numbers_of(pose));
     // Ends are mirrored, so that the spline begins and ends in its first and last pose.
     const auto mirrored = [](const PoseNumbers& end, const PoseNumbers& next) {

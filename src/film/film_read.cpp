@@ -117,7 +117,7 @@ class FilmReader {
     }
 
     void apply(const Override& setting) {
-        const std::string place = fmt::format("{}:1", setting.place);
+        std::string place = fmt::format("{}:1", setting.place);
         const Key* key = table_.find(setting.path);
         if (key == nullptr) refuse(setting.path, place);
         if (!is_utf8(setting.value))
@@ -128,7 +128,7 @@ class FilmReader {
         } else {
             holder.insert_or_assign("value", setting.value);
         }
-        assign(*key, *holder.get("value"), [&](const auto&) { return place; });
+        assign(*key, *holder.get("value"), [&](const auto&) -> std::string { return place; });
         film_.locations[setting.path] = setting.place;
     }
 

@@ -55,6 +55,7 @@ FilmSize film_size(const Film& film) {
     }
     if (const NamedSize* named = find_named(named_sizes, settings.size)) return named->size;
     std::vector<std::string> known;
+    known.reserve(named_sizes.size());
     for (const NamedSize& named : named_sizes) known.emplace_back(named.name);
     throw InputError(fmt::format("{}unknown film.size \"{}\"; {}", film.at("film.size"),
                                  settings.size, suggestion(settings.size, known)));

@@ -51,7 +51,8 @@ std::vector<std::string> broken_lines(const Canvas& ruler, const std::string& te
         const std::size_t space = line.rfind(' ');
         const bool between_words = space != std::string::npos && space > 0;
         lines.push_back(trimmed(between_words ? line.substr(0, space) : line));
-        line = (between_words ? line.substr(space + 1) : "") + letter;
+        line = between_words ? line.substr(space + 1) : "";
+        line += letter;
     }
     lines.push_back(trimmed(line));
     return lines;

@@ -127,6 +127,7 @@ ColourTable::ColourTable(const ColourCounts& counts) {
         boxes.push_back(box_of(whole.subspan(cut)));
     }
     std::vector<Colour> table;
+    table.reserve(boxes.size() + 1);
     for (const ColourBox& box : boxes) table.push_back(box.mean);
     if (table.empty()) table.push_back({});
     count_ = static_cast<int>(table.size());
