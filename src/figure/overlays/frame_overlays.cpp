@@ -140,8 +140,8 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
         if (!overlays[number].show) continue;
         // A colour bar's and a plot's colours mean something.
         const OverlayKind kind = overlays[number].kind;
-        const bool shadowed = style.shadowed && kind != OverlayKind::colour_bar &&
-                              kind != OverlayKind::plot;
+        const bool shadowed =
+            style.shadowed && kind != OverlayKind::colour_bar && kind != OverlayKind::plot;
         drawn_.push_back({make_overlay(on, number),
                           shadowed ? 0.0 : overlays[number].opacity,
                           shadowed,
