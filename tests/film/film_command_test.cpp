@@ -51,9 +51,9 @@ class FilmCommandTest : public ::testing::Test {
 };
 
 TEST_F(FilmCommandTest, MakesTheSameFilmOnAnyNumberOfThreads) {
-    write_text(
-        folder_ / "film.toml",
-        std::string(short_film) + "[[card]]\nplace = \"end\"\nground = \"dark\"\nseconds = 0.6\n");
+    write_text(folder_ / "film.toml", std::string(short_film) +
+                                          "[[card]]\nplace = \"end\"\nground = \"dark\"\nseconds = "
+                                          "0.6\nlines = [\"{remake}\"]\n");
     const Ended one = film({"-o", "one.mp4", "--threads", "1"});
     ASSERT_EQ(one.status, 0) << one.errors;
     EXPECT_NE(one.errors.find("one.mp4: 7 frames of 64 x 48 pixels, 1.4 s"), std::string::npos)
