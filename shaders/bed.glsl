@@ -58,6 +58,6 @@ vec3 marked(vec3 albedo, vec2 place) {
     if (marks < 1.5) return mix(albedo, vec3(0.030, 0.120, 0.330), mark);
     // Dry grass between whose tufts sand shows, and weathered rock.
     float ground = (255.0 * mark - 128.0) / 127.0;
-    albedo = mix(albedo, vec3(0.150, 0.150, 0.066), 0.85 * smoothstep(0.0, 0.8, ground));
+    albedo = mix(albedo, vec3(0.140, 0.132, 0.066), 0.9 * smoothstep(0.0, 0.8, ground));
     return mix(albedo, vec3(0.275, 0.195, 0.140), smoothstep(0.2, 0.8, -ground));
 }

@@ -40,6 +40,15 @@ gl::TextureLayout repeated(gl::TextureLayout layout, Ground ground) {
     return layout;
 }
 
+/// Plants and rock pass into sand, other marks end with their cell.
+gl::TextureLayout layout_of(const LookSettings& look) {
+    gl::TextureLayout layout = mark_layout;
+    if (look.mark != Marking::ground) return layout;
+    layout.filter = GL_LINEAR;
+    if (look.ground == Ground::endless) layout.wrap = GL_REPEAT;
+    return layout;
+}
+
 constexpr int noise_texels = 512;  // along the longer side: a dozen to the finest feature
 const gl::TextureLayout noise_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT,
                                      GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
@@ -195,7 +204,7 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
       lighting_(first_bed.z.nx(), first_bed.z.ny(), repeated(lighting_layout, view.look.ground)),
       values_(first_bed.z.nx(), first_bed.z.ny(), repeated(value_layout, view.look.ground)),
       marks_(view.look.mark == Marking::none ? 1 : first.bed.nx(),
-             view.look.mark == Marking::none ? 1 : first.bed.ny(), mark_layout),
+             view.look.mark == Marking::none ? 1 : first.bed.ny(), layout_of(view.look)),
       uncoloured_(colours_water(view.look.colour_by) ? first.bed.nx() : 1,
                   colours_water(view.look.colour_by) ? first.bed.ny() : 1, mark_layout),
       target_(shaded_size(first_bed.z.nx(), first_bed, samples_across),

@@ -8,6 +8,7 @@
 #include "base/elementary_angle.h"
 #include "base/find_named.h"
 #include "base/percentile.h"
+#include "base/random.h"
 #include "base/rounding.h"
 #include "render/view/water.h"
 
@@ -144,6 +145,27 @@ Grid softened(const Grid& field, bool periodic) {
     return both;
 }
 
+/// By what part plants stand less dense in a cell than its cover says, since they grow in tufts and
+/// patches: 0 … 0.6, the same at any time.
+Grid tufts(int nx, int ny, bool periodic) {
+    constexpr double in_patches = 2.5;
+    constexpr double least_dense = 0.6;
+    Grid noise(nx, ny);
+    for (int y = 0; y < ny; ++y) {
+        for (int x = 0; x < nx; ++x) {
+            const auto bits = philox4x32(
+                {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0, 0}, {0, 0});
+            noise(x, y) = static_cast<double>(bits[0]) / 4294967295.0;
+        }
+    }
+    Grid patches = softened(noise, periodic);
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        const double patch = 0.5 + in_patches * (patches.values()[i] - 0.5);
+        patches.values()[i] = least_dense * std::clamp(patch, 0.0, 1.0);
+    }
+    return patches;
+}
+
 /// Plants as parts above 0, rock as parts below.
 Field<std::uint8_t> ground_texels(const Snapshot& snapshot) {
     constexpr double hidden = 0.03;  // m of sand, under which no rock is seen
@@ -158,6 +180,11 @@ Field<std::uint8_t> ground_texels(const Snapshot& snapshot) {
         ground.values()[i] = bare_sand + 127.0 * plants - 128.0 * rock;
     }
     ground = softened(ground, snapshot.periodic);
+    const Grid sparse = tufts(ground.nx(), ground.ny(), snapshot.periodic);
+    for (std::size_t i = 0; i < ground.size(); ++i) {
+        const double plants = ground.values()[i] - bare_sand;
+        if (plants > 0.0) ground.values()[i] = bare_sand + plants * (1.0 - sparse.values()[i]);
+    }
     Field<std::uint8_t> texels(ground.nx(), ground.ny());
     std::ranges::transform(ground.values(), texels.values().begin(), [](double value) {
         return static_cast<std::uint8_t>(nearest(static_cast<float>(value)));
