@@ -93,7 +93,6 @@ double largest_difference(const Grid& a, const Grid& b, WorkerPool& pool) {
 }
 
 constexpr int most_substeps = 5000;
-constexpr double metres_per_second = 1.0 / 3.6e6;  // of a millimetre per hour
 
 template <class Value>
 double sum_of(const Grid& grid, const Mask& nodata, Value value) {
@@ -183,11 +182,11 @@ double Gully::rain_rate(double elapsed, double dt) const {
     if (!parameters_.rain_times.empty()) {
         return mean_of_stairs(parameters_.rain_times, parameters_.rain_rates, elapsed,
                               elapsed + dt) *
-               metres_per_second;
+               millimetre_per_hour;
     }
     const double until = parameters_.rain_until > 0.0 ? parameters_.rain_until : elapsed + dt;
     const double raining = std::clamp(until - elapsed, 0.0, dt) / dt;
-    return raining * parameters_.rain * metres_per_second;
+    return raining * parameters_.rain * millimetre_per_hour;
 }
 
 void Gully::sub_step(double dt, double& elapsed) {

@@ -9,7 +9,6 @@ namespace fumon {
 
 namespace {
 
-constexpr double metres_per_second = 1.0 / 3.6e6;  // of a millimetre per hour
 constexpr double hour = 3600.0;
 
 }  // namespace
@@ -17,8 +16,8 @@ constexpr double hour = 3600.0;
 Infiltration::Infiltration(const GullyParameters& parameters, double cell_area, int nx, int ny,
                            WorkerPool& pool)
     : law_(parameters.infiltration),
-      rate_(parameters.infiltration_rate * metres_per_second),
-      start_(parameters.infiltration_start * metres_per_second),
+      rate_(parameters.infiltration_rate * millimetre_per_hour),
+      start_(parameters.infiltration_start * millimetre_per_hour),
       decay_(parameters.infiltration_decay / hour),
       suction_(parameters.suction_head * parameters.moisture_deficit),
       cell_area_(cell_area),

@@ -10,6 +10,8 @@
 
 namespace fumon {
 
+inline constexpr double millimetre_per_hour = 1.0 / 3.6e6;  ///< in m/s
+
 /// Depth-averaged water, nx × ny each; velocities are 0 where it is dry.
 struct Water {
     Grid depth;       ///< h, m
