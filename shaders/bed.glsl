@@ -52,12 +52,24 @@ BedPoint slanting_bed_point(vec2 place, vec2 along, vec2 across) {
 
 vec3 direction_to_eye(vec3 point) { return mix(normalize(eye - point), eye_axis, parallel); }
 
+// Of plants, and of rock on which no sand lies.
+vec2 plants_and_rock(vec2 place) {
+    float ground = (255.0 * texture(mark_map, place).r - 128.0) / 127.0;
+    return vec2(smoothstep(0.0, 0.8, ground), smoothstep(0.2, 0.8, -ground));
+}
+
+// How far a place is bare sand, in which ripples stand.
+float bare_sand(vec2 place) {
+    if (marks < 1.5) return 1.0;
+    vec2 others = plants_and_rock(place);
+    return (1.0 - others.x) * (1.0 - others.y);
+}
+
 vec3 marked(vec3 albedo, vec2 place) {
     if (marks < 0.5) return albedo;
-    float mark = texture(mark_map, place).r;
-    if (marks < 1.5) return mix(albedo, vec3(0.030, 0.120, 0.330), mark);
+    if (marks < 1.5) return mix(albedo, vec3(0.030, 0.120, 0.330), texture(mark_map, place).r);
     // Dry grass between whose tufts sand shows, and weathered rock.
-    float ground = (255.0 * mark - 128.0) / 127.0;
-    albedo = mix(albedo, vec3(0.140, 0.132, 0.066), 0.9 * smoothstep(0.0, 0.8, ground));
-    return mix(albedo, vec3(0.275, 0.195, 0.140), smoothstep(0.2, 0.8, -ground));
+    vec2 others = plants_and_rock(place);
+    albedo = mix(albedo, vec3(0.140, 0.132, 0.066), 0.9 * others.x);
+    return mix(albedo, vec3(0.275, 0.195, 0.140), others.y);
 }

@@ -7,7 +7,7 @@ uniform float ripple_length;  // block lengths
 uniform float sample_angle;   // between two samples
 
 uniform sampler2D offsets;     // of what samples see from the eye, and lengths, of world_seen.frag.glsl; nothing seen: 0
-uniform sampler2D albedo_map;  // roots, of shade_albedo.frag.glsl
+uniform sampler2D albedo_map;  // roots and bare sand, of shade_albedo.frag.glsl
 out vec4 colour;
 
 // A place on the ground, and how it changes to the next sample along both sides of the picture.
@@ -65,10 +65,9 @@ float grain(SeenPlace at) {
     return mix(value_noise(place), value_noise(0.5 * place + 31.7), octave - whole);
 }
 
-vec3 sand_albedo(SeenPlace at, float brighter) {
-    vec3 root = textureGrad(albedo_map, bed_place(at), at.along.xy / extent, at.up.xy / extent).rgb;
-    return root * root * (1.0 + brighter);
-}
+vec4 sand_colour(SeenPlace at) { return textureGrad(albedo_map, bed_place(at), at.along.xy / extent, at.up.xy / extent); }
+
+vec3 albedo_of(vec4 sand, float brighter) { return sand.rgb * sand.rgb * (1.0 + brighter); }
 
 // What the eye gets of light that leaves the ground.
 vec4 seen(vec3 light, SeenPlace at, vec3 to_eye) {

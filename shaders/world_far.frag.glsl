@@ -12,6 +12,6 @@ void main() {
     SeenPlace at = far_place();
     BedPoint point = slanting_bed_point(bed_place(at), at.along.xy / extent, at.up.xy / extent);
     vec3 to_eye = -normalize(at.offset);
-    vec3 albedo = sand_albedo(at, 0.10 * sand_grain * grain(at));
+    vec3 albedo = albedo_of(sand_colour(at), 0.10 * sand_grain * grain(at));
     colour = seen(ground_light(albedo, point, to_eye, 1.0), at, to_eye);
 }

@@ -50,7 +50,8 @@ void main() {
     float footprint = abs(turns(at.along)) + abs(turns(at.up));
     vec3 wave = ripples(offset, wander);
     float open = textureGrad(wind_map, place, place_along, place_up).r;
-    float standing = wave.z * (0.75 + 0.35 * value_noise(wander * 0.21 + 9.1)) * smoothstep(0.15, 0.6, open) * (1.0 - smoothstep(0.488, 0.601, steep));
+    vec4 sand = sand_colour(at);
+    float standing = sand.a * wave.z * (0.75 + 0.35 * value_noise(wander * 0.21 + 9.1)) * smoothstep(0.15, 0.6, open) * (1.0 - smoothstep(0.488, 0.601, steep));
     float resolved = standing * (1.0 - smoothstep(0.15, 0.45, footprint));
     vec2 turned = wind - 0.8 * slope;
     turned /= max(length(turned), 0.2);
@@ -65,7 +66,7 @@ void main() {
     tilt += lee * (0.045 * slid * tongue);
 
     point.normal = normalize(vec3(-slope - tilt, 1.0));
-    vec3 albedo = sand_albedo(at, 0.10 * sand_grain * grain(at) + 0.03 * slid * tongue);
+    vec3 albedo = albedo_of(sand, 0.10 * sand_grain * grain(at) + 0.03 * slid * tongue);
     // Troughs see less of the sky.
     point.sky *= 1.0 + 0.4 * ripple_slope * resolved * (wave.y - 1.0);
     colour = seen(ground_light(albedo, point, to_eye, 1.0), at, to_eye);

@@ -117,6 +117,22 @@ TEST(WorldLayer, RipplesMoveWithTheRun) {
     EXPECT_EQ(picture(view, bed), bare);
 }
 
+TEST(WorldLayer, RipplesStandInBareSandAlone) {
+    Snapshot bed = repeated_dunes(420, 400);
+    View view = golden_hour();
+    view.camera.at = {200.0, 150.0, 2.0};
+    view.look.mark = Marking::ground;
+    const auto ripples_seen = [&](double sand) {
+        bed.fields = {{"sand", "", "m", Grid(bed.bed.nx(), bed.bed.ny(), sand)}};
+        view.look.ripples = 1.0;
+        const Image with = picture(view, bed);
+        view.look.ripples = 0.0;
+        return with != picture(view, bed);
+    };
+    EXPECT_TRUE(ripples_seen(1.0));
+    EXPECT_FALSE(ripples_seen(0.0)) << "rock";
+}
+
 /// Known visibility takes the place of sun.haze around a block on a table.
 TEST(WorldLayer, ABlockInClearAirHasNoHaze) {
     View view = small_view();
