@@ -6,6 +6,7 @@
 #include "light.glsl"
 #include "noise.glsl"
 #include "sky.glsl"
+#include "stars.glsl"
 
 uniform vec3 ray_origin;
 uniform vec3 ray_right;    // origin or direction moves by these over the picture
@@ -46,6 +47,7 @@ void main() {
         light = plain(point, view);
     } else {
         light = sky(view);
+        if (stars > 0.5) light += starlight(view);
     }
     ivec2 pixel = ivec2(gl_FragCoord.xy + tile_pixel);
     float dither = hash(pixel) + hash(pixel + ivec2(7919, 104729)) - 1.0;

@@ -5,17 +5,13 @@ uniform float natural;  // 1: sand and rock by themselves, 0: the palette
 uniform float rock;     // 0 sand … 1 mountains
 uniform sampler2D noise_map;  // of ground_noise.frag.glsl
 
-#ifndef SAND_CREST
-#define SAND_CREST vec3(0.800, 0.500, 0.235)
-#define SAND_TROUGH vec3(0.600, 0.315, 0.120)
-#endif
+uniform vec3 sand_crest;
+uniform vec3 sand_trough;
 
 vec3 sand(float broad, float fine, BedPoint point, float height) {
-    vec3 crest = SAND_CREST;
-    vec3 trough = SAND_TROUGH;
     float open = clamp(0.35 + 0.45 * height + 0.9 * (point.sky - 0.85), 0.0, 1.0);
     open = clamp(open + 0.10 * broad + 0.04 * fine, 0.0, 1.0);
-    return mix(trough, crest, open) * (1.0 + 0.035 * broad + 0.02 * fine);
+    return mix(sand_trough, sand_crest, open) * (1.0 + 0.035 * broad + 0.02 * fine);
 }
 
 vec3 mountain(float broad, BedPoint point, float height) {

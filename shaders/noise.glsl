@@ -21,6 +21,21 @@ float value_noise(vec2 p) {
     return 2.0 * mix(south, north, t.y) - 1.0;
 }
 
+// The same, and its slope along x and y.
+vec3 sloped_noise(vec2 p) {
+    vec2 whole = floor(p);
+    vec2 t = p - whole;
+    vec2 rise = 6.0 * t * (1.0 - t);
+    t = t * t * (3.0 - 2.0 * t);
+    ivec2 cell = ivec2(whole);
+    float south_west = hash(cell);
+    float east = hash(cell + ivec2(1, 0)) - south_west;
+    float north = hash(cell + ivec2(0, 1)) - south_west;
+    float twist = hash(cell + ivec2(1, 1)) - south_west - east - north;
+    return 2.0 * vec3(south_west + east * t.x + north * t.y + twist * t.x * t.y - 0.5,
+                      rise * vec2(east + twist * t.y, north + twist * t.x));
+}
+
 // The same with a whole number of features to each period of p.
 float periodic_noise(vec2 p, ivec2 period) {
     vec2 whole = floor(p);

@@ -20,12 +20,17 @@ out vec4 colour;  // alpha: how much of the grain is seen
 // Wet sand: water between the grains leads light deeper in, so less of it comes back.
 vec3 wetted(vec3 albedo, float damp) { return mix(albedo, albedo * (0.30 + 0.42 * albedo), damp); }
 
-float foam_cover(vec2 world, Water water) {
+// White water where it shoots, most where it is rougher than usual or its surface is steep: at fronts and jumps. A film
+// is too thin to hold air.
+float foam_cover(vec2 place, vec2 world, Water water) {
     float shooting = smoothstep(0.9, 1.3, water.froude);
     if (shooting == 0.0) return 0.0;
     float rougher = smoothstep(1.05, 1.6, water.froude / max(usual_froude, 0.9));
+    float front = smoothstep(0.06, 0.30, length(texture(water_slope_map, place).xy));
+    float stirred = max(0.6 * rougher, front);
+    float deep = smoothstep(0.05, 0.25, water.depth / clarity);
     float pattern = 0.5 + 0.5 * streaks(world, water.flow, 1.1);
-    return shooting * water.film * smoothstep(0.44, mix(1.20, 0.94, rougher), pattern) * mix(0.09, 0.90, rougher);
+    return shooting * deep * smoothstep(0.44, mix(1.20, 0.90, stirred), pattern) * mix(0.06, 0.85, stirred);
 }
 
 void main() {
@@ -60,7 +65,7 @@ void main() {
         float glint = lobe * lobe * lobe;
         vec3 surface = mix(below, reflected, min(1.3 * fresnel, 1.0)) + sun_light * (point.sun * glint);
 
-        float foam = foam_cover(world, water);
+        float foam = foam_cover(place, world, water);
         vec3 foam_light = vec3(0.86, 0.88, 0.88) * (sun_light * point.sun * (0.25 + 0.75 * n_dot_l) + sky_light * point.sky);
         surface = mix(surface, foam_light, foam);
         light = mix(light, surface, water.film);

@@ -1,14 +1,18 @@
 #version 330 core
-// The cut sides of the block: layers of sand, as in a dune's trench.
+// The cut sides of the block: soil, or layers of sand as in a dune's trench.
 #include "colour.glsl"
 #include "light.glsl"
 #include "noise.glsl"
 #include "bed.glsl"
+#include "sky.glsl"
 #include "water_body.glsl"
+#include "spade_cut.glsl"
 
 uniform float base;
 uniform float figure;  // 1: plain and grey
 uniform float rock;
+uniform float soil;  // 1: cut by a spade
+uniform float clarity;  // depth of water at which the bed is half hidden, block lengths
 
 uniform sampler2D seen;      // grounds and surfaces, of side.vert.glsl
 uniform vec2 height_range;
@@ -17,13 +21,13 @@ in vec3 world_point;
 in vec2 outward;
 out vec4 colour;
 
-void main() {
-    vec2 levels = mix(height_range.xx, height_range.yy, texelFetch(seen, ivec2(gl_FragCoord.xy), 0).xy);
-    float ground = levels.x;
-    float surface = levels.y;  // above the ground where water stands on it
-    float along = world_point.x + world_point.y;
-    float depth = ground - world_point.z;
-    // Sets of cross-beds: thick layers that undulate, each filled with thin laminae of its own dip.
+// Sets of cross-beds: thick layers that undulate, each filled with thin laminae of its own dip.
+struct Layers {
+    vec3 albedo;
+    float lamina;  // −1 … 1
+};
+
+Layers layers_at(float along) {
     float undulation = 0.55 * value_noise(vec2(along * 2.3, 4.5)) + 0.22 * value_noise(vec2(along * 7.1, 8.5));
     float sets = world_point.z * 52.0 + undulation;
     float set_number = floor(sets);
@@ -37,19 +41,78 @@ void main() {
     float tone = 0.26 + 0.34 * set_tone + 0.09 * lamina + 0.20 * (speck - 0.5) - 0.10 * smoothstep(0.90, 1.0, within);
     vec3 albedo = mix(vec3(0.54, 0.335, 0.175), vec3(0.74, 0.515, 0.30), clamp(tone, 0.0, 1.0));
     albedo = mix(albedo, mix(vec3(0.36, 0.215, 0.135), vec3(0.60, 0.43, 0.295), clamp(tone, 0.0, 1.0)), rock);
+    return Layers(albedo, lamina);
+}
+
+// Across the nearest of eight directions to the face's, so that steps along a rim do not fold what is drawn on them.
+vec2 along_face() {
+    vec2 size = abs(outward);
+    const float steep = 2.414;  // tangent of 67.5 degrees
+    if (size.x > steep * size.y) return vec2(0.0, sign(outward.x));
+    if (size.y > steep * size.x) return vec2(-sign(outward.y), 0.0);
+    return 0.7071 * vec2(-sign(outward.y), sign(outward.x));
+}
+
+// Water, cut through: lit from above through what stands over the point.
+vec3 water_cut(vec3 to_eye, float sun, float below_surface, float above_bed) {
+    vec3 down = sun_light * max(to_sun.z, 0.15) + sky_light;
+    vec3 body = water_body_colour() * (1.4 * down * transmitted(0.6 * below_surface / clarity) + 0.3 * sun_light * sun);
+    // A little of the bed's own light, near it.
+    vec3 bed = mix(sand_trough, sand_crest, 0.5) * 0.35 * down * transmitted(0.5 * (below_surface + 2.0 * above_bed) / clarity + 0.4);
+    float facing = max(dot(vec3(outward, 0.0), to_eye), 0.0);
+    float grazing = (1.0 - facing) * (1.0 - facing);
+    float fresnel = 0.03 + 0.97 * grazing * grazing * (1.0 - facing);
+    vec3 mirrored = reflect(-to_eye, vec3(outward, 0.0));
+    vec3 around = mirrored.z < 0.0 ? vec3(0.45, 0.38, 0.29) * down : sky(mirrored);
+    vec3 light = mix(body + bed, around, fresnel);
+    float brim = exp(-below_surface * pixels * 0.9);  // the surface from below mirrors and breaks the light
+    return mix(light, 0.5 * sky_light + 0.35 * sun_light, 0.28 * brim);
+}
+
+void main() {
+    vec2 levels = mix(height_range.xx, height_range.yy, texelFetch(seen, ivec2(gl_FragCoord.xy), 0).xy);
+    float ground = levels.x;
+    float surface = levels.y;  // above the ground where water stands on it
+    float depth = ground - world_point.z;
     vec3 normal = vec3(outward, 0.0);
+    vec3 to_eye = direction_to_eye(world_point);
+    float level_sun = max(dot(normal, to_sun), 0.0);
+    vec3 albedo;
+    float lamina = 0.0;
+    float rim;
+    if (soil > 0.5) {
+        vec2 along = along_face();
+        vec2 at = vec2(dot(world_point.xy, along), world_point.z);
+        Cut cut = sand_cut(at, depth);
+        if (rock > 0.0) {
+            Cut earth = earth_cut(at, depth);
+            cut = Cut(mix(cut.albedo, earth.albedo, rock), mix(cut.slope, earth.slope, rock));
+        }
+        albedo = cut.albedo;
+        normal = normalize(normal - vec3(cut.slope.x * along, cut.slope.y));
+        rim = 1.0;
+    } else {
+        Layers layers = layers_at(world_point.x + world_point.y);
+        albedo = layers.albedo;
+        lamina = layers.lamina;
+        rim = 1.0 - 0.22 * exp(-depth * 160.0);  // the damp edge under the surface
+    }
     float sun = max(dot(normal, to_sun), 0.0);
     float above_ground = clamp((world_point.z - base) / 0.10, 0.0, 1.0);
     float open = 0.34 + 0.24 * above_ground;  // half the sky, less near the ground
     vec3 bounce = 0.42 * (sun_light * max(to_sun.z, 0.15) + 0.5 * sky_light) * vec3(0.78, 0.62, 0.44) *
                   (0.35 + 0.65 * max(0.5 + 0.5 * dot(normalize(to_sun.xy), outward), sun));
-    float rim = 1.0 - 0.22 * exp(-depth * 160.0);  // the damp edge under the surface
-    vec3 light = albedo * rim * (sun_light * 0.85 * sun + sky_light * open + bounce);
+    vec3 light = albedo * rim * (sun_light * 0.85 * sun + sky_light * open * (1.0 + 0.7 * normal.z) + bounce * (1.0 - 0.7 * normal.z));
     if (world_point.z > ground && surface > ground) {  // water, cut through
-        float up = (surface - world_point.z) / (surface - ground);
-        light = mix(water_body_colour() * 1.6, vec3(0.10, 0.20, 0.22), 0.5 - 0.4 * up) * (sun_light * (0.35 + 0.5 * sun) + sky_light);
+        float below = surface - world_point.z;
+        if (soil > 0.5) {
+            light = water_cut(to_eye, level_sun, below, world_point.z - ground);
+        } else {
+            float up = below / (surface - ground);
+            light = mix(water_body_colour() * 1.6, vec3(0.10, 0.20, 0.22), 0.5 - 0.4 * up) * (sun_light * (0.35 + 0.5 * sun) + sky_light);
+        }
     }
-    vec3 scenic = tone_curve(with_haze(light, world_point, -direction_to_eye(world_point)));
+    vec3 scenic = tone_curve(with_haze(light, world_point, -to_eye));
     float grey = 0.42 + 0.25 * sun + 0.05 * lamina;
     colour = vec4(display_from_linear(mix(scenic, vec3(grey) * vec3(1.0, 0.97, 0.93), figure)), 1.0);
 }

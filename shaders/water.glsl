@@ -43,7 +43,8 @@ float streaks(vec2 world, vec2 flow, float fineness) {
 vec2 ripple_slope(vec2 world, Water water) {
     vec2 across = vec2(-water.flow.y, water.flow.x);
     vec2 gradient = 2.0 * texture(streak_map, world * 0.35).gb - 1.0;
-    float strength = 0.11 * smoothstep(0.02, 0.5, water.froude) * water.film;
+    gradient += 1.2 * (2.0 * texture(streak_map, world.yx * 1.3 + 0.31).bg - 1.0);
+    float strength = mix(0.03, 0.14, smoothstep(0.02, 0.6, water.froude)) * water.film;
     return strength * (gradient - 0.6 * dot(gradient, across) * across);
 }
 
@@ -54,11 +55,4 @@ vec3 water_normal(vec2 place, vec2 world, BedPoint bed, Water water) {
     slope /= 1.0 + 0.5 * length(slope);  // an exaggerated surface does not mirror only the horizon
     slope += ripple_slope(world, water);
     return normalize(vec3(-slope, 1.0));
-}
-
-// What is left of light after a way through the water (Beer–Lambert), in units of `clarity`: clear
-// water takes the red first, silt the blue.
-vec3 transmitted(float way) {
-    vec3 absorbed = mix(vec3(1.75, 0.62, 0.50), vec3(0.62, 0.85, 1.45), turbidity);
-    return exp(-0.693 * way * absorbed);
 }

@@ -2,3 +2,10 @@
 uniform float turbidity;  // 0 clear … 1 muddy
 
 vec3 water_body_colour() { return mix(vec3(0.018, 0.105, 0.140), vec3(0.30, 0.185, 0.085), turbidity); }
+
+// What is left of light after a way through the water (Beer–Lambert), in units of `clarity`: clear
+// water takes the red first, silt the blue.
+vec3 transmitted(float way) {
+    vec3 absorbed = mix(vec3(1.75, 0.62, 0.50), vec3(0.62, 0.85, 1.45), turbidity);
+    return exp(-0.693 * way * absorbed);
+}

@@ -37,6 +37,9 @@ void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile&
     program_.set("ray_up", glm::vec3(camera.up * camera.half.y));
     program_.set("ray_forward", glm::vec3(camera.forward));
     program_.set("endless", view_.look.ground == Ground::endless ? 1.0F : 0.0F);
+    program_.set("stars", light.stars ? 1.0F : 0.0F);
+    program_.set("pixel",
+                 static_cast<float>(2.0 * camera.half.y / static_cast<double>(view_.image.height)));
     program_.set("base", static_cast<float>(block_.base));
     floor_.bind(0);
     program_.set("floor_map", 0);

@@ -9,6 +9,7 @@
 #include "base/resampling.h"
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
+#include "render/colour/sand_colours.h"
 #include "render/view/repeated_bed.h"
 
 namespace fumon {
@@ -130,7 +131,8 @@ float extinction(const View& view, const Camera& camera, const Block& block) {
     const bool known = !view.air.visibility.is_word();
     if (!known && view.look.ground != Ground::endless) return -1.0F;
     if (!camera.perspective) return 0.0F;
-    const double visibility = known ? view.air.visibility.value : usual;
+    const double clear = usual * std::min(1.0, 2.0 / std::max(view.sun.dust, 1e-3));
+    const double visibility = known ? view.air.visibility.value : clear;
     return static_cast<float>(contrast_log / visibility * block.kilometres);
 }
 
@@ -138,6 +140,7 @@ float extinction(const View& view, const Camera& camera, const Block& block) {
 
 gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& block) {
     const Tone tone = chosen_tone(view.look);
+    const bool scenic = view.look.mode == ViewMode::scenic;
     return {{"tone", tone_number(tone)},
             {"punch", switched(tone == Tone::agx_punchy)},
             {"atmosphere", switched(light.atmosphere)},
@@ -146,6 +149,7 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
             {"marks", mark_number(view.look.mark)},
             {"tinted", switched(!colours_water(view.look.colour_by))},
             {"figure", switched(view.look.mode == ViewMode::figure)},
+            {"soil", switched(view.look.sides == BlockSides::soil && scenic)},
             {"rock", static_cast<float>(block.rock)}};
 }
 
@@ -190,6 +194,12 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
                 by_distance >= 0.0F ? -1.0F : static_cast<float>(elementary::log(left)));
     program.set("extinction", by_distance);
     program.set("haze_eye", glm::vec3(camera.eye));
+}
+
+void set_sand(const gl::Program& program, const LookSettings& look) {
+    const SandColours sand = sand_colours(look);
+    program.set("sand_crest", sand.crest);
+    program.set("sand_trough", sand.trough);
 }
 
 BedShading::BedShading(const View& view, const Block& block, const Snapshot& first,
@@ -297,6 +307,7 @@ void BedShading::bind(const gl::Program& program) const {
     program.set("marks", mark_number(view_.look.mark));
     program.set("natural", view_.look.colour_by == Colouring::natural ? 1.0F : 0.0F);
     program.set("rock", static_cast<float>(block_.rock));
+    set_sand(program, view_.look);
 }
 
 void BedShading::shade(const Light& light, const Camera& camera) {

@@ -29,6 +29,9 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
 void set_light(const gl::Program& program, const View& view, const Light& light,
                const Camera& camera, const Block& block);
 
+/// Sets sand_crest and sand_trough of shaders/ground.glsl and shaders/spade_cut.glsl.
+void set_sand(const gl::Program& program, const LookSettings& look);
+
 /// The bed's colour as the eye sees it, as a texture over the bed: each place is shaded once, and
 /// the many samples of a picture only look it up.
 class BedShading {
@@ -54,6 +57,8 @@ class BedShading {
 
     /// The values at the palette's ends in what was shaded last.
     [[nodiscard]] std::pair<double, double> range() const { return range_; }
+    /// The depth of water at which the bed is half hidden there, metres; 1 without water.
+    [[nodiscard]] double clarity() const { return water_ ? water_->clarity() : 1.0; }
     [[nodiscard]] const gl::Texture2D& colours() const { return target_.colour(); }
 
   private:

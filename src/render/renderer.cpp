@@ -73,11 +73,14 @@ TilePlan plan_of(const View& view, const RenderLimits& limits) {
 const gl::TextureLayout sky_layout{GL_RGB32F, GL_RGB, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
 
 Light light_of(const View& view) {
+    const bool needed = view.look.ground == Ground::endless ||
+                        view.sun.source == LightSource::moon || view.air.planet != Planet::earth;
     const bool atmosphere =
-        view.look.sky == SkyModel::atmosphere ||
-        (view.look.sky == SkyModel::automatic && view.look.ground == Ground::endless);
-    const bool scenic = view.look.mode == ViewMode::scenic;
-    return atmosphere && scenic ? make_atmospheric_light(view.sun) : make_light(view.sun);
+        view.look.sky == SkyModel::atmosphere || (view.look.sky == SkyModel::automatic && needed);
+    if (view.look.sky == SkyModel::overcast && view.look.mode == ViewMode::scenic)
+        return make_overcast_light(view.sun);
+    if (!atmosphere || view.look.mode != ViewMode::scenic) return make_light(view.sun);
+    return make_atmospheric_light(view.sun, view.air.planet);
 }
 
 /// Of what a sample sees: a place on the block, or an offset from the eye over endless ground.
@@ -356,11 +359,12 @@ Image Renderer::draw(const Snapshot& snapshot, const Block& framed, const Camera
                          water ? &*water : nullptr);
         p.sky.bind(sky_unit);
         p.shading.shade(p.light, camera);
+        const auto rise = static_cast<float>(p.block.height_scale / snapshot.scale.height_unit);
         if (water) {
-            const auto rise = static_cast<float>(p.block.height_scale / snapshot.scale.height_unit);
             for (float& depth : water->depth.values()) depth *= rise;
         }
         p.terrain.set_bed(bed, water ? &water->depth : nullptr, camera);
+        p.terrain.set_clarity(rise * static_cast<float>(p.shading.clarity()));
     }
     if (p.air && snapshot.section) p.air->set_air(snapshot, framed, camera, p.pool);
 

@@ -298,6 +298,9 @@ void TerrainLayer::colour_surface(const gl::Texture2D& colours) const {
 void TerrainLayer::colour_sides(const Light& light, const Camera& camera) const {
     set_light(side_colours_, view_, light, camera, block_);
     side_colours_.set("turbidity", static_cast<float>(view_.look.turbidity));
+    set_sand(side_colours_, view_.look);
+    side_colours_.set("pixels", static_cast<float>(pixels_per_length(camera, view_)));
+    side_colours_.set("clarity", clarity_);
     side_colours_.set("base", static_cast<float>(block_.base));
     side_colours_.set("rock", static_cast<float>(block_.rock));
     side_colours_.set("figure", view_.look.mode == ViewMode::figure ? 1.0F : 0.0F);

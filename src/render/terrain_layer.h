@@ -32,6 +32,9 @@ class TerrainLayer {
     /// added to the bed if given.
     void set_bed(const DisplayBed& bed, const Field<float>* water_depth, const Camera& camera);
 
+    /// The depth of water at which the bed is half hidden, in block lengths.
+    void set_clarity(float clarity) { clarity_ = clarity; }
+
     /// Draws what each sample sees into the bound target of two numbers 0 … 1 and its cleared
     /// stencils: of the surface the place east and north, of the sides the ground and the surface
     /// over it, see side.vert.glsl. The stencil says which of them it is.
@@ -71,6 +74,7 @@ class TerrainLayer {
     TerrainMesher mesher_;
     std::vector<float> surface_;  // heights of the lattice's vertices, water included
     GLsizei indices_ = 0;
+    float clarity_ = 1.0F;
     /// Faces with one stencil, as they are drawn and as they are coloured: by themselves, or where
     /// all are in one plane by one rectangle around them.
     struct Faces {

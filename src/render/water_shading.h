@@ -20,6 +20,9 @@ class WaterShading {
     /// Sets the uniforms of the program in use; its textures take the units from `unit` on.
     void set_uniforms(const gl::Program& program, int unit) const;
 
+    /// The depth at which the bed is half hidden in what was taken last, metres.
+    [[nodiscard]] double clarity() const { return clarity_; }
+
   private:
     View view_;
     Block block_;

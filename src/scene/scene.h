@@ -77,7 +77,10 @@ struct CameraSettings {
     double turn = 0.0;  ///< degrees of azimuth added over the whole run
 };
 
+enum class LightSource { sun, moon };
+
 struct SunSettings {
+    LightSource source = LightSource::sun;
     double azimuth = 300.0;   ///< degrees clockwise from north
     double elevation = 24.0;  ///< degrees above the horizon
     double diameter = 2.5;    ///< apparent, degrees: the width of the penumbra
@@ -87,7 +90,10 @@ struct SunSettings {
     double haze = 0.35;  ///< aerial perspective at the far edge of the block, 0 … 1
 };
 
+enum class Planet { earth, mars };
+
 struct AirSettings {
+    Planet planet = Planet::earth;
     WordOrReal visibility{"auto", 0.0};  ///< km, how far dark things are seen
 };
 
@@ -95,8 +101,10 @@ enum class Colouring { natural, height, slope, change, water_depth, speed, froud
 enum class ViewMode { scenic, figure };
 enum class Marking { none, last_avalanche, ground };
 enum class Ground { automatic, table, endless };
-enum class SkyModel { automatic, two_colours, atmosphere };
+enum class SkyModel { automatic, two_colours, atmosphere, overcast };
 enum class Tone { automatic, filmic, agx, agx_punchy, neutral };
+enum class BlockSides { soil, layers };
+enum class SandKind { quartz, iron_red, gypsum, carbonate, basalt, martian };
 enum class Datum { automatic, first, mean };
 
 struct LookSettings {
@@ -114,6 +122,8 @@ struct LookSettings {
     double exposure = 0.0;  ///< stops
     WordOrReal contrast{"auto", 0.0};
     bool block_sides = true;
+    BlockSides sides = BlockSides::soil;
+    SandKind sand = SandKind::quartz;
     double grain = 0.5;            ///< visible texture of the sand, 0 … 1
     double ripples = 1.0;          ///< steepness of wind ripples on endless ground, 0 … 1
     WordOrReal room{"auto", 0.0};  ///< heights framed above the first bed

@@ -175,6 +175,12 @@ void list_view_keys(View& view, KeyTable& table) {
         {.unit = "degrees", .range = {-36000, 36000}, .help = "azimuth added evenly over the run"});
 
     SunSettings& sun = view.sun;
+    table.choice("sun.source", sun.source,
+                 {{LightSource::sun, "sun", "daylight"},
+                  {LightSource::moon, "moon",
+                   "a clear night under a full moon at the sun's place: dark, bluish as eyes see "
+                   "it, stars"}},
+                 {.help = "what the light comes from"});
     table.real("sun.azimuth", sun.azimuth,
                {.unit = "degrees",
                 .range = {-360, 360},
@@ -195,9 +201,16 @@ void list_view_keys(View& view, KeyTable& table) {
     table.real("sun.haze", sun.haze,
                {.range = {0, 1}, .help = "aerial perspective at the far edge of the block"});
 
+    table.choice("air.planet", view.air.planet,
+                 {{Planet::earth, "earth", "blue sky"},
+                  {Planet::mars, "mars",
+                   "thin air full of fine dust: butterscotch sky, blue around a low sun"}},
+                 {.help = "whose air scatters the light, for the sky \"atmosphere\""});
     table.word_or_real(
         "air.visibility", view.air.visibility,
-        {{"auto", "40 km over endless ground; around a block on a table as sun.haze says"}},
+        {{"auto",
+          "40 km over endless ground, 80 km over sun.dust where that is less; around a block on a "
+          "table as sun.haze says"}},
         {.unit = "km",
          .range = {1e-4, 1e5},
          .help = "how far dark things are seen: haze by distance (Koschmieder 1924); without "
@@ -254,10 +267,13 @@ void list_view_keys(View& view, KeyTable& table) {
         {.help = "what lies around the bed", .earlier = {"0.2.0", "\"table\""}});
     table.choice(
         "look.sky", look.sky,
-        {{SkyModel::automatic, "auto", "atmosphere over endless ground, else two-colours"},
+        {{SkyModel::automatic, "auto",
+          "atmosphere over endless ground, by night and on Mars, else two-colours"},
          {SkyModel::two_colours, "two-colours", "from the horizon's colour to the zenith's"},
          {SkyModel::atmosphere, "atmosphere",
-          "sunlight scattered by air, aerosol and ozone (Hillaire 2020)"}},
+          "sunlight scattered by air, aerosol and ozone (Hillaire 2020)"},
+         {SkyModel::overcast, "overcast",
+          "an even cover of clouds, next to no sun (the CIE's overcast sky)"}},
         {.help = "how sky, haze and the light from the sky are made"});
     table.choice(
         "look.tone", look.tone,
@@ -274,6 +290,20 @@ void list_view_keys(View& view, KeyTable& table) {
         {.range = {0.2, 4}, .help = "of light before the tone curve: a power around middle grey"});
     table.boolean("look.block_sides", look.block_sides,
                   {.help = "draw the cut sides of the block"});
+    table.choice("look.sides", look.sides,
+                 {{BlockSides::soil, "soil",
+                   "as a spade cuts it: damp sand under a dry skin, earth with stones"},
+                  {BlockSides::layers, "layers", "sets of cross-beds, as in a dune's trench"}},
+                 {.help = "what the block's sides show in a scenic view",
+                  .earlier = {"0.2.0", "\"layers\""}});
+    table.choice("look.sand", look.sand,
+                 {{SandKind::quartz, "quartz", "golden, as most dunes are"},
+                  {SandKind::iron_red, "iron-red", "coated with iron oxide: Namib, Simpson Desert"},
+                  {SandKind::gypsum, "gypsum", "white: White Sands"},
+                  {SandKind::carbonate, "carbonate", "pale cream, of shells and corals"},
+                  {SandKind::basalt, "basalt", "black: Iceland, Hawaii"},
+                  {SandKind::martian, "mars", "basalt with a veil of red dust"}},
+                 {.help = "colour of sand that is coloured \"natural\""});
     table.real("look.grain", look.grain, {.range = {0, 1}, .help = "visible grain of the sand"});
     table.real("look.ripples", look.ripples,
                {.range = {0, 1},

@@ -103,6 +103,29 @@ glm::dvec3 adapted_white(const glm::dvec3& day, const glm::dvec3& now) {
     return white;
 }
 
+/// Of sunlight: what rods see of the moon's.
+glm::vec3 by_night(const glm::vec3& light) {
+    constexpr float share = 0.25F;     // of the exposure by day
+    constexpr float colourful = 0.1F;  // cones still see a little
+    const glm::vec3 rods(0.44F, 0.86F, 2.15F);
+    const auto bright = static_cast<float>(luminance(glm::dvec3(light)));
+    return share * glm::mix(bright * rods, light, colourful);
+}
+
+void turn_to_night(Light& light) {
+    constexpr float sky_share_seen = 0.2F;  // it looks black beside lit ground
+    light.stars = true;
+    light.sun = by_night(light.sun);
+    light.sky = by_night(light.sky);
+    for (std::size_t i = 0; i + 2 < light.sky_texels.size(); i += 3) {
+        const glm::vec3 texel =
+            sky_share_seen *
+            by_night({light.sky_texels[i], light.sky_texels[i + 1], light.sky_texels[i + 2]});
+        for (int band = 0; band < 3; ++band)
+            light.sky_texels[i + static_cast<std::size_t>(band)] = texel[band];
+    }
+}
+
 }  // namespace
 
 Light make_light(const SunSettings& settings) {
@@ -129,13 +152,15 @@ Light make_light(const SunSettings& settings) {
     return light;
 }
 
-Light make_atmospheric_light(const SunSettings& settings) {
+Light make_atmospheric_light(const SunSettings& settings, Planet planet) {
     const glm::dvec3 sand(0.42, 0.30, 0.18);
+    const glm::dvec3 martian(0.30, 0.15, 0.07);
     constexpr double eye_height = 0.002;  // km
     const double sin_e = elementary::sin(settings.elevation * degree);
     const double cos_e = elementary::cos(settings.elevation * degree);
     static const glm::dvec3 day = level_light_of_a_clear_day(sand, eye_height);
-    const AirTables air(dusty_air(desert_aerosol * settings.dust, sand));
+    const AirTables air(planet == Planet::mars ? martian_air(settings.dust, martian)
+                                               : dusty_air(desert_aerosol * settings.dust, sand));
     const SkyView view(air, settings.elevation * degree, eye_height);
     const glm::dvec3 level = srgb_of_wavelengths(view.level_irradiance());
     const glm::dvec3 now = srgb_of_wavelengths(view.sun()) * sin_e + level;
@@ -163,6 +188,24 @@ Light make_atmospheric_light(const SunSettings& settings) {
                 light.sky_texels.push_back(static_cast<float>(texel[band]));
         }
     }
+    if (settings.source == LightSource::moon) turn_to_night(light);
+    return light;
+}
+
+Light make_overcast_light(const SunSettings& settings) {
+    const double sin_e = elementary::sin(settings.elevation * degree);
+    const double cos_e = elementary::cos(settings.elevation * degree);
+    constexpr double sun_share = 0.10;
+    const glm::dvec3 cloud(0.965, 1.0, 1.035);
+    const double zenith = 9.0 / 7.0 * level_exposure;  // times pi, of such a sky
+    Light light;
+    light.to_sun = {elementary::sin(settings.azimuth * degree) * cos_e,
+                    elementary::cos(settings.azimuth * degree) * cos_e, sin_e};
+    light.sun = glm::vec3(cloud * (sun_share * level_exposure * settings.strength));
+    light.sky = glm::vec3(cloud * (level_exposure * settings.sky_strength));
+    light.zenith = glm::vec3(cloud * (zenith * settings.sky_strength));
+    light.haze = light.zenith * (1.0F / 3.0F);
+    light.glow = light.haze * 1.1F;
     return light;
 }
 

@@ -18,7 +18,8 @@ struct Light {
     glm::vec3 glow{1};          ///< the same towards the sun
     glm::vec3 zenith{1};        ///< the sky overhead
     double stops = 0.0;         ///< of exposure, besides look.exposure
-    bool atmosphere = false;    ///< the sky is that of the texels, not of the three colours
+    bool stars = false;
+    bool atmosphere = false;  ///< the sky is that of the texels, not of the three colours
     /// How much more of the sky's light than of a uniform sky's a slope gets: with a normal whose
     /// part along the sun's azimuth is x and upward 1 − t, its products with x, x², t and t·x.
     std::array<glm::vec3, 4> sky_lean{};
@@ -36,8 +37,14 @@ struct Light {
 Light make_light(const SunSettings& settings);
 
 /// The same by the tables of render/sky, the air and the sun's strength at the ground included.
-/// White is the light of a clear day with the sun at 45°.
-Light make_atmospheric_light(const SunSettings& settings);
+/// White is the light of a clear day on Earth with the sun at 45°. Moonlight is drawn as eyes see
+/// it: two stops darker than a meter would have it, with little colour and bluish, the sky darker still (Jensen et al.
+/// 2000, "Night rendering").
+Light make_atmospheric_light(const SunSettings& settings, Planet planet = Planet::earth);
+
+/// The light of an even cover of clouds: white, a little of it from where the sun stands; overhead
+/// the sky is three times as bright as at the horizon (Moon & Spencer 1942, the CIE's overcast sky).
+Light make_overcast_light(const SunSettings& settings);
 
 /// The sun's place and disc for a sweep.
 SunDirection sun_direction(const SunSettings& settings);

@@ -34,6 +34,23 @@ Atmosphere dusty_air(double dust, const glm::dvec3& ground_albedo) {
     return air;
 }
 
+Atmosphere martian_air(double dust, const glm::dvec3& ground_albedo) {
+    Atmosphere air;
+    air.ground = 3390.0;
+    air.top = 3490.0;
+    air.rayleigh *=
+        0.0185;  // 0.8 % of the Earth's molecules, each with 2.3 times the cross-section
+    air.rayleigh_height = 11.1;
+    air.mie_height = 11.1;
+    air.mie_extinction = 0.5 / air.mie_height * dust;
+    air.mie = air.mie_extinction;
+    air.dust_tint = {0.97, 0.90, 0.76};  // single-scattering albedo
+    air.mie_asymmetry = {0.63, 0.67, 0.76};
+    air.ozone = glm::dvec3(0.0);
+    air.ground_albedo = ground_albedo;
+    return air;
+}
+
 RayEnd end_of_ray(const Atmosphere& air, double radius, double up) {
     // r² + 2 r up t + t² = R²
     const double across = radius * radius * (up * up - 1.0);

@@ -26,8 +26,8 @@ struct Atmosphere {
     double mie = 0.003996;
     double mie_extinction = 0.004440;
     double mie_height = 1.2;
-    double mie_asymmetry = 0.8;  ///< g, of forward scattering
-    glm::dvec3 dust_tint{1.0};   ///< of what aerosol scatters
+    glm::dvec3 mie_asymmetry{0.8};  ///< g, of forward scattering
+    glm::dvec3 dust_tint{1.0};      ///< of what aerosol scatters
     glm::dvec3 ozone{0.000650, 0.001881, 0.000085};
     double ozone_lowest = 10.0;  ///< the ozone's layer is a tent
     double ozone_middle = 25.0;
@@ -41,6 +41,11 @@ struct Atmosphere {
 /// The Earth's air with `dust` times its aerosol, over 1 tinted as desert dust, which absorbs blue
 /// light more than red.
 Atmosphere dusty_air(double dust, const glm::dvec3& ground_albedo);
+
+/// The air of Mars with `dust` times its usual optical depth of 0.5 (Lemmon et al. 2015): carbon
+/// dioxide at 6 mbar, and fine dust that absorbs blue light and scatters it more forward (Tomasko
+/// et al. 1999), so that a low sun stands in a blue glow.
+Atmosphere martian_air(double dust, const glm::dvec3& ground_albedo);
 
 /// How far a ray travels within the air, and whether it ends on the ground. `radius`: of the point
 /// from which it leaves; `up`: the cosine of its zenith angle there.

@@ -171,7 +171,9 @@ glm::dvec3 AirTables::multiple_scattering(double radius, double sun_up) const {
 glm::dvec3 AirTables::radiance(double radius, double up, double sun_up, double towards_sun) const {
     const RayEnd end = end_of_ray(air_, radius, up);
     const double rayleigh = rayleigh_phase(towards_sun);
-    const double mie = mie_phase(towards_sun, air_.mie_asymmetry);
+    glm::dvec3 mie;
+    for (int band = 0; band < 3; ++band)
+        mie[band] = mie_phase(towards_sun, air_.mie_asymmetry[band]);
     glm::dvec3 light(0.0);
     glm::dvec3 passed(1.0);
     double before = 0.0;

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
+
 #include "render/light/light.h"
 
 namespace fumon {
@@ -28,6 +31,36 @@ TEST(AtmosphericLight, DustTakesTheBlueOutOfTheSky) {
     sun.dust = 10.0;
     const Light dusty = make_atmospheric_light(sun);
     EXPECT_LT(blue_over_red(dusty.sky), 0.8 * blue_over_red(clear.sky));
+}
+
+TEST(AtmosphericLight, MarsHasAWarmSkyAndABlueGlowAroundALowSun) {
+    SunSettings sun;
+    sun.elevation = 5.0;
+    const Light light = make_atmospheric_light(sun, Planet::mars);
+    const auto texel = [&](double azimuth_root) {  // along the sun's height
+        const auto row = static_cast<std::size_t>(std::sqrt(5.0 / 90.0) * (light.sky_rows - 1));
+        const auto column = static_cast<std::size_t>(azimuth_root * (light.sky_columns - 1));
+        const std::size_t at = 3 * (row * static_cast<std::size_t>(light.sky_columns) + column);
+        return glm::vec3(light.sky_texels.at(at), light.sky_texels.at(at + 1),
+                         light.sky_texels.at(at + 2));
+    };
+    EXPECT_GT(blue_over_red(texel(0.0)), 1.5 * blue_over_red(texel(0.7)));
+    EXPECT_LT(blue_over_red(texel(0.7)), 0.7);
+    EXPECT_LT(blue_over_red(light.sky), blue_over_red(make_atmospheric_light(sun).sky));
+}
+
+TEST(AtmosphericLight, MoonlightIsDarkBluishAndNearlyWithoutColour) {
+    SunSettings lamp;
+    const Light day = make_atmospheric_light(lamp);
+    lamp.source = LightSource::moon;
+    const Light night = make_atmospheric_light(lamp);
+    EXPECT_TRUE(night.stars);
+    EXPECT_FALSE(day.stars);
+    EXPECT_LT(night.sun.g, 0.3F * day.sun.g);
+    EXPECT_GT(blue_over_red(night.sun), 2.0 * blue_over_red(day.sun));
+    // Sun and sky differ less in colour than by day.
+    EXPECT_LT(blue_over_red(night.sky) / blue_over_red(night.sun),
+              0.6 * blue_over_red(day.sky) / blue_over_red(day.sun));
 }
 
 }  // namespace

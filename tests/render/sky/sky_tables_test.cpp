@@ -103,12 +103,12 @@ class Walk {
             const double towards_sun = glm::dot(direction, to_sun_);
             sum += weight * sunlight(place) *
                    (rayleigh * rayleigh_phase(towards_sun) +
-                    (1.0 - rayleigh) * mie_phase(towards_sun, air_.mie_asymmetry));
+                    (1.0 - rayleigh) * mie_phase(towards_sun, air_.mie_asymmetry[band_]));
             const glm::dvec3 next = sphere();
             const double cosine = glm::dot(direction, next);
             weight *= 4.0 * pi *
                       (rayleigh * rayleigh_phase(cosine) +
-                       (1.0 - rayleigh) * mie_phase(cosine, air_.mie_asymmetry));
+                       (1.0 - rayleigh) * mie_phase(cosine, air_.mie_asymmetry[band_]));
             direction = next;
             if (weight < 0.02) {
                 if (random_.uniform() > 0.5) return sum;
