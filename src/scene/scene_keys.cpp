@@ -237,11 +237,10 @@ void list_view_keys(View& view, KeyTable& table) {
          {Colouring::speed, "speed", "of the water, m/s"},
          {Colouring::froude, "froude", "Froude number of the water, speed over sqrt(g depth)"}},
         {.help = "what the colours mean"});
-    table.text(
-        "look.palette", look.palette,
-        {.help =
-             "sand, grey, viridis, cividis, magma, inferno, plasma, batlow, lapaz, oslo, vik (for "
-             "change), or any NAME of assets/palettes/NAME.txt"});
+    table.text("look.palette", look.palette,
+               {.help = "sand, grey, hypsometric, viridis, cividis, magma, inferno, plasma, "
+                        "batlow, lapaz, oslo, vik (for "
+                        "change), or any NAME of assets/palettes/NAME.txt"});
     table.boolean("look.palette_reversed", look.palette_reversed,
                   {.help = "reversed, such as dark for deep with grey"});
     table.word_or_real("look.low", look.low, {{"auto", "from the frame"}},

@@ -151,14 +151,13 @@ TEST(CommandLine, CheckTellsAllFaultsOfASceneInItsOrder) {
                "\"jet\"\n[run]\nsteps = 1.5\n");
     const Ended ended = fumon({"check", "bad.toml"}, folder.path());
     EXPECT_EQ(ended.status, 2);
-    EXPECT_EQ(
-        ended.errors,
-        "bad.toml:2:1: unknown key sun.elevatoin; did you mean \"sun.elevation\"?\n"
-        "bad.toml:5:9: model.creep is 0.1; it takes one of \"every-cell\", \"maxima-only\", "
-        "\"profile\", \"none\"\n"
-        "bad.toml:7:11: unknown palette \"jet\"; known: batlow, cividis, grey, inferno, lapaz, "
-        "magma, oslo, plasma, sand, vik, viridis\n"
-        "bad.toml:9:9: run.steps is 1.5; it takes a whole number 0 … 1e+15 (steps)\n");
+    EXPECT_EQ(ended.errors,
+              "bad.toml:2:1: unknown key sun.elevatoin; did you mean \"sun.elevation\"?\n"
+              "bad.toml:5:9: model.creep is 0.1; it takes one of \"every-cell\", \"maxima-only\", "
+              "\"profile\", \"none\"\n"
+              "bad.toml:7:11: unknown palette \"jet\"; known: batlow, cividis, grey, hypsometric, "
+              "inferno, lapaz, magma, oslo, plasma, sand, vik, viridis\n"
+              "bad.toml:9:9: run.steps is 1.5; it takes a whole number 0 … 1e+15 (steps)\n");
 }
 
 TEST(CommandLine, PicturesAndScenesAreToldApart) {
