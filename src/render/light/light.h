@@ -38,12 +38,13 @@ Light make_light(const SunSettings& settings);
 
 /// The same by the tables of render/sky, the air and the sun's strength at the ground included.
 /// White is the light of a clear day on Earth with the sun at 45°. Moonlight is drawn as eyes see
-/// it: two stops darker than a meter would have it, with little colour and bluish, the sky darker still (Jensen et al.
-/// 2000, "Night rendering").
+/// it: two stops darker than a meter would have it, with little colour and bluish, the sky darker
+/// still (Jensen et al. 2000, "Night rendering").
 Light make_atmospheric_light(const SunSettings& settings, Planet planet = Planet::earth);
 
 /// The light of an even cover of clouds: white, a little of it from where the sun stands; overhead
-/// the sky is three times as bright as at the horizon (Moon & Spencer 1942, the CIE's overcast sky).
+/// the sky is three times as bright as at the horizon (Moon & Spencer 1942, the CIE's overcast
+/// sky).
 Light make_overcast_light(const SunSettings& settings);
 
 /// The sun's place and disc for a sweep.
