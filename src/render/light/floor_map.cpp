@@ -1,6 +1,7 @@
 #include "render/light/floor_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/rounding.h"
@@ -13,7 +14,7 @@ namespace {
 
 constexpr int n = FloorMap::cells;
 constexpr float softening = 0.05F;  // tangent: limbs of the sun moved apart, for a soft shadow
-constexpr int rings = 2;  // cells under the block that take their neighbours' light, for filtering
+constexpr int rings = 3;  // cells under the block that take their neighbours' light, for filtering
 
 /// The light just outside the block continues a little under it, so that filtering does not mix in
 /// what lies on top.
@@ -23,17 +24,81 @@ void continue_under(Field<float>& light, Field<std::uint8_t> covered) {
         for (int y = 1; y + 1 < n; ++y) {
             for (int x = 1; x + 1 < n; ++x) {
                 if (before(x, y) == 0) continue;
-                float lightest = -1.0F;
+                float sum = 0.0F;
+                int count = 0;
                 for (int v = y - 1; v <= y + 1; ++v) {
-                    for (int u = x - 1; u <= x + 1; ++u)
-                        if (before(u, v) == 0) lightest = std::max(lightest, light(u, v));
+                    for (int u = x - 1; u <= x + 1; ++u) {
+                        if (before(u, v) != 0) continue;
+                        sum += light(u, v);
+                        ++count;
+                    }
                 }
-                if (lightest < 0.0F) continue;
-                light(x, y) = lightest;
+                if (count == 0) continue;
+                light(x, y) = sum / static_cast<float>(count);
                 covered(x, y) = 0;
             }
         }
     }
+}
+
+/// An angle by its cosine and sine.
+struct Turn {
+    double cosine;
+    double sine;
+};
+
+/// A field turned about its middle, in between linear; `outside` where it does not reach.
+Field<float> turned(const Field<float>& field, const Turn& turn, float outside) {
+    Field<float> result(n, n, outside);
+    constexpr double middle = 0.5 * (n - 1);
+    for (int y = 0; y < n; ++y) {
+        for (int x = 0; x < n; ++x) {
+            const double u = middle + turn.cosine * (x - middle) + turn.sine * (y - middle);
+            const double v = middle - turn.sine * (x - middle) + turn.cosine * (y - middle);
+            if (u < 0.0 || v < 0.0 || u >= n - 1 || v >= n - 1) continue;
+            const int west = static_cast<int>(u);
+            const int south = static_cast<int>(v);
+            const auto east_share = static_cast<float>(u - west);
+            const auto north_share = static_cast<float>(v - south);
+            const auto along = [&](int row) {
+                return field(west, row) + east_share * (field(west + 1, row) - field(west, row));
+            };
+            result(x, y) = along(south) + north_share * (along(south + 1) - along(south));
+        }
+    }
+    return result;
+}
+
+/// The sky's share seen in 32 directions, the 8 of a lattice that is turned: else the block's
+/// corners cast star-shaped wedges of shade.
+Field<float> open_sky(const Field<float>& heights, const Field<std::uint8_t>& covered, float width,
+                      WorkerPool& pool) {
+    constexpr std::array<Turn, 4> turns = {{{1.0, 0.0},
+                                            {0.98078528040323044, 0.19509032201612827},
+                                            {0.92387953251128676, 0.38268343236508977},
+                                            {0.83146961230254524, 0.55557023301960222}}};
+    Field<float> cover(n, n, 0.0F);
+    std::transform(covered.values().begin(), covered.values().end(), cover.values().begin(),
+                   [](std::uint8_t cell) { return static_cast<float>(cell); });
+    Field<float> sum(n, n, 0.0F);
+    for (const Turn& turn : turns) {
+        const Field<float> there = turned(cover, turn, 0.0F);
+        Field<std::uint8_t> mask(n, n, 0);
+        for (int y = 1; y + 1 < n; ++y) {
+            for (int x = 1; x + 1 < n; ++x) {
+                // Beside a wall too, whose slope the sweep takes for the floor's.
+                const float nearby = there(x - 1, y) + there(x + 1, y) + there(x, y - 1) +
+                                     there(x, y + 1) + there(x, y);
+                mask(x, y) = nearby > 0.0F ? 1 : 0;
+            }
+        }
+        Field<float> sky = sky_visibility(turned(heights, turn, 0.0F), width, width, pool);
+        continue_under(sky, mask);
+        const Field<float> back = turned(sky, {turn.cosine, -turn.sine}, 1.0F);
+        for (std::size_t i = 0; i < sum.size(); ++i)
+            sum.values()[i] += back.values()[i] / static_cast<float>(turns.size());
+    }
+    return sum;
 }
 
 /// Each cell averaged with its neighbours (1 2 1 both ways): the sweep's steps along straight walls
@@ -78,9 +143,8 @@ FloorMap floor_map(const DisplayBed& bed, const Block& block, const SunDirection
     soft.lower_limb = std::max(sun.lower_limb - softening, 0.5F * sun.lower_limb);
     soft.upper_limb += softening;
     Field<float> sun_share = sun_visibility(heights, width, width, soft);
-    Field<float> sky_share = sky_visibility(heights, width, width, pool);
+    const Field<float> sky_share = open_sky(heights, covered, width, pool);
     continue_under(sun_share, covered);
-    continue_under(sky_share, covered);
     sun_share = smoothed(sun_share);
     FloorMap map;
     map.sun_and_sky.reserve(2 * heights.size());
