@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cstdint>
 
+#include "shards/shard.h"
+
 namespace fumon {
 
 std::string number_fault(const std::string& text, bool whole, double low, double high) {
@@ -74,6 +76,21 @@ void add_settings(CLI::App& command, std::vector<std::string>& settings, const c
 
 CLI::Option* add_force(CLI::App& command, bool& force, const char* help) {
     return command.add_flag("--force", force, help);
+}
+
+void add_shard_options(CLI::App& command, ShardOptions& options, const char* merged) {
+    auto* shard =
+        command
+            .add_option("--shard", options.shard,
+                        "do one share of the work: 3/16, or slurm or mpi, which read it from "
+                        "the job's environment")
+            ->type_name("N/OF");
+    auto* merge = command.add_flag("--merge", options.merge, merged)->excludes(shard);
+    add_number(command, "--slurm", options.slurm_shards, 1, most_shards,
+               "print a job script for sbatch: so many shards and their merge; does nothing else")
+        ->type_name("SHARDS")
+        ->excludes(shard)
+        ->excludes(merge);
 }
 
 void add_heights(CLI::App& command, std::string& heights) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -32,6 +33,16 @@ CLI::Option* add_force(CLI::App& command, bool& force,
                        const char* help =
                            "replace files that fumon did not make, too (never "
                            "what is read)");
+
+/// How some work is shared out among programs, as the command line says it.
+struct ShardOptions {
+    std::string shard;              ///< --shard as given; empty: all is done here
+    bool merge = false;             ///< what the shards have made is put together
+    std::int64_t slurm_shards = 0;  ///< a job script of so many shards is printed; 0: none
+};
+
+/// --shard, --merge and --slurm; `merged` says what --merge makes.
+void add_shard_options(CLI::App& command, ShardOptions& options, const char* merged);
 
 /// --heights of a PNG terrain.
 void add_heights(CLI::App& command, std::string& heights);

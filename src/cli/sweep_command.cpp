@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <numeric>
+#include <optional>
 
 #include "base/error.h"
 #include "base/number_text.h"
@@ -10,6 +14,9 @@
 #include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "run/terminal/interrupt.h"
+#include "shards/shard.h"
+#include "shards/slurm_script.h"
+#include "sweep/merge_shards.h"
 #include "sweep/sweep_folder.h"
 #include "sweep/sweep_plan.h"
 #include "sweep/sweep_work.h"
@@ -24,6 +31,8 @@ struct SweepOptions {
     std::string seeds;              ///< "10" or "1:10"
     std::string folder;
     bool force = false;
+    ShardOptions shards;
+    std::vector<std::string> from;  ///< folders of shards, to be merged
     WorkOptions work;
 };
 
@@ -43,14 +52,30 @@ void declare(CLI::App& command, SweepOptions& options) {
     command.add_option("-o,--output", options.folder, "the folder for the sweep")
         ->type_name("DIR")
         ->required();
-    add_force(command, options.force,
-              "replace the sweep that the folder holds, and files of others that are in its way");
+    auto* force = add_force(
+        command, options.force,
+        "replace the sweep that the folder holds, and files of others that are in its way");
+    add_shard_options(command, options.shards,
+                      "write the tables from what the shards have made, and name those missing");
+    command.get_option("--shard")->excludes(force);
+    command
+        .add_option("--from", options.from,
+                    "with --merge: the folder of a shard that wrote into its own (repeatable)")
+        ->type_name("DIR")
+        ->allow_extra_args(false)
+        ->needs(command.get_option("--merge")->excludes(force));
     add_work_options(command, options.work);
     command.footer(
         "  fumon sweep SCENE --over model.creep_rate=0.1:0.5:5 --seeds 10 -o out/creep\n"
         "  fumon sweep SCENE --over bed.file=a.asc,b.asc --over run.steps=100,200 -o out/beds\n"
         "  fumon sweep SCENE --over grid.nx+grid.ny=64,128 -o out/sizes    keys that go "
         "together\n\n"
+        "  fumon sweep SCENE --seeds 100 -o out/many --shard 3/16              one of 16 machines' "
+        "share\n"
+        "  fumon sweep SCENE --seeds 100 -o out/many --merge                   the table, when all "
+        "are done\n"
+        "  fumon sweep SCENE --seeds 100 -o out/many --slurm 16 | sbatch       both, under "
+        "Slurm\n\n"
         "DIR/sweep.csv has one row per run and measured step, DIR/runs.csv one row per run, "
         "DIR/runs each run's files.\n"
         "The same command resumes where it was stopped; with more values or seeds it makes only "
@@ -70,9 +95,112 @@ std::string of_runs(std::size_t count, std::size_t all) {
                        with_commas(static_cast<std::int64_t>(all)));
 }
 
+/// All numbers of a sweep's runs.
+std::vector<std::size_t> all_runs(const SweepPlan& plan) {
+    std::vector<std::size_t> numbers(plan.runs.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{1});
+    return numbers;
+}
+
+std::vector<RunRecord> read_records(const SweepFolder& folder,
+                                    const std::vector<std::size_t>& numbers) {
+    std::vector<RunRecord> records;
+    for (const std::size_t number : numbers) records.push_back(folder.read_record(number));
+    return records;
+}
+
+/// Makes the runs that are not done yet; those that failed are tried again.
+std::vector<RunRecord> make_runs(const SweepPlan& plan, const SweepFolder& folder,
+                                 const std::vector<std::size_t>& numbers, bool alone,
+                                 const SweepOptions& options, StatusLine& status) {
+    std::vector<RunRecord> records = read_records(folder, numbers);
+    for (RunRecord& record : records) {
+        if (record.status == RunStatus::failed) record = {};
+    }
+    if (const std::size_t kept = count(records, RunStatus::done); kept > 0)
+        status.note(of_runs(kept, records.size()) + " were there already");
+    if (alone) folder.write_runs(records);
+    do_runs(sweep_tasks(plan, folder, numbers, records), options.work.threads, status, records);
+    return records;
+}
+
+/// Says how it ended, with `what` the sweep or a shard of it and `where` its results; returns the
+/// exit status.
+int tell_the_end(const std::vector<RunRecord>& records, const std::string& what,
+                 const std::string& where, StatusLine& status) {
+    const std::size_t done = count(records, RunStatus::done);
+    const std::size_t failed = count(records, RunStatus::failed);
+    const int signal = done + failed < records.size() ? interrupting_signal() : 0;
+    if (signal != 0) {
+        status.note(fmt::format(
+            "{}stopped by {}: {} are done and in {}; the same command goes on from here", what,
+            signal == SIGINT ? "an interrupt" : "a request to terminate",
+            of_runs(done, records.size()), where));
+        return exit_status_of_signal(signal);
+    }
+    status.note(fmt::format("{}{} are done: {}", what, of_runs(done, records.size()), where));
+    if (failed == 0) return 0;
+    status.note(fmt::format("{} failed{}; the same command tries them again",
+                            of_runs(failed, records.size()),
+                            what.empty() ? " (see runs.csv)" : ""));
+    return 1;
+}
+
+int sweep_alone(const SweepPlan& plan, const SweepOptions& options, StatusLine& status) {
+    const SweepFolder folder(options.folder, plan, options.force);
+    for (const std::string& note : plan.notes) status.note(note);
+    const std::vector<RunRecord> records =
+        make_runs(plan, folder, all_runs(plan), true, options, status);
+    folder.write_runs(records);
+    folder.write_table(records);
+    return tell_the_end(records, "", folder.table().string(), status);
+}
+
+int sweep_shard(const SweepPlan& plan, const Shard& shard, const SweepOptions& options,
+                StatusLine& status) {
+    const SweepFolder folder(options.folder, plan, shard.of, false);
+    for (const std::string& note : plan.notes) status.note(note);
+    const std::vector<RunRecord> records = make_runs(
+        plan, folder, runs_of_shard(plan, folder, shard.number, shard.of), false, options, status);
+    return tell_the_end(records, fmt::format("shard {}: ", shard_text(shard)), options.folder,
+                        status);
+}
+
+int merge(const SweepPlan& plan, const SweepOptions& options, StatusLine& status) {
+    std::vector<std::filesystem::path> folders(options.from.begin(), options.from.end());
+    folders.emplace_back(options.folder);
+    const int shards = shards_in(folders);
+    const SweepFolder folder(options.folder, plan, shards, true);
+    for (const std::string& from : options.from) take_runs(plan, folder, from);
+    const std::vector<RunRecord> records = read_records(folder, all_runs(plan));
+    folder.write_runs(records);
+    const std::vector<std::string> missing = missing_shards(plan, folder, records, shards);
+    if (!missing.empty()) {
+        for (const std::string& line : missing) status.error(line);
+        throw Error(fmt::format("{}: the table is not written, since {} of {} runs are missing",
+                                options.folder, count(records, RunStatus::pending),
+                                records.size()));
+    }
+    folder.write_table(records);
+    folder.end_sharing();
+    return tell_the_end(records, "", folder.table().string(), status);
+}
+
+/// The words of the same command without what says how it is shared out.
+std::vector<std::string> words_of(const SweepOptions& options) {
+    std::vector<std::string> words{"sweep", options.scene};
+    for (const std::string& over : options.over) words.insert(words.end(), {"--over", over});
+    if (!options.seeds.empty()) words.insert(words.end(), {"--seeds", options.seeds});
+    for (const std::string& one : options.work.settings) words.insert(words.end(), {"--set", one});
+    words.insert(words.end(), {"-o", options.folder});
+    return words;
+}
+
 int perform(const SweepOptions& options) {
     const InterruptGuard guard;
     StatusLine status(options.work.verbosity);
+    std::optional<Shard> shard;
+    if (!options.shards.shard.empty()) shard = read_shard(options.shards.shard);
     const auto plan =
         make_plan({read_scene_text(scene_argument(options.scene)),
                    read_settings(options.work.settings), options.over, "", options.seeds});
@@ -84,35 +212,14 @@ int perform(const SweepOptions& options) {
         throw InputError(
             fmt::format("{}: nothing to vary; give --over key=v1,v2 or --seeds 10", options.scene));
     }
-    const SweepFolder folder(options.folder, *plan, options.force);
-    for (const std::string& note : plan->notes) status.note(note);
-
-    std::vector<RunRecord> records;
-    for (std::size_t number = 1; number <= plan->runs.size(); ++number)
-        records.push_back(folder.read_record(number));
-    if (const std::size_t kept = count(records, RunStatus::done); kept > 0)
-        status.note(of_runs(kept, records.size()) + " were there already");
-    folder.write_runs(records);
-    do_runs(sweep_tasks(*plan, folder, records), options.work.threads, status, records);
-    folder.write_runs(records);
-    folder.write_table(records);
-
-    const std::size_t done = count(records, RunStatus::done);
-    const std::size_t failed = count(records, RunStatus::failed);
-    const int signal = done + failed < records.size() ? interrupting_signal() : 0;
-    if (signal != 0) {
-        status.note(
-            fmt::format("stopped by {}: {} are done and in {}; the same command goes on from here",
-                        signal == SIGINT ? "an interrupt" : "a request to terminate",
-                        of_runs(done, records.size()), folder.table().string()));
-        return exit_status_of_signal(signal);
+    if (options.shards.slurm_shards > 0) {
+        const auto shards = static_cast<int>(options.shards.slurm_shards);
+        std::fputs(slurm_script({"fumon-sweep", words_of(options), shards}).c_str(), stdout);
+        return 0;
     }
-    status.note(
-        fmt::format("{} are done: {}", of_runs(done, records.size()), folder.table().string()));
-    if (failed == 0) return 0;
-    status.note(fmt::format("{} failed (see runs.csv); the same command tries them again",
-                            of_runs(failed, records.size())));
-    return 1;
+    if (options.shards.merge) return merge(*plan, options, status);
+    return shard ? sweep_shard(*plan, *shard, options, status)
+                 : sweep_alone(*plan, options, status);
 }
 
 }  // namespace

@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
+#include <chrono>
+#include <thread>
 #include <utility>
 
 #include "base/error.h"
 #include "files/atomic_file.h"
 #include "files/csv_table.h"
+#include "files/file_lock.h"
 #include "files/input_file.h"
 #include "outputs/output_claims.h"
 #include "run/run_folder.h"
@@ -31,12 +35,51 @@ const char* status_name(RunStatus status) {
     }
 }
 
+constexpr const char* lock_end = ".lock";
+/// Of the files of a run: the record comes last.
+constexpr std::array<const char*, 5> run_file_ends{".csv", "-avalanches.csv", "-fields.nc", ".json",
+                                                   lock_end};
+
+/// Shards begin at the same time, each waiting while another one writes sweep.json.
+constexpr std::chrono::seconds longest_wait{60};
+
+/// Holds a lock file, waiting for it.
+class WaitedLock {
+  public:
+    explicit WaitedLock(const fs::path& file) {
+        const auto end = std::chrono::steady_clock::now() + longest_wait;
+        do {
+            lock_.emplace(file);
+            if (lock_->held()) return;
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        } while (std::chrono::steady_clock::now() < end);
+        throw InputError(
+            fmt::format("another fumon has held {} for {} s; wait for it or name another folder",
+                        file.string(), longest_wait.count()));
+    }
+
+  private:
+    std::optional<FileLock> lock_;
+};
+
+/// A file that is copied appears whole or not at all.
+void copy_whole(const fs::path& from, const fs::path& to) {
+    std::error_code fault;
+    const fs::path temporary = temporary_name(to);
+    fs::copy_file(from, temporary, fs::copy_options::overwrite_existing, fault);
+    if (!fault) fs::rename(temporary, to, fault);
+    if (fault) {
+        throw Error(
+            fmt::format("cannot copy {} to {}: {}", from.string(), to.string(), fault.message()));
+    }
+}
+
 /// The number of the run that a file is called as one of, 0001.csv, 0001-fields.nc, 0001.json.part
 /// …; −1 of any other.
 std::int64_t number_of_run(std::string_view name) {
     constexpr std::string_view temporary = ".part";
     if (name.ends_with(temporary)) name.remove_suffix(temporary.size());
-    for (const std::string_view end : {".csv", ".json", "-avalanches.csv", "-fields.nc"}) {
+    for (const std::string_view end : run_file_ends) {
         if (!name.ends_with(end)) continue;
         const std::string_view digits = name.substr(0, name.size() - end.size());
         std::int64_t number = -1;
@@ -50,11 +93,32 @@ std::int64_t number_of_run(std::string_view name) {
 
 SweepFolder::SweepFolder(fs::path folder, const SweepPlan& plan, bool force)
     : folder_(std::move(folder)), plan_(plan) {
+    open(force, 0, true);
+}
+
+SweepFolder::SweepFolder(fs::path folder, const SweepPlan& plan, int shards, bool merges)
+    : folder_(std::move(folder)), plan_(plan) {
+    if (merges) {
+        open(false, shards, true);
+        return;
+    }
+    check_output_folder(folder_, "the sweep");
+    make_folder(folder_);
+    lock_.emplace(folder_, longest_wait);
+    {
+        const WaitedLock among_machines(folder_ / "sweep.lock");
+        open(false, shards, false);
+    }
+    lock_.reset();
+}
+
+void SweepFolder::open(bool force, int shards, bool alone) {
     std::error_code fault;
     check_output_folder(folder_, "the sweep");
     if (fs::exists(folder_ / "runs", fault)) check_output_folder(folder_ / "runs", "the sweep");
     const bool there = fs::exists(folder_, fault);
-    if (there) lock_.emplace(folder_);
+    if (there && alone) lock_.emplace(folder_);
+    if (there && force) refuse_while_runs_are_made();
     if (there && !force) number_runs();
     const std::vector<fs::path> former = former_files(force);
     make_folder(folder_ / "runs");
@@ -63,7 +127,19 @@ SweepFolder::SweepFolder(fs::path folder, const SweepPlan& plan, bool force)
     if (order_.empty()) {
         for (std::size_t k = 0; k < plan_.runs.size(); ++k) order_.push_back(k);
     }
-    write_manifest();
+    write_manifest(shards);
+}
+
+void SweepFolder::refuse_while_runs_are_made() const {
+    std::error_code fault;
+    for (const auto& entry : fs::directory_iterator(folder_ / "runs", fault)) {
+        if (entry.path().extension() != lock_end) continue;
+        if (number_of_run(entry.path().filename().string()) < 0) continue;
+        if (FileLock(entry.path()).held()) continue;  // left by a program that was killed
+        throw InputError(
+            fmt::format("another fumon is at work in {}; wait for it or name another folder",
+                        folder_.string()));
+    }
 }
 
 /// Runs that the folder's sweep knows keep their numbers; others follow in the plan's order.
@@ -124,8 +200,14 @@ void SweepFolder::remove_files(const std::vector<fs::path>& files) const {
     }
 }
 
-void SweepFolder::write_manifest() const {
-    write_file(manifest(), sweep_manifest(plan_, order_));
+void SweepFolder::write_manifest(int shards) const {
+    const std::string text = sweep_manifest(plan_, order_, shards);
+    if (shards > 0 && fs::exists(manifest()) && read_input_file(manifest()) == text) return;
+    write_file(manifest(), text);
+}
+
+void SweepFolder::end_sharing() const {
+    write_manifest(0);
 }
 
 fs::path SweepFolder::file(std::size_t number, const char* end) const {
@@ -136,10 +218,30 @@ RecordPaths SweepFolder::paths(std::size_t number) const {
     return {file(number, ".csv"), file(number, "-avalanches.csv"), file(number, "-fields.nc")};
 }
 
+fs::path SweepFolder::run_lock(std::size_t number) const {
+    return file(number, lock_end);
+}
+
 RunRecord SweepFolder::read_record(std::size_t number) const {
-    const fs::path record = file(number, ".json");
-    if (!fs::exists(record) || !fs::exists(paths(number).measurements)) return {};
-    return parse_run_record(read_input_file(record), run(number).id);
+    const fs::path text = file(number, ".json");
+    if (!fs::exists(text)) return {};
+    RunRecord record = parse_run_record(read_input_file(text), run(number).id);
+    if (record.status == RunStatus::done && !fs::exists(paths(number).measurements)) return {};
+    return record;
+}
+
+void SweepFolder::take_run(std::size_t number, const fs::path& from,
+                           std::size_t number_there) const {
+    for (const char* end : run_file_ends) {
+        if (end == lock_end) continue;
+        const fs::path there = from / "runs" / fmt::format("{:04}{}", number_there, end);
+        std::error_code fault;
+        if (fs::exists(there, fault)) {
+            copy_whole(there, file(number, end));
+        } else {
+            fs::remove(file(number, end), fault);
+        }
+    }
 }
 
 void SweepFolder::write_record(std::size_t number, const RunRecord& record) const {

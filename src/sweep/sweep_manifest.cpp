@@ -9,6 +9,7 @@
 
 #include "files/json_text.h"
 #include "scene/json.h"
+#include "shards/shard.h"
 
 namespace fumon {
 
@@ -90,7 +91,8 @@ std::string difference(const Json& manifest, const SweepPlan& plan) {
 
 }  // namespace
 
-std::string sweep_manifest(const SweepPlan& plan, const std::vector<std::size_t>& order) {
+std::string sweep_manifest(const SweepPlan& plan, const std::vector<std::size_t>& order,
+                           int shards) {
     Json json;
     json["fumon"] = FUMON_VERSION;
     json["scene"] = plan.base;
@@ -99,6 +101,7 @@ std::string sweep_manifest(const SweepPlan& plan, const std::vector<std::size_t>
     json["inputs"] = Json::array();
     for (const InputFile& input : plan.inputs)
         json["inputs"].push_back({{"path", input.path}, {"sha256", input.hash}});
+    if (shards > 0) json["shards"] = shards;
     json["runs"] = Json::array();
     for (const std::size_t run : order) json["runs"].push_back(hex(plan.runs[run].id));
     return json_text(json, 2) + "\n";
@@ -110,6 +113,16 @@ std::int64_t listed_runs(std::string_view manifest) {
         return json.contains("fumon") ? static_cast<std::int64_t>(run_ids(json).size()) : -1;
     } catch (const nlohmann::json::exception&) {
         return -1;
+    }
+}
+
+int listed_shards(std::string_view manifest) {
+    try {
+        const Json json = parse_json(manifest);
+        const std::int64_t shards = json.contains("shards") ? whole_number(json["shards"]) : 0;
+        return shards > 0 && shards <= most_shards ? static_cast<int>(shards) : 0;
+    } catch (const nlohmann::json::exception&) {
+        return 0;
     }
 }
 
@@ -138,6 +151,7 @@ std::string run_record_text(const Sha256& id, const RunRecord& record) {
     json["steps"] = record.steps;
     json["wall_seconds"] = record.wall_seconds;
     json["state_sha256"] = record.state;
+    if (record.status == RunStatus::failed) json["failed"] = true;
     if (!record.message.empty()) json["message"] = record.message;
     return json.dump(2) + "\n";
 }
@@ -146,8 +160,9 @@ RunRecord parse_run_record(std::string_view text, const Sha256& id) {
     try {
         const Json json = parse_json(text);
         if (json.at("id") != hex(id)) return {};
-        return {RunStatus::done, whole_number(json.at("steps")), json.at("wall_seconds"),
-                json.at("state_sha256"), json.value("message", "")};
+        const bool failed = json.value("failed", false);
+        return {failed ? RunStatus::failed : RunStatus::done, whole_number(json.at("steps")),
+                json.at("wall_seconds"), json.at("state_sha256"), json.value("message", "")};
     } catch (const nlohmann::json::exception&) {
         return {};
     }

@@ -8,9 +8,11 @@
 
 namespace fumon {
 
-/// The runs of a sweep that are pending, as tasks that leave their files in its folder.
-/// records[n - 1] is run n's. Plan and folder outlive the tasks.
+/// The runs of these numbers that are not done, as tasks that leave their files in the folder;
+/// records[k] is that of run numbers[k], and task k + 1. A run that another program has made in the
+/// meantime is taken from the folder. Plan and folder outlive the tasks.
 std::vector<RunTask> sweep_tasks(const SweepPlan& plan, const SweepFolder& folder,
+                                 const std::vector<std::size_t>& numbers,
                                  const std::vector<RunRecord>& records);
 
 }  // namespace fumon
