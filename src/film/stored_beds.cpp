@@ -14,6 +14,7 @@
 #include "files/json_text.h"
 #include "files/netcdf/netcdf_record.h"
 #include "measure/suite.h"
+#include "run/run_identity.h"
 #include "scene/find_input.h"
 #include "scene/json.h"
 #include "scene/read.h"
@@ -84,11 +85,24 @@ std::vector<InputFile> inputs_of(const Json& manifest) {
     return inputs;
 }
 
-Scene scene_of(const Json& manifest, const fs::path& folder) {
+/// What the run computed and recorded, which is not computed again.
+void check_settings(const Scene& stored, const Scene& changed) {
+    const std::string differs =
+        scene_difference(scene_json(stored, recorded_roles), scene_json(changed, recorded_roles));
+    if (differs.empty()) return;
+    throw InputError(fmt::format(
+        "--set: {}, which the stored beds were made with; only what decides how the run looks and "
+        "which files it writes can be changed",
+        differs));
+}
+
+Scene scene_of(const Json& manifest, const fs::path& folder,
+               const std::vector<std::string>& settings) {
     const std::string file = (folder / "run.json").string();
     SceneText text{scene_toml(manifest.at("scene")), file, ""};
     text.version = manifest.at("fumon").get<std::string>();
-    Scene scene = parse_scene(text, {});
+    Scene scene = parse_scene(text, read_settings(settings));
+    if (!settings.empty()) check_settings(parse_scene(text, {}), scene);
     const std::vector<InputFile> inputs = inputs_of(manifest);
     if (!inputs.empty())
         scene.bed.file = find_input(inputs.front(), folder / "run.json", "run").string();
@@ -138,10 +152,11 @@ Scene scene_of_bed(const Scene& scene, const fs::path& file) {
 
 }  // namespace
 
-StoredBeds::StoredBeds(fs::path folder, int threads) : folder_(std::move(folder)) {
+StoredBeds::StoredBeds(fs::path folder, int threads, const std::vector<std::string>& settings)
+    : folder_(std::move(folder)) {
     const Json manifest = read_manifest(folder_);
     try {
-        run_ = prepare_run(scene_of(manifest, folder_), threads);
+        run_ = prepare_run(scene_of(manifest, folder_, settings), threads);
         first_ = run_.model->snapshot();
         beds_ = beds_of(manifest, folder_, first_);
     } catch (const nlohmann::json::exception&) {

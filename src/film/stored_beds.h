@@ -20,15 +20,18 @@ struct StoredBed {
     std::string file;  ///< of its own; empty: in fields.nc
 };
 
-/// The beds that a finished run has stored in its folder, from which films are cut: the records of
+/// The beds that a finished run has stored in its folder, from which films are cut and its frames
+/// drawn later: the records of
 /// fields.nc (output.fields_every, output.fields_at), else beds/ (output.bed_every, output.bed_at),
 /// which hold no water and no air.
 class StoredBeds {
   public:
     /// Reads run.json and builds the run's model, which is not stepped, for what all its snapshots
     /// have in common. Throws InputError where the folder holds no run, one that is not finished,
-    /// or one that stored no beds, and says what to ask for.
-    StoredBeds(std::filesystem::path folder, int threads);
+    /// or one that stored no beds, and says what to ask for. `settings` ("key.path=VALUE") may
+    /// change how the run looks and which files it writes, and nothing that it computed.
+    StoredBeds(std::filesystem::path folder, int threads,
+               const std::vector<std::string>& settings = {});
 
     [[nodiscard]] const Scene& scene() const { return run_.scene; }
     [[nodiscard]] const std::vector<InputFile>& inputs() const { return run_.initial.inputs; }
