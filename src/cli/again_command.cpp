@@ -6,6 +6,7 @@
 #include "base/find_named.h"
 #include "base/number_text.h"
 #include "cli/command.h"
+#include "cli/examples.h"
 #include "cli/shared_options.h"
 #include "figure/canvas/figure_metadata.h"
 #include "files/atomic_file.h"
@@ -53,12 +54,17 @@ void declare(CLI::App& command, AgainOptions& options) {
                      "lift the limits on what a picture of unknown origin may ask for");
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
-    command.footer(fmt::format(
-        "A picture may come from anyone. Of files it may name only inputs that its metadata lists "
-        "with their\nSHA-256, and without --trust it may ask for at most {} cells, {} "
-        "steps, {:g} cell-steps,\n{} samples of a picture and {} frames.",
-        with_commas(trust_limits.cells), with_commas(trust_limits.steps), trust_limits.cell_steps,
-        with_commas(trust_limits.samples), with_commas(trust_limits.frames)));
+    add_examples(
+        command,
+        {{"fumon again dunes.png", "the same picture from itself: dunes-again.png"},
+         {"fumon again dunes.png -o large.png --set image.width=3840", "larger"}},
+        fmt::format("A picture may come from anyone. Of files it may name only inputs that its "
+                    "metadata lists "
+                    "with their\nSHA-256, and without --trust it may ask for at most {} cells, {} "
+                    "steps, {:g} cell-steps,\n{} samples of a picture and {} frames.",
+                    with_commas(trust_limits.cells), with_commas(trust_limits.steps),
+                    trust_limits.cell_steps, with_commas(trust_limits.samples),
+                    with_commas(trust_limits.frames)));
 }
 
 namespace fs = std::filesystem;

@@ -2,17 +2,20 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "base/error.h"
 #include "base/tell.h"
 #include "cli/command.h"
+#include "cli/examples.h"
 #include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "film/film_read.h"
 #include "film/timeline.h"
 #include "paper/figure_plan.h"
 #include "run/prepared_run.h"
+#include "scene/json.h"
 #include "scene/read.h"
 #include "scene/schedule.h"
 
@@ -23,51 +26,85 @@ namespace {
 struct CheckOptions {
     std::vector<std::string> scenes;
     std::vector<std::string> settings;
+    bool as_json = false;
 };
 
 void declare(CLI::App& command, CheckOptions& options) {
     command.add_option("SCENE", options.scenes, "scene files, and film files")->required();
+    command.add_flag("--json", options.as_json, "as JSON");
     add_settings(command, options.settings, "override a scene key");
+    add_examples(command,
+                 {{"fumon check my.toml", "all faults at once, each with its line"},
+                  {"fumon check terada-barchans --set model.creep_rate=0.3", "with a number changed"},
+                  {"fumon check my.toml film.toml --json", "for a program"}},
+                 "Exit status: 0 all are fine, 2 something is wrong.");
 }
 
-/// What is said of a fine film; nothing of what is no film.
-std::optional<std::string> checked_film(const std::string& file,
-                                        const std::vector<std::string>& settings) {
+using Json = nlohmann::ordered_json;
+
+/// What is said of a fine scene or film, in words and for a program.
+struct Fine {
+    std::string words;
+    Json facts;
+};
+
+/// Of a film; nothing of what is no film.
+std::optional<Fine> checked_film(const std::string& file,
+                                 const std::vector<std::string>& settings) {
     std::error_code fault;
     if (!std::filesystem::is_regular_file(file, fault)) return std::nullopt;
     const SceneText text = read_scene_text(file);
     if (!is_film(text.text, text.source)) return std::nullopt;
     const Timeline timeline(parse_film(text.text, text.source, settings));
-    return fmt::format("{}: fine (a film of {} frames, {:.4g} s)\n", file, timeline.frames(),
-                       static_cast<double>(timeline.frames()) / timeline.rate());
+    const double seconds = static_cast<double>(timeline.frames()) / timeline.rate();
+    return Fine{fmt::format("a film of {} frames, {:.4g} s", timeline.frames(), seconds),
+                {{"kind", "film"}, {"frames", timeline.frames()}, {"seconds", seconds}}};
+}
+
+Fine checked(const std::string& file, const std::vector<std::string>& settings, FigureRuns& runs) {
+    if (auto film = checked_film(file, settings)) return *std::move(film);
+    const PreparedRun prepared = prepare_run(read_scene(file, settings), 1);
+    const Scene& scene = prepared.scene;
+    const bool has_figure = !scene.figure.panels.empty();
+    if (has_figure) {
+        FigureSources sources;
+        plan_figure(file, settings, sources, runs, nullptr);
+    }
+    const auto frames = frame_schedule(scene).count();
+    return {
+        fmt::format("{}, {} x {} cells, {} steps, {} frames", scene.model.name,
+                    prepared.initial.bed.nx(), prepared.initial.bed.ny(), scene.run.steps, frames),
+        {{"kind", has_figure ? "figure" : "scene"},
+         {"model", scene.model.name},
+         {"nx", prepared.initial.bed.nx()},
+         {"ny", prepared.initial.bed.ny()},
+         {"steps", scene.run.steps},
+         {"frames", frames}}};
 }
 
 int perform(const CheckOptions& options) {
     int status = 0;
     FigureRuns runs;
+    Json all = Json::array();
     for (const std::string& given : options.scenes) {
+        Json one{{"file", given}};
         try {
             const std::string file = scene_argument(given);
-            if (const auto film = checked_film(file, options.settings)) {
-                std::fputs(film->c_str(), stdout);
-                continue;
-            }
-            const PreparedRun prepared = prepare_run(read_scene(file, options.settings), 1);
-            if (!prepared.scene.figure.panels.empty()) {
-                FigureSources sources;
-                plan_figure(file, options.settings, sources, runs, nullptr);
-            }
-            const std::string line = fmt::format(
-                "{}: fine ({}, {} x {} cells, {} steps, {} frames)\n", file,
-                prepared.scene.model.name, prepared.initial.bed.nx(), prepared.initial.bed.ny(),
-                prepared.scene.run.steps, frame_schedule(prepared.scene).count());
-            std::fputs(line.c_str(), stdout);
+            one["file"] = file;
+            const Fine fine = checked(file, options.settings, runs);
+            one["fine"] = true;
+            one.update(fine.facts);
+            if (!options.as_json) fmt::print("{}: fine ({})\n", file, fine.words);
         } catch (const InputError& fault) {
-            std::fflush(stdout);
-            tell(std::string(fault.what()) + "\n");
+            one["fine"] = false;
+            one["faults"] = fault.lines();
             status = fault.exit_status();
+            std::fflush(stdout);
+            if (!options.as_json) tell(std::string(fault.what()) + "\n");
         }
+        all.push_back(std::move(one));
     }
+    if (options.as_json) std::fputs((json_text(all, 2) + "\n").c_str(), stdout);
     return status;
 }
 

@@ -23,16 +23,16 @@ constexpr const char* opening =
     "a scene file goes in; frames, a movie and measurements come out.\n";
 
 constexpr const char* examples =
-    "Try:\n"
-    "  fumon run scenes/terada-barchans.toml -o out/barchans     frames, movie, measurements\n"
-    "  fumon run SCENE -o DIR --set model.creep_rate=0.2         change one number\n"
-    "  fumon sweep SCENE --over model.creep_rate=0.1:0.5:5 --seeds 10 -o DIR   many runs, one "
-    "table\n"
-    "  fumon figure scenes/figures/sudo-2002-06.toml -o out/figures   a paper's figure\n"
-    "  fumon still SCENE --step 500 -o dunes.png                 one picture of a run\n"
+    "Examples:\n"
+    "  fumon run terada-barchans -o out/barchans                 frames, movie, measurements\n"
+    "  fumon new barchans > my.toml                              a scene of your own, to edit\n"
+    "  fumon run my.toml -o out/mine --set seed=2                a scene with one number changed\n"
+    "  fumon sweep terada-barchans --seeds 10 -o out/seeds       many runs, one table\n"
+    "  fumon figure sudo-2002-06 -o out/figures                  a paper's figure\n"
+    "  fumon still terada-barchans --step 500 -o dunes.png       one picture of a run\n"
     "  fumon still terrain.asc -o terrain.png                    a terrain file of your own\n"
     "  fumon again dunes.png                                     the same picture from itself\n"
-    "  fumon describe sand                                       every key of a model\n\n"
+    "  fumon describe camera                                     the keys of a section\n\n"
     "Commands replace what fumon made, never what they read, and files of others only with "
     "--force.\n"
     "`fumon COMMAND --help` says more about one command.\n";

@@ -17,7 +17,11 @@
     COMMAND(verify)             \
     COMMAND(check)              \
     COMMAND(models)             \
-    COMMAND(describe)
+    COMMAND(describe)           \
+    COMMAND(scenes)             \
+    COMMAND(new)                \
+    COMMAND(completion)         \
+    COMMAND(man)
 
 namespace fumon {
 

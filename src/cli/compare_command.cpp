@@ -1,13 +1,17 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/command.h"
+#include "cli/examples.h"
 #include "cli/shared_options.h"
 #include "files/atomic_file.h"
 #include "outputs/output_claims.h"
 #include "picture/compare.h"
 #include "picture/png.h"
+#include "scene/json.h"
 
 namespace fumon {
 
@@ -19,6 +23,7 @@ struct CompareOptions {
     Likeness level = Likeness::same_to_the_eye;  ///< that passes
     std::string difference;                      ///< a PNG to write; empty: none
     bool force = false;
+    bool as_json = false;
 };
 
 void declare(CLI::App& command, CompareOptions& options) {
@@ -33,8 +38,13 @@ void declare(CLI::App& command, CompareOptions& options) {
                           {"close", Likeness::close}},
                          "identical, same or close",
                          "the least alike that passes: identical, same (default) or close");
-    command.footer(likeness_help() +
-                   "\nExit status: 0 at least --level, 1 less (other sizes too), 2 wrong input.");
+    command.add_flag("--json", options.as_json, "as JSON");
+    add_examples(command,
+                 {{"fumon compare before.png after.png", ""},
+                  {"fumon compare before.png after.png --diff where.png --level close", ""},
+                  {"fumon compare before.png after.png --json", "for a program"}},
+                 likeness_help() +
+                     "\nExit status: 0 at least --level, 1 less (other sizes too), 2 wrong input.");
 }
 
 void print(const Comparison& comparison) {
@@ -53,6 +63,25 @@ void print(const Comparison& comparison) {
     fmt::print("\n");
 }
 
+std::string as_json(const CompareOptions& options, const std::optional<Comparison>& comparison,
+                    Likeness found) {
+    nlohmann::ordered_json json;
+    json["first"] = options.first;
+    json["second"] = options.second;
+    json["likeness"] = name_of(found);
+    json["passes"] = comparison && found >= options.level;
+    json["same_size"] = comparison.has_value();
+    if (comparison) {
+        json["largest_difference"] = comparison->largest;
+        json["changed_pixels"] = comparison->changed;
+        json["changed_share"] = comparison->changed_share;
+        json["mean_difference"] = comparison->mean;
+        json["smallest_tile_ssim"] = comparison->tiles.smallest;
+        json["thumbnail_difference"] = comparison->thumbnail.largest;
+    }
+    return json_text(json, 2) + "\n";
+}
+
 void check_difference(const CompareOptions& options) {
     if (options.difference.empty()) return;
     check_ending(options.difference, "a picture", png_ending);
@@ -67,14 +96,22 @@ int perform(const CompareOptions& options) {
     const Image first = read_png(options.first);
     const Image second = read_png(options.second);
     if (first.width != second.width || first.height != second.height) {
-        fmt::print("{}: {} x {} against {} x {} pixels\n", name_of(Likeness::different),
-                   first.width, first.height, second.width, second.height);
+        const std::string text =
+            options.as_json
+                ? as_json(options, std::nullopt, Likeness::different)
+                : fmt::format("{}: {} x {} against {} x {} pixels\n", name_of(Likeness::different),
+                              first.width, first.height, second.width, second.height);
+        std::fputs(text.c_str(), stdout);
         return 1;
     }
     const Comparison comparison = compare(first, second);
     const Likeness found = likeness(comparison);
-    print(comparison);
-    fmt::print("{}\n", name_of(found));
+    if (options.as_json) {
+        std::fputs(as_json(options, comparison, found).c_str(), stdout);
+    } else {
+        print(comparison);
+        fmt::print("{}\n", name_of(found));
+    }
     if (!options.difference.empty()) {
         write_file(options.difference,
                    encode_png(difference_picture(first, second), screen_dots_per_inch, own_text()));

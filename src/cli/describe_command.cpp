@@ -1,7 +1,9 @@
 #include <cstdio>
 #include <string>
 
+#include "base/error.h"
 #include "cli/command.h"
+#include "cli/examples.h"
 #include "film/film_keys.h"
 #include "scene/describe.h"
 
@@ -15,20 +17,38 @@ struct DescribeOptions {
 };
 
 void declare(CLI::App& command, DescribeOptions& options) {
-    command.add_option(
-        "WHAT", options.what,
-        "\"scene\" (the keys of every scene), \"film\" or a model; nothing: all of scenes");
-    command.add_flag("--json", options.as_json, "as JSON");
+    command.add_option("WHAT", options.what,
+                       "a section or a key of scenes or films, a model, or scene, figure, overlay, "
+                       "film or all; nothing: one page on all");
+    command.add_flag("--json", options.as_json, "as JSON (of everything where WHAT is left out)");
+    add_examples(command, {{"fumon describe", "every section with the names of its keys"},
+                           {"fumon describe camera", "the keys of a section"},
+                           {"fumon describe look.palette", "one key"},
+                           {"fumon describe sand", "the keys of a model"},
+                           {"fumon describe dunes --json", "the same for a program"}});
+}
+
+/// What is said of a part of films alone; empty where it is none.
+std::string film_description(const DescribeOptions& options) {
+    const std::string part = options.what == "film" ? "" : options.what;
+    const std::string text = describe_film(part);
+    return text.empty() || !options.as_json ? text : describe_film_json(part);
+}
+
+std::string description(const DescribeOptions& options) {
+    if (options.what == "film") return film_description(options);
+    if (options.what.empty() && !options.as_json) return describe_summary();
+    try {
+        return options.as_json ? describe_json(options.what) : describe_text(options.what);
+    } catch (const InputError&) {
+        std::string text = film_description(options);
+        if (text.empty()) throw;
+        return text;
+    }
 }
 
 int perform(const DescribeOptions& options) {
-    if (options.what == "film") {
-        std::fputs((options.as_json ? describe_film_json() : describe_film()).c_str(), stdout);
-        return 0;
-    }
-    const std::string text =
-        options.as_json ? describe_json(options.what) : describe_text(options.what);
-    std::fputs(text.c_str(), stdout);
+    std::fputs(description(options).c_str(), stdout);
     return 0;
 }
 
@@ -36,7 +56,7 @@ int perform(const DescribeOptions& options) {
 
 Command describe_command() {
     return make_command<DescribeOptions>(
-        "describe", "list scene keys with type, unit, default and range", declare, perform);
+        "describe", "tell of scene keys: type, unit, range, default, role", declare, perform);
 }
 
 }  // namespace fumon

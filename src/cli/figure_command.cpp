@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "cli/command.h"
+#include "cli/examples.h"
 #include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "files/folder_lock.h"
@@ -43,15 +44,14 @@ void declare(CLI::App& command, FigureOptions& options) {
     add_force(command, options.force);
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
-    command.footer(
-        "  fumon figure scenes/figures/*.toml -o out/figures\n"
-        "\n"
-        "DIR/NAME.pdf, .svg and .png are the figure, DIR/NAME.caption.txt says how it was "
-        "made, "
-        "DIR/NAME-a-1.csv is\nthe data of panel (a), curve 1. Runs that are there already are "
-        "not made again.\n"
-        "Exit status: 0 done, 1 some runs or figures failed, 2 wrong input, 130/143 "
-        "interrupted "
+    add_examples(
+        command,
+        {{"fumon figure sudo-2002-06 -o out/figures", "a figure that fumon ships"},
+         {"fumon figure scenes/figures/*.toml -o out/figures", "many, which share their runs"}},
+        "DIR/NAME.pdf, .svg and .png are the figure, DIR/NAME.caption.txt says how it was made, "
+        "DIR/NAME-a-1.csv is\nthe data of panel (a), curve 1. Runs that are there already are not "
+        "made again.\n"
+        "Exit status: 0 done, 1 some runs or figures failed, 2 wrong input, 130/143 interrupted "
         "(finished runs are kept).");
 }
 

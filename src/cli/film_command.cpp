@@ -11,6 +11,7 @@
 #include "base/number_text.h"
 #include "cli/command.h"
 #include "cli/commands.h"
+#include "cli/examples.h"
 #include "cli/shared_options.h"
 #include "files/input_file.h"
 #include "files/json_text.h"
@@ -70,7 +71,11 @@ void declare(CLI::App& command, FilmOptions& options) {
                  "override a film key: --set film.size=vertical (repeatable)");
     add_thread_options(command, options.work);
     add_drawing_options(command, options.work);
-    command.footer(
+    add_examples(
+        command,
+        {{"fumon film out/run barchans -o film.mp4", "a film that fumon ships, of a run of yours"},
+         {"fumon film out/run film.toml --draft", "small and quick"},
+         {"fumon film out/run film.toml --formats talk,gif --max-size 8MB", "several files"}},
         "Nothing is simulated: the run stores beds when its scene says output.fields_every=N.\n"
         "`fumon describe film` lists the keys of a film.");
 }

@@ -5,6 +5,7 @@
 
 #include "cli/command.h"
 #include "cli/commands.h"
+#include "cli/examples.h"
 #include "cli/shared_options.h"
 #include "keys/key_value.h"
 #include "picture/fingerprint.h"
@@ -24,7 +25,9 @@ struct FingerprintOptions {
 void declare(CLI::App& command, FingerprintOptions& options) {
     command.add_option("IMAGE", options.images, "PNG files")->required();
     command.add_flag("--json", options.as_json, "as JSON");
-    command.footer(
+    add_examples(
+        command,
+        {{"fumon fingerprint dunes.png", ""}, {"fumon fingerprint a.png b.png --json", ""}},
         "size     width and height, pixels\n"
         "pixels   SHA-256 of the pixels (8 bits a channel, without alpha), as run.json has it\n"
         "dhash    64-bit difference hash: a label, blind to light and shading\n"

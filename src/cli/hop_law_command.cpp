@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "cli/command.h"
+#include "cli/examples.h"
 #include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "files/atomic_file.h"
@@ -56,10 +57,10 @@ void declare(CLI::App& command, HopLawOptions& options) {
         ->type_name("FILE.csv");
     add_force(command, options.force);
     add_work_options(command, options.work);
-    command.footer(
-        "  fumon hop-law scenes/terada-hop-law.toml -o out/law.toml\n"
-        "  fumon run out/law.toml -o out/ripples\n"
-        "\n"
+    add_examples(
+        command,
+        {{"fumon hop-law terada-hop-law -o out/law.toml", ""},
+         {"fumon run out/law.toml -o out/ripples", "the ripples of that law"}},
         "The air runs to the scene's last step; then a grain leaves every column at each of "
         "model.launch_angles.");
 }

@@ -12,6 +12,7 @@
 #include "base/limits.h"
 #include "base/tell.h"
 #include "cli/command.h"
+#include "cli/examples.h"
 #include "cli/shared_options.h"
 #include "files/avalanche_table.h"
 #include "files/netcdf/netcdf_record.h"
@@ -74,9 +75,15 @@ void declare(CLI::App& command, MeasureOptions& options) {
     add_heights(command, options.heights);
     add_settings(command, options.settings,
                  "override a scene key, as grid.cell_size or bed.nodata (repeatable)");
-    command.footer(
-        "Lengths are in metres where the file has them, else in sites; \"undefined\" is what "
-        "has no "
+    add_examples(
+        command,
+        {{"fumon measure out/run/fields.nc", "the last record of a run"},
+         {"fumon measure terrain.asc --open --json", "a terrain file, for a program"},
+         {"fumon measure late.asc --earlier early.asc --steps 100", "how fast crests move"},
+         {"fumon measure out/run/avalanches.csv --window 10:100",
+          "how avalanche sizes are spread"}},
+        "Lengths are in metres where the file has them, else in sites; \"undefined\" is what has "
+        "no "
         "meaning\nfor this bed. `fumon run` writes the same measures over time into "
         "measurements.csv.");
 }

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/tell.h"
 #include "cli/command.h"
+#include "cli/examples.h"
 #include "cli/shared_options.h"
 #include "files/input_file.h"
 #include "measure/bed/crest_orientation.h"
@@ -76,13 +77,13 @@ void declare(CLI::App& command, OrientationOptions& options) {
     add_heights(command, options.heights);
     add_settings(command, options.settings,
                  "override a key of the bed, as bed.nodata (repeatable)");
-    command.footer(
-        "  fumon orientation --wind rose.csv\n"
-        "  fumon orientation --wind rose.csv --bed out/run/beds/bed_00001000.asc\n"
-        "\n"
-        "Crests run along the directions given, in degrees clockwise from north; several where "
-        "they "
-        "are\nequally favoured. Fingers grow toward theirs.");
+    add_examples(command,
+                 {{"fumon orientation --wind rose.csv", ""},
+                  {"fumon orientation --wind rose.csv --bed out/run/beds/bed_00001000.asc",
+                   "beside a bed's"}},
+                 "Crests run along the directions given, in degrees clockwise from north; several "
+                 "where they "
+                 "are\nequally favoured. Fingers grow toward theirs.");
 }
 
 /// One law's reading of the winds.

@@ -12,6 +12,7 @@
 #include "base/number_text.h"
 #include "cli/command.h"
 #include "cli/commands.h"
+#include "cli/examples.h"
 #include "cli/shared_options.h"
 #include "film/stored_beds.h"
 #include "film/stored_frames.h"
@@ -59,16 +60,18 @@ void declare(CLI::App& command, RenderOptions& options) {
                  "override how the run looks: --set camera.azimuth=200 (repeatable)");
     add_thread_options(command, options.work);
     add_drawing_options(command, options.work);
-    command.footer(
-        "  fumon run SCENE -o out/sim --set output.fields_every=10 --set frames.every=10 "
-        "--set output.frames=false --set output.movie=false\n"
-        "  fumon render out/sim -o out/frames --shard 3/16             one of 16 machines' share\n"
-        "  fumon render out/sim -o out/frames --merge                  the movie, when all are "
-        "drawn\n"
-        "  fumon render out/sim -o out/close --frames 0:9 --set camera.zoom=2\n\n"
-        "Nothing is simulated: the run stores beds when its scene says output.fields_every=N. "
-        "The files have the\nbytes that the run would have written. Frames that are there are "
-        "kept, and two programs never draw the same.\n"
+    add_examples(
+        command,
+        {{"fumon run dunes-barchans -o out/sim --set output.fields_every=100 --set "
+          "frames.every=100",
+          ""},
+         {"fumon render out/sim -o out/frames --shard 3/16", "one of 16 machines' share"},
+         {"fumon render out/sim -o out/frames --merge", "the movie, when all are drawn"},
+         {"fumon render out/sim -o out/noon --frames 0:9 --set sun.elevation=60", "another look"}},
+        "Nothing is simulated: the run stores beds when its scene says output.fields_every=N. The "
+        "files have the\nbytes that the run would have written. Frames that are there are kept, "
+        "and "
+        "two programs never draw the same.\n"
         "Exit status: 0 done, 1 failed or frames are missing, 2 wrong input, 130/143 interrupted "
         "(what was drawn is kept).");
 }

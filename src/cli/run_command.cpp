@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -10,8 +12,11 @@
 #include "base/number_text.h"
 #include "cli/command.h"
 #include "cli/commands.h"
+#include "cli/examples.h"
 #include "cli/scene_argument.h"
 #include "cli/shared_options.h"
+#include "files/input_file.h"
+#include "files/json_text.h"
 #include "run/drawing.h"
 #include "run/manifest.h"
 #include "run/output_files.h"
@@ -19,6 +24,7 @@
 #include "run/prepared_run.h"
 #include "run/resume.h"
 #include "run/terminal/interrupt.h"
+#include "scene/json.h"
 #include "scene/read.h"
 #include "scene/scene_files.h"
 #include "scene/wind_tables.h"
@@ -33,6 +39,7 @@ struct RunOptions {
     bool force = false;
     std::string resume;              ///< the folder of a run to go on with; empty: a new run
     double checkpoint_every = 10.0;  ///< minutes; 0: no checkpoints
+    bool as_json = false;
     WorkOptions work;
 };
 
@@ -54,9 +61,15 @@ void declare(CLI::App& command, RunOptions& options) {
     add_number(command, "--checkpoint-every", options.checkpoint_every, 0, most_minutes,
                "minutes between checkpoints (default 10; 0: none)")
         ->type_name("MINUTES");
+    command.add_flag("--json", options.as_json, "print what the run made as JSON");
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
-    command.footer(
+    add_examples(
+        command,
+        {{"fumon run terada-barchans -o out/barchans", "frames, movie, measurements"},
+         {"fumon run terada-barchans -o out/wet --set model.creep_rate=0.2", "a number changed"},
+         {"fumon run dunes-barchans -o out/dunes --json", "what it made, for a program"},
+         {"fumon run --resume out/barchans", "goes on with a run that was stopped"}},
         "Exit status: 0 done, 1 failed, 2 wrong input, 130/143 interrupted (what was made is "
         "kept).");
 }
@@ -93,6 +106,23 @@ void tell_of_build(const BuildIdentity& then, Progress& progress) {
         "steps so far were computed by a fumon from the same sources built otherwise: {} then, "
         "{} now",
         then.tools, this_build().tools));
+}
+
+/// What a run made, for a program; the rest stands in run.json.
+void print_json(const RunFolder& folder) {
+    const auto manifest = parse_json(read_input_file(folder.manifest()));
+    nlohmann::ordered_json json;
+    json["folder"] = folder.path().string();
+    json["manifest"] = folder.manifest().string();
+    for (const char* key :
+         {"status", "model", "seed", "steps_planned", "steps_done", "time", "state_sha256",
+          "implausible", "error", "measurements", "avalanches", "fields", "movie", "beds"}) {
+        if (manifest.contains(key)) json[key] = manifest[key];
+    }
+    json["frames"] = manifest.contains("frames") ? manifest["frames"].size() : 0;
+    if (manifest.contains("performance"))
+        json["wall_seconds"] = manifest["performance"]["wall_seconds"];
+    std::fputs((json_text(json, 2) + "\n").c_str(), stdout);
 }
 
 /// Makes a run that is prepared, in the folder; returns the exit status.
@@ -140,6 +170,7 @@ int work(PreparedRun& prepared, RunFolder& folder, const RunOptions& options,
         if (!outcome.error) throw;
     }
     if (!outcome.checkpoint) folder.forget_frames();
+    if (options.as_json) print_json(folder);
     if (outcome.error) std::rethrow_exception(outcome.error);
     tell_the_end(outcome, prepared, folder, progress);
     if (outcome.signal == 0) {
@@ -162,6 +193,7 @@ int resume(const RunOptions& options) {
     if (folder.is_complete()) {
         Progress(options.work.verbosity, 0)
             .note(fmt::format("{}: the run is complete, nothing is left to do", options.resume));
+        if (options.as_json) print_json(folder);
         if (std::filesystem::exists(folder.checkpoint())) folder.tidy();
         return 0;
     }

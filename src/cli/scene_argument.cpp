@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "base/data_files.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "cli/shipped_scenes.h"
 
 namespace fumon {
 
@@ -17,24 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folders of shipped scenes that there are.
-std::vector<fs::path> shipped_folders() {
-    std::vector<fs::path> folders;
-    for (const char* name : {"scenes", "scenes/figures"}) {
-        if (auto folder = find_data_file(name)) folders.push_back(std::move(*folder));
-    }
-    return folders;
-}
-
+/// The names of scenes that a command may be given alone.
 std::vector<std::string> shipped_names() {
     std::vector<std::string> names;
-    for (const fs::path& folder : shipped_folders()) {
-        std::error_code fault;
-        for (const auto& entry : fs::directory_iterator(folder, fault)) {
-            if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-        }
-    }
-    std::sort(names.begin(), names.end());
+    for (const ShippedScene& scene : shipped_scenes({"", "figures"}))
+        names.push_back(scene.file.stem().string());
     return names;
 }
 
@@ -47,8 +34,8 @@ std::string scene_argument(const std::string& given) {
     if (!bare || fs::is_regular_file(path, fault)) return given;
     const bool is_word = path.extension() != ".toml";
     const std::string file = is_word ? given + ".toml" : given;
-    for (const fs::path& folder : shipped_folders()) {
-        if (fs::is_regular_file(folder / file, fault)) return (folder / file).string();
+    for (const char* folder : {"scenes/", "scenes/figures/"}) {
+        if (const auto shipped = find_data_file(folder + file)) return shipped->string();
     }
     if (!is_word || path.has_extension() || fs::exists(path, fault)) return given;
     const std::string nearest = nearest_name(given, shipped_names());

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstdint>
 
+#include "cli/completion.h"
 #include "shards/shard.h"
 
 namespace fumon {
@@ -36,9 +37,9 @@ std::string word_fault(const std::string& text, const std::vector<std::string>& 
 
 CLI::Option* add_word(CLI::App& command, const char* name, std::string& value,
                       const std::vector<std::string>& words, const char* help) {
-    return command.add_option(name, value, help)->check([words](const std::string& text) {
-        return word_fault(text, words);
-    });
+    const CLI::Validator known([words](const std::string& text) { return word_fault(text, words); },
+                               "", words_as_name(words));
+    return command.add_option(name, value, help)->check(known);
 }
 
 void add_thread_options(CLI::App& command, WorkOptions& work) {

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "cli/completion.h"
 #include "run/terminal/work_options.h"
 
 namespace fumon {
@@ -72,9 +73,11 @@ CLI::Option* add_word(CLI::App& command, const char* name, std::string& value,
 template <class Value>
 void add_choice(CLI::App& command, const char* name, Value& value,
                 const std::map<std::string, Value>& words, const char* list, const char* help) {
+    std::vector<std::string> known;
+    for (const auto& word : words) known.push_back(word.first);
     command.add_option(name, value, help)
         ->type_name("NAME")
-        ->transform(CLI::Transformer(words).description(""))
+        ->transform(CLI::Transformer(words).description("").name(words_as_name(known)))
         ->check([list](const std::string& text) -> std::string {
             const bool was_known = text.size() == 1;  // an enumerator's number by now
             return was_known ? "" : fmt::format("it takes {}, not \"{}\"", list, text);

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <optional>
@@ -7,6 +8,7 @@
 #include "base/limits.h"
 #include "cli/command.h"
 #include "cli/commands.h"
+#include "cli/examples.h"
 #include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "files/terrain/terrain_format.h"
@@ -36,7 +38,7 @@ struct StillOptions {
 void declare(CLI::App& command, StillOptions& options) {
     command.add_option("INPUT", options.input, "a scene (.toml), or terrain: " + terrain_titles())
         ->required();
-    command.add_option("-o,--output", options.output, "the picture (PNG)")
+    command.add_option("-o,--output", options.output, "the picture (PNG); - is standard output")
         ->type_name("FILE.png")
         ->required();
     auto* step = add_number(command, "--step", options.step, 0, largest_step,
@@ -50,10 +52,15 @@ void declare(CLI::App& command, StillOptions& options) {
     add_force(command, options.force);
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
-    command.footer(
-        "A look of your own: --set camera.azimuth=160 --set sun.elevation=15 --set "
-        "image.width=3840 …\n"
-        "(`fumon describe scene` lists every key).");
+    add_examples(
+        command,
+        {{"fumon still terada-barchans --step 500 -o dunes.png", "a step of a scene"},
+         {"fumon still terrain.asc -o terrain.png", "a terrain file of your own"},
+         {"fumon still gully-rain --step 0 -o - --set camera.projection=map | feh -",
+          "to a program"},
+         {"fumon still terada-ripples -o low.png --set camera.azimuth=160 --set sun.elevation=15",
+          ""}},
+        "`fumon describe camera` and the like list what a look is made of.");
 }
 
 namespace fs = std::filesystem;
@@ -90,15 +97,28 @@ PreparedRun prepare(const StillOptions& options) {
     return prepare_run(scene_of(options), options.work.threads);
 }
 
+/// A picture says nothing on a terminal, and may upset it.
+void check_standard_output() {
+    if (::isatty(STDOUT_FILENO) == 0) return;
+    throw InputError(
+        "-o -: standard output is a terminal, and the picture is a PNG file; name a file, or let a "
+        "file or a program take it (> dunes.png)");
+}
+
 int perform(const StillOptions& options) {
     const InterruptGuard guard;
-    check_ending(options.output, "a picture", png_ending);
+    const bool to_standard_output = options.output == standard_output;
+    if (to_standard_output) {
+        check_standard_output();
+    } else {
+        check_ending(options.output, "a picture", png_ending);
+    }
     prepare_drawing(options.work);
     PreparedRun prepared = prepare(options);
     OutputClaims claims(options.force);
     claims.reads(options.input);
     claims.reads(scene_files(prepared.scene));
-    claims.writes(options.output);
+    if (!to_standard_output) claims.writes(options.output);
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(prepared.initial.bed.size()));
     prepared.initial.bed = Grid();  // the model has its own, and a large one fills the memory

@@ -11,6 +11,7 @@
 #include "base/number_text.h"
 #include "cli/command.h"
 #include "cli/commands.h"
+#include "cli/examples.h"
 #include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "run/terminal/interrupt.h"
@@ -65,23 +66,24 @@ void declare(CLI::App& command, SweepOptions& options) {
         ->allow_extra_args(false)
         ->needs(command.get_option("--merge")->excludes(force));
     add_work_options(command, options.work);
-    command.footer(
-        "  fumon sweep SCENE --over model.creep_rate=0.1:0.5:5 --seeds 10 -o out/creep\n"
-        "  fumon sweep SCENE --over bed.file=a.asc,b.asc --over run.steps=100,200 -o out/beds\n"
-        "  fumon sweep SCENE --over grid.nx+grid.ny=64,128 -o out/sizes    keys that go "
-        "together\n\n"
-        "  fumon sweep SCENE --seeds 100 -o out/many --shard 3/16              one of 16 machines' "
-        "share\n"
-        "  fumon sweep SCENE --seeds 100 -o out/many --merge                   the table, when all "
-        "are done\n"
-        "  fumon sweep SCENE --seeds 100 -o out/many --slurm 16 | sbatch       both, under "
-        "Slurm\n\n"
+    add_examples(
+        command,
+        {{"fumon sweep terada-barchans --over model.creep_rate=0.1:0.5:5 --seeds 10 -o out/creep",
+          ""},
+         {"fumon sweep terada-barchans --over grid.nx+grid.ny=64,128 -o out/sizes",
+          "keys that go together"},
+         {"fumon sweep terada-ripples --seeds 100 -o out/many --shard 3/16",
+          "one of 16 machines' share"},
+         {"fumon sweep terada-ripples --seeds 100 -o out/many --merge",
+          "the table, when all are done"},
+         {"fumon sweep terada-ripples --seeds 100 -o out/many --slurm 16 | sbatch",
+          "both, under Slurm"}},
         "DIR/sweep.csv has one row per run and measured step, DIR/runs.csv one row per run, "
         "DIR/runs each run's files.\n"
         "The same command resumes where it was stopped; with more values or seeds it makes only "
         "the new runs.\n"
-        "Exit status: 0 done, 1 some runs failed, 2 wrong input, 130/143 interrupted (finished "
-        "runs are kept).");
+        "Exit status: 0 done, 1 some runs failed or shards are missing, 2 wrong input, 130/143 "
+        "interrupted (finished\nruns are kept).");
 }
 
 std::size_t count(const std::vector<RunRecord>& records, RunStatus status) {

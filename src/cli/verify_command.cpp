@@ -2,6 +2,7 @@
 
 #include "cli/command.h"
 #include "cli/commands.h"
+#include "cli/examples.h"
 #include "cli/shared_options.h"
 #include "run/terminal/interrupt.h"
 #include "verify/verification.h"
@@ -27,13 +28,15 @@ void declare(CLI::App& command, VerificationOptions& options) {
         "wrong in files that they name");
     add_thread_options(command, options.work);
     add_drawing_options(command, options.work);
-    command.footer(
-        "  [cases]                                  # baseline.toml: a line a picture\n"
-        "  map = {scene = \"dunes.toml\", step = 500, settings = "
-        "[\"camera.projection=map\"]}\n"
-        "\n"
-        "  fumon verify --update --pinned baseline.toml   records; commit the file\n"
-        "  fumon verify baseline.toml                     compares, pinned as it was recorded\n"
+    command.add_flag("--json", options.as_json, "print what was found as JSON");
+    add_examples(
+        command,
+        {{"fumon verify --update --pinned baseline.toml", "records; commit the file"},
+         {"fumon verify baseline.toml", "compares, pinned as it was recorded"},
+         {"fumon verify baseline.toml --json", "for a program"}},
+        "A baseline has a line a picture:\n"
+        "  [cases]\n"
+        "  map = {scene = \"dunes.toml\", step = 500, settings = [\"camera.projection=map\"]}\n"
         "\n"
         "The state's hash must be the recorded one. Where what draws is pinned and the same, "
         "so must the\npixels (strict); elsewhere (portable) the thumbnail must be within "

@@ -1,5 +1,7 @@
 #include "film/film_keys.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -220,24 +222,44 @@ Film film_of_all_keys() {
     return film;
 }
 
-}  // namespace
-
-std::string describe_film() {
-    Film film = film_of_all_keys();
-    const KeyTable table = film_keys(film);
-    std::string text =
-        "Keys of a film, for `fumon film`. N counts its [[shot]], [[shot.key]], [[card]] and\n"
-        "[[caption]] sections from 0; [[overlay]] takes the keys of `fumon describe overlay`\n\n";
-    for (const Key& key : table.keys()) text += describe_key(key);
-    return text;
+bool is_part(const Key& key, const std::string& part) {
+    const std::string path = without_numbers(key.path);
+    return part.empty() || path == part || path.starts_with(part + ".");
 }
 
-std::string describe_film_json() {
+}  // namespace
+
+std::string describe_film(const std::string& part) {
+    Film film = film_of_all_keys();
+    const KeyTable table = film_keys(film);
+    std::string keys;
+    for (const Key& key : table.keys()) {
+        if (is_part(key, part)) keys += describe_key(key);
+    }
+    if (keys.empty()) return {};
+    if (!part.empty()) return fmt::format("Keys of a film, {}\n\n{}", part, keys);
+    return "Keys of a film, for `fumon film`. N counts its [[shot]], [[shot.key]], [[card]] and\n"
+           "[[caption]] sections from 0; [[overlay]] takes the keys of `fumon describe "
+           "overlay`\n\n" +
+           keys;
+}
+
+std::string describe_film_json(const std::string& part) {
     Film film = film_of_all_keys();
     const KeyTable table = film_keys(film);
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const Key& key : table.keys()) all.push_back(key_json(key));
+    for (const Key& key : table.keys()) {
+        if (is_part(key, part)) all.push_back(key_json(key));
+    }
     return all.dump(2) + "\n";
+}
+
+std::vector<KeyWords> film_key_words() {
+    Film film = film_of_all_keys();
+    const KeyTable table = film_keys(film);
+    std::vector<KeyWords> all;
+    for (const Key& key : table.keys()) all.push_back(key_words(key));
+    return all;
 }
 
 }  // namespace fumon

@@ -85,6 +85,13 @@ nlohmann::ordered_json key_json(const Key& key) {
     return json;
 }
 
+KeyWords key_words(const Key& key) {
+    KeyWords words{key.path, key.notes.help, {}};
+    for (const KeyWord& known : words_of(key)) words.words.emplace_back(known.word);
+    if (std::holds_alternative<bool*>(key.target)) words.words = {"true", "false"};
+    return words;
+}
+
 std::string describe_roles() {
     std::string text;
     for (const KeyRoleText& role : key_roles())

@@ -15,6 +15,14 @@ std::string describe_key(const Key& key);
 /// values, role, help}, those that the key has.
 nlohmann::ordered_json key_json(const Key& key);
 
+/// A key and the words that it takes, for what completes them: those of a choice, true and false.
+struct KeyWords {
+    std::string path;  ///< numbers of items as in the key's own: "overlay.0.corner"
+    std::string help;
+    std::vector<std::string> words;
+};
+KeyWords key_words(const Key& key);
+
 /// What each role means, a line each.
 std::string describe_roles();
 

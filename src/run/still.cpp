@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <vector>
 
 #include "base/error.h"
@@ -72,7 +73,13 @@ DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const 
     const auto texts =
         picture_text(resolved_scene(scene, prepared.initial.inputs), scene, snapshot.step,
                      prepared.initial.inputs, pixels, drawing.environment);
-    write_file(file, encode_png(image, scene.view.image.dots_per_inch, texts));
+    const std::vector<std::uint8_t> bytes =
+        encode_png(image, scene.view.image.dots_per_inch, texts);
+    if (file == standard_output) {
+        std::fwrite(bytes.data(), 1, bytes.size(), stdout);  // looked at when the program ends
+    } else {
+        write_file(file, bytes);
+    }
     if (drawing.exaggeration != 1.0) {
         progress.note(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));
     }

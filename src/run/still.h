@@ -38,6 +38,9 @@ struct Drawing {
 Drawing draw_snapshot(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
                       const WorkOptions& work);
 
+/// What a file is called that is to go to standard output.
+inline constexpr const char* standard_output = "-";
+
 /// The same, written whole with its metadata.
 DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
                       const std::string& file, const WorkOptions& work, Progress& progress);

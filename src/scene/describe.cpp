@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -49,11 +50,18 @@ const Topic* find_topic(const std::string& name) {
     return nullptr;
 }
 
+/// Whether a key is one that `part` names, or stands in the section that it names.
+bool is_part(const std::string& path, const std::string& part) {
+    const std::string plain = without_numbers(path);
+    return plain == part || plain.starts_with(part + ".");
+}
+
 /// The keys of one model, or of scenes, with the values they are bound to.
 struct Section {
     std::string heading;
     std::string model;  ///< empty: common to all scenes
     const Topic* topic = nullptr;
+    std::string part;  ///< of a section or key alone, without numbers; empty: all
     Scene scene;
     std::any parameters;
     KeyTable table;
@@ -61,7 +69,9 @@ struct Section {
     [[nodiscard]] std::vector<const Key*> keys() const {
         std::vector<const Key*> all;
         for (const Key& key : table.keys()) {
-            if (!model.empty() || topic_of(key.path) == topic) all.push_back(&key);
+            const bool wanted = part.empty() ? !model.empty() || topic_of(key.path) == topic
+                                             : is_part(key.path, part);
+            if (wanted) all.push_back(&key);
         }
         return all;
     }
@@ -86,55 +96,154 @@ void fill_with_scene(Section& section) {
     fill(section, [&] { return scene_keys(section.scene); });
 }
 
-void check_name(const std::string& what) {
-    if (what.empty() || what == "scene" || find_topic(what) != nullptr ||
-        find_model(what) != nullptr)
-        return;
-    std::vector<std::string> known{"scene"};
-    for (const Topic& topic : topics) known.emplace_back(topic.name);
-    for (const ModelEntry& entry : models()) known.emplace_back(entry.name);
-    throw InputError(fmt::format(
-        "fumon describe: \"{}\" is neither \"scene\", \"figure\", \"overlay\" nor a model; {}",
-        what, suggestion(what, known)));
+using Sections = std::vector<std::unique_ptr<Section>>;
+
+std::unique_ptr<Section> scene_section() {
+    auto section = std::make_unique<Section>();
+    section->heading =
+        "Keys of every scene (TOML: section.key, or key = value under [section]), each with\n"
+        "what it decides (its role):\n\n" +
+        describe_roles();
+    fill_with_scene(*section);
+    return section;
 }
 
-std::vector<std::unique_ptr<Section>> sections(const std::string& what) {
-    check_name(what);
-    std::vector<std::unique_ptr<Section>> all;
-    if (what.empty() || what == "scene") {
-        auto section = std::make_unique<Section>();
-        section->heading =
-            "Keys of every scene (TOML: section.key, or key = value under [section]), each with\n"
-            "what it decides (its role):\n\n" +
-            describe_roles();
-        fill_with_scene(*section);
-        all.push_back(std::move(section));
-    }
-    for (const Topic& topic : topics) {
-        if (!what.empty() && what != topic.name) continue;
-        auto section = std::make_unique<Section>();
-        section->heading = topic.heading;
-        section->topic = &topic;
-        fill_with_scene(*section);
-        all.push_back(std::move(section));
-    }
-    for (const ModelEntry& entry : models()) {
-        if (!what.empty() && what != entry.name) continue;
-        auto section = std::make_unique<Section>();
-        section->model = entry.name;
-        section->heading = fmt::format("Keys of the model \"{}\": {}", entry.name, entry.help);
-        section->parameters = entry.default_parameters();
-        fill(*section, [&] {
-            KeyTable table;
-            entry.list_keys(section->parameters, table);
-            return table;
-        });
-        all.push_back(std::move(section));
-    }
+std::unique_ptr<Section> topic_section(const Topic& topic) {
+    auto section = std::make_unique<Section>();
+    section->heading = topic.heading;
+    section->topic = &topic;
+    fill_with_scene(*section);
+    return section;
+}
+
+std::unique_ptr<Section> model_section(const ModelEntry& entry) {
+    auto section = std::make_unique<Section>();
+    section->model = entry.name;
+    section->heading = fmt::format("Keys of the model \"{}\": {}", entry.name, entry.help);
+    section->parameters = entry.default_parameters();
+    fill(*section, [&] {
+        KeyTable table;
+        entry.list_keys(section->parameters, table);
+        return table;
+    });
+    return section;
+}
+
+Sections all_sections() {
+    Sections all;
+    all.push_back(scene_section());
+    for (const Topic& topic : topics) all.push_back(topic_section(topic));
+    for (const ModelEntry& entry : models()) all.push_back(model_section(entry));
     return all;
 }
 
+/// The sections that hold keys of a part of a scene: "camera", "camera.azimuth",
+/// "model.creep_rate", "overlay.N.corner" or "overlay.corner".
+Sections sections_of_part(const std::string& part) {
+    Sections found;
+    const auto add = [&](std::unique_ptr<Section> section, const std::string& of_model) {
+        section->part = part;
+        if (section->keys().empty()) return;
+        const bool one = without_numbers(section->keys().front()->path) == part;
+        section->heading = (one ? part : fmt::format("Keys of [{}]", part)) + of_model;
+        found.push_back(std::move(section));
+    };
+    add(scene_section(), "");
+    for (const ModelEntry& entry : models())
+        add(model_section(entry), fmt::format(" of the model \"{}\"", entry.name));
+    return found;
+}
+
+/// A part as users write it, without the numbers of items: "overlay.N.corner", "edge.0.level".
+std::string plain_part(std::string what) {
+    for (std::size_t at = 0; (at = what.find(".N")) != std::string::npos;) what.erase(at, 2);
+    return without_numbers(what);
+}
+
+Sections sections(const std::string& what) {
+    Sections all;
+    if (what.empty() || what == "all") return all_sections();
+    if (what == "scene") {
+        all.push_back(scene_section());
+    } else if (const Topic* topic = find_topic(what)) {
+        all.push_back(topic_section(*topic));
+    } else if (const ModelEntry* entry = find_model(what)) {
+        all.push_back(model_section(*entry));
+    } else {
+        all = sections_of_part(plain_part(what));
+    }
+    if (!all.empty()) return all;
+    throw InputError(
+        fmt::format("fumon describe: \"{}\" is neither \"scene\", \"figure\", \"overlay\", a "
+                    "model, a section nor "
+                    "a key; {}",
+                    what, suggestion(what, described_names())));
+}
+
+/// A section's name and the keys in it, in lines of a terminal's width.
+std::string summary_lines(const std::string& name, const std::vector<std::string>& keys) {
+    constexpr std::size_t width = 96;
+    constexpr std::size_t column = 12;
+    std::string text;
+    std::string line = fmt::format("  {:<{}}", name, column - 2);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const std::string word = keys[i] + (i + 1 < keys.size() ? "," : "");
+        if (line.size() + word.size() + 1 > width) {
+            text += line + "\n";
+            line = std::string(column, ' ');
+        }
+        line += (line.size() > column ? " " : line.size() < column ? "  " : "") + word;
+    }
+    return text + line + "\n";
+}
+
 }  // namespace
+
+std::vector<std::string> described_names() {
+    std::vector<std::string> names{"all", "scene"};
+    for (const Topic& topic : topics) names.emplace_back(topic.name);
+    for (const ModelEntry& entry : models()) names.emplace_back(entry.name);
+    const auto add = [&](const std::string& name) {
+        if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    };
+    for (const auto& section : all_sections()) {
+        for (const Key* key : section->keys()) {
+            const std::string path = without_numbers(key->path);
+            if (const std::size_t dot = path.rfind('.'); dot != std::string::npos)
+                add(path.substr(0, dot));
+            add(path);
+        }
+    }
+    return names;
+}
+
+std::string describe_summary() {
+    std::string text = "The sections of a scene and their keys:\n\n";
+    const auto scene = scene_section();
+    std::vector<std::pair<std::string, std::vector<std::string>>> lines;
+    for (const Key* key : scene->keys()) {
+        const std::string path = without_numbers(key->path);
+        const std::size_t dot = path.find('.');
+        const std::string name = dot == std::string::npos ? "(first)" : path.substr(0, dot);
+        if (lines.empty() || lines.back().first != name) lines.push_back({name, {}});
+        lines.back().second.push_back(dot == std::string::npos ? path : path.substr(dot + 1));
+    }
+    for (const auto& [name, keys] : lines) text += summary_lines(name, keys);
+    text += "  [[overlay]]  text and plots over the frames\n";
+    text += "  [figure]     a paper's figure, for `fumon figure`\n";
+    text += "\nThe models, each with keys of its own under [model]:\n\n";
+    for (const ModelEntry& entry : models())
+        text += fmt::format("  {:<10}  {}\n", entry.name, entry.help);
+    return text +
+           "\n  fumon describe camera             the keys of a section, with type, unit, range "
+           "and "
+           "default\n"
+           "  fumon describe camera.azimuth     one key\n"
+           "  fumon describe sand               the keys of a model\n"
+           "  fumon describe overlay            those of [[overlay]]; figure, film and scene "
+           "likewise\n"
+           "  fumon describe all                every key of scenes and models\n";
+}
 
 std::string describe_text(const std::string& what) {
     std::string text;
@@ -158,11 +267,35 @@ std::string describe_json(const std::string& what) {
     return all.dump(2) + "\n";
 }
 
+std::vector<KeyWords> scene_key_words(const std::string& model) {
+    std::vector<KeyWords> all;
+    const auto add = [&](const Section& section) {
+        for (const Key* key : section.keys()) all.push_back(key_words(*key));
+    };
+    add(*scene_section());
+    for (KeyWords& key : all) {
+        if (key.path != "model.name") continue;
+        for (const ModelEntry& entry : models()) key.words.emplace_back(entry.name);
+    }
+    for (const Topic& topic : topics) add(*topic_section(topic));
+    for (const ModelEntry& entry : models()) {
+        if (model.empty() || model == entry.name) add(*model_section(entry));
+    }
+    return all;
+}
+
 std::string models_text() {
     std::string text;
     for (const ModelEntry& entry : models())
         text += fmt::format("{:<10} {}\n", entry.name, entry.help);
     return text;
+}
+
+std::string models_json() {
+    Json all = Json::array();
+    for (const ModelEntry& entry : models())
+        all.push_back({{"name", entry.name}, {"help", entry.help}});
+    return all.dump(2) + "\n";
 }
 
 }  // namespace fumon

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/error.h"
@@ -15,6 +16,7 @@
 #include "picture/png.h"
 #include "run/drawing.h"
 #include "run/terminal/interrupt.h"
+#include "scene/json.h"
 #include "scene/scene_files.h"
 #include "verify/verify_case.h"
 #include "verify/verify_page.h"
@@ -100,6 +102,22 @@ bool any_pinned(const std::vector<Suite>& suites) {
         return std::any_of(records.begin(), records.end(),
                            [](const auto& named) { return named.second.environment.pinned; });
     });
+}
+
+/// As JSON has it.
+const char* name_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::as_recorded:
+            return "as-recorded";
+        case Outcome::differs:
+            return "differs";
+        case Outcome::missing:
+            return "missing";
+        case Outcome::wrong_input:
+            return "wrong-input";
+        default:
+            return "failed";
+    }
 }
 
 const char* word_of(Outcome outcome) {
@@ -215,15 +233,18 @@ class Verification {
     }
 
     void rewrite(Suite& suite, const std::string& before) const {
-        for (const std::string& name : suite.baseline.orphans)
+        for (const std::string& name : suite.baseline.orphans) {
+            if (options_.as_json) break;
             fmt::print("{:<8} {} {}: it has no case any more\n", "removed", suite.name, name);
+        }
         const std::string after = baseline_text(suite.baseline);
         if (after != before || !suite.baseline.orphans.empty())
             write_file(suite.baseline.file, after);
     }
 
-    static void tell(const char* word, const Suite& suite, const BaselineCase& one,
-                     const std::string& text) {
+    void tell(const char* word, const Suite& suite, const BaselineCase& one,
+              const std::string& text) const {
+        if (options_.as_json) return;
         fmt::print("{:<8} {} {}: {}\n", word, suite.name, one.name, text);
         std::fflush(stdout);
     }
@@ -241,13 +262,30 @@ class Verification {
 
     [[nodiscard]] int conclude() const {
         const std::size_t good = count(Outcome::as_recorded);
-        if (!options_.update && !options_.quietly()) {
+        if (options_.as_json) {
+            print_json();
+        } else if (!options_.update && !options_.quietly()) {
             fmt::print("{} of {} as recorded{}{}\n", good, cases_.size(),
                        page_.has_cases() ? "; see " : "",
                        page_.has_cases() ? page_.file().string() : "");
         }
         if (count(Outcome::wrong_input) > 0) return 2;
         return good == cases_.size() ? 0 : 1;
+    }
+
+    void print_json() const {
+        nlohmann::ordered_json json;
+        json["as_recorded"] = count(Outcome::as_recorded);
+        json["page"] = page_.has_cases() ? nlohmann::ordered_json(page_.file().string()) : nullptr;
+        json["cases"] = nlohmann::ordered_json::array();
+        for (const JunitCase& one : cases_) {
+            json["cases"].push_back({{"baseline", one.suite},
+                                     {"name", one.name},
+                                     {"outcome", name_of(one.verdict.outcome)},
+                                     {"finding", one.verdict.finding},
+                                     {"seconds", one.seconds}});
+        }
+        std::fputs((json_text(json, 2) + "\n").c_str(), stdout);
     }
 
     const VerificationOptions& options_;

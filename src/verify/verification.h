@@ -15,6 +15,7 @@ struct VerificationOptions {
     bool update = false;                ///< record instead of comparing
     bool force = false;                 ///< replace files of others, too
     bool trust = false;                 ///< what the baselines name, without limits
+    bool as_json = false;               ///< what is found is printed as JSON alone
     WorkOptions work;
 
     [[nodiscard]] bool quietly() const { return work.verbosity == Verbosity::quiet; }

@@ -92,8 +92,8 @@ INSTANTIATE_TEST_SUITE_P(
               "no.asc: is not there; check the path"},
         Wrong{"unknown_model",
               {"describe", "sant"},
-              "fumon describe: \"sant\" is neither \"scene\", \"figure\", \"overlay\" nor a model; "
-              "did you mean \"sand\"?"},
+              "fumon describe: \"sant\" is neither \"scene\", \"figure\", \"overlay\", a model, a "
+              "section nor a key; did you mean \"sand\"?"},
         Wrong{"unknown_backend",
               {"still", "a.toml", "-o", "x.png", "--gl", "vulkan"},
               "fumon still: --gl: it takes auto, osmesa or egl, not \"vulkan\"; try `fumon still "

@@ -1,0 +1,366 @@
+// The habits of a command line: pages on keys, completion, manual pages, JSON, shipped scenes.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/commands.h"
+#include "cli/completion.h"
+#include "picture/png.h"
+#include "support/command.h"
+#include "support/program.h"
+
+namespace fumon::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+class HabitsTest : public ::testing::Test {
+  protected:
+    void SetUp() override { write_text(folder_ / "scene.toml", small_scene()); }
+
+    Ended said(const std::vector<std::string>& arguments) {
+        return fumon(arguments, folder_.path());
+    }
+
+    Json json_of(const std::vector<std::string>& arguments, int status = 0) {
+        const Ended ended = said(arguments);
+        EXPECT_EQ(ended.status, status) << ended.errors;
+        return Json::parse(ended.output);
+    }
+
+    /// What a shell says of a text of its own, with fumon on its path.
+    Spoken shell(const std::string& program, const std::string& text) {
+        write_text(folder_ / "script", text);
+        return run_command("cd " + folder_.path().string() +
+                           " && PATH=" + fs::path(FUMON_PROGRAM).parent_path().string() +
+                           ":$PATH " + program + " script");
+    }
+
+    static bool has(const std::string& program) {
+        return std::system(("command -v " + program + " > /dev/null").c_str()) == 0;
+    }
+
+    ScratchFolder folder_;
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+// ---- describe ----
+
+TEST_F(HabitsTest, DescribeTellsOfASectionOrOneKey) {
+    const std::string page = said({"describe"}).output;
+    EXPECT_LT(lines_of(page).size(), 50U) << "one page";
+    for (const char* word : {"  camera ", "azimuth", "[[overlay]]", "sandpile", "describe all"})
+        EXPECT_NE(page.find(word), std::string::npos) << word;
+    for (const std::string& line : lines_of(page)) EXPECT_LT(line.size(), 100U) << line;
+
+    const std::string camera = said({"describe", "camera"}).output;
+    EXPECT_TRUE(camera.starts_with("Keys of [camera]\n\n  camera.projection ")) << camera;
+    EXPECT_EQ(camera.find("  sun."), std::string::npos);
+    const std::string one = said({"describe", "camera.azimuth"}).output;
+    EXPECT_EQ(lines_of(one).size(), 4U) << one;
+    EXPECT_NE(said({"describe", "overlay.corner"}).output.find("overlay.N.corner"),
+              std::string::npos);
+    EXPECT_EQ(said({"describe", "overlay.N.corner"}).output,
+              said({"describe", "overlay.0.corner"}).output);
+    const std::string rate = said({"describe", "model.creep_rate"}).output;
+    EXPECT_NE(rate.find("of the model \"sand\""), std::string::npos) << rate;
+    EXPECT_NE(said({"describe", "shot.move"}).output.find("shot.N.move"), std::string::npos);
+    EXPECT_EQ(json_of({"describe", "camera", "--json"})[0]["key"], "camera.projection");
+    EXPECT_GT(json_of({"describe", "shot", "--json"}).size(), 5U);
+    EXPECT_EQ(said({"describe", "camera.azimut"}).errors,
+              "fumon describe: \"camera.azimut\" is neither \"scene\", \"figure\", \"overlay\", a "
+              "model, a section nor a key; did you mean \"camera.azimuth\"?\n");
+    EXPECT_EQ(said({"describe", "camra"}).status, 2);
+}
+
+// ---- shipped scenes ----
+
+TEST_F(HabitsTest, ScenesAreListedAndPrintedToBeEdited) {
+    const Json scenes = json_of({"scenes", "--json"});
+    EXPECT_GT(scenes.size(), 40U);
+    for (const Json& scene : scenes) EXPECT_NE(scene["title"], "") << scene;
+    EXPECT_EQ(lines_of(said({"scenes"}).output).size(), scenes.size());
+
+    const Ended barchans = said({"new", "barchans"});
+    EXPECT_EQ(barchans.output, read_text(fs::path(FUMON_SCENES_FOLDER) / "dunes-barchans.toml"));
+    EXPECT_TRUE(barchans.errors.starts_with("this is dunes-barchans; there are also "))
+        << barchans.errors;
+    EXPECT_EQ(said({"new", "terada-ripples"}).errors, "");
+    ASSERT_EQ(said({"new", "gully-rain", "-o", "mine.toml"}).status, 0);
+    EXPECT_EQ(said({"check", "mine.toml"}).status, 0) << "its terrain is found from here";
+    EXPECT_EQ(said({"new", "gully-rain", "-o", "mine.toml"}).status, 2) << "it may be edited";
+    EXPECT_EQ(said({"new", "terada-riples"}).errors,
+              "fumon new: fumon ships no scene \"terada-riples\"; did you mean "
+              "\"terada-ripples\"?\n");
+}
+
+TEST_F(HabitsTest, ScenesThatNameFilesCanBeEditedElsewhere) {
+    std::vector<std::string> files{"check"};
+    for (const Json& scene : json_of({"scenes", "--json"})) {
+        const std::string copy = "copy-" + std::to_string(files.size()) + ".toml";
+        if (read_text(std::string(scene["file"])).find(".asc\"") == std::string::npos &&
+            read_text(std::string(scene["file"])).find(".toml\"") == std::string::npos)
+            continue;
+        files.push_back(copy);
+        ASSERT_EQ(said({"new", scene["name"], "-o", copy}).status, 0) << scene;
+    }
+    EXPECT_GT(files.size(), 5U);
+    const Ended ended = said(files);
+    EXPECT_EQ(ended.status, 0) << ended.errors;
+}
+
+// ---- completion ----
+
+TEST_F(HabitsTest, CompletionKnowsCommandsOptionsKeysAndValues) {
+    const auto found = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"completion", "--line", "--"});
+        return lines_of(said(words).output);
+    };
+    using Words = std::vector<std::string>;
+    EXPECT_EQ(found({"sw"}), (Words{"sweep"}));
+    EXPECT_EQ(found({"sweep", "--sh"}), (Words{"--shard"}));
+    EXPECT_EQ(found({"run", "--set", "camera.az"}), (Words{"camera.azimuth="}));
+    EXPECT_EQ(found({"run", "--set", "look.mode="}),
+              (Words{"look.mode=figure", "look.mode=scenic"}));
+    EXPECT_EQ(found({"run", "--set=look.mode=f"}), (Words{"--set=look.mode=figure"}));
+    EXPECT_EQ(found({"run", "scene.toml", "--set", "output.movie="}),
+              (Words{"output.movie=false", "output.movie=true"}));
+    EXPECT_EQ(found({"sweep", "x.toml", "--over", "model.creep_r"}), (Words{"model.creep_rate="}));
+    EXPECT_EQ(found({"still", "x", "--gl", ""}), (Words{"auto", "egl", "osmesa"}));
+    EXPECT_EQ(found({"measure", "--as", "pi"}), (Words{"pile"}));
+    EXPECT_EQ(found({"run", "terada-ri"}), (Words{"terada-ripples", ":files"}));
+    EXPECT_EQ(found({"describe", "camera.az"}), (Words{"camera.azimuth"}));
+    EXPECT_EQ(found({"film", "out", "x", "--set", "film.siz"}), (Words{"film.size="}));
+    EXPECT_EQ(found({"run", "--set", "model.name=sandp"}), (Words{"model.name=sandpile"}));
+    EXPECT_EQ(found({"run", "-o", "x"}), (Words{":files"}));
+    EXPECT_EQ(found({"run", "scene.toml", "--set", "model.topple"}), Words{})
+        << "no key of the scene's model";
+    EXPECT_EQ(said({"completion", "tcsh"}).status, 2);
+}
+
+TEST_F(HabitsTest, BashCompletes) {
+    write_text(folder_ / "stone.toml", "");
+    const std::string head =
+        "source <(fumon completion bash)\n"
+        "ask() {\n"
+        "    COMP_LINE=$1 COMP_POINT=${#1} COMPREPLY=()\n"
+        "    _fumon\n"
+        "    printf '%s\\n' \"${COMPREPLY[*]}\"\n"
+        "}\n";
+    const Spoken spoken = shell("bash", head +
+                                            "ask 'fumon sw'\n"
+                                            "ask 'fumon run --set look.mode='\n"
+                                            "ask 'fumon run --set camera.az'\n"
+                                            "ask 'fumon check sto'\n"
+                                            "ask 'fumon run terada-ri'\n"
+                                            "complete -p fumon\n");
+    EXPECT_EQ(spoken.words,
+              "sweep\nfigure scenic\ncamera.azimuth=\nstone.toml\nterada-ripples\n"
+              "complete -F _fumon fumon\n");
+}
+
+TEST_F(HabitsTest, ZshAndFishReadTheirScripts) {
+    bool any = false;
+    if (has("zsh")) {
+        any = true;
+        ASSERT_EQ(said({"completion", "zsh"}).status, 0);
+        const Spoken spoken = shell("zsh",
+                                    "fumon completion zsh > _fumon\n"
+                                    "fpath=($PWD $fpath)\nautoload -Uz compinit\ncompinit -u -D\n"
+                                    "compadd() { shift $@[(i)--]; print -r -- \"$@\" }\n"
+                                    "_files() { print files }\ncompset() { : }\n"
+                                    "words=(fumon run --set look.mode=) CURRENT=4\n"
+                                    "autoload +X _fumon\n_fumon\nprint $_comps[fumon]\n");
+        EXPECT_NE(spoken.words.find("look.mode=figure look.mode=scenic"), std::string::npos)
+            << spoken.words;
+    }
+    if (has("fish")) {
+        any = true;
+        const Spoken spoken = shell("fish",
+                                    "fumon completion fish | source\n"
+                                    "complete -C 'fumon run --set look.mode='\n");
+        EXPECT_NE(spoken.words.find("look.mode=scenic"), std::string::npos) << spoken.words;
+    }
+    if (!any) GTEST_SKIP() << "neither zsh nor fish is installed";
+}
+
+// ---- manual pages ----
+
+TEST_F(HabitsTest, ManualPagesAreClean) {
+    ASSERT_EQ(said({"man", "-o", "man"}).status, 0);
+    EXPECT_EQ(said({"man", "-o", "man"}).status, 0) << "its own pages are replaced";
+    const bool groff = has("groff");
+    const bool mandoc = has("mandoc");
+    std::size_t pages = 0;
+    for (const auto& entry : fs::directory_iterator(folder_ / "man")) {
+        ++pages;
+        const std::string file = entry.path().string();
+        const std::string text = read_text(entry.path());
+        EXPECT_NE(text.find(".SH NAME\nfumon"), std::string::npos) << file;
+        if (!file.ends_with("scene.5")) {
+            EXPECT_NE(text.find(".SH EXAMPLES\n.EX\n"), std::string::npos) << file;
+        }
+        if (groff) {
+            EXPECT_EQ(run_command("groff -K utf8 -man -Tutf8 -ww -z " + file).words, "");
+        }
+        if (mandoc) {
+            EXPECT_EQ(run_command("mandoc -T lint -W warning " + file +
+                                  " | grep -v 'missing date'")  // a page says its version instead
+                          .words,
+                      "");
+        }
+    }
+    EXPECT_EQ(pages, commands().size() + 2);
+    EXPECT_EQ(said({"man", "run"}).output, read_text(folder_ / "man/fumon-run.1"));
+    EXPECT_EQ(said({"man", "rum"}).errors,
+              "fumon man: there is no page \"rum\"; did you mean \"run\"?\n");
+    write_text(folder_ / "man/fumon.1", "mine");
+    EXPECT_EQ(said({"man", "-o", "man"}).status, 2);
+}
+
+// ---- JSON ----
+
+TEST_F(HabitsTest, CommandsAnswerPrograms) {
+    const Json models = json_of({"models", "--json"});
+    EXPECT_EQ(models[0]["name"], "sand");
+
+    write_text(folder_ / "bad.toml", small_scene() + "colour = 3\nsize = 2\n");
+    const Json checked = json_of({"check", "scene.toml", "bad.toml", "--json"}, 2);
+    EXPECT_EQ(checked[0],
+              Json::parse(R"({"file": "scene.toml", "fine": true, "kind": "scene", "model": "sand",
+                              "nx": 24, "ny": 20, "steps": 20, "frames": 5})"));
+    EXPECT_EQ(checked[1]["fine"], false);
+    EXPECT_EQ(checked[1]["faults"].size(), 2U);
+
+    const Json run = json_of({"run", "scene.toml", "-o", "out", "--json", "-q"});
+    EXPECT_EQ(run["status"], "complete");
+    EXPECT_EQ(run["steps_done"], 20);
+    EXPECT_EQ(run["frames"], 5);
+    EXPECT_EQ(run["state_sha256"], read_manifest(folder_ / "out")["state_sha256"]);
+    EXPECT_EQ(run["movie"]["file"], "movie.mp4");
+
+    const Json same = json_of(
+        {"compare", "out/frames/frame_000001.png", "out/frames/frame_000001.png", "--json"});
+    EXPECT_EQ(same["likeness"], "identical");
+    EXPECT_EQ(same["passes"], true);
+    const Json other = json_of({"compare", "out/frames/frame_000000.png",
+                                "out/frames/frame_000004.png", "--json", "--level", "identical"},
+                               1);
+    EXPECT_EQ(other["passes"], false);
+    EXPECT_GT(other["changed_pixels"], 0);
+
+    write_text(folder_ / "baseline.toml", "[cases]\na = {scene = \"scene.toml\", step = 5}\n");
+    EXPECT_EQ(json_of({"verify", "--json", "baseline.toml"}, 1)["cases"][0]["outcome"], "missing");
+    ASSERT_EQ(said({"verify", "--update", "baseline.toml", "-q"}).status, 0);
+    const Json verified = json_of({"verify", "--json", "baseline.toml"});
+    EXPECT_EQ(verified["as_recorded"], 1);
+    EXPECT_EQ(verified["page"], nullptr);
+    EXPECT_EQ(verified["cases"][0]["name"], "a");
+}
+
+// ---- standard output ----
+
+TEST_F(HabitsTest, APictureGoesToStandardOutput) {
+    ASSERT_EQ(said({"still", "scene.toml", "--step", "0", "-o", "a.png", "-q"}).status, 0);
+    const Ended piped = said({"still", "scene.toml", "--step", "0", "-o", "-", "-q"});
+    EXPECT_EQ(piped.status, 0) << piped.errors;
+    EXPECT_TRUE(piped.output == read_text(folder_ / "a.png")) << "the same bytes";
+    EXPECT_FALSE(fs::exists(folder_ / "-"));
+    const std::string still = std::string(FUMON_PROGRAM) + " still scene.toml --step 0 -q -o -";
+    const std::string there = "cd " + folder_.path().string() + " && ";
+    EXPECT_NE(run_command("(" + there + still + " > /dev/full)").words.find("No space left"),
+              std::string::npos);
+    if (!has("script")) return;
+    const Spoken terminal =
+        run_command(there + "script -q -e -c '" + still + "' /dev/null < /dev/null");
+    EXPECT_NE(terminal.words.find("-o -: standard output is a terminal"), std::string::npos)
+        << terminal.words;
+}
+
+// ---- examples ----
+
+/// The words of an example, without what a shell does with them.
+std::vector<std::string> words_of(const std::string& line) {
+    std::vector<std::string> words;
+    std::istringstream stream(line.substr(0, line.find("   ")));
+    for (std::string word; stream >> word && word != "|" && word != ">";) words.push_back(word);
+    return words;
+}
+
+/// The examples of a page of help.
+std::vector<std::string> examples_in(const std::string& help) {
+    std::vector<std::string> examples;
+    for (const std::string& line : lines_of(help)) {
+        if (line.starts_with("  fumon ")) examples.push_back(line.substr(2));
+    }
+    return examples;
+}
+
+bool is_shipped(const std::string& name) {
+    const fs::path folder = FUMON_SCENES_FOLDER;
+    return name.find('.') == std::string::npos &&
+           (fs::exists(folder / (name + ".toml")) ||
+            fs::exists(folder / "figures" / (name + ".toml")));
+}
+
+/// A command line as fumon reads it, without doing it. Throws CLI::ParseError.
+void parse(const std::vector<std::string>& words) {
+    CLI::App app("", "fumon");
+    std::vector<std::function<int()>> bodies;
+    for (const Command& command : commands())
+        bodies.push_back(command.declare(*app.add_subcommand(command.name, command.help)));
+    std::vector<std::string> reversed(words.rbegin(), words.rend());
+    reversed.pop_back();  // "fumon"
+    app.parse(std::move(reversed));
+}
+
+TEST_F(HabitsTest, EveryCommandShowsExamplesThatAreRight) {
+    std::vector<std::string> pages{said({"--help"}).output};
+    for (const Command& command : commands()) {
+        pages.push_back(said({command.name, "--help"}).output);
+        const std::vector<std::string> examples = examples_in(pages.back());
+        EXPECT_TRUE(std::ranges::any_of(examples,
+                                        [&](const std::string& example) {
+                                            return example.starts_with("fumon " +
+                                                                       std::string(command.name));
+                                        }))
+            << command.name << " shows none of its own";
+    }
+    for (const std::string& page : pages) {
+        for (const std::string& example : examples_in(page)) {
+            const std::vector<std::string> words = words_of(example);
+            EXPECT_NO_THROW(parse(words)) << example;
+            // What is quick is done; of what simulates a shipped scene, scene and settings are
+            // checked.
+            const std::string& command = words.at(1);
+            std::vector<std::string> tried(words.begin() + 1, words.end());
+            const bool quick =
+                std::ranges::count(std::vector<std::string>{"describe", "models", "scenes", "new",
+                                                            "completion", "man"},
+                                   command) > 0;
+            if (!quick) {
+                if (words.size() < 3 || !is_shipped(words[2])) continue;
+                tried = {"check", words[2]};
+                for (std::size_t k = 3; k + 1 < words.size(); ++k) {
+                    if (words[k] == "--set") tried.insert(tried.end(), {"--set", words[k + 1]});
+                }
+            }
+            const Ended ended = said(tried);
+            EXPECT_EQ(ended.status, 0) << example << "\n" << ended.errors;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace fumon::test
