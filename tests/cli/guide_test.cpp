@@ -1,0 +1,66 @@
+// The commands of guide pages, done in the order in which they stand there.
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "support/command.h"
+#include "support/program.h"
+
+namespace fumon::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The blocks of a page that a shell runs, one after another.
+std::string shell_blocks(const std::string& page) {
+    std::istringstream stream(page);
+    std::string script = "set -euo pipefail\n";
+    bool inside = false;
+    for (std::string line; std::getline(stream, line);) {
+        if (line.starts_with("```")) {
+            inside = !inside && line == "```sh";
+        } else if (inside) {
+            script += line + "\n";
+        }
+    }
+    return script;
+}
+
+/// Runs a page's blocks in a folder; programs of other makers are taken from its folder "bin".
+Spoken do_page(const ScratchFolder& folder, const std::string& page) {
+    write_text(folder / "page.sh", shell_blocks(read_text(fs::path(FUMON_GUIDE_FOLDER) / page)));
+    return run_command("cd " + folder.path().string() + " && chmod +x bin/* && PATH=$PWD/bin:" +
+                       fs::path(FUMON_PROGRAM).parent_path().string() + ":$PATH bash page.sh");
+}
+
+TEST(Guide, ManyMachines) {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "bin");
+    // A cluster that does all tasks at once and the merge after them, and ranks one after another.
+    write_text(
+        folder / "bin/sbatch",
+        "#!/bin/bash\nset -e\nlast=${!#}\ntasks=$(sed -n 's/^#SBATCH --array=1-//p' \"$last\" "
+        "2> /dev/null || true)\n"
+        "for one in \"$@\"; do case $one in\n"
+        "--array=*) first=${one#*=} tasks=${one#*=} ;;\n"
+        "--wrap=*) echo \"${one#*=}\" >> merges; exit ;;\nesac; done\n"
+        "export SLURM_ARRAY_JOB_ID=1 SLURM_ARRAY_TASK_MIN=${first:-1}\n"
+        "for task in $(seq ${first:-1} $tasks); do SLURM_ARRAY_TASK_ID=$task bash \"$last\"; "
+        "done\nbash merges; rm merges\n");
+    write_text(
+        folder / "bin/mpirun",
+        "#!/bin/bash\nset -e\nranks=$2\nshift 2\nfor ((rank = 0; rank < ranks; ++rank)); do\n"
+        "OMPI_COMM_WORLD_RANK=$rank OMPI_COMM_WORLD_SIZE=$ranks \"$@\"\ndone\n");
+    const Spoken spoken = do_page(folder, "cluster.md");
+    EXPECT_EQ(spoken.status, 0) << spoken.words;
+    const std::string table = read_text(folder / "out/ripples/sweep.csv");
+    EXPECT_FALSE(table.empty());
+    EXPECT_EQ(read_text(folder / "out/slurm/sweep.csv"), table);
+    EXPECT_EQ(read_text(folder / "out/mpi/sweep.csv"), table);
+    EXPECT_FALSE(read_text(folder / "out/both/sweep.csv").empty());
+    EXPECT_FALSE(read_text(folder / "out/drawn/movie.mp4").empty());
+}
+
+}  // namespace
+}  // namespace fumon::test
