@@ -34,6 +34,32 @@ Spoken do_page(const ScratchFolder& folder, const std::string& page) {
                        fs::path(FUMON_PROGRAM).parent_path().string() + ":$PATH bash page.sh");
 }
 
+TEST(Guide, TheCommandLine) {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "bin");
+    write_text(folder / "bin/none", "");
+    fs::create_directory_symlink(fs::path(FUMON_GUIDE_FOLDER).parent_path(), folder / "assets");
+    const Spoken spoken = do_page(folder, "command-line.md");
+    EXPECT_EQ(spoken.status, 0) << spoken.words;
+    EXPECT_TRUE(read_text(folder / "ripples.png").starts_with("\x89PNG"));
+}
+
+TEST(Guide, AFirstOwnScene) {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "bin");
+    write_text(folder / "bin/none", "");
+    const Spoken spoken = do_page(folder, "first-scene.md");
+    EXPECT_EQ(spoken.status, 0) << spoken.words;
+    EXPECT_FALSE(read_text(folder / "out/low/movie.mp4").empty());
+    const std::string page = read_text(fs::path(FUMON_GUIDE_FOLDER) / "first-scene.md");
+    for (const char* line : {"my.toml: fine (", "wrong.toml:"}) {
+        const std::size_t at = spoken.words.find(line);
+        ASSERT_NE(at, std::string::npos) << spoken.words;
+        const std::string said = spoken.words.substr(at, spoken.words.find('\n', at) - at + 1);
+        EXPECT_NE(page.find(said), std::string::npos) << "the page does not say: " << said;
+    }
+}
+
 TEST(Guide, ManyMachines) {
     const ScratchFolder folder;
     fs::create_directory(folder / "bin");
