@@ -1,5 +1,7 @@
 #include "cli/completion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -49,11 +51,12 @@ Completion settings(const std::string& begun, const std::vector<KeyWords>& keys,
     Completion found;
     const std::size_t sign = begun.find('=');
     for (const KeyWords& key : keys) {
+        const std::string until_value = fmt::format("{}{}=", before, key.path);
         if (sign == std::string::npos) {
-            found.words.push_back(before + key.path + "=");
+            found.words.push_back(until_value);
         } else if (key.path == begun.substr(0, sign)) {
             for (const std::string& word : key.words)
-                found.words.push_back(before + key.path + "=" + word);
+                found.words.push_back(fmt::format("{}{}", until_value, word));
             found.files = key.words.empty();
         }
     }

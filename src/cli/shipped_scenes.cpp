@@ -70,6 +70,7 @@ std::vector<ShippedScene> meant_scenes(const std::string& word) {
     take([&](const ShippedScene& scene) { return scene.file.stem() == name; });
     if (!meant.empty()) return meant;
     std::vector<std::string> names;
+    names.reserve(all.size());
     for (const ShippedScene& scene : all) names.push_back(scene.name);
     const std::string nearest = nearest_name(name, names);
     throw InputError(fmt::format("fumon new: fumon ships no scene \"{}\"; {}", word,

@@ -107,6 +107,7 @@ std::vector<std::size_t> all_runs(const SweepPlan& plan) {
 std::vector<RunRecord> read_records(const SweepFolder& folder,
                                     const std::vector<std::size_t>& numbers) {
     std::vector<RunRecord> records;
+    records.reserve(numbers.size());
     for (const std::size_t number : numbers) records.push_back(folder.read_record(number));
     return records;
 }

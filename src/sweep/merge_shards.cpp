@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 /// For each run of the plan, whose it is.
 std::vector<int> shares_of_runs(const SweepPlan& plan, int shards) {
     std::vector<double> lengths;
+    lengths.reserve(plan.runs.size());
     for (const SweepRun& run : plan.runs) lengths.push_back(run.work);
     return shares_of(lengths, shards);
 }
