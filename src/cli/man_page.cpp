@@ -117,8 +117,11 @@ std::string keys_part(const std::string& description) {
         const std::string rest = line.substr(indent);
         if (rest.empty()) continue;
         if (indent == 0) {
-            text += rest.starts_with("Keys of") ? fmt::format(".SH {}\n", escaped(rest))
-                                                : escaped(rest) + "\n";
+            const std::size_t end = std::min(rest.find_first_of("(:,."), rest.size());
+            const std::string first = rest.substr(0, rest.find_last_not_of(' ', end - 1) + 1);
+            text += rest.starts_with("Keys of")
+                        ? fmt::format(".SH {}\n{}\n", escaped(first), escaped(rest))
+                        : escaped(rest) + "\n";
         } else if (indent == 2) {
             const std::size_t gap = rest.find("  ");
             const std::size_t end = gap == std::string::npos ? rest.find(' ') : gap;

@@ -74,6 +74,7 @@ template <class Value>
 void add_choice(CLI::App& command, const char* name, Value& value,
                 const std::map<std::string, Value>& words, const char* list, const char* help) {
     std::vector<std::string> known;
+    known.reserve(words.size());
     for (const auto& word : words) known.push_back(word.first);
     command.add_option(name, value, help)
         ->type_name("NAME")
