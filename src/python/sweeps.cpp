@@ -67,7 +67,9 @@ void explain_columns(DoneSweep& sweep) {
         if (known) continue;
         const PreparedRun run = prepare_run(scene_of(sweep.plan, sweep.plan.runs[n]), 1);
         const Snapshot first = run.model->snapshot();
-        for (const MeasureColumn& column : MeasureSuite(measured_landform(first), first).columns())
+        sweep.columns.emplace("time", MeasureColumn{"time", first.time_unit, "time of the model"});
+        const MeasureSuite suite(measured_landform(first), first);
+        for (const MeasureColumn& column : suite.columns())
             sweep.columns.emplace(column.name, column);
     }
 }

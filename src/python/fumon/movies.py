@@ -46,7 +46,7 @@ def movie(frames: Any, file: PathLike, *, rate: float = 30.0, quality: int = 18,
 
     frames: a run (``scene.run(every=10)``) or its steps; pictures; or beds to be drawn as render() draws them, framed
         by the first: an array (n, ny, nx), a list of arrays, an xarray.DataArray with one dimension more, or a
-        Dataset, of which ``variable`` names the heights ("bed", or the only one with three dimensions).
+        Dataset, of which ``variable`` names the heights ("bed_height" of a run's fields.nc, "bed", or the only one with three dimensions).
     rate: frames a second. quality: constant rate factor, 0 (best) to 51. cell_size, origin, look: as for render().
     """
     if not (0.0 < rate <= 1000.0):
@@ -92,8 +92,9 @@ def _items(frames: Any, variable: str | None) -> tuple[Iterator[Any], int]:
 
 
 def _heights_of(dataset: Any) -> str:
-    if "bed" in dataset.data_vars:
-        return "bed"
+    for name in ("bed_height", "bed"):
+        if name in dataset.data_vars:
+            return name
     names = [str(name) for name, values in dataset.data_vars.items() if values.ndim == 3]
     if len(names) != 1:
         raise ValueError(f"which variable holds the heights? variable= one of {', '.join(names) or 'none has three dimensions'}")

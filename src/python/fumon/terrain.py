@@ -135,8 +135,7 @@ def _bed_of_landlab(grid: Any, size: tuple[float, float] | None, field: str) -> 
 
 def _axis_of(array: Any, names: set[str], axis: str) -> str | None:
     for dim in array.dims:
-        coordinate = array.coords.get(dim)
-        attributes = {} if coordinate is None else coordinate.attrs
+        attributes = array.coords[dim].attrs if dim in array.coords else {}
         if (str(dim).lower() in names or attributes.get("standard_name") in names or attributes.get("axis") == axis):
             return str(dim)
     return None
@@ -165,7 +164,7 @@ def _bed_of_dataarray(array: Any, size: tuple[float, float] | None, origin: Orig
         raise ValueError(f"heights have two dimensions, not {tuple(array.dims)}; choose one of {extra[0]} by "
                          f".isel({extra[0]}=0)")
     array = array.squeeze(extra).transpose(north, east)
-    x, y = (array.coords.get(dim) for dim in (east, north))
+    x, y = (array.coords[dim] if dim in array.coords else None for dim in (east, north))
     values = array.to_masked_array() if array.dtype.kind in "iuf" else array.values
     if x is not None and array.sizes[east] > 1 and x.values[-1] < x.values[0]:
         values = values[:, ::-1]
@@ -190,7 +189,7 @@ def _spacing(coordinate: Any) -> float | None:
 
 def _size_of_coordinates(x: Any, y: Any) -> tuple[float, float] | None:
     dx, dy = _spacing(x), _spacing(y)
-    if dx is None and dy is None:
+    if (dx is None and dy is None) or x.attrs.get("units") == "1":  # sites
         return None
     east, north = _unit(x), _unit(y)
     if east == "degrees" or north == "degrees":
