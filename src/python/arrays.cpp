@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "picture/environment.h"
 
 namespace fumon::python {
 
@@ -78,6 +80,11 @@ py::array array_of(Image image) {
     const py::capsule base(kept.get(), [](void* pointer) { delete static_cast<Image*>(pointer); });
     static_cast<void>(kept.release());  // the capsule's now
     return py::array_t<std::uint8_t>(shape, levels, base);
+}
+
+py::tuple drawn_of(Drawing drawing) {
+    const std::string environment = environment_text(drawing.record.environment);
+    return py::make_tuple(array_of(std::move(drawing.image)), environment);
 }
 
 Image image_of(const ImageArray& array) {

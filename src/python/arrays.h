@@ -6,6 +6,7 @@
 
 #include "base/grid.h"
 #include "base/image.h"
+#include "run/still.h"
 
 namespace fumon::python {
 
@@ -24,6 +25,9 @@ Mask mask_of(const MaskArray& array);
 
 /// An array (height, width, 3) that takes over an image's memory.
 pybind11::array array_of(Image image);
+
+/// The same with what drew it, as one line of JSON: (array, text).
+pybind11::tuple drawn_of(Drawing drawing);
 
 /// A copy of such an array. Throws InputError for another shape.
 Image image_of(const ImageArray& array);

@@ -60,15 +60,15 @@ class BedPainter {
                                            std::make_shared<const Snapshot>(run.model->snapshot()));
     }
 
-    [[nodiscard]] Image draw(std::optional<Bed> bed) const {
-        if (!bed) return drawer_->draw(drawer_->first(), {}).image;
+    [[nodiscard]] Drawing draw(std::optional<Bed> bed) const {
+        if (!bed) return drawer_->draw(drawer_->first(), {});
         const Snapshot& first = *drawer_->first();
         if (bed->heights.nx() != first.bed.nx() || bed->heights.ny() != first.bed.ny())
             throw InputError("the heights have another shape than the first ones");
         Snapshot snapshot = first;
         snapshot.bed = std::move(bed->heights);
         snapshot.nodata = std::move(bed->nodata);
-        return drawer_->draw(std::make_shared<const Snapshot>(std::move(snapshot)), {}).image;
+        return drawer_->draw(std::make_shared<const Snapshot>(std::move(snapshot)), {});
     }
 
   private:
@@ -109,24 +109,24 @@ void define_beds(py::module_& core) {
              py::arg("scene"), py::arg("heights"), py::arg("nodata"), py::arg("cell_size"))
         .def("first",
              [](const BedPainter& painter) {
-                 Image image;
+                 Drawing drawing;
                  {
                      const py::gil_scoped_release unlocked;
-                     image = painter.draw(std::nullopt);
+                     drawing = painter.draw(std::nullopt);
                  }
-                 return array_of(std::move(image));
+                 return drawn_of(std::move(drawing));
              })
         .def(
             "draw",
             [](const BedPainter& painter, const GridArray& heights,
                const std::optional<MaskArray>& nodata) {
                 Bed bed = bed_of(heights, nodata);
-                Image image;
+                Drawing drawing;
                 {
                     const py::gil_scoped_release unlocked;
-                    image = painter.draw(std::move(bed));
+                    drawing = painter.draw(std::move(bed));
                 }
-                return array_of(std::move(image));
+                return drawn_of(std::move(drawing));
             },
             py::arg("heights"), py::arg("nodata"));
     core.def(

@@ -95,7 +95,7 @@ void define_runs(py::module_& core) {
         .def_property_readonly("field_notes", &notes_of_fields)
         .def_property_readonly("numbers", &numbers_of)
         .def_property_readonly("measured", &measures_of)
-        .def("image", [](const Step& step) { return array_of(drawing_of(step).image); })
+        .def("drawn", [](const Step& step) { return drawn_of(drawing_of(step)); })
         .def("png", &file_of);
 
     py::class_<LiveRun>(core, "LiveRun")

@@ -16,8 +16,19 @@ PathLike = Union[str, "os.PathLike[str]"]
 class Image(np.ndarray):
     """A picture: uint8 (height, width, 3), top row first. A NumPy array in all it does; notebooks show it."""
 
+    environment: str  #: what drew it, as one line of JSON; empty where that is not known
+
     def __new__(cls, pixels: Any) -> Image:
         return checked_pixels(pixels).view(cls)
+
+    def __array_finalize__(self, other: Any) -> None:
+        self.environment = ""
+
+    @classmethod
+    def drawn(cls, drawn: tuple[np.ndarray, str]) -> Image:
+        image = drawn[0].view(cls)
+        image.environment = drawn[1]
+        return image
 
     @classmethod
     def open(cls, file: PathLike) -> Image:

@@ -232,7 +232,7 @@ class Step:
 
     def image(self) -> Image:
         """The picture of ``fumon still`` at this step, to the byte."""
-        return self._core.image().view(Image)
+        return Image.drawn(self._core.drawn())
 
     def save(self, file: PathLike) -> None:
         """Writes that picture as PNG, with all that ``fumon again`` needs to make it once more."""

@@ -45,7 +45,7 @@ def render(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", f
     ValueError and TypeError for what is no terrain; InputError for a wrong key.
     """
     bed = bed_of(data, cell_size, origin, field)
-    return _painter(bed, look).first().view(Image)
+    return Image.drawn(_painter(bed, look).first())
 
 
 def measure(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
@@ -72,7 +72,7 @@ class Painter:
     def draw(self, bed: Bed) -> Image:
         if self._painter is None:
             self._painter = _painter(bed, self._look)
-        return self._painter.draw(bed.heights, bed.nodata).view(Image)
+        return Image.drawn(self._painter.draw(bed.heights, bed.nodata))
 
 
 def bed_of(data: Any, cell_size: CellSize = None, origin: Origin = "lower", field: str | None = None) -> Bed:
