@@ -217,7 +217,7 @@ std::string baseline_text(const Baseline& baseline) {
         if (found == baseline.records.end()) continue;
         if (first) text += fmt::format("\n{}\n", head_mark);
         first = false;
-        text += "\n" + record_text(one.name, found->second);
+        text += fmt::format("\n{}", record_text(one.name, found->second));
     }
     return text;
 }

@@ -125,7 +125,8 @@ BaselineRecords read_records(const std::filesystem::path& file) {
 
 std::string records_text(const BaselineRecords& records, std::string_view comment) {
     std::string text = fmt::format("# {}\n", comment);
-    for (const auto& [name, record] : records) text += "\n" + record_text(name, record);
+    for (const auto& [name, record] : records)
+        text += fmt::format("\n{}", record_text(name, record));
     return text;
 }
 

@@ -25,7 +25,7 @@ py::array read_only(const Number* values, std::vector<py::ssize_t> shape,
         delete static_cast<std::shared_ptr<const void>*>(pointer);
     });
     static_cast<void>(kept.release());  // the capsule's now
-    const py::array_t<Number> array(std::move(shape), values, base);
+    py::array_t<Number> array(std::move(shape), values, base);
     array.attr("flags").attr("writeable") = false;
     return array;
 }

@@ -1,4 +1,5 @@
 #include <exception>
+#include <utility>
 
 #include "base/error.h"
 #include "base/give_up.h"
@@ -22,7 +23,7 @@ PyObject* make_class(const char* name, const char* doc, const py::object& bases)
 
 void translate(std::exception_ptr thrown) {
     try {
-        if (thrown) std::rethrow_exception(thrown);
+        if (thrown) std::rethrow_exception(std::move(thrown));
     } catch (const InputError& error) {
         PyErr_SetString(input_error_class, error.what());
     } catch (const Error& error) {

@@ -4,7 +4,6 @@ python_add_library(fumon_python_module MODULE WITH_SOABI python_module.cpp)
 target_link_libraries(fumon_python_module PRIVATE fumon_python pybind11::module)
 set_target_properties(fumon_python_module PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${package}
                       CXX_VISIBILITY_PRESET hidden)
-set_target_properties(fumon_python PROPERTIES UNITY_BUILD OFF)  # its files change often
 target_compile_options(fumon_python PRIVATE $<$<CONFIG:Release>:-O1>)
 
 file(GLOB package_files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/python/fumon/*)

@@ -1,10 +1,14 @@
 """The pytest plugin: records, compares, shows what differs."""
 
+import importlib.metadata
+
 import pytest
 
-import fumon
-
 pytest_plugins = "pytester"
+
+# An installed fumon makes itself known to pytest.
+INSTALLED = any(entry.value == "fumon.pytest_plugin" for entry in importlib.metadata.entry_points(group="pytest11"))
+WORDS = ("-q", "-p", "no:cacheprovider", *(() if INSTALLED else ("-p", "fumon.pytest_plugin")))
 
 TEST = """
 import numpy as np
@@ -32,7 +36,7 @@ def test_run(fumon_image):
 def run(pytester):
     def run_tests(*words, turn=0, seed=1, text=TEST):
         pytester.makepyfile(test_it=text.replace("TURN", str(turn)).replace("SEED", str(seed)))
-        return pytester.runpytest("-q", "-p", "fumon.pytest_plugin", "-p", "no:cacheprovider", *words)
+        return pytester.runpytest(*WORDS, *words)
 
     return run_tests
 
@@ -92,7 +96,7 @@ def test_wrong_uses(pytester, run):
 
 def test_pinned_records_pin(pytester):
     pytester.makepyfile(test_it=TEST.replace("TURN", "0").replace("SEED", "1"))
-    words = ("-q", "-p", "fumon.pytest_plugin", "-p", "no:cacheprovider", "-k", "hills")
+    words = (*WORDS, "-k", "hills")
     pytester.runpytest_subprocess(*words, "--fumon-update", "--fumon-pinned").assert_outcomes(passed=2, deselected=1)
     assert "pinned = true" in (pytester.path / "pictures.lock").read_text()
     pytester.runpytest_subprocess(*words).assert_outcomes(passed=2, deselected=1)
