@@ -75,7 +75,7 @@ class BedPainter {
     std::unique_ptr<Drawer> drawer_;
 };
 
-std::vector<std::tuple<std::string, double, std::string, std::string>> measures_of(
+std::vector<std::tuple<std::string, double, std::string, std::string>> measures_of_bed(
     Bed bed, const CellSize& cell_size, bool periodic) {
     Snapshot snapshot;
     snapshot.time_unit = "steps";
@@ -135,7 +135,7 @@ void define_beds(py::module_& core) {
            const CellSize& cell_size, bool periodic) {
             Bed bed = bed_of(heights, nodata);
             const py::gil_scoped_release unlocked;
-            return measures_of(std::move(bed), cell_size, periodic);
+            return measures_of_bed(std::move(bed), cell_size, periodic);
         },
         py::arg("heights"), py::arg("nodata"), py::arg("cell_size"), py::arg("periodic"));
     core.def(
