@@ -116,6 +116,7 @@ class Run:
             raise ValueError(f"threads is a number, or 0 for one per processor, not {threads}")
         last = scene["run.steps"]
         self._steps = _due(scene._value, last, every, at)
+        self._due: int | None = None  # what is being stepped to; an interrupt leaves it
         self._live = _core.LiveRun(scene._value, threads, measures)
         self._last = last
         self._progress = Progress(last, "steps", progress)
@@ -126,15 +127,18 @@ class Run:
         return self
 
     def __next__(self) -> Step:
-        step = next(self._steps, None)
-        if step is None:
+        if self._due is None:
+            self._due = next(self._steps, None)
+        if self._due is None:
             self._progress.close()
             raise StopIteration
+        step = self._due
         try:
             self._live.advance(step)
         except BaseException:
             self._progress.close()
             raise
+        self._due = None
         self._progress.tell(step)
         return Step(self._live.present())
 
