@@ -15,11 +15,17 @@ namespace fumon {
 
 namespace {
 
+std::vector<std::filesystem::path>& added_folders() {
+    static std::vector<std::filesystem::path> folders;
+    return folders;
+}
+
 std::vector<std::filesystem::path> data_roots() {
     std::vector<std::filesystem::path> roots;
     if (const char* chosen = std::getenv("FUMON_DATA_DIR"); chosen != nullptr && *chosen != '\0') {
         roots.emplace_back(chosen);
     }
+    roots.insert(roots.end(), added_folders().begin(), added_folders().end());
     std::error_code ignored;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
     if (!program.empty()) roots.push_back(program.parent_path().parent_path() / FUMON_SHARE_FOLDER);
@@ -28,6 +34,10 @@ std::vector<std::filesystem::path> data_roots() {
 }
 
 }  // namespace
+
+void add_data_folder(std::filesystem::path folder) {
+    added_folders().push_back(std::move(folder));
+}
 
 std::optional<std::filesystem::path> find_data_file(std::string_view relative) {
     for (const auto& root : data_roots()) {

@@ -6,8 +6,13 @@
 
 namespace fumon {
 
+/// Names a folder with fumon's files, for a library that lies elsewhere than the program: looked at
+/// after $FUMON_DATA_DIR. Call it before other threads start.
+void add_data_folder(std::filesystem::path folder);
+
 /// The path of a file that fumon ships ("shaders/terrain.frag.glsl",
-/// "assets/palettes/viridis.txt"). Looked for in $FUMON_DATA_DIR, then beside the installed program
+/// "assets/palettes/viridis.txt"). Looked for in $FUMON_DATA_DIR, then in folders that were added,
+/// beside the installed program
 /// (../share/fumon), then in the source tree it was built from. Throws Error naming every place
 /// looked at.
 std::filesystem::path data_file(std::string_view relative);

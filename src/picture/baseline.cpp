@@ -4,18 +4,15 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <string_view>
 #include <tuple>
 
 #include "base/error.h"
 #include "base/find_named.h"
 #include "base/limits.h"
-#include "base/nearest_name.h"
 #include "files/input_file.h"
-#include "keys/assign.h"
-#include "keys/key_value.h"
 #include "keys/toml_text.h"
-#include "picture/fingerprint_text.h"
 
 namespace fumon {
 
@@ -23,34 +20,6 @@ namespace {
 
 constexpr std::string_view head_mark =
     "# Recorded by `fumon verify --update`, which writes anew all that follows.";
-
-/// A record as its keys are bound.
-struct RecordText {
-    std::string fumon;
-    RenderingEnvironment environment;
-    std::string state;
-    FingerprintText fingerprint;
-
-    void list_head_keys(const std::string& prefix, KeyTable& table) {
-        table.text(prefix + "fumon", fumon, {.help = "version that drew it"});
-        table.text(prefix + "backend", environment.backend, {.help = "osmesa, egl or cairo"});
-        table.text(prefix + "renderer", environment.renderer, {.help = "what drew"});
-        table.text(prefix + "gl_version", environment.gl_version, {.help = "of OpenGL"});
-        table.text(prefix + "mesa_version", environment.mesa_version, {.help = "of Mesa"});
-        table.text(prefix + "llvm_version", environment.llvm_version, {.help = "of LLVM"});
-        table.boolean(prefix + "pinned", environment.pinned, {.help = "drawn with --pinned"});
-        table.text(prefix + "state", state, {.help = "SHA-256 of the model's state"});
-    }
-};
-
-bool good_name(std::string_view name) {
-    const auto good = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               c == '-' || c == '_';
-    };
-    constexpr std::size_t longest = 100;
-    return !name.empty() && name.size() <= longest && std::all_of(name.begin(), name.end(), good);
-}
 
 /// Without the line ends and the mark that it ends with.
 std::string people_part(std::string head) {
@@ -84,7 +53,7 @@ class Reader {
         BaselineCase common;
         KeyTable table;
         common.list_keys("", table);
-        read_keys(root, "", table, {"cases", "recorded"});
+        read_known_keys(root, "", table, locate_, {"cases", "recorded"});
         if (cases == nullptr || cases->empty()) {
             throw InputError(fmt::format(
                 "{}:1:1: names no case; write [cases] and below NAME = {{scene = \"FILE.toml\"}}",
@@ -122,31 +91,12 @@ class Reader {
         return node->as_table();
     }
 
-    void read_keys(const toml::table& from, const std::string& prefix, const KeyTable& table,
-                   const std::vector<std::string_view>& sections = {}) {
-        for (const auto& [name, value] : from) {
-            if (std::find(sections.begin(), sections.end(), name.str()) != sections.end()) continue;
-            const std::string path = prefix + std::string(name.str());
-            const Key* key = table.find(path);
-            if (key == nullptr) refuse_unknown(locate(name.source()), path, table);
-            assign(*key, value, [this](const auto& region) { return locate(region); });
-        }
-    }
-
-    [[noreturn]] static void refuse_unknown(const std::string& place, const std::string& path,
-                                            const KeyTable& table) {
-        std::vector<std::string> known;
-        for (const Key& key : table.keys()) known.push_back(key.path);
-        throw InputError(
-            fmt::format("{}: unknown key {}; {}", place, path, suggestion(path, known)));
-    }
-
     void read_case(const toml::key& name, const toml::node& value, const BaselineCase& common) {
         const std::string place = locate(name.source());
         BaselineCase one = common;
         one.name = name.str();
         one.place = place;
-        if (!good_name(one.name)) {
+        if (!good_picture_name(one.name)) {
             throw InputError(
                 fmt::format("{}: a case is named by letters, digits, \"-\" and \"_\"", place));
         }
@@ -162,7 +112,7 @@ class Reader {
         KeyTable table;
         const std::string prefix = fmt::format("cases.{}.", one.name);
         one.list_keys(prefix, table);
-        read_keys(*value.as_table(), prefix, table);
+        read_known_keys(*value.as_table(), prefix, table, locate_);
         one.settings.insert(one.settings.begin(), shared.begin(), shared.end());
         if (one.step >= 0 && one.time >= 0.0) {
             throw InputError(
@@ -204,10 +154,11 @@ class Reader {
         }
         cut_head(first);
         for (const auto& [name, value] : recorded) {
-            if (cases_.contains(std::string(name.str()))) {
-                read_record(std::string(name.str()), value);
+            const std::string picture(name.str());
+            if (cases_.contains(picture)) {
+                baseline_.records[picture] = read_record(picture, value, locate_);
             } else {
-                baseline_.orphans.emplace_back(name.str());
+                baseline_.orphans.push_back(picture);
             }
         }
     }
@@ -222,32 +173,9 @@ class Reader {
         baseline_.head = text_.substr(0, end);
     }
 
-    void read_record(const std::string& name, const toml::node& value) {
-        const std::string prefix = fmt::format("recorded.{}.", name);
-        if (!value.is_table()) {
-            throw InputError(
-                fmt::format("{}: recorded.{} is no section; remove it and run `fumon "
-                            "verify --update`",
-                            locate(value.source()), name));
-        }
-        RecordText record;
-        KeyTable table;
-        record.list_head_keys(prefix, table);
-        record.fingerprint.list_keys(prefix, table);
-        read_keys(*value.as_table(), prefix, table);
-        try {
-            baseline_.records[name] = {record.fumon, record.environment, record.state,
-                                       record.fingerprint.fingerprint()};
-        } catch (const KeyError& fault) {
-            const toml::node* at = value.as_table()->get(fault.key());
-            throw InputError(fmt::format("{}: {}{}",
-                                         locate(at != nullptr ? at->source() : value.source()),
-                                         prefix, fault.what()));
-        }
-    }
-
     std::string name_;
     std::string text_;
+    Locate locate_ = [this](const toml::source_region& region) { return locate(region); };
     Baseline baseline_;
     std::vector<Place> order_;
     std::map<std::string, BaselineCase> cases_;
@@ -289,14 +217,7 @@ std::string baseline_text(const Baseline& baseline) {
         if (found == baseline.records.end()) continue;
         if (first) text += fmt::format("\n{}\n", head_mark);
         first = false;
-        RecordText record{found->second.fumon, found->second.environment, found->second.state, {}};
-        KeyTable table;
-        record.list_head_keys("", table);
-        text += fmt::format("\n[recorded.{}]\n", one.name);
-        for (const Key& key : table.keys()) {
-            text += fmt::format("{} = {}\n", key.path, value_text(key));
-        }
-        text += fingerprint_text(found->second.fingerprint);
+        text += fmt::format("\n{}", record_text(one.name, found->second));
     }
     return text;
 }

@@ -2,14 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "keys/keys.h"
+#include "picture/baseline_records.h"
 #include "picture/compare.h"
-#include "picture/environment.h"
-#include "picture/fingerprint.h"
 
 namespace fumon {
 
@@ -30,21 +28,13 @@ struct BaselineCase {
     void list_keys(const std::string& prefix, KeyTable& table);
 };
 
-/// What a case looked like when it was accepted.
-struct BaselineRecord {
-    std::string fumon;  ///< the version that drew it
-    RenderingEnvironment environment;
-    std::string state;  ///< SHA-256 of the model's state, hexadecimal
-    Fingerprint fingerprint;
-};
-
 /// A baseline file: TOML whose first part, `[cases]` and what holds for all of them, is written by
 /// people, and whose rest, a section `[recorded.NAME]` a case, by `fumon verify --update`.
 struct Baseline {
     std::filesystem::path file;
     std::string head;  ///< the people's part, as it stands
     std::vector<BaselineCase> cases;
-    std::map<std::string, BaselineRecord> records;
+    BaselineRecords records;
     std::vector<std::string> orphans;  ///< recorded names that no case has
 
     /// Where the expected picture of a case is kept: "sand.toml" → "sand/NAME.png".

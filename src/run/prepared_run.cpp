@@ -158,17 +158,31 @@ bool asks_for_more(const Scene& scene) {
            has_overlays(scene);
 }
 
-}  // namespace
-
-PreparedScene prepare_scene(Scene scene) {
+/// Checks the scene's palette, and puts names and tables that it refers to in their place.
+void complete(Scene& scene) {
     check_palette(scene);
     name_parameter_keys(scene);
     read_wind_tables(scene);
     read_edge_tables(scene);
-    InitialBed initial = make_initial_bed(scene);
+}
+
+PreparedScene with_bed(Scene scene, InitialBed initial) {
     scene.grid.nx = initial.bed.nx();  // resolved: a terrain file brings its own size
     scene.grid.ny = initial.bed.ny();
     return {std::move(scene), std::move(initial)};
+}
+
+}  // namespace
+
+PreparedScene prepare_scene(Scene scene) {
+    complete(scene);
+    InitialBed initial = make_initial_bed(scene);
+    return with_bed(std::move(scene), std::move(initial));
+}
+
+PreparedScene prepare_scene(Scene scene, InitialBed initial) {
+    complete(scene);
+    return with_bed(std::move(scene), std::move(initial));
 }
 
 void check_shown(const Scene& scene, const Snapshot& first) {

@@ -30,6 +30,9 @@ struct PreparedRun {
 /// InputError, located.
 PreparedScene prepare_scene(Scene scene);
 
+/// The same with a bed that is there already, of whatever origin.
+PreparedScene prepare_scene(Scene scene, InitialBed initial);
+
 /// Checks that what a scene shows is in the snapshots of its model, of which `first` is one. Throws
 /// InputError, located.
 void check_shown(const Scene& scene, const Snapshot& first);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -18,6 +19,15 @@ namespace fumon {
 namespace {
 
 int advance(PreparedRun& prepared, const RunEnd& end, Progress& progress) {
+    ShownSteps shown(progress);
+    const int signal = advance(prepared, end, std::vector<StepObserver*>{&shown});
+    if (signal == 0) progress.clear();
+    return signal;
+}
+
+}  // namespace
+
+int advance(PreparedRun& prepared, const RunEnd& end, std::vector<StepObserver*> others) {
     Model& model = *prepared.model;
     const bool gathers = prepared.plotted != nullptr;
     if (!gathers && !plotted_columns(prepared.scene).empty()) {
@@ -26,15 +36,9 @@ int advance(PreparedRun& prepared, const RunEnd& end, Progress& progress) {
         prepared.plotted =
             std::make_unique<Recorder>(prepared.scene, model.snapshot(), std::move(plots_alone));
     }
-    ShownSteps shown(progress);
-    std::vector<StepObserver*> observers{&shown};
-    if (prepared.plotted) observers.insert(observers.begin(), prepared.plotted.get());
-    const int signal = Stepper(model, std::move(observers), gathers).advance(end);
-    if (signal == 0) progress.clear();
-    return signal;
+    if (prepared.plotted) others.insert(others.begin(), prepared.plotted.get());
+    return Stepper(model, std::move(others), gathers).advance(end);
 }
-
-}  // namespace
 
 int advance_to(PreparedRun& prepared, std::int64_t step, Progress& progress) {
     progress.expect(step, 0);
@@ -64,26 +68,27 @@ Drawing draw_snapshot(const PreparedRun& prepared, const Snapshot& first, const 
     return {painter->paint(snapshot, rows), painter->record()};
 }
 
+std::vector<std::uint8_t> still_file(const Scene& scene, const std::vector<InputFile>& inputs,
+                                     std::int64_t step, const Drawing& drawing) {
+    const auto texts = picture_text(resolved_scene(scene, inputs), scene, step, inputs,
+                                    pixel_hash(drawing.image), drawing.record.environment);
+    return encode_png(drawing.image, scene.view.image.dots_per_inch, texts);
+}
+
 DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
                       const std::string& file, const WorkOptions& work, Progress& progress) {
-    const Scene& scene = prepared.scene;
-    const auto [image, drawing] = draw_snapshot(prepared, first, snapshot, work);
-    tell_drawing(drawing, progress);
-    const Sha256 pixels = pixel_hash(image);
-    const auto texts =
-        picture_text(resolved_scene(scene, prepared.initial.inputs), scene, snapshot.step,
-                     prepared.initial.inputs, pixels, drawing.environment);
+    const Drawing drawing = draw_snapshot(prepared, first, snapshot, work);
+    tell_drawing(drawing.record, progress);
     const std::vector<std::uint8_t> bytes =
-        encode_png(image, scene.view.image.dots_per_inch, texts);
+        still_file(prepared.scene, prepared.initial.inputs, snapshot.step, drawing);
     if (file == standard_output) {
         std::fwrite(bytes.data(), 1, bytes.size(), stdout);  // looked at when the program ends
     } else {
         write_file(file, bytes);
     }
-    if (drawing.exaggeration != 1.0) {
-        progress.note(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));
-    }
-    return {pixels, drawing.environment};
+    if (drawing.record.exaggeration != 1.0)
+        progress.note(fmt::format("vertical exaggeration {:g}", drawing.record.exaggeration));
+    return {pixel_hash(drawing.image), drawing.record.environment};
 }
 
 }  // namespace fumon

@@ -2,19 +2,24 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "base/image.h"
 #include "base/snapshot.h"
 #include "files/hash.h"
 #include "run/frame_painter.h"
 #include "run/prepared_run.h"
+#include "run/stepper.h"
 #include "run/terminal/progress.h"
 #include "run/terminal/work_options.h"
 
 namespace fumon {
 
-/// Advances the model to a step, showing progress, and gathers what plots over the frames show.
-/// Returns the signal that stopped it early, or 0. Throws as Stepper::advance().
+/// Advances the model to an end, calling others who follow its steps, and gathers what plots over
+/// the frames show. Returns the signal that stopped it early, or 0. Throws as Stepper::advance().
+int advance(PreparedRun& prepared, const RunEnd& end, std::vector<StepObserver*> others);
+
+/// The same to a step, showing progress.
 int advance_to(PreparedRun& prepared, std::int64_t step, Progress& progress);
 
 /// Advances until the model reaches a time. Throws InputError if the run ends before it, naming the
@@ -41,7 +46,11 @@ Drawing draw_snapshot(const PreparedRun& prepared, const Snapshot& first, const 
 /// What a file is called that is to go to standard output.
 inline constexpr const char* standard_output = "-";
 
-/// The same, written whole with its metadata.
+/// The PNG file of such a picture of a step, with its metadata, by which `fumon again` makes it.
+std::vector<std::uint8_t> still_file(const Scene& scene, const std::vector<InputFile>& inputs,
+                                     std::int64_t step, const Drawing& drawing);
+
+/// Draws it and writes that file whole.
 DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
                       const std::string& file, const WorkOptions& work, Progress& progress);
 

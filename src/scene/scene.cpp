@@ -11,7 +11,8 @@ std::string Scene::at(const std::string& key) const {
 bool Scene::set_on_command_line(const std::string& key) const {
     const auto found = locations.find(key);
     return found != locations.end() &&
-           (found->second.starts_with("--set ") || found->second.starts_with("--over "));
+           (found->second.starts_with("--set ") || found->second.starts_with("--over ") ||
+            found->second == python_place);
 }
 
 }  // namespace fumon

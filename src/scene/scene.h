@@ -192,6 +192,9 @@ struct SweepSettings {
     std::int64_t seeds = 1;         ///< of each combination: seed, seed + 1 …
 };
 
+/// What messages call the place of a key that a Python program has set.
+inline constexpr const char* python_place = "in Python";
+
 /// What to simulate and how to show it: a value. Scene::locations knows where each key stood.
 struct Scene {
     std::string title;
@@ -216,7 +219,8 @@ struct Scene {
 
     /// "file:line:column: " of a key, or of the file where the key is not written.
     [[nodiscard]] std::string at(const std::string& key) const;
-    /// Whether the key's value comes from the command line (--set, --over).
+    /// Whether the key's value comes from the command line (--set, --over) or from a program that
+    /// fumon is part of.
     [[nodiscard]] bool set_on_command_line(const std::string& key) const;
 };
 

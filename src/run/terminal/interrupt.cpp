@@ -46,6 +46,11 @@ EndAtOnce::~EndAtOnce() {
     --ending_at_once;
 }
 
+void request_stop(int signal) {
+    asked_to_stop_at.store(monotonic_nanoseconds());
+    received.store(signal);
+}
+
 int interrupting_signal() {
     return received.load();
 }

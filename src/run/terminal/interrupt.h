@@ -23,6 +23,9 @@ class EndAtOnce {
     EndAtOnce& operator=(const EndAtOnce&) = delete;
 };
 
+/// Asks the program to stop, as this signal would (for those who handle signals themselves).
+void request_stop(int signal);
+
 /// The signal that asked the program to stop, or 0.
 int interrupting_signal();
 

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "keys/assign.h"
+#include "keys/keys.h"
+#include "picture/environment.h"
+#include "picture/fingerprint.h"
+
+namespace fumon {
+
+/// What a picture under test looked like when it was accepted.
+struct BaselineRecord {
+    std::string fumon;  ///< the version that drew it
+    RenderingEnvironment environment;
+    std::string state;  ///< SHA-256 of the model's state, hexadecimal; empty where none made it
+    Fingerprint fingerprint;
+};
+
+/// By the pictures' names.
+using BaselineRecords = std::map<std::string, BaselineRecord>;
+
+/// Whether pictures under test may be called so: letters, digits, "-" and "_", at most 100.
+bool good_picture_name(std::string_view name);
+
+/// The record in the section [recorded.NAME]. Throws InputError, located.
+BaselineRecord read_record(const std::string& name, const toml::node& section,
+                           const Locate& locate);
+
+/// That section, ended.
+std::string record_text(const std::string& name, const BaselineRecord& record);
+
+/// Sets keys from a section of TOML, but for sections in it that others read. Throws InputError,
+/// located, for keys that are not in the table.
+void read_known_keys(const toml::table& from, const std::string& prefix, const KeyTable& table,
+                     const Locate& locate, std::initializer_list<std::string_view> others = {});
+
+/// The records of a file that holds nothing else; none where there is no such file. Throws
+/// InputError "file:line:column: what is wrong; what would be right".
+BaselineRecords read_records(const std::filesystem::path& file);
+
+/// Such a file, which begins with this comment. Read again it gives the same.
+std::string records_text(const BaselineRecords& records, std::string_view comment);
+
+}  // namespace fumon

@@ -1,0 +1,103 @@
+#include "python/arrays.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "base/limits.h"
+#include "picture/environment.h"
+
+namespace fumon::python {
+
+namespace {
+
+namespace py = pybind11;
+
+template <class Number>
+py::array read_only(const Number* values, std::vector<py::ssize_t> shape,
+                    std::shared_ptr<const void> owner) {
+    auto kept = std::make_unique<std::shared_ptr<const void>>(std::move(owner));
+    const py::capsule base(kept.get(), [](void* pointer) {
+        delete static_cast<std::shared_ptr<const void>*>(pointer);
+    });
+    static_cast<void>(kept.release());  // the capsule's now
+    py::array_t<Number> array(std::move(shape), values, base);
+    array.attr("flags").attr("writeable") = false;
+    return array;
+}
+
+template <class Number>
+py::array view(const Field<Number>& field, std::shared_ptr<const void> owner) {
+    return read_only(field.data(), {field.ny(), field.nx()}, std::move(owner));
+}
+
+template <class Number, class Array>
+Field<Number> field_of_array(const Array& array) {
+    if (array.ndim() != 2) {
+        throw InputError(
+            fmt::format("the array has {} dimensions; it takes 2: rows (northward) "
+                        "and columns (eastward)",
+                        array.ndim()));
+    }
+    if (array.shape(0) < 1 || array.shape(1) < 1) throw InputError("the array has no cells");
+    constexpr auto longest = static_cast<py::ssize_t>(largest_grid_side);
+    if (array.shape(0) > longest || array.shape(1) > longest ||
+        array.shape(0) * array.shape(1) > largest_grid_cells) {
+        throw InputError(fmt::format("the array has {} x {} cells; at most {}", array.shape(0),
+                                     array.shape(1), largest_grid_cells));
+    }
+    Field<Number> field(static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0)));
+    std::copy_n(array.data(), field.size(), field.data());
+    return field;
+}
+
+}  // namespace
+
+py::array view_of(const Grid& grid, std::shared_ptr<const void> owner) {
+    return view(grid, std::move(owner));
+}
+
+py::array view_of(const Mask& mask, std::shared_ptr<const void> owner) {
+    return view(mask, std::move(owner));
+}
+
+Grid grid_of(const GridArray& array) {
+    return field_of_array<double>(array);
+}
+
+Mask mask_of(const MaskArray& array) {
+    return field_of_array<std::uint8_t>(array);
+}
+
+py::array array_of(Image image) {
+    auto kept = std::make_unique<Image>(std::move(image));
+    const std::vector<py::ssize_t> shape{kept->height, kept->width, 3};
+    const std::uint8_t* levels = kept->rgb.data();
+    const py::capsule base(kept.get(), [](void* pointer) { delete static_cast<Image*>(pointer); });
+    static_cast<void>(kept.release());  // the capsule's now
+    return py::array_t<std::uint8_t>(shape, levels, base);
+}
+
+py::tuple drawn_of(Drawing drawing) {
+    const std::string environment = environment_text(drawing.record.environment);
+    return py::make_tuple(array_of(std::move(drawing.image)), environment);
+}
+
+Image image_of(const ImageArray& array) {
+    if (array.ndim() != 3 || array.shape(2) != 3 || array.shape(0) < 1 || array.shape(1) < 1) {
+        throw InputError(
+            "a picture is an array (height, width, 3) of red, green and blue, 8 bits each");
+    }
+    constexpr py::ssize_t largest_side = 65'535;
+    if (array.shape(0) > largest_side || array.shape(1) > largest_side)
+        throw InputError(fmt::format("a picture has at most {} pixels a side", largest_side));
+    Image image(static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0)));
+    std::copy_n(array.data(), image.rgb.size(), image.rgb.data());
+    return image;
+}
+
+}  // namespace fumon::python

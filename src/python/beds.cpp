@@ -1,0 +1,150 @@
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "files/terrain/geographic.h"
+#include "measure/suite.h"
+#include "python/arrays.h"
+#include "python/drawer.h"
+#include "python/module.h"
+#include "python/scene_value.h"
+
+namespace fumon::python {
+
+namespace {
+
+namespace py = pybind11;
+
+using CellSize = std::optional<std::pair<double, double>>;
+
+WorldScale scale_of(const CellSize& cell_size) {
+    WorldScale scale;
+    if (!cell_size) return scale;
+    scale.dx = cell_size->first;
+    scale.dy = cell_size->second;
+    scale.in_metres = true;
+    return scale;
+}
+
+struct Bed {
+    Grid heights;
+    Mask nodata;
+};
+
+Bed bed_of(const GridArray& heights, const std::optional<MaskArray>& nodata) {
+    Bed bed{grid_of(heights), nodata ? mask_of(*nodata) : Mask()};
+    if (!bed.nodata.empty() &&
+        (bed.nodata.nx() != bed.heights.nx() || bed.nodata.ny() != bed.heights.ny()))
+        throw InputError("the mask has another shape than the heights");
+    for (std::size_t cell = 0; cell < bed.nodata.size(); ++cell) {
+        if (bed.nodata.values()[cell] != 0) bed.heights.values()[cell] = 0.0;
+    }
+    return bed;
+}
+
+/// Draws beds that Python brings, framed by the first of them, as terrain files are drawn.
+class BedPainter {
+  public:
+    BedPainter(Scene scene, Bed first, const CellSize& cell_size) {
+        InitialBed initial;
+        initial.bed = std::move(first.heights);
+        initial.nodata = std::move(first.nodata);
+        initial.scale = scale_of(cell_size);
+        const PreparedRun run = prepare_run(prepare_scene(std::move(scene), std::move(initial)), 1);
+        drawer_ = std::make_unique<Drawer>(run.scene, run.initial.inputs,
+                                           std::make_shared<const Snapshot>(run.model->snapshot()));
+    }
+
+    [[nodiscard]] Drawing draw(std::optional<Bed> bed) const {
+        if (!bed) return drawer_->draw(drawer_->first(), {});
+        const Snapshot& first = *drawer_->first();
+        if (bed->heights.nx() != first.bed.nx() || bed->heights.ny() != first.bed.ny())
+            throw InputError("the heights have another shape than the first ones");
+        Snapshot snapshot = first;
+        snapshot.bed = std::move(bed->heights);
+        snapshot.nodata = std::move(bed->nodata);
+        return drawer_->draw(std::make_shared<const Snapshot>(std::move(snapshot)), {});
+    }
+
+  private:
+    std::unique_ptr<Drawer> drawer_;
+};
+
+std::vector<std::tuple<std::string, double, std::string, std::string>> measures_of_bed(
+    Bed bed, const CellSize& cell_size, bool periodic) {
+    Snapshot snapshot;
+    snapshot.time_unit = "steps";
+    snapshot.bed = std::move(bed.heights);
+    snapshot.nodata = std::move(bed.nodata);
+    snapshot.scale = scale_of(cell_size);
+    snapshot.periodic = periodic;
+    snapshot.landform = Landform::terrain;
+    MeasureSuite suite(measured_landform(snapshot), snapshot);
+    const std::vector<double> values = suite.row(snapshot);
+    std::vector<std::tuple<std::string, double, std::string, std::string>> measures;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const auto [column, value] =
+            in_world_units({suite.columns()[k], values[k]}, snapshot.scale);
+        measures.emplace_back(column.name, value, column.unit, column.help);
+    }
+    return measures;
+}
+
+}  // namespace
+
+void define_beds(py::module_& core) {
+    py::class_<BedPainter>(core, "BedPainter")
+        .def(py::init([](const SceneValue& scene, const GridArray& heights,
+                         const std::optional<MaskArray>& nodata, const CellSize& cell_size) {
+                 Scene copy = scene.scene();
+                 Bed bed = bed_of(heights, nodata);
+                 const py::gil_scoped_release unlocked;
+                 return std::make_unique<BedPainter>(std::move(copy), std::move(bed), cell_size);
+             }),
+             py::arg("scene"), py::arg("heights"), py::arg("nodata"), py::arg("cell_size"))
+        .def("first",
+             [](const BedPainter& painter) {
+                 Drawing drawing;
+                 {
+                     const py::gil_scoped_release unlocked;
+                     drawing = painter.draw(std::nullopt);
+                 }
+                 return drawn_of(std::move(drawing));
+             })
+        .def(
+            "draw",
+            [](const BedPainter& painter, const GridArray& heights,
+               const std::optional<MaskArray>& nodata) {
+                Bed bed = bed_of(heights, nodata);
+                Drawing drawing;
+                {
+                    const py::gil_scoped_release unlocked;
+                    drawing = painter.draw(std::move(bed));
+                }
+                return drawn_of(std::move(drawing));
+            },
+            py::arg("heights"), py::arg("nodata"));
+    core.def(
+        "measure_bed",
+        [](const GridArray& heights, const std::optional<MaskArray>& nodata,
+           const CellSize& cell_size, bool periodic) {
+            Bed bed = bed_of(heights, nodata);
+            const py::gil_scoped_release unlocked;
+            return measures_of_bed(std::move(bed), cell_size, periodic);
+        },
+        py::arg("heights"), py::arg("nodata"), py::arg("cell_size"), py::arg("periodic"));
+    core.def(
+        "metres_per_degree",
+        [](double latitude) {
+            const DegreeLengths lengths = degree_lengths(latitude);
+            return std::pair(lengths.east, lengths.north);
+        },
+        py::arg("latitude"));
+}
+
+}  // namespace fumon::python

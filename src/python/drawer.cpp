@@ -1,0 +1,80 @@
+#include "python/drawer.h"
+
+#include <atomic>
+#include <utility>
+
+#include "base/thread_clock.h"
+#include "base/worker_pool.h"
+#include "python/patience.h"
+
+namespace fumon::python {
+
+namespace {
+
+/// The process that drew first. OpenGL's own threads do not follow a fork, in whatever context.
+void check_drawing_process() {
+    static std::atomic<pid_t> first{0};
+    pid_t none = 0;
+    if (first.compare_exchange_strong(none, getpid()) || none == getpid()) return;
+    throw Error(
+        "this process was forked from one that had drawn, and OpenGL does not follow a fork; let "
+        "multiprocessing start processes by \"spawn\" (multiprocessing.get_context(\"spawn\"))");
+}
+
+}  // namespace
+
+Drawer::Drawer(Scene scene, std::vector<InputFile> inputs, SharedSnapshot first)
+    : scene_(std::move(scene)), inputs_(std::move(inputs)), first_(std::move(first)) {}
+
+Drawer::~Drawer() {
+    if (!process_.is_this()) static_cast<void>(worker_.release());  // its thread is not here
+}
+
+Drawing Drawer::draw(SharedSnapshot snapshot, const MeasuredRows& rows) {
+    process_.check();
+    check_drawing_process();
+    Task task([snapshot = std::move(snapshot), rows](const Painter& painter) -> Drawing {
+        Image image = painter().paint(*snapshot, rows);
+        return {std::move(image), painter().record()};
+    });
+    std::future<Drawing> drawn = task.get_future();
+    Worker& worker = started();
+    {
+        const std::lock_guard lock(worker.mutex);
+        worker.tasks.push_back(std::move(task));
+    }
+    worker.changed.notify_all();
+    return wait_for(std::move(drawn));
+}
+
+Drawer::Worker& Drawer::started() {
+    const std::lock_guard lock(starting_);
+    if (!worker_) {
+        worker_ = std::make_unique<Worker>();
+        worker_->thread = std::jthread(
+            [this, worker = worker_.get()](const std::stop_token& stop) { work(*worker, stop); });
+    }
+    return *worker_;
+}
+
+void Drawer::work(Worker& worker, const std::stop_token& stop) const {
+    name_this_thread("fumon-draw");
+    WorkerPool pool(0, "fumon-render");
+    std::unique_ptr<FramePainter> made;
+    const Painter painter = [&]() -> FramePainter& {
+        if (!made) made = make_frame_painter(scene_, *first_, gl::Backend::automatic, pool);
+        return *made;
+    };
+    for (;;) {
+        Task task;
+        {
+            std::unique_lock lock(worker.mutex);
+            if (!worker.changed.wait(lock, stop, [&] { return !worker.tasks.empty(); })) return;
+            task = std::move(worker.tasks.front());
+            worker.tasks.pop_front();
+        }
+        task(painter);
+    }
+}
+
+}  // namespace fumon::python

@@ -1,0 +1,56 @@
+"""fumon: sand and water landforms, simulated and rendered without a display.
+
+    scene = fumon.Scene("terada-barchans", seed=2, **{"model.creep_rate": 0.3})
+    for step in scene.run(every=100):
+        step.bed, step.time, step.measures["dune_count"], step.image()
+
+    fumon.render(heights, cell_size=30)         # a picture of any terrain
+    fumon.measure(heights, cell_size=30)        # its wavelengths, slopes, dunes …
+    fumon.movie(beds, "growth.mp4", cell_size=30)
+    fumon.compare(image, other), fumon.fingerprint(image)
+
+Grids are arrays (ny, nx): rows run north, columns east. Row 0 is the southernmost. Heights of terrain are metres.
+"""
+
+from pathlib import Path as _Path
+
+from . import _core
+from ._core import Error, InputError
+
+__version__: str = _core.version
+
+
+def _find_data() -> None:
+    """Shaders, palettes and scenes lie in the package, or under the prefix where both are installed; else fumon
+    finds those of its source folder."""
+    here = _Path(__file__).parent
+    for folder in (here / "share", *(parent / "share" / "fumon" for parent in here.parents)):
+        if (folder / "shaders").is_dir():
+            _core.add_data_folder(str(folder))
+            return
+
+
+_find_data()
+
+from .images import Comparison, Image, compare, fingerprint  # noqa: E402
+from .measures import Measures  # noqa: E402
+from .movies import Movie, movie  # noqa: E402
+from .scene import Run, Scene, Step  # noqa: E402
+from .terrain import measure, render  # noqa: E402
+
+try:
+    from . import accessor as _accessor  # noqa: F401,E402
+except ImportError:  # without xarray there is nothing to be added to
+    pass
+
+
+def pin_rendering() -> None:
+    """Draw the same pixels on every x86-64 processor, as ``fumon --pinned`` does: a fifth slower. Call it before
+    anything is drawn; raises Error after that."""
+    _core.pin_rendering()
+
+
+__all__ = [
+    "Comparison", "Error", "Image", "InputError", "Measures", "Movie", "Run", "Scene", "Step", "compare",
+    "fingerprint", "measure", "movie", "pin_rendering", "render",
+]

@@ -1,0 +1,44 @@
+"""``.fumon`` on xarray's DataArray and Dataset."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import xarray
+
+from .images import Image, PathLike
+from .measures import Measures
+from .movies import Movie, movie
+from .terrain import CellSize, Origin, measure, render
+
+
+@xarray.register_dataarray_accessor("fumon")
+class TerrainAccessor:
+    """Heights: ``array.fumon.render(camera_azimuth=160)``. The cell size is that of its coordinates."""
+
+    def __init__(self, array: xarray.DataArray) -> None:
+        self._array = array
+
+    def render(self, cell_size: CellSize = None, *, origin: Origin = "lower", **look: Any) -> Image:
+        """A picture, see fumon.render()."""
+        return render(self._array, cell_size, origin=origin, **look)
+
+    def measure(self, cell_size: CellSize = None, *, origin: Origin = "lower", periodic: bool = False) -> Measures:
+        """Its measures, see fumon.measure()."""
+        return measure(self._array, cell_size, origin=origin, periodic=periodic)
+
+    def movie(self, file: PathLike, **options: Any) -> Movie:
+        """A movie over its third dimension, see fumon.movie()."""
+        return movie(self._array, file, **options)
+
+
+@xarray.register_dataset_accessor("fumon")
+class DatasetAccessor:
+    """``dataset.fumon.movie("growth.mp4")``."""
+
+    def __init__(self, dataset: xarray.Dataset) -> None:
+        self._dataset = dataset
+
+    def movie(self, file: PathLike, **options: Any) -> Movie:
+        """A movie of its heights, see fumon.movie()."""
+        return movie(self._dataset, file, **options)

@@ -1,0 +1,98 @@
+"""Pictures: arrays that show themselves, and how alike two of them are."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from typing import Any, Union
+
+import numpy as np
+
+from . import _core
+
+PathLike = Union[str, "os.PathLike[str]"]
+
+
+class Image(np.ndarray):
+    """A picture: uint8 (height, width, 3), top row first. A NumPy array in all it does; notebooks show it."""
+
+    environment: str  #: what drew it, as one line of JSON; empty where that is not known
+
+    def __new__(cls, pixels: Any) -> Image:
+        return checked_pixels(pixels).view(cls)
+
+    def __array_finalize__(self, other: Any) -> None:
+        self.environment = ""
+
+    @classmethod
+    def drawn(cls, drawn: tuple[np.ndarray, str]) -> Image:
+        image = drawn[0].view(cls)
+        image.environment = drawn[1]
+        return image
+
+    @classmethod
+    def open(cls, file: PathLike) -> Image:
+        """The pixels of a PNG file."""
+        return _core.read_png(os.fspath(file)).view(cls)
+
+    def save(self, file: PathLike) -> None:
+        """Writes it as PNG, whole or not at all."""
+        write_png(file, _core.png(checked_pixels(self)))
+
+    def _repr_png_(self) -> bytes | None:
+        is_picture = self.ndim == 3 and self.shape[2] == 3 and self.dtype == np.uint8 and self.size > 0
+        return _core.png(np.ascontiguousarray(self)) if is_picture else None
+
+    def __repr__(self) -> str:
+        if self.ndim != 3:
+            return super().__repr__()
+        return f"<fumon.Image, {self.shape[1]} x {self.shape[0]} pixels>"
+
+
+def write_png(file: PathLike, data: bytes) -> None:
+    name = os.fspath(file)
+    if not name.lower().endswith(".png"):
+        raise ValueError(f"{name}: pictures are PNG files; write {name}.png")
+    _core.write_file(name, data)
+
+
+def checked_pixels(pixels: Any) -> np.ndarray:
+    """Pixels as they come, as a packed array."""
+    array = np.asarray(pixels)
+    if array.dtype != np.uint8:
+        raise TypeError(f"a picture has levels of 8 bits (uint8), not {array.dtype}")
+    if array.ndim != 3 or array.shape[2] != 3 or array.size == 0:
+        raise ValueError(f"a picture is an array (height, width, 3), not {array.shape}")
+    return np.ascontiguousarray(array)
+
+
+def _pixels_of(picture: Any) -> np.ndarray:
+    if isinstance(picture, (str, os.PathLike)):
+        return _core.read_png(os.fspath(picture))
+    return checked_pixels(picture)
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """How far two pictures are apart, as ``fumon compare`` says it."""
+
+    likeness: str  #: "identical", "same to the eye", "close" or "different"
+    largest: int  #: difference of a level, 0 … 255
+    changed: int  #: pixels
+    changed_share: float
+    mean: float  #: difference of a level, over all levels of all pixels
+    tile_ssim: float  #: of the least similar 8 x 8 tile (Wang et al. 2004)
+    thumbnail: float  #: largest difference of 32 x 18 box means, grey levels
+    difference: Image = field(repr=False, compare=False)  #: the first one in grey, what changed over it in red
+
+
+def compare(first: Any, second: Any) -> Comparison:
+    """Compares two pictures of one size: arrays or PNG files. ValueError where their sizes differ."""
+    a, b = _pixels_of(first), _pixels_of(second)
+    return Comparison(**_core.compare(a, b), difference=_core.difference(a, b).view(Image))
+
+
+def fingerprint(picture: Any) -> dict[str, Any]:
+    """What ``fumon fingerprint`` says of a picture, an array or a PNG file: width and height (pixels), pixels_sha256,
+    dhash and thumbnail, an array (18, 32, 3) of box means."""
+    return _core.fingerprint(_pixels_of(picture))

@@ -1,0 +1,210 @@
+"""Anyone's terrain: arrays, xarray's, Landlab's grids; drawn and measured."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal, Union
+
+import numpy as np
+
+from . import _core
+from .images import Image
+from .measures import Measures
+from .settings import settings_of
+
+CellSize = Union[float, "tuple[float, float]", None]
+Origin = Literal["lower", "upper"]
+
+_names_of_y = {"y", "lat", "latitude", "northing", "north", "projection_y_coordinate"}
+_names_of_x = {"x", "lon", "longitude", "easting", "east", "projection_x_coordinate"}
+_metres = {"m": 1.0, "metre": 1.0, "metres": 1.0, "meter": 1.0, "meters": 1.0, "km": 1000.0}
+
+
+@dataclass
+class Bed:
+    """Heights as the core takes them: float64 (ny, nx), row 0 southernmost, and what lies outside."""
+
+    heights: np.ndarray
+    nodata: np.ndarray | None
+    cell_size: tuple[float, float] | None
+
+
+def render(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
+           **look: Any) -> Image:
+    """A picture of a terrain.
+
+    data: heights, metres, of any real dtype and strides: an array (ny, nx), whose NaN and masked cells have no data;
+        an xarray.DataArray; or a raster grid of Landlab, of which ``field`` names the heights.
+    cell_size: metres, or (dx, dy). A DataArray with coordinates and Landlab's grids bring it; without one, heights
+        count in cells.
+    origin: "lower" where row 0 of an array is the southernmost (as fumon and Landlab have it), "upper" where it is
+        the northernmost (as most rasters have it). The coordinates of a DataArray say so themselves.
+    look: keys of a scene, with an underscore for the dot: ``camera_azimuth=160, look_palette="viridis",
+        image_width=800``.
+
+    ValueError and TypeError for what is no terrain; InputError for a wrong key.
+    """
+    bed = bed_of(data, cell_size, origin, field)
+    return Image.drawn(_painter(bed, look).first())
+
+
+def measure(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
+            periodic: bool = False) -> Measures:
+    """The measures of a terrain, as ``fumon measure`` has them: wavelengths, crests, slopes, dunes. In metres where
+    there is a cell size, else in cells. data, cell_size, origin, field: as for render(). periodic: the bed goes on
+    past its edges with its other side."""
+    bed = bed_of(data, cell_size, origin, field)
+    return Measures(_core.measure_bed(bed.heights, bed.nodata, bed.cell_size, periodic))
+
+
+def _painter(bed: Bed, look: dict[str, Any]) -> _core.BedPainter:
+    scene = _core.SceneValue.terrain(settings_of(look))
+    return _core.BedPainter(scene, bed.heights, bed.nodata, bed.cell_size)
+
+
+class Painter:
+    """Draws beds of one shape, framed by the first of them."""
+
+    def __init__(self, look: dict[str, Any]) -> None:
+        self._look = look
+        self._painter: _core.BedPainter | None = None
+
+    def draw(self, bed: Bed) -> Image:
+        if self._painter is None:
+            self._painter = _painter(bed, self._look)
+        return Image.drawn(self._painter.draw(bed.heights, bed.nodata))
+
+
+def bed_of(data: Any, cell_size: CellSize = None, origin: Origin = "lower", field: str | None = None) -> Bed:
+    """Whatever holds heights, as a Bed."""
+    if origin not in ("lower", "upper"):
+        raise ValueError(f'origin is "lower" or "upper", not {origin!r}')
+    size = _checked_size(cell_size)
+    if hasattr(data, "at_node") and hasattr(data, "shape"):
+        return _bed_of_landlab(data, size, field or "topographic__elevation")
+    if field is not None:
+        raise ValueError("field names the heights of a Landlab grid, which this is not")
+    if hasattr(data, "data_vars"):
+        raise TypeError("a Dataset holds several variables; choose the heights, as dataset[\"bed\"]")
+    if hasattr(data, "dims") and hasattr(data, "coords"):
+        return _bed_of_dataarray(data, size, origin)
+    return _bed_of_array(data, size, flipped=origin == "upper")
+
+
+def _checked_size(cell_size: CellSize) -> tuple[float, float] | None:
+    if cell_size is None:
+        return None
+    sizes = np.atleast_1d(np.asarray(cell_size, dtype=float))
+    if sizes.shape not in ((1,), (2,)) or not np.all(np.isfinite(sizes)) or not np.all(sizes > 0):
+        raise ValueError(f"cell_size is metres, or (dx, dy) in metres, above 0, not {cell_size!r}")
+    return float(sizes[0]), float(sizes[-1])
+
+
+def _bed_of_array(data: Any, size: tuple[float, float] | None, flipped: bool) -> Bed:
+    masked = np.ma.getmask(data)
+    values = np.ma.getdata(data) if isinstance(data, np.ma.MaskedArray) else np.asarray(data)
+    if values.dtype.kind not in "iuf":
+        raise TypeError(f"heights are real numbers, not {values.dtype}")
+    if values.ndim != 2:
+        hint = "; this looks like a picture" if values.ndim == 3 and values.shape[2] in (3, 4) else ""
+        raise ValueError(f"heights are an array (ny, nx), not {values.shape}{hint}")
+    if values.size == 0:
+        raise ValueError(f"heights are an array with cells, not {values.shape}")
+    if flipped:
+        values = values[::-1]
+    heights = np.array(values, dtype=np.float64, order="C")
+    nodata = np.isnan(heights)
+    if masked is not np.ma.nomask:
+        nodata |= masked[::-1] if flipped else masked
+    if np.any(np.isinf(heights[~nodata])):
+        y, x = np.argwhere(np.isinf(heights) & ~nodata)[0]
+        raise ValueError(f"the height at row {y}, column {x} (from the south-west) is infinite; NaN stands for no data")
+    if nodata.all():
+        raise ValueError("no cell has data")
+    heights[nodata] = 0.0
+    return Bed(heights, nodata.astype(np.uint8) if nodata.any() else None, size)
+
+
+def _bed_of_landlab(grid: Any, size: tuple[float, float] | None, field: str) -> Bed:
+    if field not in grid.at_node:
+        raise ValueError(f"the grid has no field {field!r} at its nodes; field= names the one with the heights")
+    dx = float(grid.dx)
+    own = (dx, float(getattr(grid, "dy", dx)))
+    return _bed_of_array(np.asarray(grid.at_node[field]).reshape(grid.shape), size or own, flipped=False)
+
+
+def _axis_of(array: Any, names: set[str], axis: str) -> str | None:
+    for dim in array.dims:
+        attributes = array.coords[dim].attrs if dim in array.coords else {}
+        if (str(dim).lower() in names or attributes.get("standard_name") in names or attributes.get("axis") == axis):
+            return str(dim)
+    return None
+
+
+def ordered_dims(array: Any) -> tuple[str, str]:
+    """The dimensions of a DataArray that run north and east: by their names or attributes, else the last two."""
+    north, east = _axis_of(array, _names_of_y, "Y"), _axis_of(array, _names_of_x, "X")
+    if north is None and east is None:
+        return str(array.dims[-2]), str(array.dims[-1])
+    if north is None or east is None:
+        known = north or east
+        others = [str(dim) for dim in array.dims if str(dim) != known and array.sizes[dim] > 1]
+        if len(others) != 1:
+            raise ValueError(f"which of the dimensions {tuple(array.dims)} run north and east? Call them y and x")
+        north, east = north or others[0], east or others[0]
+    return north, east
+
+
+def _bed_of_dataarray(array: Any, size: tuple[float, float] | None, origin: Origin) -> Bed:
+    if array.ndim < 2:
+        raise ValueError(f"heights have two dimensions, not {tuple(array.dims)}")
+    north, east = ordered_dims(array)
+    extra = [dim for dim in array.dims if dim not in (north, east)]
+    if any(array.sizes[dim] != 1 for dim in extra):
+        raise ValueError(f"heights have two dimensions, not {tuple(array.dims)}; choose one of {extra[0]} by "
+                         f".isel({extra[0]}=0)")
+    array = array.squeeze(extra).transpose(north, east)
+    x, y = (array.coords[dim] if dim in array.coords else None for dim in (east, north))
+    values = array.to_masked_array() if array.dtype.kind in "iuf" else array.values
+    if x is not None and array.sizes[east] > 1 and x.values[-1] < x.values[0]:
+        values = values[:, ::-1]
+    is_upper = origin == "upper"
+    if y is not None and array.sizes[north] > 1:
+        is_upper = bool(y.values[-1] < y.values[0])
+    if size is None and x is not None and y is not None:
+        size = _size_of_coordinates(x, y)
+    return _bed_of_array(values, size, is_upper)
+
+
+def _spacing(coordinate: Any) -> float | None:
+    values = np.asarray(coordinate.values)
+    if values.size < 2 or values.dtype.kind not in "iuf":
+        return None
+    steps = np.diff(values.astype(float))
+    mean = float(np.mean(steps))
+    if mean == 0.0 or not np.all(np.abs(steps - mean) < 1e-3 * abs(mean)):
+        raise ValueError(f"{coordinate.name} is not evenly spaced; bring the heights onto an even grid")
+    return abs(mean)
+
+
+def _size_of_coordinates(x: Any, y: Any) -> tuple[float, float] | None:
+    dx, dy = _spacing(x), _spacing(y)
+    if (dx is None and dy is None) or x.attrs.get("units") == "1":  # sites
+        return None
+    east, north = _unit(x), _unit(y)
+    if east == "degrees" or north == "degrees":
+        east, north = _core.metres_per_degree(float(np.mean(y.values)))
+    dx = None if dx is None else dx * float(east)
+    dy = None if dy is None else dy * float(north)
+    return dx or dy or 1.0, dy or dx or 1.0
+
+
+def _unit(coordinate: Any) -> float | str:
+    """Metres of the coordinate's unit, or "degrees"."""
+    unit = str(coordinate.attrs.get("units", ""))
+    name = str(coordinate.name).lower()
+    if unit.startswith("degree") or (not unit and name in {"lat", "latitude", "lon", "longitude"}):
+        return "degrees"
+    if unit and unit not in _metres:
+        raise ValueError(f"{coordinate.name} is in {unit!r}; give cell_size in metres")
+    return _metres.get(unit, 1.0)

@@ -1,0 +1,21 @@
+# The package fumon, complete in ${CMAKE_BINARY_DIR}/python: PYTHONPATH may lead there.
+set(package ${CMAKE_BINARY_DIR}/python/fumon)
+python_add_library(fumon_python_module MODULE WITH_SOABI python_module.cpp)
+target_link_libraries(fumon_python_module PRIVATE fumon_python pybind11::module)
+set_target_properties(fumon_python_module PROPERTIES OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${package}
+                      CXX_VISIBILITY_PRESET hidden)
+target_compile_options(fumon_python PRIVATE $<$<CONFIG:Release>:-O1>)
+
+file(GLOB package_files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/python/fumon/*)
+list(FILTER package_files EXCLUDE REGEX "__pycache__")
+file(MAKE_DIRECTORY ${package})
+foreach(file IN LISTS package_files)
+    get_filename_component(name ${file} NAME)
+    file(CREATE_LINK ${file} ${package}/${name} SYMBOLIC)
+endforeach()
+
+# Where this Python looks for packages below a prefix.
+set(FUMON_PYTHON_FOLDER lib/python${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}/dist-packages CACHE STRING
+    "The folder of the Python package, below the prefix")
+install(TARGETS fumon_python_module LIBRARY DESTINATION ${FUMON_PYTHON_FOLDER}/fumon COMPONENT python)
+install(FILES ${package_files} DESTINATION ${FUMON_PYTHON_FOLDER}/fumon COMPONENT python)

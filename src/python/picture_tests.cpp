@@ -1,0 +1,125 @@
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "files/atomic_file.h"
+#include "outputs/output_claims.h"
+#include "picture/baseline.h"
+#include "picture/baseline_records.h"
+#include "picture/environment.h"
+#include "picture/verdict.h"
+#include "python/arrays.h"
+#include "python/module.h"
+#include "verify/verify_page.h"
+
+namespace fumon::python {
+
+namespace {
+
+namespace py = pybind11;
+
+BaselineRecord record_of(const ImageArray& image, const std::string& environment,
+                         std::string state) {
+    BaselineRecord record;
+    record.fumon = FUMON_VERSION;
+    if (!environment.empty()) record.environment = parse_environment(environment);
+    record.state = std::move(state);
+    record.fingerprint = fingerprint_of(image_of(image));
+    return record;
+}
+
+const char* word_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::as_recorded:
+            return "as recorded";
+        case Outcome::differs:
+            return "differs";
+        case Outcome::missing:
+        case Outcome::failed:
+        case Outcome::wrong_input:
+            break;
+    }
+    return "missing";
+}
+
+std::pair<std::string, std::string> verdict_on(const BaselineRecord* recorded,
+                                               const BaselineRecord& present, const ImageArray& got,
+                                               const std::optional<ImageArray>& expected,
+                                               bool picture, double thumbnail_difference,
+                                               double tile_ssim) {
+    BaselineCase one;
+    one.picture = picture;
+    one.thumbnail_difference = thumbnail_difference;
+    one.tile_ssim = tile_ssim;
+    std::optional<Image> kept;
+    if (expected) kept = image_of(*expected);
+    const Verdict verdict = judge(one, recorded, present, image_of(got), kept ? &*kept : nullptr);
+    return {word_of(verdict.outcome), verdict.finding};
+}
+
+/// The page of `fumon verify`, for pictures that Python tests.
+class DifferencePage {
+  public:
+    explicit DifferencePage(const std::string& folder) {
+        page_.emplace(folder, OutputClaims(false));
+        page_->forget();
+        file_ = page_->file().string();
+    }
+
+    void add(const std::string& suite, const std::string& name, const std::string& finding,
+             const ImageArray& got, const BaselineRecord* recorded,
+             const std::optional<ImageArray>& expected) {
+        if (!page_) throw Error(file_ + " is finished");
+        std::optional<Image> kept;
+        if (expected) kept = image_of(*expected);
+        page_->add(suite, name, {Outcome::differs, finding}, image_of(got), recorded,
+                   kept ? &*kept : nullptr);
+    }
+
+    /// Ends the page and frees its folder; whether there is a page.
+    bool finish() {
+        const bool any = page_ && page_->has_cases();
+        if (page_) page_->finish();
+        page_.reset();
+        return any;
+    }
+
+    [[nodiscard]] const std::string& file() const { return file_; }
+
+  private:
+    std::optional<VerifyPage> page_;
+    std::string file_;
+};
+
+}  // namespace
+
+void define_picture_tests(py::module_& core) {
+    py::class_<BaselineRecord>(core, "Record")
+        .def(py::init(&record_of), py::arg("image"), py::arg("environment"), py::arg("state"))
+        .def_property_readonly(
+            "pinned", [](const BaselineRecord& record) { return record.environment.pinned; })
+        .def("changes", &changes, py::arg("after"));
+    core.def(
+        "read_records", [](const std::string& file) { return read_records(file); },
+        py::arg("file"));
+    core.def(
+        "write_records",
+        [](const std::string& file, const BaselineRecords& records, const std::string& comment) {
+            write_file(file, records_text(records, comment));
+        },
+        py::arg("file"), py::arg("records"), py::arg("comment"));
+    core.def("judge", &verdict_on, py::arg("recorded"), py::arg("present"), py::arg("got"),
+             py::arg("expected"), py::arg("picture"), py::arg("thumbnail_difference"),
+             py::arg("tile_ssim"));
+    py::class_<DifferencePage>(core, "DifferencePage")
+        .def(py::init<const std::string&>(), py::arg("folder"))
+        .def("add", &DifferencePage::add, py::arg("suite"), py::arg("name"), py::arg("finding"),
+             py::arg("got"), py::arg("recorded"), py::arg("expected"))
+        .def("finish", &DifferencePage::finish)
+        .def_property_readonly("file", &DifferencePage::file);
+}
+
+}  // namespace fumon::python

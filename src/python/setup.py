@@ -1,0 +1,39 @@
+"""What setuptools cannot know: the extension is built by CMake, of the same rooms as the program, and the package
+brings the shaders, palettes and scenes."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+PARTS_WITHOUT = {"shaders": (), "assets": ("guide",), "scenes": ("pictures", "*.md")}
+
+
+class BuildByCMake(build_ext):
+    def build_extension(self, ext: Extension) -> None:
+        build = SOURCE / "build" / "python"
+        subprocess.run(["cmake", "--preset", "release", "-S", SOURCE, "-B", build, "-DFUMON_PYTHON=ON",
+                        f"-DPython_EXECUTABLE={sys.executable}"], check=True, cwd=SOURCE)
+        subprocess.run(["cmake", "--build", build, "--target", "fumon_python_module"], check=True)
+        made = pathlib.Path(self.get_ext_fullpath(ext.name))
+        made.parent.mkdir(parents=True, exist_ok=True)
+        built, = (build / "python" / "fumon").glob("_core.*.so")
+        shutil.copyfile(built, made)
+        for part, without in PARTS_WITHOUT.items():
+            shutil.copytree(SOURCE / part, made.parent / "share" / part, dirs_exist_ok=True,
+                            ignore=shutil.ignore_patterns(*without))
+
+
+def version() -> str:
+    text = (SOURCE / "CMakeLists.txt").read_text()
+    return re.search(r"project\(fumon VERSION ([0-9.]+)", text)[1]
+
+
+os.chdir(pathlib.Path(__file__).parent)
+setup(version=version(), ext_modules=[Extension("fumon._core", [])], cmdclass={"build_ext": BuildByCMake})

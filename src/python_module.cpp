@@ -1,0 +1,5 @@
+#include "python/module.h"
+
+PYBIND11_MODULE(_core, core) {
+    fumon::python::define(core);
+}

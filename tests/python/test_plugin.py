@@ -1,0 +1,102 @@
+"""The pytest plugin: records, compares, shows what differs."""
+
+import importlib.metadata
+
+import pytest
+
+pytest_plugins = "pytester"
+
+# An installed fumon makes itself known to pytest.
+INSTALLED = any(entry.value == "fumon.pytest_plugin" for entry in importlib.metadata.entry_points(group="pytest11"))
+WORDS = ("-q", "-p", "no:cacheprovider", *(() if INSTALLED else ("-p", "fumon.pytest_plugin")))
+
+TEST = """
+import numpy as np
+import pytest
+import fumon
+
+y, x = np.mgrid[0:14, 0:20]
+HILLS = 3.0 * np.sin(0.5 * x) + 2.0 * np.cos(0.4 * y)
+SMALL = dict(image_width=96, image_height=64)
+
+@pytest.mark.parametrize("azimuth", [0, 90])
+def test_hills(fumon_image, azimuth):
+    image = fumon_image(HILLS, cell_size=2, camera_azimuth=azimuth + TURN, picture=True, **SMALL)
+    assert isinstance(image, fumon.Image)
+
+def test_run(fumon_image):
+    scene = fumon.Scene("terada-barchans", grid_nx=24, grid_ny=16, run_steps=9, seed=SEED, **SMALL)
+    fumon_image(scene, step=5)
+    fumon_image(scene.at(5), name="as-step")
+    fumon_image(np.asarray(scene.at(5).image()), name="as-array", thumbnail_difference=200)
+"""
+
+
+@pytest.fixture
+def run(pytester):
+    def run_tests(*words, turn=0, seed=1, text=TEST):
+        pytester.makepyfile(test_it=text.replace("TURN", str(turn)).replace("SEED", str(seed)))
+        return pytester.runpytest(*WORDS, *words)
+
+    return run_tests
+
+
+def test_records_and_compares(pytester, run):
+    first = run()
+    first.assert_outcomes(failed=3)
+    first.stdout.fnmatch_lines(["*nothing is recorded*--fumon-update*", "*see *fumon-images/index.html"])
+    assert not (pytester.path / "pictures.lock").exists()
+
+    update = run("--fumon-update")
+    update.assert_outcomes(passed=3)
+    update.stdout.fnmatch_lines(["fumon: *test_it-test_hills-0: recorded; look at it*"])
+    lock = (pytester.path / "pictures.lock").read_text()
+    assert lock.count("[recorded.") == 5
+    kept = sorted(file.name for file in (pytester.path / "pictures").iterdir())
+    assert kept == ["test_it-test_hills-0.png", "test_it-test_hills-90.png"]
+    assert (pytester.path / "fumon-images" / "index.html").exists() is False  # the page of the first run is gone
+
+    run().assert_outcomes(passed=3)
+    again = run("--fumon-update")
+    assert "recorded" not in again.stdout.str() and (pytester.path / "pictures.lock").read_text() == lock
+
+    turned = run("-k", "hills", turn=5)
+    turned.assert_outcomes(failed=2, deselected=1)
+    turned.stdout.fnmatch_lines(["*thumbnail * of 0.5*tile SSIM*"])
+    page = (pytester.path / "fumon-images" / "index.html").read_text()
+    assert page.count("<section") == 2 and "difference" in page
+
+    other = run("-k", "run", seed=2)
+    other.assert_outcomes(failed=1, deselected=2)
+    other.stdout.fnmatch_lines(["*the state differs*"])
+
+    changed = run("--fumon-update", "-k", "hills", turn=5)
+    changed.stdout.fnmatch_lines(["fumon: *test_it-test_hills-0: *"])
+    assert (pytester.path / "pictures.lock").read_text().count("[recorded.") == 5  # those not run are kept
+    run(turn=5).assert_outcomes(passed=3)
+
+    (pytester.path / "pictures" / "test_it-test_hills-0.png").unlink()
+    run(turn=5).assert_outcomes(passed=2, failed=1)
+
+
+def test_wrong_uses(pytester, run):
+    twice = run(text="def test_it(fumon_image):\n    import numpy as np\n    a = np.zeros((4, 4, 3), np.uint8)\n"
+                     "    try:\n        fumon_image(a)\n    except BaseException: pass\n    fumon_image(a)")
+    twice.stdout.fnmatch_lines(["*give this one a name=*"])
+    for call, words in (("fumon_image(np.zeros((4, 4)), step=3)", "step is of a scene"),
+                        ("fumon_image(np.zeros((4, 4, 3), np.uint8), look_tone='agx')", "drawn already"),
+                        ("fumon_image(np.zeros((4, 4)), look_ton='agx')", "did you mean")):
+        wrong = run(text=f"def test_it(fumon_image):\n    import numpy as np\n    {call}")
+        wrong.assert_outcomes(failed=1)
+        assert words in wrong.stdout.str()
+    (pytester.path / "pictures.lock").write_text("[recorded.x]\nsize = 3\n")
+    damaged = run(text="def test_it(fumon_image):\n    import numpy as np\n    fumon_image(np.zeros((4, 4, 3), np.uint8))")
+    damaged.stdout.fnmatch_lines(["*pictures.lock:2:8: *"])
+
+
+def test_pinned_records_pin(pytester):
+    pytester.makepyfile(test_it=TEST.replace("TURN", "0").replace("SEED", "1"))
+    words = (*WORDS, "-k", "hills")
+    pytester.runpytest_subprocess(*words, "--fumon-update", "--fumon-pinned").assert_outcomes(passed=2, deselected=1)
+    assert "pinned = true" in (pytester.path / "pictures.lock").read_text()
+    pytester.runpytest_subprocess(*words).assert_outcomes(passed=2, deselected=1)

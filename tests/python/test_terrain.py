@@ -1,0 +1,163 @@
+"""Anyone's terrain: types, strides, no data, axes, cell sizes; and what is refused."""
+
+import types
+
+import numpy as np
+import pytest
+import xarray
+
+import fumon
+from fumon.terrain import bed_of
+
+LOOK = {"image_width": 96, "image_height": 64, "image_supersampling": 1}
+
+
+def hills(ny=14, nx=20):
+    y, x = np.mgrid[0:ny, 0:nx]
+    return 3.0 * np.sin(0.5 * x) + 2.0 * np.cos(0.4 * y) + 0.2 * x
+
+
+HILLS = hills()
+
+
+@pytest.fixture(scope="module")
+def picture():
+    return fumon.render(HILLS, 2.0, **LOOK)
+
+
+@pytest.mark.parametrize("dtype", ["f2", ">f4", "<f4", "f8", "longdouble", "i2", "u1", ">i8"])
+def test_every_real_type_is_drawn_alike(dtype):
+    whole = np.round(HILLS + 10)
+    assert np.array_equal(bed_of(whole.astype(dtype)).heights, whole)
+
+
+def test_strides_and_orders_do_not_matter(picture):
+    wide = np.zeros((28, 60))
+    wide[::2, ::3] = HILLS
+    for same in (np.asfortranarray(HILLS), wide[::2, ::3], HILLS[::-1][::-1], HILLS.tolist()):
+        assert np.array_equal(fumon.render(same, 2.0, **LOOK), picture)
+    assert np.array_equal(fumon.render(HILLS[::-1], 2.0, origin="upper", **LOOK), picture)
+    assert not np.array_equal(fumon.render(HILLS[::-1], 2.0, **LOOK), picture)
+    assert np.array_equal(bed_of(HILLS).heights, HILLS)  # and HILLS is as it was
+    assert np.array_equal(HILLS, hills())
+
+
+def test_the_look_is_that_of_the_scenes_keys(picture):
+    assert picture.shape == (64, 96, 3) and picture.dtype == np.uint8 and isinstance(picture, fumon.Image)
+    turned = fumon.render(HILLS, 2.0, camera_azimuth=100, **LOOK)
+    assert not np.array_equal(turned, picture)
+    assert np.array_equal(fumon.render(HILLS, 2.0, **{"camera.azimuth": 100}, **LOOK), turned)
+    with pytest.raises(fumon.InputError, match='did you mean "look.palette"'):
+        fumon.render(HILLS, 2.0, look_pallete="viridis")
+    with pytest.raises(fumon.InputError, match="unknown palette"):
+        fumon.render(HILLS, 2.0, look_palette="nopalette")
+
+
+def test_the_same_terrain_from_a_file_has_the_same_pixels(tmp_path):
+    rows = "\n".join(" ".join(repr(float(z)) for z in row) for row in HILLS[::-1])
+    (tmp_path / "t.asc").write_text(f"ncols 20\nnrows 14\nxllcorner 0\nyllcorner 0\ncellsize 2\n{rows}\n")
+    (tmp_path / "t.toml").write_text('[model]\nname = "static"\n[bed]\nkind = "file"\nfile = "t.asc"\n')
+    from_file = fumon.Scene(tmp_path / "t.toml", **LOOK).at(0).image()
+    assert np.array_equal(fumon.render(HILLS, 2.0, **LOOK), from_file)
+
+
+def test_nan_and_masked_cells_have_no_data(picture):
+    holed = HILLS.copy()
+    holed[3:6, 4:9] = np.nan
+    drawn = fumon.render(holed, 2.0, **LOOK)
+    assert not np.array_equal(drawn, picture)
+    mask = np.isnan(holed)
+    for filler in (1e30, np.inf, -9999.0):
+        filled = np.where(mask, filler, HILLS)
+        assert np.array_equal(fumon.render(np.ma.array(filled, mask=mask), 2.0, **LOOK), drawn)
+        flipped = np.ma.array(filled[::-1], mask=mask[::-1])
+        assert np.array_equal(fumon.render(flipped, 2.0, origin="upper", **LOOK), drawn)
+    whole = np.ma.array(np.round(HILLS).astype(int), mask=mask)
+    assert np.array_equal(bed_of(whole).nodata.astype(bool), mask)
+
+
+@pytest.mark.parametrize("wrong, error, words", [
+    (HILLS[0], ValueError, "array"),
+    (np.zeros((4, 5, 3)), ValueError, "picture"),
+    (np.zeros((0, 4)), ValueError, "cells"),
+    (HILLS + 1j, TypeError, "real"),
+    (HILLS > 0, TypeError, "real"),
+    (np.array([["a", "b"], ["c", "d"]]), TypeError, "real"),
+    (np.array([[1, None], [2, 3]], dtype=object), TypeError, "real"),
+    (np.full((4, 4), np.nan), ValueError, "no cell"),
+    (np.where(HILLS > 4, np.inf, HILLS), ValueError, "infinite"),
+    (None, TypeError, "real"),
+    (xarray.Dataset({"z": (("y", "x"), HILLS)}), TypeError, "Dataset"),
+    (xarray.DataArray(np.zeros((2, 4, 5)), dims=("time", "y", "x")), ValueError, "isel"),
+])
+def test_what_is_no_terrain_is_refused(wrong, error, words):
+    with pytest.raises(error, match=words):
+        fumon.render(wrong, 2.0)
+
+
+@pytest.mark.parametrize("size", [0, -1.0, float("nan"), float("inf"), (1, 2, 3), "x"])
+def test_a_cell_size_is_a_length(size):
+    with pytest.raises(ValueError):
+        fumon.render(HILLS, size)
+
+
+def array_with(x, y, values=HILLS, dims=("y", "x"), **attributes):
+    coordinates = {dims[0]: (dims[0], y, attributes), dims[1]: (dims[1], x, attributes)}
+    return xarray.DataArray(values, coordinates, dims)
+
+
+X, Y = 500.0 + 2.0 * np.arange(20), 100.0 + 3.0 * np.arange(14)
+
+
+def test_a_dataarray_brings_its_cell_size_and_axes():
+    plain = fumon.render(HILLS, (2.0, 3.0), **LOOK)
+    array = array_with(X, Y)
+    for same in (array, array.transpose("x", "y"), array.isel(y=slice(None, None, -1)),
+                 array.isel(x=slice(None, None, -1)), array.expand_dims(band=1), array.astype("f4").astype("f8") * 0 + array,
+                 array.rename(y="northing", x="easting").T, array_with(X / 1000, Y / 1000, units="km")):
+        assert np.array_equal(same.fumon.render(**LOOK), plain)
+    assert array.fumon.measure()["stoss_slope"] == fumon.measure(HILLS, (2.0, 3.0))["stoss_slope"]
+    assert np.array_equal(array.fumon.render(5.0, **LOOK), fumon.render(HILLS, 5.0, **LOOK))
+    bare = xarray.DataArray(HILLS, dims=("row", "column"))
+    assert bed_of(bare).cell_size is None and np.array_equal(bed_of(bare).heights, HILLS)
+
+
+def test_degrees_become_metres_at_the_middle_latitude():
+    lon, lat = 7.0 + np.arange(20) / 3600, 46.0 - np.arange(14) / 3600
+    bed = bed_of(array_with(lon, lat, values=HILLS[::-1], dims=("lat", "lon")))
+    radius = 6371e3  # a sphere's lengths are within half a per cent
+    dx, dy = np.radians(1 / 3600) * radius * np.cos(np.radians(lat.mean())), np.radians(1 / 3600) * radius
+    assert bed.cell_size == pytest.approx((dx, dy), rel=5e-3)
+    assert np.array_equal(bed.heights, HILLS)
+
+
+def test_odd_coordinates_are_refused():
+    with pytest.raises(ValueError, match="evenly"):
+        array_with(X**2, Y).fumon.render()
+    with pytest.raises(ValueError, match="'ft'"):
+        array_with(X, Y, units="ft").fumon.render()
+    sites = array_with(np.arange(20) + 0.5, np.arange(14) + 0.5, units="1")
+    assert bed_of(sites).cell_size is None
+    with pytest.raises(ValueError, match="north and east"):
+        xarray.DataArray(np.zeros((2, 3, 4)), dims=("x", "a", "b")).fumon.render()
+
+
+def test_a_grid_with_landlabs_attributes(picture):
+    grid = types.SimpleNamespace(at_node={"topographic__elevation": HILLS.ravel(), "soil__depth": HILLS.ravel() / 2},
+                                 shape=HILLS.shape, dx=2.0, dy=2.0)
+    assert np.array_equal(fumon.render(grid, **LOOK), picture)
+    assert fumon.measure(grid, field="soil__depth")["mean_height"] == pytest.approx(HILLS.mean() / 2)
+    with pytest.raises(ValueError, match="field="):
+        fumon.render(grid, field="sand")
+    with pytest.raises(ValueError, match="Landlab"):
+        fumon.render(HILLS, field="sand")
+
+
+def test_measures_of_a_wave():
+    x = np.arange(120)
+    wave = 0.5 * np.sin(2 * np.pi * x / 20) * np.ones((60, 1))
+    measures = fumon.measure(wave, 2.0, periodic=True)
+    assert measures["wavelength_spectrum"] == pytest.approx(40, rel=1e-6)
+    assert measures.units["wavelength_spectrum"] == "m"
+    assert fumon.measure(wave, periodic=True)["wavelength_spectrum"] == pytest.approx(20, rel=1e-6)
+    assert "wavelength_spectrum" in measures._repr_html_()
