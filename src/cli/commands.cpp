@@ -10,6 +10,7 @@
     COMMAND(film)               \
     COMMAND(again)              \
     COMMAND(measure)            \
+    COMMAND(profile)            \
     COMMAND(orientation)        \
     COMMAND(fingerprint)        \
     COMMAND(compare)            \

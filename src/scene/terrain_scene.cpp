@@ -65,6 +65,8 @@ time_step = 10
 steps = 360
 [frames]
 every = 4
+[output]
+fields_every = 60
 [[overlay]]
 kind = "time"
 text = "t = {time}"
