@@ -189,6 +189,7 @@ std::string picture_of(const ProfileOptions& options, const Profile& profile, bo
     if (has_water) picture.lines[0].surface = evenly(profile, profile.level, samples);
     picture.length = profile.distance.back();
     picture.in_metres = in_metres;
+    picture.along = "distance";
     picture.exaggeration = options.exaggeration;
     Page page;
     page.width = page_size("double").width;

@@ -11,7 +11,9 @@
 #include "cli/shared_options.h"
 #include "files/terrain/terrain_format.h"
 #include "outputs/output_claims.h"
+#include "outputs/own_file.h"
 #include "run/drawing.h"
+#include "run/output_files.h"
 #include "run/prepared_run.h"
 #include "run/still.h"
 #include "run/terminal/interrupt.h"
@@ -98,7 +100,11 @@ int perform(const StillOptions& options) {
     OutputClaims claims(options.force);
     claims.reads(options.input);
     claims.reads(scene_files(prepared.scene));
+    const bool was_own = says_that_fumon_made_it(options.output);
     claims.writes(options.output);
+    if (prepared.scene.output.world_files) {
+        for (const fs::path& file : world_file_names(options.output)) claims.writes(file, was_own);
+    }
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(prepared.initial.bed.size()));
     prepared.initial.bed = Grid();  // the model has its own, and a large one fills the memory

@@ -8,6 +8,7 @@
 #include "files/atomic_file.h"
 #include "picture/png.h"
 #include "run/drawing.h"
+#include "run/output_files.h"
 #include "run/picture_text.h"
 #include "run/step_observers.h"
 #include "scene/overlay_keys.h"
@@ -73,6 +74,7 @@ DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const 
         picture_text(resolved_scene(scene, prepared.initial.inputs), scene, snapshot.step,
                      prepared.initial.inputs, pixels, drawing.environment);
     write_file(file, encode_png(image, scene.view.image.dots_per_inch, texts));
+    if (scene.output.world_files) write_world_files(scene.view, snapshot, file);
     if (drawing.exaggeration != 1.0) {
         progress.note(fmt::format("vertical exaggeration {:g}", drawing.exaggeration));
     }

@@ -174,6 +174,7 @@ struct View {
 struct OutputSettings {
     bool frames = true;
     bool movie = true;
+    bool world_files = false;  ///< beside the frames, where on the map they lie
     double movie_rate = 30.0;         ///< frames per second
     std::int64_t movie_quality = 18;  ///< H.264 constant rate factor, 0 (lossless) … 51
     bool measurements = true;

@@ -396,6 +396,9 @@ void list_output_keys(OutputSettings& output, KeyTable& table) {
     table.role(KeyRole::file);
     table.boolean("output.frames", output.frames, {.help = "write frames as PNG"});
     table.boolean("output.movie", output.movie, {.help = "write movie.mp4"});
+    table.boolean("output.world_files", output.world_files,
+                  {.help = "beside each frame of camera.projection = \"map\" a world file (.pgw) "
+                           "and the reference system (.png.aux.xml), for GIS"});
     table.role(KeyRole::look);
     table.real("output.movie_rate", output.movie_rate,
                {.unit = "frames/s", .range = {1, 240}, .help = "speed of the movie"});

@@ -120,7 +120,7 @@ Axes ProfilePanel::axes_in(const CanvasBox& frame) const {
         frame.height / frame.width * picture_.length / exaggeration(frame.width, frame.height);
     const double low = low_ - room_below_line * relief_;
     return {frame,
-            {0.0, picture_.length / unit.length, fmt::format("x ({})", unit.symbol)},
+            {0.0, picture_.length / unit.length, fmt::format("{} ({})", picture_.along, unit.symbol)},
             {low / heights.length, (low + shown) / heights.length,
              fmt::format("z ({})", heights.symbol), !stacked(), !stacked()}};
 }
