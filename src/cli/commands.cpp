@@ -11,6 +11,7 @@
     COMMAND(again)              \
     COMMAND(measure)            \
     COMMAND(profile)            \
+    COMMAND(export)             \
     COMMAND(orientation)        \
     COMMAND(fingerprint)        \
     COMMAND(compare)            \
