@@ -12,6 +12,7 @@
 #include "base/random.h"
 #include "base/resampling.h"
 #include "files/hash.h"
+#include "files/terrain/reproject.h"
 #include "files/terrain/terrain_file.h"
 #include "models/registry.h"
 #include "scene/find_input.h"
@@ -260,6 +261,17 @@ Terrain read_bed_file(const Scene& scene, const std::filesystem::path& file) {
     }
 }
 
+/// Brings the terrain to the reference system of bed.crs.
+void reproject(const Scene& scene, Terrain& terrain) {
+    if (scene.bed.crs.empty()) return;
+    try {
+        terrain = reprojected(terrain, scene.bed.crs);
+    } catch (const InputError& refusal) {
+        throw InputError(fmt::format("{}bed.crs: {}: {}", scene.at("bed.crs"), scene.bed.file,
+                                     refusal.what()));
+    }
+}
+
 InitialBed bed_from_file(const Scene& scene) {
     const std::filesystem::path file = bed_path(scene);
     check_listed(scene, file);
@@ -277,6 +289,7 @@ InitialBed bed_from_file(const Scene& scene) {
     }
     Terrain terrain = read_bed_file(scene, file);
     take_out_nodata_value(scene, terrain);
+    reproject(scene, terrain);
     if (const std::string doubt = heights_in_doubt(terrain); !doubt.empty())
         terrain.note += (terrain.note.empty() ? "" : "; ") + doubt;
     InitialBed initial;
