@@ -49,9 +49,10 @@ void declare(CLI::App& command, ExportOptions& options) {
                     "a run's folder (its fields.nc, else its last bed), a fields.nc, or terrain")
         ->required();
     command
-        .add_option("-o,--output", options.output,
-                    "VTK for ParaView (.vts, or .pvd with a .vts for each record of fields.nc), GLB "
-                    "for slides (.glb), STL for printing (.stl)")
+        .add_option(
+            "-o,--output", options.output,
+            "VTK for ParaView (.vts, or .pvd with a .vts for each record of fields.nc), GLB "
+            "for slides (.glb), STL for printing (.stl)")
         ->type_name("FILE")
         ->required();
     constexpr double largest = 1e6;
@@ -116,9 +117,10 @@ std::vector<std::uint8_t> texture_of(const ExportOptions& options, const std::st
 
 void tell_coarser(const HeightMesh& mesh) {
     if (mesh.cells_a_point == 1) return;
-    tell(fmt::format("{} triangles: each point is the mean of {} x {} cells (--triangles allows "
-                     "more)\n",
-                     mesh.top.triangles.size(), mesh.cells_a_point, mesh.cells_a_point));
+    tell(
+        fmt::format("{} triangles: each point is the mean of {} x {} cells (--triangles allows "
+                    "more)\n",
+                    mesh.top.triangles.size(), mesh.cells_a_point, mesh.cells_a_point));
 }
 
 /// NAME_000000.vts … beside NAME.pvd.
@@ -160,8 +162,8 @@ int perform(const ExportOptions& options) {
         write_file(options.output, vts_file(snapshot, options.exaggeration));
         return 0;
     }
-    const HeightMesh mesh = height_mesh(snapshot, options.exaggeration,
-                                        static_cast<std::size_t>(options.triangles));
+    const HeightMesh mesh =
+        height_mesh(snapshot, options.exaggeration, static_cast<std::size_t>(options.triangles));
     tell_coarser(mesh);
     if (ending == ".stl") {
         write_file(options.output, stl_file(printed(mesh, options.size, options.base)));

@@ -82,8 +82,7 @@ Place parse_place(const std::string& text) {
     const auto second = comma ? std::from_chars(first.ptr + 1, end, place.y) : first;
     if (!comma || second.ec != std::errc{} || second.ptr != end || !std::isfinite(place.x) ||
         !std::isfinite(place.y))
-        throw InputError(
-            fmt::format("--from is \"{}\"; it takes X,Y, for example 1200,800", text));
+        throw InputError(fmt::format("--from is \"{}\"; it takes X,Y, for example 1200,800", text));
     return place;
 }
 
@@ -125,12 +124,12 @@ Profile profile_of(const ProfileOptions& options, const Snapshot& snapshot) {
         }
     }
     const Place start = in_cells(options, snapshot);
-    const bool inside = start.x >= 0.0 && start.y >= 0.0 && start.x < bed.nx() &&
-                        start.y < bed.ny();
+    const bool inside =
+        start.x >= 0.0 && start.y >= 0.0 && start.x < bed.nx() && start.y < bed.ny();
     if (!inside) {
-        throw InputError(fmt::format("--from {} lies outside the grid, which is {:.6g} by {:.6g} {}",
-                                     options.from, scale.dx * bed.nx(), scale.dy * bed.ny(),
-                                     scale.in_metres ? "m" : "sites"));
+        throw InputError(fmt::format(
+            "--from {} lies outside the grid, which is {:.6g} by {:.6g} {}", options.from,
+            scale.dx * bed.nx(), scale.dy * bed.ny(), scale.in_metres ? "m" : "sites"));
     }
     const StreamPath path = stream_path(level, snapshot.nodata, scale.dx, scale.dy,
                                         static_cast<int>(start.x), static_cast<int>(start.y));
@@ -152,11 +151,11 @@ std::string table_of(const Profile& profile, bool in_metres) {
     std::string text =
         csv_line({"distance" + unit, "x", "y", "level" + unit, "bed" + unit, "depth" + unit});
     for (std::size_t i = 0; i < profile.distance.size(); ++i) {
-        text += csv_line({fmt::format("{:.10g}", profile.distance[i]),
-                          fmt::format("{:.12g}", profile.x[i]), fmt::format("{:.12g}", profile.y[i]),
-                          fmt::format("{:.10g}", profile.level[i]),
-                          fmt::format("{:.10g}", profile.bed[i]),
-                          fmt::format("{:.6g}", profile.level[i] - profile.bed[i])});
+        text += csv_line(
+            {fmt::format("{:.10g}", profile.distance[i]), fmt::format("{:.12g}", profile.x[i]),
+             fmt::format("{:.12g}", profile.y[i]), fmt::format("{:.10g}", profile.level[i]),
+             fmt::format("{:.10g}", profile.bed[i]),
+             fmt::format("{:.6g}", profile.level[i] - profile.bed[i])});
     }
     return text;
 }
@@ -180,7 +179,8 @@ std::vector<double> evenly(const Profile& profile, const std::vector<double>& va
 std::string picture_of(const ProfileOptions& options, const Profile& profile, bool in_metres,
                        bool has_water, PageFormat format) {
     if (profile.distance.size() < 2)
-        throw InputError("the stream begins where it ends, at the edge; there is no profile to draw");
+        throw InputError(
+            "the stream begins where it ends, at the edge; there is no profile to draw");
     constexpr std::size_t most_samples = 2000;
     const std::size_t samples = std::min(most_samples, 4 * profile.distance.size());
     ProfilePicture picture;

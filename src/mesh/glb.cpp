@@ -146,11 +146,10 @@ std::string glb_file(const HeightMesh& surface, std::span<const std::uint8_t> te
     const Json primitive{{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"TEXCOORD_0", 2}}},
                          {"indices", 3},
                          {"material", 0}};
-    const Json material{{"pbrMetallicRoughness",
-                         {{"baseColorTexture", {{"index", 0}}},
-                          {"metallicFactor", 0.0},
-                          {"roughnessFactor", 1.0}}},
-                        {"extensions", {{"KHR_materials_unlit", Json::object()}}}};
+    const Json material{
+        {"pbrMetallicRoughness",
+         {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0.0}, {"roughnessFactor", 1.0}}},
+        {"extensions", {{"KHR_materials_unlit", Json::object()}}}};
     const Json sampler{{"magFilter", filter_linear},
                        {"minFilter", filter_mipmaps},
                        {"wrapS", clamp_to_edge},

@@ -36,8 +36,7 @@ PointGrid coarsened(const Snapshot& snapshot, int cells) {
                     ++known;
                 }
             }
-            points.heights(px, py) =
-                2 * known >= all && known > 0 ? sum / known : std::nan("");
+            points.heights(px, py) = 2 * known >= all && known > 0 ? sum / known : std::nan("");
         }
     }
     return points;
@@ -48,8 +47,8 @@ Mask squares_of(const Grid& heights) {
     Mask squares(std::max(heights.nx() - 1, 0), std::max(heights.ny() - 1, 0));
     for (int y = 0; y < squares.ny(); ++y) {
         for (int x = 0; x < squares.nx(); ++x) {
-            const double sum = heights(x, y) + heights(x + 1, y) + heights(x, y + 1) +
-                               heights(x + 1, y + 1);
+            const double sum =
+                heights(x, y) + heights(x + 1, y) + heights(x, y + 1) + heights(x + 1, y + 1);
             squares(x, y) = std::isnan(sum) ? 0 : 1;
         }
     }

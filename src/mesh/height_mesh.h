@@ -35,8 +35,8 @@ struct HeightMesh {
 /// data in less than half of them has none. Throws InputError where no square has data.
 HeightMesh height_mesh(const Snapshot& snapshot, double exaggeration, std::size_t most_triangles);
 
-/// A surface whose edges are closed by upright walls down to z = `floor`, which lies below it, and a
-/// floor: each edge belongs to two triangles that run along it in opposite directions.
+/// A surface whose edges are closed by upright walls down to z = `floor`, which lies below it, and
+/// a floor: each edge belongs to two triangles that run along it in opposite directions.
 Mesh closed_solid(const Mesh& top, double floor);
 
 }  // namespace fumon

@@ -44,8 +44,8 @@ bool hidden(const Snapshot& snapshot, std::size_t cell) {
 
 /// Where the grid begins: on its map if that counts metres as the scale does.
 GeoReference corner_of(const WorldScale& scale) {
-    const bool on_map = scale.place && !scale.place->degrees &&
-                        std::abs(scale.place->dx / scale.dx - 1.0) < 1e-6;
+    const bool on_map =
+        scale.place && !scale.place->degrees && std::abs(scale.place->dx / scale.dx - 1.0) < 1e-6;
     return on_map ? *scale.place : GeoReference{};
 }
 

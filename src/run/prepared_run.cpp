@@ -184,8 +184,8 @@ PreparedScene prepare_scene(Scene scene) {
 
 void check_shown(const Scene& scene, const Snapshot& first) {
     Faults faults(scene.source);
-    for (const auto check : {check_marking, check_colouring, check_section, check_overlays,
-                             check_world_files})
+    for (const auto check :
+         {check_marking, check_colouring, check_section, check_overlays, check_world_files})
         faults.attempt([&] { check(scene, first); });
     faults.report();
 }

@@ -267,8 +267,8 @@ void reproject(const Scene& scene, Terrain& terrain) {
     try {
         terrain = reprojected(terrain, scene.bed.crs);
     } catch (const InputError& refusal) {
-        throw InputError(fmt::format("{}bed.crs: {}: {}", scene.at("bed.crs"), scene.bed.file,
-                                     refusal.what()));
+        throw InputError(
+            fmt::format("{}bed.crs: {}: {}", scene.at("bed.crs"), scene.bed.file, refusal.what()));
     }
 }
 

@@ -102,9 +102,10 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
     table.word_or_real(
         "bed.nodata_value", scene.bed.nodata_value, {{"auto", "what the file itself says"}},
         {.unit = "m", .help = "the height that stands for no data in a terrain file"});
-    table.text("bed.crs", scene.bed.crs,
-               {.help = "\"utm\", or a reference system in metres as \"EPSG:32613\", onto whose even "
-                        "cells a terrain file is brought (with GDAL); empty: its own"});
+    table.text(
+        "bed.crs", scene.bed.crs,
+        {.help = "\"utm\", or a reference system in metres as \"EPSG:32613\", onto whose even "
+                 "cells a terrain file is brought (with GDAL); empty: its own"});
     table.real("bed.resample", scene.bed.resample,
                {.unit = "m",
                 .range = {0, 1e7},

@@ -38,8 +38,7 @@ std::vector<double> parse_heights(const std::string& text) {
 /// A scene of this text with a terrain file as its bed; only what settings say has a place.
 Scene scene_over(const std::string& file, const std::string& text,
                  const std::vector<std::string>& settings) {
-    Scene scene =
-        parse_scene(text + "[bed]\nkind = \"file\"\nfile = \"-\"\n", "", "", settings);
+    Scene scene = parse_scene(text + "[bed]\nkind = \"file\"\nfile = \"-\"\n", "", "", settings);
     std::erase_if(scene.locations,
                   [](const auto& entry) { return !entry.second.starts_with("--set"); });
     if (!scene.set_on_command_line("bed.file")) scene.bed.file = file;
@@ -58,6 +57,7 @@ bool begins_any(const std::vector<std::string>& settings,
 /// are apart or less: sub-steps follow the water by themselves.
 constexpr const char* hour_of_water = R"([model]
 name = "water"
+initial_water = "dry"
 friction = "manning"
 manning = 0.05
 time_step = 10
@@ -94,7 +94,8 @@ bool is_terrain_name(const std::string& file) {
 }
 
 Scene terrain_run(const std::string& file, const std::vector<std::string>& settings) {
-    if (begins_any(settings, {"model.name=water"})) return scene_over(file, hour_of_water, settings);
+    if (begins_any(settings, {"model.name=water", "model.name=gully"}))
+        return scene_over(file, hour_of_water, settings);
     if (begins_any(settings, {"model.name="})) return scene_over(file, another_model, settings);
     const bool has_water = begins_any(settings, {"model.", "water.", "edge.", "gauge."});
     return scene_over(file, has_water ? hour_of_water : terrain_alone, settings);

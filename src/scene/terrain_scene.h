@@ -15,10 +15,11 @@ Scene terrain_scene(const std::string& file, const std::string& heights,
 /// Whether a file that a command was given is terrain: it has an ending, and that is not .toml.
 bool is_terrain_name(const std::string& file);
 
-/// A terrain file alone as a run. With settings model.…, water.…, edge.… or gauge.… that do not name
-/// another model: an hour of water over it (model "water") in steps of ten seconds, with Manning's
-/// friction of bare ground and a frame every 40 seconds, and its fields every ten minutes. Else the terrain as it is, in one frame.
-/// What the settings say goes before all that. Throws InputError.
+/// A terrain file alone as a run. With settings model.…, water.…, edge.… or gauge.… that do not
+/// name another model: an hour of water over it (model "water", or "gully") in steps of ten
+/// seconds, with Manning's friction of bare ground and a frame every 40 seconds, and its fields
+/// every ten minutes. Else the terrain as it is, in one frame. What the settings say goes before
+/// all that. Throws InputError.
 Scene terrain_run(const std::string& file, const std::vector<std::string>& settings);
 
 }  // namespace fumon

@@ -10,8 +10,8 @@ inline bool is_vrt(const std::filesystem::path& file, std::string_view start) {
     return start.starts_with("<VRTData") || file.extension() == ".vrt";
 }
 
-/// Whether a file's first bytes or its ending are those of a VRT, or of a TIFF (of either byte order, of 32 or
-/// 64 bits).
+/// Whether a file's first bytes or its ending are those of a VRT, or of a TIFF (of either byte
+/// order, of 32 or 64 bits).
 inline bool is_geotiff(const std::filesystem::path& file, std::string_view start) {
     using namespace std::string_view_literals;
     for (const std::string_view signature : {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv}) {

@@ -123,9 +123,9 @@ std::vector<TerrainBytes> write_cloud_geotiff(const TerrainOutput& terrain) {
     const MemoryFile tiled("/vsimem/fumon-terrain.cog.tif");
     write_tiff(plain, terrain);
     constexpr std::array<const char*, 2> drivers{"GTiff", nullptr};
-    const std::array<const char*, 6> options{
-        "COMPRESS=DEFLATE", "PREDICTOR=YES", "BLOCKSIZE=512", "OVERVIEW_RESAMPLING=AVERAGE",
-        "NUM_THREADS=1",    nullptr};
+    const std::array<const char*, 6> options{"COMPRESS=DEFLATE", "PREDICTOR=YES",
+                                             "BLOCKSIZE=512",    "OVERVIEW_RESAMPLING=AVERAGE",
+                                             "NUM_THREADS=1",    nullptr};
     GdalDataset source(gdal().GDALOpenEx(plain.name(), GDAL_OF_RASTER | GDAL_OF_READONLY,
                                          drivers.data(), nullptr, nullptr));
     if (source.get() != nullptr) {

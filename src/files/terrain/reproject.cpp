@@ -92,9 +92,10 @@ Terrain read_rows(GDALDatasetH dataset, double missing, const std::string& wkt) 
     const int nx = gdal().GDALGetRasterXSize(dataset);
     const int ny = gdal().GDALGetRasterYSize(dataset);
     if (static_cast<long long>(nx) * ny > largest_grid_cells) {
-        throw InputError(fmt::format("{} x {} cells after it; at most {}, so choose a part of the "
-                                     "file with bed.window",
-                                     nx, ny, largest_grid_cells));
+        throw InputError(
+            fmt::format("{} x {} cells after it; at most {}, so choose a part of the "
+                        "file with bed.window",
+                        nx, ny, largest_grid_cells));
     }
     std::array<double, 6> transform{};
     gdal().GDALGetGeoTransform(dataset, transform.data());
@@ -115,8 +116,8 @@ Terrain read_rows(GDALDatasetH dataset, double missing, const std::string& wkt) 
     }
     terrain.dx = transform[1];
     terrain.dy = -transform[5];
-    terrain.place = GeoReference{transform[0], transform[3] - terrain.dy * ny, terrain.dx,
-                                 terrain.dy,   false,                          wkt};
+    terrain.place = GeoReference{
+        transform[0], transform[3] - terrain.dy * ny, terrain.dx, terrain.dy, false, wkt};
     return terrain;
 }
 
@@ -145,10 +146,10 @@ Terrain reprojected(const Terrain& terrain, const std::string& crs) {
     const std::string wanted = wanted_system(terrain, crs);
     const ReferenceSystem to(wanted);
     if (!to.known()) {
-        throw InputError(fmt::format(
-            "\"{}\" is no reference system that PROJ knows; write \"utm\" or one like "
-            "\"EPSG:32613\"",
-            crs));
+        throw InputError(
+            fmt::format("\"{}\" is no reference system that PROJ knows; write \"utm\" or one like "
+                        "\"EPSG:32613\"",
+                        crs));
     }
     if (!to.in_metres()) {
         throw InputError(fmt::format(
@@ -165,9 +166,8 @@ Terrain reprojected(const Terrain& terrain, const std::string& crs) {
     if (source.get() != nullptr) {
         write_rows(source.get(), terrain, missing);
         constexpr double pixels_off = 0.125;  // of the approximated transformation, at most
-        GdalDataset warped(gdal().GDALAutoCreateWarpedVRT(source.get(), from_wkt.c_str(),
-                                                          to_wkt.c_str(), GRA_Bilinear, pixels_off,
-                                                          nullptr));
+        GdalDataset warped(gdal().GDALAutoCreateWarpedVRT(
+            source.get(), from_wkt.c_str(), to_wkt.c_str(), GRA_Bilinear, pixels_off, nullptr));
         if (warped.get() != nullptr) result = read_rows(warped.get(), missing, to_wkt);
     }
     if (!session.fault().empty() || result.heights.empty())

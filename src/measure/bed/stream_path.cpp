@@ -111,8 +111,8 @@ StreamPath stream_path(const Grid& level, const Mask& nodata, double dx, double 
         for (std::size_t k = 0; k < neighbours.size(); ++k) {
             const Neighbour& step = neighbours[k];
             if (!flood.inside(x + step.x, y + step.y)) continue;
-            const double fall = (flood.level(x, y) - flood.level(x + step.x, y + step.y)) /
-                                length(step);
+            const double fall =
+                (flood.level(x, y) - flood.level(x + step.x, y + step.y)) / length(step);
             if (fall <= steepest) continue;
             steepest = fall;
             next = static_cast<int>(k);

@@ -43,11 +43,9 @@ std::string name_of(const GaugeSettings& gauge, std::size_t number, std::set<std
 }
 
 /// A place as metres from the grid's south-west corner.
-std::array<double, 2> place_in_grid(const GaugeSettings& gauge, std::size_t number,
-                                    const char* key, const std::vector<double>& place,
-                                    const WorldScale& scale) {
-    if (place.size() != 2)
-        throw KeyError(key_of(number, key), "write [x, y]");
+std::array<double, 2> place_in_grid(const GaugeSettings& gauge, std::size_t number, const char* key,
+                                    const std::vector<double>& place, const WorldScale& scale) {
+    if (place.size() != 2) throw KeyError(key_of(number, key), "write [x, y]");
     if (gauge.coordinates == GaugeCoordinates::grid) return {place[0], place[1]};
     if (!scale.place) {
         throw KeyError(key_of(number, "coordinates"),
@@ -87,6 +85,8 @@ Gauges::Gauges(const GullyParameters& parameters, const WaterDomain& domain,
         };
         if (at_side) {
             gauge.crossings = over(settings.side, nx, ny);
+            if (gauge.crossings.empty())
+                throw KeyError(key_of(n, "side"), "no cell along that side has data");
             gauges_.push_back(std::move(gauge));
             continue;
         }
@@ -156,9 +156,9 @@ std::vector<SnapshotNumber> Gauges::read(const Water& water, const Grid& bed) co
         }
         double discharge = 0.0;
         for (const Crossing& cell : gauge.crossings) {
-            discharge += water.depth(cell.x, cell.y) *
-                         (water.velocity_x(cell.x, cell.y) * cell.width_x +
-                          water.velocity_y(cell.x, cell.y) * cell.width_y);
+            discharge +=
+                water.depth(cell.x, cell.y) * (water.velocity_x(cell.x, cell.y) * cell.width_x +
+                                               water.velocity_y(cell.x, cell.y) * cell.width_y);
         }
         numbers.push_back({gauge.name + "_discharge_m3s", "m3/s", discharge});
     }

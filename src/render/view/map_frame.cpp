@@ -59,9 +59,9 @@ MapFrame map_frame(const View& view, const Snapshot& snapshot) {
 
 std::vector<WorldFile> world_files(const MapFrame& frame) {
     std::vector<WorldFile> files;
-    files.push_back({".pgw", fmt::format("{}\n0\n0\n{}\n{}\n{}\n", frame.pixel_x, -frame.pixel_y,
-                                         frame.west + 0.5 * frame.pixel_x,
-                                         frame.north - 0.5 * frame.pixel_y)});
+    files.push_back(
+        {".pgw", fmt::format("{}\n0\n0\n{}\n{}\n{}\n", frame.pixel_x, -frame.pixel_y,
+                             frame.west + 0.5 * frame.pixel_x, frame.north - 0.5 * frame.pixel_y)});
     const std::string system =
         frame.crs.empty() ? "" : fmt::format("  <SRS>{}</SRS>\n", xml_text(frame.crs));
     files.push_back(

@@ -159,11 +159,11 @@ DisplayWater display_water(const Snapshot& snapshot, int refinement) {
         if (into_dry) continue_outward(coarse, dry, 0.0F);
         return refined(coarse, refinement);
     };
-    DisplayWater water{shown("water_depth", false), shown("velocity_x", true),
-                       shown("velocity_y", true), {}};
-    water.damp = refined(
-        dampness(values_of(snapshot, "water_depth"), dry, closed_depth(snapshot.scale)),
-        refinement);
+    DisplayWater water{
+        shown("water_depth", false), shown("velocity_x", true), shown("velocity_y", true), {}};
+    water.damp =
+        refined(dampness(values_of(snapshot, "water_depth"), dry, closed_depth(snapshot.scale)),
+                refinement);
     for (float& depth : water.depth.values()) depth = std::max(depth, 0.0F);
     for (float& damp : water.damp.values()) damp = std::clamp(damp, 0.0F, 1.0F);
     return water;

@@ -35,8 +35,8 @@ double reading(const GaugeSettings& gauge, const std::string& column,
                const WaterDomain& domain = domain_of_gauges()) {
     GullyParameters parameters;
     parameters.gauges = {gauge};
-    const WorldScale scale{
-        domain.dx, domain.dy, 1.0, true, GeoReference{500.0, 300.0, 0.2, 0.5, true, ""}};
+    const WorldScale scale{domain.dx, domain.dy, 1.0, true,
+                           GeoReference{500.0, 300.0, 0.2, 0.5, true, ""}};
     const Gauges gauges(parameters, domain, scale, nx, ny);
     const Water water{Grid(nx, ny, 0.5), Grid(nx, ny, 3.0), Grid(nx, ny, 4.0)};
     Grid bed(nx, ny, 100.0);
@@ -54,6 +54,7 @@ std::string refusal(const std::vector<GaugeSettings>& settings, bool on_map = tr
     WaterDomain domain = domain_of_gauges();
     domain.nodata = Mask(nx, ny);
     domain.nodata(0, 0) = 1;
+    for (int x = 0; x < nx; ++x) domain.nodata(x, ny - 1) = 1;
     try {
         const Gauges gauges(parameters, domain, scale, nx, ny);
     } catch (const KeyError& error) {
@@ -115,6 +116,11 @@ TEST(Gauges, RefuseToStandNowhere) {
     EXPECT_EQ(refusal({named}, false), "gauge.0.coordinates");
     named.side = GaugeSide::west;
     EXPECT_EQ(refusal({named}), "gauge.0.side");
+    GaugeSettings side;
+    side.side = GaugeSide::west;
+    EXPECT_EQ(refusal({side}), "");
+    side.side = GaugeSide::north;
+    EXPECT_EQ(refusal({side}), "gauge.0.side");  // no data
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ TEST(MapFrame, APatchIsDrawnWhereItsCoordinatesSay) {
     const View view = map_of_heights();
     const MapFrame frame = map_frame(view, snapshot);
     const Image image = picture(view, snapshot);
-    // Between dark (low) and bright (high) the palette's green rises: half way is the edge of cells.
+    // Between dark (low) and bright (high) the palette's green rises: half way is the edge of
+    // cells.
     double west = 1e300;
     double east = -1e300;
     double south = 1e300;
