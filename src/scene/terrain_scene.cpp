@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -88,9 +89,11 @@ constexpr const char* another_model = "[model]\nname = \"static\"\n";
 
 }  // namespace
 
-bool is_terrain_name(const std::string& file) {
-    const std::filesystem::path path(file);
-    return path.has_extension() && path.extension() != ".toml";
+bool is_terrain_name(const std::string& file, const std::vector<std::string>& settings) {
+    const std::string ending = std::filesystem::path(file).extension().string();
+    if (ending == ".png") return begins_any(settings, {"bed.heights="});
+    constexpr std::array<std::string_view, 5> of_others{"", ".toml", ".mp4", ".pdf", ".svg"};
+    return std::ranges::find(of_others, ending) == of_others.end();
 }
 
 Scene terrain_run(const std::string& file, const std::vector<std::string>& settings) {
