@@ -25,7 +25,7 @@ bool is_letter(char c) {
 }
 
 std::string name_of(const GaugeSettings& gauge, std::size_t number, std::set<std::string>& taken) {
-    const std::string name = gauge.name.empty() ? fmt::format("gauge_{}", number + 1) : gauge.name;
+    std::string name = gauge.name.empty() ? fmt::format("gauge_{}", number + 1) : gauge.name;
     const bool fits = is_letter(name.front()) && std::ranges::all_of(name, [](char c) {
                           return is_letter(c) || (c >= '0' && c <= '9') || c == '_';
                       });
