@@ -5,6 +5,7 @@ uniform sampler2D water_slope_map;  // by which depth adds to the bed's slope, i
 uniform sampler2D streak_map;  // seamless: noise, and its slopes east and north around ½
 uniform float clarity;         // depth at which the bed is half hidden, m
 uniform float usual_froude;    // the median of the wet cells
+uniform float closed_depth;    // from which water covers what stands out of the ground of a cell, m
 
 const float gravity = 9.8;
 
@@ -22,7 +23,7 @@ Water water_at(vec2 place) {
     Water water;
     water.depth = texel.x;
     water.damp = texel.w;
-    water.film = smoothstep(0.004, 0.06, water.depth / clarity);
+    water.film = smoothstep(0.004, 0.06, water.depth / clarity) * smoothstep(0.25, 1.0, water.depth / closed_depth);
     water.speed = length(texel.yz);
     water.flow = texel.yz / max(water.speed, 1e-6);
     water.froude = water.speed / sqrt(gravity * max(water.depth, 1e-4 * clarity));

@@ -11,9 +11,14 @@ inline std::string in_words(std::string name) {
     return name;
 }
 
-/// A quantity as an axis names it: "wavelength spectrum (m)"; its name alone without a unit.
+/// A quantity as an axis names it: "wavelength spectrum (m)"; its name alone without a unit. A name
+/// that ends in its unit says it once: "mill discharge (m3/s)" of "mill_discharge_m3s".
 inline std::string quantity_text(const std::string& name, const std::string& unit) {
-    return unit.empty() ? in_words(name) : in_words(name) + " (" + unit + ")";
+    if (unit.empty()) return in_words(name);
+    std::string ending = "_" + unit;
+    std::erase(ending, '/');
+    const bool twice = name.size() > ending.size() && name.ends_with(ending);
+    return in_words(twice ? name.substr(0, name.size() - ending.size()) : name) + " (" + unit + ")";
 }
 
 }  // namespace fumon

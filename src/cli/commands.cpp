@@ -11,6 +11,8 @@
     COMMAND(render)             \
     COMMAND(again)              \
     COMMAND(measure)            \
+    COMMAND(profile)            \
+    COMMAND(export)             \
     COMMAND(orientation)        \
     COMMAND(fingerprint)        \
     COMMAND(compare)            \

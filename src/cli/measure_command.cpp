@@ -1,27 +1,20 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <utility>
 
 #include "base/error.h"
 #include "base/limits.h"
-#include "base/tell.h"
 #include "cli/command.h"
 #include "cli/examples.h"
 #include "cli/shared_options.h"
+#include "cli/snapshot_argument.h"
 #include "files/avalanche_table.h"
-#include "files/netcdf/netcdf_record.h"
 #include "files/terrain/terrain_format.h"
 #include "measure/pile/avalanche_report.h"
 #include "measure/suite.h"
-#include "models/shared/check_finite.h"
-#include "scene/initial_bed.h"
-#include "scene/terrain_scene.h"
 
 namespace fumon {
 
@@ -88,34 +81,9 @@ void declare(CLI::App& command, MeasureOptions& options) {
         "measurements.csv.");
 }
 
-/// What a run's fields file holds beside the bed: its water or air, the numbers of a pile …
-void add_record(const std::string& file, Snapshot& snapshot) {
-    std::optional<FieldsRecord> record = read_fields_record(file);
-    if (!record) return;
-    snapshot.periodic = snapshot.periodic && record->periodic;
-    snapshot.numbers = std::move(record->numbers);
-    const bool fits = std::ranges::all_of(record->fields, [&](const SnapshotField& field) {
-        return field.values.nx() == snapshot.bed.nx() && field.values.ny() == snapshot.bed.ny();
-    });
-    if (fits) snapshot.fields = std::move(record->fields);
-    if (record->section && snapshot.bed.ny() == 1 &&
-        record->section->fields.front().values.nx() == snapshot.bed.nx())
-        snapshot.section = std::move(record->section);
-}
-
 Snapshot read_bed(const MeasureOptions& options, const std::string& file) {
-    const Scene scene = terrain_scene(file, options.heights, options.settings);
-    const InitialBed initial = make_initial_bed(scene);
-    if (!initial.note.empty()) tell(initial.note + "\n");
-    Snapshot snapshot;
-    snapshot.time_unit = "steps";
-    snapshot.bed = initial.bed;
-    snapshot.nodata = initial.nodata;
-    snapshot.scale = initial.scale;
-    snapshot.periodic = !options.open_edges;
-    if (scene.bed.variable.empty()) add_record(file, snapshot);
-    snapshot.landform = guessed_landform(snapshot);
-    check_finite(snapshot);
+    Snapshot snapshot = read_snapshot(file, options.heights, options.settings);
+    snapshot.periodic = snapshot.periodic && !options.open_edges;
     return snapshot;
 }
 

@@ -27,6 +27,7 @@
 #include "scene/json.h"
 #include "scene/read.h"
 #include "scene/scene_files.h"
+#include "scene/terrain_scene.h"
 #include "scene/wind_tables.h"
 
 namespace fumon {
@@ -45,7 +46,8 @@ struct RunOptions {
 
 void declare(CLI::App& command, RunOptions& options) {
     command.add_option("SCENE", options.scene,
-                       "a scene file (TOML), or the name of one that fumon ships");
+                       "a scene file (TOML), the name of one that fumon ships, or a terrain file, "
+                       "over which --set model.rain=30 lets an hour of rain fall");
     auto* folder = command.add_option("-o,--output", options.folder, "the folder for the run")
                        ->type_name("DIR");
     auto* force = add_force(command, options.force,
@@ -203,8 +205,10 @@ int resume(const RunOptions& options) {
 
 PreparedRun prepare(const RunOptions& options) {
     const EndAtOnce nothing_is_written;
-    return prepare_run(read_scene(scene_argument(options.scene), options.work.settings),
-                       options.work.threads);
+    Scene scene = is_terrain_name(options.scene, options.work.settings)
+                      ? terrain_run(options.scene, options.work.settings)
+                      : read_scene(scene_argument(options.scene), options.work.settings);
+    return prepare_run(std::move(scene), options.work.threads);
 }
 
 int perform(const RunOptions& options) {

@@ -13,7 +13,9 @@
 #include "cli/shared_options.h"
 #include "files/terrain/terrain_format.h"
 #include "outputs/output_claims.h"
+#include "outputs/own_file.h"
 #include "run/drawing.h"
+#include "run/output_files.h"
 #include "run/prepared_run.h"
 #include "run/still.h"
 #include "run/terminal/interrupt.h"
@@ -105,6 +107,13 @@ void check_standard_output() {
         "file or a program take it (> dunes.png)");
 }
 
+void claim_outputs(OutputClaims& claims, const Scene& scene, const std::string& picture) {
+    const bool was_own = says_that_fumon_made_it(picture);
+    claims.writes(picture);
+    if (!scene.output.world_files) return;
+    for (const fs::path& file : world_file_names(picture)) claims.writes(file, was_own);
+}
+
 int perform(const StillOptions& options) {
     const InterruptGuard guard;
     const bool to_standard_output = options.output == standard_output;
@@ -118,7 +127,7 @@ int perform(const StillOptions& options) {
     OutputClaims claims(options.force);
     claims.reads(options.input);
     claims.reads(scene_files(prepared.scene));
-    if (!to_standard_output) claims.writes(options.output);
+    if (!to_standard_output) claim_outputs(claims, prepared.scene, options.output);
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(prepared.initial.bed.size()));
     prepared.initial.bed = Grid();  // the model has its own, and a large one fills the memory

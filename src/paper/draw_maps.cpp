@@ -3,7 +3,7 @@
 
 #include "figure/panels/hill_shading.h"
 #include "figure/panels/map_panel.h"
-#include "files/terrain/esri_ascii.h"
+#include "files/terrain/terrain_format.h"
 #include "paper/panel_look.h"
 #include "paper/panel_makers.h"
 
@@ -50,6 +50,16 @@ std::vector<MapPicture> map_pictures_of(const PanelPlan& panel, const Snapshot& 
     return pictures;
 }
 
+/// A picture may have larger cells than its snapshot, from the same south-west corner.
+WorldScale scale_of_values(const MapPicture& picture, const Snapshot& snapshot) {
+    WorldScale scale = picture.scale;
+    if (!scale.place) return scale;
+    scale.place = snapshot.scale.place;
+    scale.place->dx *= scale.dx / snapshot.scale.dx;
+    scale.place->dy *= scale.dy / snapshot.scale.dy;
+    return scale;
+}
+
 std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools) {
     const PanelSettings& settings = subject.panel.settings;
     std::vector<MapPicture> pictures =
@@ -75,8 +85,10 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
         }
         if (settings.vectors) shown.flow = water_flow_of(subject.snapshots[k]);
         MadePanel one;
-        one.data = {{".asc", esri_ascii(picture.values, picture.blank, picture.scale.dx,
-                                        picture.scale.dy)}};
+        for (TerrainBytes& file : find_written_format("esri-ascii")
+                                      ->write({picture.values, picture.blank,
+                                               scale_of_values(picture, subject.snapshots[k])}))
+            one.data.push_back({std::move(file.ending), std::move(file.bytes)});
         one.content = std::make_unique<MapPanel>(std::move(picture), std::move(shown));
         made.push_back(std::move(one));
     }

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What follows a panel's letter in a name of data, NAME-a-1.csv: perhaps "-inset", perhaps a
-/// curve's number, and .csv or .asc.
+/// curve's number, and .csv, .asc or .prj.
 bool ends_as_data(std::string_view end) {
     constexpr std::string_view inset = "-inset";
     if (end.starts_with(inset)) end.remove_prefix(inset.size());
@@ -30,7 +30,7 @@ bool ends_as_data(std::string_view end) {
         if (digits == 1 || digits == std::string_view::npos) return false;
         end.remove_prefix(digits);
     }
-    return end == ".csv" || end == ".asc";
+    return end == ".csv" || end == ".asc" || end == ".prj";
 }
 
 /// Whether a file is called as data of one of the figure's panels.

@@ -86,6 +86,7 @@ void WaterShading::upload(const Snapshot& snapshot, const DisplayWater& water) {
     const WaterStatistics usual = water_statistics(snapshot);
     clarity_ = water_clarity(view_.look, usual);
     usual_froude_ = usual.median_froude;
+    closed_depth_ = closed_depth(snapshot.scale);
 }
 
 void WaterShading::set_uniforms(const gl::Program& program, int unit) const {
@@ -98,6 +99,7 @@ void WaterShading::set_uniforms(const gl::Program& program, int unit) const {
     program.set("clarity", static_cast<float>(clarity_));
     program.set("turbidity", static_cast<float>(view_.look.turbidity));
     program.set("usual_froude", static_cast<float>(usual_froude_));
+    program.set("closed_depth", static_cast<float>(closed_depth_));
 }
 
 }  // namespace fumon

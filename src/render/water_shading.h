@@ -33,6 +33,7 @@ class WaterShading {
     gl::Texture2D streaks_;
     double clarity_ = 1.0;
     double usual_froude_ = 0.0;
+    double closed_depth_ = 1.0;  ///< m
 };
 
 }  // namespace fumon

@@ -7,6 +7,7 @@
 #include "files/hash.h"
 #include "files/terrain/terrain_format.h"
 #include "picture/png.h"
+#include "render/view/map_frame.h"
 #include "run/picture_text.h"
 #include "run/pipeline.h"
 
@@ -27,9 +28,24 @@ FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Pi
         write(folder->frame(picture.number),
               picture_text(facts.resolved, facts.scene, snapshot.step, facts.inputs, pixels,
                            facts.environment));
+        if (facts.scene.output.world_files)
+            write_world_files(facts.scene.view, snapshot, folder->frame(picture.number));
     }
     if (parts.movie_frames) write(folder->movie_frame(picture.number), {});
     return {picture.number, snapshot.step, snapshot.time, pixels, written};
+}
+
+std::vector<std::filesystem::path> world_file_names(const std::filesystem::path& picture) {
+    std::vector<std::filesystem::path> names;
+    for (const WorldFile& file : world_files({}))
+        names.push_back(std::filesystem::path(picture).replace_extension(file.ending));
+    return names;
+}
+
+void write_world_files(const View& view, const Snapshot& snapshot,
+                       const std::filesystem::path& picture) {
+    for (const WorldFile& file : world_files(map_frame(view, snapshot)))
+        write_file(std::filesystem::path(picture).replace_extension(file.ending), file.text);
 }
 
 Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameRecord& frame) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,6 +37,14 @@ struct PictureFacts {
 /// there are none. Throws Error.
 FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Picture& picture,
                         const PictureFacts& facts);
+
+/// The files that stand beside a picture with output.world_files: picture.pgw and
+/// picture.png.aux.xml.
+std::vector<std::filesystem::path> world_file_names(const std::filesystem::path& picture);
+
+/// Writes them. Throws KeyError as map_frame(), Error.
+void write_world_files(const View& view, const Snapshot& snapshot,
+                       const std::filesystem::path& picture);
 
 /// Reads a frame that the run wrote before its checkpoint. Throws Error if its pixels have changed.
 Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameRecord& frame);

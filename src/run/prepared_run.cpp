@@ -15,6 +15,7 @@
 #include "models/registry.h"
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
+#include "render/view/map_frame.h"
 #include "render/view/water.h"
 #include "scene/faults.h"
 #include "scene/overlay_keys.h"
@@ -97,6 +98,16 @@ void check_overlays(const Scene& scene, const Snapshot& first) {
     }
 }
 
+/// World files need a map, and a bed that lies on one.
+void check_world_files(const Scene& scene, const Snapshot& first) {
+    if (!scene.output.world_files) return;
+    try {
+        map_frame(scene.view, first);
+    } catch (const KeyError& refusal) {
+        throw InputError(scene.at(refusal.key()) + refusal.what());
+    }
+}
+
 /// Times and values of two columns of a file.
 void read_edge_table(const std::filesystem::path& file, std::vector<double>& times,
                      std::vector<double>& values) {
@@ -155,7 +166,7 @@ bool asks_for_more(const Scene& scene) {
     const LookSettings& look = scene.view.look;
     return look.mark != Marking::none || colours_water(look.colour_by) ||
            look.mode == ViewMode::figure || scene.view.section != SectionSettings{} ||
-           has_overlays(scene);
+           has_overlays(scene) || scene.output.world_files;
 }
 
 /// Checks the scene's palette, and puts names and tables that it refers to in their place.
@@ -187,7 +198,8 @@ PreparedScene prepare_scene(Scene scene, InitialBed initial) {
 
 void check_shown(const Scene& scene, const Snapshot& first) {
     Faults faults(scene.source);
-    for (const auto check : {check_marking, check_colouring, check_section, check_overlays})
+    for (const auto check :
+         {check_marking, check_colouring, check_section, check_overlays, check_world_files})
         faults.attempt([&] { check(scene, first); });
     faults.report();
 }

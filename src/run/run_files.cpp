@@ -52,10 +52,19 @@ std::int64_t number_in_name(std::string_view name, std::string_view begin, int d
     return fmt::format("{:0{}}", number, digits) == name ? number : -1;
 }
 
+/// The number of a frame, or of what stands beside it for GIS (which these write there too); −1 of
+/// another name.
+std::int64_t frame_of(std::string_view name) {
+    for (const char* ending : {".png", ".pgw", ".png.aux.xml"}) {
+        const std::int64_t number = number_in_name(name, "frame_", frame_digits, ending);
+        if (number >= 0) return number;
+    }
+    return -1;
+}
+
 bool is_numbered(std::string_view name, std::string_view folder, std::int64_t count) {
-    if (!name.starts_with(folder)) return false;
-    const std::int64_t number =
-        number_in_name(name.substr(folder.size()), "/frame_", frame_digits, ".png");
+    if (!name.starts_with(folder) || name.size() <= folder.size()) return false;
+    const std::int64_t number = frame_of(name.substr(folder.size() + 1));
     return number >= 0 && number < count;
 }
 
@@ -188,9 +197,7 @@ std::vector<std::string> files_called_as_a_runs(const fs::path& folder) {
                    number_of_fields_piece(name, fields_file) > 0;
         },
         names);
-    const auto is_frame = [](std::string_view name) {
-        return number_in_name(name, "frame_", frame_digits, ".png") >= 0;
-    };
+    const auto is_frame = [](std::string_view name) { return frame_of(name) >= 0; };
     for (const char* part : {"frames", "movie_frames"}) add_names(folder, part, is_frame, names);
     const auto is_bed = [](std::string_view name) {
         return step_of_bed("beds/" + std::string(name)) >= 0;

@@ -10,6 +10,7 @@
 #include "files/atomic_file.h"
 #include "picture/png.h"
 #include "run/drawing.h"
+#include "run/output_files.h"
 #include "run/picture_text.h"
 #include "run/step_observers.h"
 #include "scene/overlay_keys.h"
@@ -79,12 +80,14 @@ DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const 
                       const std::string& file, const WorkOptions& work, Progress& progress) {
     const Drawing drawing = draw_snapshot(prepared, first, snapshot, work);
     tell_drawing(drawing.record, progress);
+    const Scene& scene = prepared.scene;
     const std::vector<std::uint8_t> bytes =
-        still_file(prepared.scene, prepared.initial.inputs, snapshot.step, drawing);
+        still_file(scene, prepared.initial.inputs, snapshot.step, drawing);
     if (file == standard_output) {
         std::fwrite(bytes.data(), 1, bytes.size(), stdout);  // looked at when the program ends
     } else {
         write_file(file, bytes);
+        if (scene.output.world_files) write_world_files(scene.view, snapshot, file);
     }
     if (drawing.record.exaggeration != 1.0)
         progress.note(fmt::format("vertical exaggeration {:g}", drawing.record.exaggeration));

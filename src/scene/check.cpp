@@ -272,6 +272,7 @@ void check_raster_keys(const Scene& scene, bool from_file, const Refuse& refuse)
     };
     belongs_to_file("bed.band", bed.band != 0);
     belongs_to_file("bed.window", !bed.window.empty());
+    belongs_to_file("bed.crs", !bed.crs.empty());
     belongs_to_file("bed.resample", bed.resample != 0.0);
     if (!bed.window.empty() && bed.window.size() != 4) {
         refuse("bed.window",

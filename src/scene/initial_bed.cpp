@@ -12,6 +12,7 @@
 #include "base/random.h"
 #include "base/resampling.h"
 #include "files/hash.h"
+#include "files/terrain/reproject.h"
 #include "files/terrain/terrain_file.h"
 #include "models/registry.h"
 #include "scene/find_input.h"
@@ -150,6 +151,15 @@ std::string heights_in_doubt(const Terrain& terrain) {
         terrain.heights.values()[first]);
 }
 
+/// One line on cells whose size nobody said, in a model that lives in metres; or empty.
+std::string guessed_cells(const Scene& scene, const Terrain& terrain, const WorldScale& scale) {
+    if (!scale.in_metres || terrain.dx > 0.0 || !scene.grid.cell_size.empty()) return {};
+    return fmt::format(
+        "the file does not say how large its cells are: they are taken for {:g} m (grid.cell_size "
+        "says otherwise)",
+        scale.dx);
+}
+
 void apply_nodata_rule(const Scene& scene, Terrain& terrain) {
     if (terrain.nodata.empty()) return;
     const WordOrReal& rule = scene.bed.nodata;
@@ -251,6 +261,17 @@ Terrain read_bed_file(const Scene& scene, const std::filesystem::path& file) {
     }
 }
 
+/// Brings the terrain to the reference system of bed.crs.
+void reproject(const Scene& scene, Terrain& terrain) {
+    if (scene.bed.crs.empty()) return;
+    try {
+        terrain = reprojected(terrain, scene.bed.crs);
+    } catch (const InputError& refusal) {
+        throw InputError(
+            fmt::format("{}bed.crs: {}: {}", scene.at("bed.crs"), scene.bed.file, refusal.what()));
+    }
+}
+
 InitialBed bed_from_file(const Scene& scene) {
     const std::filesystem::path file = bed_path(scene);
     check_listed(scene, file);
@@ -268,11 +289,14 @@ InitialBed bed_from_file(const Scene& scene) {
     }
     Terrain terrain = read_bed_file(scene, file);
     take_out_nodata_value(scene, terrain);
+    reproject(scene, terrain);
     if (const std::string doubt = heights_in_doubt(terrain); !doubt.empty())
         terrain.note += (terrain.note.empty() ? "" : "; ") + doubt;
-    const std::string note = terrain.note;
     InitialBed initial;
     initial.scale = scale_of(scene, terrain.dx, terrain.dy);
+    if (const std::string guess = guessed_cells(scene, terrain, initial.scale); !guess.empty())
+        terrain.note += (terrain.note.empty() ? "" : "; ") + guess;
+    const std::string note = terrain.note;
     resample(scene, terrain, initial.scale);
     const int refinement = static_cast<int>(scene.bed.refine);
     check_size(scene, "grid.nx", scene.grid.nx, terrain.heights.nx() * refinement);

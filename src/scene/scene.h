@@ -41,6 +41,7 @@ struct BedSettings {
     std::vector<double> window;    ///< file: west, south, east, north of the part to read, or none
     WordOrReal nodata{"mask", 0.0};
     WordOrReal nodata_value{"auto", 0.0};  ///< m, that stands for no data; auto: the file says
+    std::string crs;        ///< file: the reference system to bring it to; empty: its own
     double resample = 0.0;  ///< file: size of the model's cells, metres; 0: the file's own cells
     Resampling resample_method = Resampling::average;
     std::int64_t refine = 1;  ///< file: cells along each side of one of its cells
@@ -174,6 +175,7 @@ struct View {
 struct OutputSettings {
     bool frames = true;
     bool movie = true;
+    bool world_files = false;         ///< beside the frames, where on the map they lie
     double movie_rate = 30.0;         ///< frames per second
     std::int64_t movie_quality = 18;  ///< H.264 constant rate factor, 0 (lossless) … 51
     bool measurements = true;

@@ -102,6 +102,10 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
     table.word_or_real(
         "bed.nodata_value", scene.bed.nodata_value, {{"auto", "what the file itself says"}},
         {.unit = "m", .help = "the height that stands for no data in a terrain file"});
+    table.text(
+        "bed.crs", scene.bed.crs,
+        {.help = "\"utm\", or a reference system in metres as \"EPSG:32613\", onto whose even "
+                 "cells a terrain file is brought (with GDAL); empty: its own"});
     table.real("bed.resample", scene.bed.resample,
                {.unit = "m",
                 .range = {0, 1e7},
@@ -396,6 +400,9 @@ void list_output_keys(OutputSettings& output, KeyTable& table) {
     table.role(KeyRole::file);
     table.boolean("output.frames", output.frames, {.help = "write frames as PNG"});
     table.boolean("output.movie", output.movie, {.help = "write movie.mp4"});
+    table.boolean("output.world_files", output.world_files,
+                  {.help = "beside each frame of camera.projection = \"map\" a world file (.pgw) "
+                           "and the reference system (.png.aux.xml), for GIS"});
     table.role(KeyRole::look);
     table.real("output.movie_rate", output.movie_rate,
                {.unit = "frames/s", .range = {1, 240}, .help = "speed of the movie"});

@@ -88,5 +88,28 @@ TEST(Guide, ManyMachines) {
     EXPECT_FALSE(read_text(folder / "out/drawn/movie.mp4").empty());
 }
 
+TEST(Guide, FromTerrainToAFilmOfRain) {
+    const ScratchFolder folder;
+    fs::create_directory_symlink(fs::path(FUMON_GUIDE_FOLDER).parent_path(), folder / "assets");
+    fs::create_directory(folder / "bin");
+    write_text(folder / "bin/fumon",  // small pictures
+               std::string("#!/bin/sh\ncase $1 in\nrun|still) exec '") + FUMON_PROGRAM +
+                   "' \"$@\" --quiet --set image.width=480 --set image.height=320 --set "
+                   "image.supersampling=1;;\n*) exec '" +
+                   FUMON_PROGRAM + "' \"$@\";;\nesac\n");
+    const Spoken spoken = do_page(folder, "gis.md");
+    ASSERT_EQ(spoken.status, 0) << spoken.words;
+    for (const char* file :
+         {"look/frames/frame_000000.png", "rain/movie.mp4", "rain/fields.nc", "stream.csv",
+          "stream.png", "cut/measurements.csv", "maps/frames/frame_000001.pgw",
+          "maps/beds/bed_00000060.asc", "map.png", "map.png.aux.xml", "rain.pvd", "rain_000006.vts",
+          "dem.glb", "dem.stl"})
+        EXPECT_TRUE(fs::exists(folder / file)) << file;
+    EXPECT_FALSE(fs::exists(folder / "look/movie.mp4"));
+    const std::string header = read_text(folder / "gauged/measurements.csv");
+    for (const char* column : {"mouth_depth_m", "section_discharge_m3s"})
+        EXPECT_NE(header.find(column), std::string::npos) << column;
+}
+
 }  // namespace
 }  // namespace fumon::test

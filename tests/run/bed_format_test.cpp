@@ -101,7 +101,8 @@ TEST_F(BedFormat, WrongKeysAreLocated) {
               "scene.toml:7:12: bed.resample is 50 m, more than the terrain's 48 x 32 m; take "
               "smaller cells\n");
     EXPECT_EQ(line("", "bed_format = [\"xyz\"]\n"),
-              "scene.toml:14:14: output.bed_format has \"xyz\"; it takes geotiff, esri-ascii\n");
+              "scene.toml:14:14: output.bed_format has \"xyz\"; it takes geotiff, "
+              "cloud-optimized-geotiff, esri-ascii\n");
     EXPECT_EQ(line("", "bed_format = [\"esri-ascii\", \"esri-ascii\"]\n"),
               "scene.toml:14:14: output.bed_format has \"esri-ascii\" twice\n");
 }

@@ -36,8 +36,9 @@ TEST(SceneRoles, EachKeyDecidesWhatItSays) {
               (Paths{"frames.every", "frames.at", "frames.logarithmic", "output.measure_every"}));
     EXPECT_EQ(paths_with(KeyRole::record), (Paths{"output.measurements", "output.fields_every",
                                                   "output.fields_at", "output.avalanches"}));
-    EXPECT_EQ(paths_with(KeyRole::file), (Paths{"output.frames", "output.movie", "output.bed_every",
-                                                "output.bed_at", "output.bed_format"}));
+    EXPECT_EQ(paths_with(KeyRole::file),
+              (Paths{"output.frames", "output.movie", "output.bed_every", "output.bed_at",
+                     "output.bed_format", "output.world_files"}));
     EXPECT_EQ(paths_with(KeyRole::sweep), (Paths{"sweep.over", "sweep.seeds"}));
     const std::set<std::string> pictures{"air",     "camera", "sun",    "look",
                                          "section", "image",  "overlay"};

@@ -119,10 +119,11 @@ Axes ProfilePanel::axes_in(const CanvasBox& frame) const {
     const double shown =
         frame.height / frame.width * picture_.length / exaggeration(frame.width, frame.height);
     const double low = low_ - room_below_line * relief_;
-    return {frame,
-            {0.0, picture_.length / unit.length, fmt::format("x ({})", unit.symbol)},
-            {low / heights.length, (low + shown) / heights.length,
-             fmt::format("z ({})", heights.symbol), !stacked(), !stacked()}};
+    return {
+        frame,
+        {0.0, picture_.length / unit.length, fmt::format("{} ({})", picture_.along, unit.symbol)},
+        {low / heights.length, (low + shown) / heights.length,
+         fmt::format("z ({})", heights.symbol), !stacked(), !stacked()}};
 }
 
 PanelMargins ProfilePanel::margins(const Canvas& canvas, double width, double height) const {

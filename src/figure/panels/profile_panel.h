@@ -28,6 +28,7 @@ struct ProfilePicture {
     std::vector<ProfileLine> lines;
     double length = 0.0;  ///< along x, metres or sites
     bool in_metres = false;
+    std::string along = "x";              ///< what runs along the axis
     std::optional<GroundDirection> wind;  ///< shown where it blows along x
     double exaggeration = 0.0;  ///< vertical; 0: the largest round number that the frame allows
 };

@@ -10,6 +10,7 @@
 #include "base/quantity_text.h"
 #include "files/netcdf/netcdf_calls.h"
 #include "files/netcdf/netcdf_definition.h"
+#include "files/netcdf/netcdf_place.h"
 
 namespace fumon {
 
@@ -23,7 +24,7 @@ std::size_t count_of(int cells) {
 
 /// A letter first, then letters, digits and underscores, as CF recommends, and points.
 void check_names(const Snapshot& first) {
-    std::set<std::string> taken{"time", "step", "x", "y", "bed_height"};
+    std::set<std::string> taken{"time", "step", "x", "y", "crs", "bed_height"};
     const auto check = [&](const std::string& name) {
         const auto is_letter = [](char c) {
             return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -68,11 +69,19 @@ struct Dimensions {
 };
 
 /// Defines x or y; its values are written by put_centres.
-int define_axis(int file, int dimension, std::string_view axis, bool in_metres) {
+int define_axis(int file, int dimension, std::string_view axis, bool in_metres, bool degrees) {
     const bool eastward = axis == "X";
     const char* name = eastward ? "x" : "y";
     int variable = 0;
     check_netcdf(nc_def_var(file, name, NC_DOUBLE, 1, &dimension, &variable));
+    if (degrees) {
+        const char* angle = eastward ? "longitude" : "latitude";
+        put_text(file, variable, "long_name", angle);
+        put_text(file, variable, "units", eastward ? "degrees_east" : "degrees_north");
+        put_text(file, variable, "standard_name", angle);
+        put_text(file, variable, "axis", axis);
+        return variable;
+    }
     describe(file, variable,
              fmt::format("{} {}", in_metres ? "distance" : "site",
                          eastward ? "eastward (downwind)" : "northward"),
@@ -83,10 +92,10 @@ int define_axis(int file, int dimension, std::string_view axis, bool in_metres) 
     return variable;
 }
 
-void put_centres(int file, int variable, int count, double cell_size) {
+void put_centres(int file, int variable, int count, double begin, double cell_size) {
     std::vector<double> centres(count_of(count));
     for (std::size_t i = 0; i < centres.size(); ++i)
-        centres[i] = (static_cast<double>(i) + 0.5) * cell_size;
+        centres[i] = begin + (static_cast<double>(i) + 0.5) * cell_size;
     check_netcdf(nc_put_var_double(file, variable, centres.data()));
 }
 
@@ -126,8 +135,10 @@ FieldsLayout define_fields(int file, const Snapshot& first, const FieldsText& te
     describe_time(file, layout.time, first.time_unit);
     layout.step = define_over_time(file, dimensions, "step", NC_INT64);
     describe(file, layout.step, "steps done", "1");
-    const int y = define_axis(file, dimensions.y, "Y", in_metres);
-    const int x = define_axis(file, dimensions.x, "X", in_metres);
+    const FilePlace place = place_in_file(first.scale);
+    const int y = define_axis(file, dimensions.y, "Y", in_metres, place.degrees);
+    const int x = define_axis(file, dimensions.x, "X", in_metres, place.degrees);
+    if (place.has_crs) define_crs(file, first.scale);
     layout.bed = define_field(file, cells, "bed_height", bed);
     describe(file, layout.bed, "height of the bed", in_metres ? "m" : "model heights");
     if (in_metres) put_text(file, layout.bed, "standard_name", "surface_altitude");
@@ -140,9 +151,13 @@ FieldsLayout define_fields(int file, const Snapshot& first, const FieldsText& te
         describe(file, layout.numbers.back(), in_words(number.name), number.unit);
     }
     if (first.section) layout.section = define_section(file, dimensions.time, *first.section);
+    if (place.has_crs) {
+        put_grid_mapping(file, layout.bed);
+        for (const int field : layout.fields) put_grid_mapping(file, field);
+    }
     check_netcdf(nc_enddef(file));
-    put_centres(file, y, bed.ny(), first.scale.dy);
-    put_centres(file, x, bed.nx(), first.scale.dx);
+    put_centres(file, y, bed.ny(), place.south, place.dy);
+    put_centres(file, x, bed.nx(), place.west, place.dx);
     if (layout.section) put_section_coordinates(file, *layout.section, *first.section);
     return layout;
 }
@@ -152,7 +167,7 @@ namespace {
 constexpr std::int64_t index_room = 16 << 10;  // bytes for a variable; 5 KiB were seen at most
 
 std::int64_t variables_of(const Snapshot& first) {
-    std::size_t variables = 5 + first.fields.size() + first.numbers.size();
+    std::size_t variables = 6 + first.fields.size() + first.numbers.size();
     if (first.section) variables += section_variable_names(*first.section).size();
     return static_cast<std::int64_t>(variables);
 }
@@ -160,7 +175,9 @@ std::int64_t variables_of(const Snapshot& first) {
 }  // namespace
 
 std::int64_t header_room(const Snapshot& first, const FieldsText& text) {
-    const auto characters = static_cast<std::int64_t>(text.title.size() + text.scene.size());
+    const std::size_t crs = first.scale.place ? first.scale.place->crs.size() : 0;
+    const auto characters =
+        static_cast<std::int64_t>(text.title.size() + text.scene.size() + 2 * crs);
     std::int64_t nodes = std::int64_t{first.bed.nx()} + first.bed.ny();
     if (first.section) {
         const Grid& field = first.section->fields.front().values;

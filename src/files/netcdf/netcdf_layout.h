@@ -22,9 +22,11 @@ struct FieldsLayout {
 
 /// Defines a fields file that has just been made, and writes its coordinates x and y.
 ///
-/// x and y are the centres of the cells, (i + 0.5)·dx and (j + 0.5)·dy from the south-west corner,
-/// both ascending: in "m" with standard names where the scale is in metres, else in sites with unit
-/// "1". bed_height is in metres ("m", standard name surface_altitude) or else in model heights
+/// x and y are the centres of the cells, (i + 0.5)·dx and (j + 0.5)·dy, both ascending: in "m" with
+/// standard names where the scale is in metres, else in sites with unit "1"; counted from the
+/// south-west corner, or, where the terrain lies on a map in metres or degrees, in that map's
+/// coordinates, whose reference system is the grid mapping `crs` (netcdf_place.h). bed_height is in
+/// metres ("m", standard name surface_altitude) or else in model heights
 /// ("1"): heights × height_unit in both cases, as the beds that a run writes and reads. Cells
 /// without data are NaN, the _FillValue, in every field. `time` is the model's: the step number
 /// with unit "1", or a time since the run's start in "s" and the like; there is no calendar, so no

@@ -34,6 +34,9 @@ const GdalFunctions& gdal() {
 GdalSession::GdalSession() : lock_(gdal_mutex()) {
     static const bool once = [] {
         gdal().GDALRegister_GTiff();
+        gdal().GDALRegister_COG();
+        gdal().GDALRegister_MEM();
+        gdal().GDALRegister_VRT();
         gdal().CPLSetConfigOption("GDAL_PAM_ENABLED", "NO");  // no FILE.aux.xml
         gdal().CPLSetConfigOption("GDAL_DISABLE_READDIR_ON_OPEN",
                                   "EMPTY_DIR");  // no FILE.tfw, .ovr, .msk

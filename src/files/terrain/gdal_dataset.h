@@ -8,8 +8,9 @@
 namespace fumon {
 
 /// Held around every use of GDAL, whose settings and messages belong to the thread that it runs on:
-/// registers the GeoTIFF driver once, keeps GDAL from printing, collects what it says, and lets it
-/// read and write the named file alone, no other one beside it.
+/// registers the drivers in use once, keeps GDAL from printing, collects what it says, and lets it
+/// read and write the named file alone, no other one beside it, unless it is a VRT that names
+/// others.
 class GdalSession {
   public:
     GdalSession();

@@ -5,6 +5,7 @@
 #include <cpl_vsi.h>
 #include <gdal.h>
 #include <gdal_frmts.h>
+#include <gdalwarper.h>
 #include <ogr_srs_api.h>
 
 namespace fumon {
@@ -20,8 +21,10 @@ struct GdalFunctions {
     FUMON_GDAL(CPLPopErrorHandler);
     FUMON_GDAL(CPLPushErrorHandlerEx);
     FUMON_GDAL(CPLSetConfigOption);
+    FUMON_GDAL(GDALAutoCreateWarpedVRT);
     FUMON_GDAL(GDALClose);
     FUMON_GDAL(GDALCreate);
+    FUMON_GDAL(GDALCreateCopy);
     FUMON_GDAL(GDALDataTypeIsComplex);
     FUMON_GDAL(GDALGetDriverByName);
     FUMON_GDAL(GDALGetGCPCount);
@@ -41,7 +44,10 @@ struct GdalFunctions {
     FUMON_GDAL(GDALGetSpatialRef);
     FUMON_GDAL(GDALOpenEx);
     FUMON_GDAL(GDALRasterIO);
+    FUMON_GDAL(GDALRegister_COG);
     FUMON_GDAL(GDALRegister_GTiff);
+    FUMON_GDAL(GDALRegister_MEM);
+    FUMON_GDAL(GDALRegister_VRT);
     FUMON_GDAL(GDALSetGeoTransform);
     FUMON_GDAL(GDALSetRasterNoDataValue);
     FUMON_GDAL(GDALSetRasterUnitType);
@@ -55,6 +61,7 @@ struct GdalFunctions {
     FUMON_GDAL(OSRIsLocal);
     FUMON_GDAL(OSRIsProjected);
     FUMON_GDAL(OSRNewSpatialReference);
+    FUMON_GDAL(OSRSetFromUserInput);
     FUMON_GDAL(VSIFree);
     FUMON_GDAL(VSIGetMemFileBuffer);
     FUMON_GDAL(VSIUnlink);

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "files/input_file.h"
 #include "files/length_unit.h"
 #include "files/open_files.h"
 #include "files/terrain/gdal_dataset.h"
@@ -59,9 +60,24 @@ class GeotiffReader {
 
   private:
     static GDALDatasetH open(const std::string& path) {
-        constexpr std::array<const char*, 2> drivers{"GTiff", nullptr};
+        std::array<const char*, 3> drivers{"GTiff", nullptr, nullptr};
+        if (is_vrt(path, start_of_input_file(path, TerrainFormat::signature_length))) {
+            refuse_network(path);
+            drivers[1] = "VRT";
+        }
         return gdal().GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(),
                                  nullptr, nullptr);
+    }
+
+    /// A VRT reads files of this machine, as its user does.
+    static void refuse_network(const std::string& path) {
+        const std::string text = read_input_file(path);
+        for (const char* far : {"/vsi", "://"}) {
+            if (text.find(far) == std::string::npos) continue;
+            throw InputError(fmt::format(
+                "{}: names a file by \"{}…\"; a VRT that fumon reads names files by their paths",
+                path, far));
+        }
     }
 
     [[noreturn]] void refuse(std::string_view what, std::string_view remedy) const {
@@ -283,6 +299,16 @@ TerrainFormat geotiff_format() {
             .read = read_geotiff,
             .write = write_geotiff,
             .endings = {".tif"},
+            .has_bands = true};
+}
+
+TerrainFormat cloud_geotiff_format() {
+    return {.name = cloud_geotiff_name,
+            .title = "a Cloud Optimized GeoTIFF",
+            .is_one = [](const std::filesystem::path&, std::string_view) { return false; },
+            .read = read_geotiff,
+            .write = write_cloud_geotiff,
+            .endings = {".cog.tif"},
             .has_bands = true};
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "files/terrain/terrain_format.h"
 
 namespace fumon {
 
-/// GeoTIFF files as a terrain format, read and written by GDAL.
+/// GeoTIFF files as a terrain format, read and written by GDAL; VRT files, which put rasters of
+/// several files together, are read likewise (no /vsi… and no URL in them).
 ///
 /// Read: one band of numbers of any real type, raw × scale + offset, converted to metres where its
 /// unit is another length. Cells equal to the band's no-data value, NaN, or transparent in the
@@ -24,6 +26,12 @@ namespace fumon {
 /// coordinate reference system as the bed's file had them (else metres from (0, 0), else neither),
 /// and where cells hold no data a no-data value. The same bytes for the same terrain.
 TerrainFormat geotiff_format();
+
+/// Cloud Optimized GeoTIFF, which is only written: the same in tiles of 512 × 512 with overviews,
+/// for reading parts of it over a network. What it wrote is read as any GeoTIFF.
+TerrainFormat cloud_geotiff_format();
+
+inline constexpr std::string_view cloud_geotiff_name = "cloud-optimized-geotiff";
 
 /// A coordinate reference system (WKT) as .prj files have it; as it stands where it is WKT 1
 /// already, or cannot be told so.

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "files/terrain/geotiff.h"
 #include "files/terrain/geotiff_signature.h"
+#include "files/terrain/reproject.h"
 
 namespace fumon {
 
@@ -35,6 +36,19 @@ TerrainFormat geotiff_format() {
             .endings = {".tif"},
             .has_bands = true,
             .lacks = remedy};
+}
+
+TerrainFormat cloud_geotiff_format() {
+    TerrainFormat format = geotiff_format();
+    format.name = cloud_geotiff_name;
+    format.title = "a Cloud Optimized GeoTIFF";
+    format.is_one = [](const std::filesystem::path&, std::string_view) { return false; };
+    format.endings = {".cog.tif"};
+    return format;
+}
+
+Terrain reprojected(const Terrain&, const std::string&) {
+    throw InputError(fmt::format("needs GDAL, and this fumon was built without it; {}", remedy));
 }
 
 std::string esri_projection(const std::string& crs) {

@@ -36,22 +36,24 @@ class SpatialReference {
     bool understood_ = false;
 };
 
-/// A file in memory, under the one name that is in use while GDAL is locked.
+/// A file in memory, under a name that is in use while GDAL is locked.
 class MemoryFile {
   public:
-    static constexpr const char* name = "/vsimem/fumon-terrain.tif";
-
-    MemoryFile() = default;
-    ~MemoryFile() { gdal().VSIUnlink(name); }
+    explicit MemoryFile(const char* name) : name_(name) {}
+    ~MemoryFile() { gdal().VSIUnlink(name_); }
     MemoryFile(const MemoryFile&) = delete;
     MemoryFile& operator=(const MemoryFile&) = delete;
 
-    [[nodiscard]] static std::string bytes() {
+    [[nodiscard]] const char* name() const { return name_; }
+    [[nodiscard]] std::string bytes() const {
         vsi_l_offset length = 0;
-        const GByte* begin = gdal().VSIGetMemFileBuffer(name, &length, FALSE);
+        const GByte* begin = gdal().VSIGetMemFileBuffer(name_, &length, FALSE);
         if (begin == nullptr) return {};
         return {begin, begin + length};
     }
+
+  private:
+    const char* name_;
 };
 
 void place(GDALDatasetH dataset, const TerrainOutput& terrain) {
@@ -84,27 +86,55 @@ void write_rows(GDALRasterBandH band, const TerrainOutput& terrain) {
     }
 }
 
+/// The whole terrain as a GeoTIFF in memory.
+void write_tiff(const MemoryFile& file, const TerrainOutput& terrain) {
+    const std::array<const char*, 4> options{"COMPRESS=DEFLATE", "PREDICTOR=3", "NUM_THREADS=1",
+                                             nullptr};
+    GdalDataset dataset(gdal().GDALCreate(gdal().GDALGetDriverByName("GTiff"), file.name(),
+                                          terrain.heights.nx(), terrain.heights.ny(), 1,
+                                          GDT_Float64, options.data()));
+    if (dataset.get() == nullptr) return;  // the session knows why
+    place(dataset.get(), terrain);
+    write_rows(gdal().GDALGetRasterBand(dataset.get(), 1), terrain);
+    dataset.close();
+}
+
+std::vector<TerrainBytes> written(const char* ending, std::string bytes,
+                                  const GdalSession& session) {
+    if (!session.fault().empty() || bytes.empty())
+        throw Error(fmt::format("a bed cannot be written as a GeoTIFF: {}", session.fault()));
+    std::vector<TerrainBytes> files;
+    files.push_back({ending, std::move(bytes)});
+    return files;
+}
+
 }  // namespace
 
 std::vector<TerrainBytes> write_geotiff(const TerrainOutput& terrain) {
     const GdalSession session;
-    const MemoryFile file;
-    const std::array<const char*, 4> options{"COMPRESS=DEFLATE", "PREDICTOR=3", "NUM_THREADS=1",
-                                             nullptr};
-    GdalDataset dataset(gdal().GDALCreate(gdal().GDALGetDriverByName("GTiff"), MemoryFile::name,
-                                          terrain.heights.nx(), terrain.heights.ny(), 1,
-                                          GDT_Float64, options.data()));
-    if (dataset.get() != nullptr) {
-        place(dataset.get(), terrain);
-        write_rows(gdal().GDALGetRasterBand(dataset.get(), 1), terrain);
-        dataset.close();
+    const MemoryFile file("/vsimem/fumon-terrain.tif");
+    write_tiff(file, terrain);
+    return written(".tif", file.bytes(), session);
+}
+
+std::vector<TerrainBytes> write_cloud_geotiff(const TerrainOutput& terrain) {
+    const GdalSession session;
+    const MemoryFile plain("/vsimem/fumon-terrain.tif");
+    const MemoryFile tiled("/vsimem/fumon-terrain.cog.tif");
+    write_tiff(plain, terrain);
+    constexpr std::array<const char*, 2> drivers{"GTiff", nullptr};
+    const std::array<const char*, 6> options{"COMPRESS=DEFLATE", "PREDICTOR=YES",
+                                             "BLOCKSIZE=512",    "OVERVIEW_RESAMPLING=AVERAGE",
+                                             "NUM_THREADS=1",    nullptr};
+    GdalDataset source(gdal().GDALOpenEx(plain.name(), GDAL_OF_RASTER | GDAL_OF_READONLY,
+                                         drivers.data(), nullptr, nullptr));
+    if (source.get() != nullptr) {
+        GdalDataset copy(gdal().GDALCreateCopy(gdal().GDALGetDriverByName("COG"), tiled.name(),
+                                               source.get(), FALSE, options.data(), nullptr,
+                                               nullptr));
+        copy.close();
     }
-    std::string bytes = MemoryFile::bytes();
-    if (!session.fault().empty() || bytes.empty())
-        throw Error(fmt::format("a bed cannot be written as a GeoTIFF: {}", session.fault()));
-    std::vector<TerrainBytes> files;
-    files.push_back({".tif", std::move(bytes)});
-    return files;
+    return written(".cog.tif", tiled.bytes(), session);
 }
 
 std::string esri_projection(const std::string& crs) {

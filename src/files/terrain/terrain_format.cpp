@@ -12,8 +12,8 @@
 namespace fumon {
 
 std::span<const TerrainFormat> terrain_formats() {
-    static const std::array formats{netcdf_format(), geotiff_format(), png_heights_format(),
-                                    esri_ascii_format()};
+    static const std::array formats{netcdf_format(), geotiff_format(), cloud_geotiff_format(),
+                                    png_heights_format(), esri_ascii_format()};
     return formats;
 }
 
@@ -21,6 +21,7 @@ std::string terrain_titles() {
     std::string text;
     const auto formats = terrain_formats();
     for (std::size_t k = 0; k < formats.size(); ++k) {
+        if (formats[k].name == cloud_geotiff_name) continue;  // a GeoTIFF as any other
         if (k > 0) text += k + 1 == formats.size() ? " or " : ", ";
         text += formats[k].title;
     }

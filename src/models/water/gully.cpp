@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -135,6 +136,7 @@ Gully::Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool)
       step_at_courant_one_(scheme_->step_at_courant_one(water_)),
       sediment_(parameters_, domain_, bed_.nx(), bed_.ny(), pool),
       infiltration_(parameters_, domain_.dx * domain_.dy, bed_.nx(), bed_.ny(), pool),
+      gauges_(parameters_, domain_, scale_, bed_.nx(), bed_.ny()),
       cell_area_(domain_.dx * domain_.dy),
       wet_area_(cell_area_ * sum_of(bed_, domain_.nodata, [](double) { return 1.0; })),
       first_water_(water_volume()),
@@ -245,6 +247,7 @@ Snapshot Gully::snapshot() const {
                        {"velocity_x", "eastward velocity of the water", "m/s", water_.velocity_x},
                        {"velocity_y", "northward velocity of the water", "m/s", water_.velocity_y}};
     snapshot.numbers = budgets();
+    std::ranges::move(gauges_.read(water_, bed_), std::back_inserter(snapshot.numbers));
     return snapshot;
 }
 

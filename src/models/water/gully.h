@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "models/shared/model.h"
+#include "models/water/gauges.h"
 #include "models/water/gully_parameters.h"
 #include "models/water/gully_setup.h"
 #include "models/water/infiltration.h"
@@ -71,6 +72,7 @@ class Gully : public Model {
     double step_at_courant_one_;  ///< of the water as it is, s
     Sediment sediment_;
     Infiltration infiltration_;
+    Gauges gauges_;
     double cell_area_;
     double wet_area_;  ///< of all cells with data, m²
     double first_water_;

@@ -205,6 +205,9 @@ void list_keys(GullyParameters& gully, KeyTable& table) {
     table.tables("edge", gully.edges,
                  "a stretch of the grid's edge with a kind of its own; of finite volumes",
                  list_edge);
+    table.tables("gauge", gully.gauges,
+                 "a place whose water is noted: columns of measurements.csv and fields.nc",
+                 list_gauge);
 }
 
 }  // namespace fumon

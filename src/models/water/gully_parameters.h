@@ -66,6 +66,7 @@ struct GullyParameters {
 
     std::vector<RegionSettings> regions;
     std::vector<EdgeSettings> edges;
+    std::vector<GaugeSettings> gauges;
     bool basin = false;  ///< edges that are automatic are walls, and it may be dry for ever
 };
 

@@ -52,6 +52,33 @@ void list_edge(EdgeSettings& edge, const std::string& path, KeyTable& table) {
                         "where the water inside leaves it free"});
 }
 
+void list_gauge(GaugeSettings& gauge, const std::string& path, KeyTable& table) {
+    table.text(path + ".name", gauge.name,
+               {.help = "begins the gauge's columns: a letter, then letters, digits and "
+                        "underscores; empty: gauge_1, gauge_2 …"});
+    table.real_list(path + ".at", gauge.at, 0, 2,
+                    {.unit = "m, or degrees",
+                     .help = "[x, y] of the point, or of the left end of a line across the "
+                             "stream, seen downstream"});
+    table.real_list(path + ".to", gauge.to, 0, 2,
+                    {.unit = "m, or degrees",
+                     .help = "[x, y] of the line's right end, whose discharge is noted then; "
+                             "empty: a point"});
+    table.choice(path + ".coordinates", gauge.coordinates,
+                 {{GaugeCoordinates::grid, "grid", "m from the grid's south-west corner"},
+                  {GaugeCoordinates::map, "map",
+                   "those of the terrain file: metres of its reference system, or longitude and "
+                   "latitude where it has degrees"}},
+                 {.help = "of gauge.at and gauge.to"});
+    table.choice(path + ".side", gauge.side,
+                 {{GaugeSide::none, "none", "gauge.at says where"},
+                  {GaugeSide::west, "west", "x = 0"},
+                  {GaugeSide::east, "east", "the largest x"},
+                  {GaugeSide::south, "south", "y = 0"},
+                  {GaugeSide::north, "north", "the largest y"}},
+                 {.help = "the side of the grid over which the discharge outward is noted"});
+}
+
 void list_region(RegionSettings& region, const std::string& path, KeyTable& table) {
     table.real_list(path + ".window", region.window, 0, 4,
                     {.unit = "m",

@@ -32,6 +32,20 @@ struct RegionSettings {
     double velocity_y = 0.0;
 };
 
+enum class GaugeSide { none, west, east, south, north };
+enum class GaugeCoordinates { grid, map };
+
+/// Where a run notes the water: at a point, through a line across a stream, or over a side of the
+/// grid: [[gauge]].
+struct GaugeSettings {
+    std::string name;        ///< begins its columns; empty: "gauge_1" by its place in the list
+    std::vector<double> at;  ///< x, y of the point, or of the line's left end; empty: a side's
+    std::vector<double> to;  ///< x, y of the line's right end, seen downstream; empty: a point
+    GaugeCoordinates coordinates = GaugeCoordinates::grid;
+    GaugeSide side = GaugeSide::none;
+};
+
+void list_gauge(GaugeSettings& gauge, const std::string& path, KeyTable& table);
 void list_edge(EdgeSettings& edge, const std::string& path, KeyTable& table);
 void list_region(RegionSettings& region, const std::string& path, KeyTable& table);
 

@@ -48,10 +48,13 @@ Field<float> averaged(const Field<float>& values) {
     return result;
 }
 
-Field<float> dampness(const Mask& dry) {
+Field<float> dampness(const Grid& depth, const Mask& dry, double closed) {
     Field<float> wet(dry.nx(), dry.ny());
-    std::transform(dry.values().begin(), dry.values().end(), wet.values().begin(),
-                   [](std::uint8_t cell) { return cell != 0 ? 0.0F : 1.0F; });
+    for (std::size_t i = 0; i < wet.size(); ++i) {
+        if (dry.values()[i] != 0) continue;
+        const double share = depth.values()[i] / closed;
+        wet.values()[i] = share < 1.0 ? static_cast<float>(std::sqrt(share)) : 1.0F;
+    }
     Field<float> damp = averaged(averaged(wet));
     for (std::size_t i = 0; i < damp.size(); ++i)
         damp.values()[i] = std::max(damp.values()[i], wet.values()[i]);
@@ -115,6 +118,13 @@ Field<float> froude_numbers(const Snapshot& snapshot) {
     return froude;
 }
 
+double closed_depth(const WorldScale& scale) {
+    constexpr double of_a_metre = 0.004;  // m
+    constexpr double none = 1e-12;        // m
+    if (!scale.in_metres) return none;
+    return of_a_metre * std::sqrt(std::min(scale.dx, scale.dy));
+}
+
 WaterStatistics water_statistics(const Snapshot& snapshot) {
     if (!has_water(snapshot)) return {};
     const Grid& depth = values_of(snapshot, "water_depth");
@@ -149,8 +159,11 @@ DisplayWater display_water(const Snapshot& snapshot, int refinement) {
         if (into_dry) continue_outward(coarse, dry, 0.0F);
         return refined(coarse, refinement);
     };
-    DisplayWater water{shown("water_depth", false), shown("velocity_x", true),
-                       shown("velocity_y", true), refined(dampness(dry), refinement)};
+    DisplayWater water{
+        shown("water_depth", false), shown("velocity_x", true), shown("velocity_y", true), {}};
+    water.damp =
+        refined(dampness(values_of(snapshot, "water_depth"), dry, closed_depth(snapshot.scale)),
+                refinement);
     for (float& depth : water.depth.values()) depth = std::max(depth, 0.0F);
     for (float& damp : water.damp.values()) damp = std::clamp(damp, 0.0F, 1.0F);
     return water;

@@ -28,6 +28,13 @@ Field<float> water_speed(const Snapshot& snapshot);
 /// The Froude number |u|/√(g h) with g = 9.8 m/s²; 0 where it is dry.
 Field<float> froude_numbers(const Snapshot& snapshot);
 
+/// The depth from which water lies over the ground as a closed sheet, metres; what is thinner runs
+/// between the stones and tufts that a cell does not show, and only darkens the ground. Natural
+/// ground is rough at all lengths, its heights growing with the root of the length (Sayles & Thomas
+/// 1978): 4 mm for cells of 1 m, 34 mm for cells of 70 m. Next to nothing where lengths are in
+/// sites.
+double closed_depth(const WorldScale& scale);
+
 /// What is usual in a snapshot's wet cells; all 0 where none is wet.
 struct WaterStatistics {
     double high_depth = 0.0;    ///< 99th percentile, metres
@@ -47,7 +54,9 @@ struct DisplayWater {
     Field<float> depth;       ///< metres, ≥ 0
     Field<float> velocity_x;  ///< m/s
     Field<float> velocity_y;
-    Field<float> damp;  ///< 1 in wet cells, falling to 0 within two cells around them
+    /// Of the ground: the root of depth over closed_depth, at most 1, in wet cells, falling to 0
+    /// within two cells around them.
+    Field<float> damp;
 };
 
 DisplayWater display_water(const Snapshot& snapshot, int refinement);

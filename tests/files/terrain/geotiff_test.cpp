@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "files/terrain/reproject.h"
 #include "files/terrain/terrain_file.h"
 #include "files/terrain/terrain_format.h"
 #include "support/grid_values.h"
@@ -440,6 +441,137 @@ TEST_F(Geotiff, WithoutMetresABedIsWrittenNowhere) {
     const Terrain back = read_terrain(folder_.file("sites.tif", files[0].bytes));
     EXPECT_EQ(back.dx, 0.0);
     EXPECT_EQ(back.heights, heights);
+}
+
+TEST_F(Geotiff, ReadsAVirtualRasterOfTwoFiles) {
+    Raster west;
+    Raster east;
+    east.transform[0] = 500030;
+    east.values = {7, 8, 9, 10, 11, 12};
+    write(folder_.path() / "west.tif", west);
+    write(folder_.path() / "east.tif", east);
+    const auto vrt = [&](const std::string& west_name) {
+        const auto source = [](const std::string& name, int x) {
+            return "<SimpleSource><SourceFilename relativeToVRT=\"1\">" + name +
+                   "</SourceFilename><SourceBand>1</SourceBand><SrcRect xOff=\"0\" yOff=\"0\" "
+                   "xSize=\"3\" ySize=\"2\"/><DstRect xOff=\"" +
+                   std::to_string(x) + "\" yOff=\"0\" xSize=\"3\" ySize=\"2\"/></SimpleSource>";
+        };
+        const fs::path file = folder_.path() / "both.vrt";
+        std::ofstream(file) << "<VRTDataset rasterXSize=\"6\" rasterYSize=\"2\"><SRS>EPSG:32613"
+                               "</SRS><GeoTransform>500000, 10, 0, 4000020, 0, -10</GeoTransform>"
+                               "<VRTRasterBand dataType=\"Float64\" band=\"1\">"
+                            << source(west_name, 0) << source("east.tif", 3)
+                            << "</VRTRasterBand></VRTDataset>";
+        return file;
+    };
+    const Terrain terrain = read_terrain(vrt("west.tif"));
+    EXPECT_EQ(values_of(terrain.heights),
+              (std::vector<double>{4, 5, 6, 10, 11, 12, 1, 2, 3, 7, 8, 9}));
+    ASSERT_TRUE(terrain.place);
+    EXPECT_EQ(terrain.place->west, 500000.0);
+    EXPECT_THROW((void)read_terrain(vrt("/vsicurl/http://127.0.0.1/west.tif")), InputError);
+}
+
+TEST_F(Geotiff, ACloudOptimizedOneHasTilesAndOverviewsAndTheSameHeights) {
+    Raster raster;
+    raster.nx = 700;
+    raster.ny = 600;
+    raster.values.resize(700U * 600U);
+    for (std::size_t i = 0; i < raster.values.size(); ++i)
+        raster.values[i] = std::sin(0.01 * static_cast<double>(i));
+    const Terrain terrain = read(raster);
+    const WorldScale scale{terrain.dx, terrain.dy, 1.0, true, terrain.place};
+    const TerrainFormat* format = find_written_format("cloud-optimized-geotiff");
+    ASSERT_NE(format, nullptr);
+    const auto files = format->write({terrain.heights, terrain.nodata, scale});
+    ASSERT_EQ(files.size(), 1U);
+    EXPECT_EQ(files[0].ending, ".cog.tif");
+    EXPECT_EQ(format->write({terrain.heights, terrain.nodata, scale})[0].bytes, files[0].bytes);
+    const fs::path file = folder_.path() / "bed.cog.tif";
+    std::ofstream(file, std::ios::binary) << files[0].bytes;
+    EXPECT_EQ(values_of(read_terrain(file).heights), values_of(terrain.heights));
+    EXPECT_EQ(read_terrain(file).place, terrain.place);
+    GDALDatasetH dataset = GDALOpen(file.c_str(), GA_ReadOnly);
+    ASSERT_NE(dataset, nullptr);
+    EXPECT_STREQ(GDALGetMetadataItem(dataset, "LAYOUT", "IMAGE_STRUCTURE"), "COG");
+    EXPECT_EQ(GDALGetOverviewCount(GDALGetRasterBand(dataset, 1)), 1);
+    int width = 0;
+    int height = 0;
+    GDALGetBlockSize(GDALGetRasterBand(dataset, 1), &width, &height);
+    EXPECT_EQ(width, 512);
+    GDALClose(dataset);
+}
+
+/// A plane that rises by a metre a degree of latitude, over Colorado, with one cell without data.
+Terrain plane_in_degrees() {
+    Terrain terrain;
+    terrain.heights = Grid(60, 40);
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 60; ++x) terrain.heights(x, y) = 1000.0 * (40.0 + (y + 0.5) * 0.001);
+    terrain.nodata = Mask(60, 40);
+    terrain.nodata(30, 20) = 1;
+    terrain.place = GeoReference{-105.55, 40.0, 0.001, 0.001, true, ""};
+    terrain.note =
+        "cell size 0.001° read as degrees and converted to metres at the middle "
+        "latitude 40.02°: dx = 1 m, dy = 1 m; another";
+    return terrain;
+}
+
+TEST(Reprojected, ToUtmLiesWhereProjSays) {
+    const Terrain metric = reprojected(plane_in_degrees(), "utm");
+    ASSERT_TRUE(metric.place);
+    EXPECT_EQ(metric.dx, metric.dy);
+    EXPECT_FALSE(metric.place->degrees);
+    EXPECT_NE(metric.place->crs.find("32613"), std::string::npos) << metric.place->crs;
+    EXPECT_TRUE(metric.note.starts_with("another; reprojected to EPSG:32613: ")) << metric.note;
+    // A cell's centre brought back by PROJ has the plane's height.
+    OGRSpatialReferenceH from = OSRNewSpatialReference(nullptr);
+    OGRSpatialReferenceH to = OSRNewSpatialReference(nullptr);
+    OSRSetFromUserInput(from, "EPSG:32613");
+    OSRSetFromUserInput(to, "EPSG:4326");
+    OSRSetAxisMappingStrategy(from, OAMS_TRADITIONAL_GIS_ORDER);
+    OSRSetAxisMappingStrategy(to, OAMS_TRADITIONAL_GIS_ORDER);
+    OGRCoordinateTransformationH back = OCTNewCoordinateTransformation(from, to);
+    int holes = 0;
+    int compared = 0;
+    for (int y = 5; y < metric.heights.ny() - 5; ++y) {
+        for (int x = 5; x < metric.heights.nx() - 5; ++x) {
+            if (metric.nodata(x, y) != 0) {
+                ++holes;
+                continue;
+            }
+            double east = metric.place->west + (x + 0.5) * metric.dx;
+            double north = metric.place->south + (y + 0.5) * metric.dy;
+            ASSERT_NE(OCTTransform(back, 1, &east, &north, nullptr), 0);
+            EXPECT_NEAR(metric.heights(x, y), 1000.0 * north, 1000.0 * 0.25 * 0.001);
+            ++compared;
+        }
+    }
+    OCTDestroyCoordinateTransformation(back);
+    OSRDestroySpatialReference(from);
+    OSRDestroySpatialReference(to);
+    EXPECT_GE(holes, 1);
+    EXPECT_LE(holes, 4);
+    EXPECT_GT(compared, 1000);
+}
+
+TEST(Reprojected, RefusesWhatIsNoPlaneInMetres) {
+    const auto refusal = [](Terrain terrain, const std::string& crs) {
+        return message_of<InputError>([&] { (void)reprojected(terrain, crs); });
+    };
+    EXPECT_NE(refusal(plane_in_degrees(), "EPSG:4326").find("does not count metres"),
+              std::string::npos);
+    EXPECT_NE(refusal(plane_in_degrees(), "EPSG:2231").find("does not count metres"),
+              std::string::npos)
+        << "feet";
+    EXPECT_NE(refusal(plane_in_degrees(), "nonsense").find("no reference system"),
+              std::string::npos);
+    Terrain nowhere = plane_in_degrees();
+    nowhere.place->degrees = false;
+    EXPECT_NE(refusal(nowhere, "EPSG:32613").find("does not say"), std::string::npos);
+    nowhere.place->crs = "EPSG:32613";
+    EXPECT_NE(refusal(nowhere, "utm").find("counts metres"), std::string::npos);
 }
 
 }  // namespace

@@ -117,6 +117,36 @@ TEST(Water, WithoutItPicturesAreThoseOfABedWithoutItsFields) {
     EXPECT_NE(picture(view, under_water(bare, 0.5, 1.0)), picture(view, bare));
 }
 
+TEST(Water, AMillimetreOnLargeCellsDarkensTheGroundAndDoesNotGlazeIt) {
+    // Grazing, where a closed surface mirrors the sky.
+    View view = map_view();
+    view.camera.projection = Projection::orthographic;
+    view.camera.azimuth = 120.0;
+    view.camera.elevation = 15.0;
+    const auto shown = [&](double depth) {
+        Snapshot wet = under_water(flat_bed(100, 100), depth, 0.0);
+        wet.scale.dx = wet.scale.dy = 70.0;
+        Snapshot dry = wet;
+        for (double& nothing : dry.fields[0].values.values()) nothing = 0.0;
+        const auto bed = mean_between(later_picture(view, dry, dry), 0.45, 0.55);
+        const auto film = mean_between(later_picture(view, dry, wet), 0.45, 0.55);
+        return std::array{brightness(film) - brightness(bed), film[2] / film[0] - bed[2] / bed[0]};
+    };
+    const auto thin = shown(0.001);
+    EXPECT_LT(thin[0], -1.0);
+    EXPECT_LT(thin[1], 0.02);
+    EXPECT_GT(shown(0.05)[1], 0.1);
+}
+
+TEST(Water, IsClosedWhereItIsDeeperThanTheGroundIsRough) {
+    EXPECT_NEAR(closed_depth({1.0, 1.0, 1.0, true}), 0.004, 1e-15);
+    EXPECT_NEAR(closed_depth({100.0, 400.0, 1.0, true}), 0.04, 1e-15);
+    const Snapshot film = under_water(flat_bed(20, 20), 0.001, 0.0);
+    EXPECT_NEAR(display_water(film, 1).damp(10, 10), 0.5F, 1e-6F);
+    const Snapshot deep = under_water(flat_bed(20, 20), 0.004, 0.0);
+    EXPECT_EQ(display_water(deep, 1).damp(10, 10), 1.0F);
+}
+
 TEST(Water, DeeperWaterIsDarkerAndBluer) {
     Snapshot lake = under_water(flat_bed(100, 100), 0.2, 0.0);
     for (int y = 0; y < 100; ++y)

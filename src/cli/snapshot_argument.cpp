@@ -1,0 +1,75 @@
+#include "cli/snapshot_argument.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "base/error.h"
+#include "base/tell.h"
+#include "files/netcdf/netcdf_record.h"
+#include "measure/suite.h"
+#include "models/shared/check_finite.h"
+#include "scene/initial_bed.h"
+#include "scene/terrain_scene.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a run's fields file holds beside the bed: its water or air, the numbers of a pile …
+void add_record(const std::string& file, Snapshot& snapshot) {
+    std::optional<FieldsRecord> record = read_fields_record(file);
+    if (!record) return;
+    snapshot.periodic = record->periodic;
+    snapshot.numbers = std::move(record->numbers);
+    const bool fits = std::ranges::all_of(record->fields, [&](const SnapshotField& field) {
+        return field.values.nx() == snapshot.bed.nx() && field.values.ny() == snapshot.bed.ny();
+    });
+    if (fits) snapshot.fields = std::move(record->fields);
+    if (record->section && snapshot.bed.ny() == 1 &&
+        record->section->fields.front().values.nx() == snapshot.bed.nx())
+        snapshot.section = std::move(record->section);
+}
+
+}  // namespace
+
+fs::path last_state_of(const fs::path& run) {
+    std::error_code fault;
+    if (!fs::is_directory(run, fault)) return run;
+    if (fs::exists(run / "fields.nc", fault)) return run / "fields.nc";
+    fs::path last;
+    for (const auto& entry : fs::directory_iterator(run / "beds", fault)) {
+        const fs::path& file = entry.path();
+        const bool is_bed = file.extension() == ".asc" || file.extension() == ".tif";
+        if (is_bed && file.filename() > last.filename()) last = file;
+    }
+    if (!last.empty()) return last;
+    throw InputError(fmt::format(
+        "{}: holds neither fields.nc nor beds; run the scene with --set output.fields_every=N or "
+        "output.bed_at=[N]",
+        run.string()));
+}
+
+Snapshot read_snapshot(const std::string& file, const std::string& heights,
+                       const std::vector<std::string>& settings) {
+    const Scene scene = terrain_scene(file, heights, settings);
+    InitialBed initial = make_initial_bed(scene);
+    if (!initial.note.empty()) tell(initial.note + "\n");
+    Snapshot snapshot;
+    snapshot.time_unit = "steps";
+    snapshot.bed = std::move(initial.bed);
+    snapshot.nodata = std::move(initial.nodata);
+    snapshot.scale = initial.scale;
+    snapshot.periodic = true;
+    if (scene.bed.variable.empty()) add_record(file, snapshot);
+    snapshot.landform = guessed_landform(snapshot);
+    check_finite(snapshot);
+    return snapshot;
+}
+
+}  // namespace fumon

@@ -1,0 +1,48 @@
+#include "files/netcdf/netcdf_place.h"
+
+#include <netcdf.h>
+
+#include <cmath>
+
+#include "files/netcdf/netcdf_calls.h"
+#include "files/netcdf/netcdf_definition.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr const char* crs_name = "crs";
+
+/// Whether a grid's place counts metres, as its scale does.
+bool counts_metres(const GeoReference& place, const WorldScale& scale) {
+    constexpr double tolerance = 1e-6;
+    return std::abs(place.dx / scale.dx - 1.0) < tolerance &&
+           std::abs(place.dy / scale.dy - 1.0) < tolerance;
+}
+
+}  // namespace
+
+FilePlace place_in_file(const WorldScale& scale) {
+    const bool lies = scale.in_metres && scale.place &&
+                      (scale.place->degrees || counts_metres(*scale.place, scale));
+    if (!lies) return {0.0, 0.0, scale.dx, scale.dy};
+    const GeoReference& place = *scale.place;
+    return {place.west, place.south,   place.dx,
+            place.dy,   place.degrees, place.degrees || !place.crs.empty()};
+}
+
+void define_crs(int file, const WorldScale& scale) {
+    int variable = 0;
+    check_netcdf(nc_def_var(file, crs_name, NC_INT, 0, nullptr, &variable));
+    put_text(file, variable, "long_name", "coordinate reference system");
+    if (scale.place->degrees) put_text(file, variable, "grid_mapping_name", "latitude_longitude");
+    if (scale.place->crs.empty()) return;
+    put_text(file, variable, "crs_wkt", scale.place->crs);
+    put_text(file, variable, "spatial_ref", scale.place->crs);
+}
+
+void put_grid_mapping(int file, int field) {
+    put_text(file, field, "grid_mapping", crs_name);
+}
+
+}  // namespace fumon

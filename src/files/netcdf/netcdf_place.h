@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/grid.h"
+
+namespace fumon {
+
+/// How the coordinates of a fields file run: x = west + (i + 0.5)·dx, y = south + (j + 0.5)·dy.
+struct FilePlace {
+    double west = 0.0;
+    double south = 0.0;
+    double dx = 1.0;
+    double dy = 1.0;
+    bool degrees = false;
+    bool has_crs = false;  ///< a variable `crs` tells the coordinate reference system
+};
+
+/// Where a grid lies in a file: in its reference system where that counts metres or degrees, else
+/// (sites, feet, or nowhere) from its south-west corner.
+FilePlace place_in_file(const WorldScale& scale);
+
+/// Defines the scalar variable `crs` of a scale whose place has one: grid_mapping_name where CF has
+/// one for it without parameters, and the whole system as WKT in crs_wkt, which CF knows, and
+/// spatial_ref, which GDAL writes. The caller holds the NetcdfLock. Throws NetcdfFault.
+void define_crs(int file, const WorldScale& scale);
+
+/// Says that a field lies in that system.
+void put_grid_mapping(int file, int field);
+
+}  // namespace fumon

@@ -1,0 +1,75 @@
+#include "render/view/map_frame.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "base/error.h"
+#include "render/view/camera.h"
+#include "render/view/shown_snapshot.h"
+
+namespace fumon {
+
+namespace {
+
+std::string xml_text(std::string_view text) {
+    std::string escaped;
+    for (const char letter : text) {
+        switch (letter) {
+            case '&':
+                escaped += "&amp;";
+                break;
+            case '<':
+                escaped += "&lt;";
+                break;
+            case '>':
+                escaped += "&gt;";
+                break;
+            default:
+                escaped += letter;
+        }
+    }
+    return escaped;
+}
+
+}  // namespace
+
+MapFrame map_frame(const View& view, const Snapshot& snapshot) {
+    constexpr const char* key = "output.world_files";
+    if (view.camera.projection != Projection::map)
+        throw KeyError(key, "output.world_files belongs to camera.projection = \"map\"");
+    if (!snapshot.scale.in_metres || !snapshot.scale.place) {
+        throw KeyError(key,
+                       "output.world_files takes a terrain file that lies on a map; this bed has "
+                       "no place there");
+    }
+    const std::optional<Snapshot> coarser = shown_snapshot(snapshot, view);
+    const Snapshot& shown = coarser ? *coarser : snapshot;
+    const std::array<double, 4> bed = map_rectangle(view, shown);  // left, top, width, height
+    const GeoReference& place = *snapshot.scale.place;
+    const double width = shown.bed.nx() * shown.scale.dx * (place.dx / snapshot.scale.dx);
+    const double height = shown.bed.ny() * shown.scale.dy * (place.dy / snapshot.scale.dy);
+    const double pixel_x = width / bed[2];
+    const double pixel_y = height / bed[3];
+    return {place.west - bed[0] * pixel_x, place.south + height + bed[1] * pixel_y, pixel_x,
+            pixel_y, place.crs};
+}
+
+std::vector<WorldFile> world_files(const MapFrame& frame) {
+    std::vector<WorldFile> files;
+    files.push_back(
+        {".pgw", fmt::format("{}\n0\n0\n{}\n{}\n{}\n", frame.pixel_x, -frame.pixel_y,
+                             frame.west + 0.5 * frame.pixel_x, frame.north - 0.5 * frame.pixel_y)});
+    const std::string system =
+        frame.crs.empty() ? "" : fmt::format("  <SRS>{}</SRS>\n", xml_text(frame.crs));
+    files.push_back(
+        {".png.aux.xml",
+         fmt::format("<PAMDataset>\n{}  <GeoTransform>{}, {}, 0, {}, 0, {}</GeoTransform>\n"
+                     "</PAMDataset>\n",
+                     system, frame.west, frame.pixel_x, frame.north, -frame.pixel_y)});
+    return files;
+}
+
+}  // namespace fumon
