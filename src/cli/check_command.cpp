@@ -33,11 +33,12 @@ void declare(CLI::App& command, CheckOptions& options) {
     command.add_option("SCENE", options.scenes, "scene files, and film files")->required();
     command.add_flag("--json", options.as_json, "as JSON");
     add_settings(command, options.settings, "override a scene key");
-    add_examples(command,
-                 {{"fumon check my.toml", "all faults at once, each with its line"},
-                  {"fumon check terada-barchans --set model.creep_rate=0.3", "with a number changed"},
-                  {"fumon check my.toml film.toml --json", "for a program"}},
-                 "Exit status: 0 all are fine, 2 something is wrong.");
+    add_examples(
+        command,
+        {{"fumon check my.toml", "all faults at once, each with its line"},
+         {"fumon check terada-barchans --set model.creep_rate=0.3", "with a number changed"},
+         {"fumon check my.toml film.toml --json", "for a program"}},
+        "Exit status: 0 all are fine, 2 something is wrong.");
 }
 
 using Json = nlohmann::ordered_json;
