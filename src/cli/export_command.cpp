@@ -13,6 +13,7 @@
 #include "base/tell.h"
 #include "base/worker_pool.h"
 #include "cli/command.h"
+#include "cli/examples.h"
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
 #include "files/atomic_file.h"
@@ -69,11 +70,12 @@ void declare(CLI::App& command, ExportOptions& options) {
     add_force(command, options.force);
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
-    command.footer(
-        "A GLB has the colours of a picture from above: --set look.palette=… and all other looks "
-        "change it.\nExamples:\n"
-        "  fumon export dem.asc -o dem.stl --size 200 --exaggeration 2\n"
-        "  fumon export out/rain -o rain.pvd");
+    add_examples(
+        command,
+        {{"fumon export dem.asc -o dem.stl --size 200 --exaggeration 2", "to be printed"},
+         {"fumon export out/rain -o rain.pvd", "a run, for ParaView"}},
+        "A GLB has the colours of a picture from above: --set look.palette=… and all other "
+        "looks change it.");
 }
 
 /// A surface as it is printed: its longer side `size` millimetres, standing on z = 0.

@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/snapshot_lookup.h"
 #include "cli/command.h"
+#include "cli/examples.h"
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
 #include "figure/page/page.h"
@@ -62,11 +63,11 @@ void declare(CLI::App& command, ProfileOptions& options) {
     add_force(command, options.force);
     add_settings(command, options.settings,
                  "override a scene key, as grid.cell_size or bed.nodata (repeatable)");
-    command.footer(
-        "The way goes down over the water's surface, where there is water, else over the bed, to "
-        "the edge of\nthe grid; hollows count as filled. Example:\n"
-        "  fumon run dem.asc -o out --set model.rain=30\n"
-        "  fumon profile out --from 1200,800 -o stream.csv --picture stream.png");
+    add_examples(command,
+                 {{"fumon run dem.asc -o out --set model.rain=30", "an hour of rain"},
+                  {"fumon profile out --from 1200,800 -o stream.csv --picture stream.png", ""}},
+                 "The way goes down over the water's surface, where there is water, else over the "
+                 "bed, to the edge of\nthe grid; hollows count as filled.");
 }
 
 struct Place {

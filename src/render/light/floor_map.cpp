@@ -14,7 +14,7 @@ namespace {
 
 constexpr int n = FloorMap::cells;
 constexpr float softening = 0.05F;  // tangent: limbs of the sun moved apart, for a soft shadow
-constexpr int rings = 3;  // cells under the block that take their neighbours' light, for filtering
+constexpr int rings = 5;  // cells under the block that take their neighbours' light, for filtering
 
 /// The light just outside the block continues a little under it, so that filtering does not mix in
 /// what lies on top.
@@ -87,8 +87,9 @@ Field<float> open_sky(const Field<float>& heights, const Field<std::uint8_t>& co
         for (int y = 1; y + 1 < n; ++y) {
             for (int x = 1; x + 1 < n; ++x) {
                 // Beside a wall too, whose slope the sweep takes for the floor's.
-                const float nearby = there(x - 1, y) + there(x + 1, y) + there(x, y - 1) +
-                                     there(x, y + 1) + there(x, y);
+                float nearby = 0.0F;
+                for (int v = y - 1; v <= y + 1; ++v)
+                    nearby += there(x - 1, v) + there(x, v) + there(x + 1, v);
                 mask(x, y) = nearby > 0.0F ? 1 : 0;
             }
         }
