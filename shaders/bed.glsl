@@ -58,6 +58,9 @@ vec2 plants_and_rock(vec2 place) {
     return vec2(smoothstep(0.0, 0.8, ground), smoothstep(0.2, 0.8, -ground));
 }
 
+// Of rock alone; 0 where it is not marked.
+float rock_share(vec2 place) { return marks < 1.5 ? 0.0 : plants_and_rock(place).y; }
+
 // How far a place is bare sand, in which ripples stand.
 float bare_sand(vec2 place) {
     if (marks < 1.5) return 1.0;

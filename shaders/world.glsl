@@ -69,6 +69,10 @@ vec4 sand_colour(SeenPlace at) { return textureGrad(albedo_map, bed_place(at), a
 
 vec3 albedo_of(vec4 sand, float brighter) { return sand.rgb * sand.rgb * (1.0 + brighter); }
 
+// Lengths and places in metres, or, without metres, in units to which a cell is 0.4.
+float metres(float block_lengths) { return block_lengths * (0.12 / ripple_length); }
+vec3 in_metres(vec3 offset) { return vec3(whole_eye + offset.xy, offset.z + eye.z) * (0.12 / ripple_length); }
+
 // What the eye gets of light that leaves the ground.
 vec4 seen(vec3 light, SeenPlace at, vec3 to_eye) {
     float through = exp(-extinction * length(at.offset));

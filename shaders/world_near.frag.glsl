@@ -6,6 +6,7 @@
 #include "oren_nayar.glsl"
 #include "bed.glsl"
 #include "ground.glsl"
+#include "rock.glsl"
 #include "world.glsl"
 
 uniform vec2 wind;           // where it blows to, unit vector
@@ -67,6 +68,7 @@ void main() {
 
     point.normal = normalize(vec3(-slope - tilt, 1.0));
     vec3 albedo = albedo_of(sand, 0.10 * sand_grain * grain(at) + 0.03 * slid * tongue);
+    if (marks > 1.5) weather(point.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), rock_share(place));
     // Troughs see less of the sky.
     point.sky *= 1.0 + 0.4 * ripple_slope * resolved * (wave.y - 1.0);
     colour = seen(ground_light(albedo, point, to_eye, 1.0), at, to_eye);

@@ -1,14 +1,16 @@
-#include <malloc.h>
-
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "base/error.h"
 #include "cli/command_line.h"
-#include "cli/crash.h"
+#include "run/terminal/crash.h"
 
 static int tell_out_of_memory() {
     std::fputs(fumon::out_of_memory.data(), stderr);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/platform.h"
 
 namespace fumon {
 
@@ -20,15 +21,30 @@ std::vector<std::filesystem::path>& added_folders() {
     return folders;
 }
 
+/// A folder below the one that the program was installed to.
+std::optional<std::filesystem::path> beside_program(const char* folder) {
+    const std::filesystem::path program = platform::program_file();
+    if (program.empty()) return std::nullopt;
+    return program.parent_path().parent_path() / folder;
+}
+
+std::optional<std::filesystem::path> found_in(const std::vector<std::filesystem::path>& roots,
+                                              std::string_view relative) {
+    for (const auto& root : roots) {
+        auto candidate = root / relative;
+        std::error_code ignored;
+        if (std::filesystem::exists(candidate, ignored)) return candidate;
+    }
+    return std::nullopt;
+}
+
 std::vector<std::filesystem::path> data_roots() {
     std::vector<std::filesystem::path> roots;
     if (const char* chosen = std::getenv("FUMON_DATA_DIR"); chosen != nullptr && *chosen != '\0') {
         roots.emplace_back(chosen);
     }
     roots.insert(roots.end(), added_folders().begin(), added_folders().end());
-    std::error_code ignored;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-    if (!program.empty()) roots.push_back(program.parent_path().parent_path() / FUMON_SHARE_FOLDER);
+    if (const auto shared = beside_program(FUMON_SHARE_FOLDER)) roots.push_back(*shared);
     roots.emplace_back(FUMON_SOURCE_FOLDER);
     return roots;
 }
@@ -40,12 +56,14 @@ void add_data_folder(std::filesystem::path folder) {
 }
 
 std::optional<std::filesystem::path> find_data_file(std::string_view relative) {
-    for (const auto& root : data_roots()) {
-        auto candidate = root / relative;
-        std::error_code ignored;
-        if (std::filesystem::exists(candidate, ignored)) return candidate;
-    }
-    return std::nullopt;
+    return found_in(data_roots(), relative);
+}
+
+std::optional<std::filesystem::path> find_document(std::string_view relative) {
+    std::vector<std::filesystem::path> roots;
+    if (const auto documents = beside_program(FUMON_DOCUMENT_FOLDER)) roots.push_back(*documents);
+    roots.emplace_back(FUMON_SOURCE_FOLDER);
+    return found_in(roots, relative);
 }
 
 std::filesystem::path data_file(std::string_view relative) {

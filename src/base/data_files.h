@@ -20,4 +20,8 @@ std::filesystem::path data_file(std::string_view relative);
 /// The same path, or none where there is no such file.
 std::optional<std::filesystem::path> find_data_file(std::string_view relative);
 
+/// The path of a file of the documentation that is installed beside the program
+/// (../share/doc/fumon), or else of the source tree.
+std::optional<std::filesystem::path> find_document(std::string_view relative);
+
 }  // namespace fumon

@@ -6,8 +6,8 @@
 
 namespace fumon {
 
-/// Gives the calling thread a name (cut at 15 letters). Threads that a library starts from it
-/// inherit it.
+/// Gives the calling thread a name (cut at what the system keeps, 15 letters on Linux). Threads
+/// that a library starts from it inherit it.
 void name_this_thread(const std::string& name);
 
 /// CPU seconds (user and system) that this process's living threads of these names have used.

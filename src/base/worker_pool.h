@@ -16,7 +16,8 @@ namespace fumon {
 class WorkerPool {
   public:
     /// threads ≥ 1; 0 takes as many as the machine has processors. `name` (at most 15 letters) is
-    /// what the system calls its threads, by which their CPU time is told apart.
+    /// what the system calls its threads, by which their CPU time is told apart. Throws
+    /// std::system_error where the system has no more threads.
     explicit WorkerPool(int threads = 0, std::string name = "fumon-work");
     ~WorkerPool();
     WorkerPool(const WorkerPool&) = delete;
@@ -33,6 +34,7 @@ class WorkerPool {
     template <class Condition>
     static void look_a_moment(Condition condition);
     void work(int worker);
+    void stop();
     void run_share(int share);
 
     std::string name_;

@@ -11,16 +11,18 @@
 #include "figure/canvas/figure_metadata.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
+#include "film/film_again.h"
 #include "outputs/output_claims.h"
 #include "paper/figure_files.h"
 #include "paper/figure_make.h"
 #include "paper/figure_page.h"
 #include "run/drawing.h"
+#include "run/inputs/find_input.h"
 #include "run/picture_text.h"
 #include "run/pipeline.h"
 #include "run/still.h"
 #include "run/terminal/interrupt.h"
-#include "scene/find_input.h"
+#include "scene/input_maps.h"
 #include "scene/read.h"
 #include "scene/scene_files.h"
 #include "scene/trust.h"
@@ -39,7 +41,9 @@ struct AgainOptions {
 };
 
 void declare(CLI::App& command, AgainOptions& options) {
-    command.add_option("PICTURE", options.picture, "a PNG, MP4, PDF or SVG that fumon made")
+    command
+        .add_option("PICTURE", options.picture,
+                    "a PNG, MP4, PDF or SVG that fumon made, or a film of any format")
         ->required();
     command
         .add_option("-o,--output", options.output,
@@ -202,10 +206,17 @@ PreparedRun prepare(Scene scene, std::int64_t step, int threads) {
     return prepare_run(std::move(prepared), threads);
 }
 
+/// Whether a scene reads a file that the command line names.
+bool reads_another_file(Scene& scene) {
+    return std::ranges::any_of(input_keys(scene), [&](const InputKey& key) {
+        return scene.set_on_command_line(key.path);
+    });
+}
+
 /// The movie alone, up to the frame with which the first one ended.
 int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& origin) {
     PreparedRun prepared = prepare(std::move(scene), origin.step, options.work.threads);
-    if (!prepared.initial.inputs.empty() && !prepared.scene.set_on_command_line("bed.file"))
+    if (!prepared.initial.inputs.empty() && !reads_another_file(prepared.scene))
         prepared.initial.inputs = origin.inputs;  // as they were named then
     PipelineOptions how{options.work.backend, options.work.threads};
     how.last_step = origin.step;
@@ -251,24 +262,29 @@ int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& w
     return 0;
 }
 
-/// Makes the scene's bed file the one that its metadata lists, as it lies now; a file given on the
-/// command line stays.
-void find_bed(Scene& scene, const PictureOrigin& origin, const std::string& picture) {
-    if (bed_kind(scene) != BedKind::file || scene.set_on_command_line("bed.file")) return;
-    const InputFile* input = find_by(origin.inputs, &InputFile::path, scene.bed.file);
-    if (input == nullptr) {
-        throw InputError(fmt::format(
-            "{}: its scene starts from {}, which its metadata does not list with its SHA-256; to "
-            "start from a file of your own, give it with --set bed.file=FILE",
-            picture, scene.bed.file));
+/// Makes the files that the scene reads those that its metadata lists, as they lie now; a file
+/// given on the command line stays.
+void find_listed(Scene& scene, const PictureOrigin& origin, const std::string& picture) {
+    for (const InputKey& key : input_keys(scene)) {
+        if (scene.set_on_command_line(key.path)) continue;
+        const InputFile* input = find_by(origin.inputs, &InputFile::path, *key.file);
+        if (input == nullptr) {
+            throw InputError(fmt::format(
+                "{}: its scene starts from {}, which its metadata does not list with its SHA-256; "
+                "to start from a file of your own, give it with --set {}=FILE",
+                picture, *key.file, key.path));
+        }
+        *key.file = find_input(*input, picture, origin.is_movie ? "movie" : "picture").string();
     }
-    scene.bed.file = find_input(*input, picture, origin.is_movie ? "movie" : "picture").string();
 }
 
 int perform(const AgainOptions& options) {
     const InterruptGuard guard;
     if (const FigureMetadata texts = figure_texts(options.picture); is_figure(texts))
         return figure_again(options, read_figure_origin(texts, options.picture));
+    if (is_made_film(options.picture))
+        return make_film_again(
+            {options.picture, options.output, options.force, options.trust, options.work});
     const PictureOrigin origin = read_origin(options.picture);
     if (!options.output.empty())
         check_ending(options.output, origin.is_movie ? "a movie" : "a picture",
@@ -280,7 +296,7 @@ int perform(const AgainOptions& options) {
                                hashes_of(origin.inputs), origin.version},
                               read_settings(options.work.settings));
     check_limits(scene, 1, origin.step);
-    find_bed(scene, origin, options.picture);
+    find_listed(scene, origin, options.picture);
     return origin.is_movie ? movie_again(std::move(scene), options, origin)
                            : picture_again(std::move(scene), options, work, origin);
 }

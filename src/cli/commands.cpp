@@ -8,6 +8,7 @@
     COMMAND(still)              \
     COMMAND(hop_law)            \
     COMMAND(film)               \
+    COMMAND(gallery)            \
     COMMAND(render)             \
     COMMAND(again)              \
     COMMAND(measure)            \

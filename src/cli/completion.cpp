@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "cli/scene_argument.h"
 #include "cli/shipped_scenes.h"
-#include "film/film_keys.h"
+#include "film/script/film_keys.h"
 #include "scene/describe.h"
 #include "scene/read.h"
 

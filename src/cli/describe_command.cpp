@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "cli/command.h"
 #include "cli/examples.h"
-#include "film/film_keys.h"
+#include "film/script/film_keys.h"
 #include "scene/describe.h"
 
 namespace fumon {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -18,6 +19,7 @@
 #include "cli/snapshot_argument.h"
 #include "files/atomic_file.h"
 #include "files/netcdf/netcdf_record.h"
+#include "files/terrain/terrain_format.h"
 #include "mesh/glb.h"
 #include "mesh/height_mesh.h"
 #include "mesh/stl.h"
@@ -26,15 +28,33 @@
 #include "picture/png.h"
 #include "run/drawing.h"
 #include "run/frame_painter.h"
+#include "run/still.h"
 #include "scene/terrain_scene.h"
 
 namespace fumon {
 
 namespace {
 
+/// What a bed may become. `terrain` names its format among those of terrain; empty: a surface.
+struct ExportKind {
+    std::string_view name;    ///< --as
+    std::string_view ending;  ///< of a file's name, after which it is taken; the longest wins
+    std::string_view terrain{};
+};
+
+constexpr std::array<ExportKind, 7> export_kinds{
+    {{"vts", ".vts"},
+     {"pvd", ".pvd"},
+     {"glb", ".glb"},
+     {"stl", ".stl"},
+     {"cloud-optimized-geotiff", ".cog.tif", "cloud-optimized-geotiff"},
+     {"geotiff", ".tif", "geotiff"},
+     {"esri-ascii", ".asc", "esri-ascii"}}};
+
 struct ExportOptions {
-    std::string input;  ///< a run's folder, a fields.nc or a terrain file
-    std::string output;
+    std::string input;   ///< a run's folder, a fields.nc or a terrain file
+    std::string output;  ///< a file, or "-"
+    std::string as;      ///< the name of a kind; empty: by the file's ending
     std::string heights;
     double exaggeration = 1.0;
     double size = 150.0;  ///< mm, of the longer side of an STL
@@ -53,9 +73,15 @@ void declare(CLI::App& command, ExportOptions& options) {
         .add_option(
             "-o,--output", options.output,
             "VTK for ParaView (.vts, or .pvd with a .vts for each record of fields.nc), GLB "
-            "for slides (.glb), STL for printing (.stl)")
+            "for slides (.glb), STL for printing (.stl), a grid of heights (.asc, .tif, .cog.tif); "
+            "- is standard output")
         ->type_name("FILE")
         ->required();
+    std::vector<std::string> names;
+    names.reserve(export_kinds.size());
+    for (const ExportKind& kind : export_kinds) names.emplace_back(kind.name);
+    add_word(command, "--as", options.as, names,
+             "what it becomes, where the name does not say (for standard output esri-ascii)");
     constexpr double largest = 1e6;
     add_number(command, "--exaggeration", options.exaggeration, 1e-6, largest,
                "vertical (default 1)");
@@ -73,7 +99,9 @@ void declare(CLI::App& command, ExportOptions& options) {
     add_examples(
         command,
         {{"fumon export dem.asc -o dem.stl --size 200 --exaggeration 2", "to be printed"},
-         {"fumon export out/rain -o rain.pvd", "a run, for ParaView"}},
+         {"fumon export out/rain -o rain.pvd", "a run, for ParaView"},
+         {"fumon export out/dunes -o bed.tif", "its last bed, for GIS"},
+         {"fumon export out/dunes -o - | awk 'NR > 6' > bed.txt", "to a program"}},
         "A GLB has the colours of a picture from above: --set look.palette=… and all other "
         "looks change it.");
 }
@@ -146,32 +174,95 @@ void write_series(const ExportOptions& options, const std::string& input, Output
     write_file(options.output, pvd_file(written));
 }
 
-int perform(const ExportOptions& options) {
-    static constexpr std::array<std::string_view, 4> endings{".vts", ".pvd", ".glb", ".stl"};
-    check_ending(options.output, "a surface", endings);
-    const std::string ending = small_ending(options.output);
-    const std::string input = last_state_of(options.input).string();
-    OutputClaims claims(options.force);
-    claims.reads(input);
-    claims.writes(options.output);
-    if (ending == ".glb") prepare_drawing(options.work);
-    if (ending == ".pvd") {
-        write_series(options, input, claims);
-        return 0;
+bool to_standard_output(const ExportOptions& options) {
+    return options.output == standard_output;
+}
+
+std::string in_small_letters(std::string text) {
+    for (char& letter : text) {
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
     }
+    return text;
+}
+
+const ExportKind& kind_of(const ExportOptions& options) {
+    std::string asked = options.as;
+    if (asked.empty() && to_standard_output(options)) asked = "esri-ascii";
+    const std::string file = in_small_letters(options.output);
+    std::string endings;
+    for (const ExportKind& kind : export_kinds) {
+        const bool is_meant = asked.empty() ? file.ends_with(kind.ending) : kind.name == asked;
+        if (is_meant) return kind;
+        endings += fmt::format("{}{}", endings.empty() ? "" : ", ", kind.ending);
+    }
+    throw InputError(fmt::format("{}: the name of what is exported ends in {}; or say it by --as",
+                                 options.output, endings));
+}
+
+/// The files of a kind that is not a series: the first is FILE itself, others stand beside it.
+std::vector<TerrainBytes> exported(const ExportOptions& options, const ExportKind& kind,
+                                   const std::string& input) {
     const Snapshot snapshot = read_snapshot(input, options.heights, options.work.settings);
-    if (ending == ".vts") {
-        write_file(options.output, vts_file(snapshot, options.exaggeration));
-        return 0;
+    std::vector<TerrainBytes> files;
+    if (!kind.terrain.empty()) return bed_files(snapshot, std::array{std::string(kind.terrain)});
+    if (kind.name == "vts") {
+        files.push_back({".vts", vts_file(snapshot, options.exaggeration)});
+        return files;
     }
     const HeightMesh mesh =
         height_mesh(snapshot, options.exaggeration, static_cast<std::size_t>(options.triangles));
     tell_coarser(mesh);
-    if (ending == ".stl") {
-        write_file(options.output, stl_file(printed(mesh, options.size, options.base)));
-    } else {
-        write_file(options.output, glb_file(mesh, texture_of(options, input, snapshot)));
+    const bool prints = kind.name == "stl";
+    files.push_back(
+        {std::string(kind.ending), prints ? stl_file(printed(mesh, options.size, options.base))
+                                          : glb_file(mesh, texture_of(options, input, snapshot))});
+    return files;
+}
+
+/// FILE without the ending of its kind, where it has it.
+std::string stem_of(const ExportOptions& options, const ExportKind& kind) {
+    const std::string& file = options.output;
+    const bool has_ending = in_small_letters(file).ends_with(kind.ending);
+    return has_ending ? file.substr(0, file.size() - kind.ending.size()) : file;
+}
+
+void check_kind(const ExportOptions& options, const ExportKind& kind) {
+    if (to_standard_output(options)) {
+        if (kind.name == "pvd") throw InputError("-o -: a .pvd names its .vts files; name a file");
+        if (kind.name != "esri-ascii") refuse_terminal("what is exported is no text", "bed.tif");
+        return;
     }
+    if (kind.terrain.empty()) return;
+    const TerrainFormat& format = *find_written_format(kind.terrain);
+    if (!format.lacks.empty()) {
+        throw InputError(fmt::format("{}: {} needs GDAL, and this fumon was built without it; {}",
+                                     options.output, format.title, format.lacks));
+    }
+}
+
+int perform(const ExportOptions& options) {
+    const ExportKind& kind = kind_of(options);
+    check_kind(options, kind);
+    const std::string input = last_state_of(options.input).string();
+    OutputClaims claims(options.force);
+    claims.reads(input);
+    if (kind.name == "glb") prepare_drawing(options.work);
+    if (to_standard_output(options)) {
+        const std::string bytes = exported(options, kind, input).front().bytes;
+        std::fwrite(bytes.data(), 1, bytes.size(), stdout);  // looked at when the program ends
+        return 0;
+    }
+    claims.writes(options.output);
+    if (kind.name == "pvd") {
+        write_series(options, input, claims);
+        return 0;
+    }
+    const std::string stem = stem_of(options, kind);
+    const std::vector<TerrainBytes> files = exported(options, kind, input);
+    for (std::size_t n = 1; n < files.size(); ++n) claims.writes(stem + files[n].ending);
+    for (std::size_t n = 1; n < files.size(); ++n)
+        write_file(stem + files[n].ending, files[n].bytes);
+    write_file(options.output, files.front().bytes);
     return 0;
 }
 
@@ -179,7 +270,8 @@ int perform(const ExportOptions& options) {
 
 Command export_command() {
     return make_command<ExportOptions>(
-        "export", "a bed, or a run's fields, for ParaView (VTK), slides (GLB) and printers (STL)",
+        "export",
+        "a bed, or a run's fields, for ParaView (VTK), slides (GLB), printers (STL) and GIS",
         declare, perform);
 }
 

@@ -1,26 +1,19 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "base/data_files.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "cli/command.h"
 #include "cli/commands.h"
 #include "cli/examples.h"
 #include "cli/shared_options.h"
-#include "files/input_file.h"
-#include "files/json_text.h"
+#include "film/beds/film_runs.h"
 #include "film/film_read.h"
 #include "film/make_film.h"
-#include "film/stored_beds.h"
 #include "outputs/output_claims.h"
-#include "outputs/own_file.h"
-#include "picture/movie_format.h"
 #include "run/drawing.h"
 #include "run/terminal/interrupt.h"
 
@@ -31,24 +24,27 @@ namespace {
 namespace fs = std::filesystem;
 
 struct FilmOptions {
-    std::string run;     ///< the folder of a finished run
-    std::string film;    ///< a film file (TOML)
-    std::string output;  ///< empty: by the film's name, here
+    std::vector<std::string> runs;  ///< folders of finished runs and of sweeps
+    std::string film;               ///< a film file (TOML)
+    std::string output;             ///< empty: by the film's name, here
     std::vector<std::string> formats;
     std::string most_bytes;
     bool draft = false;
+    bool resume = false;
     bool force = false;
     WorkOptions work;
 };
 
 void declare(CLI::App& command, FilmOptions& options) {
-    command.add_option("RUN", options.run, "the folder of a finished run that stored beds")
-        ->required();
     command
         .add_option(
-            "FILM", options.film,
-            "a film file (TOML), the name of one that fumon ships, or an MP4 or PNG of a film")
+            "RUN", options.runs,
+            "the folder of a finished run that stored beds; or several, or that of a sweep, "
+            "side by side")
         ->required();
+    command.add_option(
+        "FILM", options.film,
+        "last: a film file (TOML), the name of one that fumon ships, or an MP4 or PNG of a film");
     command
         .add_option("-o,--output", options.output,
                     "the file; its ending says the format (default: FILM.mp4 here)")
@@ -66,6 +62,9 @@ void declare(CLI::App& command, FilmOptions& options) {
         .add_flag("--draft", options.draft,
                   "a quarter of each side and a tenth of the frames, and a contact sheet")
         ->excludes(formats);
+    command.add_flag("--resume", options.resume,
+                     "keep the frames in FILE.frames until the film is whole; given again, an "
+                     "interrupted film goes on where it stopped");
     add_force(command, options.force);
     add_settings(command, options.work.settings,
                  "override a film key: --set film.size=vertical (repeatable)");
@@ -75,81 +74,55 @@ void declare(CLI::App& command, FilmOptions& options) {
         command,
         {{"fumon film out/run barchans -o film.mp4", "a film that fumon ships, of a run of yours"},
          {"fumon film out/run film.toml --draft", "small and quick"},
+         {"fumon film out/wet out/dry film.toml", "two runs side by side, in step"},
+         {"fumon film out/one out/two trailer.toml",
+          "pieces of several films, one after the other"},
          {"fumon film out/run film.toml --formats talk,gif --max-size 8MB", "several files"}},
         "Nothing is simulated: the run stores beds when its scene says output.fields_every=N.\n"
         "`fumon describe film` lists the keys of a film.");
 }
 
-/// A film file, or one of scenes/films.
-fs::path film_argument(const std::string& film) {
-    std::error_code fault;
-    if (fs::exists(film, fault) || fs::path(film).has_parent_path()) return film;
-    const std::string name = fs::path(film).has_extension() ? film : film + ".toml";
-    if (const auto shipped = find_data_file("scenes/films/" + name)) return *shipped;
-    return film;
-}
+struct Arguments {
+    std::vector<std::string> runs;
+    std::string film;
+};
 
-/// Whether the sidecar of a file says that fumon made both.
-bool is_own_sidecar(const fs::path& sidecar) {
-    std::error_code fault;
-    if (!fs::is_regular_file(sidecar, fault)) return false;
-    try {
-        const auto json = parse_json(read_input_file(sidecar));
-        return json.value("Software", std::string()).starts_with("fumon ");
-    } catch (const nlohmann::json::exception&) {
-        return false;
-    }
-}
-
-bool is_own(const fs::path& film) {
-    return is_own_sidecar(sidecar_of(film)) || says_that_fumon_made_it(film);
-}
-
-/// Captions say nothing of who wrote them: they belong to the film beside them.
-bool are_own_captions(fs::path captions) {
-    return std::ranges::any_of(movie_formats(), [&](const MovieFormat& format) {
-        const fs::path film = captions.replace_extension(format.ending);
-        std::error_code fault;
-        return fs::exists(film, fault) && is_own(film);
-    });
-}
-
-void claim(OutputClaims& claims, const FilmOutput& output) {
-    const std::string& format = output.film.settings.format;
-    const bool movie = format != "sheet" && format != "poster";
-    claims.writes(output.file, is_own(output.file));
-    if (!movie) return;
-    if (!output.film.captions.empty()) {
-        const fs::path captions = captions_of(output.file);
-        claims.writes(captions, are_own_captions(captions));
-    }
-    if (small_ending(output.file) != ".mp4")
-        claims.writes(sidecar_of(output.file), is_own_sidecar(sidecar_of(output.file)));
+/// CLI11 gives all of them to the runs; the last one is the film.
+Arguments arguments_of(const FilmOptions& options) {
+    Arguments arguments{options.runs, options.film};
+    if (!arguments.film.empty()) return arguments;
+    if (arguments.runs.size() < 2)
+        throw InputError("fumon film: FILM is missing; try `fumon film --help`");
+    arguments.film = arguments.runs.back();
+    arguments.runs.pop_back();
+    return arguments;
 }
 
 int perform(const FilmOptions& options) {
     const InterruptGuard guard;
-    const fs::path file = film_argument(options.film);
+    const Arguments arguments = arguments_of(options);
+    const fs::path file = film_file(arguments.film);
     const FilmText text = film_text(file);
-    const Film film = parse_film(text.text, file.string(), options.work.settings);
     const bool again = small_ending(file) != ".toml";
+    const Film film = parse_film(text.text, file.string(), options.work.settings, !again);
     const fs::path usual =
         file.stem().string() + (again ? "-again" : "") + ending_of(film.settings.format);
     const fs::path named = options.output.empty() ? usual : fs::path(options.output);
-    const std::vector<FilmOutput> outputs =
+    std::vector<FilmOutput> outputs =
         options.draft
             ? draft_outputs(film, named)
             : film_outputs(film, named, options.formats,
                            options.most_bytes.empty() ? 0 : bytes_of_size(options.most_bytes));
+    for (FilmOutput& output : outputs) output.goes_on = options.resume;
     prepare_drawing(options.work);
-    const StoredBeds beds(options.run, options.work.threads);
+    const FilmRuns runs(arguments.runs, options.work.threads, showing_of(film));
     OutputClaims claims(options.force);
     claims.reads(file);
-    claims.reads(beds.files());
-    for (const FilmOutput& output : outputs) claim(claims, output);
+    claims.reads(runs.files());
+    for (const FilmOutput& output : outputs) claim_film(claims, output);
     StatusLine status(options.work.verbosity);
     for (const FilmOutput& output : outputs) {
-        const MadeFilm made = make_film(output, beds, text.remake, options.work, status);
+        const MadeFilm made = make_film(output, runs, text.remake, options.work, status);
         if (made.signal != 0) return exit_status_of_signal(made.signal);
         const FilmSize size = film_size(output.film);
         const bool padded = made.width > size.width || made.height > size.height;

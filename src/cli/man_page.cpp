@@ -6,7 +6,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "film/film_keys.h"
+#include "film/script/film_keys.h"
 #include "scene/describe.h"
 
 namespace fumon {

@@ -28,7 +28,8 @@ struct MeasureOptions {
     std::vector<int> drop;    ///< x and y of a pile's drop site; empty: its middle
     std::string earlier;      ///< a bed of the same run, for celerity
     std::int64_t steps_between = 0;
-    std::string window;  ///< "low:high", cells: where avalanche sizes are fitted
+    std::string window;         ///< "low:high", cells: where avalanche sizes are fitted
+    double channel_area = 0.0;  ///< of the network; 0: none
     bool as_json = false;
     std::vector<std::string> settings;
 };
@@ -65,6 +66,10 @@ void declare(CLI::App& command, MeasureOptions& options) {
         .add_option("--window", options.window,
                     "sizes over which avalanches.csv is fitted (default 10:100)")
         ->type_name("LOW:HIGH");
+    constexpr double largest_area = 1e15;
+    add_number(command, "--channel-area", options.channel_area, 0, largest_area,
+               "also the network of channels through which at least this area drains, m2")
+        ->type_name("AREA");
     add_heights(command, options.heights);
     add_settings(command, options.settings,
                  "override a scene key, as grid.cell_size or bed.nodata (repeatable)");
@@ -72,6 +77,7 @@ void declare(CLI::App& command, MeasureOptions& options) {
         command,
         {{"fumon measure out/run/fields.nc", "the last record of a run"},
          {"fumon measure terrain.asc --open --json", "a terrain file, for a program"},
+         {"fumon measure terrain.asc --channel-area 1e6", "its streams: orders, spacing, density"},
          {"fumon measure late.asc --earlier early.asc --steps 100", "how fast crests move"},
          {"fumon measure out/run/avalanches.csv --window 10:100",
           "how avalanche sizes are spread"}},
@@ -120,7 +126,7 @@ std::vector<MeasuredValue> measured(const MeasureOptions& options) {
     place_drop_site(options, bed);
     const Landform measured_as = landform(options, bed);
     if (!options.as.empty()) bed.landform = measured_as;
-    MeasureSuite suite(measured_as, bed);
+    MeasureSuite suite(measured_as, bed, {options.channel_area});
     std::vector<double> values;
     if (options.earlier.empty()) {
         values = suite.row(bed);

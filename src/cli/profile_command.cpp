@@ -4,7 +4,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -21,24 +23,30 @@
 #include "figure/panels/profile_panel.h"
 #include "files/atomic_file.h"
 #include "files/csv_table.h"
-#include "measure/bed/stream_path.h"
+#include "measure/network/line_places.h"
+#include "measure/network/stream_path.h"
 #include "outputs/output_claims.h"
 #include "picture/png.h"
+#include "run/still.h"
 
 namespace fumon {
 
 namespace {
 
 struct ProfileOptions {
-    std::string input;        ///< a run's folder, a fields.nc or a terrain file
-    std::string from;         ///< "x,y"
-    bool on_map = false;      ///< in the file's coordinates
-    std::string table;        ///< a CSV; empty: standard output
-    std::string picture;      ///< a PNG, PDF or SVG; empty: none
-    double exaggeration = 0;  ///< 0: as large as the frame allows
+    std::string input;               ///< a run's folder, a fields.nc or a terrain file
+    std::string from;                ///< "x,y"; empty: the head of the longest way down
+    std::vector<std::string> along;  ///< "x,y" each: a line instead of a stream
+    bool on_map = false;             ///< in the file's coordinates
+    std::string table;               ///< a CSV; empty: standard output
+    std::string picture;             ///< a PNG, PDF or SVG; empty: none
+    double exaggeration = 0;         ///< 0: as large as the frame allows
     bool force = false;
     std::vector<std::string> settings;
 };
+
+/// Of a line.
+constexpr int most_corners = 10'000;
 
 void declare(CLI::App& command, ProfileOptions& options) {
     command
@@ -47,12 +55,19 @@ void declare(CLI::App& command, ProfileOptions& options) {
         ->required();
     command
         .add_option("--from", options.from,
-                    "where the stream begins: metres east and north of the bed's south-west corner")
+                    "where the stream begins: metres east and north of the bed's south-west corner "
+                    "(default: at the head of the longest)")
+        ->type_name("X,Y");
+    auto* from = command.get_option("--from");
+    command
+        .add_option("--along", options.along,
+                    "a line through these places, instead of a stream: two or more, as --from")
         ->type_name("X,Y")
-        ->required();
+        ->expected(2, most_corners)
+        ->excludes(from);
     command.add_flag("--map", options.on_map,
-                     "--from is in the coordinates of the terrain file: metres, or longitude and "
-                     "latitude");
+                     "places are in the coordinates of the terrain file: metres, feet, or "
+                     "longitude and latitude");
     command.add_option("-o,--output", options.table, "the table (default: standard output)")
         ->type_name("FILE.csv");
     command.add_option("--picture", options.picture, "a figure of the profile: PNG, PDF or SVG")
@@ -63,11 +78,15 @@ void declare(CLI::App& command, ProfileOptions& options) {
     add_force(command, options.force);
     add_settings(command, options.settings,
                  "override a scene key, as grid.cell_size or bed.nodata (repeatable)");
-    add_examples(command,
-                 {{"fumon run dem.asc -o out --set model.rain=30", "an hour of rain"},
-                  {"fumon profile out --from 1200,800 -o stream.csv --picture stream.png", ""}},
-                 "The way goes down over the water's surface, where there is water, else over the "
-                 "bed, to the edge of\nthe grid; hollows count as filled.");
+    add_examples(
+        command,
+        {{"fumon run dem.asc -o out --set model.rain=30", "an hour of rain"},
+         {"fumon profile out --from 1200,800 -o stream.csv --picture stream.png", ""},
+         {"fumon profile dem.asc --picture stream.png", "the longest stream of a terrain"},
+         {"fumon profile dem.asc --along 0,0 600,400 900,400 --picture line.png",
+          "a line of your own"}},
+        "A stream's way goes down over the water's surface, where there is water, else over the "
+        "bed, to the edge of\nthe grid; hollows count as filled.");
 }
 
 struct Place {
@@ -75,7 +94,7 @@ struct Place {
     double y = 0.0;
 };
 
-Place parse_place(const std::string& text) {
+Place parse_place(const std::string& text, const char* option) {
     Place place;
     const char* end = text.data() + text.size();
     const auto first = std::from_chars(text.data(), end, place.x);
@@ -83,80 +102,143 @@ Place parse_place(const std::string& text) {
     const auto second = comma ? std::from_chars(first.ptr + 1, end, place.y) : first;
     if (!comma || second.ec != std::errc{} || second.ptr != end || !std::isfinite(place.x) ||
         !std::isfinite(place.y))
-        throw InputError(fmt::format("--from is \"{}\"; it takes X,Y, for example 1200,800", text));
+        throw InputError(
+            fmt::format("{} is \"{}\"; it takes X,Y, for example 1200,800", option, text));
     return place;
 }
 
 /// Where a place lies in cells from the south-west corner.
-Place in_cells(const ProfileOptions& options, const Snapshot& snapshot) {
-    const Place given = parse_place(options.from);
+Place in_cells(const ProfileOptions& options, const std::string& text, const char* option,
+               const Snapshot& snapshot) {
+    const Place given = parse_place(text, option);
     const WorldScale& scale = snapshot.scale;
-    if (!options.on_map) return {given.x / scale.dx, given.y / scale.dy};
-    if (!scale.place)
+    if (options.on_map && !scale.place)
         throw InputError(fmt::format(
-            "--map: {} lies nowhere on a map; leave the option out, and --from is in metres from "
+            "--map: {} lies nowhere on a map; leave the option out, and {} is in metres from "
             "the south-west corner",
-            options.input));
-    return {(given.x - scale.place->west) / scale.place->dx,
-            (given.y - scale.place->south) / scale.place->dy};
+            options.input, option));
+    const GeoReference bed{0.0, 0.0, scale.dx, scale.dy};
+    const GeoReference& place = options.on_map ? *scale.place : bed;
+    const Place found{(given.x - place.west) / place.dx, (given.y - place.south) / place.dy};
+    const int nx = snapshot.bed.nx();
+    const int ny = snapshot.bed.ny();
+    if (found.x >= 0.0 && found.y >= 0.0 && found.x <= nx && found.y <= ny) return found;
+    const char* const unit = !scale.in_metres       ? "sites"
+                             : !options.on_map      ? "m"
+                             : scale.place->degrees ? "degrees"
+                                                    : "of its unit";
+    throw InputError(fmt::format(
+        "{} {} lies outside the grid, which goes from {:.10g},{:.10g} to {:.10g},{:.10g} {}",
+        option, text, place.west, place.south, place.west + place.dx * nx,
+        place.south + place.dy * ny, unit));
+}
+
+/// Where the longest way down begins.
+Place longest_way(const FlowRouting& routing) {
+    const std::int32_t head = longest_way_head(routing);
+    if (head == FlowRouting::outlet) throw InputError("the terrain has no cell with data");
+    const int nx = routing.level.nx();
+    const int x = head % nx;
+    const int y = head / nx;
+    return {static_cast<double>(x), static_cast<double>(y)};
 }
 
 /// Bed and water along a way, metres (or sites and model heights).
 struct Profile {
     std::vector<double> distance;
-    std::vector<double> x;  ///< in the coordinates of --from
+    std::vector<double> x;  ///< in the coordinates of the places
     std::vector<double> y;
     std::vector<double> bed;
     std::vector<double> level;
+    std::vector<double> area;  ///< that drains through the place; of a stream
 };
 
-Profile profile_of(const ProfileOptions& options, const Snapshot& snapshot) {
-    const WorldScale& scale = snapshot.scale;
-    const double slope = number_of(snapshot, "mean_slope").value_or(0.0);
-    const double slope_x = number_of(snapshot, "mean_slope_x").value_or(0.0);
-    const Grid* depth = field_of(snapshot.fields, "water_depth");
-    Grid bed = snapshot.bed;
-    Grid level = snapshot.bed;
-    for (int y = 0; y < bed.ny(); ++y) {
-        for (int x = 0; x < bed.nx(); ++x) {
-            const double plane = slope * scale.dy * y - slope_x * scale.dx * x;
-            bed(x, y) = bed(x, y) * scale.height_unit + plane;
-            level(x, y) = bed(x, y) + (depth == nullptr ? 0.0 : (*depth)(x, y));
-        }
-    }
-    const Place start = in_cells(options, snapshot);
-    const bool inside =
-        start.x >= 0.0 && start.y >= 0.0 && start.x < bed.nx() && start.y < bed.ny();
-    if (!inside) {
-        throw InputError(fmt::format(
-            "--from {} lies outside the grid, which is {:.6g} by {:.6g} {}", options.from,
-            scale.dx * bed.nx(), scale.dy * bed.ny(), scale.in_metres ? "m" : "sites"));
-    }
-    const StreamPath path = stream_path(level, snapshot.nodata, scale.dx, scale.dy,
-                                        static_cast<int>(start.x), static_cast<int>(start.y));
+/// The level of the water, or of the bed where there is none.
+Grid level_of(const Snapshot& snapshot, const Grid& bed) {
+    Grid level = bed;
+    if (const Grid* depth = field_of(snapshot.fields, "water_depth"))
+        std::ranges::transform(bed.values(), depth->values(), level.values().begin(), std::plus{});
+    return level;
+}
+
+/// Writes a place, of the grid's cells, into a profile.
+void add_place(Profile& profile, const GeoReference& place, double x, double y) {
+    profile.x.push_back(place.west + x * place.dx);
+    profile.y.push_back(place.south + y * place.dy);
+}
+
+Profile stream_of(const ProfileOptions& options, const Snapshot& snapshot, const Grid& bed,
+                  const Grid& level, const GeoReference& place) {
+    const FlowRouting routing =
+        route_flow(level, snapshot.nodata, snapshot.scale.dx, snapshot.scale.dy);
+    const Grid area = drainage_area(routing);
+    const Place start = options.from.empty() ? longest_way(routing)
+                                             : in_cells(options, options.from, "--from", snapshot);
+    const StreamPath path =
+        stream_path(routing, snapshot.nodata, std::min(static_cast<int>(start.x), bed.nx() - 1),
+                    std::min(static_cast<int>(start.y), bed.ny() - 1));
     Profile profile;
     profile.distance = path.distance;
-    const GeoReference grid{0.0, 0.0, scale.dx, scale.dy};
-    const GeoReference& place = options.on_map ? *scale.place : grid;
     for (std::size_t i = 0; i < path.x.size(); ++i) {
-        profile.x.push_back(place.west + (path.x[i] + 0.5) * place.dx);
-        profile.y.push_back(place.south + (path.y[i] + 0.5) * place.dy);
+        add_place(profile, place, path.x[i] + 0.5, path.y[i] + 0.5);
         profile.bed.push_back(bed(path.x[i], path.y[i]));
         profile.level.push_back(level(path.x[i], path.y[i]));
+        profile.area.push_back(area(path.x[i], path.y[i]));
     }
     return profile;
 }
 
+Profile line_of(const ProfileOptions& options, const Snapshot& snapshot, const Grid& bed,
+                const Grid& level, const GeoReference& place) {
+    std::vector<std::array<double, 2>> corners;
+    for (const std::string& text : options.along) {
+        const Place corner = in_cells(options, text, "--along", snapshot);
+        if (!corners.empty() && corners.back() == std::array{corner.x, corner.y})
+            throw InputError(fmt::format("--along names {} twice, one after the other", text));
+        corners.push_back({corner.x, corner.y});
+    }
+    Profile profile;
+    for (const LinePlace& at : places_along(corners, snapshot.scale.dx, snapshot.scale.dy)) {
+        profile.distance.push_back(at.distance);
+        add_place(profile, place, at.x, at.y);
+        profile.bed.push_back(value_between(bed, snapshot.nodata, at.x, at.y));
+        profile.level.push_back(value_between(level, snapshot.nodata, at.x, at.y));
+    }
+    if (std::ranges::none_of(profile.bed, [](double height) { return std::isfinite(height); }))
+        throw InputError("--along: no cell under the line has data");
+    return profile;
+}
+
+Profile profile_of(const ProfileOptions& options, const Snapshot& snapshot) {
+    const Grid bed = ground_of(snapshot);
+    const Grid level = level_of(snapshot, bed);
+    const GeoReference grid{0.0, 0.0, snapshot.scale.dx, snapshot.scale.dy};
+    const bool on_map = options.on_map && snapshot.scale.place;
+    const GeoReference& place = on_map ? *snapshot.scale.place : grid;
+    return options.along.empty() ? stream_of(options, snapshot, bed, level, place)
+                                 : line_of(options, snapshot, bed, level, place);
+}
+
+/// A number of a table; nothing where there is none.
+std::string number_in(const char* form, double value) {
+    return std::isfinite(value) ? fmt::format(fmt::runtime(form), value) : "";
+}
+
 std::string table_of(const Profile& profile, bool in_metres) {
     const std::string unit = in_metres ? "_m" : "";
-    std::string text =
-        csv_line({"distance" + unit, "x", "y", "level" + unit, "bed" + unit, "depth" + unit});
+    std::vector<std::string> header{"distance" + unit, "x",          "y",
+                                    "level" + unit,    "bed" + unit, "depth" + unit};
+    if (!profile.area.empty()) header.emplace_back(in_metres ? "area_m2" : "area_cells");
+    std::string text = csv_line(header);
     for (std::size_t i = 0; i < profile.distance.size(); ++i) {
-        text += csv_line(
-            {fmt::format("{:.10g}", profile.distance[i]), fmt::format("{:.12g}", profile.x[i]),
-             fmt::format("{:.12g}", profile.y[i]), fmt::format("{:.10g}", profile.level[i]),
-             fmt::format("{:.10g}", profile.bed[i]),
-             fmt::format("{:.6g}", profile.level[i] - profile.bed[i])});
+        std::vector<std::string> row{fmt::format("{:.10g}", profile.distance[i]),
+                                     fmt::format("{:.12g}", profile.x[i]),
+                                     fmt::format("{:.12g}", profile.y[i]),
+                                     number_in("{:.10g}", profile.level[i]),
+                                     number_in("{:.10g}", profile.bed[i]),
+                                     number_in("{:.6g}", profile.level[i] - profile.bed[i])};
+        if (!profile.area.empty()) row.push_back(fmt::format("{:.10g}", profile.area[i]));
+        text += csv_line(row);
     }
     return text;
 }
@@ -218,7 +300,7 @@ int perform(const ProfileOptions& options) {
         format = format_of(options.picture);
         claims.writes(options.picture);
     }
-    if (!options.table.empty()) {
+    if (!options.table.empty() && options.table != standard_output) {
         check_ending(options.table, "a table", table_ending);
         claims.writes(options.table);
     }
@@ -231,7 +313,7 @@ int perform(const ProfileOptions& options) {
         const bool has_water = field_of(snapshot.fields, "water_depth") != nullptr;
         picture = picture_of(options, profile, in_metres, has_water, format);
     }
-    if (options.table.empty()) {
+    if (options.table.empty() || options.table == standard_output) {
         std::fputs(table.c_str(), stdout);
     } else {
         write_file(options.table, table);
@@ -244,8 +326,8 @@ int perform(const ProfileOptions& options) {
 
 Command profile_command() {
     return make_command<ProfileOptions>(
-        "profile", "the way of water from a place: level, bed and depth along it", declare,
-        perform);
+        "profile", "the way of water from a place, or a line: level, bed and depth along it",
+        declare, perform);
 }
 
 }  // namespace fumon

@@ -14,8 +14,9 @@
 #include "cli/commands.h"
 #include "cli/examples.h"
 #include "cli/shared_options.h"
-#include "film/stored_beds.h"
-#include "film/stored_frames.h"
+#include "files/file_lock.h"
+#include "film/beds/stored_beds.h"
+#include "film/beds/stored_frames.h"
 #include "outputs/output_claims.h"
 #include "outputs/own_file.h"
 #include "run/drawing.h"
@@ -168,11 +169,20 @@ int draw(const RenderOptions& options, const StoredBeds& beds, const StoredFrame
     return exit_status_of_signal(interrupting_signal());
 }
 
-int perform(const RenderOptions& options) {
+/// The share of a program that mpirun started; the movie where no other one has still to end.
+int draw_rank(const RenderOptions& options, const StoredBeds& beds, const StoredFrames& frames,
+              const Shard& shard, StatusLine& status) {
+    const int ended = draw(options, beds, frames, shard, status);
+    if (ended != 0 || !frames.missing().empty()) return ended;
+    const FileLock lock(frames.movie().string() + ".lock");
+    return lock.held() ? merge(options, beds, frames, status) : 0;
+}
+
+int perform(const RenderOptions& given) {
     const InterruptGuard guard;
+    RenderOptions options = given;
     StatusLine status(options.work.verbosity);
-    std::optional<Shard> shard;
-    if (!options.shards.shard.empty()) shard = read_shard(options.shards.shard);
+    const Share share = share_of(options.shards, options.work, status, "makes the movie");
     prepare_drawing(options.work);
     const StoredBeds beds(options.run, options.work.threads, options.work.settings);
     const StoredFrames frames(beds, options.folder, options.work.settings);
@@ -185,8 +195,9 @@ int perform(const RenderOptions& options) {
         std::fputs(slurm_script({"fumon-render", words, shards}).c_str(), stdout);
         return 0;
     }
-    return options.shards.merge ? merge(options, beds, frames, status)
-                                : draw(options, beds, frames, shard, status);
+    if (options.shards.merge) return merge(options, beds, frames, status);
+    return share.of_mpirun ? draw_rank(options, beds, frames, *share.shard, status)
+                           : draw(options, beds, frames, share.shard, status);
 }
 
 }  // namespace

@@ -1,11 +1,14 @@
 #include "cli/shared_options.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <thread>
 
+#include "base/error.h"
 #include "cli/completion.h"
-#include "shards/shard.h"
 
 namespace fumon {
 
@@ -84,7 +87,8 @@ void add_shard_options(CLI::App& command, ShardOptions& options, const char* mer
         command
             .add_option("--shard", options.shard,
                         "do one share of the work: 3/16, or slurm or mpi, which read it from "
-                        "the job's environment")
+                        "the job's environment, or none (default: under mpirun the rank's, else "
+                        "none)")
             ->type_name("N/OF");
     auto* merge = command.add_flag("--merge", options.merge, merged)->excludes(shard);
     add_number(command, "--slurm", options.slurm_shards, 1, most_shards,
@@ -92,6 +96,34 @@ void add_shard_options(CLI::App& command, ShardOptions& options, const char* mer
         ->type_name("SHARDS")
         ->excludes(shard)
         ->excludes(merge);
+}
+
+void refuse_terminal(const char* what, const char* example) {
+    if (::isatty(STDOUT_FILENO) == 0) return;
+    throw InputError(
+        fmt::format("-o -: standard output is a terminal, and {}; name a file, or let a file or a "
+                    "program take it (> {})",
+                    what, example));
+}
+
+Share share_of(const ShardOptions& options, WorkOptions& work, StatusLine& status,
+               const char* merged) {
+    if (options.shard == "none" || options.merge || options.slurm_shards > 0) return {};
+    if (!options.shard.empty()) return {read_shard(options.shard), false};
+    const std::optional<Rank> rank = rank_of_mpirun();
+    if (!rank) return {};
+    if (work.threads == 0) {
+        const auto mine = static_cast<int>(std::thread::hardware_concurrency());
+        const auto all = static_cast<int>(::sysconf(_SC_NPROCESSORS_ONLN));
+        work.threads = std::max(1, std::min(mine, all / rank->beside));
+    }
+    if (rank->shard.number == 1) {
+        status.note(fmt::format(
+            "mpirun has started {} programs: each does its share, and the last one to end {} "
+            "(--shard none: each does all)",
+            rank->shard.of, merged));
+    }
+    return {rank->shard, true};
 }
 
 void add_heights(CLI::App& command, std::string& heights) {

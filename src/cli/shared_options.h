@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "cli/completion.h"
+#include "run/terminal/status_line.h"
 #include "run/terminal/work_options.h"
+#include "shards/shard.h"
 
 namespace fumon {
 
@@ -45,8 +47,24 @@ struct ShardOptions {
 /// --shard, --merge and --slurm; `merged` says what --merge makes.
 void add_shard_options(CLI::App& command, ShardOptions& options, const char* merged);
 
+/// Which share of some work this program does.
+struct Share {
+    std::optional<Shard> shard;  ///< none: all of it
+    bool of_mpirun = false;      ///< by mpirun, unasked: whoever ends last puts the shares together
+};
+
+/// The share that the command line, or else mpirun, asks for. A program that mpirun started takes,
+/// unless --threads says otherwise, as many threads as it has processors to itself, and the first
+/// one says what happens: `merged` is what the last one does. Throws InputError as read_shard().
+Share share_of(const ShardOptions& options, WorkOptions& work, StatusLine& status,
+               const char* merged);
+
 /// --heights of a PNG terrain.
 void add_heights(CLI::App& command, std::string& heights);
+
+/// Throws InputError where standard output is a terminal, which `what` ("the picture is a PNG
+/// file") tells nothing and may upset; `example` is a file that may take it.
+void refuse_terminal(const char* what, const char* example);
 
 /// What is wrong with a text that should be a number from `low` to `high`; empty where nothing is.
 std::string number_fault(const std::string& text, bool whole, double low, double high);

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <optional>
@@ -99,26 +98,17 @@ PreparedRun prepare(const StillOptions& options) {
     return prepare_run(scene_of(options), options.work.threads);
 }
 
-/// A picture says nothing on a terminal, and may upset it.
-void check_standard_output() {
-    if (::isatty(STDOUT_FILENO) == 0) return;
-    throw InputError(
-        "-o -: standard output is a terminal, and the picture is a PNG file; name a file, or let a "
-        "file or a program take it (> dunes.png)");
-}
-
 void claim_outputs(OutputClaims& claims, const Scene& scene, const std::string& picture) {
     const bool was_own = says_that_fumon_made_it(picture);
     claims.writes(picture);
-    if (!scene.output.world_files) return;
-    for (const fs::path& file : world_file_names(picture)) claims.writes(file, was_own);
+    for (const fs::path& file : map_file_names(scene, picture)) claims.writes(file, was_own);
 }
 
 int perform(const StillOptions& options) {
     const InterruptGuard guard;
     const bool to_standard_output = options.output == standard_output;
     if (to_standard_output) {
-        check_standard_output();
+        refuse_terminal("the picture is a PNG file", "dunes.png");
     } else {
         check_ending(options.output, "a picture", png_ending);
     }

@@ -77,7 +77,8 @@ void declare(CLI::App& command, SweepOptions& options) {
          {"fumon sweep terada-ripples --seeds 100 -o out/many --merge",
           "the table, when all are done"},
          {"fumon sweep terada-ripples --seeds 100 -o out/many --slurm 16 | sbatch",
-          "both, under Slurm"}},
+          "both, under Slurm"},
+         {"mpirun -n 8 fumon sweep terada-ripples --seeds 100 -o out/many", "both, under MPI"}},
         "DIR/sweep.csv has one row per run and measured step, DIR/runs.csv one row per run, "
         "DIR/runs each run's files.\n"
         "The same command resumes where it was stopped; with more values or seeds it makes only "
@@ -161,7 +162,7 @@ int sweep_alone(const SweepPlan& plan, const SweepOptions& options, StatusLine& 
 
 int sweep_shard(const SweepPlan& plan, const Shard& shard, const SweepOptions& options,
                 StatusLine& status) {
-    const SweepFolder folder(options.folder, plan, shard.of, false);
+    const SweepFolder folder(options.folder, plan, shard.of, SweepFolder::Use::shard);
     for (const std::string& note : plan.notes) status.note(note);
     const std::vector<RunRecord> records = make_runs(
         plan, folder, runs_of_shard(plan, folder, shard.number, shard.of), false, options, status);
@@ -169,11 +170,12 @@ int sweep_shard(const SweepPlan& plan, const Shard& shard, const SweepOptions& o
                         status);
 }
 
-int merge(const SweepPlan& plan, const SweepOptions& options, StatusLine& status) {
+int merge(const SweepPlan& plan, const SweepOptions& options, SweepFolder::Use use,
+          StatusLine& status) {
     std::vector<std::filesystem::path> folders(options.from.begin(), options.from.end());
     folders.emplace_back(options.folder);
     const int shards = shards_in(folders);
-    const SweepFolder folder(options.folder, plan, shards, true);
+    const SweepFolder folder(options.folder, plan, shards, use);
     for (const std::string& from : options.from) take_runs(plan, folder, from);
     const std::vector<RunRecord> records = read_records(folder, all_runs(plan));
     folder.write_runs(records);
@@ -189,6 +191,19 @@ int merge(const SweepPlan& plan, const SweepOptions& options, StatusLine& status
     return tell_the_end(records, "", folder.table().string(), status);
 }
 
+/// The share of a program that mpirun started, and all of them together where no other one has
+/// still to end.
+int sweep_rank(const SweepPlan& plan, const Shard& shard, const SweepOptions& options,
+               StatusLine& status) {
+    const int ended = sweep_shard(plan, shard, options, status);
+    if (interrupting_signal() != 0) return ended;
+    {
+        const SweepFolder folder(options.folder, plan, shard.of, SweepFolder::Use::shard);
+        if (count(read_records(folder, all_runs(plan)), RunStatus::pending) > 0) return ended;
+    }
+    return merge(plan, options, SweepFolder::Use::last_shard, status);
+}
+
 /// The words of the same command without what says how it is shared out.
 std::vector<std::string> words_of(const SweepOptions& options) {
     std::vector<std::string> words{"sweep", options.scene};
@@ -199,11 +214,11 @@ std::vector<std::string> words_of(const SweepOptions& options) {
     return words;
 }
 
-int perform(const SweepOptions& options) {
+int perform(const SweepOptions& given) {
     const InterruptGuard guard;
+    SweepOptions options = given;
     StatusLine status(options.work.verbosity);
-    std::optional<Shard> shard;
-    if (!options.shards.shard.empty()) shard = read_shard(options.shards.shard);
+    const Share share = share_of(options.shards, options.work, status, "writes the table");
     const auto plan =
         make_plan({read_scene_text(scene_argument(options.scene)),
                    read_settings(options.work.settings), options.over, "", options.seeds});
@@ -220,9 +235,10 @@ int perform(const SweepOptions& options) {
         std::fputs(slurm_script({"fumon-sweep", words_of(options), shards}).c_str(), stdout);
         return 0;
     }
-    if (options.shards.merge) return merge(*plan, options, status);
-    return shard ? sweep_shard(*plan, *shard, options, status)
-                 : sweep_alone(*plan, options, status);
+    if (options.shards.merge) return merge(*plan, options, SweepFolder::Use::merge, status);
+    if (!share.shard) return sweep_alone(*plan, options, status);
+    return share.of_mpirun ? sweep_rank(*plan, *share.shard, options, status)
+                           : sweep_shard(*plan, *share.shard, options, status);
 }
 
 }  // namespace

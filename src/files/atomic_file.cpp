@@ -162,4 +162,16 @@ void write_file(const std::filesystem::path& file, std::span<const std::uint8_t>
     out.commit();
 }
 
+void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to) {
+    std::error_code fault;
+    const std::filesystem::path temporary = temporary_name(to);
+    std::filesystem::copy_file(from, temporary, std::filesystem::copy_options::overwrite_existing,
+                               fault);
+    if (!fault) std::filesystem::rename(temporary, to, fault);
+    if (fault) {
+        throw Error(
+            fmt::format("cannot copy {} to {}: {}", from.string(), to.string(), fault.message()));
+    }
+}
+
 }  // namespace fumon

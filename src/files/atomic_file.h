@@ -38,6 +38,9 @@ class AtomicFile {
     bool keep_ = false;
 };
 
+/// Copies a file; the copy appears whole or not at all. Throws Error.
+void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// The temporary name under which a file is written.
 std::filesystem::path temporary_name(std::filesystem::path file);
 

@@ -1,9 +1,12 @@
 #include "files/hash.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <string_view>
+#include <system_error>
 
+#include "base/error.h"
 #include "files/input_file.h"
 
 namespace fumon {
@@ -13,6 +16,7 @@ Sha256 pixel_hash(const Image& image) {
     hasher.add_little_endian(static_cast<std::uint32_t>(image.width));
     hasher.add_little_endian(static_cast<std::uint32_t>(image.height));
     hasher.add(image.rgb.data(), image.rgb.size());
+    hasher.add(image.alpha.data(), image.alpha.size());
     return hasher.finish();
 }
 
@@ -33,6 +37,16 @@ Sha256 file_hash(const std::filesystem::path& file) {
     stream_input_file(file, std::numeric_limits<std::int64_t>::max(),
                       [&](std::string_view bytes) { hasher.add(bytes.data(), bytes.size()); });
     return hasher.finish();
+}
+
+bool has_hash(const std::filesystem::path& file, const std::string& hash) {
+    std::error_code fault;
+    if (!std::filesystem::is_regular_file(file, fault)) return false;
+    try {
+        return hex(file_hash(file)) == hash;
+    } catch (const Error&) {
+        return false;  // it cannot be read
+    }
 }
 
 std::string hex(const Sha256& hash) {

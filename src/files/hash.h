@@ -22,6 +22,9 @@ Sha256 bytes_hash(std::span<const std::uint8_t> bytes);
 /// SHA-256 of a file's bytes, however many. Throws as read_input_file otherwise.
 Sha256 file_hash(const std::filesystem::path& file);
 
+/// Whether a path leads to a regular file of this SHA-256 (hexadecimal) that can be read.
+bool has_hash(const std::filesystem::path& file, const std::string& hash);
+
 std::string hex(const Sha256& hash);
 
 }  // namespace fumon

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <png.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <new>
+#include <utility>
 
 #include "base/error.h"
 #include "files/png_guard.h"
@@ -180,16 +182,31 @@ std::vector<std::uint8_t> PngReader::samples() {
     return read_rows();
 }
 
-std::vector<std::uint8_t> PngReader::rgb() {
+Image PngReader::image() {
     Parts& parts = *parts_;
-    if (!ends_without_png_error(parts.png, [&parts] {
+    const bool transparent =
+        parts.info.colour == PngColour::rgb_alpha || parts.info.colour == PngColour::grey_alpha;
+    if (!ends_without_png_error(parts.png, [&parts, transparent] {
             png_set_expand(parts.png);
             png_set_gray_to_rgb(parts.png);
             png_set_scale_16(parts.png);
-            png_set_strip_alpha(parts.png);
+            if (!transparent) png_set_strip_alpha(parts.png);
         }))
         refuse_damaged();
-    return read_rows();
+    Image image;
+    image.width = parts.info.width;
+    image.height = parts.info.height;
+    std::vector<std::uint8_t> rows = read_rows();
+    if (!transparent) {
+        image.rgb = std::move(rows);
+        return image;
+    }
+    image = with_alpha(Image(image.width, image.height));
+    for (std::size_t i = 0; i < image.alpha.size(); ++i) {
+        std::copy_n(rows.data() + 4 * i, 3, image.rgb.data() + 3 * i);
+        image.alpha[i] = rows[4 * i + 3];
+    }
+    return image;
 }
 
 std::vector<std::pair<std::string, std::string>> PngReader::texts() {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/image.h"
+
 namespace fumon {
 
 enum class PngColour { grey, grey_alpha, palette, rgb, rgb_alpha };
@@ -36,11 +38,11 @@ class PngReader {
     [[nodiscard]] const PngInfo& info() const;
 
     /// All samples as they are stored (16 bits: high byte first), top row first, rows packed.
-    /// Call one of samples(), rgb() and texts(), once.
+    /// Call one of samples(), image() and texts(), once.
     std::vector<std::uint8_t> samples();
 
-    /// All pixels as RGB, 8 bits a channel, top row first; alpha is dropped.
-    std::vector<std::uint8_t> rgb();
+    /// All pixels, with opacities where the file stores some.
+    Image image();
 
     /// Keyword → text of all tEXt, zTXt and iTXt chunks, in the file's order; tEXt and zTXt, which
     /// are Latin-1, become UTF-8.

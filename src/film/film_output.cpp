@@ -6,11 +6,17 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/find_named.h"
 #include "base/nearest_name.h"
+#include "files/input_file.h"
+#include "files/json_text.h"
+#include "film/film_texts.h"
+#include "film/make_film.h"
 #include "outputs/output_claims.h"
+#include "outputs/own_file.h"
 #include "picture/movie_format.h"
 
 namespace fumon {
@@ -85,6 +91,31 @@ fs::path without_ending(fs::path file) {
     return file.replace_extension();
 }
 
+/// Whether the sidecar of a file says that fumon made both.
+bool is_own_sidecar(const fs::path& sidecar) {
+    std::error_code fault;
+    if (!fs::is_regular_file(sidecar, fault)) return false;
+    try {
+        const auto json = parse_json(read_input_file(sidecar));
+        return json.value("Software", std::string()).starts_with("fumon ");
+    } catch (const nlohmann::json::exception&) {
+        return false;
+    }
+}
+
+bool is_own(const fs::path& film) {
+    return is_own_sidecar(sidecar_of(film)) || says_that_fumon_made_it(film);
+}
+
+/// Captions say nothing of who wrote them: they belong to the film beside them.
+bool are_own_captions(fs::path captions) {
+    return std::ranges::any_of(movie_formats(), [&](const MovieFormat& format) {
+        const fs::path film = captions.replace_extension(format.ending);
+        std::error_code fault;
+        return fs::exists(film, fault) && is_own(film);
+    });
+}
+
 }  // namespace
 
 std::string ending_of(const std::string& format) {
@@ -152,6 +183,19 @@ std::int64_t bytes_of_size(const std::string& text) {
         throw InputError(
             fmt::format("--max-size: it takes a size such as 8MB or 500kB, not \"{}\"", text));
     return static_cast<std::int64_t>(std::llround(bytes));
+}
+
+void claim_film(OutputClaims& claims, const FilmOutput& output) {
+    const std::string& format = output.film.settings.format;
+    const bool movie = format != "sheet" && format != "poster";
+    claims.writes(output.file, is_own(output.file));
+    if (!movie) return;
+    if (!output.film.captions.empty()) {
+        const fs::path captions = captions_of(output.file);
+        claims.writes(captions, are_own_captions(captions));
+    }
+    if (small_ending(output.file) != ".mp4")
+        claims.writes(sidecar_of(output.file), is_own_sidecar(sidecar_of(output.file)));
 }
 
 }  // namespace fumon

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "film/film.h"
-#include "film/film_sizes.h"
+#include "film/script/film.h"
+#include "film/script/film_sizes.h"
+#include "outputs/output_claims.h"
 #include "picture/png.h"
 
 namespace fumon {
@@ -17,7 +18,12 @@ struct FilmOutput {
     std::filesystem::path file;
     Film film;                    ///< with the size, rate and format of this file
     std::int64_t most_bytes = 0;  ///< 0: any
+    bool goes_on = false;         ///< it keeps its frames until it is whole, see KeptFrames
 };
+
+/// Claims a film's file and what is written beside it: captions and a sidecar. Throws as
+/// OutputClaims::writes.
+void claim_film(OutputClaims& claims, const FilmOutput& output);
 
 /// What --formats calls a purpose or a format, in a row: "talk, social, readme, gif, …".
 std::string output_names();

@@ -19,25 +19,15 @@ namespace fumon {
 
 namespace {
 
-constexpr double safe_edge = 0.05;           // of the picture's shorter side, kept free of overlays
-constexpr double usual_short_side = 1080.0;  // pixels for which film.cap_height is meant
+constexpr double safe_edge = 0.05;    // of the picture's shorter side, kept free of overlays
+constexpr double size_in_pane = 1.5;  // of letters in a run's picture, of its share
 
-/// `share` of the second image and the rest of the first.
-Image mixed(Image first, const Image& second, double share) {
-    for (std::size_t i = 0; i < first.rgb.size(); ++i) {
-        const double value = (1.0 - share) * first.rgb[i] + share * second.rgb[i];
-        first.rgb[i] = static_cast<std::uint8_t>(std::lround(value));
-    }
-    return first;
-}
-
-/// As the camera sees directions on the ground, wherever it stands.
-Camera level_camera(const Camera& camera, double aspect) {
-    Camera level = camera;
-    level.perspective = false;
-    level.half = {aspect, 1.0};
-    level.eye = -3.0 * camera.forward;
-    return level;
+/// A bed just as wide as a narrow pane would leave half of it to sky and table: its corners are cut
+/// off instead.
+double overrun_of_pane(double aspect) {
+    constexpr double most = 0.45;
+    constexpr double narrowest = 0.5;  // from which on it is that much
+    return most * std::clamp((1.0 - aspect) / (1.0 - narrowest), 0.0, 1.0);
 }
 
 /// An overlay's fault, at its key in the film.
@@ -52,59 +42,114 @@ void located(const Film& film, const Work& work) {
 
 }  // namespace
 
-FilmPainter::FilmPainter(const Film& film, const StoredBeds& beds, const FilmSize& size,
-                         const TitleFacts& facts, gl::Backend backend, WorkerPool& pool)
-    : film_(film), beds_(beds), timeline_(film), stage_(make_stage(film, beds, size)) {
-    for (std::size_t i = 0; i < film.shots.size(); ++i) shots_.emplace_back(film, i, stage_, beds);
-    Scene& scene = stage_.scene;
-    scene.locations = film.locations;
-    scene.source = film.source;
-    const double side = static_cast<double>(std::min(size.width, size.height));
-    for (OverlaySettings& overlay : scene.view.overlays) {
-        if (overlay.font_size.is_word())
-            overlay.font_size = std::max(
-                6.0, film.settings.cap_height / cap_height_of_font * side / usual_short_side);
-    }
-    name_parameter_keys(scene);
-    located(film, [&] { rows_ = beds.measurements(plotted_columns(scene)); });
-    fix_ranges();
-    context_ = gl::Context::create(backend);
-    renderer_ =
-        std::make_unique<Renderer>(*context_, scene.view, beds.first(), scene.run.steps, pool);
-    std::vector<CanvasBox> taken;
-    if (has_overlays(scene)) {
-        located(film, [&] {
-            overlays_ = std::make_unique<FrameOverlays>(
-                scene, beds.first(),
-                OverlayStyle{film.settings.plates == Plates::none, true, safe_edge * side});
-        });
-        for (const PlacedOverlay& placed : overlays_->placed()) taken.push_back(placed.box);
-    }
-    titles_ = std::make_unique<Titles>(film, stage_, beds.first(), facts, timeline_, taken);
-    if (const std::string missing = titles_->missing_letters(); !missing.empty())
-        notes_.push_back(missing);
+FilmPainter::~FilmPainter() {
+    if (context_) context_->make_current();  // other films may have drawn since
 }
 
-std::set<std::size_t> FilmPainter::shown_beds(const FilmPart& part) const {
-    std::set<std::size_t> shown;
-    if (part.kind != FilmPart::Kind::shot) return shown;
-    const std::int64_t moving = part.frames - part.held;
-    for (std::int64_t i = 0; i < moving; ++i) {
-        const double share =
-            moving > 1 ? static_cast<double>(i) / static_cast<double>(moving - 1) : 0.0;
-        shown.insert(shots_[part.number].bed_at(share));
+bool FilmPainter::transparent() const {
+    return stage_.scene.view.look.background == Background::transparent;
+}
+
+FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize& size,
+                         const TitleFacts& facts, gl::Backend backend, WorkerPool& pool)
+    : film_(film),
+      runs_(runs),
+      size_(size),
+      timeline_(film),
+      layout_(film, runs, size),
+      stage_(make_stage(film, runs.first(), layout_.size())) {
+    if (layout_.boxes().size() > 1) stage_.overrun = overrun_of_pane(stage_.aspect);
+    for (std::size_t i = 0; i < film.shots.size(); ++i) shots_.emplace_back(film, i, stage_, runs);
+    const double side = static_cast<double>(std::min(size.width, size.height));
+    for (OverlaySettings& overlay : stage_.scene.view.overlays) {
+        if (overlay.font_size.is_word())
+            overlay.font_size =
+                std::max(6.0, film.settings.cap_height / cap_height_of_font * side / usual_side);
+        if (differs() && overlay.kind == OverlayKind::colour_bar && overlay.text.empty())
+            overlay.text = "difference of height";
     }
+    stage_panes();
+    fix_ranges(shown_moments());
+    context_ = gl::Context::create(backend);
+    for (Pane& pane : panes_) {
+        pane.scene.view.look = stage_.scene.view.look;
+        if (&pane == &panes_.front() || !differs())
+            pane.renderer = std::make_unique<Renderer>(
+                *context_, pane.scene.view, pane.beds->first(), pane.scene.run.steps, pool);
+    }
+    place_overlays(size);
+    std::vector<CanvasBox> taken;
+    if (overlays_)
+        for (const PlacedOverlay& placed : overlays_->placed()) taken.push_back(placed.box);
+    for (std::size_t run = 0; run < panes_.size(); ++run) {
+        if (!panes_[run].overlays) continue;
+        for (const PlacedOverlay& placed : panes_[run].overlays->placed()) {
+            const PaneBox& pane = layout_.boxes()[run];
+            taken.push_back({placed.box.x + pane.x, placed.box.y + pane.y, placed.box.width,
+                             placed.box.height});
+        }
+    }
+    FilmStage whole = stage_;
+    whole.scene.view.image.width = size.width;
+    whole.scene.view.image.height = size.height;
+    titles_ = std::make_unique<Titles>(film, whole, runs.first().first(), facts, timeline_, taken);
+    for (const std::string& missing : {titles_->missing_letters(), layout_.missing_letters()})
+        if (!missing.empty()) notes_.push_back(missing);
+}
+
+/// What each run's part of the picture is drawn with: its own scene under one look.
+void FilmPainter::stage_panes() {
+    if (runs_.size() > 1) stage_.scene.view.look.exaggeration = stage_.block.exaggeration;
+    if (differs()) {
+        LookSettings& look = stage_.scene.view.look;
+        look.colour_by = Colouring::change;
+        look.palette = "vik";
+        look.low = look.high = WordOrReal{"auto", 0.0};
+    }
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
+        Pane pane{&runs_.beds(run), stage_.scene};
+        if (run > 0) {
+            pane.scene = runs_.beds(run).scene();
+            pane.scene.view = stage_.scene.view;
+        }
+        pane.scene.locations = film_.locations;
+        pane.scene.source = film_.source;
+        name_parameter_keys(pane.scene);
+        located(film_, [&] { pane.rows = pane.beds->measurements(plotted_columns(pane.scene)); });
+        panes_.push_back(std::move(pane));
+    }
+    stage_.scene.view.overlays = panes_.front().scene.view.overlays;
+}
+
+std::size_t FilmPainter::bed_of(std::size_t run, const Moment& moment) const {
+    return runs_.in_step(run, moment.bed, film_.shots[moment.shot].clock);
+}
+
+/// All moments that the film shows, which all runs have stored.
+std::set<FilmPainter::Moment> FilmPainter::shown_moments() const {
+    std::set<Moment> shown;
+    for (const FilmPart& part : timeline_.parts()) {
+        if (part.kind != FilmPart::Kind::shot) continue;
+        const std::int64_t moving = part.frames - part.held;
+        for (std::int64_t i = 0; i < moving; ++i) {
+            const double share =
+                moving > 1 ? static_cast<double>(i) / static_cast<double>(moving - 1) : 0.0;
+            shown.insert({part.number, shots_[part.number].bed_at(share)});
+        }
+    }
+    for (const Moment& moment : shown)
+        for (std::size_t run = 0; run < runs_.size(); ++run)
+            static_cast<void>(bed_of(run, moment));  // throws where one is missing
     return shown;
 }
 
 /// What scenes take from each frame is taken from all beds that the film shows.
-void FilmPainter::fix_ranges() {
-    std::set<std::size_t> shown;
+void FilmPainter::fix_ranges(const std::set<Moment>& shown) {
     for (const FilmPart& part : timeline_.parts()) {
-        const std::set<std::size_t> beds = shown_beds(part);
-        shown.insert(beds.begin(), beds.end());
+        if (part.kind != FilmPart::Kind::shot) continue;
         constexpr std::int64_t few = 3;  // frames a bed
-        const auto count = static_cast<std::int64_t>(beds.size());
+        const auto count = static_cast<std::int64_t>(std::ranges::count_if(
+            shown, [&](const Moment& moment) { return moment.shot == part.number; }));
         if (count > 1 && part.frames - part.held > few * count) {
             notes_.push_back(fmt::format(
                 "shot {}: its {} frames show {} stored beds, each as it is; for a smoother film "
@@ -112,59 +157,155 @@ void FilmPainter::fix_ranges() {
                 part.number + 1, part.frames, count));
         }
     }
+    fix_colours(shown);
+    fix_plots(shown);
+}
+
+void FilmPainter::fix_colours(const std::set<Moment>& shown) {
     LookSettings& look = stage_.scene.view.look;
     const bool ranged =
         look.colour_by != Colouring::natural && (look.low.is_word() || look.high.is_word());
-    const bool watery =
-        look.water && look.water_clarity.is_word() && beds_.first().landform == Landform::water;
-    if (ranged || watery) {
-        double low = INFINITY;
-        double high = -INFINITY;
-        double clarity = 0.0;
-        for (const std::size_t number : shown) {
-            const auto bed = beds_.snapshot(number);
+    const bool watery = look.water && look.water_clarity.is_word() &&
+                        runs_.first().first().landform == Landform::water;
+    if (!ranged && !watery) return;
+    double low = INFINITY;
+    double high = -INFINITY;
+    double clarity = 0.0;
+    for (const Moment& moment : shown) {
+        for (std::size_t run = 0; run < panes_.size(); ++run) {
+            const StoredBeds& beds = *panes_[run].beds;
+            const auto bed = beds.snapshot(bed_of(run, moment));
             if (watery) clarity = std::max(clarity, water_clarity(look, water_statistics(*bed)));
-            if (!ranged) continue;
-            const auto [from, to] =
-                colour_range(look, *bed, coloured_values(look.colour_by, *bed, beds_.first()));
+            if (!ranged || (differs() && run > 0)) continue;
+            const auto other = differs() ? panes_[1].beds->snapshot(bed_of(1, moment)) : nullptr;
+            const auto [from, to] = colour_range(
+                look, *bed, coloured_values(look.colour_by, *bed, other ? *other : beds.first()));
             low = std::min(low, from);
             high = std::max(high, to);
         }
-        if (ranged && low < high) {
-            look.low = low;
-            look.high = high;
-        }
-        if (watery && clarity > 0.0) look.water_clarity = clarity;
     }
+    if (ranged && low < high) {
+        look.low = low;
+        look.high = high;
+    }
+    if (watery && clarity > 0.0) look.water_clarity = clarity;
+}
+
+void FilmPainter::fix_plots(const std::set<Moment>& shown) {
     if (shown.empty()) return;
-    for (OverlaySettings& overlay : stage_.scene.view.overlays) {
+    for (std::size_t i = 0; i < stage_.scene.view.overlays.size(); ++i) {
+        OverlaySettings& overlay = stage_.scene.view.overlays[i];
         if (overlay.kind != OverlayKind::plot) continue;
-        const MeasuredColumn* column = rows_[*shown.rbegin()].find(overlay.y);
-        if (column == nullptr) continue;
-        const auto [low, high] = growing_range({column->values.data(), column->values.size()});
+        std::vector<double> values;
+        for (std::size_t run = 0; run < panes_.size(); ++run) {
+            std::size_t last = 0;
+            for (const Moment& moment : shown) last = std::max(last, bed_of(run, moment));
+            const MeasuredColumn* column = panes_[run].rows[last].find(overlay.y);
+            if (column == nullptr) continue;
+            for (std::size_t row = 0; row < column->values.size(); ++row)
+                values.push_back(column->values.data()[row]);
+        }
+        if (values.empty()) continue;
+        const auto [low, high] = growing_range(values);
         if (overlay.low.is_word()) overlay.low = low;
         if (overlay.high.is_word()) overlay.high = high;
     }
+    for (Pane& pane : panes_) {
+        for (std::size_t i = 0; i < pane.scene.view.overlays.size(); ++i) {
+            pane.scene.view.overlays[i].low = stage_.scene.view.overlays[i].low;
+            pane.scene.view.overlays[i].high = stage_.scene.view.overlays[i].high;
+        }
+    }
+}
+
+/// Over the whole picture stands what all runs share; over the picture of each of several stands
+/// its plot.
+void FilmPainter::place_overlays(const FilmSize& size) {
+    const bool several = layout_.boxes().size() > 1;
+    const auto is_own = [&](const OverlaySettings& overlay) {
+        return several && overlay.kind == OverlayKind::plot;
+    };
+    const auto make = [&](const Scene& scene, double side) -> std::unique_ptr<FrameOverlays> {
+        if (!has_overlays(scene)) return nullptr;
+        std::unique_ptr<FrameOverlays> made;
+        located(film_, [&] {
+            made = std::make_unique<FrameOverlays>(
+                scene, runs_.first().first(),
+                OverlayStyle{film_.settings.plates == Plates::none, true, safe_edge * side});
+        });
+        return made;
+    };
+    const double side = static_cast<double>(std::min(size.width, size.height));
+    whole_ = panes_.front().scene;
+    whole_.view.image.width = size.width;
+    whole_.view.image.height = size.height;
+    for (OverlaySettings& overlay : whole_.view.overlays)
+        if (is_own(overlay)) overlay.show = false;
+    if (several) whole_.view.look.contours = WordOrReal{"none", 0.0};  // each run has its own
+    overlays_ = make(whole_, side);
+    if (!several) return;
+    const double pane_side =
+        static_cast<double>(std::min(layout_.size().width, layout_.size().height));
+    const double smaller = std::min(1.0, size_in_pane * pane_side / side);
+    for (Pane& pane : panes_) {
+        for (OverlaySettings& overlay : pane.scene.view.overlays) {
+            if (!is_own(overlay)) overlay.show = false;
+            if (!overlay.font_size.is_word())
+                overlay.font_size = std::max(6.0, smaller * overlay.font_size.value);
+        }
+        pane.overlays = make(pane.scene, pane_side);
+    }
+}
+
+/// What one run shows.
+Image FilmPainter::picture(std::size_t run, const PartOfFrame& shown) {
+    const StagedShot& shot = shots_[shown.part->number];
+    const Moment moment{shown.part->number, shot.bed_at(shown.share)};
+    const CameraPose pose = shot.pose_at(shown.share);
+    FramePose frame{camera_of(stage_, pose), stage_.scene.view.sun, pose.exposure};
+    frame.sun.azimuth = pose.sun_azimuth;
+    frame.sun.elevation = pose.sun_elevation;
+    std::shared_ptr<const Snapshot> other;
+    if (differs()) {
+        other = panes_[1].beds->snapshot(bed_of(1, moment));
+        frame.reference = other.get();
+    }
+    const Pane& pane = panes_[run];
+    const std::size_t number = bed_of(run, moment);
+    const auto bed = pane.beds->snapshot(number);
+    Image image = pane.renderer->render(*bed, frame);
+    if (pane.overlays) {
+        pane.overlays->draw(
+            image, {*bed, pane.rows[number], pane.renderer->colour_range(), &frame.camera});
+    }
+    return image;
 }
 
 Image FilmPainter::ground(const PartOfFrame& shown) {
     if (shown.part->kind == FilmPart::Kind::card)
         return titles_->dark_card(shown.part->number, shown.share);
-    const StagedShot& shot = shots_[shown.part->number];
-    const CameraPose pose = shot.pose_at(shown.share);
-    FramePose frame{camera_of(stage_, pose), stage_.scene.view.sun, pose.exposure};
-    frame.sun.azimuth = pose.sun_azimuth;
-    frame.sun.elevation = pose.sun_elevation;
-    return renderer_->render(*beds_.snapshot(shot.bed_at(shown.share)), frame);
+    if (runs_.size() == 1) return picture(0, shown);
+    Image whole = layout_.ground();
+    const std::vector<PaneBox>& boxes = layout_.boxes();
+    if (film_.panes.show == PanesShow::wipe) {
+        const std::vector<double>& places = film_.panes.wipe_places;
+        const double place = places[0] + (places[1] - places[0]) * eased(shown.share);
+        copy_into(whole, wiped(picture(0, shown), picture(1, shown), place), boxes.front());
+    } else {
+        for (std::size_t run = 0; run < boxes.size(); ++run)
+            copy_into(whole, picture(run, shown), boxes[run]);
+    }
+    return whole;
 }
 
 void FilmPainter::write_over(Image& image, const PartOfFrame& shown) {
     if (!overlays_ || shown.part->kind == FilmPart::Kind::card) return;
     const StagedShot& shot = shots_[shown.part->number];
     const std::size_t number = shot.bed_at(shown.share);
-    const Camera camera = level_camera(camera_of(stage_, shot.pose_at(shown.share)), stage_.aspect);
-    overlays_->draw(image,
-                    {*beds_.snapshot(number), rows_[number], renderer_->colour_range(), &camera});
+    const Pane& pane = panes_.front();
+    const Camera camera = camera_of(stage_, shot.pose_at(shown.share));
+    overlays_->draw(image, {*pane.beds->snapshot(number), pane.rows[number],
+                            pane.renderer->colour_range(), &camera});
 }
 
 Image FilmPainter::paint(std::int64_t frame) {
@@ -194,7 +335,7 @@ DrawingRecord FilmPainter::record() const {
     const std::string obstacle = gl::rendering_is_pinned() ? text_is_not_pinned : "";
     DrawingRecord record{
         opengl_environment(context_->backend_name(), name, context_->version(), false), obstacle,
-        renderer_->exaggeration(), figure_library()};
+        panes_.front().renderer->exaggeration(), figure_library()};
     return record;
 }
 

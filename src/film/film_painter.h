@@ -5,13 +5,17 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/image.h"
 #include "base/worker_pool.h"
 #include "figure/overlays/frame_overlays.h"
-#include "film/moves.h"
-#include "film/stage.h"
+#include "film/beds/film_runs.h"
+#include "film/camera/moves.h"
+#include "film/camera/stage.h"
+#include "film/film_frames.h"
+#include "film/panes.h"
 #include "film/timeline.h"
 #include "film/titles.h"
 #include "gl/context.h"
@@ -20,42 +24,73 @@
 
 namespace fumon {
 
-/// Draws the frames of a film from a run's stored beds, any of them at any time. What must not jump
-/// is the same in all: the exaggeration, the palette's range and the axes of plots (over all stored
-/// beds that the film shows), the places of overlays. Lives on one thread.
-class FilmPainter {
+/// Draws the frames of a film from the stored beds of a run, or of several side by side, any of
+/// them at any time. What must not jump is the same in all frames and all runs: the exaggeration,
+/// the palette's range and the axes of plots (over all stored beds that the film shows), the places
+/// of overlays.
+class FilmPainter : public FilmFrames {
   public:
-    /// Film and beds outlive it. Throws InputError, located, where the film does not fit the run,
+    /// Film and runs outlive it. Throws InputError, located, where the film does not fit the runs,
     /// Error where OpenGL fails.
-    FilmPainter(const Film& film, const StoredBeds& beds, const FilmSize& size,
+    FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize& size,
                 const TitleFacts& facts, gl::Backend backend, WorkerPool& pool);
 
-    [[nodiscard]] std::int64_t frames() const { return timeline_.frames(); }
+    ~FilmPainter() override;
+
+    [[nodiscard]] std::int64_t frames() const override { return timeline_.frames(); }
     [[nodiscard]] const Timeline& timeline() const { return timeline_; }
+    /// Of the picture of one run.
     [[nodiscard]] const FilmStage& stage() const { return stage_; }
     [[nodiscard]] const std::vector<StagedShot>& shots() const { return shots_; }
-    Image paint(std::int64_t frame);
+    [[nodiscard]] FilmSize size() const override { return size_; }
+    [[nodiscard]] bool transparent() const override;
+    Image paint(std::int64_t frame) override;
 
-    [[nodiscard]] DrawingRecord record() const;
-    /// Lines for the user: letters that no font has, shots that show few beds in many frames.
-    [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+    [[nodiscard]] DrawingRecord record() const override;
+    [[nodiscard]] const std::vector<std::string>& notes() const override { return notes_; }
 
   private:
-    [[nodiscard]] std::set<std::size_t> shown_beds(const FilmPart& part) const;
-    void fix_ranges();
+    /// One run's part of the picture.
+    struct Pane {
+        const StoredBeds* beds = nullptr;
+        Scene scene{};                     ///< as the stage's, of this run
+        std::vector<MeasuredRows> rows{};  ///< up to each bed
+        std::unique_ptr<Renderer> renderer{};
+        std::unique_ptr<FrameOverlays> overlays{};  ///< what is its own: plots
+    };
+    /// A bed of the first run, by its number and that of its shot, in step.
+    struct Moment {
+        std::size_t shot = 0;
+        std::size_t bed = 0;
+        friend bool operator<(const Moment& one, const Moment& other) {
+            return std::pair(one.shot, one.bed) < std::pair(other.shot, other.bed);
+        }
+    };
+
+    [[nodiscard]] bool differs() const { return film_.panes.show == PanesShow::difference; }
+    [[nodiscard]] std::size_t bed_of(std::size_t run, const Moment& moment) const;
+    [[nodiscard]] std::set<Moment> shown_moments() const;
+    void stage_panes();
+    void fix_ranges(const std::set<Moment>& shown);
+    void fix_colours(const std::set<Moment>& shown);
+    void fix_plots(const std::set<Moment>& shown);
+    void place_overlays(const FilmSize& size);
+    Image picture(std::size_t run, const PartOfFrame& shown);
     Image ground(const PartOfFrame& shown);
     void write_over(Image& image, const PartOfFrame& shown);
 
     const Film& film_;
-    const StoredBeds& beds_;
+    const FilmRuns& runs_;
+    FilmSize size_;
     Timeline timeline_;
+    Panes layout_;
     FilmStage stage_;
     std::vector<StagedShot> shots_;
     std::vector<std::string> notes_;
-    std::vector<MeasuredRows> rows_;
     std::unique_ptr<gl::Context> context_;
-    std::unique_ptr<Renderer> renderer_;
-    std::unique_ptr<FrameOverlays> overlays_;
+    std::vector<Pane> panes_;                  ///< of every run
+    Scene whole_;                              ///< as the stage's, of the film's size
+    std::unique_ptr<FrameOverlays> overlays_;  ///< over the whole picture
     std::unique_ptr<Titles> titles_;
 };
 

@@ -4,19 +4,23 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <optional>
+#include <system_error>
+#include <utility>
 
+#include "base/data_files.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/utf8.h"
-#include "files/input_file.h"
-#include "film/film_check.h"
-#include "film/film_keys.h"
+#include "film/film_texts.h"
+#include "film/script/film_check.h"
+#include "film/script/film_keys.h"
 #include "keys/assign.h"
 #include "keys/override.h"
 #include "keys/toml_text.h"
-#include "picture/movie.h"
-#include "picture/png.h"
+#include "outputs/output_claims.h"
+#include "picture/movie_format.h"
 #include "scene/faults.h"
 #include "scene/read.h"
 #include "scene/write.h"
@@ -160,6 +164,47 @@ class FilmReader {
     Faults& faults_;
 };
 
+/// Reads the film that a piece is cut from, and puts its text in the place of its name.
+void read_excerpt(Film& film, std::size_t number, bool reads_files) {
+    Excerpt& excerpt = film.excerpts[number];
+    const std::string key = fmt::format("excerpt.{}.film", number);
+    const bool is_text = excerpt.film.find('\n') != std::string::npos;
+    if (!is_text && (!reads_files || excerpt.film.empty())) {
+        throw InputError(fmt::format("{}{}: it takes {}", film.at(key), key,
+                                     reads_files ? "a film file, or the name of one"
+                                                 : "the text of a film here, not a file"));
+    }
+    std::string text = excerpt.film;
+    std::string name = fmt::format("{}, {}", film.source, key);
+    if (!is_text) {
+        const auto beside = std::filesystem::path(film.source).parent_path() / excerpt.film;
+        std::error_code fault;
+        const auto file =
+            std::filesystem::is_regular_file(beside, fault) ? beside : film_file(excerpt.film);
+        if (!std::filesystem::is_regular_file(file, fault)) {
+            throw InputError(
+                fmt::format("{}{}: there is no film \"{}\"", film.at(key), key, excerpt.film));
+        }
+        name = file.string();
+        text = film_text(file).text;
+    }
+    Film read = parse_film(text, name, {}, false);
+    if (!read.excerpts.empty())
+        throw InputError(
+            fmt::format("{}{}: is cut from others itself; take these", film.at(key), key));
+    read.cards.clear();
+    read.captions.clear();
+    excerpt.film = film_toml(read);
+    excerpt.read = std::make_shared<const Film>(std::move(read));
+}
+
+/// Whether a movie's or picture's file ends so.
+bool find_ending(const std::string& ending) {
+    return ending == ".png" || std::ranges::any_of(movie_formats(), [&](const MovieFormat& format) {
+               return format.ending == ending;
+           });
+}
+
 }  // namespace
 
 std::string Film::at(const std::string& key) const {
@@ -170,11 +215,21 @@ std::string Film::at(const std::string& key) const {
 bool is_film(std::string_view text, const std::string& source) {
     const toml::table root =
         parse_toml(text, source, "a scene is TOML: [section] lines and key = value lines");
-    return root.contains("shot") && !root.contains("model");
+    return (root.contains("shot") || root.contains("excerpt")) && !root.contains("model");
+}
+
+std::filesystem::path film_file(const std::string& name) {
+    std::error_code fault;
+    const bool is_file =
+        std::filesystem::exists(name, fault) && !std::filesystem::is_directory(name, fault);
+    if (is_file || std::filesystem::path(name).has_parent_path()) return name;
+    const std::string file = std::filesystem::path(name).has_extension() ? name : name + ".toml";
+    if (const auto shipped = find_data_file("scenes/films/" + file)) return *shipped;
+    return name;
 }
 
 Film parse_film(std::string_view text, const std::string& source,
-                const std::vector<std::string>& settings) {
+                const std::vector<std::string>& settings, bool reads_files) {
     Film film;
     film.source = source;
     Faults faults(source);
@@ -182,32 +237,30 @@ Film parse_film(std::string_view text, const std::string& source,
         parse_toml(text, source, "a film is TOML: [section] lines and key = value lines");
     FilmReader(film, faults).read(root, read_settings(settings));
     if (faults.none()) check_film(film, faults);
+    for (std::size_t i = 0; i < film.excerpts.size(); ++i)
+        faults.attempt([&] { read_excerpt(film, i, reads_files); });
+    if (faults.none()) check_excerpts(film, faults);
     faults.report();
     return film;
 }
 
 FilmText film_text(const std::filesystem::path& file) {
-    constexpr std::size_t signature = 4;
-    std::error_code fault;
-    const bool regular = std::filesystem::is_regular_file(file, fault);
-    const bool movie = regular && is_movie(file);
-    const bool png = regular && start_of_input_file(file, signature) == "\x89PNG";
-    if (!movie && !png) {
+    const std::string ending = small_ending(file);
+    const FilmTexts texts = read_film_texts(file);
+    const bool made = ending != ".toml" && find_ending(ending);
+    if (texts.empty() && !made) {
         return {read_scene_text(file).text,
                 fmt::format("fumon film RUN {}", file.filename().string())};
     }
-    FilmText film;
-    for (const auto& [keyword, text] : movie ? read_movie_texts(file) : read_png_texts(file)) {
-        if (keyword == film_keyword) film.text = text;
-        if (keyword == remake_keyword) film.remake = text;
-    }
-    if (film.text.empty()) {
+    const auto text = texts.find(film_keyword);
+    if (text == texts.end()) {
         throw InputError(
-            fmt::format("{}: carries no film; `fumon film` takes a film file, or an MP4 or PNG "
-                        "that it made",
+            fmt::format("{}: carries no film; `fumon film` takes a film file, an MP4 or PNG that "
+                        "it made, or another of its films with the .json beside it",
                         file.string()));
     }
-    return film;
+    const auto remake = texts.find(remake_keyword);
+    return {text->second, remake == texts.end() ? "" : remake->second};
 }
 
 std::string film_toml(const Film& film) {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "film/film.h"
+#include "film/script/film.h"
 
 namespace fumon {
 
@@ -19,18 +19,23 @@ struct FilmText {
     std::string remake;  ///< the command that makes it, as its end card shows it
 };
 
-/// Of a film file, or what an MP4 or PNG that `fumon film` made carries. Throws InputError where it
-/// is neither.
+/// Of a film file, or what a file that `fumon film` made, or its sidecar, tells. Throws InputError
+/// where it is neither.
 FilmText film_text(const std::filesystem::path& file);
 
 /// Reads a film; `source` names it in messages, `settings` are "key.path=VALUE" overrides of the
 /// command line. Throws InputError with a line "file:line:column: what is wrong; what would be
 /// right" for each fault: an unknown key, a wrong type, a number out of range, keys that
-/// contradict.
+/// contradict. Films that it cuts from are read, too, and their text takes the place of their
+/// name; only from files where `reads_files`, which a film from anyone may not.
 Film parse_film(std::string_view text, const std::string& source,
-                const std::vector<std::string>& settings = {});
+                const std::vector<std::string>& settings = {}, bool reads_files = true);
 
-/// Whether a text is that of a film: it has shots. Throws InputError for what is no TOML.
+/// A film file, or the name of one of scenes/films.
+std::filesystem::path film_file(const std::string& name);
+
+/// Whether a text is that of a film: it has shots or excerpts. Throws InputError for what is no
+/// TOML.
 bool is_film(std::string_view text, const std::string& source);
 
 /// The film as TOML, every key with its value.

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
@@ -38,10 +39,60 @@ std::vector<std::vector<Share>> shares_of(int from, int to) {
     return all;
 }
 
+/// Of images with alpha.
+Image resized_open(const Image& image, int width, int height) {
+    const auto columns = shares_of(image.width, width);
+    const auto rows = shares_of(image.height, height);
+    Image small = with_alpha(Image(width, height));
+    std::size_t n = 0;
+    for (const auto& row : rows) {
+        for (const auto& column : columns) {
+            std::array<double, channels> colours{};
+            std::array<double, channels> unseen{};
+            double alpha = 0.0;
+            for (const Share& down : row) {
+                const std::uint8_t* line = image.row(down.from);
+                const std::uint8_t* opacities =
+                    image.alpha.data() + std::ptrdiff_t{down.from} * image.width;
+                for (const Share& across : column) {
+                    const double weight = down.weight * across.weight;
+                    const double seen = weight * opacities[across.from];
+                    alpha += seen;
+                    for (std::size_t c = 0; c < channels; ++c) {
+                        const double value =
+                            line[channels * static_cast<std::size_t>(across.from) + c];
+                        colours.at(c) += seen * value;
+                        unseen.at(c) += weight * value;
+                    }
+                }
+            }
+            for (std::size_t c = 0; c < channels; ++c) {
+                const double value = alpha > 0.0 ? colours.at(c) / alpha : unseen.at(c);
+                small.rgb[channels * n + c] =
+                    static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+            }
+            small.alpha[n++] =
+                static_cast<std::uint8_t>(std::lround(std::clamp(alpha, 0.0, 255.0)));
+        }
+    }
+    return small;
+}
+
+bool write_all(const std::vector<std::uint8_t>& bytes, std::FILE* file) {
+    return bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+}
+
+bool read_all(std::vector<std::uint8_t>& bytes, std::FILE* file) {
+    return bytes.empty() || std::fread(bytes.data(), 1, bytes.size(), file) == bytes.size();
+}
+
 }  // namespace
 
-FrameSpool::FrameSpool(const std::filesystem::path& beside, int width, int height)
-    : name_(temporary_name(beside.string() + ".frames")), width_(width), height_(height) {
+FrameSpool::FrameSpool(const std::filesystem::path& beside, int width, int height, bool transparent)
+    : name_(temporary_name(beside.string() + ".frames")),
+      width_(width),
+      height_(height),
+      transparent_(transparent) {
     const int descriptor =
         ::open(name_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, S_IRUSR | S_IWUSR);
     if (descriptor < 0) refuse_to_write(name_, errno);
@@ -51,24 +102,27 @@ FrameSpool::FrameSpool(const std::filesystem::path& beside, int width, int heigh
 }
 
 void FrameSpool::add(const Image& image) {
-    if (std::fseek(file_.get(), 0, SEEK_END) != 0 ||
-        std::fwrite(image.rgb.data(), 1, image.rgb.size(), file_.get()) != image.rgb.size() ||
-        std::fflush(file_.get()) != 0)
+    if (transparent_ && !image.transparent()) return add(with_alpha(image));
+    if (std::fseek(file_.get(), 0, SEEK_END) != 0 || !write_all(image.rgb, file_.get()) ||
+        !write_all(image.alpha, file_.get()) || std::fflush(file_.get()) != 0)
         refuse_to_write(name_, errno);
     ++frames_;
 }
 
 Image FrameSpool::frame(std::int64_t number) const {
     Image image(width_, height_);
-    const auto at = static_cast<off_t>(number) * static_cast<off_t>(image.rgb.size());
-    if (::fseeko(file_.get(), at, SEEK_SET) != 0 ||
-        std::fread(image.rgb.data(), 1, image.rgb.size(), file_.get()) != image.rgb.size())
+    if (transparent_) image = with_alpha(std::move(image));
+    const auto at =
+        static_cast<off_t>(number) * static_cast<off_t>(image.rgb.size() + image.alpha.size());
+    if (::fseeko(file_.get(), at, SEEK_SET) != 0 || !read_all(image.rgb, file_.get()) ||
+        !read_all(image.alpha, file_.get()))
         throw Error(name_.string() + ": a frame that was kept there cannot be read again");
     return image;
 }
 
 Image resized(const Image& image, int width, int height) {
     if (image.width == width && image.height == height) return image;
+    if (image.transparent()) return resized_open(image, width, height);
     const auto columns = shares_of(image.width, width);
     const auto rows = shares_of(image.height, height);
     std::vector<double> narrow(channels * static_cast<std::size_t>(width) *

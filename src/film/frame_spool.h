@@ -14,7 +14,9 @@ namespace fumon {
 class FrameSpool {
   public:
     /// `beside`: the output. Throws Error where there can be no such file.
-    FrameSpool(const std::filesystem::path& beside, int width, int height);
+    /// `transparent`: with alpha.
+    FrameSpool(const std::filesystem::path& beside, int width, int height,
+               bool transparent = false);
 
     void add(const Image& image);  ///< throws Error on a full disk
     [[nodiscard]] Image frame(std::int64_t number) const;
@@ -29,10 +31,12 @@ class FrameSpool {
     std::unique_ptr<std::FILE, Close> file_;
     int width_;
     int height_;
+    bool transparent_;
     std::int64_t frames_ = 0;
 };
 
-/// An image of another size: each pixel the mean of what it covers.
+/// An image of another size: each pixel the mean of what it covers, with alpha by how much of that
+/// is seen.
 Image resized(const Image& image, int width, int height);
 
 }  // namespace fumon

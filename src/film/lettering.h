@@ -11,6 +11,9 @@ namespace fumon {
 /// The height of a capital letter of DejaVu Sans, font sizes.
 inline constexpr double cap_height_of_font = 0.729;
 
+/// Pixels of a picture's shorter side for which film.cap_height is meant.
+inline constexpr double usual_side = 1080.0;
+
 struct LetteredLine {
     std::string text;
     double font_size = 38.0;  ///< pixels

@@ -15,9 +15,12 @@
 #include "base/stopwatch.h"
 #include "files/atomic_file.h"
 #include "files/hash.h"
-#include "film/film_painter.h"
 #include "film/film_read.h"
+#include "film/film_texts.h"
 #include "film/frame_spool.h"
+#include "film/joined_film.h"
+#include "film/kept_frames.h"
+#include "film/panes.h"
 #include "picture/colour_table.h"
 #include "picture/movie.h"
 #include "run/picture_text.h"
@@ -45,21 +48,30 @@ struct Interrupted {
 /// One film being made into one file.
 class FilmMaker {
   public:
-    FilmMaker(const FilmOutput& output, const StoredBeds& beds, const std::string& remake,
+    FilmMaker(const FilmOutput& output, const FilmRuns& runs, const std::string& remake,
               const WorkOptions& work, StatusLine& status)
         : output_(output),
           film_(output.film),
-          beds_(beds),
+          runs_(runs),
+          beds_(runs.first()),
           status_(status),
-          facts_{film_.settings.title.empty() ? beds.scene().title : film_.settings.title, remake},
+          facts_{film_.settings.title.empty() ? beds_.scene().title : film_.settings.title, remake},
           pool_(work.threads, "fumon-render"),
-          painter_(film_, beds, film_size(film_), facts_, work.backend, pool_) {
-        for (const std::string& note : painter_.notes()) status.note(note);
+          painter_(film_frames(film_, runs, facts_, work.backend, pool_)) {
+        for (const std::string& note : painter_->notes()) status.note(note);
+        const MovieFormat* format = find_movie_format(film_.settings.format);
+        const bool transparent = painter_->transparent();
+        open_ = transparent && (format == nullptr || !format->open_pixels.empty());
+        if (transparent && !open_) {
+            status.note(fmt::format("{}: {} has no alpha, so it stands on white; {} have",
+                                    output.file.string(), film_.settings.format,
+                                    transparent_format_names()));
+        }
     }
 
     MadeFilm make() {
         const FilmSize size = film_size(film_);
-        made_ = {painter_.frames(), static_cast<double>(painter_.frames()) / film_.settings.rate,
+        made_ = {painter_->frames(), static_cast<double>(painter_->frames()) / film_.settings.rate,
                  static_cast<int>(size.width), static_cast<int>(size.height), 0};
         try {
             const std::string& format = film_.settings.format;
@@ -82,7 +94,12 @@ class FilmMaker {
   private:
     Image draw(std::int64_t frame, std::int64_t done, std::int64_t all) {
         if (const int signal = interrupting_signal(); signal != 0) throw Interrupted{signal};
-        Image image = painter_.paint(frame);
+        std::optional<Image> before = kept_ ? kept_->find(frame) : std::nullopt;
+        const bool fits = before && before->width == painter_->size().width &&
+                          before->height == painter_->size().height;
+        Image image = fits ? *std::move(before) : painter_->paint(frame);
+        if (image.transparent() && !open_) image = laid_on(image, 255);
+        if (kept_ && !fits) kept_->add(frame, image);
         const Sha256 hash = pixel_hash(image);
         pixels_.add(hash.data(), hash.size());
         if (status_.due()) {
@@ -104,17 +121,20 @@ class FilmMaker {
         texts.emplace_back(film_keyword, film_toml(film_));
         texts.emplace_back(remake_keyword, facts_.remake);
         texts.emplace_back("fumon:scene", resolved_scene(beds_.scene(), beds_.inputs()));
+        texts.emplace_back(runs_keyword, filmed_runs_text(runs_));
+        if (output_.most_bytes > 0)
+            texts.emplace_back(most_bytes_keyword, fmt::format("{}", output_.most_bytes));
         texts.emplace_back("fumon:pixels-sha256", hex(pixels_.so_far()));
-        texts.emplace_back("fumon:environment", environment_text(painter_.record().environment));
+        texts.emplace_back("fumon:environment", environment_text(painter_->record().environment));
         return texts;
     }
 
     void write_poster() {
         const double second = film_.settings.poster_second;
         const std::int64_t frame =
-            second < 0.0 ? painter_.frames() / 2
+            second < 0.0 ? painter_->frames() / 2
                          : std::min<std::int64_t>(std::lround(second * film_.settings.rate),
-                                                  painter_.frames() - 1);
+                                                  painter_->frames() - 1);
         const Image image = draw(frame, 0, 1);
         made_.frames = 1;
         write_file(output_.file,
@@ -125,9 +145,9 @@ class FilmMaker {
     void write_sheet() {
         std::vector<std::int64_t> frames;
         const auto second = static_cast<std::int64_t>(std::max(1.0, film_.settings.rate));
-        for (std::int64_t frame = 0; frame < painter_.frames(); frame += second)
+        for (std::int64_t frame = 0; frame < painter_->frames(); frame += second)
             frames.push_back(frame);
-        if (frames.back() != painter_.frames() - 1) frames.push_back(painter_.frames() - 1);
+        if (frames.back() != painter_->frames() - 1) frames.push_back(painter_->frames() - 1);
         const int width = std::min(made_.width, sheet_tile);
         const int height = std::max(1, static_cast<int>(std::lround(static_cast<double>(width) *
                                                                     made_.height / made_.width)));
@@ -141,8 +161,7 @@ class FilmMaker {
                                        width, height);
             const int left = static_cast<int>(i) % columns * (width + gap);
             const int top = static_cast<int>(i) / columns * (height + gap);
-            for (int y = 0; y < height; ++y)
-                std::copy_n(tile.row(y), 3 * width, sheet.row(top + y) + std::ptrdiff_t{3} * left);
+            copy_into(sheet, tile, {left, top, width, height});
         }
         made_.frames = static_cast<std::int64_t>(frames.size());
         write_file(output_.file, encode_png(sheet, 100.0, texts()));
@@ -159,21 +178,31 @@ class FilmMaker {
     }
 
     void write_at_once() {
-        Movie movie(output_.file, made_.width, made_.height, film_.settings.rate,
-                    MovieCoding{format(), static_cast<int>(film_.settings.quality)});
-        for (std::int64_t frame = 0; frame < painter_.frames(); ++frame)
-            movie.add(draw(frame, frame, painter_.frames()));
+        if (output_.goes_on) kept_.emplace(output_.file, identity());
+        Movie movie(kept_ ? kept_->whole() : output_.file, made_.width, made_.height,
+                    film_.settings.rate,
+                    MovieCoding{format(), static_cast<int>(film_.settings.quality), nullptr, open_,
+                                kept_ ? kept_->so_far() : fs::path()});
+        for (std::int64_t frame = 0; frame < painter_->frames(); ++frame)
+            movie.add(draw(frame, frame, painter_->frames()));
         made_.width = movie.padded_width();
         made_.height = movie.padded_height();
         movie.finish(movie_texts());
+        if (kept_) kept_->finish();
+    }
+
+    /// All that decides the frames.
+    [[nodiscard]] std::string identity() const {
+        return film_toml(film_) + filmed_runs_text(runs_) + facts_.remake + FUMON_VERSION +
+               environment_text(painter_->record().environment);
     }
 
     /// Keeps the frames, and encodes them worse and smaller until they fit.
     void write_in_tries() {
-        FrameSpool spool(output_.file, made_.width, made_.height);
+        FrameSpool spool(output_.file, made_.width, made_.height, open_);
         ColourCounts counts;
-        for (std::int64_t frame = 0; frame < painter_.frames(); ++frame) {
-            const Image image = draw(frame, frame, painter_.frames());
+        for (std::int64_t frame = 0; frame < painter_->frames(); ++frame) {
+            const Image image = draw(frame, frame, painter_->frames());
             counts.add(image);
             spool.add(image);
         }
@@ -214,7 +243,7 @@ class FilmMaker {
                 2, 2 * static_cast<int>(std::lround(0.5 * scale * static_cast<double>(side))));
         };
         Movie movie(output_.file, scaled(size.width), scaled(size.height), film_.settings.rate,
-                    MovieCoding{format(), quality, colours});
+                    MovieCoding{format(), quality, colours, open_});
         for (std::int64_t frame = 0; frame < spool.frames(); ++frame) {
             if (const int signal = interrupting_signal(); signal != 0) throw Interrupted{signal};
             movie.add(resized(spool.frame(frame), scaled(size.width), scaled(size.height)));
@@ -227,14 +256,17 @@ class FilmMaker {
 
     const FilmOutput& output_;
     const Film& film_;
+    const FilmRuns& runs_;
     const StoredBeds& beds_;
     StatusLine& status_;
     TitleFacts facts_;
     WorkerPool pool_;
-    FilmPainter painter_;
+    std::unique_ptr<FilmFrames> painter_;
+    bool open_ = false;  ///< its frames have alpha
     Sha256Stream pixels_;
     Stopwatch watch_;
     MadeFilm made_;
+    std::optional<KeptFrames> kept_;
 
   public:
     /// What stands beside the file.
@@ -254,17 +286,13 @@ class FilmMaker {
 
 }  // namespace
 
-fs::path sidecar_of(const fs::path& file) {
-    return file.string() + ".json";
-}
-
 fs::path captions_of(fs::path file) {
     return file.replace_extension(".srt");
 }
 
-MadeFilm make_film(const FilmOutput& output, const StoredBeds& beds, const std::string& remake,
+MadeFilm make_film(const FilmOutput& output, const FilmRuns& runs, const std::string& remake,
                    const WorkOptions& work, StatusLine& status) {
-    FilmMaker maker(output, beds, remake, work, status);
+    FilmMaker maker(output, runs, remake, work, status);
     const MadeFilm made = maker.make();
     if (made.signal == 0) maker.write_beside();
     return made;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "film/beds/film_runs.h"
 #include "film/film_output.h"
-#include "film/stored_beds.h"
 #include "run/terminal/status_line.h"
 #include "run/terminal/work_options.h"
 
@@ -20,13 +20,11 @@ struct MadeFilm {
     int signal = 0;  ///< that stopped it: there is no file; or 0
 };
 
-/// What a file of a film carries beside it where its format holds no text: FILE.json.
-std::filesystem::path sidecar_of(const std::filesystem::path& file);
-
-/// Draws a film from stored beds and writes it whole, or nothing. With captions a SubRip file is
-/// written beside a movie, and a sidecar beside what holds no text. Throws InputError before
-/// anything is drawn where film and run do not fit, Error where drawing or writing fails.
-MadeFilm make_film(const FilmOutput& output, const StoredBeds& beds, const std::string& remake,
+/// Draws a film from the stored beds of its runs and writes it whole, or nothing. With captions a
+/// SubRip file is written beside a movie, and a sidecar beside what holds no text. Throws
+/// InputError before anything is drawn where film and run do not fit, Error where drawing or
+/// writing fails.
+MadeFilm make_film(const FilmOutput& output, const FilmRuns& runs, const std::string& remake,
                    const WorkOptions& work, StatusLine& status);
 
 /// The captions' file beside a movie.

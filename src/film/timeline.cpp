@@ -5,6 +5,18 @@
 
 namespace fumon {
 
+namespace {
+
+/// A piece ends with its film at the latest, whose frames are whole ones.
+double excerpt_seconds(const Excerpt& excerpt, double rate) {
+    Film whole = *excerpt.read;
+    whole.settings.rate = rate;
+    const double end = static_cast<double>(Timeline(whole).frames()) / rate;
+    return (excerpt.to.is_word() ? end : std::min(end, excerpt.to.value)) - excerpt.from;
+}
+
+}  // namespace
+
 Timeline::Timeline(const Film& film) : rate_(film.settings.rate) {
     const auto add_cards = [&](CardPlace place) {
         for (std::size_t i = 0; i < film.cards.size(); ++i) {
@@ -16,10 +28,22 @@ Timeline::Timeline(const Film& film) : rate_(film.settings.rate) {
     add_cards(CardPlace::start);
     const bool after_card = !parts_.empty();
     shots_begin_ = frames_;
+    const auto overlap_of = [&](const auto& piece, std::size_t number) {
+        const double overlap =
+            piece.transition == Transition::cross_fade ? piece.transition_seconds : 0.0;
+        if (number > 0 || !after_card || overlap > 0.0) return overlap;
+        return film.cards[parts_.back().number].fade;
+    };
+    for (std::size_t i = 0; i < film.excerpts.size(); ++i) {
+        const Excerpt& excerpt = film.excerpts[i];
+        FilmPart part{FilmPart::Kind::excerpt, i};
+        part.begin = std::lround(excerpt.from * rate_);
+        add(part, excerpt_seconds(excerpt, rate_), overlap_of(excerpt, i));
+        if (i == 0) shots_begin_ = parts_.back().first;
+    }
     for (std::size_t i = 0; i < film.shots.size(); ++i) {
         const Shot& shot = film.shots[i];
-        double overlap = shot.transition == Transition::cross_fade ? shot.transition_seconds : 0.0;
-        if (i == 0 && after_card && overlap == 0.0) overlap = film.cards[parts_.back().number].fade;
+        const double overlap = overlap_of(shot, i);
         FilmPart part{FilmPart::Kind::shot, i};
         part.held = std::lround(shot.hold * rate_);
         add(part, shot.seconds, overlap);

@@ -4,18 +4,19 @@
 #include <cstdint>
 #include <vector>
 
-#include "film/film.h"
+#include "film/script/film.h"
 
 namespace fumon {
 
-/// A shot, or a card on a dark ground, on the film's way.
+/// A shot, a piece of another film, or a card on a dark ground, on the film's way.
 struct FilmPart {
-    enum class Kind { shot, card };
+    enum class Kind { shot, excerpt, card };
     Kind kind = Kind::shot;
-    std::size_t number = 0;  ///< of film.shots or film.cards
+    std::size_t number = 0;  ///< of film.shots, film.excerpts or film.cards
     std::int64_t first = 0;  ///< frame of the film
     std::int64_t frames = 0;
     std::int64_t overlap = 0;  ///< of these, how many the part before it still shows
+    std::int64_t begin = 0;    ///< of an excerpt, the first frame of its film
     std::int64_t held = 0;     ///< the last ones of a shot, which are like the one before them
 };
 

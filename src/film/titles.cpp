@@ -16,7 +16,6 @@ namespace {
 
 constexpr double safe_margin = 0.05;   // of the picture's width and height
 constexpr double title_size = 2.2;     // of a caption's
-constexpr double usual_side = 1080.0;  // pixels for which film.cap_height is meant
 constexpr double caption_fade = 0.25;  // seconds
 constexpr std::uint8_t darkness = 16;  // of a card's ground
 constexpr double veil = 0.35;          // of black under a card over the picture

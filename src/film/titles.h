@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "film/film.h"
+#include "film/camera/stage.h"
 #include "film/lettering.h"
-#include "film/stage.h"
+#include "film/script/film.h"
 #include "film/timeline.h"
 
 namespace fumon {

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "gl/backends.h"
 #include "gl/functions.h"
+#include "gl/library_names.h"
 #include "gl/shared_library.h"
 
 namespace fumon::gl {
@@ -17,7 +18,7 @@ namespace {
 constexpr const char* egl_advice = "install the Debian packages libegl1 and libgl1-mesa-dri";
 
 struct EglLibrary {
-    SharedLibrary file{"libEGL.so.1"};
+    SharedLibrary file{egl_names};
     PFNEGLGETPROCADDRESSPROC resolve = nullptr;
     PFNEGLGETPLATFORMDISPLAYPROC platform_display = nullptr;
     PFNEGLINITIALIZEPROC initialize = nullptr;

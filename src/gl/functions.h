@@ -32,6 +32,7 @@
     X(DepthMask, PFNGLDEPTHMASKPROC)                             \
     X(Disable, PFNGLDISABLEPROC)                                 \
     X(DrawArrays, PFNGLDRAWARRAYSPROC)                           \
+    X(DrawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC)         \
     X(DrawElements, PFNGLDRAWELEMENTSPROC)                       \
     X(Enable, PFNGLENABLEPROC)                                   \
     X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC) \
@@ -66,6 +67,7 @@
     X(Uniform4f, PFNGLUNIFORM4FPROC)                             \
     X(UniformMatrix4fv, PFNGLUNIFORMMATRIX4FVPROC)               \
     X(UseProgram, PFNGLUSEPROGRAMPROC)                           \
+    X(VertexAttribDivisor, PFNGLVERTEXATTRIBDIVISORPROC)         \
     X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)         \
     X(Viewport, PFNGLVIEWPORTPROC)
 

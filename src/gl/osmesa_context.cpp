@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "gl/backends.h"
 #include "gl/functions.h"
+#include "gl/library_names.h"
 #include "gl/shared_library.h"
 
 namespace fumon::gl {
@@ -29,7 +30,7 @@ constexpr int osmesa_minor_version = 0x37;
 constexpr const char* osmesa_advice = "install the Debian package libosmesa6";
 
 struct OsMesaLibrary {
-    SharedLibrary file{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
+    SharedLibrary file{osmesa_names};
     CreateContextAttribs create = nullptr;
     MakeCurrent make_current = nullptr;
     DestroyContext destroy = nullptr;

@@ -4,7 +4,7 @@
 
 namespace fumon::gl {
 
-SharedLibrary::SharedLibrary(std::initializer_list<const char*> names) {
+SharedLibrary::SharedLibrary(std::span<const char* const> names) {
     for (const char* name : names) {
         handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
         if (handle_ != nullptr) return;

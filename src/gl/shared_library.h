@@ -1,6 +1,6 @@
 #pragma once
 
-#include <initializer_list>
+#include <span>
 #include <string>
 
 namespace fumon::gl {
@@ -10,7 +10,7 @@ namespace fumon::gl {
 class SharedLibrary {
   public:
     /// Opens the first of `names` that loads.
-    explicit SharedLibrary(std::initializer_list<const char*> names);
+    explicit SharedLibrary(std::span<const char* const> names);
 
     [[nodiscard]] bool loaded() const { return handle_ != nullptr; }
     [[nodiscard]] const std::string& failure() const { return failure_; }  ///< why not, one line

@@ -7,6 +7,7 @@
 #include "base/snapshot_lookup.h"
 #include "measure/air/air_groups.h"
 #include "measure/bed/bed_groups.h"
+#include "measure/network/network_groups.h"
 #include "measure/number_group.h"
 #include "measure/pile/pile_groups.h"
 #include "measure/water/water_groups.h"
@@ -68,7 +69,15 @@ class MeasureSuite::Parts {
 
 namespace {
 
-using MakeGroup = MeasureGroup (*)(const Snapshot& first, std::span<const MeasureColumn> taken);
+/// What a group is made from.
+struct GroupRequest {
+    Landform landform;
+    const Snapshot& first;
+    std::span<const MeasureColumn> taken;  ///< the columns before its own
+    const MeasureChoice& choice;
+};
+
+using MakeGroup = MeasureGroup (*)(const GroupRequest& request);
 
 /// A group and the landforms that have it.
 struct SuiteGroup {
@@ -87,19 +96,31 @@ constexpr unsigned on_water = bit(Landform::water);
 constexpr unsigned of_air = bit(Landform::air);
 constexpr unsigned everywhere = on_beds_and_profiles | on_piles | on_water | of_air;
 
-/// Groups take what they need: nothing, the first snapshot, or also the columns before theirs.
+/// Groups take what they need: nothing, the first snapshot, the columns before theirs, or all.
 template <auto group>
 constexpr SuiteGroup entry(unsigned landforms) {
-    return {[](const Snapshot& first, std::span<const MeasureColumn> taken) -> MeasureGroup {
+    return {[](const GroupRequest& request) -> MeasureGroup {
                 if constexpr (std::is_invocable_v<decltype(group)>) {
                     return group();
                 } else if constexpr (std::is_invocable_v<decltype(group), const Snapshot&>) {
-                    return group(first);
+                    return group(request.first);
+                } else if constexpr (std::is_invocable_v<decltype(group), const GroupRequest&>) {
+                    return group(request);
                 } else {
-                    return group(first, taken);
+                    return group(request.first, request.taken);
                 }
             },
             landforms};
+}
+
+/// Channels by the area that drains through them, where they are asked for.
+MeasureGroup chosen_network_group(const GroupRequest& request) {
+    const bool of_land =
+        request.landform == Landform::water || request.first.landform == Landform::terrain;
+    if (!of_land || !(request.choice.channel_area > 0.0)) {
+        return {{}, [](const Snapshot&) { return std::vector<double>{}; }};
+    }
+    return network_group(request.first, request.choice.channel_area);
 }
 
 /// Every group, in the order of its columns. A new group is a line here.
@@ -118,6 +139,7 @@ constexpr std::array suite_groups{
     entry<channel_group>(on_water),
     entry<water_relief_group>(on_water),
     entry<water_flow_group>(on_water),
+    entry<chosen_network_group>(on_beds | on_water),
     entry<stress_group>(of_air),
     entry<air_group>(of_air),
     entry<flight_group>(of_air),
@@ -126,12 +148,12 @@ constexpr std::array suite_groups{
 
 }  // namespace
 
-MeasureSuite::MeasureSuite(Landform landform, const Snapshot& first)
+MeasureSuite::MeasureSuite(Landform landform, const Snapshot& first, const MeasureChoice& choice)
     : parts_(std::make_unique<Parts>()) {
     std::vector<MeasureColumn>& columns = parts_->columns;
     for (const SuiteGroup& group : suite_groups) {
         if ((group.landforms & bit(landform)) == 0) continue;
-        parts_->groups.push_back(group.make(first, columns));
+        parts_->groups.push_back(group.make({landform, first, columns, choice}));
         const std::vector<MeasureColumn>& own = parts_->groups.back().columns;
         columns.insert(columns.end(), own.begin(), own.end());
     }

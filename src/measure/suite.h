@@ -29,6 +29,13 @@ struct MeasuredValue {
 /// cells by dx·dy.
 MeasuredValue in_world_units(const MeasuredValue& measured, const WorldScale& scale);
 
+/// What is measured besides what always is.
+struct MeasureChoice {
+    /// Water and terrain: the network of channels through which at least this area drains, m² (or
+    /// cells of a bed that is not in metres). 0: no network.
+    double channel_area = 0.0;
+};
+
 /// What a run measures, row by row. The landform decides the columns; rows may depend on earlier
 /// ones (celerity) and on all avalanches so far. Water and air are measured in metres and seconds,
 /// the units of their models; the numbers that these models keep are columns too, under their own
@@ -36,7 +43,8 @@ MeasuredValue in_world_units(const MeasuredValue& measured, const WorldScale& sc
 class MeasureSuite {
   public:
     /// `first` is like the snapshots that will be measured: it has the same numbers and curves.
-    explicit MeasureSuite(Landform landform, const Snapshot& first = {});
+    explicit MeasureSuite(Landform landform, const Snapshot& first = {},
+                          const MeasureChoice& choice = {});
     ~MeasureSuite();
     MeasureSuite(const MeasureSuite&) = delete;
     MeasureSuite& operator=(const MeasureSuite&) = delete;

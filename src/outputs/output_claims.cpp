@@ -61,12 +61,14 @@ bool same_file(const fs::path& one, const fs::path& other) {
 /// Makes an empty file in a folder and takes it away again; returns 0 or an errno value. The file
 /// has no name where the file system can do that, so that a kill in between leaves nothing.
 int try_to_write_in(const fs::path& folder) {
+#ifdef O_TMPFILE
     const int nameless = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
     if (nameless >= 0) {
         ::close(nameless);
         return 0;
     }
     if (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL) return errno;
+#endif
     std::string name = (folder / ".fumon-XXXXXX").string();
     const int descriptor = ::mkstemp(name.data());
     if (descriptor < 0) return errno;

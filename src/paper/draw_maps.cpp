@@ -1,11 +1,17 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "base/elementary.h"
+#include "base/quantity_text.h"
+#include "base/units.h"
 #include "figure/panels/hill_shading.h"
 #include "figure/panels/map_panel.h"
 #include "files/terrain/terrain_format.h"
+#include "measure/bed/crest_theory.h"
 #include "paper/panel_look.h"
 #include "paper/panel_makers.h"
+#include "wind/crest_directions.h"
 
 namespace fumon {
 
@@ -60,6 +66,19 @@ WorldScale scale_of_values(const MapPicture& picture, const Snapshot& snapshot) 
     return scale;
 }
 
+/// The crests that are measured, and over them those that their winds should give.
+std::vector<MapLine> crest_lines_of(const Snapshot& snapshot, double flux_ratio) {
+    const auto along = [](double degrees) {
+        return glm::dvec2(elementary::sin(degrees * degree), elementary::cos(degrees * degree));
+    };
+    const CrestDirections predicted = predicted_crests(snapshot, flux_ratio);
+    std::vector<MapLine> lines;
+    const double measured = crest_theory(snapshot, predicted).measured;
+    if (!std::isnan(measured)) lines.push_back({along(measured), false});
+    for (const double crests : predicted.bed_instability) lines.push_back({along(crests), true});
+    return lines;
+}
+
 std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools) {
     const PanelSettings& settings = subject.panel.settings;
     std::vector<MapPicture> pictures =
@@ -77,6 +96,9 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
         MapPicture& picture = pictures[k];
         MapSettings shown;
         shown.axes = settings.axes;
+        shown.x_label = settings.x_label;
+        shown.y_label = settings.y_label;
+        picture.colours.label = label_or(settings.bar_label, picture.colours.label);
         const bool bar = settings.colour_bar && (!shared || k + 1 == pictures.size());
         shown.colour_bar = bar ? BarPlace::right : BarPlace::none;
         if (k == 0) {
@@ -84,6 +106,9 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
             shown.arrow = direction_of(settings.arrow, subject.first);
         }
         if (settings.vectors) shown.flow = water_flow_of(subject.snapshots[k]);
+        if (settings.crests)
+            shown.lines = crest_lines_of(subject.snapshots[k], settings.flux_ratio);
+        shown.contours = ground_contours(settings.contours, subject.snapshots[k]);
         MadePanel one;
         for (TerrainBytes& file : find_written_format("esri-ascii")
                                       ->write({picture.values, picture.blank,

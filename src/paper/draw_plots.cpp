@@ -69,8 +69,7 @@ PlotSeries fit_series(const CurvePoints& points, const SeriesLook& look, bool lo
 }
 
 std::string axis_label(const std::string& given, const std::string& name, const std::string& unit) {
-    if (!given.empty()) return given;
-    return quantity_text(name.substr(name.rfind('.') + 1), unit);  // a key's last name
+    return label_or(given, quantity_text(name.substr(name.rfind('.') + 1), unit));  // a key's last
 }
 
 PlotAxis axis_of(const std::string& label, bool logarithmic, const WordOrReal& low,

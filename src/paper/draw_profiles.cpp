@@ -34,6 +34,8 @@ std::vector<MadePanel> make_profiles(const PanelSubject& subject, PanelTools& /*
     const PanelSettings& settings = subject.panel.settings;
     ProfilePicture picture =
         profile_picture(subject.snapshots, row_of(settings, subject.snapshots.front().bed));
+    picture.x_label = settings.x_label;
+    picture.y_label = settings.y_label;
     if (settings.arrow == PanelArrow::wind) picture.wind = wind_direction(subject.first);
     std::vector<MadePanel> made(1);
     made[0].data = {{".csv", profile_csv(picture)}};

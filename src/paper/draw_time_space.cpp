@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "base/quantity_text.h"
 #include "figure/panels/time_space_panel.h"
 #include "files/csv_table.h"
 #include "paper/panel_look.h"
@@ -31,6 +32,9 @@ std::vector<MadePanel> make_time_space(const PanelSubject& subject, PanelTools& 
                                                   row_of(settings, subject.snapshots.front().bed));
     std::vector<MadePanel> made(1);
     made[0].data = {{".csv", time_space_csv(picture)}};
+    picture.x_label = settings.x_label;
+    picture.y_label = settings.y_label;
+    picture.colours.label = label_or(settings.bar_label, picture.colours.label);
     made[0].content = std::make_unique<TimeSpacePanel>(
         std::move(picture), settings.colour_bar ? BarPlace::right : BarPlace::none);
     return made;

@@ -16,6 +16,7 @@ std::vector<RunRecord> make_runs(const FigureRuns& runs, const RunStore& store,
     for (std::size_t k = 0; k < records.size(); ++k) {
         const StoredRun& run = runs[k];
         if (store.holds(run)) {
+            store.clear_leftovers(run);
             records[k].status = RunStatus::done;
             continue;
         }

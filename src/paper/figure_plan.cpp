@@ -14,6 +14,7 @@
 #include "paper/figure_tables.h"
 #include "paper/panel_makers.h"
 #include "run/prepared_run.h"
+#include "scene/input_maps.h"
 #include "scene/overlay_keys.h"
 #include "scene/placeholders.h"
 #include "scene/scene_keys.h"
@@ -144,7 +145,7 @@ class Planner {
         set("output.bed_at", "[]");
         Scene found = parse_scene(request.scene, request.settings);
         const std::string written = found.bed.file;
-        sources_.find_bed(found);
+        sources_.find_inputs(found);
         if (found.bed.file != written) set("bed.file", found.bed.file);
         const bool varies_nothing = settings.over == std::vector<std::string>{"none"};
         if (varies_nothing || (of_one_step && settings.over.empty())) {
@@ -165,8 +166,9 @@ class Planner {
 
     /// A scene as its run takes it: with its bed file as it lies now, and its bed's size.
     InitialBed settle(Scene& scene) {
-        sources_.find_bed(scene);
+        sources_.find_inputs(scene);
         InitialBed initial = make_initial_bed(scene);
+        add_maps(scene, initial);
         scene.grid.nx = initial.bed.nx();
         scene.grid.ny = initial.bed.ny();
         note(initial);
@@ -180,7 +182,7 @@ class Planner {
             Scene scene = scene_of(plan, plan.runs[k]);
             if (k == 0 || plan.runs[k].combination != plan.runs[k - 1].combination)
                 initial = settle(scene);
-            sources_.find_bed(scene);
+            sources_.find_inputs(scene);
             scene.grid.nx = initial->bed.nx();
             scene.grid.ny = initial->bed.ny();
             StoredRun run = stored_run(scene, *initial);
@@ -219,7 +221,7 @@ class Planner {
         curve.table.columns.push_back({"seed"});
         const Table own = at(curve.path + ".table", [&] {
             try {
-                return curve_columns(curve.settings.table, first);
+                return curve_columns(curve.settings.table, scene, first);
             } catch (const InputError& refusal) {
                 throw InputError(
                     fmt::format("this table {}, not {}", refusal.what(), curve.scene.model.name));
@@ -257,7 +259,7 @@ class Planner {
         const PanelSettings& settings = panel.settings;
         Scene scene = parse_scene(scene_text(settings.scene, panel.path + ".scene"),
                                   changes(settings.scene, settings.set, panel.path + ".set"));
-        sources_.find_bed(scene);
+        sources_.find_inputs(scene);
         PreparedScene prepared = prepare_scene(std::move(scene));
         note(prepared.initial);
         PicturePlan picture{prepared.scene, 0, settings.steps};

@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "base/error.h"
+#include "files/hash.h"
 #include "files/input_file.h"
-#include "scene/find_input.h"
+#include "run/inputs/find_input.h"
+#include "scene/input_maps.h"
 
 namespace fumon {
 
@@ -61,14 +63,20 @@ std::vector<SourceText> FigureSources::all() const {
     return texts;
 }
 
-void FigureSources::find_bed(Scene& scene) const {
-    if (!again_ || bed_kind(scene) != BedKind::file) return;
-    const bool as_it_stands = scene.set_on_command_line("bed.file");
-    const std::string name =
-        name_of(as_it_stands ? fs::path(scene.bed.file) : scene.directory / scene.bed.file);
+void FigureSources::find_inputs(Scene& scene) const {
+    if (!again_) return;
+    for (const InputKey& key : input_keys(scene))
+        find(
+            scene.set_on_command_line(key.path) ? fs::path(*key.file) : scene.directory / *key.file,
+            *key.file);
+}
+
+/// Of what a figure made again reads.
+void FigureSources::find(const fs::path& named, std::string& file) const {
+    const std::string name = name_of(named);
     for (const InputFile& input : inputs_) {
         if (name_of(input.path) == name) {
-            scene.bed.file = fs::absolute(find_(input)).string();
+            file = fs::absolute(find_(input)).string();
             return;
         }
     }

@@ -40,12 +40,15 @@ class FigureSources {
     /// Every text read so far, by path.
     [[nodiscard]] std::vector<SourceText> all() const;
 
-    /// Makes a scene's bed file the one that lies there now, where a figure is made again.
-    void find_bed(Scene& scene) const;
-    /// The name that a bed file had when the figure was first made.
+    /// Makes the files that a scene's run reads those that lie there now, where a figure is made
+    /// again.
+    void find_inputs(Scene& scene) const;
+    /// The name that such a file had when the figure was first made.
     [[nodiscard]] InputFile as_first_named(const InputFile& input) const;
 
   private:
+    void find(const std::filesystem::path& named, std::string& file) const;
+
     bool again_ = false;
     bool trusted_ = true;
     std::string version_;  ///< whose defaults the scenes have

@@ -32,10 +32,10 @@ Table columns(const std::vector<std::pair<std::string, std::string>>& names) {
     return table;
 }
 
-Table measurement_columns(const Snapshot& first) {
+Table measurement_columns(const Scene& scene, const Snapshot& first) {
     Table table =
         columns({{"step", ""}, {"time", first.time_unit == "steps" ? "" : first.time_unit}});
-    const MeasureSuite suite(measured_landform(first), first);
+    const MeasureSuite suite(measured_landform(first), first, {scene.output.channel_area});
     for (const MeasureColumn& column : suite.columns())
         table.columns.push_back({column.name, column.unit});
     return table;
@@ -185,10 +185,10 @@ bool is_of_combination(const SweepPlan& plan, std::size_t run, std::size_t first
 
 }  // namespace
 
-Table curve_columns(CurveTable table, const Snapshot& first) {
+Table curve_columns(CurveTable table, const Scene& scene, const Snapshot& first) {
     switch (table) {
         case CurveTable::measurements:
-            return measurement_columns(first);
+            return measurement_columns(scene, first);
         case CurveTable::avalanches:
         case CurveTable::avalanche_sizes:
             return avalanche_columns(first, table);

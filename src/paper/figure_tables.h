@@ -7,7 +7,7 @@ namespace fumon {
 /// The columns that a curve's table has, without rows, as a run with such snapshots gives them; the
 /// values of `first` do not matter. Throws
 /// InputError without a place where this model has no such table.
-Table curve_columns(CurveTable table, const Snapshot& first);
+Table curve_columns(CurveTable table, const Scene& scene, const Snapshot& first);
 
 /// The rows that a curve is drawn from: of every run, with the varied keys and the seed as columns
 /// before them. Sizes of avalanches are counted over all seeds of a combination together (seed

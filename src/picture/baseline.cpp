@@ -18,10 +18,11 @@ namespace fumon {
 
 namespace {
 
+/// What stood above the records while they stood in the same file.
 constexpr std::string_view head_mark =
     "# Recorded by `fumon verify --update`, which writes anew all that follows.";
 
-/// Without the line ends and the mark that it ends with.
+/// Without the mark that it ends with, and with one line end.
 std::string people_part(std::string head) {
     const auto trim = [&] {
         while (head.ends_with('\n') || head.ends_with('\r')) head.pop_back();
@@ -29,7 +30,7 @@ std::string people_part(std::string head) {
     trim();
     if (head.ends_with(head_mark)) head.resize(head.size() - head_mark.size());
     trim();
-    return head;
+    return head + "\n";
 }
 
 class Reader {
@@ -43,6 +44,9 @@ class Reader {
                 fmt::format("{}: expected pictures are kept in a folder of this name without its "
                             "ending, which would be \"{}\"; rename it",
                             name_, stem));
+        }
+        if (file == baseline_.lock()) {
+            throw InputError(fmt::format("{}: is a lock; name the baseline that it is of", name_));
         }
     }
 
@@ -63,7 +67,11 @@ class Reader {
         std::sort(order_.begin(), order_.end());
         for (const Place& place : order_) baseline_.cases.push_back(cases_.at(place.name));
         baseline_.head = text_;
-        if (recorded != nullptr && !recorded->empty()) read_records(*recorded);
+        if (recorded != nullptr && !recorded->empty()) {
+            read_records(*recorded);
+        } else {
+            take(read_lock(baseline_.lock(), LockOwner::verify));
+        }
         return std::move(baseline_);
     }
 
@@ -140,6 +148,17 @@ class Reader {
         one.time = -1.0;
     }
 
+    void take(const BaselineRecords& records) {
+        for (const auto& [name, record] : records) {
+            if (cases_.contains(name)) {
+                baseline_.records[name] = record;
+            } else {
+                baseline_.orphans.push_back(name);
+            }
+        }
+    }
+
+    /// Those of a file that was written before there were locks.
     void read_records(const toml::table& recorded) {
         auto first = std::numeric_limits<toml::source_index>::max();
         for (const auto& [name, value] : recorded)
@@ -152,15 +171,19 @@ class Reader {
                                 one.place, one.name));
             }
         }
+        std::error_code fault;
+        if (std::filesystem::exists(baseline_.lock(), fault)) {
+            throw InputError(fmt::format("{}:{}:1: what is recorded stands in {}; remove it here",
+                                         name_, first, baseline_.lock().string()));
+        }
         cut_head(first);
+        BaselineRecords records;
         for (const auto& [name, value] : recorded) {
             const std::string picture(name.str());
-            if (cases_.contains(picture)) {
-                baseline_.records[picture] = read_record(picture, value, locate_);
-            } else {
-                baseline_.orphans.push_back(picture);
-            }
+            records[picture] = read_record(picture, value, locate_);
         }
+        take(records);
+        baseline_.unlocked = true;
     }
 
     /// The head ends before this line.
@@ -170,7 +193,7 @@ class Reader {
             const std::size_t next = text_.find('\n', end);
             end = next == std::string::npos ? next : next + 1;
         }
-        baseline_.head = text_.substr(0, end);
+        baseline_.head = people_part(text_.substr(0, end));
     }
 
     std::string name_;
@@ -201,25 +224,16 @@ void BaselineCase::list_keys(const std::string& prefix, KeyTable& table) {
                {.range = {-1, 1}, .help = "of every tile that passes elsewhere"});
 }
 
+std::filesystem::path Baseline::lock() const {
+    return std::filesystem::path(file).replace_extension(".lock");
+}
+
 std::filesystem::path Baseline::picture_of(const BaselineCase& one) const {
     return file.parent_path() / file.stem() / (one.name + ".png");
 }
 
 Baseline read_baseline(const std::filesystem::path& file) {
     return Reader(file).read();
-}
-
-std::string baseline_text(const Baseline& baseline) {
-    std::string text = people_part(baseline.head) + "\n";
-    bool first = true;
-    for (const BaselineCase& one : baseline.cases) {
-        const auto found = baseline.records.find(one.name);
-        if (found == baseline.records.end()) continue;
-        if (first) text += fmt::format("\n{}\n", head_mark);
-        first = false;
-        text += fmt::format("\n{}", record_text(one.name, found->second));
-    }
-    return text;
 }
 
 }  // namespace fumon

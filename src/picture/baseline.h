@@ -28,23 +28,25 @@ struct BaselineCase {
     void list_keys(const std::string& prefix, KeyTable& table);
 };
 
-/// A baseline file: TOML whose first part, `[cases]` and what holds for all of them, is written by
-/// people, and whose rest, a section `[recorded.NAME]` a case, by `fumon verify --update`.
+/// A baseline: TOML that people write, `[cases]` and what holds for all of them, and its lock
+/// beside it, which `fumon verify --update` writes: what is recorded of each case.
 struct Baseline {
     std::filesystem::path file;
-    std::string head;  ///< the people's part, as it stands
+    std::string head;  ///< what people wrote, as it stands
     std::vector<BaselineCase> cases;
-    BaselineRecords records;
+    BaselineRecords records;           ///< of these cases
     std::vector<std::string> orphans;  ///< recorded names that no case has
+    bool unlocked = false;  ///< the records stand in the file itself, as before version 0.2
+
+    /// Where the records are kept: "sand.toml" → "sand.lock".
+    [[nodiscard]] std::filesystem::path lock() const;
 
     /// Where the expected picture of a case is kept: "sand.toml" → "sand/NAME.png".
     [[nodiscard]] std::filesystem::path picture_of(const BaselineCase& one) const;
 };
 
-/// Throws InputError "file:line:column: what is wrong; what would be right" for the first fault.
+/// A baseline with its lock. Throws InputError "file:line:column: what is wrong; what would be
+/// right" for the first fault of either.
 Baseline read_baseline(const std::filesystem::path& file);
-
-/// The file with these cases' records, in their order. Read again it gives the same.
-std::string baseline_text(const Baseline& baseline);
 
 }  // namespace fumon

@@ -42,6 +42,24 @@ struct RecordText {
     throw InputError(fmt::format("{}: unknown key {}; {}", place, path, suggestion(path, known)));
 }
 
+std::string first_line(LockOwner owner) {
+    return fmt::format(
+        "# Recorded by `{}`, which writes it anew. Commit it.\n",
+        owner == LockOwner::verify ? "fumon verify --update" : "pytest --fumon-update");
+}
+
+/// Each would take the other's records for ones that nothing is about.
+void refuse_lock_of_other(const std::string& text, const std::filesystem::path& file,
+                          LockOwner owner) {
+    const bool verifies = owner == LockOwner::verify;
+    if (!text.starts_with(first_line(verifies ? LockOwner::pytest : LockOwner::verify))) return;
+    throw InputError(fmt::format(
+        "{}:1:1: {}", file.string(),
+        verifies ? "was recorded by pytest; rename the baseline, whose lock bears its name"
+                 : "was recorded by `fumon verify`; rename its baseline and this file, since "
+                   "pytest records in pictures.lock"));
+}
+
 }  // namespace
 
 bool good_picture_name(std::string_view name) {
@@ -97,11 +115,12 @@ std::string record_text(const std::string& name, const BaselineRecord& record) {
     return text + fingerprint_text(record.fingerprint);
 }
 
-BaselineRecords read_records(const std::filesystem::path& file) {
+BaselineRecords read_lock(const std::filesystem::path& file, LockOwner owner) {
     BaselineRecords records;
     std::error_code fault;
     if (!std::filesystem::exists(file, fault)) return records;
     const std::string text = read_input_file(file);
+    refuse_lock_of_other(text, file, owner);
     const toml::table root = parse_toml(text, file.string(), "what is recorded is TOML");
     const Locate locate = [&](const toml::source_region& region) {
         return fmt::format("{}:{}:{}", file.string(), region.begin.line, region.begin.column);
@@ -123,8 +142,8 @@ BaselineRecords read_records(const std::filesystem::path& file) {
     return records;
 }
 
-std::string records_text(const BaselineRecords& records, std::string_view comment) {
-    std::string text = fmt::format("# {}\n", comment);
+std::string lock_text(const BaselineRecords& records, LockOwner owner) {
+    std::string text = first_line(owner);
     for (const auto& [name, record] : records)
         text += fmt::format("\n{}", record_text(name, record));
     return text;

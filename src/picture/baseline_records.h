@@ -40,11 +40,17 @@ std::string record_text(const std::string& name, const BaselineRecord& record);
 void read_known_keys(const toml::table& from, const std::string& prefix, const KeyTable& table,
                      const Locate& locate, std::initializer_list<std::string_view> others = {});
 
-/// The records of a file that holds nothing else; none where there is no such file. Throws
-/// InputError "file:line:column: what is wrong; what would be right".
-BaselineRecords read_records(const std::filesystem::path& file);
+/// Who keeps a lock: a file of records and nothing else, beside what it is about.
+enum class LockOwner {
+    verify,  ///< `fumon verify`: NAME.lock beside the baseline NAME.toml
+    pytest,  ///< the plugin: pictures.lock beside the tests
+};
 
-/// Such a file, which begins with this comment. Read again it gives the same.
-std::string records_text(const BaselineRecords& records, std::string_view comment);
+/// The records of a lock; none where there is no such file. Throws InputError
+/// "file:line:column: what is wrong; what would be right", also where the other owner wrote it.
+BaselineRecords read_lock(const std::filesystem::path& file, LockOwner owner);
+
+/// A lock with these records, by name. Read again it gives the same.
+std::string lock_text(const BaselineRecords& records, LockOwner owner);
 
 }  // namespace fumon

@@ -51,6 +51,11 @@ RowDifference row_difference(const std::uint8_t* a, const std::uint8_t* b, int p
 
 Comparison compare(const Image& first, const Image& second) {
     check_sizes(first, second);
+    if (first.transparent() || second.transparent()) {
+        const Comparison dark = compare(laid_on(first, 0), laid_on(second, 0));
+        const Comparison pale = compare(laid_on(first, 255), laid_on(second, 255));
+        return dark.mean > pale.mean ? dark : pale;
+    }
     Comparison comparison;
     std::int64_t sum = 0;
     for (int y = 0; y < first.height; ++y) {
@@ -101,6 +106,8 @@ std::string likeness_help() {
 
 Image difference_picture(const Image& first, const Image& second) {
     check_sizes(first, second);
+    if (first.transparent() || second.transparent())
+        return difference_picture(laid_on(first, 255), laid_on(second, 255));
     Image picture(first.width, first.height);
     for (int y = 0; y < first.height; ++y) {
         const std::uint8_t* a = first.row(y);

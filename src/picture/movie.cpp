@@ -17,6 +17,7 @@ extern "C" {
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -26,9 +27,10 @@ extern "C" {
 #include "base/error.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
-#include "picture/colour_table.h"
 #include "picture/encoder_options.h"
 #include "picture/frame_rate.h"
+#include "picture/growing_movie.h"
+#include "picture/movie_pixels.h"
 
 namespace fumon {
 
@@ -64,26 +66,6 @@ int even(int side) {
     return side + side % 2;
 }
 
-/// Copies an image into an RGB frame of even sides, repeating its last column and row.
-void copy_padded(const Image& image, AVFrame& frame) {
-    const auto row_bytes = static_cast<std::size_t>(3) * static_cast<std::size_t>(image.width);
-    for (int y = 0; y < frame.height; ++y) {
-        const std::uint8_t* source = image.row(std::min(y, image.height - 1));
-        std::uint8_t* target = frame.data[0] + static_cast<std::ptrdiff_t>(y) * frame.linesize[0];
-        std::memcpy(target, source, row_bytes);
-        if (frame.width > image.width) std::memcpy(target + row_bytes, source + row_bytes - 3, 3);
-    }
-}
-
-void copy_indexed(const Image& image, const ColourTable& colours, AVFrame& frame) {
-    const std::vector<std::uint8_t> indices = colours.indices(image);
-    const auto width = static_cast<std::size_t>(image.width);
-    for (int y = 0; y < image.height; ++y)
-        std::memcpy(frame.data[0] + static_cast<std::ptrdiff_t>(y) * frame.linesize[0],
-                    indices.data() + static_cast<std::size_t>(y) * width, width);
-    std::memcpy(frame.data[1], colours.colours().data(), sizeof(colours.colours()));
-}
-
 }  // namespace
 
 struct Movie::Parts {
@@ -103,8 +85,14 @@ struct Movie::Parts {
     std::unique_ptr<AVPacket, Release<av_packet_free>> packet;
     std::unique_ptr<SwsContext, ReleaseScaler> scaler;
     AVStream* stream = nullptr;  ///< the container's
+    std::optional<GrowingMovie> so_far;
 
     MovieCoding coding;
+
+    /// Whether its frames have alpha.
+    [[nodiscard]] bool open() const {
+        return coding.transparent && !coding.format.open_pixels.empty();
+    }
 
     Parts(const std::filesystem::path& file_, int width_, int height_, const MovieCoding& coding_)
         : file(resolved_link(file_)),
@@ -117,7 +105,18 @@ struct Movie::Parts {
     Parts(const Parts&) = delete;
     Parts& operator=(const Parts&) = delete;
     ~Parts() {
-        if (!finished) abandon();
+        if (finished) return;
+        if (so_far && !failed) drain_into_so_far();
+        abandon();
+    }
+
+    /// What the encoder still holds.
+    void drain_into_so_far() {
+        try {
+            encode(nullptr);
+        } catch (const Error&) {
+            return;  // it plays up to where it could be written
+        }
     }
 
     [[noreturn]] void fail(std::string_view why) {
@@ -163,10 +162,11 @@ void Movie::Parts::open_codec(AVRational rate) {
     const bool even_sides = coding.format.even_sides;
     codec->width = even_sides ? even(width) : width;
     codec->height = even_sides ? even(height) : height;
-    codec->pix_fmt = av_get_pix_fmt(std::string(coding.format.pixels).c_str());
+    const std::string_view pixels = open() ? coding.format.open_pixels : coding.format.pixels;
+    codec->pix_fmt = av_get_pix_fmt(std::string(pixels).c_str());
     codec->time_base = av_inv_q(rate);
     codec->framerate = rate;
-    if (coding.format.pixels.starts_with("yuv")) {
+    if (pixels.starts_with("yuv")) {
         codec->colorspace = AVCOL_SPC_BT709;
         codec->color_primaries = AVCOL_PRI_BT709;
         codec->color_trc = AVCOL_TRC_BT709;
@@ -195,18 +195,20 @@ void Movie::Parts::open_converter() {
     rgb.reset(checked(av_frame_alloc()));
     yuv.reset(checked(av_frame_alloc()));
     packet.reset(checked(av_packet_alloc()));
+    const AVPixelFormat rgb_format = open() ? AV_PIX_FMT_RGBA : AV_PIX_FMT_RGB24;
     for (AVFrame* frame : {rgb.get(), yuv.get()}) {
         frame->width = codec->width;
         frame->height = codec->height;
-        frame->format = frame == rgb.get() ? AV_PIX_FMT_RGB24 : codec->pix_fmt;
+        frame->format = frame == rgb.get() ? rgb_format : codec->pix_fmt;
         check(av_frame_get_buffer(frame, 0));
     }
     if (coding.colours != nullptr) return;
     constexpr int accurate = SWS_BILINEAR | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INP;
-    scaler.reset(checked(sws_getContext(codec->width, codec->height, AV_PIX_FMT_RGB24, codec->width,
-                                        codec->height, codec->pix_fmt, accurate, nullptr, nullptr,
-                                        nullptr)));
-    if (!coding.format.pixels.starts_with("yuv")) return;
+    scaler.reset(
+        checked(sws_getContext(codec->width, codec->height, rgb_format, codec->width, codec->height,
+                               codec->pix_fmt, accurate, nullptr, nullptr, nullptr)));
+    const std::string_view into = open() ? coding.format.open_pixels : coding.format.pixels;
+    if (!into.starts_with("yuv")) return;
     const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
     constexpr int full_range = 1;
     constexpr int limited_range = 0;
@@ -265,6 +267,7 @@ void Movie::Parts::write_filtered(AVPacket* input) {
         const int code = av_bsf_receive_packet(without_version.get(), packet.get());
         if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
         check(code);
+        if (so_far) so_far->add(*packet);
         packet->stream_index = stream->index;
         packet->duration = 1;  // frame; the last one would have none
         av_packet_rescale_ts(packet.get(), codec->time_base, stream->time_base);
@@ -304,6 +307,11 @@ Movie::Movie(const std::filesystem::path& file, int width, int height, double fr
     parts_->open_converter();
     parts_->open_container(rational);
     parts_->open_filter();
+    if (!coding.so_far.empty()) {
+        const Parts& parts = *parts_;
+        parts_->so_far.emplace(coding.so_far, coding.format, *parts.stream->codecpar,
+                               parts.codec->time_base.num, parts.codec->time_base.den);
+    }
 }
 
 Movie::~Movie() = default;
@@ -317,6 +325,8 @@ int Movie::padded_height() const {
 
 void Movie::add(const Image& image) {
     Parts& parts = *parts_;
+    if (image.transparent() != parts.open())
+        return add(parts.open() ? with_alpha(image) : laid_on(image, 255));
     if (parts.failed || parts.finished) parts.fail("it is closed already");
     if (image.width != parts.width || image.height != parts.height)
         parts.fail(fmt::format("a frame has {} × {} pixels, the movie {} × {}", image.width,
@@ -325,7 +335,11 @@ void Movie::add(const Image& image) {
     if (parts.coding.colours != nullptr) {
         copy_indexed(image, *parts.coding.colours, *parts.yuv);
     } else {
-        copy_padded(image, *parts.rgb);
+        if (parts.open()) {
+            copy_padded_open(image, *parts.rgb);
+        } else {
+            copy_padded(image, *parts.rgb);
+        }
         const int lines = sws_scale(parts.scaler.get(), parts.rgb->data, parts.rgb->linesize, 0,
                                     parts.rgb->height, parts.yuv->data, parts.yuv->linesize);
         if (lines != parts.yuv->height) parts.fail("libswscale did not convert a frame");
@@ -349,6 +363,7 @@ void Movie::finish(const PictureText& texts) {
     parts.check(av_write_trailer(parts.container.get()));
     parts.check_file();
     parts.check(avio_closep(&parts.container->pb));
+    parts.so_far.reset();
     std::error_code error;
     std::filesystem::rename(parts.temporary, parts.file, error);
     if (error) parts.fail(error.message());

@@ -18,6 +18,11 @@ struct MovieCoding {
     const MovieFormat& format;
     int quality = 18;                      ///< constant rate factor, 0 … 51
     const ColourTable* colours = nullptr;  ///< of a GIF, which needs one; outlives the movie
+    /// Its frames have alpha, where the format can; elsewhere they are laid on white.
+    bool transparent = false;
+    /// A second file, which plays at any time what has been encoded up to there and stays whatever
+    /// ends the program; none where empty.
+    std::filesystem::path so_far{};
 };
 
 /// A movie: MP4 (H.264, yuv420p, BT.709, faststart) or another format. A key frame comes at least

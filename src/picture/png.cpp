@@ -97,7 +97,8 @@ void check_image(const Image& image) {
     const bool sides = image.width > 0 && image.height > 0 && image.width <= longest_side &&
                        image.height <= longest_side;
     const auto bytes = 3LL * image.width * image.height;
-    if (!sides || image.rgb.size() != static_cast<std::size_t>(bytes))
+    const bool opacities = !image.transparent() || 3 * image.alpha.size() == image.rgb.size();
+    if (!sides || !opacities || image.rgb.size() != static_cast<std::size_t>(bytes))
         throw Error(fmt::format("an image of {} × {} pixels cannot be written as PNG", image.width,
                                 image.height));
 }
@@ -105,15 +106,26 @@ void check_image(const Image& image) {
 /// The rows as PNG's filter "sub" leaves them: each byte less the one a pixel before, and the
 /// filter's number first.
 std::vector<std::uint8_t> filtered_rows(const Image& image) {
-    const std::size_t length = 3 * static_cast<std::size_t>(image.width);
+    const std::size_t channels = image.transparent() ? 4 : 3;
+    const auto width = static_cast<std::size_t>(image.width);
+    const std::size_t length = channels * width;
     std::vector<std::uint8_t> rows((length + 1) * static_cast<std::size_t>(image.height));
+    std::vector<std::uint8_t> joined(image.transparent() ? length : 0);
     std::uint8_t* out = rows.data();
     for (int y = 0; y < image.height; ++y) {
         const std::uint8_t* row = image.row(y);
+        if (image.transparent()) {
+            const std::uint8_t* alpha = image.alpha.data() + static_cast<std::size_t>(y) * width;
+            for (std::size_t x = 0; x < width; ++x) {
+                std::copy_n(row + 3 * x, 3, joined.data() + 4 * x);
+                joined[4 * x + 3] = alpha[x];
+            }
+            row = joined.data();
+        }
         *out++ = PNG_FILTER_VALUE_SUB;
-        out = std::copy_n(row, 3, out);
-        for (std::size_t i = 3; i < length; ++i)
-            *out++ = static_cast<std::uint8_t>(row[i] - row[i - 3]);
+        out = std::copy_n(row, channels, out);
+        for (std::size_t i = channels; i < length; ++i)
+            *out++ = static_cast<std::uint8_t>(row[i] - row[i - channels]);
     }
     return rows;
 }
@@ -151,7 +163,8 @@ std::vector<std::uint8_t> encode_png(const Image& image, double dots_per_inch,
         png_set_write_fn(png, &file, write_to_memory, flush_nothing);
         png_set_user_limits(png, 65535, 65535);
         png_set_IHDR(png, writer.info, static_cast<png_uint_32>(image.width),
-                     static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB,
+                     static_cast<png_uint_32>(image.height), 8,
+                     image.transparent() ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB,
                      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_set_sRGB(png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
         if (dots_per_metre >= 1.0 && dots_per_metre <= 0x7FFFFFFF) {
@@ -177,13 +190,7 @@ PictureText read_png_texts(const std::filesystem::path& file) {
 
 Image read_png(const std::filesystem::path& file) {
     const std::string bytes = read_input_file(file);
-    PngReader reader(bytes, file.string());
-    const PngInfo& info = reader.info();
-    Image image;
-    image.width = info.width;
-    image.height = info.height;
-    image.rgb = reader.rgb();
-    return image;
+    return PngReader(bytes, file.string()).image();
 }
 
 }  // namespace fumon

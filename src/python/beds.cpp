@@ -76,7 +76,7 @@ class BedPainter {
 };
 
 std::vector<std::tuple<std::string, double, std::string, std::string>> measures_of_bed(
-    Bed bed, const CellSize& cell_size, bool periodic) {
+    Bed bed, const CellSize& cell_size, bool periodic, double channel_area) {
     Snapshot snapshot;
     snapshot.time_unit = "steps";
     snapshot.bed = std::move(bed.heights);
@@ -84,7 +84,7 @@ std::vector<std::tuple<std::string, double, std::string, std::string>> measures_
     snapshot.scale = scale_of(cell_size);
     snapshot.periodic = periodic;
     snapshot.landform = Landform::terrain;
-    MeasureSuite suite(measured_landform(snapshot), snapshot);
+    MeasureSuite suite(measured_landform(snapshot), snapshot, {channel_area});
     const std::vector<double> values = suite.row(snapshot);
     std::vector<std::tuple<std::string, double, std::string, std::string>> measures;
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -132,12 +132,13 @@ void define_beds(py::module_& core) {
     core.def(
         "measure_bed",
         [](const GridArray& heights, const std::optional<MaskArray>& nodata,
-           const CellSize& cell_size, bool periodic) {
+           const CellSize& cell_size, bool periodic, double channel_area) {
             Bed bed = bed_of(heights, nodata);
             const py::gil_scoped_release unlocked;
-            return measures_of_bed(std::move(bed), cell_size, periodic);
+            return measures_of_bed(std::move(bed), cell_size, periodic, channel_area);
         },
-        py::arg("heights"), py::arg("nodata"), py::arg("cell_size"), py::arg("periodic"));
+        py::arg("heights"), py::arg("nodata"), py::arg("cell_size"), py::arg("periodic"),
+        py::arg("channel_area"));
     core.def(
         "metres_per_degree",
         [](double latitude) {

@@ -23,7 +23,9 @@ LiveRun::LiveRun(Scene scene, int threads, bool measures)
     : prepared_(std::make_unique<PreparedRun>(prepare_run(std::move(scene), threads))) {
     const auto first = std::make_shared<const Snapshot>(prepared_->model->snapshot());
     prepared_->initial.bed = Grid();  // the model has its own
-    if (measures) suite_.emplace(measured_landform(*first), *first);
+    if (measures)
+        suite_.emplace(measured_landform(*first), *first,
+                       MeasureChoice{prepared_->scene.output.channel_area});
     drawer_ = std::make_shared<Drawer>(prepared_->scene, prepared_->initial.inputs, first);
     last_step_ = prepared_->scene.run.steps;
     note_ = prepared_->initial.note;

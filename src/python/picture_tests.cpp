@@ -103,14 +103,14 @@ void define_picture_tests(py::module_& core) {
             "pinned", [](const BaselineRecord& record) { return record.environment.pinned; })
         .def("changes", &changes, py::arg("after"));
     core.def(
-        "read_records", [](const std::string& file) { return read_records(file); },
+        "read_lock", [](const std::string& file) { return read_lock(file, LockOwner::pytest); },
         py::arg("file"));
     core.def(
-        "write_records",
-        [](const std::string& file, const BaselineRecords& records, const std::string& comment) {
-            write_file(file, records_text(records, comment));
+        "write_lock",
+        [](const std::string& file, const BaselineRecords& records) {
+            write_file(file, lock_text(records, LockOwner::pytest));
         },
-        py::arg("file"), py::arg("records"), py::arg("comment"));
+        py::arg("file"), py::arg("records"));
     core.def("judge", &verdict_on, py::arg("recorded"), py::arg("present"), py::arg("got"),
              py::arg("expected"), py::arg("picture"), py::arg("thumbnail_difference"),
              py::arg("tile_ssim"));

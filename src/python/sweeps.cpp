@@ -70,7 +70,7 @@ void explain_columns(DoneSweep& sweep) {
         const PreparedRun run = prepare_run(scene_of(sweep.plan, sweep.plan.runs[n]), 1);
         const Snapshot first = run.model->snapshot();
         sweep.columns.emplace("time", MeasureColumn{"time", first.time_unit, "time of the model"});
-        const MeasureSuite suite(measured_landform(first), first);
+        const MeasureSuite suite(measured_landform(first), first, {run.scene.output.channel_area});
         for (const MeasureColumn& column : suite.columns())
             sweep.columns.emplace(column.name, column);
     }

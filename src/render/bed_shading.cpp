@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/elementary.h"
-#include "base/resampling.h"
+#include "numerics/resampling.h"
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
 #include "render/colour/sand_colours.h"

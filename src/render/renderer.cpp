@@ -20,6 +20,7 @@
 #include "render/light/light.h"
 #include "render/light/lighting.h"
 #include "render/light/repeated_light.h"
+#include "render/plant_layer.h"
 #include "render/sample_vectors.h"
 #include "render/terrain_layer.h"
 #include "render/tiles.h"
@@ -40,20 +41,6 @@ constexpr int samples_in_a_band = 1 << 18;  // read at once: 1 MiB
 Snapshot shown_first(const Snapshot& first, const View& view) {
     std::optional<Snapshot> shown = shown_snapshot(first, view);
     return shown ? *std::move(shown) : first;
-}
-
-Datum chosen_datum(const LookSettings& look, const Snapshot& first) {
-    if (look.datum != Datum::automatic) return look.datum;
-    return has_water(first) ? Datum::mean : Datum::first;
-}
-
-/// The block of one frame, with heights counted from the mean of the first bed or of the frame's
-/// own bed.
-Block block_of_frame(const Block& block, const Snapshot& snapshot, Datum datum) {
-    Block framed = block;
-    if (datum == Datum::mean)
-        framed.reference = height_statistics(snapshot.bed, snapshot.nodata).mean;
-    return framed;
 }
 
 /// Cells along the bed's longer side from which on it is drawn as it is. On endless ground one may
@@ -91,6 +78,13 @@ gl::TextureLayout seen_layout(Ground ground) {
     return layout;
 }
 
+bool draws_plants(const View& view, const Snapshot& first) {
+    return view.look.plants > 0.0 && view.look.mode == ViewMode::scenic &&
+           view.camera.projection == Projection::perspective &&
+           (find_named(first.fields, "grass") != nullptr ||
+            find_named(first.fields, "shrubs") != nullptr);
+}
+
 gl::TextureLayout plain_layout() {
     gl::TextureLayout layout;
     layout.filter = GL_NEAREST;
@@ -112,6 +106,7 @@ struct Renderer::Parts {
     void draw_background(const Tile& tile, const Camera& camera);
     void read_background(const Tile& tile);
     void resolve(const Tile& tile, Image& image);
+    [[nodiscard]] PlantGround plant_ground(const Camera& camera) const;
 
     gl::Context& context;
     View view;
@@ -119,7 +114,6 @@ struct Renderer::Parts {
     std::int64_t last_step;
     WorkerPool& pool;
     Block block;
-    Datum datum;
     bool water;  // whether it is drawn
     int refinement;
     TilePlan plan;
@@ -131,6 +125,7 @@ struct Renderer::Parts {
     BackgroundLayer background;
     std::optional<AirLayer> air;
     std::optional<WorldLayer> world;  // where the bed is endless
+    std::optional<PlantLayer> plants;
     gl::DepthBuffer depths;
     gl::RenderTarget seen;  // what each sample sees of the ground
     gl::RenderTarget samples;
@@ -149,7 +144,6 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       last_step(last_step_),
       pool(pool_),
       block(framed_block(view, first)),
-      datum(chosen_datum(view.look, first)),
       water(draws_water(view.look, first)),
       refinement(refinement_of(first.bed.nx(), first.bed.ny(),
                                static_cast<int>(std::max(view.image.width, view.image.height)),
@@ -175,7 +169,13 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
     if (first.section)
         air.emplace(block, camera_at(0),
                     static_cast<int>(std::max(view.image.width, view.image.height)));
+    if (draws_plants(view, first)) plants.emplace(view, block, fixed);
     gl::check_errors("the renderer's setup");
+}
+
+PlantGround Renderer::Parts::plant_ground(const Camera& camera) const {
+    if (world) return {world->clip_from_eye(camera), true, world->curvature()};
+    return {glm::mat4(clip_matrix(camera)), false, 0.0F};
 }
 
 Camera Renderer::Parts::camera_at(std::int64_t step) const {
@@ -229,8 +229,16 @@ void Renderer::Parts::resolve(const Tile& tile, Image& image) {
                 for (int j = 0; j < plan.factor; ++j)
                     row.add(samples_read.data() + length * (above + static_cast<std::size_t>(j)));
                 const int in_tile = upper + y;
+                const auto first_of_row = static_cast<std::size_t>(tile.y + in_tile) *
+                                              static_cast<std::size_t>(image.width) +
+                                          static_cast<std::size_t>(tile.x);
+                if (image.transparent()) {
+                    row.finish_open(image.rgb.data() + 3 * first_of_row,
+                                    image.alpha.data() + first_of_row);
+                    continue;
+                }
                 row.finish(behind[static_cast<std::size_t>(in_tile)],
-                           image.row(tile.y + in_tile) + 3 * static_cast<std::size_t>(tile.x));
+                           image.rgb.data() + 3 * first_of_row);
             }
         });
     }
@@ -254,7 +262,7 @@ glm::ivec2 Renderer::Parts::target_corner(const Tile& tile) const {
 void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& image) {
     const gl::Functions& gl = gl::functions();
     gl.BindVertexArray(no_attributes.name());
-    draw_background(tile, camera);
+    if (!image.transparent()) draw_background(tile, camera);
 
     TileSamples placed{};
     placed.picture_size =
@@ -285,6 +293,7 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
     } else {
         terrain.colour_seen(seen.colour(), shading.colours(), light, camera, placed);
     }
+    if (plants) plants->draw(plant_ground(camera), shading, light, camera, placed);
     if (air) air->draw(camera, placed);
 
     resolve(tile, image);
@@ -310,8 +319,9 @@ Image Renderer::render(const Snapshot& whole) {
     Parts& p = *parts_;
     const std::optional<Snapshot> reshaped = shown_snapshot(whole, p.view);
     const Snapshot& snapshot = reshaped ? *reshaped : whole;
-    const Block framed = block_of_frame(p.block, snapshot, p.datum);
-    return draw(snapshot, framed, above_ground(p.camera_at(snapshot.step), framed, snapshot));
+    const Block framed = block_of_frame(p.block, p.view.look, p.first, snapshot);
+    return draw(snapshot, p.first, framed,
+                above_ground(p.camera_at(snapshot.step), framed, snapshot));
 }
 
 Image Renderer::render(const Snapshot& whole, const FramePose& pose) {
@@ -321,7 +331,10 @@ Image Renderer::render(const Snapshot& whole, const FramePose& pose) {
     p.context.make_current();
     p.set_light(pose);
     p.surroundings_drawn = false;
-    return draw(snapshot, block_of_frame(p.block, snapshot, p.datum), pose.camera);
+    std::optional<Snapshot> reference;
+    if (pose.reference != nullptr) reference = shown_first(*pose.reference, p.view);
+    return draw(snapshot, reference ? *reference : p.first,
+                block_of_frame(p.block, p.view.look, p.first, snapshot), pose.camera);
 }
 
 void Renderer::Parts::set_light(const FramePose& pose) {
@@ -336,7 +349,8 @@ void Renderer::Parts::set_light(const FramePose& pose) {
     light.stops = pose.exposure;
 }
 
-Image Renderer::draw(const Snapshot& snapshot, const Block& framed, const Camera& camera) {
+Image Renderer::draw(const Snapshot& snapshot, const Snapshot& reference, const Block& framed,
+                     const Camera& camera) {
     Parts& p = *parts_;
     if (snapshot.bed.nx() != p.first.bed.nx() || snapshot.bed.ny() != p.first.bed.ny())
         throw Error("a snapshot of another size than the first one cannot be drawn");
@@ -349,13 +363,14 @@ Image Renderer::draw(const Snapshot& snapshot, const Block& framed, const Camera
     if (p.world) {
         const RepeatedLight light =
             repeated_light(snapshot, framed, p.refinement, sun, prevailing_way(snapshot), p.pool);
-        p.shading.upload(snapshot, p.first, light);
+        p.shading.upload(snapshot, reference, light);
         p.world->set_bed(snapshot, light);
+        if (p.plants) p.plants->set_bed(snapshot, light.z, true);
         p.sky.bind(sky_unit);
         p.shading.shade(p.light, camera);
     } else {
         const DisplayBed bed = display_bed(snapshot, framed, p.refinement);
-        p.shading.upload(snapshot, p.first, lighting_texels(bed, sun, p.pool),
+        p.shading.upload(snapshot, reference, lighting_texels(bed, sun, p.pool),
                          water ? &*water : nullptr);
         p.sky.bind(sky_unit);
         p.shading.shade(p.light, camera);
@@ -364,12 +379,17 @@ Image Renderer::draw(const Snapshot& snapshot, const Block& framed, const Camera
             for (float& depth : water->depth.values()) depth *= rise;
         }
         p.terrain.set_bed(bed, water ? &water->depth : nullptr, camera);
+        if (p.plants) p.plants->set_bed(snapshot, bed.z, false);
         p.terrain.set_clarity(rise * static_cast<float>(p.shading.clarity()));
     }
     if (p.air && snapshot.section) p.air->set_air(snapshot, framed, camera, p.pool);
 
+    if (p.plants) p.plants->choose(p.plant_ground(camera), camera);
     Image image(static_cast<int>(p.view.image.width), static_cast<int>(p.view.image.height));
+    const bool open = p.view.look.background == Background::transparent;
+    if (open) image = with_alpha(std::move(image));
     for (const Tile& tile : p.plan.tiles) p.draw_tile(tile, camera, image);
+    if (open) spread_colours(image);
     gl::check_errors("a frame");
     return image;
 }

@@ -20,6 +20,8 @@ struct FramePose {
     Camera camera;          ///< in the block of the view, see framed_block()
     SunSettings sun;        ///< of which the azimuth and the elevation count
     double exposure = 0.0;  ///< stops, besides look.exposure
+    /// From whose bed look.colour_by = "change" counts; none: the first one. Of its size.
+    const Snapshot* reference = nullptr;
 };
 
 /// How much is drawn at once.
@@ -52,7 +54,8 @@ class Renderer {
     [[nodiscard]] std::pair<double, double> colour_range() const;
 
   private:
-    Image draw(const Snapshot& snapshot, const Block& framed, const Camera& camera);
+    Image draw(const Snapshot& snapshot, const Snapshot& reference, const Block& framed,
+               const Camera& camera);
 
     struct Parts;
     std::unique_ptr<Parts> parts_;

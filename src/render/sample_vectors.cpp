@@ -5,7 +5,9 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdlib>
 
 #include "render/sample_vectors.h"
 
@@ -127,12 +129,36 @@ void RowOfSamples::add(const std::uint32_t* row) {
     (row, width_ * factor_, {red_.data(), green_.data(), blue_.data(), covered_.data()});
 }
 
-void RowOfSamples::finish(const ColourPlanes& behind, std::uint8_t* rgb) {
+void RowOfSamples::sum_up() {
     using namespace samples;
     for (std::vector<std::uint32_t>* sum : {&red_, &green_, &blue_, &covered_}) {
         for (int count = width_ * factor_ / 2; count >= width_; count /= 2)
             HWY_DYNAMIC_DISPATCH(halve)(sum->data(), count);
     }
+}
+
+void RowOfSamples::start_anew() {
+    for (std::vector<std::uint32_t>* sum : {&red_, &green_, &blue_, &covered_})
+        std::fill(sum->begin(), sum->end(), 0U);
+}
+
+void RowOfSamples::finish_open(std::uint8_t* rgb, std::uint8_t* alpha) {
+    sum_up();
+    const auto all = static_cast<std::uint32_t>(factor_ * factor_);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(width_); ++x) {
+        const std::uint32_t covered = covered_[x];
+        alpha[x] = static_cast<std::uint8_t>((255U * covered + all / 2U) / all);
+        for (const std::vector<std::uint32_t>* sum : {&red_, &green_, &blue_}) {
+            const double mean = static_cast<double>((*sum)[x]) / std::max(covered, 1U);
+            *rgb++ = static_cast<std::uint8_t>(std::sqrt(mean) + 0.5);
+        }
+    }
+    start_anew();
+}
+
+void RowOfSamples::finish(const ColourPlanes& behind, std::uint8_t* rgb) {
+    using namespace samples;
+    sum_up();
     const auto take = [&](const std::vector<std::uint32_t>& sum,
                           const std::vector<std::uint8_t>& back,
                           std::vector<std::uint8_t>& pixels) {
@@ -144,8 +170,36 @@ void RowOfSamples::finish(const ColourPlanes& behind, std::uint8_t* rgb) {
     take(blue_, behind.blue, pixels_.blue);
     HWY_DYNAMIC_DISPATCH(interleave)
     (pixels_.red.data(), pixels_.green.data(), pixels_.blue.data(), width_, rgb);
-    for (std::vector<std::uint32_t>* sum : {&red_, &green_, &blue_, &covered_})
-        std::fill(sum->begin(), sum->end(), 0U);
+    start_anew();
+}
+
+void spread_colours(Image& image) {
+    const auto width = static_cast<std::size_t>(image.width);
+    std::vector<int> filled;  // rows with a covered pixel
+    for (int y = 0; y < image.height; ++y) {
+        const std::uint8_t* alpha = image.alpha.data() + static_cast<std::size_t>(y) * width;
+        std::uint8_t* row = image.row(y);
+        std::vector<std::size_t> covered;
+        for (std::size_t x = 0; x < width; ++x)
+            if (alpha[x] != 0) covered.push_back(x);
+        if (covered.empty()) continue;
+        filled.push_back(y);
+        auto next = covered.begin();
+        for (std::size_t x = 0; x < width; ++x) {
+            while (next + 1 != covered.end() && *next < x) ++next;
+            std::size_t from = *next;
+            if (from > x && next != covered.begin() && x - *(next - 1) <= from - x)
+                from = *(next - 1);
+            if (from != x) std::copy_n(row + 3 * from, 3, row + 3 * x);
+        }
+    }
+    for (int y = 0; y < image.height && !filled.empty(); ++y) {
+        const auto after = std::ranges::lower_bound(filled, y);
+        if (after != filled.end() && *after == y) continue;
+        int from = after == filled.end() ? filled.back() : *after;
+        if (after != filled.begin() && y - *(after - 1) <= std::abs(from - y)) from = *(after - 1);
+        std::copy_n(image.row(from), 3 * width, image.row(y));
+    }
 }
 
 }  // namespace fumon

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/image.h"
+
 namespace fumon {
 
 namespace samples {
@@ -16,6 +18,11 @@ struct Sums {
 };
 
 }  // namespace samples
+
+/// Colours for pixels of alpha 0, whose own nobody sees: those of the nearest pixel of their row
+/// that is covered, or of the nearest row with one. So no dark fringe comes out where programs
+/// average colours without regard to alpha, or encode them.
+void spread_colours(Image& image);
 
 /// A row of colours, a plane for each channel, 0 … 255.
 struct ColourPlanes {
@@ -40,10 +47,16 @@ class RowOfSamples {
     void add(const std::uint32_t* row);
     /// Writes the pixels as RGB, and starts anew. Wants `factor` rows to have been added.
     void finish(const ColourPlanes& behind, std::uint8_t* rgb);
+    /// The same where nothing is behind: colours of what covers the pixels alone (√(Σ sample² /
+    /// covered), 0 where nothing does), and which share of each is covered, of 255.
+    void finish_open(std::uint8_t* rgb, std::uint8_t* alpha);
 
     static constexpr int samples_read_beyond = 16;
 
   private:
+    void sum_up();
+    void start_anew();
+
     int width_;
     int factor_;
     std::vector<std::uint32_t> red_;  ///< sums of squares, of each sample of the row

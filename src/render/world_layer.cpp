@@ -155,13 +155,25 @@ void WorldLayer::set_eye(const gl::Program& program, const Camera& camera) const
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
 }
 
-void WorldLayer::set_fan(const gl::Program& program, const Fan& fan, const Camera& camera,
-                         const TileSamples& tile) const {
+glm::mat4 WorldLayer::clip_from_eye(const Camera& camera, const Fan& fan) {
     Camera at_origin = camera;
     at_origin.eye = glm::dvec3(0.0);
     at_origin.near_depth = 0.5 * fan.nearest;
     at_origin.far_depth = fan.farthest * 1.1;
-    program.set("clip_from_eye", glm::mat4(clip_matrix(at_origin)));
+    return {clip_matrix(at_origin)};
+}
+
+glm::mat4 WorldLayer::clip_from_eye(const Camera& camera) const {
+    return clip_from_eye(camera, fan_of(camera));
+}
+
+float WorldLayer::curvature() const {
+    return static_cast<float>(block_.kilometres / (2.0 * earth_radius));
+}
+
+void WorldLayer::set_fan(const gl::Program& program, const Fan& fan, const Camera& camera,
+                         const TileSamples& tile) const {
+    program.set("clip_from_eye", clip_from_eye(camera, fan));
     program.set("heading", glm::vec2(fan.heading));
     program.set("half_angle", static_cast<float>(fan.half_angle));
     program.set("nearest", static_cast<float>(fan.nearest));
@@ -170,7 +182,7 @@ void WorldLayer::set_fan(const gl::Program& program, const Fan& fan, const Camer
     program.set("ray_spacing", static_cast<float>(2.0 * fan.half_angle / rays_));
     program.set("ring_spacing", static_cast<float>(reach / (rings - 2)));
     program.set("cell", cell_);
-    program.set("curvature", static_cast<float>(block_.kilometres / (2.0 * earth_radius)));
+    program.set("curvature", curvature());
     program.set("picture_size", tile.picture_size);
     program.set("tile_corner", tile.corner);
     program.set("tile_size", tile.size);

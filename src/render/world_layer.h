@@ -30,6 +30,11 @@ class WorldLayer {
     void colour_seen(const gl::Texture2D& seen, const BedShading& shading, const Light& light,
                      const Camera& camera, const TileSamples& tile) const;
 
+    /// World to clip coordinates of places as offsets from the eye, as draw_seen() draws.
+    [[nodiscard]] glm::mat4 clip_from_eye(const Camera& camera) const;
+    /// By how much the planet sinks at a distance of 1, block lengths.
+    [[nodiscard]] float curvature() const;
+
   private:
     /// The fan of a camera: radii in block lengths.
     struct Fan {
@@ -42,6 +47,7 @@ class WorldLayer {
     void build();
     [[nodiscard]] double ground_under(const glm::dvec3& eye) const;
     [[nodiscard]] Fan fan_of(const Camera& camera) const;
+    [[nodiscard]] static glm::mat4 clip_from_eye(const Camera& camera, const Fan& fan);
     void set_fan(const gl::Program& program, const Fan& fan, const Camera& camera,
                  const TileSamples& tile) const;
     void set_eye(const gl::Program& program, const Camera& camera) const;

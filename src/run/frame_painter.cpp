@@ -7,6 +7,7 @@
 #include "figure/panels/section_figure.h"
 #include "gl/pinned.h"
 #include "render/renderer.h"
+#include "render/view/chosen_ground.h"
 #include "scene/overlay_keys.h"
 
 namespace fumon {
@@ -89,6 +90,7 @@ class OverlayPainter : public FramePainter {
 
 std::unique_ptr<FramePainter> make_bare_painter(const Scene& scene, const Snapshot& first,
                                                 gl::Backend backend, WorkerPool& pool) {
+    check_background(scene.view, first);
     if (first.section && scene.view.look.mode == ViewMode::figure)
         return std::make_unique<SectionPainter>(scene, first);
     return std::make_unique<BedPainter>(scene, first, backend, pool);

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "files/atomic_file.h"
 #include "files/hash.h"
+#include "files/terrain/geotiff.h"
 #include "files/terrain/terrain_format.h"
 #include "picture/png.h"
 #include "render/view/map_frame.h"
@@ -12,6 +13,14 @@
 #include "run/pipeline.h"
 
 namespace fumon {
+
+namespace {
+
+constexpr const char* world_files_key = "output.world_files";
+constexpr const char* geotiff_frames_key = "output.geotiff_frames";
+constexpr std::string_view geotiff_ending = ".tif";
+
+}  // namespace
 
 FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Picture& picture,
                         const PictureFacts& facts) {
@@ -28,24 +37,55 @@ FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Pi
         write(folder->frame(picture.number),
               picture_text(facts.resolved, facts.scene, snapshot.step, facts.inputs, pixels,
                            facts.environment));
-        if (facts.scene.output.world_files)
-            write_world_files(facts.scene.view, snapshot, folder->frame(picture.number));
+        write_map_files(facts.scene, snapshot, *picture.image, folder->frame(picture.number));
     }
     if (parts.movie_frames) write(folder->movie_frame(picture.number), {});
     return {picture.number, snapshot.step, snapshot.time, pixels, written};
 }
 
-std::vector<std::filesystem::path> world_file_names(const std::filesystem::path& picture) {
+void check_map_files(const Scene& scene, const Snapshot& first) {
+    if (scene.output.world_files) map_frame(scene.view, first, world_files_key);
+    if (!scene.output.geotiff_frames) return;
+    map_frame(scene.view, first, geotiff_frames_key);
+    const TerrainFormat& geotiff = *find_written_format("geotiff");
+    if (!geotiff.lacks.empty()) {
+        throw KeyError(geotiff_frames_key,
+                       fmt::format("{} needs GDAL, and this fumon was built without it; {}",
+                                   geotiff_frames_key, geotiff.lacks));
+    }
+}
+
+std::vector<std::filesystem::path> map_file_names(const Scene& scene,
+                                                  const std::filesystem::path& picture) {
     std::vector<std::filesystem::path> names;
-    for (const WorldFile& file : world_files({}))
-        names.push_back(std::filesystem::path(picture).replace_extension(file.ending));
+    const auto add = [&](std::string_view ending) {
+        names.push_back(std::filesystem::path(picture).replace_extension(ending));
+    };
+    if (scene.output.world_files) {
+        for (const WorldFile& file : world_files({})) add(file.ending);
+    }
+    if (scene.output.geotiff_frames) add(geotiff_ending);
     return names;
 }
 
-void write_world_files(const View& view, const Snapshot& snapshot,
-                       const std::filesystem::path& picture) {
-    for (const WorldFile& file : world_files(map_frame(view, snapshot)))
-        write_file(std::filesystem::path(picture).replace_extension(file.ending), file.text);
+void write_map_files(const Scene& scene, const Snapshot& snapshot, const Image& image,
+                     const std::filesystem::path& picture) {
+    const auto write = [&](std::string_view ending, const std::string& bytes) {
+        write_file(std::filesystem::path(picture).replace_extension(ending), bytes);
+    };
+    if (scene.output.world_files) {
+        for (const WorldFile& file : world_files(map_frame(scene.view, snapshot, world_files_key)))
+            write(file.ending, file.text);
+    }
+    if (!scene.output.geotiff_frames) return;
+    const MapFrame frame = map_frame(scene.view, snapshot, geotiff_frames_key);
+    GeoReference place;
+    place.west = frame.west;
+    place.south = frame.north - frame.pixel_y * image.height;
+    place.dx = frame.pixel_x;
+    place.dy = frame.pixel_y;
+    place.crs = frame.crs;
+    write(geotiff_ending, geotiff_picture(image, place));
 }
 
 Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameRecord& frame) {

@@ -38,13 +38,18 @@ struct PictureFacts {
 FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Picture& picture,
                         const PictureFacts& facts);
 
-/// The files that stand beside a picture with output.world_files: picture.pgw and
-/// picture.png.aux.xml.
-std::vector<std::filesystem::path> world_file_names(const std::filesystem::path& picture);
+/// Throws KeyError, as map_frame(), where a scene asks for files beside its pictures that this bed
+/// cannot have, or fumon not write.
+void check_map_files(const Scene& scene, const Snapshot& first);
+
+/// The files that a scene asks for beside a picture: picture.pgw and picture.png.aux.xml
+/// (output.world_files), picture.tif (output.geotiff_frames).
+std::vector<std::filesystem::path> map_file_names(const Scene& scene,
+                                                  const std::filesystem::path& picture);
 
 /// Writes them. Throws KeyError as map_frame(), Error.
-void write_world_files(const View& view, const Snapshot& snapshot,
-                       const std::filesystem::path& picture);
+void write_map_files(const Scene& scene, const Snapshot& snapshot, const Image& image,
+                     const std::filesystem::path& picture);
 
 /// Reads a frame that the run wrote before its checkpoint. Throws Error if its pixels have changed.
 Image read_frame(const RunFolder& folder, const RunParts& parts, const FrameRecord& frame);

@@ -11,6 +11,7 @@
 #include "files/input_file.h"
 #include "files/json_text.h"
 #include "picture/movie.h"
+#include "scene/input_maps.h"
 #include "scene/json.h"
 #include "scene/write.h"
 
@@ -69,7 +70,7 @@ std::int64_t parse_step(const std::string& text, const std::string& picture) {
 
 std::string resolved_scene(const Scene& scene, const std::vector<InputFile>& inputs) {
     Scene resolved = scene;
-    if (!inputs.empty()) resolved.bed.file = inputs.front().path;
+    name_inputs(resolved, inputs, &InputFile::path);
     return to_toml(resolved);
 }
 

@@ -15,9 +15,10 @@
 #include "models/registry.h"
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
-#include "render/view/map_frame.h"
 #include "render/view/water.h"
+#include "run/output_files.h"
 #include "scene/faults.h"
+#include "scene/input_maps.h"
 #include "scene/overlay_keys.h"
 #include "scene/scene_keys.h"
 #include "scene/wind_tables.h"
@@ -98,11 +99,10 @@ void check_overlays(const Scene& scene, const Snapshot& first) {
     }
 }
 
-/// World files need a map, and a bed that lies on one.
-void check_world_files(const Scene& scene, const Snapshot& first) {
-    if (!scene.output.world_files) return;
+/// Files for GIS need a map, and a bed that lies on one.
+void check_frames_on_maps(const Scene& scene, const Snapshot& first) {
     try {
-        map_frame(scene.view, first);
+        check_map_files(scene, first);
     } catch (const KeyError& refusal) {
         throw InputError(scene.at(refusal.key()) + refusal.what());
     }
@@ -166,7 +166,7 @@ bool asks_for_more(const Scene& scene) {
     const LookSettings& look = scene.view.look;
     return look.mark != Marking::none || colours_water(look.colour_by) ||
            look.mode == ViewMode::figure || scene.view.section != SectionSettings{} ||
-           has_overlays(scene) || scene.output.world_files;
+           has_overlays(scene) || scene.output.world_files || scene.output.geotiff_frames;
 }
 
 /// Checks the scene's palette, and puts names and tables that it refers to in their place.
@@ -188,18 +188,20 @@ PreparedScene with_bed(Scene scene, InitialBed initial) {
 PreparedScene prepare_scene(Scene scene) {
     complete(scene);
     InitialBed initial = make_initial_bed(scene);
+    add_maps(scene, initial);
     return with_bed(std::move(scene), std::move(initial));
 }
 
 PreparedScene prepare_scene(Scene scene, InitialBed initial) {
     complete(scene);
+    if (initial.maps.empty()) add_maps(scene, initial);
     return with_bed(std::move(scene), std::move(initial));
 }
 
 void check_shown(const Scene& scene, const Snapshot& first) {
     Faults faults(scene.source);
     for (const auto check :
-         {check_marking, check_colouring, check_section, check_overlays, check_world_files})
+         {check_marking, check_colouring, check_section, check_overlays, check_frames_on_maps})
         faults.attempt([&] { check(scene, first); });
     faults.report();
 }
@@ -211,7 +213,7 @@ PreparedRun prepare_run(PreparedScene prepared, int threads) {
     run.pool = std::make_unique<WorkerPool>(threads, "fumon-simulate");
     run.model = make_model(run.scene, {run.initial.bed, run.initial.nodata, run.initial.scale,
                                        static_cast<std::uint64_t>(run.scene.seed), *run.pool,
-                                       bed_kind(run.scene) == BedKind::file});
+                                       bed_kind(run.scene) == BedKind::file, run.initial.maps});
     if (asks_for_more(run.scene)) check_shown(run.scene, run.model->snapshot());
     return run;
 }

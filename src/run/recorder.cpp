@@ -18,15 +18,15 @@ std::vector<std::string> gathered_columns(const Scene& scene, const Recording& r
     return recording.plots ? plotted_columns(scene) : std::vector<std::string>{};
 }
 
-MeasureSuite suite_for(const Snapshot& first) {
-    return MeasureSuite(measured_landform(first), first);
+MeasureSuite suite_for(const Scene& scene, const Snapshot& first) {
+    return MeasureSuite(measured_landform(first), first, {scene.output.channel_area});
 }
 
 }  // namespace
 
 Recorder::Recorder(const Scene& scene, const Snapshot& first, Recording recording,
                    const std::optional<RecordPositions>& former)
-    : suite_(suite_for(first)),
+    : suite_(suite_for(scene, first)),
       plotted_(gathered_columns(scene, recording), suite_.columns(), first) {
     const bool writes = recording.files.has_value();
     const bool tabulates = writes && scene.output.measurements;

@@ -10,8 +10,9 @@
 #include "files/hash.h"
 #include "picture/environment.h"
 #include "run/drawing.h"
+#include "run/inputs/find_input.h"
 #include "run/pipeline.h"
-#include "scene/find_input.h"
+#include "scene/input_maps.h"
 #include "scene/json.h"
 #include "scene/read.h"
 
@@ -159,15 +160,14 @@ ResumedRun resume_run(const RunFolder& folder, const std::string& asked,
 
     Scene scene = asked.empty() ? parse_scene(checkpoint.scene, file, "", options.settings)
                                 : read_scene(asked, options.settings);
-    if (asked.empty() && !checkpoint.inputs.empty())
-        scene.bed.file = find_input(checkpoint.inputs.front(), folder.checkpoint(), "run").string();
+    if (asked.empty()) find_inputs(scene, checkpoint.inputs, folder.checkpoint(), "run");
     PreparedRun& run = resumed.run;
     run = prepare_run(std::move(scene), options.threads);
     check_scene(run.scene, checkpoint, file);
     check_inputs(run.initial.inputs, checkpoint, file);
     if (!checkpoint.inputs.empty()) {  // as the run's pictures name them
         run.initial.inputs = checkpoint.inputs;
-        run.scene.bed.file = checkpoint.inputs.front().path;
+        name_inputs(run.scene, checkpoint.inputs, &InputFile::path);
     }
     resumed.first = run.model->snapshot();
     check_outputs(folder, run.scene, checkpoint, resumed.first);

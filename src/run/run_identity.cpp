@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/input_maps.h"
 #include "scene/scene_roles.h"
 #include "scene/write.h"
 
@@ -9,7 +10,7 @@ namespace fumon {
 
 Sha256 run_id(const Scene& scene, const InitialBed& initial) {
     Scene decisive = only_roles(scene, recorded_roles);
-    if (!initial.inputs.empty()) decisive.bed.file = initial.inputs.front().hash;
+    name_inputs(decisive, initial.inputs, &InputFile::hash);
     const WorldScale& scale = initial.scale;
     return text_hash(to_toml(decisive) + fmt::format("{} {} {} {}", scale.dx, scale.dy,
                                                      scale.height_unit, scale.in_metres));

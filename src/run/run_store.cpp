@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <system_error>
 
 #include "base/error.h"
@@ -23,6 +24,7 @@
 #include "run/run_folder.h"
 #include "run/run_identity.h"
 #include "run/simulate.h"
+#include "scene/input_maps.h"
 #include "scene/json.h"
 #include "scene/scene_roles.h"
 
@@ -33,6 +35,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* manifest_name = "job.json";
+
+/// What lies beside a run's folder while a program works on it.
+constexpr std::string_view lock_end = ".lock";
+constexpr std::string_view former_end = ".former";
 
 /// What lies in the folder of a stored run.
 constexpr std::array<const char*, 4> stored_files{"measurements.csv", "avalanches.csv", "fields.nc",
@@ -92,7 +98,7 @@ StoredRun stored_run(const Scene& scene, const InitialBed& initial) {
     StoredRun run{only_roles(scene, measured_roles), {}, {}, {}, 0.0};
     Scene& stored = run.scene;
     if (!initial.inputs.empty()) {
-        stored.bed.file = initial.inputs.front().path;
+        name_inputs(stored, initial.inputs, &InputFile::path);
         stored.directory.clear();
     }
     if (stored.output.measure_every > 0) stored.frames = {};  // they decide nothing then
@@ -105,6 +111,10 @@ StoredRun stored_run(const Scene& scene, const InitialBed& initial) {
 fs::path RunStore::place(const StoredRun& run) const {
     constexpr std::size_t digits = 16;
     return folder_ / hex(run.id).substr(0, digits);
+}
+
+fs::path RunStore::beside(const StoredRun& run, std::string_view end) const {
+    return place(run) += end;
 }
 
 fs::path RunStore::measurements(const StoredRun& run) const {
@@ -155,13 +165,23 @@ Snapshot RunStore::snapshot(const StoredRun& run, std::int64_t step) const {
     return read_fields_snapshot(fields(run), step, std::move(*known));
 }
 
+void RunStore::clear_leftovers(const StoredRun& run) const {
+    std::error_code fault;
+    if (!fs::exists(beside(run, lock_end), fault) && !fs::exists(beside(run, former_end), fault))
+        return;
+    try {
+        const FileLock lock(beside(run, lock_end));  // whose end takes the file away
+        if (lock.held()) take_away(beside(run, former_end));
+    } catch (const Error&) {
+        // a store that may only be read keeps them
+    }
+}
+
 Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
                        std::atomic<double>& cell_steps) const {
     const Stopwatch watch;
     make_folder(folder_);
-    fs::path lock_file = place(run);
-    lock_file += ".lock";
-    const FileLock lock(lock_file);
+    const FileLock lock(beside(run, lock_end));
     if (!lock.held()) return Attempt::busy;
     if (holds(run)) return Attempt::done;
 
@@ -170,11 +190,9 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
         wanted.steps.insert(there->steps.begin(), there->steps.end());
     wanted.scene.output.fields_at.assign(wanted.steps.begin(), wanted.steps.end());
 
-    fs::path made = place(run);
-    made += ".part";
-    fs::path former = place(run);
-    former += ".former";
-    for (const fs::path& folder : {place(run), made, former}) refuse_other_files(folder);
+    const fs::path made = beside(run, ".part");
+    for (const fs::path& folder : {place(run), made, beside(run, former_end)})
+        refuse_other_files(folder);
     take_away(made);  // what a killed program may have left
     make_folder(made);
     try {
@@ -202,8 +220,7 @@ Attempt RunStore::make(const StoredRun& run, int threads, RunRecord& record,
 }
 
 void RunStore::put(const fs::path& made, const StoredRun& run) const {
-    fs::path former = place(run);
-    former += ".former";
+    const fs::path former = beside(run, former_end);
     take_away(former);
     if (fs::exists(place(run))) move_to(place(run), former);
     move_to(made, place(run));

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "base/snapshot.h"
 #include "files/hash.h"
@@ -43,6 +44,10 @@ class RunStore {
     /// Whether the run is there, with the fields of all its steps.
     [[nodiscard]] bool holds(const StoredRun& run) const;
 
+    /// Takes away what a program that was killed just after it had stored a run left beside it: its
+    /// lock file, and the run as it was before. Nothing happens where another program has the lock.
+    void clear_leftovers(const StoredRun& run) const;
+
     /// What all snapshots of a run that is there have in common (see read_outline); nothing where
     /// it is not there. With it no model need be built to know the columns of a run, its units …
     [[nodiscard]] std::optional<Snapshot> outline(const StoredRun& run) const;
@@ -66,6 +71,7 @@ class RunStore {
     };
 
     [[nodiscard]] std::filesystem::path place(const StoredRun& run) const;
+    [[nodiscard]] std::filesystem::path beside(const StoredRun& run, std::string_view end) const;
     [[nodiscard]] std::filesystem::path fields(const StoredRun& run) const;
     [[nodiscard]] std::optional<Content> content(const StoredRun& run) const;
     void put(const std::filesystem::path& made, const StoredRun& run) const;

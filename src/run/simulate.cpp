@@ -1,7 +1,8 @@
 #include "run/simulate.h"
 
+#include <vector>
+
 #include "run/step_observers.h"
-#include "run/stepper.h"
 
 namespace fumon {
 
@@ -35,11 +36,13 @@ void keep(Recorder& recorder) {
 }  // namespace
 
 bool simulate(PreparedRun& prepared, Recorder& recorder, RunRecord& record,
-              std::atomic<double>& cell_steps) {
+              std::atomic<double>& cell_steps, StepObserver* beside) {
     SharedCounts counted(prepared.initial.bed.size(), record.steps, cell_steps);
     ToldDoubt doubt(
         [&record](const std::string& line) { record.message = "implausible: " + line; });
-    Stepper stepper(*prepared.model, {&recorder, &counted, &doubt});
+    std::vector<StepObserver*> observers{&recorder, &counted, &doubt};
+    if (beside != nullptr) observers.push_back(beside);
+    Stepper stepper(*prepared.model, observers);
     try {
         if (stepper.advance(at_step(prepared.scene.run.steps)) != 0) return false;
     } catch (...) {

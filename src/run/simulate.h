@@ -5,6 +5,7 @@
 #include "run/parallel_runs.h"
 #include "run/prepared_run.h"
 #include "run/recorder.h"
+#include "run/stepper.h"
 
 namespace fumon {
 
@@ -12,7 +13,8 @@ namespace fumon {
 /// the steps done so far and, as its message, "implausible: …" where the model doubts its state;
 /// `cell_steps` grows with every step. Commits the records at the end. Returns
 /// false if interrupted, having made no file; a run that fails keeps its measurements and throws.
+/// `beside` follows the run's steps, too.
 bool simulate(PreparedRun& prepared, Recorder& recorder, RunRecord& record,
-              std::atomic<double>& cell_steps);
+              std::atomic<double>& cell_steps, StepObserver* beside = nullptr);
 
 }  // namespace fumon

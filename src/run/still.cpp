@@ -87,7 +87,7 @@ DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const 
         std::fwrite(bytes.data(), 1, bytes.size(), stdout);  // looked at when the program ends
     } else {
         write_file(file, bytes);
-        if (scene.output.world_files) write_world_files(scene.view, snapshot, file);
+        write_map_files(scene, snapshot, drawing.image, file);
     }
     if (drawing.record.exaggeration != 1.0)
         progress.note(fmt::format("vertical exaggeration {:g}", drawing.record.exaggeration));

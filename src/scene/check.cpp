@@ -105,10 +105,12 @@ class FigureCheck {
         const std::vector<PanelKind> with_ground{map, view};
         const std::vector<PanelKind> with_arrow{map, view, profile};
         const std::vector<PanelKind> over_time{time_space};
+        const std::vector<PanelKind> with_axes{plot, map, profile, time_space};
         const std::vector<PanelKind> sections{section};
         const std::vector<Asked> all{
-            {"x_label", panel.x_label != usual.x_label, plots},
-            {"y_label", panel.y_label != usual.y_label, plots},
+            {"x_label", panel.x_label != usual.x_label, with_axes},
+            {"y_label", panel.y_label != usual.y_label, with_axes},
+            {"bar_label", panel.bar_label != usual.bar_label, of_fields},
             {"x_logarithmic", panel.x_logarithmic, plots},
             {"y_logarithmic", panel.y_logarithmic, plots},
             {"x_low", panel.x_low != usual.x_low, plots},
@@ -129,6 +131,7 @@ class FigureCheck {
             {"shading", panel.shading != usual.shading, maps},
             {"shading_from_all_sides", panel.shading_from_all_sides, maps},
             {"axes", panel.axes != usual.axes, maps},
+            {"contours", panel.contours != usual.contours, maps},
             {"vectors", panel.vectors, maps},
             {"scale_bar", panel.scale_bar, with_ground},
             {"arrow", panel.arrow != usual.arrow, with_arrow},
@@ -416,11 +419,17 @@ void check_camera(const Scene& scene, Faults& faults) {
         refuse("camera.focal_length",
                "camera.focal_length and camera.field_of_view say the same; take one of them");
     if (scene.view.look.ground != Ground::endless) return;
+    if (scene.view.look.background == Background::transparent)
+        refuse("look.background",
+               "look.background = \"transparent\" takes look.ground = \"table\": endless ground "
+               "leaves nothing transparent");
     if (!perspective)
         refuse("look.ground",
                "look.ground = \"endless\" takes camera.projection = \"perspective\"");
     if (scene.view.look.mode != ViewMode::scenic)
         refuse("look.ground", "look.ground = \"endless\" takes look.mode = \"scenic\"");
+    if (scene.view.look.draws_contours())
+        refuse("look.contours", "look.contours are drawn over look.ground = \"table\" only");
 }
 
 void check_look(const Scene& scene, Faults& faults) {

@@ -151,6 +151,12 @@ void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& 
     table.boolean(path + ".shading_from_all_sides", panel.shading_from_all_sides,
                   {.help = "hill shading by light from four sides, so that no crest lies along it; "
                            "false: from the north-west"});
+    table.word_or_real(path + ".contours", panel.contours,
+                       {{"none", "no lines"}, {"auto", "a round interval: up to 16 lines"}},
+                       {.unit = "m",
+                        .range = {0, 1e6, true},
+                        .help = "between lines of equal height on a map, every fifth labelled; "
+                                "model heights where there are no metres"});
     table.boolean(path + ".axes", panel.axes, {.help = "ticks and labels around a map"});
     table.boolean(path + ".colour_bar", panel.colour_bar,
                   {.help = "beside the last of the panel's pictures"});
@@ -163,6 +169,13 @@ void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& 
                   {PanelArrow::wind, "wind", "along the wind, +x"},
                   {PanelArrow::flow, "flow", "down the slope, -y"}},
                  {.help = "an arrow in the corner of a map (of the first step) or view"});
+    table.boolean(path + ".crests", panel.crests,
+                  {.help = "lines through a map's middle: along its crests (unbroken), and along "
+                           "those that the bed instability predicts of its winds (broken)"});
+    table.real(path + ".flux_ratio", panel.flux_ratio,
+               {.range = {0, 100},
+                .help = "gamma of that prediction: how much more sand moves over a crest across "
+                        "the wind than over flat ground"});
     table.text(path + ".section", panel.section,
                {.help = "velocity, pressure, stress, flights, flight-law or paths"});
 }
@@ -170,8 +183,13 @@ void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& 
 void list_panel_keys(PanelSettings& panel, const std::string& path, KeyTable& table) {
     list_place_keys(panel, path, table);
     list_picture_keys(panel, path, table);
-    table.text(path + ".x_label", panel.x_label, {.help = "empty: the column and its unit"});
-    table.text(path + ".y_label", panel.y_label, {.help = "empty: the column and its unit"});
+    constexpr const char* label =
+        "beside the axis, in any language, {unit} for its unit; empty: what runs along it, and its "
+        "unit";
+    table.text(path + ".x_label", panel.x_label, {.help = label});
+    table.text(path + ".y_label", panel.y_label, {.help = label});
+    table.text(path + ".bar_label", panel.bar_label,
+               {.help = "beside the colour bar, likewise; empty: the quantity and its unit"});
     table.boolean(path + ".x_logarithmic", panel.x_logarithmic, {.help = "logarithmic x axis"});
     table.boolean(path + ".y_logarithmic", panel.y_logarithmic, {.help = "logarithmic y axis"});
     table.word_or_real(path + ".x_low", panel.x_low, {{"auto", "from the data"}},
@@ -208,7 +226,8 @@ void list_one_overlay(OverlaySettings& overlay, const std::string& path, KeyTabl
                   {OverlayCorner::lower_right, "lower-right", "the lower right corner"}},
                  {.help = "where it is placed; several in one corner are stacked"});
     table.text(path + ".text", overlay.text,
-               {.help = "title, time; plot: its heading. {title}, {step}, {time}, {seed} and "
+               {.help = "title, time; plot: its heading; colour-bar: what it shows. {title}, "
+                        "{step}, {time}, {seed} and "
                         "{model.creep_rate} stand for values; empty: as usual"});
     table.text_list(
         path + ".keys", overlay.keys,
@@ -220,7 +239,9 @@ void list_one_overlay(OverlaySettings& overlay, const std::string& path, KeyTabl
     table.word_or_real(path + ".high", overlay.high, {{"auto", "grows with them by round steps"}},
                        {.help = "plot: upper end"});
     table.real(path + ".size", overlay.size,
-               {.range = {0.05, 0.9}, .help = "plot, colour bar: share of the picture's width"});
+               {.range = {0.05, 0.9},
+                .help = "plot, colour bar: share of the picture's width; inset-map: of its shorter "
+                        "side"});
     table.word_or_real(
         path + ".font_size", overlay.font_size,
         {{"auto", "a 36th of the picture's shorter side, at least 10; smaller to fit"}},

@@ -107,16 +107,22 @@ struct PanelSettings {
     bool palette_reversed = false;
     double shading = 0.0;  ///< hill shading of a map
     bool shading_from_all_sides = false;
+    WordOrReal contours{"none", 0.0};  ///< metres between lines of equal height on a map
     bool axes = true;
     bool colour_bar = true;
     bool scale_bar = false;
     bool vectors = false;  ///< arrows of the water's velocity on a map
+    bool crests = false;   ///< measured and predicted directions of crests on a map
     PanelArrow arrow = PanelArrow::none;
+    double flux_ratio = 1.6;           ///< of the prediction: γ
     std::string section = "velocity";  ///< as in section.panels
 
-    // plots
-    std::string x_label;  ///< empty: the column's own name and unit
+    // axes
+    std::string x_label;  ///< with {unit}; empty: what runs along it, and its unit
     std::string y_label;
+    std::string bar_label;  ///< of the colours, likewise
+
+    // plots
     bool x_logarithmic = false;
     bool y_logarithmic = false;
     WordOrReal x_low{"auto", 0.0}, x_high{"auto", 0.0};
@@ -151,7 +157,7 @@ struct OverlaySettings {
     std::string y = "wavelength_spectrum";
     WordOrReal low{"auto", 0.0};  ///< plot: ends of its upward axis
     WordOrReal high{"auto", 0.0};
-    double size = 0.25;                 ///< plot, colour bar: share of the picture's width
+    double size = 0.25;                 ///< share of the picture's width; map: of its shorter side
     WordOrReal font_size{"auto", 0.0};  ///< pixels
     double opacity = 0.6;               ///< of the plate behind it, 0 … 1
 };

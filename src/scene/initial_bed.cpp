@@ -10,12 +10,11 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/random.h"
-#include "base/resampling.h"
 #include "files/hash.h"
 #include "files/terrain/reproject.h"
 #include "files/terrain/terrain_file.h"
 #include "models/registry.h"
-#include "scene/find_input.h"
+#include "numerics/resampling.h"
 #include "scene/trust.h"
 
 namespace fumon {

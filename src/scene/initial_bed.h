@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/grid.h"
+#include "models/shared/model.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -20,7 +21,8 @@ struct InitialBed {
     Grid bed;  ///< model heights
     Mask nodata;
     WorldScale scale;
-    std::vector<InputFile> inputs;
+    std::vector<InputFile> inputs;  ///< by the order of input_keys()
+    std::vector<CellMap> maps{};    ///< what [[map]] gives, see add_maps()
     std::string note;  ///< what the user should hear (degrees converted, …); or empty
 };
 

@@ -43,6 +43,11 @@ Json& place(Json& json, const std::string& path) {
     return *at;
 }
 
+/// Whether a key names a file, whose content counts and not where it lies.
+bool names_input(const std::string& path) {
+    return path == "bed.file" || (path.starts_with("map.") && path.ends_with(".file"));
+}
+
 std::string difference_below(const Json& former, const Json& now, const std::string& prefix) {
     for (const auto& [name, value] : former.items()) {
         const std::string path = prefix + name;
@@ -50,7 +55,14 @@ std::string difference_below(const Json& former, const Json& now, const std::str
         if (value.is_object()) {
             std::string inside = difference_below(value, now[name], path + ".");
             if (!inside.empty()) return inside;
-        } else if (value != now[name] && path != "bed.file") {
+        } else if (value.is_array() && now[name].is_array() && value.size() == now[name].size() &&
+                   !value.empty() && value.front().is_object()) {
+            for (std::size_t n = 0; n < value.size(); ++n) {
+                std::string inside =
+                    difference_below(value[n], now[name][n], fmt::format("{}.{}.", path, n));
+                if (!inside.empty()) return inside;
+            }
+        } else if (value != now[name] && !names_input(path)) {
             return fmt::format("its scene has {} = {}, now {}", path, json_text(value),
                                json_text(now[name]));
         }

@@ -49,7 +49,8 @@ void name_parameter_keys(Scene& scene) {
 
 bool has_overlays(const Scene& scene) {
     const auto& overlays = scene.view.overlays;
-    return std::any_of(overlays.begin(), overlays.end(),
+    return scene.view.look.draws_contours() ||
+           std::any_of(overlays.begin(), overlays.end(),
                        [](const OverlaySettings& overlay) { return overlay.show; });
 }
 

@@ -13,7 +13,7 @@ namespace fumon {
 /// there is not.
 void name_parameter_keys(Scene& scene);
 
-/// Whether a scene has overlays that are shown.
+/// Whether something is drawn over a scene's frames: overlays that are shown, or contours.
 bool has_overlays(const Scene& scene);
 
 /// The columns of the measurements that the plots over a scene's frames show; none without plots.

@@ -24,7 +24,9 @@ enum class OverlayShows {
     KIND(arrow, "arrow", nothing, "the wind's direction, or the water's, with north") \
     KIND(colour_bar, "colour-bar", nothing, "what the colours mean")                  \
     KIND(parameters, "parameters", keys, "a line of keys and their values")           \
-    KIND(plot, "plot", measurements, "a measurement over time, up to the frame")
+    KIND(plot, "plot", measurements, "a measurement over time, up to the frame")      \
+    KIND(inset_map, "inset-map", nothing,                                             \
+         "a small map of the bed, with where the camera stands and what it sees")
 
 #define FUMON_ENUMERATOR(name, word, shows, help) name,
 enum class OverlayKind { FUMON_OVERLAY_KINDS(FUMON_ENUMERATOR) };

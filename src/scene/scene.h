@@ -98,10 +98,11 @@ struct AirSettings {
     WordOrReal visibility{"auto", 0.0};  ///< km, how far dark things are seen
 };
 
-enum class Colouring { natural, height, slope, change, water_depth, speed, froude };
+enum class Colouring { natural, height, slope, change, water_depth, speed, froude, drainage };
 enum class ViewMode { scenic, figure };
 enum class Marking { none, last_avalanche, ground };
 enum class Ground { automatic, table, endless };
+enum class Background { surroundings, transparent };
 enum class SkyModel { automatic, two_colours, atmosphere, overcast };
 enum class Tone { automatic, filmic, agx, agx_punchy, neutral };
 enum class BlockSides { soil, layers };
@@ -118,6 +119,7 @@ struct LookSettings {
     WordOrReal high{"auto", 0.0};          ///< value at its end
     WordOrReal exaggeration{"auto", 0.0};  ///< vertical
     Ground ground = Ground::automatic;
+    Background background = Background::surroundings;
     SkyModel sky = SkyModel::automatic;
     Tone tone = Tone::automatic;
     double exposure = 0.0;  ///< stops
@@ -125,9 +127,11 @@ struct LookSettings {
     bool block_sides = true;
     BlockSides sides = BlockSides::soil;
     SandKind sand = SandKind::quartz;
-    double grain = 0.5;            ///< visible texture of the sand, 0 … 1
-    double ripples = 1.0;          ///< steepness of wind ripples on endless ground, 0 … 1
-    WordOrReal room{"auto", 0.0};  ///< heights framed above the first bed
+    double grain = 0.5;                ///< visible texture of the sand, 0 … 1
+    double ripples = 1.0;              ///< steepness of wind ripples on endless ground, 0 … 1
+    double plants = 1.0;               ///< share of the plants that are drawn one by one, 0 … 1
+    WordOrReal contours{"none", 0.0};  ///< metres (or model heights) between lines of equal height
+    WordOrReal room{"auto", 0.0};      ///< heights framed above the first bed
     Datum datum = Datum::automatic;
     double shading = 1.0;                   ///< hill shading of a figure, 0 … 1
     bool water = true;                      ///< draw the water, where the model has some
@@ -137,6 +141,8 @@ struct LookSettings {
     Marking mark = Marking::none;
     std::int64_t profile_start = 0;  ///< of a single row: the first site shown
     std::int64_t profile_sites = 0;  ///< and how many; 0: 900 or all
+
+    [[nodiscard]] bool draws_contours() const { return contours.word != "none"; }
 };
 
 struct ImageSettings {
@@ -176,11 +182,13 @@ struct OutputSettings {
     bool frames = true;
     bool movie = true;
     bool world_files = false;         ///< beside the frames, where on the map they lie
+    bool geotiff_frames = false;      ///< the frames as GeoTIFF, too
     double movie_rate = 30.0;         ///< frames per second
     std::int64_t movie_quality = 18;  ///< H.264 constant rate factor, 0 (lossless) … 51
     bool measurements = true;
     std::int64_t measure_every = 0;  ///< steps between measurements; 0: with every frame
-    std::int64_t bed_every = 0;      ///< steps between written beds; 0: none
+    double channel_area = 0.0;   ///< least drainage area of a measured channel, m²; 0: no network
+    std::int64_t bed_every = 0;  ///< steps between written beds; 0: none
     std::vector<std::int64_t> bed_at;
     std::vector<std::string> bed_format{"esri-ascii"};  ///< names of terrain formats
     std::int64_t fields_every = 0;  ///< steps between records of fields.nc; 0: none

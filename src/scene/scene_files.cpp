@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "scene/initial_bed.h"
+#include "scene/input_maps.h"
 #include "scene/read.h"
 
 namespace fumon {
@@ -18,11 +19,20 @@ void add_bed(const Scene& scene, std::vector<fs::path>& files) {
     files.push_back(fs::path(files.back()).replace_extension(".prj"));  // its coordinates' system
 }
 
+/// The files that a run of the scene reads.
+void add_inputs(const Scene& scene, std::vector<fs::path>& files) {
+    add_bed(scene, files);
+    Scene named = scene;
+    for (const InputKey& key : input_keys(named)) {
+        if (key.path != "bed.file") files.push_back(input_path(scene, key));
+    }
+}
+
 void add_other_scene(const Scene& scene, const std::string& other, std::vector<fs::path>& files) {
     if (other.empty()) return;
     files.push_back(scene.directory / other);
     try {
-        add_bed(read_scene(files.back()), files);
+        add_inputs(read_scene(files.back()), files);
     } catch (const InputError&) {
         // whoever draws the figure says what is wrong with it
     }
@@ -32,7 +42,7 @@ void add_other_scene(const Scene& scene, const std::string& other, std::vector<f
 
 std::vector<fs::path> scene_files(const Scene& scene) {
     std::vector<fs::path> files;
-    add_bed(scene, files);
+    add_inputs(scene, files);
     for (const PanelSettings& panel : scene.figure.panels) {
         add_other_scene(scene, panel.scene, files);
         for (const CurveSettings& curve : panel.curves) {

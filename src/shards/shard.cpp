@@ -59,18 +59,27 @@ Shard slurm_shard(const Environment& environment) {
     return checked({(*task - first) / step + 1, *count}, "--shard slurm");
 }
 
+struct RankNames {
+    const char* rank;
+    const char* size;
+    const char* beside;  ///< processes on the same machine
+};
+
+constexpr std::array<RankNames, 2> mpirun_names{
+    {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_LOCAL_SIZE"},
+     {"PMI_RANK", "PMI_SIZE", "MPI_LOCALNRANKS"}}};
+constexpr RankNames srun_names{"SLURM_PROCID", "SLURM_NTASKS", nullptr};
+
+std::optional<Shard> shard_of_rank(const RankNames& names, const Environment& environment) {
+    const std::optional<int> rank = whole(environment, names.rank);
+    const std::optional<int> size = whole(environment, names.size);
+    if (!rank || !size) return std::nullopt;
+    return checked({*rank + 1, *size}, "--shard mpi");
+}
+
 Shard mpi_shard(const Environment& environment) {
-    struct Names {
-        const char* rank;
-        const char* size;
-    };
-    constexpr std::array<Names, 3> names{{{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
-                                          {"PMI_RANK", "PMI_SIZE"},
-                                          {"SLURM_PROCID", "SLURM_NTASKS"}}};
-    for (const Names& known : names) {
-        const std::optional<int> rank = whole(environment, known.rank);
-        const std::optional<int> size = whole(environment, known.size);
-        if (rank && size) return checked({*rank + 1, *size}, "--shard mpi");
+    for (const RankNames& names : {mpirun_names[0], mpirun_names[1], srun_names}) {
+        if (const auto shard = shard_of_rank(names, environment)) return *shard;
     }
     throw InputError(
         "--shard mpi: neither OMPI_COMM_WORLD_RANK, PMI_RANK nor SLURM_PROCID is set; start fumon "
@@ -87,6 +96,16 @@ Environment own_environment() {
     };
 }
 
+std::optional<Rank> rank_of_mpirun(const Environment& environment) {
+    for (const RankNames& names : mpirun_names) {
+        const auto shard = shard_of_rank(names, environment);
+        if (!shard) continue;
+        if (shard->of == 1) return std::nullopt;
+        return Rank{*shard, std::max(1, whole(environment, names.beside).value_or(1))};
+    }
+    return std::nullopt;
+}
+
 Shard read_shard(const std::string& text, const Environment& environment) {
     if (text == "slurm") return slurm_shard(environment);
     if (text == "mpi") return mpi_shard(environment);
@@ -97,7 +116,7 @@ Shard read_shard(const std::string& text, const Environment& environment) {
         if (number && of) return checked({*number, *of}, "--shard " + text);
     }
     throw InputError(
-        fmt::format("--shard: it takes N/OF, as 3/16, or slurm or mpi, not \"{}\"", text));
+        fmt::format("--shard: it takes N/OF, as 3/16, or slurm, mpi or none, not \"{}\"", text));
 }
 
 std::string shard_text(const Shard& shard) {

@@ -23,6 +23,17 @@ using Environment = std::function<std::optional<std::string>(const char* name)>;
 /// The environment of this program.
 Environment own_environment();
 
+/// A program among those that mpirun started.
+struct Rank {
+    Shard shard;     ///< the rank plus one
+    int beside = 1;  ///< how many of them are on this machine
+};
+
+/// Which of several programs mpirun or mpiexec has started this one as (OMPI_COMM_WORLD_RANK, _SIZE
+/// and _LOCAL_SIZE, or PMI_RANK, PMI_SIZE and MPI_LOCALNRANKS); nothing where it is the only one.
+/// Slurm's variables do not tell: a job's own script has them, too.
+std::optional<Rank> rank_of_mpirun(const Environment& environment = own_environment());
+
 /// Reads --shard: "3/16"; "slurm", this task of a Slurm array (SLURM_ARRAY_TASK_ID, with _MIN,
 /// _MAX, _STEP and _COUNT); or "mpi", this process of those that mpirun or srun started
 /// (OMPI_COMM_WORLD_RANK and _SIZE, PMI_RANK and PMI_SIZE, or SLURM_PROCID and SLURM_NTASKS), the

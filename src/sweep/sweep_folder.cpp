@@ -62,18 +62,6 @@ class WaitedLock {
     std::optional<FileLock> lock_;
 };
 
-/// A file that is copied appears whole or not at all.
-void copy_whole(const fs::path& from, const fs::path& to) {
-    std::error_code fault;
-    const fs::path temporary = temporary_name(to);
-    fs::copy_file(from, temporary, fs::copy_options::overwrite_existing, fault);
-    if (!fault) fs::rename(temporary, to, fault);
-    if (fault) {
-        throw Error(
-            fmt::format("cannot copy {} to {}: {}", from.string(), to.string(), fault.message()));
-    }
-}
-
 /// The number of the run that a file is called as one of, 0001.csv, 0001-fields.nc, 0001.json.part
 /// …; −1 of any other.
 std::int64_t number_of_run(std::string_view name) {
@@ -96,10 +84,10 @@ SweepFolder::SweepFolder(fs::path folder, const SweepPlan& plan, bool force)
     open(force, 0, true);
 }
 
-SweepFolder::SweepFolder(fs::path folder, const SweepPlan& plan, int shards, bool merges)
+SweepFolder::SweepFolder(fs::path folder, const SweepPlan& plan, int shards, Use use)
     : folder_(std::move(folder)), plan_(plan) {
-    if (merges) {
-        open(false, shards, true);
+    if (use != Use::shard) {
+        open(false, shards, true, use == Use::last_shard ? longest_wait : std::chrono::seconds{});
         return;
     }
     check_output_folder(folder_, "the sweep");
@@ -112,12 +100,12 @@ SweepFolder::SweepFolder(fs::path folder, const SweepPlan& plan, int shards, boo
     lock_.reset();
 }
 
-void SweepFolder::open(bool force, int shards, bool alone) {
+void SweepFolder::open(bool force, int shards, bool alone, std::chrono::seconds wait) {
     std::error_code fault;
     check_output_folder(folder_, "the sweep");
     if (fs::exists(folder_ / "runs", fault)) check_output_folder(folder_ / "runs", "the sweep");
     const bool there = fs::exists(folder_, fault);
-    if (there && alone) lock_.emplace(folder_);
+    if (there && alone) lock_.emplace(folder_, wait);
     if (there && force) refuse_while_runs_are_made();
     if (there && !force) number_runs();
     const std::vector<fs::path> former = former_files(force);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -35,8 +36,10 @@ class SweepFolder {
     /// is working there; Error where it cannot be written.
     SweepFolder(std::filesystem::path folder, const SweepPlan& plan, bool force);
     /// The same for one of so many shards, or for their merge: never forced. A shard waits while
-    /// another one opens the folder, and lets others in afterwards.
-    SweepFolder(std::filesystem::path folder, const SweepPlan& plan, int shards, bool merges);
+    /// another one opens the folder, and lets others in afterwards; the last of them to end waits
+    /// for those that merge already.
+    enum class Use { shard, merge, last_shard };
+    SweepFolder(std::filesystem::path folder, const SweepPlan& plan, int shards, Use use);
     SweepFolder(const SweepFolder&) = delete;
     SweepFolder& operator=(const SweepFolder&) = delete;
 
@@ -73,7 +76,7 @@ class SweepFolder {
     [[nodiscard]] const SweepRun& run(std::size_t number) const {
         return plan_.runs[order_[number - 1]];
     }
-    void open(bool force, int shards, bool alone);
+    void open(bool force, int shards, bool alone, std::chrono::seconds wait = {});
     void number_runs();
     void refuse_while_runs_are_made() const;
     /// How many runs the sweep in the folder has; −1 where there is none of fumon's.

@@ -70,17 +70,26 @@ Scene scene_of(const SweepPlan& plan, std::size_t combination) {
     return parse_scene(plan.scene, overrides);
 }
 
+/// Takes a key such as model.flux or wind.0.duration out.
+void leave_out(nlohmann::ordered_json& of, const std::string& key) {
+    const std::size_t dot = key.find('.');
+    if (dot == std::string::npos) {
+        if (of.is_object()) of.erase(key);
+        return;
+    }
+    const std::string first = key.substr(0, dot);
+    if (of.is_array()) {
+        const std::size_t item = std::stoul(first);
+        if (item < of.size()) leave_out(of[item], key.substr(dot + 1));
+    } else if (of.contains(first)) {
+        leave_out(of[first], key.substr(dot + 1));
+    }
+}
+
 nlohmann::ordered_json base_of(const SweepPlan& plan, const Scene& scene) {
     nlohmann::ordered_json base = scene_json(scene, recorded_roles);
     base.erase("seed");
-    for (const std::string& key : varied_keys(plan)) {
-        const std::size_t dot = key.find('.');
-        if (dot == std::string::npos) {
-            base.erase(key);
-        } else if (base.contains(key.substr(0, dot))) {
-            base[key.substr(0, dot)].erase(key.substr(dot + 1));
-        }
-    }
+    for (const std::string& key : varied_keys(plan)) leave_out(base, key);
     return base;
 }
 

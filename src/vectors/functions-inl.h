@@ -57,6 +57,18 @@ HWY_INLINE V greater(V a, V b) {
 #endif
 }
 
+/// b < a ? b : a, so a where one of them is no number or both are 0.
+template <class V>
+HWY_INLINE V smaller(V a, V b) {
+    return lesser(b, a);
+}
+
+/// b > a ? b : a, likewise.
+template <class V>
+HWY_INLINE V larger(V a, V b) {
+    return greater(b, a);
+}
+
 template <class V>
 HWY_INLINE V power_of_two(V shifted) {
     constexpr std::uint64_t bias = 1023;

@@ -37,6 +37,10 @@ struct Suite {
     std::string name;
 };
 
+fs::path recorded_in(const Baseline& baseline) {
+    return baseline.unlocked ? baseline.file : baseline.lock();
+}
+
 /// Reads all baselines and their scenes before anything is drawn, so that a mistake is found at
 /// once.
 std::vector<Suite> read_suites(const VerificationOptions& options) {
@@ -52,17 +56,23 @@ std::vector<Suite> read_suites(const VerificationOptions& options) {
             throw InputError(
                 fmt::format("{}: recorded.{} belongs to no case; bring its case back, or let "
                             "`fumon verify --update` remove what is recorded",
-                            file, suite.baseline.orphans.front()));
+                            recorded_in(suite.baseline).string(), suite.baseline.orphans.front()));
+        }
+        if (suite.baseline.unlocked && !options.update && !options.quietly()) {
+            fmt::print(stderr,
+                       "{}: what is recorded stands in the baseline, as before version 0.2; "
+                       "`fumon verify --update` moves it into {}\n",
+                       file, suite.baseline.lock().string());
         }
         suites.push_back(std::move(suite));
     }
     return suites;
 }
 
-/// Claims a baseline and its pictures to be recorded; a picture is fumon's where its case is
-/// recorded.
+/// Claims a lock and pictures to be recorded; they are fumon's where something is recorded.
 void claim_records(const Baseline& baseline, OutputClaims& updates) {
-    updates.writes(baseline.file, true);
+    if (baseline.unlocked) updates.writes(baseline.file, true);
+    updates.writes(baseline.lock(), !baseline.records.empty() || !baseline.orphans.empty());
     for (const BaselineCase& one : baseline.cases) {
         if (!one.picture) continue;
         const fs::path file = baseline.picture_of(one);
@@ -78,6 +88,7 @@ OutputClaims claim_outputs(const VerificationOptions& options, const std::vector
     OutputClaims updates(options.force);
     for (const Suite& suite : suites) {
         claims.reads(suite.baseline.file);
+        claims.reads(suite.baseline.lock());
         for (const BaselineCase& one : suite.baseline.cases) {
             const Scene scene = scene_of(suite.baseline, one, options.trust, defaults_of(options));
             for (OutputClaims* both : {&claims, &updates}) {
@@ -156,7 +167,7 @@ class Verification {
     int run() {
         page_.forget();
         for (Suite& suite : suites_) {
-            const std::string before = baseline_text(suite.baseline);
+            const std::string before = lock_text(suite.baseline.records, LockOwner::verify);
             for (const BaselineCase& one : suite.baseline.cases) {
                 page_.forget(suite.name, one.name);
                 const Stopwatch watch;
@@ -237,9 +248,15 @@ class Verification {
             if (options_.as_json) break;
             fmt::print("{:<8} {} {}: it has no case any more\n", "removed", suite.name, name);
         }
-        const std::string after = baseline_text(suite.baseline);
-        if (after != before || !suite.baseline.orphans.empty())
-            write_file(suite.baseline.file, after);
+        const std::string after = lock_text(suite.baseline.records, LockOwner::verify);
+        const Baseline& baseline = suite.baseline;
+        if (after != before || !baseline.orphans.empty() || baseline.unlocked)
+            write_file(baseline.lock(), after);
+        if (!baseline.unlocked) return;
+        write_file(baseline.file, baseline.head);
+        if (!options_.as_json)
+            fmt::print("{:<8} {}: what is recorded, into {}\n", "moved", suite.name,
+                       baseline.lock().string());
     }
 
     void tell(const char* word, const Suite& suite, const BaselineCase& one,

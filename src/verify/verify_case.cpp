@@ -151,7 +151,7 @@ std::optional<Image> recorded_picture(const Baseline& baseline, const BaselineCa
         throw InputError(fmt::format(
             "{}: is not the picture that {} recorded for {}; bring it back, or accept a "
             "new one with `fumon verify --update`",
-            file.string(), baseline.file.string(), one.name));
+            file.string(), baseline.lock().string(), one.name));
     }
     return image;
 }

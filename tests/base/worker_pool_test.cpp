@@ -1,8 +1,13 @@
 #include "base/worker_pool.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <exception>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -56,6 +61,31 @@ TEST(WorkerPool, RethrowsTheFirstErrorInRangeOrderAndGoesOn) {
 
 TEST(WorkerPool, ZeroTakesTheMachinesProcessors) {
     EXPECT_GE(WorkerPool(0).size(), 1);
+}
+
+TEST(WorkerPool, ThatCannotStartAllItsThreadsSaysSoAndEnds) {
+#ifdef FUMON_SANITIZED
+    GTEST_SKIP() << "sanitizers take more address space than any limit";
+#endif
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::alarm(20);  // ends it where it waits for ever
+        long pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        const auto room = static_cast<rlim_t>(pages * ::sysconf(_SC_PAGESIZE)) + (rlim_t{64} << 20);
+        const rlimit limit{room, room};
+        ::setrlimit(RLIMIT_AS, &limit);
+        try {
+            const WorkerPool pool(512);
+        } catch (const std::exception&) {
+            ::_exit(0);
+        }
+        ::_exit(1);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status)) << "it waits";
+    EXPECT_EQ(WEXITSTATUS(status), 0) << "there was room for all";
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+
 #include "base/random.h"
 #include "base/worker_pool.h"
 #include "fastest.h"
@@ -72,12 +74,50 @@ void film_with_islands(benchmark::State& state) {
     measure(state, 0.1, EdgeKind::open, false);
 }
 
+/// A river that winds through dry ground, 5 % of the cells, beside the same ground under water.
+void river(benchmark::State& state) {
+    const int side = static_cast<int>(state.range(0));
+    WorkerPool pool;
+    const Grid bed = noise(side, 0.1);
+    Water wet{Grid(side, side, 1.0), Grid(side, side), Grid(side, side)};
+    Water water{Grid(side, side), Grid(side, side), Grid(side, side)};
+    const double turn = 6.2831853 / side;  // two bends
+    int cells = 0;
+    for (int x = 0; x < side; ++x) {
+        const double middle = side * (0.5 + 0.15 * std::sin(2.0 * turn * x));
+        for (int y = 0; y < side; ++y) {
+            if (std::fabs(y - middle) > 0.025 * side) continue;
+            water.depth(x, y) = 1.0;
+            ++cells;
+        }
+    }
+    const auto time_of = [&](Water& one, auto&& each) {
+        FiniteVolumeScheme scheme({}, {}, pool);
+        double step_at_one = scheme.step_at_courant_one(one);
+        Fastest fastest;
+        each([&] {
+            return fastest.time(
+                [&] { step_at_one = scheme.advance(one, bed, courant_number * step_at_one, 0.0); });
+        });
+        return fastest.rate(1.0);
+    };
+    const double of_river = time_of(water, [&](const auto& step) {
+        for ([[maybe_unused]] auto _ : state) state.SetIterationTime(step());
+    });
+    const double of_all = time_of(wet, [](const auto& step) {
+        for (int k = 0; k < 10; ++k) step();
+    });
+    state.counters["wet_share"] = cells / (static_cast<double>(side) * side);
+    state.counters["cost_over_all_wet"] = of_all / of_river;
+}
+
 void sizes(benchmark::internal::Benchmark* one) {
     one->RangeMultiplier(2)->Range(128, 4096)->Unit(benchmark::kMillisecond)->UseManualTime();
 }
 
 BENCHMARK(film)->Apply(sizes);
 BENCHMARK(film_with_islands)->Apply(sizes);
+BENCHMARK(river)->Arg(512)->Arg(2048)->Unit(benchmark::kMillisecond)->UseManualTime();
 
 }  // namespace
 }  // namespace fumon

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <sstream>
 
 #include "support/command.h"
@@ -74,18 +75,52 @@ TEST(Guide, ManyMachines) {
         "export SLURM_ARRAY_JOB_ID=1 SLURM_ARRAY_TASK_MIN=${first:-1}\n"
         "for task in $(seq ${first:-1} $tasks); do SLURM_ARRAY_TASK_ID=$task bash \"$last\"; "
         "done\nbash merges; rm merges\n");
-    write_text(
-        folder / "bin/mpirun",
-        "#!/bin/bash\nset -e\nranks=$2\nshift 2\nfor ((rank = 0; rank < ranks; ++rank)); do\n"
-        "OMPI_COMM_WORLD_RANK=$rank OMPI_COMM_WORLD_SIZE=$ranks \"$@\"\ndone\n");
+    for (const auto& [starter, rank, size] :
+         {std::array{"mpirun", "OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
+          std::array{"srun", "SLURM_PROCID", "SLURM_NTASKS"}}) {
+        write_text(folder / (std::string("bin/") + starter),
+                   std::string("#!/bin/bash\nset -e\nranks=$2\nshift 2\nfor ((rank = 0; rank < "
+                               "ranks; ++rank)); do\nexport ") +
+                       rank + "=$rank " + size + "=$ranks\n\"$@\"\ndone\n");
+    }
     const Spoken spoken = do_page(folder, "cluster.md");
     EXPECT_EQ(spoken.status, 0) << spoken.words;
     const std::string table = read_text(folder / "out/ripples/sweep.csv");
     EXPECT_FALSE(table.empty());
     EXPECT_EQ(read_text(folder / "out/slurm/sweep.csv"), table);
     EXPECT_EQ(read_text(folder / "out/mpi/sweep.csv"), table);
+    EXPECT_EQ(read_text(folder / "out/srun/sweep.csv"), table);
     EXPECT_FALSE(read_text(folder / "out/both/sweep.csv").empty());
     EXPECT_FALSE(read_text(folder / "out/drawn/movie.mp4").empty());
+}
+
+TEST(Guide, AFigureForAJournalInTwoLanguages) {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "bin");
+    write_text(folder / "bin/none", "");
+    fs::create_directory_symlink(fs::path(FUMON_GUIDE_FOLDER).parent_path(), folder / "assets");
+    const Spoken spoken = do_page(folder, "journal.md");
+    ASSERT_EQ(spoken.status, 0) << spoken.words;
+    for (const char* file : {"en/gully.pdf", "en/gully-a.asc", "en/gully-b-2.csv", "ja/gully.png"})
+        EXPECT_TRUE(fs::exists(folder / file)) << file;
+    EXPECT_EQ(read_text(folder / "ja/gully-a.asc"), read_text(folder / "en/gully-a.asc"));
+    EXPECT_FALSE(fs::exists(folder / "ja/runs"));
+}
+
+TEST(Guide, ImageTestsInAnotherProject) {
+    const ScratchFolder folder;
+    fs::create_directory(folder / "bin");
+    write_text(folder / "bin/none", "");
+    EXPECT_EQ(do_page(folder, "image-tests.md").status, 0);
+}
+
+TEST(Guide, TellsOneVersion) {
+    const fs::path guide = FUMON_GUIDE_FOLDER;
+    EXPECT_NE(read_text(guide / "CITATION.cff").find("\nversion: " FUMON_VERSION "\n"),
+              std::string::npos);
+    const std::string changes = read_text(guide / "CHANGELOG.md");
+    const std::string heading = changes.substr(changes.find("\n## ") + 4);
+    EXPECT_EQ(heading.find(FUMON_VERSION), 0U) << heading.substr(0, heading.find('\n'));
 }
 
 TEST(Guide, FromTerrainToAFilmOfRain) {
@@ -101,9 +136,9 @@ TEST(Guide, FromTerrainToAFilmOfRain) {
     ASSERT_EQ(spoken.status, 0) << spoken.words;
     for (const char* file :
          {"look/frames/frame_000000.png", "rain/movie.mp4", "rain/fields.nc", "stream.csv",
-          "stream.png", "cut/measurements.csv", "maps/frames/frame_000001.pgw",
-          "maps/beds/bed_00000060.asc", "map.png", "map.png.aux.xml", "rain.pvd", "rain_000006.vts",
-          "dem.glb", "dem.stl"})
+          "stream.png", "line.csv", "line.png", "drainage.png", "cut/measurements.csv",
+          "maps/frames/frame_000001.pgw", "maps/beds/bed_00000060.asc", "map.png",
+          "map.png.aux.xml", "rain.pvd", "rain_000006.vts", "dem.glb", "dem.stl"})
         EXPECT_TRUE(fs::exists(folder / file)) << file;
     EXPECT_FALSE(fs::exists(folder / "look/movie.mp4"));
     const std::string header = read_text(folder / "gauged/measurements.csv");

@@ -177,6 +177,48 @@ TEST(Measure, AvalanchesHaveASizeDistribution) {
     EXPECT_NE(text.output.find("A power law in 12 to 90 cells?"), std::string::npos);
 }
 
+TEST(Measure, ChannelsByTheAreaThatDrainsThroughThem) {
+    const ScratchFolder folder;
+    std::string valley = "ncols 21\nnrows 40\nxllcorner 0\nyllcorner 0\ncellsize 10\n";
+    for (int y = 39; y >= 0; --y) {
+        for (int x = 0; x < 21; ++x)
+            valley += std::to_string(10.0 * std::abs(x - 10) + 0.1 * y) + (x < 20 ? ' ' : '\n');
+    }
+    write_text(folder / "valley.asc", valley);
+    EXPECT_EQ(value_of(measured(folder, {"valley.asc"}), "drainage_density"), nullptr);
+    const auto all = measured(folder, {"valley.asc", "--channel-area", "4000"});
+    EXPECT_EQ(value_of(all, "stream_sources")["value"], 1.0);
+    EXPECT_EQ(value_of(all, "drainage_density")["unit"], "1/m");
+    // The longest way down is along the valley's floor, and all of it drains through its mouth.
+    const Ended profile = fumon({"profile", "valley.asc"}, folder.path());
+    ASSERT_EQ(profile.status, 0) << profile.errors;
+    EXPECT_TRUE(profile.output.starts_with("distance_m,x,y,level_m,bed_m,depth_m,area_m2\n"));
+    EXPECT_NE(profile.output.find(",105,5,0,0,0,72300\n"), std::string::npos) << profile.output;
+    // A line across it, down to its floor and along it: heights are linear between cells' centres.
+    const Ended line =
+        fumon({"profile", "valley.asc", "-o", "-", "--along", "5,105", "105,105", "105,5"},
+              folder.path());
+    ASSERT_EQ(line.status, 0) << line.errors;
+    EXPECT_TRUE(
+        line.output.starts_with("distance_m,x,y,level_m,bed_m,depth_m\n0,5,105,101,101,0\n"
+                                "5,10,105,96,96,0\n"))
+        << line.output;
+    EXPECT_NE(line.output.find("\n100,105,105,1,1,0\n105,105,100,0.95,0.95,0\n"), std::string::npos)
+        << line.output;
+    EXPECT_TRUE(line.output.ends_with("\n200,105,5,0,0,0\n")) << line.output;
+    EXPECT_EQ(fumon({"profile", "valley.asc", "--along", "5,105", "5,1e4"}, folder.path()).errors,
+              "--along 5,1e4 lies outside the grid, which goes from 0,0 to 210,400 m\n");
+    // A run records them too, from its key.
+    const Ended run =
+        fumon({"run", "valley.asc", "-o", "out", "--quiet", "--set", "model.name=water", "--set",
+               "run.steps=1", "--set", "output.frames=false", "--set", "output.movie=false",
+               "--set", "output.channel_area=4000"},
+              folder.path());
+    ASSERT_EQ(run.status, 0) << run.errors;
+    EXPECT_NE(read_text(folder / "out/measurements.csv").find(",bifurcation_ratio,"),
+              std::string::npos);
+}
+
 TEST(Measure, WrongUsageIsOneLine) {
     const ScratchFolder folder;
     write_text(folder / "bed.asc", waves(8));

@@ -31,6 +31,7 @@ struct Case {
     std::vector<double> kinks{};  ///< x where the solution is not smooth at the end, m
     double until = 1e9;           ///< x up to which it holds, m
     bool smooth = false;          ///< of second order away from kinks and shores
+    bool basin = false;           ///< its water at the start differs from cell to cell
 };
 
 std::vector<Case> all_cases();
@@ -63,10 +64,16 @@ Errors errors_of(const Case& one, const Setting& setting, const Water& water);
 /// By fumon's finite volumes.
 Outcome run_case(const Case& one, int cells, int threads);
 
-/// The scene of a case that is no square, and its bed as an ESRI ASCII grid (empty: flat), for
-/// `fumon run`.
+/// Cells along x of a case that ships as a scene.
+inline int cells_of_scene(const Case& one) {
+    return one.square ? 50 : 100;
+}
+/// The scene of a case, and its bed as an ESRI ASCII grid (empty: flat), for `fumon run`.
 std::string scene_of(const Case& one, int cells);
 std::string bed_of(const Case& one, int cells);
+/// Depth and northward velocity of the water in a basin at the start, likewise (empty: none).
+std::string depth_of(const Case& one, int cells);
+std::string velocity_of(const Case& one, int cells);
 /// The exact depth at the end at so many points of it, as a table "x,depth", m.
 std::string curve_of(const Case& one, int points);
 

@@ -3,10 +3,11 @@
 //     water_examination [CASE…] [--cells 100,200,400]
 //     water_examination [CASE…] --scenes FOLDER
 //
-// or writes the scenes of those that are strips, on 100 cells, with their beds and exact depths.
-// What it prints are L1 errors of the depth over the exact volume, the order from the last two
-// grids, of all cells and of those more than five from shores and kinks; the budget of water;
-// seconds of the processor; and beside them those of a plain scheme of first order.
+// or writes their scenes, on 100 (squares: 50) cells, with their beds, their water at the start
+// where it differs from cell to cell, and exact depths at the end. What it prints are L1 errors of
+// the depth over the exact volume, the order from the last two grids, of all cells and of those
+// more than five from shores and kinks; the budget of water; seconds of the processor; and beside
+// them those of a plain scheme of first order.
 
 #include <fmt/format.h>
 
@@ -70,13 +71,16 @@ void print_case(const Case& one, const std::vector<int>& grids) {
 }
 
 void write_scene(const Case& one, const std::filesystem::path& folder) {
-    if (one.square || one.name == "thacker-parabola") return;
-    constexpr int cells = 100;
+    const int cells = cells_of_scene(one);
     std::ofstream(folder / (one.name + ".toml")) << scene_of(one, cells);
     constexpr int points = 200;
     std::ofstream(folder / (one.name + ".csv")) << curve_of(one, points);
-    const std::string bed = bed_of(one, cells);
-    if (!bed.empty()) std::ofstream(folder / (one.name + ".asc")) << bed;
+    const auto write = [&](const char* end, const std::string& grid) {
+        if (!grid.empty()) std::ofstream(folder / (one.name + end)) << grid;
+    };
+    write(".asc", bed_of(one, cells));
+    write("-depth.asc", depth_of(one, cells));
+    write("-velocity_y.asc", velocity_of(one, cells));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "film/camera_path.h"
+#include "film/camera/camera_path.h"
 
 #include <gtest/gtest.h>
 

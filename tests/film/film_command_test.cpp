@@ -68,13 +68,33 @@ TEST_F(FilmCommandTest, MakesTheSameFilmOnAnyNumberOfThreads) {
     const Ended again = fumon({"film", "out", "one.mp4"}, folder_.path());
     ASSERT_EQ(again.status, 0) << again.errors;
     EXPECT_EQ(read_text(folder_ / "one.mp4"), read_text(folder_ / "one-again.mp4"));
-    EXPECT_EQ(
-        fumon({"again", "one.mp4"}, folder_.path()).errors,
-        "one.mp4: is a film, cut from the beds that a run has stored; `fumon film RUN one.mp4` "
-        "makes it again from the run's folder\n");
     EXPECT_EQ(film({"-o", "one.mp4"}).status, 0) << "its own file is replaced";
     write_text(folder_ / "mine.mp4", "mine");
     EXPECT_EQ(film({"-o", "mine.mp4"}).status, 2);
+}
+
+TEST_F(FilmCommandTest, AgainSimulatesItsRunsAndGivesTheSameBytes) {
+    ASSERT_EQ(film({"-o", "f.mp4"}).status, 0);
+    ASSERT_EQ(film({"-o", "f.webp", "--max-size", "2500"}).status, 0);
+    ASSERT_EQ(fumon({"film", "out", "out", "film.toml", "-o", "two.mp4", "--set",
+                     "film.cap_height=40", "--set", "film.width=128"},
+                    folder_.path())
+                  .status,
+              0);
+    fs::remove_all(folder_ / "out");
+    ASSERT_EQ(run({"output.bed_every=3", "output.bed_at=[1]"}).status, 0);
+    ASSERT_EQ(film({"-o", "beds.mp4"}).status, 0);
+    fs::remove_all(folder_ / "out");
+    for (const char* name : {"f.mp4", "f.webp", "two.mp4", "beds.mp4"}) {
+        const fs::path made =
+            fs::path(name).stem().string() + "-again" + fs::path(name).extension().string();
+        const Ended again = fumon({"again", name, "--threads", "2", "--force"}, folder_.path());
+        EXPECT_TRUE(again.errors.ends_with(made.string() + ": the same bytes as " + name + "\n"))
+            << again.errors;
+        EXPECT_EQ(read_text(folder_ / made.string()), read_text(folder_ / name)) << name;
+    }
+    fs::remove(folder_ / "f.webp.json");
+    EXPECT_EQ(fumon({"again", "f.webp"}, folder_.path()).status, 2);
 }
 
 TEST_F(FilmCommandTest, MakesSheetsPostersAndFilesThatFit) {
@@ -140,6 +160,54 @@ TEST_F(FilmCommandTest, OneThatIsKilledLeavesNoHalfFile) {
     }
     EXPECT_EQ(film({"-o", "f.mp4", "--force"}).status, 0);
     EXPECT_FALSE(fs::exists(folder_ / "f.mp4.part"));
+}
+
+TEST_F(FilmCommandTest, OneThatWasStoppedGoesOnAndHasTheSameBytes) {
+    const std::vector<std::string> longer{"--set", "shot.0.seconds=16"};  // 80 frames
+    const auto arguments = [&](const std::string& file, const std::string& how) {
+        std::vector<std::string> all{"film", "out", "film.toml", "-o", file};
+        if (!how.empty()) all.push_back(how);
+        all.insert(all.end(), longer.begin(), longer.end());
+        return all;
+    };
+    ASSERT_EQ(fumon(arguments("whole.mp4", ""), folder_.path()).status, 0);
+    const fs::path kept = folder_ / "f.mp4.frames";
+    int frame = 32;  // the encoder holds some back
+    for (const int signal : {SIGKILL, SIGINT}) {
+        Program stopped(arguments("f.mp4", "--resume"), folder_.path());
+        const fs::path drawn = kept / ("frame_0000" + std::to_string(frame) + ".png");
+        for (int i = 0; i < 2000 && !fs::exists(drawn); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        ASSERT_TRUE(fs::exists(drawn));
+        stopped.send(signal);
+        ASSERT_EQ(stopped.wait().status, 128 + signal) << "it ended before it was stopped";
+        EXPECT_FALSE(fs::exists(folder_ / "f.mp4"));
+        // What plays up to there: fragments, one a second.
+        const std::string so_far = read_text(kept / "so-far.mp4");
+        int fragments = 0;
+        for (std::size_t at = so_far.find("moof"); at != std::string::npos;
+             at = so_far.find("moof", at + 1))
+            ++fragments;
+        EXPECT_GE(fragments, signal == SIGKILL ? 2 : 8);
+        frame += 6;
+    }
+    write_text(kept / "frame_000003.png", read_text(kept / "frame_000004.png"));
+    ASSERT_EQ(fumon(arguments("f.mp4", "--resume"), folder_.path()).status, 0);
+    EXPECT_NE(read_text(folder_ / "f.mp4"), read_text(folder_ / "whole.mp4")) << "none was kept";
+    EXPECT_FALSE(fs::exists(kept));
+    Program again(arguments("f.mp4", "--resume"), folder_.path());
+    for (int i = 0; i < 2000 && !fs::exists(kept / "frame_000009.png"); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    again.send(SIGKILL);
+    again.wait();
+    ASSERT_EQ(fumon(arguments("f.mp4", "--resume"), folder_.path()).status, 0);
+    EXPECT_EQ(read_text(folder_ / "f.mp4"), read_text(folder_ / "whole.mp4"));
+    fs::create_directory(folder_ / "g.mp4.frames");
+    const Ended refused = fumon(arguments("g.mp4", "--resume"), folder_.path());
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_TRUE(refused.errors.ends_with(
+        "g.mp4.frames: is there already and holds no frames of a film; move it away\n"))
+        << refused.errors;
 }
 
 }  // namespace

@@ -33,12 +33,14 @@ constexpr const char* film_head = "[film]\nwidth = 64\nheight = 48\nrate = 5\nsu
 struct FilmAtWork {
     explicit FilmAtWork(const std::string& text)
         : film(parse_film(film_head + text, "f.toml")),
-          beds(filmed_run(), 1),
+          runs({filmed_run().string()}, 1),
+          beds(runs.first()),
           pool(1),
-          painter(film, beds, film_size(film), {}, gl::Backend::automatic, pool) {}
+          painter(film, runs, film_size(film), {}, gl::Backend::automatic, pool) {}
 
     Film film;
-    StoredBeds beds;
+    FilmRuns runs;
+    const StoredBeds& beds;
     WorkerPool pool;
     FilmPainter painter;
 };
@@ -136,9 +138,9 @@ TEST(FilmPainter, KeysMoveCameraLensSunAndExposure) {
 double film_extent(const std::string& size, const std::string& move) {
     const Film film =
         parse_film("[film]\n" + size + "[[shot]]\nmove = \"" + move + "\"\n", "f.toml");
-    const StoredBeds beds(filmed_run(), 1);
-    const FilmStage stage = make_stage(film, beds, film_size(film));
-    const StagedShot shot(film, 0, stage, beds);
+    const FilmRuns runs({filmed_run().string()}, 1);
+    const FilmStage stage = make_stage(film, runs.first(), film_size(film));
+    const StagedShot shot(film, 0, stage, runs);
     double most = 0.0;
     for (int i = 0; i <= 40; ++i) {
         const Camera camera = camera_of(stage, shot.pose_at(i / 40.0));
@@ -171,10 +173,11 @@ TEST(FilmPainter, TheColourBarHasTheRangeOfTheWholeFilm) {
               0);
     const Film film =
         parse_film(std::string(film_head) + "[[shot]]\nseconds = 1\nfrom = 5\nto = 15\n", "f.toml");
-    const StoredBeds beds(folder / "out", 1);
+    const FilmRuns runs({(folder / "out").string()}, 1);
+    const StoredBeds& beds = runs.first();
     ASSERT_EQ(beds.beds().size(), 5U);  // of the files in beds/
     WorkerPool pool(1);
-    const FilmPainter painter(film, beds, film_size(film), {}, gl::Backend::automatic, pool);
+    const FilmPainter painter(film, runs, film_size(film), {}, gl::Backend::automatic, pool);
     const LookSettings& look = painter.stage().scene.view.look;
     ASSERT_FALSE(look.low.is_word());
     const auto range_of = [&](std::size_t number) {
@@ -184,6 +187,26 @@ TEST(FilmPainter, TheColourBarHasTheRangeOfTheWholeFilm) {
     const double highest = std::max({range_of(1), range_of(2), range_of(3)});
     EXPECT_LE(look.high.value, highest);
     EXPECT_GT(look.high.value, 0.8 * highest);
+}
+
+TEST(FilmPainter, ATransparentFilmFadesByWhatIsSeen) {
+    FilmAtWork at(
+        "background = \"transparent\"\n[[shot]]\nseconds = 1\nfrom = 9\nto = 9\n[[shot]]\nseconds "
+        "= "
+        "1\nfrom = 9\nto = 9\nazimuth = 120\ntransition = \"cross-fade\"\ntransition_seconds = "
+        "0.4\n[[card]]\nground = \"dark\"\nplace = \"end\"\nseconds = 1\nfade = 0\n");
+    const Image first = at.painter.paint(0);
+    const Image second = at.painter.paint(6);
+    const Image between = at.painter.paint(3);
+    ASSERT_TRUE(first.transparent() && second.transparent() && between.transparent());
+    EXPECT_EQ(first.alpha.front(), 0);
+    for (std::size_t i = 0; i < first.alpha.size(); ++i) {
+        EXPECT_NEAR(between.alpha[i], (2.0 * first.alpha[i] + second.alpha[i]) / 3.0, 1.0);
+        if (first.alpha[i] == 255 && second.alpha[i] == 0) {
+            EXPECT_NEAR(between.rgb[3 * i], first.rgb[3 * i], 1) << "no colour from behind";
+        }
+    }
+    EXPECT_FALSE(at.painter.paint(at.painter.frames() - 1).transparent()) << "a dark card";
 }
 
 }  // namespace

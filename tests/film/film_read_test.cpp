@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "film/film_output.h"
-#include "film/film_sizes.h"
+#include "film/script/film_sizes.h"
 #include "support/temporary_folder.h"
 
 namespace fumon {

@@ -75,6 +75,18 @@ TEST_F(RenderCommandTest, TheRunsFramesAndMovieForAnyNumberOfShards) {
     }
 }
 
+TEST_F(RenderCommandTest, UnderMpirunTheLastProgramMakesTheMovie) {
+    for (const char* rank : {"1", "0"}) {
+        EXPECT_FALSE(fs::exists(*folder_ / "ranks/movie.mp4"));
+        const Ended ended =
+            fumon({"render", "beds", "-o", "ranks"}, folder_->path(),
+                  {std::string("OMPI_COMM_WORLD_RANK=") + rank, "OMPI_COMM_WORLD_SIZE=2"});
+        ASSERT_EQ(ended.status, 0) << ended.errors;
+    }
+    expect_the_runs_files("ranks");
+    EXPECT_FALSE(fs::exists(*folder_ / "ranks/movie.mp4.lock"));
+}
+
 TEST_F(RenderCommandTest, PlotsOverTheFramesAndWater) {
     write_text(*folder_ / "water.toml",
                "seed = 3\n[model]\nname = \"gully\"\n[grid]\nnx = 24\nny = 20\n[run]\nsteps = "

@@ -1,4 +1,4 @@
-// Baselines of pictures under test.
+// Baselines of pictures under test, as people write them and as older ones hold their records.
 
 #include "picture/baseline.h"
 
@@ -6,14 +6,22 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace fumon;
-    std::string text;
-    const auto read_and_write = [&text](std::string_view bytes) {
+    Baseline baseline;
+    const auto read = [&baseline](std::string_view bytes) {
         const fuzz::MemoryFile file(bytes);
-        return fuzz::taken([&] { text = baseline_text(read_baseline(file.path())); });
+        return fuzz::taken([&] { baseline = read_baseline(file.path()); });
     };
-    if (!read_and_write(fuzz::as_text(data, size))) return 0;
-    const std::string written = text;
-    if (!read_and_write(written) || text != written)
-        fuzz::broken_promise("a written baseline reads back the same", written);
+    if (!read(fuzz::as_text(data, size))) return 0;
+    const std::string lock = lock_text(baseline.records, LockOwner::verify);
+    const std::string head = baseline.head;
+    if (!read(head) || baseline.head != head || !baseline.records.empty())
+        fuzz::broken_promise("what people wrote reads back without its records", head);
+    std::string again;
+    const fuzz::MemoryFile file(lock);
+    if (!fuzz::taken([&] {
+            again = lock_text(read_lock(file.path(), LockOwner::verify), LockOwner::verify);
+        }) ||
+        again != lock)
+        fuzz::broken_promise("a written lock reads back the same", lock);
     return 0;
 }

@@ -215,6 +215,10 @@ INSTANTIATE_TEST_SUITE_P(
               "window = [3, 3, 9, 9]\ndepth = 0.4\n[[edge]]\nside = \"west\"\nkind = "
               "\"discharge\"\ntimes = [0, 1]\nvalues = [2, 6]\n[[edge]]\nside = \"north\"\n"
               "kind = \"level\"\nvalue = 0.2\n"),
+        gully("Loads",
+              "transport = \"loads\"\nentrainment = \"excess-shear\"\nentrainment_stress = 0.1\n"
+              "depth = 0.05\nrain = 900\nedges_y = \"open\"\nbed_diffusion = 0.01\n"
+              "morphological_factor = 50\nbase_level = 0.1\ntime_step = 0.4\n"),
         gully("Cip", "transport = \"as-printed\"\n"),
         gully("CipAsPublished", "scheme = \"cip-as-published\"\ndepth = 0.05\n"),
         gully("Sheet", "scheme = \"finite-volume\"\ntransport = \"conservative\"\n"),

@@ -102,8 +102,9 @@ TEST_F(FigureRefusalsTest, WhatIsWrongIsOneLocatedLine) {
         {plot + "inset = \"upper-left\"\n" + curve.substr(plot.size()), "this is the first"},
         {plot + "steps = [3]\n" + curve.substr(plot.size()),
          "belongs to map, view, profile and section panels; a plot panel would not show it"},
-        {map + "x_label = \"x\"\n",
-         "bad.toml:17:11: figure.panel.0.x_label: belongs to plot panels; a map panel would not "
+        {map + "x_logarithmic = true\n",
+         "bad.toml:17:17: figure.panel.0.x_logarithmic: belongs to plot panels; a map panel would "
+         "not "
          "show it"},
         {"[[figure.panel]]\nkind = \"profile\"\ny_low = 0.0\n", "belongs to plot panels"},
         {"[[figure.panel]]\nkind = \"view\"\naxes = false\n", "belongs to map panels"},

@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "files/file_lock.h"
 #include "files/folder_lock.h"
 #include "support/figure_of_runs.h"
 
@@ -135,6 +136,28 @@ TEST_F(FigureRunsTest, KilledOrInterruptedItGoesOn) {
     EXPECT_EQ(runs().size(), 6U) << "no locks, no parts";
     ASSERT_EQ(figure("plots.toml", longer, "fresh").status, 0);
     EXPECT_EQ(text("out/plots.svg"), text("fresh/plots.svg"));
+}
+
+TEST_F(FigureRunsTest, WhatAKillLeftBesideAStoredRunIsTakenAway) {
+    write_scene("pictures.toml", pictures);
+    ASSERT_EQ(figure("pictures.toml").status, 0);
+    const fs::path run = folder_ / "out/runs" / runs()[0];
+    const fs::path former = run.string() + ".former";
+    write_text(run.string() + ".lock", "");
+    fs::copy(run, former);
+    write_text(former / "notes.txt", "mine");
+    ASSERT_EQ(figure("pictures.toml", {"--runs", "out/runs"}, "second").status, 0);
+    EXPECT_EQ(runs().size(), 2U);
+    EXPECT_EQ(text("out/runs/" + former.filename().string() + "/notes.txt"), "mine");
+    EXPECT_FALSE(fs::exists(former / "job.json"));
+    fs::remove(former / "notes.txt");
+    {
+        const FileLock others(run.string() + ".lock");
+        ASSERT_EQ(figure("pictures.toml").status, 0);
+        EXPECT_EQ(runs().size(), 3U) << "another program is at work";
+    }
+    ASSERT_EQ(figure("pictures.toml").status, 0);
+    EXPECT_EQ(runs().size(), 1U);
 }
 
 TEST_F(FigureRunsTest, TwoAtOnceShareTheRuns) {

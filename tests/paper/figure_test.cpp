@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "base/image.h"
+#include "base/quantity_text.h"
 #include "files/hash.h"
 #include "picture/png.h"
+#include "support/command.h"
 #include "support/figure_of_runs.h"
 
 namespace fumon::test {
@@ -63,6 +65,25 @@ TEST_F(FigureTest, CaptionsTellWhatTheItemsOfAModelsListsSay) {
     EXPECT_EQ(caption.find("water.0.level"), std::string::npos) << caption;
 }
 
+TEST_F(FigureTest, MapsShowTheCrestsOfARunsWinds) {
+    const auto picture = [&](const std::string& panel) {
+        write_text(folder_ / "winds.toml",
+                   "[model]\nname = \"dunes\"\n[[wind]]\nfrom = 270\n[[wind]]\nfrom = 180\n"
+                   "[grid]\nnx = 24\nny = 16\n[run]\nsteps = 2\n[figure]\ndots_per_inch = 60\n"
+                   "formats = [\"png\"]\n[[figure.panel]]\nkind = \"map\"\n" +
+                       panel);
+        const Ended ended = figure("winds.toml");
+        EXPECT_EQ(ended.status, 0) << ended.errors;
+        return hex(pixel_hash(read_png(folder_ / "out/winds.png")));
+    };
+    const std::string plain = picture("");
+    const std::string with_crests = picture("crests = true\n");
+    EXPECT_NE(with_crests, plain);
+    EXPECT_NE(picture("crests = true\nset = [\"wind.0.duration=2\"]\nflux_ratio = 0\n"),
+              picture("crests = true\nset = [\"wind.0.duration=2\"]\nflux_ratio = 5\n"))
+        << "with other predictions";
+}
+
 TEST_F(FigureTest, AProfileHasEveryFieldAndAPanelsPaletteRunsItsOwnWay) {
     const auto water = [](const std::string& look, const std::string& panel) {
         return "[model]\nname = \"gully\"\n[grid]\nnx = 12\nny = 8\n[run]\nsteps = 2\n[look]\n" +
@@ -90,6 +111,36 @@ TEST_F(FigureTest, AProfileHasEveryFieldAndAPanelsPaletteRunsItsOwnWay) {
     EXPECT_EQ(picture(turned, own), plain) << "the scene's palette is another";
     EXPECT_NE(picture("", own + turned), plain);
     EXPECT_EQ(picture(own + turned, turned), plain) << "turned twice";
+}
+
+TEST_F(FigureTest, AxesOfPicturesAreNamedAsTheSceneSays) {
+    const auto words = [&](const std::string& name, const std::string& labels) {
+        write_scene(name + ".toml",
+                    "[figure]\nformats = [\"pdf\"]\n"
+                    "[[figure.panel]]\nkind = \"map\"\nsteps = [5]\n" +
+                        labels + "[[figure.panel]]\nkind = \"profile\"\nsteps = [5]\n" +
+                        (labels.empty() ? "" : "x_label = \"along ({unit})\"\n"));
+        EXPECT_EQ(figure(name + ".toml").status, 0);
+        return run_command("pdftotext -layout " + (folder_ / "out" / (name + ".pdf")).string() +
+                           " -")
+            .words;
+    };
+    const std::string usual = words("usual", "");
+    EXPECT_NE(usual.find("x (sites)"), std::string::npos) << usual;
+    const std::string own = words(
+        "own", "x_label = \"east\"\ny_label = \"{unit} north\"\nbar_label = \"H in {unit}\"\n");
+    for (const char* word : {"east", "along (sites)"})
+        EXPECT_NE(own.find(word), std::string::npos) << word << "\n" << own;
+    EXPECT_EQ(own.find("x (sites)"), std::string::npos) << own;
+}
+
+TEST(LabelOr, PutsTheUnitInItsPlace) {
+    EXPECT_EQ(label_or("", "x (m)"), "x (m)");
+    EXPECT_EQ(label_or("東 ({unit})", "x (m)"), "東 (m)");
+    EXPECT_EQ(label_or("height / {unit}", "height (mean) (model heights)"),
+              "height / model heights");
+    EXPECT_EQ(label_or("{unit}", "step"), "{unit}") << "which has none";
+    EXPECT_EQ(label_or("distance", "x (m)"), "distance");
 }
 
 TEST_F(FigureTest, EveryFormatMakesTheSameBytesAgain) {

@@ -79,34 +79,79 @@ TEST(Baseline, CasesTakeWhatHoldsForAllAndKeepTheirOrder) {
     EXPECT_EQ(at_time.thumbnail_difference, 2.0);
 }
 
-TEST(Baseline, WrittenAndReadAgainIsTheSame) {
-    Baseline baseline = read(three_cases);
-    baseline.records["map"] = some_record(40);
-    baseline.records["perspective"] = some_record(50);
-    const std::string text = baseline_text(baseline);
-    EXPECT_TRUE(text.starts_with(three_cases)) << "what people wrote stays, comments too";
-
-    const Baseline again = read(text);
-    EXPECT_EQ(again.records.size(), 2U);
-    for (const auto& [name, record] : baseline.records) {
-        EXPECT_EQ(again.records.at(name).fumon, record.fumon);
-        EXPECT_EQ(again.records.at(name).environment, record.environment);
-        EXPECT_EQ(again.records.at(name).state, record.state);
-        EXPECT_EQ(again.records.at(name).fingerprint, record.fingerprint);
+/// A folder with b.toml and its lock.
+struct Locked {
+    explicit Locked(const std::string& lock) {
+        file = folder.file("b.toml", three_cases);
+        folder.file("b.lock", lock);
     }
-    EXPECT_EQ(baseline_text(again), text);
-    EXPECT_LT(text.find("[recorded.perspective]"), text.find("[recorded.map]"))
-        << "in the order of the cases";
+    TemporaryFolder folder;
+    std::filesystem::path file;
+};
+
+void expect_equal(const BaselineRecords& records, const BaselineRecords& expected) {
+    EXPECT_EQ(records.size(), expected.size());
+    for (const auto& [name, record] : expected) {
+        EXPECT_EQ(records.at(name).fumon, record.fumon);
+        EXPECT_EQ(records.at(name).environment, record.environment);
+        EXPECT_EQ(records.at(name).state, record.state);
+        EXPECT_EQ(records.at(name).fingerprint, record.fingerprint);
+    }
+}
+
+TEST(Baseline, ItsLockWrittenAndReadAgainIsTheSame) {
+    const BaselineRecords records{{"perspective", some_record(50)}, {"map", some_record(40)}};
+    const std::string text = lock_text(records, LockOwner::verify);
+    const Locked written(text);
+    const Baseline again = read_baseline(written.file);
+    expect_equal(again.records, records);
+    EXPECT_EQ(lock_text(again.records, LockOwner::verify), text);
+    EXPECT_FALSE(again.unlocked);
+    EXPECT_EQ(again.head, three_cases) << "what people wrote";
+    EXPECT_LT(text.find("[recorded.map]"), text.find("[recorded.perspective]")) << "by name";
 }
 
 TEST(Baseline, WhatHasNoCaseIsAnOrphan) {
-    Baseline baseline = read(three_cases);
-    baseline.records["map"] = some_record(40);
-    std::string text = baseline_text(baseline);
-    text.replace(text.find("map = {"), 7, "oblique = {");
-    const Baseline changed = read(text);
-    EXPECT_EQ(changed.orphans, std::vector<std::string>{"map"});
-    EXPECT_EQ(baseline_text(changed).find("recorded.map"), std::string::npos);
+    const Locked more(
+        lock_text({{"map", some_record(40)}, {"oblique", some_record(40)}}, LockOwner::verify));
+    const Baseline baseline = read_baseline(more.file);
+    EXPECT_EQ(baseline.orphans, std::vector<std::string>{"oblique"});
+    EXPECT_EQ(baseline.records.size(), 1U);
+}
+
+TEST(Baseline, RecordsThatStandInTheFileItselfAreReadAsBefore) {
+    const BaselineRecords records{{"map", some_record(40)}};
+    const std::string recorded = record_text("map", records.at("map"));
+    const std::string old =
+        three_cases +
+        "\n# Recorded by `fumon verify --update`, which writes anew all that follows.\n\n" +
+        recorded;
+    const Baseline baseline = read(old);
+    EXPECT_TRUE(baseline.unlocked);
+    EXPECT_EQ(baseline.head, three_cases) << "without what goes into the lock";
+    expect_equal(baseline.records, records);
+
+    const TemporaryFolder folder;
+    const auto file = folder.file("b.toml", old);
+    const auto lock = folder.file("b.lock", lock_text(records, LockOwner::verify));
+    EXPECT_EQ(
+        message_of<InputError>([&] { read_baseline(file); }),
+        file.string() + ":13:1: what is recorded stands in " + lock.string() + "; remove it here");
+}
+
+TEST(Baseline, ALockBelongsToWhoWroteIt) {
+    const Locked other(lock_text({}, LockOwner::pytest));
+    const std::string message = message_of<InputError>([&] { read_baseline(other.file); });
+    EXPECT_TRUE(
+        message.ends_with("b.lock:1:1: was recorded by pytest; rename the baseline, whose "
+                          "lock bears its name"))
+        << message;
+    EXPECT_TRUE(message_of<InputError>([&] {
+                    read_baseline(std::filesystem::path(other.file).replace_extension(".lock"));
+                }).ends_with("b.lock: is a lock; name the baseline that it is of"));
+    const Locked damaged("[recorded.map]\nsize = 3\n");
+    EXPECT_NE(message_of<InputError>([&] { read_baseline(damaged.file); }).find("b.lock:2:8: "),
+              std::string::npos);
 }
 
 TEST(Baseline, FaultsAreLocated) {

@@ -205,5 +205,16 @@ TEST(Difference, ShowsChangedPixelsAlone) {
     }
 }
 
+TEST(Compare, SeesWhatIsTransparent) {
+    Image image = with_alpha(Image(16, 16));
+    Image other = image;
+    EXPECT_EQ(compare(image, other).changed, 0);
+    other.alpha[40] = 100;
+    EXPECT_EQ(compare(image, other).changed, 1);
+    other.alpha[40] = image.alpha[40] = 0;
+    other.rgb[120] = 255;
+    EXPECT_EQ(compare(image, other).changed, 0) << "what nobody sees";
+}
+
 }  // namespace
 }  // namespace fumon

@@ -209,5 +209,45 @@ TEST(ColourTable, KeepsFewColoursAsTheyAreAndManyNearby) {
                 meant / static_cast<double>(places.size()), 4.0);
 }
 
+TEST(MovieFormats, KeepAlphaWhereTheyCan) {
+    const TemporaryFolder folder;
+    Image open = with_alpha(dithered_sky(96, 64));
+    for (std::size_t i = 0; i < open.alpha.size() / 2; ++i) open.alpha[i] = 0;
+    for (const MovieFormat& format : movie_formats()) {
+        if (format.name == "gif" || format.name == "webp") continue;
+        const auto file = folder / (std::string(format.name) + std::string(format.ending));
+        Movie movie(file, 96, 64, 10.0, {format, 18, nullptr, true});
+        for (int i = 0; i < 3; ++i) movie.add(open);
+        movie.finish();
+        const std::string pixels = played_file(file).pixels;
+        const bool alpha = pixels.find('a') != std::string::npos;
+        EXPECT_EQ(alpha, !format.open_pixels.empty()) << format.name << " " << pixels;
+    }
+    Movie movie(folder / "w.webp", 96, 64, 10.0, {*find_movie_format("webp"), 18, nullptr, true});
+    movie.add(open);
+    movie.finish();
+    EXPECT_NE(bytes_of(folder / "w.webp").find("ALPH"), std::string::npos);
+}
+
+TEST(GrowingMovie, PlaysWhileItIsMade) {
+    const TemporaryFolder folder;
+    Movie movie(folder / "m.mp4", 96, 64, 5.0,
+                {movie_formats().front(), 18, nullptr, false, folder / "so-far.mp4"});
+    Image image = dithered_sky(96, 64);
+    int played = 0;
+    for (int i = 0; i < 80 && played == 0; ++i) {
+        std::fill_n(image.row(i % 64), 3 * 40, std::uint8_t{0});
+        movie.add(image);
+        played = played_file(folder / "so-far.mp4").frames;
+    }
+    EXPECT_GE(played, 5) << "a second at least, before the movie is finished";
+    EXPECT_FALSE(std::filesystem::exists(folder / "m.mp4"));
+    const std::string whole = [&] {
+        movie.finish();
+        return bytes_of(folder / "m.mp4");
+    }();
+    EXPECT_FALSE(whole.empty());
+}
+
 }  // namespace
 }  // namespace fumon

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "files/atomic_file.h"
+#include "files/hash.h"
 #include "support/temporary_folder.h"
 
 namespace fumon {
@@ -210,6 +211,25 @@ TEST(Png, Rounds16BitsAChannelTo8) {
     png_destroy_write_struct(&png, &info);
     const auto file = folder.file("a.png", bytes);
     EXPECT_EQ(read_png(file).rgb, (std::vector<std::uint8_t>{2, 2, 2}));
+}
+
+TEST(Png, KeepsAlpha) {
+    const test::TemporaryFolder folder;
+    Image image(5, 3);
+    for (std::size_t i = 0; i < image.rgb.size(); ++i)
+        image.rgb[i] = static_cast<std::uint8_t>(17 * i);
+    const Sha256 opaque = pixel_hash(image);
+    image = with_alpha(image);
+    for (std::size_t i = 0; i < image.alpha.size(); ++i)
+        image.alpha[i] = static_cast<std::uint8_t>(255 - 13 * i);
+    const auto file = folder / "a.png";
+    write_file(file, encode_png(image, 100.0, {{"Title", "a"}}));
+    EXPECT_EQ(read_png(file), image);
+    EXPECT_EQ(read_png_texts(file).front().second, "a");
+    EXPECT_NE(pixel_hash(image), opaque);
+    const Image white = laid_on(image, 255);
+    EXPECT_FALSE(white.transparent());
+    EXPECT_EQ(white.rgb[3], (image.rgb[3] * 242 + 255 * 13 + 127) / 255);
 }
 
 }  // namespace

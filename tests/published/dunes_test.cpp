@@ -18,7 +18,6 @@
 #include "measure/bed/crest_orientation.h"
 #include "measure/bed/dunes.h"
 #include "models/avalanche/slope_relaxation.h"
-#include "wind/crest_directions.h"
 
 namespace fumon::test {
 namespace {
@@ -321,75 +320,6 @@ TEST(PublishedDunes, FiveWindsMakeAStar) {
     EXPECT_GT(harmonics[5], 2.0 * other);
     EXPECT_NEAR(x0 / sand, 0.5 * (side - 1), 0.25) << "no drift";
     EXPECT_NEAR(y0 / sand, 0.5 * (side - 1), 0.25);
-}
-
-/// How much more sand moves over the model's own ridge across the wind than over flat ground.
-double flux_ratio_of_ridges() {
-    constexpr double step = 0.001;
-    DunesParameters parameters;
-    parameters.time_step = {"", step};
-    WorkerPool pool;
-    Grid first(128, 24);
-    for (int y = 0; y < 24; ++y) {
-        RandomStream stream(1, static_cast<std::uint32_t>(y), 0, Purpose::initial_bed);
-        for (double& height : first.row(y)) height = 2.5 + stream.uniform();
-    }
-    Dunes dunes(parameters, {std::move(first), {}, {1.0, 1.0, 1.0, true}, 1, pool});
-    for (int n = 0; n < 1500; ++n) dunes.step();
-    const Grid ridges = heights_of(dunes.bed());
-    const BedStatistics heights = bed_statistics(ridges, {});
-    const double p = parameters.deposit_on_sand;
-    const double over_flat = parameters.flux * step * (1.0 - p) / parameters.hop_length;
-    double sum = 0.0;
-    double crests = 0.0;
-    for (int y = 0; y < ridges.ny(); ++y) {
-        for (int x = 0; x < ridges.nx(); ++x) {
-            if (ridges(x, y) < heights.mean + 0.8 * heights.standard_deviation) continue;
-            bool is_crest = true;
-            for (int k = 1; k <= 6; ++k) {
-                is_crest = is_crest && ridges(x, y) >= ridges((x + k) % 128, y) &&
-                           ridges(x, y) > ridges((x + 128 - k) % 128, y);
-            }
-            if (!is_crest) continue;
-            sum += to_metres(dunes.bed().moving(x, y)) / over_flat;
-            crests += 1.0;
-        }
-    }
-    return sum / crests - 1.0;
-}
-
-/// Of two winds whose sand parts by an angle, the stronger one toward +x, the direction of the
-/// crests, degrees counterclockwise from +x.
-double crests_under(double ratio, double apart, std::uint64_t seed) {
-    DunesParameters parameters;
-    parameters.time_step = {"", 0.001};
-    parameters.winds = {{270.0, 1.0, 0.04 * ratio}, {270.0 - apart, 1.0, 0.04}};
-    WorkerPool pool;
-    Grid first(128, 128);
-    for (int y = 0; y < 128; ++y) {
-        RandomStream stream(seed, static_cast<std::uint32_t>(y), 0, Purpose::initial_bed);
-        for (double& height : first.row(y)) height = 2.5 + stream.uniform();
-    }
-    Dunes dunes(parameters, {std::move(first), {}, {1.0, 1.0, 1.0, true}, seed, pool});
-    for (int n = 0; n < 1000; ++n) dunes.step();
-    return std::fmod(crest_orientation(heights_of(dunes.bed()), true).degrees + 270.0, 180.0);
-}
-
-TEST(PublishedDunes, CrestsOfTwoWindsRunAsTheoryHasIt) {
-    const double ratio = flux_ratio_of_ridges();
-    std::printf("    gamma %.2f\n", ratio);
-    EXPECT_GT(ratio, 0.8);
-    EXPECT_LT(ratio, 2.0);
-    for (const auto& [strength, apart] :
-         {std::pair{1.0, 60.0}, std::pair{2.0, 120.0}, std::pair{1.0, 150.0}}) {
-        const CrestDirections theory =
-            crest_directions(std::vector<SandFlux>{{0.0, strength}, {apart, 1.0}}, ratio);
-        double mean = 0.0;
-        for (const std::uint64_t seed : {1U, 2U}) mean += 0.5 * crests_under(strength, apart, seed);
-        std::printf("    ratio %.0f, %3.0f degrees apart: %.1f measured, %.1f predicted\n",
-                    strength, apart, mean, theory.bed_instability.at(0));
-        EXPECT_NEAR(mean, theory.bed_instability.at(0), 5.0);
-    }
 }
 
 }  // namespace

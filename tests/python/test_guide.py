@@ -3,6 +3,10 @@
 import os
 import pathlib
 import re
+import shutil
+import subprocess
+
+import pytest
 
 GUIDE = pathlib.Path(os.environ["FUMON_GUIDE"]) / "python.md"
 
@@ -18,3 +22,43 @@ def test_the_guides_blocks_run(tmp_path, monkeypatch, capsys):
     for promised in re.findall(r"print\(.*\) +# (.*)", "\n".join(blocks)):
         assert promised in told
     assert {file.name for file in tmp_path.iterdir()} == {"hill.png", "last.png", "barchans.mp4", "growth.webp"}
+
+
+def test_the_blocks_on_coupling_run(tmp_path, monkeypatch, capsys):
+    page = (GUIDE.parent / "bmi.md").read_text()
+    blocks = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+    assert len(blocks) >= 3
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    for block in blocks:
+        exec(compile(block, "bmi.md", "exec"), names)
+    told = capsys.readouterr().out
+    assert "fumon sand" in told and "smoother: True" in told
+
+
+def test_the_blocks_on_a_notebook_run(tmp_path, monkeypatch, capsys):
+    page = (GUIDE.parent / "notebook.md").read_text()
+    blocks = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+    assert len(blocks) == 3
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    for block in blocks:
+        exec(compile(block, "notebook.md", "exec"), names)
+    assert capsys.readouterr().out == "('bed.high', 'model.creep_rate')\nTrue\n"
+
+
+def test_the_block_in_cpp_runs(tmp_path):
+    library = os.environ.get("FUMON_BMI_LIBRARY")
+    if not library or not shutil.which("c++"):
+        pytest.skip("FUMON_BMI_LIBRARY names no library, or there is no C++ compiler")
+    page = (GUIDE.parent / "bmi.md").read_text()
+    (program,) = re.findall(r"^```cpp\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+    (tmp_path / "coupled.cpp").write_text(program)
+    (tmp_path / "fumon").mkdir()
+    shutil.copy(GUIDE.parents[2] / "src/bmi/bmi.h", tmp_path / "fumon")
+    (tmp_path / "my.toml").write_text('[model]\nname = "sand"\n[grid]\nnx = 12\nny = 8\n[run]\nsteps = 4\n')
+    folder = os.path.dirname(library)
+    subprocess.run(["c++", "-std=c++20", "-I.", "coupled.cpp", "-L" + folder, "-lfumonbmi", "-Wl,-rpath," + folder, "-o",
+                    "coupled"], cwd=tmp_path, check=True)
+    done = subprocess.run(["./coupled", "my.toml"], cwd=tmp_path, check=True, text=True, capture_output=True)
+    assert done.stdout == "96 cells after 3 steps\n"

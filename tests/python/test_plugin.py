@@ -1,6 +1,9 @@
 """The pytest plugin: records, compares, shows what differs."""
 
 import importlib.metadata
+import os
+import pathlib
+import re
 
 import pytest
 
@@ -79,6 +82,15 @@ def test_records_and_compares(pytester, run):
     run(turn=5).assert_outcomes(passed=2, failed=1)
 
 
+def test_the_guides_page_on_image_tests(pytester, run):
+    page = (pathlib.Path(os.environ["FUMON_GUIDE"]) / "image-tests.md").read_text()
+    (text,) = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+    run("--fumon-update", text=text).assert_outcomes(passed=2)
+    run(text=text).assert_outcomes(passed=2)
+    assert [file.name for file in (pytester.path / "pictures").iterdir()] == ["test_it-test_picture.png"]
+    run(text=text.replace("200 - x", "199 - x").replace("[1] / 4", "[1] / 3")).assert_outcomes(failed=2)
+
+
 def test_wrong_uses(pytester, run):
     twice = run(text="def test_it(fumon_image):\n    import numpy as np\n    a = np.zeros((4, 4, 3), np.uint8)\n"
                      "    try:\n        fumon_image(a)\n    except BaseException: pass\n    fumon_image(a)")
@@ -92,6 +104,10 @@ def test_wrong_uses(pytester, run):
     (pytester.path / "pictures.lock").write_text("[recorded.x]\nsize = 3\n")
     damaged = run(text="def test_it(fumon_image):\n    import numpy as np\n    fumon_image(np.zeros((4, 4, 3), np.uint8))")
     damaged.stdout.fnmatch_lines(["*pictures.lock:2:8: *"])
+    (pytester.path / "pictures.lock").write_text(
+        "# Recorded by `fumon verify --update`, which writes it anew. Commit it.\n")
+    other = run(text="def test_it(fumon_image):\n    import numpy as np\n    fumon_image(np.zeros((4, 4, 3), np.uint8))")
+    other.stdout.fnmatch_lines(["*pictures.lock:1:1: was recorded by `fumon verify`*"])
 
 
 def test_pinned_records_pin(pytester):

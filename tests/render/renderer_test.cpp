@@ -321,5 +321,33 @@ TEST(Renderer, DrawsTheLargestPicture) {
         EXPECT_NEAR(large_mean[i], small_mean[i], 1.5);
 }
 
+TEST(Renderer, ATransparentBackgroundLeavesTheBlockWithoutAFringe) {
+    const Snapshot bed = wavy_bed(40, 30);
+    View view = small_view();
+    view.look.ground = Ground::table;
+    const Image on_table = picture(view, bed);
+    view.look.background = Background::transparent;
+    const Image open = picture(view, bed);
+    ASSERT_EQ(open.alpha.size(), open.rgb.size() / 3);
+    std::size_t partly = 0;
+    int darkest_edge = 255;
+    int darkest_inside = 255;
+    for (std::size_t i = 0; i < open.alpha.size(); ++i) {
+        if (open.alpha[i] == 255) {
+            darkest_inside = std::min<int>(darkest_inside, open.rgb[3 * i]);
+            EXPECT_EQ(open.rgb[3 * i], on_table.rgb[3 * i]) << i;
+        } else {
+            if (open.alpha[i] != 0) ++partly;
+            darkest_edge = std::min<int>(darkest_edge, open.rgb[3 * i]);
+        }
+    }
+    EXPECT_EQ(open.alpha.front(), 0);
+    EXPECT_GT(partly, 20U);
+    EXPECT_GE(darkest_edge, darkest_inside - 3) << "colours outside are those of the block";
+    for (const int threads : {1, 3}) EXPECT_EQ(picture(view, bed, threads), open);
+    view.look.ground = Ground::endless;
+    EXPECT_THROW(picture(view, bed), InputError);
+}
+
 }  // namespace
 }  // namespace fumon

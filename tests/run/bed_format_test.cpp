@@ -53,6 +53,59 @@ TEST_F(BedFormat, AnEsriGridLiesWhereItsTerrainLay) {
     EXPECT_FALSE(fs::exists(folder_ / "out/beds/bed_00000000.prj")) << "no system is known";
 }
 
+TEST_F(BedFormat, FramesOfMapsAreGeoTiffsToo) {
+    const auto still = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"still",
+                                       "dem.asc",
+                                       "-o",
+                                       "map.png",
+                                       "-q",
+                                       "--set",
+                                       "image.width=64",
+                                       "--set",
+                                       "image.height=48",
+                                       "--set",
+                                       "output.geotiff_frames=true"};
+        words.insert(words.end(), more.begin(), more.end());
+        return fumon(words, folder_.path());
+    };
+    EXPECT_EQ(still({}).errors,
+              "--set 3:23: output.geotiff_frames belongs to camera.projection = \"map\"\n");
+    EXPECT_FALSE(fs::exists(folder_ / "map.png"));
+    const Ended ended = still({"--set", "camera.projection=map"});
+    if (!find_written_format("geotiff")->lacks.empty()) {
+        EXPECT_EQ(ended.status, 2);
+        EXPECT_NE(ended.errors.find("needs GDAL"), std::string::npos) << ended.errors;
+        return;
+    }
+    ASSERT_EQ(ended.status, 0) << ended.errors;
+    EXPECT_EQ(read_text(folder_ / "map.tif").substr(0, 2), "II");
+    EXPECT_FALSE(fs::exists(folder_ / "map.pgw"));
+    EXPECT_EQ(still({"--set", "camera.projection=map"}).status, 0) << "its own is replaced";
+}
+
+TEST_F(BedFormat, ABedIsExportedAsAGridOfItsFormatOrToStandardOutput) {
+    const Ended written = fumon({"export", "dem.asc", "-o", "bed.asc"}, folder_.path());
+    ASSERT_EQ(written.status, 0) << written.errors;
+    const Terrain bed = read_terrain(folder_ / "bed.asc");
+    EXPECT_EQ(bed.heights, read_terrain(folder_ / "dem.asc").heights);
+    EXPECT_EQ(bed.place->west, 4000.0);
+    const Ended told = fumon({"export", "dem.asc", "-o", "-"}, folder_.path());
+    EXPECT_EQ(told.output, read_text(folder_ / "bed.asc"));
+    EXPECT_EQ(told.errors, "");
+    EXPECT_EQ(fumon({"export", "dem.asc", "-o", "bed.txt"}, folder_.path()).errors,
+              "bed.txt: the name of what is exported ends in .vts, .pvd, .glb, .stl, .cog.tif, "
+              ".tif, .asc; or say it by --as\n");
+    EXPECT_EQ(
+        fumon({"export", "dem.asc", "-o", "bed.txt", "--as", "esri-ascii"}, folder_.path()).status,
+        0);
+    EXPECT_EQ(read_text(folder_ / "bed.txt"), told.output);
+    EXPECT_EQ(fumon({"export", "dem.asc", "-o", "-", "--as", "pvd"}, folder_.path()).status, 2);
+    const Ended solid = fumon({"export", "dem.asc", "-o", "-", "--as", "stl"}, folder_.path());
+    EXPECT_EQ(fumon({"export", "dem.asc", "-o", "dem.stl"}, folder_.path()).status, 0);
+    EXPECT_TRUE(solid.output == read_text(folder_ / "dem.stl"));
+}
+
 TEST_F(BedFormat, ResampledCellsAreTheModels) {
     const Ended ended = run("resample = 4.0\n", "");
     ASSERT_EQ(ended.status, 0) << ended.errors;

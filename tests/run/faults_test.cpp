@@ -227,8 +227,9 @@ TEST_F(FaultTest, WhereMemoryEndsADriversCrashIsOneLineToo) {
     int failed = 0;
     for (const char* kibibytes : {"380000", "410000", "430000", "450000"}) {
         write_text(folder_ / "still.png", "an earlier picture");
-        const Ended ended = shell(std::string("ulimit -v ") + kibibytes +
-                                  "; \"$FUMON\" still scene.toml -o still.png -q --force --step 0");
+        const Ended ended =
+            shell(std::string("ulimit -v ") + kibibytes +
+                  "; timeout 60 \"$FUMON\" still scene.toml -o still.png -q --force --step 0");
         if (ended.status == 0) continue;
         ++failed;
         EXPECT_EQ(ended.status, 1) << kibibytes << ended.errors;

@@ -55,6 +55,24 @@ TEST(Shard, RefusesWhatIsNone) {
         << "--array=1,5,7 does not say how many shards there are";
 }
 
+TEST(Shard, MpirunTellsItsRankUnasked) {
+    const auto rank = [](std::map<std::string, std::string> values) {
+        const auto found = rank_of_mpirun(environment(std::move(values)));
+        return found ? shard_text(found->shard) + " of " + std::to_string(found->beside) + " here"
+                     : "none";
+    };
+    EXPECT_EQ(rank({{"OMPI_COMM_WORLD_RANK", "2"},
+                    {"OMPI_COMM_WORLD_SIZE", "8"},
+                    {"OMPI_COMM_WORLD_LOCAL_SIZE", "4"}}),
+              "3/8 of 4 here");
+    EXPECT_EQ(rank({{"PMI_RANK", "0"}, {"PMI_SIZE", "2"}, {"MPI_LOCALNRANKS", "2"}}),
+              "1/2 of 2 here");
+    EXPECT_EQ(rank({{"OMPI_COMM_WORLD_RANK", "0"}, {"OMPI_COMM_WORLD_SIZE", "1"}}), "none");
+    EXPECT_EQ(rank({{"SLURM_PROCID", "0"}, {"SLURM_NTASKS", "8"}}), "none")
+        << "so has a job's own script, which is one program";
+    EXPECT_EQ(rank({}), "none");
+}
+
 TEST(Shard, SharesAreAsLongAsOneAnother) {
     EXPECT_EQ(shares_of({1, 1, 1, 1, 1}, 2), (std::vector<int>{1, 2, 1, 2, 1}));
     EXPECT_EQ(shares_of({1, 2, 9, 3, 4}, 2), (std::vector<int>{1, 2, 1, 2, 2}))

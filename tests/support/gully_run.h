@@ -20,6 +20,14 @@ inline GullyParameters as_printed(double slope = 0.04) {
     return gully;
 }
 
+inline EdgeSettings edge(GridSide side, EdgeFlow kind, double value = 0.0) {
+    EdgeSettings settings;
+    settings.side = side;
+    settings.kind = kind;
+    settings.value = value;
+    return settings;
+}
+
 inline Grid noise(int nx, int ny, double height, std::uint64_t seed = 1) {
     Grid bed(nx, ny);
     for (int y = 0; y < ny; ++y) {

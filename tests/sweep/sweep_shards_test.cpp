@@ -163,6 +163,35 @@ TEST_F(SweepShardsTest, TheJobsEnvironmentSaysWhichShard) {
               "out: the table is not written, since 2 of 6 runs are missing\n");
 }
 
+TEST_F(SweepShardsTest, UnderMpirunTheLastProgramWritesTheTable) {
+    const auto environment = [](int rank) {
+        return std::vector<std::string>{"OMPI_COMM_WORLD_RANK=" + std::to_string(rank),
+                                        "OMPI_COMM_WORLD_SIZE=3"};
+    };
+    std::vector<std::unique_ptr<Program>> programs;
+    for (const int rank : {1, 2})
+        programs.push_back(
+            std::make_unique<Program>(words("out", {}), folder_.path(), environment(rank)));
+    for (const auto& program : programs) EXPECT_EQ(program->wait().status, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "out/sweep.csv")) << "the first rank is missing";
+    const Ended ended = sweep("out", {}, environment(0));
+    EXPECT_EQ(ended.status, 0);
+    EXPECT_EQ(ended.errors,
+              "mpirun has started 3 programs: each does its share, and the last one to end writes "
+              "the table (--shard none: each does all)\n"
+              "shard 1/3: 2 of 2 runs are done: out\n"
+              "6 of 6 runs are done: out/sweep.csv\n");
+    EXPECT_EQ(table("out"), table("whole"));
+    programs.clear();
+    for (const int rank : {0, 1, 2})
+        programs.push_back(std::make_unique<Program>(words("beside", {"--threads", "1"}),
+                                                     folder_.path(), environment(rank)));
+    for (const auto& program : programs) EXPECT_EQ(program->wait().status, 0);
+    EXPECT_EQ(table("beside"), table("whole"));
+    EXPECT_EQ(sweep("alone", {"--shard", "none", "-q"}, environment(1)).errors, "");
+    EXPECT_EQ(table("alone"), table("whole"));
+}
+
 TEST_F(SweepShardsTest, WhatDoesNotFitIsRefused) {
     const auto refused = [&](const std::vector<std::string>& more, const std::string& line) {
         const Ended ended = sweep("new", more);

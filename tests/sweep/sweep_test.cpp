@@ -157,6 +157,16 @@ TEST_F(SweepTest, KeysThatGoTogetherAndTheScenesOwnSweep) {
     EXPECT_EQ(runs("seed", "other"), (std::vector<std::string>{"9"})) << "the command line rules";
 }
 
+TEST_F(SweepTest, KeysOfListedItemsAreVaried) {
+    write_text(folder_ / "scene.toml",
+               "[model]\nname = \"dunes\"\n[[wind]]\nfrom = 270\n[[wind]]\nfrom = 210\n"
+               "[grid]\nnx = 24\nny = 16\n[bed]\nhigh = 0.5\n[run]\nsteps = 2\n");
+    const Ended ended = sweep({"--over", "wind.1.from=210,180", "--over", "wind.0.duration=0.5,1"});
+    EXPECT_EQ(ended.status, 0) << ended.errors;
+    EXPECT_EQ(runs("wind.1.from"), (std::vector<std::string>{"210", "210", "180", "180"}));
+    EXPECT_EQ(runs("wind.0.duration"), (std::vector<std::string>{"0.5", "1", "0.5", "1"}));
+}
+
 TEST_F(SweepTest, ModelsWithOtherColumnsShareOneTable) {
     ASSERT_EQ(sweep({"-q", "--over", "model.name=sand,sandpile", "--set", "bed.kind=flat", "--set",
                      "output.fields_every=10"})

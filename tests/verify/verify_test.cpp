@@ -29,13 +29,10 @@ class Verify : public ::testing::Test {
 
     /// `settings` go into both cases, behind the first.
     void write_baseline(const std::string& settings) const {
-        const std::string recorded = read_text(folder_ / "b.toml");
-        const std::size_t mark = recorded.find("\n# Recorded by");
         write_text(folder_ / "b.toml",
                    "scene = \"scene.toml\"\nstep = 10\n" + settings +
                        "[cases]\nperspective = {}\n"
-                       "map = {settings = [\"camera.projection=map\"], picture = true}\n" +
-                       (mark == std::string::npos ? "" : recorded.substr(mark)));
+                       "map = {settings = [\"camera.projection=map\"], picture = true}\n");
     }
 
     [[nodiscard]] Ended verify(const std::vector<std::string>& more = {},
@@ -65,10 +62,11 @@ TEST_F(Verify, MissingBaselinesFailAndLeaveThePicturesForReview) {
     EXPECT_EQ(read_png(folder_ / "out/b/map-got.png").width, 64);
     EXPECT_TRUE(fs::exists(folder_ / "out/index.html"));
     EXPECT_TRUE(contains(read_text(folder_ / "junit.xml"), "failures=\"2\""));
-    EXPECT_FALSE(contains(read_text(folder_ / "b.toml"), "recorded"));
+    EXPECT_FALSE(fs::exists(folder_ / "b.lock"));
 }
 
 TEST_F(Verify, PassesAfterUpdateAndLeavesNothing) {
+    const std::string cases = read_text(folder_ / "b.toml");
     const Ended update = verify({"--update", "--pinned"});
     EXPECT_EQ(update.status, 0) << update.errors;
     EXPECT_EQ(update.output,
@@ -86,11 +84,31 @@ TEST_F(Verify, PassesAfterUpdateAndLeavesNothing) {
     EXPECT_FALSE(fs::exists(folder_ / "verify-out"));
     EXPECT_EQ(verify({"-q"}).output, "");
 
-    const std::string before = read_text(folder_ / "b.toml");
+    const std::string before = read_text(folder_ / "b.lock");
     EXPECT_EQ(verify({"--update"}).output,
               "kept     b perspective: as recorded\n"
               "kept     b map: as recorded\n");
-    EXPECT_EQ(read_text(folder_ / "b.toml"), before);
+    EXPECT_EQ(read_text(folder_ / "b.lock"), before);
+    EXPECT_EQ(read_text(folder_ / "b.toml"), cases) << "people's file is theirs";
+}
+
+TEST_F(Verify, WhatWasRecordedInTheBaselineItselfHoldsUntilItIsMoved) {
+    accept();
+    const std::string cases = read_text(folder_ / "b.toml");
+    const std::string lock = read_text(folder_ / "b.lock");
+    write_text(folder_ / "b.toml", cases + lock.substr(lock.find('\n') + 1));
+    fs::remove(folder_ / "b.lock");
+    const Ended old = verify();
+    EXPECT_EQ(old.status, 0) << old.output;
+    EXPECT_EQ(old.errors,
+              "b.toml: what is recorded stands in the baseline, as before version 0.2; `fumon "
+              "verify --update` moves it into b.lock\n");
+    const Ended update = verify({"--update"});
+    EXPECT_TRUE(contains(update.output, "kept     b map: as recorded\n")) << update.output;
+    EXPECT_TRUE(contains(update.output, "moved    b: what is recorded, into b.lock\n"));
+    EXPECT_EQ(read_text(folder_ / "b.toml"), cases);
+    EXPECT_EQ(read_text(folder_ / "b.lock"), lock);
+    EXPECT_EQ(verify().errors, "");
 }
 
 TEST_F(Verify, AFigureIsACaseOfThePortableTier) {
@@ -187,7 +205,7 @@ TEST_F(Verify, AChangedKeptPictureIsWrongInput) {
     const Ended ended = verify();
     EXPECT_EQ(ended.status, 2);
     EXPECT_TRUE(contains(ended.output,
-                         "WRONG    b map: b/map.png: is not the picture that b.toml "
+                         "WRONG    b map: b/map.png: is not the picture that b.lock "
                          "recorded for map; bring it back"))
         << ended.output;
     fs::remove(folder_ / "b/map.png");
@@ -221,12 +239,12 @@ TEST_F(Verify, WrongInputIsFoundBeforeAnythingIsDrawn) {
         return text.replace(text.find("one = {"), 7, "two = {");
     }());
     EXPECT_EQ(verify().errors,
-              "b.toml: recorded.one belongs to no case; bring its case back, or let `fumon verify "
+              "b.lock: recorded.one belongs to no case; bring its case back, or let `fumon verify "
               "--update` remove what is recorded\n");
     const Ended update = verify({"--update"});
     EXPECT_TRUE(contains(update.output, "removed  b one: it has no case any more\n"))
         << update.output;
-    EXPECT_FALSE(contains(read_text(folder_ / "b.toml"), "recorded.one"));
+    EXPECT_FALSE(contains(read_text(folder_ / "b.lock"), "recorded.one"));
 }
 
 TEST_F(Verify, AStepAfterTheEndIsWrongInput) {

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/image.h"
 #include "figure/canvas/cairo_handles.h"
@@ -172,6 +173,27 @@ void Canvas::write(const std::string& text, const CanvasPoint& at, const CanvasP
     cairo_restore(drawing);
     parts_->note_missing(text);
     parts_->texts.push_back({read_marked_text(text).letters, box});
+}
+
+void Canvas::write_turned(const std::string& text, const CanvasPoint& middle, double angle,
+                          const Ink& ink, double size) {
+    parts_->set_text(text, size, false);
+    const auto [length, height] = parts_->size_of_text();
+    cairo_t* drawing = parts_->drawing.get();
+    cairo_save(drawing);
+    cairo_translate(drawing, middle.x, middle.y);
+    cairo_rotate(drawing, angle);
+    parts_->use(ink);
+    cairo_move_to(drawing, -0.5 * length, -0.5 * height);
+    pango_cairo_show_layout(drawing, parts_->layout.get());
+    cairo_restore(drawing);
+    parts_->note_missing(text);
+    const double across = std::abs(elementary::cos(angle));
+    const double down = std::abs(elementary::sin(angle));
+    const double width = across * length + down * height;
+    const double tall = down * length + across * height;
+    parts_->texts.push_back({read_marked_text(text).letters,
+                             {middle.x - 0.5 * width, middle.y - 0.5 * tall, width, tall}});
 }
 
 double Canvas::width() const {

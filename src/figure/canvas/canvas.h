@@ -87,6 +87,9 @@ class Canvas {
     /// lies at `at`; upright texts read from below.
     void write(const std::string& text, const CanvasPoint& at, const CanvasPoint& anchor,
                const Ink& ink, double size = 1.0, bool upright = false, bool bold = false);
+    /// Writes a text with its middle at a point, turned clockwise by an angle in radians.
+    void write_turned(const std::string& text, const CanvasPoint& middle, double angle,
+                      const Ink& ink, double size = 1.0);
 
     [[nodiscard]] double width() const;   ///< units
     [[nodiscard]] double height() const;  ///< units

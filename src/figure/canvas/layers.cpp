@@ -42,6 +42,8 @@ void lay_over(Image& image, const CanvasLayer& layer, int left, int top, double 
         std::size_t n = static_cast<std::size_t>(y) * static_cast<std::size_t>(layer.width) +
                         static_cast<std::size_t>(begin);
         std::uint8_t* out = image.row(top + y) + 3 * static_cast<std::ptrdiff_t>(left + begin);
+        std::uint8_t* alpha =
+            image.transparent() ? image.alpha.data() + (out - image.rgb.data()) / 3 : nullptr;
         for (int x = begin; x < end; ++x, ++n) {
             const std::uint32_t pixel = layer.pixels[n];
             const auto part = [&](unsigned shift) {
@@ -49,6 +51,18 @@ void lay_over(Image& image, const CanvasLayer& layer, int left, int top, double 
                 return share == 255U ? whole : (whole * share + 127U) / 255U;
             };
             const std::uint32_t through = 255U - part(24U);
+            if (alpha != nullptr) {  // out: the mean of both colours by how much of each is seen
+                const std::uint32_t below = *alpha * through;
+                const std::uint32_t both = 255U * part(24U) + below;
+                for (const unsigned shift : {16U, 8U, 0U}) {
+                    const std::uint32_t sum = 255U * 255U * part(shift) + *out * below;
+                    if (both > 0U)
+                        *out = static_cast<std::uint8_t>(std::min(255U, (sum + both / 2U) / both));
+                    ++out;
+                }
+                *alpha++ = static_cast<std::uint8_t>((both + 127U) / 255U);
+                continue;
+            }
             for (const unsigned shift : {16U, 8U, 0U}) {
                 const std::uint32_t below = (*out * through + 127U) / 255U;
                 *out++ = static_cast<std::uint8_t>(std::min(255U, part(shift) + below));

@@ -138,10 +138,10 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
     const OverlayScene on{scene, first, shown ? *shown : first, flat, style.camera_moves};
     for (std::size_t number = 0; number < overlays.size(); ++number) {
         if (!overlays[number].show) continue;
-        // A colour bar's and a plot's colours mean something.
+        // A colour bar's, a plot's and a map's colours mean something.
         const OverlayKind kind = overlays[number].kind;
-        const bool shadowed =
-            style.shadowed && kind != OverlayKind::colour_bar && kind != OverlayKind::plot;
+        const bool shadowed = style.shadowed && kind != OverlayKind::colour_bar &&
+                              kind != OverlayKind::plot && kind != OverlayKind::inset_map;
         drawn_.push_back({make_overlay(on, number),
                           shadowed ? 0.0 : overlays[number].opacity,
                           shadowed,
@@ -149,6 +149,8 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
                           {}});
         placed_.push_back({number, {}, 0.0});
     }
+    if (scene.view.look.draws_contours() && !first.section && first.bed.ny() > 1)
+        contours_ = std::make_unique<FrameContours>(on, usual_font(scene.view.image));
     const auto width = static_cast<double>(scene.view.image.width);
     const auto height = static_cast<double>(scene.view.image.height);
     const double usual = usual_font(scene.view.image);
@@ -184,6 +186,11 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
 FrameOverlays::~FrameOverlays() = default;
 
 void FrameOverlays::draw(Image& image, const OverlayFrame& frame, double opacity) {
+    if (contours_) {
+        std::vector<CanvasBox> taken;
+        for (const PlacedOverlay& place : placed_) taken.push_back(place.box);
+        contours_->draw(image, frame, taken, opacity);
+    }
     for (std::size_t i = 0; i < placed_.size(); ++i) {
         const PlacedOverlay& place = placed_[i];
         DrawnOverlay& drawn = drawn_[i];

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "figure/overlays/frame_contours.h"
 #include "figure/overlays/overlay.h"
 
 namespace fumon {
@@ -21,8 +22,8 @@ struct PlacedOverlay {
     double font_size = 0.0;
 };
 
-/// All overlays on the frames of a run, drawn by the same code as scale bars, arrows and colour
-/// bars in figures.
+/// All overlays on the frames of a run, and the contours of their ground, drawn by the same code as
+/// scale bars, arrows and colour bars in figures.
 ///
 /// Overlays of one corner stand below one another, in the scene's order; their places are the same
 /// in all frames. Nothing overlaps or leaves the picture: where there is too little room, texts
@@ -48,6 +49,7 @@ class FrameOverlays {
   private:
     struct DrawnOverlay;
 
+    std::unique_ptr<FrameContours> contours_;  ///< below all others; null: none
     std::vector<PlacedOverlay> placed_;
     std::vector<DrawnOverlay> drawn_;
 };

@@ -18,9 +18,11 @@ struct ColourQuantity {
     double factor = 1.0;  ///< from the unit of colour_range() to the label's
 };
 
-ColourQuantity quantity_of(Colouring colour_by, const Snapshot& first) {
+/// `called`: the name of a height; empty: the usual one.
+ColourQuantity quantity_of(Colouring colour_by, const Snapshot& first, const std::string& called) {
     const WorldScale& scale = first.scale;
-    const auto height = [&](const std::string& name) -> ColourQuantity {
+    const auto height = [&](const std::string& usual) -> ColourQuantity {
+        const std::string& name = called.empty() ? usual : called;
         if (!scale.in_metres) return {name + " (model heights)", 1.0};
         constexpr double short_bed = 10.0;
         const bool small =
@@ -39,6 +41,9 @@ ColourQuantity quantity_of(Colouring colour_by, const Snapshot& first) {
             return {"speed (m/s)", 1.0};
         case Colouring::froude:
             return {"Froude number", 1.0};
+        case Colouring::drainage:
+            return {scale.in_metres ? "drainage area (log10 m²)" : "drainage area (log10 cells)",
+                    1.0};
         case Colouring::natural:
         case Colouring::height:
             break;
@@ -48,8 +53,8 @@ ColourQuantity quantity_of(Colouring colour_by, const Snapshot& first) {
 
 class ColourBarOverlay : public Overlay {
   public:
-    ColourBarOverlay(const OverlayScene& on, double length)
-        : quantity_(quantity_of(on.scene.view.look.colour_by, on.shown)), length_(length) {
+    ColourBarOverlay(const OverlayScene& on, double length, const std::string& called)
+        : quantity_(quantity_of(on.scene.view.look.colour_by, on.shown, called)), length_(length) {
         scale_.palette = chosen_palette(on.scene.view.look);
         scale_.label = quantity_.label;
     }
@@ -103,7 +108,8 @@ std::unique_ptr<Overlay> make_colour_bar_overlay(const OverlayScene& on, std::si
                         number));
     }
     return std::make_unique<ColourBarOverlay>(
-        on, scene.view.overlays[number].size * static_cast<double>(scene.view.image.width));
+        on, scene.view.overlays[number].size * static_cast<double>(scene.view.image.width),
+        scene.view.overlays[number].text);
 }
 
 }  // namespace fumon

@@ -124,7 +124,7 @@ class ArrowOverlay : public Overlay {
     }
 
     [[nodiscard]] GroundAxes axes_of(const OverlayFrame& frame) const {
-        if (frame.camera != nullptr && !flat_) return axes_seen(*frame.camera);
+        if (frame.camera != nullptr && !flat_) return axes_seen(levelled(*frame.camera));
         return axes_at(frame.snapshot.step);
     }
 
@@ -143,6 +143,16 @@ class ArrowOverlay : public Overlay {
         const double aspect =
             static_cast<double>(view_.image.width) / static_cast<double>(view_.image.height);
         return axes_seen(place_camera(settings, block_, aspect, 0.0));
+    }
+
+    /// As the camera sees directions on the ground, wherever it stands.
+    [[nodiscard]] Camera levelled(const Camera& camera) const {
+        Camera level = camera;
+        level.perspective = false;
+        level.half = {
+            static_cast<double>(view_.image.width) / static_cast<double>(view_.image.height), 1.0};
+        level.eye = -3.0 * camera.forward;
+        return level;
     }
 
     [[nodiscard]] GroundAxes axes_seen(const Camera& camera) const {

@@ -55,7 +55,7 @@ class LivePlot : public Overlay {
           width_(settings_.size * static_cast<double>(on.scene.view.image.width)),
           times_(time_text_of(on.scene, on.first)),
           scene_(on.scene) {
-        MeasureSuite suite(measured_landform(on.first), on.first);
+        MeasureSuite suite(measured_landform(on.first), on.first, {on.scene.output.channel_area});
         const auto columns = measured_columns(suite.columns(), on.first);
         std::vector<std::string> names;
         names.reserve(columns.size());

@@ -23,10 +23,12 @@ namespace {
 constexpr double parameter_text = 0.85;  // of the font size
 constexpr double title_text = 1.15;
 
-/// Seconds of a step, where the model's parameters say them.
-std::optional<double> seconds_of_step(const Scene& scene) {
+/// Seconds of a step, or grains of a pile's, where the model's parameters say them.
+std::optional<double> length_of_step(const Scene& scene) {
     Scene copy = scene;  // the table binds to writable values
     const KeyTable table = scene_keys(copy);
+    if (const Key* grains = table.find("model.grains_per_step"); grains != nullptr)
+        return static_cast<double>(*std::get<std::int64_t*>(grains->target));
     const Key* key = table.find("model.time_step");
     if (key == nullptr || !std::holds_alternative<double*>(key->target)) return std::nullopt;
     return *std::get<double*>(key->target);
@@ -149,7 +151,8 @@ class ParameterLine : public Overlay {
 }  // namespace
 
 std::string TimeText::operator()(double time) const {
-    return with_commas(time, decimals) + " " + unit;
+    const int by_its_size = time <= 0.0 || time >= 10.0 ? 0 : time < 1.0 ? 2 : 1;
+    return with_commas(time, decimals == by_size ? by_its_size : decimals) + " " + unit;
 }
 
 TimeText time_text_of(const Scene& scene, const Snapshot& first) {
@@ -157,8 +160,9 @@ TimeText time_text_of(const Scene& scene, const Snapshot& first) {
     const std::int64_t last = scene.run.steps;
     const auto steps = static_cast<double>(last);
     if (first.time_unit == "steps") return {first.time_unit, 0, steps, last};
-    const double seconds = seconds_of_step(scene).value_or(1.0);
-    return {first.time_unit, decimals_of(seconds, most_decimals), steps * seconds, last};
+    const std::optional<double> length = length_of_step(scene);
+    if (!length) return {first.time_unit, TimeText::by_size, steps, last};
+    return {first.time_unit, decimals_of(*length, most_decimals), steps * *length, last};
 }
 
 std::string filled_text(const std::string& text, const Scene& scene, const TimeText& times,

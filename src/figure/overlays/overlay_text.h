@@ -8,10 +8,12 @@
 namespace fumon {
 
 /// How the times of a run are written: whole seconds where its steps are whole, else with as many
-/// decimals as they need.
+/// decimals as they need; where the length of a step is not known, as years of dunes, with two
+/// decimals below 1 and one below 10.
 struct TimeText {
+    static constexpr int by_size = -1;
     std::string unit;       ///< "s"; "steps" where there are only steps
-    int decimals = 0;       ///< of a time
+    int decimals = 0;       ///< of a time, or by_size
     double end = 0.0;       ///< the run's
     std::int64_t last = 0;  ///< its last step
 

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "base/elementary_angle.h"
 #include "base/percentile.h"
+#include "base/quantity_text.h"
 #include "base/snapshot_lookup.h"
 #include "figure/canvas/furniture.h"
 #include "figure/panels/arrow_field.h"
@@ -102,10 +104,11 @@ Axes MapPanel::axes_in(const CanvasBox& frame) const {
     const BedExtent extent = bed_extent(picture_.values, picture_.scale);
     const LengthUnit unit =
         length_unit(picture_.scale.in_metres, std::max(extent.width, extent.height));
-    return {
-        frame,
-        {0.0, extent.width / unit.length, fmt::format("x ({})", unit.symbol)},
-        {0.0, extent.height / unit.length, fmt::format("y ({})", unit.symbol), settings_.y_axis}};
+    return {frame,
+            {0.0, extent.width / unit.length,
+             label_or(settings_.x_label, fmt::format("x ({})", unit.symbol))},
+            {0.0, extent.height / unit.length,
+             label_or(settings_.y_label, fmt::format("y ({})", unit.symbol)), settings_.y_axis}};
 }
 
 PanelMargins MapPanel::margins(const Canvas& canvas, double width, double height) const {
@@ -134,6 +137,50 @@ void MapPanel::draw_flow(Canvas& canvas, const Axes& axes) const {
     };
     draw_arrow_field(canvas, axes, field);
     draw_reference_arrow(canvas, axes, field);
+}
+
+/// A map's cells may be fewer than those that the lines were found in.
+void MapPanel::draw_contours_over(Canvas& canvas, const CanvasBox& frame) const {
+    const GroundContours& contours = *settings_.contours;
+    std::vector<CanvasContour> lines;
+    for (const ContourLine& line : contours.lines) {
+        CanvasContour drawn{line.level, {}};
+        for (const glm::dvec2& point : line.points) {
+            drawn.points.push_back({frame.x + frame.width * (point.x + 0.5) / contours.nx,
+                                    frame.bottom() - frame.height * (point.y + 0.5) / contours.ny});
+        }
+        lines.push_back(std::move(drawn));
+    }
+    draw_contours(canvas, frame, lines, contours.interval);
+}
+
+/// Measured lines lie over predicted ones, which are wider, so that both show where they coincide.
+void MapPanel::draw_lines(Canvas& canvas, const CanvasBox& frame) const {
+    constexpr double reach = 0.4;          // of the frame's shorter side
+    constexpr double broken_width = 0.36;  // font sizes
+    constexpr double whole_width = 0.15;
+    constexpr double rim = 0.12;
+    constexpr Ink rim_ink{1.0, 1.0, 1.0, 0.75};
+    constexpr Ink broken_ink{0.82, 0.1, 0.08, 1.0};
+    const double font = canvas.font_size();
+    const double half = reach * std::min(frame.width, frame.height);
+    const std::array dashes{0.9 * font, 0.55 * font};
+    const auto ends_of = [&](const MapLine& line) {
+        const double x = frame.x + 0.5 * frame.width;
+        const double y = frame.y + 0.5 * frame.height;
+        return std::array<CanvasPoint, 2>{{{x - half * line.along.x, y + half * line.along.y},
+                                           {x + half * line.along.x, y - half * line.along.y}}};
+    };
+    for (const MapLine& line : settings_.lines) {
+        const double width = line.broken ? broken_width : whole_width;
+        canvas.stroke(ends_of(line), (width + 2.0 * rim) * font, rim_ink);
+    }
+    for (const MapLine& line : settings_.lines) {
+        if (line.broken) canvas.stroke(ends_of(line), broken_width * font, broken_ink, dashes);
+    }
+    for (const MapLine& line : settings_.lines) {
+        if (!line.broken) canvas.stroke(ends_of(line), whole_width * font, black_ink);
+    }
 }
 
 void MapPanel::draw_furniture(Canvas& canvas, const CanvasBox& frame) const {
@@ -173,7 +220,9 @@ void MapPanel::draw(Canvas& canvas, const CanvasBox& frame) const {
     const Axes axes = axes_in(frame);
     const double thin = 0.5 * canvas.line_width();
     PanelMargins room{thin, thin, thin, thin};
+    if (settings_.contours) draw_contours_over(canvas, frame);
     if (settings_.flow) draw_flow(canvas, axes);
+    draw_lines(canvas, frame);
     draw_furniture(canvas, frame);
     if (settings_.axes) {
         room = axes.margins(canvas);

@@ -6,6 +6,7 @@
 
 #include "figure/canvas/corner.h"
 #include "figure/canvas/panel.h"
+#include "figure/panels/contours.h"
 #include "figure/panels/ground_arrow.h"
 #include "figure/panels/map_picture.h"
 #include "figure/plot/axes.h"
@@ -25,9 +26,17 @@ struct MapFlow {
 /// The velocity of a snapshot's water; none where it has no water.
 std::optional<MapFlow> water_flow_of(const Snapshot& snapshot);
 
+/// A line through the middle of a map, along a direction of the ground.
+struct MapLine {
+    glm::dvec2 along{1.0, 0.0};  ///< a unit vector, east and north
+    bool broken = false;         ///< what is predicted, in red; else what is measured, in black
+};
+
 /// What a panel shows of a map and around it.
 struct MapSettings {
     bool axes = true;  ///< x and y in metres, millimetres, kilometres or sites; else a plain frame
+    std::string x_label;  ///< with {unit}; empty: x and its unit
+    std::string y_label;
     bool y_axis = true;  ///< false: only x has numbers (maps side by side)
     BarPlace colour_bar = BarPlace::right;
     bool scale_bar = false;
@@ -39,6 +48,8 @@ struct MapSettings {
     Corner compass_corner = Corner::lower_left;
     Ink blank{1.0, 1.0, 1.0, 1.0};  ///< of cells without a value
     std::optional<MapFlow> flow;
+    std::optional<GroundContours> contours;
+    std::vector<MapLine> lines;
     int most_pixels = 2100;  ///< along a side; more cells are averaged
 };
 
@@ -62,6 +73,8 @@ class MapPanel : public PanelContent {
   private:
     [[nodiscard]] Axes axes_in(const CanvasBox& frame) const;
     void draw_flow(Canvas& canvas, const Axes& axes) const;
+    void draw_contours_over(Canvas& canvas, const CanvasBox& frame) const;
+    void draw_lines(Canvas& canvas, const CanvasBox& frame) const;
     void draw_furniture(Canvas& canvas, const CanvasBox& frame) const;
 
     MapPicture picture_;

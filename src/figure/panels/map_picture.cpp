@@ -48,6 +48,9 @@ Quantity quantity_of(Colouring colour_by, const WorldScale& scale,
             return {"speed (m/s)", 1.0, "viridis"};
         case Colouring::froude:
             return {"Froude number", 1.0, "viridis"};
+        case Colouring::drainage:
+            return {scale.in_metres ? "drainage area (log10 m²)" : "drainage area (log10 cells)",
+                    1.0, "viridis"};
         default:
             return height("height", "batlow");
     }

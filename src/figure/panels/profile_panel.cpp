@@ -11,6 +11,7 @@
 
 #include "base/elementary_power.h"
 #include "base/error.h"
+#include "base/quantity_text.h"
 #include "base/snapshot_lookup.h"
 #include "figure/canvas/picture_inks.h"
 #include "figure/panels/axis_units.h"
@@ -119,11 +120,12 @@ Axes ProfilePanel::axes_in(const CanvasBox& frame) const {
     const double shown =
         frame.height / frame.width * picture_.length / exaggeration(frame.width, frame.height);
     const double low = low_ - room_below_line * relief_;
-    return {
-        frame,
-        {0.0, picture_.length / unit.length, fmt::format("{} ({})", picture_.along, unit.symbol)},
-        {low / heights.length, (low + shown) / heights.length,
-         fmt::format("z ({})", heights.symbol), !stacked(), !stacked()}};
+    return {frame,
+            {0.0, picture_.length / unit.length,
+             label_or(picture_.x_label, fmt::format("{} ({})", picture_.along, unit.symbol))},
+            {low / heights.length, (low + shown) / heights.length,
+             label_or(picture_.y_label, fmt::format("z ({})", heights.symbol)), !stacked(),
+             !stacked()}};
 }
 
 PanelMargins ProfilePanel::margins(const Canvas& canvas, double width, double height) const {

@@ -29,6 +29,8 @@ struct ProfilePicture {
     double length = 0.0;  ///< along x, metres or sites
     bool in_metres = false;
     std::string along = "x";              ///< what runs along the axis
+    std::string x_label;                  ///< with {unit}; empty: that, and its unit
+    std::string y_label;                  ///< likewise; empty: z and its unit
     std::optional<GroundDirection> wind;  ///< shown where it blows along x
     double exaggeration = 0.0;  ///< vertical; 0: the largest round number that the frame allows
 };

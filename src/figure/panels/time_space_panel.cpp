@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/quantity_text.h"
 #include "figure/panels/axis_units.h"
 #include "figure/panels/map_picture.h"
 
@@ -80,8 +81,10 @@ TimeSpacePanel::TimeSpacePanel(TimeSpacePicture picture, BarPlace colour_bar)
 Axes TimeSpacePanel::axes_in(const CanvasBox& frame) const {
     const LengthUnit unit = length_unit(picture_.in_metres, picture_.length);
     return {frame,
-            {0.0, picture_.length / unit.length, fmt::format("x ({})", unit.symbol)},
-            {picture_.times.front(), picture_.times.back(), picture_.time_label}};
+            {0.0, picture_.length / unit.length,
+             label_or(picture_.x_label, fmt::format("x ({})", unit.symbol))},
+            {picture_.times.front(), picture_.times.back(),
+             label_or(picture_.y_label, picture_.time_label)}};
 }
 
 PanelMargins TimeSpacePanel::margins(const Canvas& canvas, double width, double height) const {

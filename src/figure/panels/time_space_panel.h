@@ -18,6 +18,8 @@ struct TimeSpacePicture {
     Grid values;                ///< nx × records; row n is that of times[n]
     std::vector<double> times;  ///< ascending, one a record
     std::string time_label;     ///< "step", "t (s)"
+    std::string x_label;        ///< with {unit}; empty: x and its unit
+    std::string y_label;        ///< likewise; empty: time_label
     double length = 0.0;        ///< along x, metres or sites
     bool in_metres = false;
     ColourScale colours;

@@ -67,8 +67,9 @@ ViewPicture view_picture(const View& view, const Image& image, const Snapshot& f
                                   static_cast<double>(image.width) / image.height, progress);
     picture.in_metres = first.scale.in_metres;
     picture.exaggeration = exaggeration;
-    const PixelBox box = content_of(image);
-    picture.image = cut(image, box);
+    const Image on_paper = laid_on(image, 255);
+    const PixelBox box = content_of(on_paper);
+    picture.image = cut(on_paper, box);
     const double width = picture.image.width;
     const double height = picture.image.height;
     picture.whole = {-box.left / width, -box.top / height, image.width / width,

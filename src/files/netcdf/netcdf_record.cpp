@@ -187,6 +187,14 @@ std::vector<FieldsMoment> read_fields_moments(const std::filesystem::path& file)
     return locked(file, [](const NetcdfInput& input) { return moments_of(input); });
 }
 
+std::string read_fields_scene(const std::filesystem::path& file) {
+    return locked(file, [](const NetcdfInput& input) {
+        auto scene = input.text(NC_GLOBAL, "scene");
+        if (!scene) input.refuse("holds no scene", "take the one that the run wrote");
+        return *std::move(scene);
+    });
+}
+
 Snapshot read_fields_snapshot(const std::filesystem::path& file, std::int64_t step,
                               Snapshot outline) {
     return locked(file, [&](const NetcdfInput& input) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/snapshot.h"
@@ -32,6 +33,10 @@ struct FieldsMoment {
 /// The moments of all records of such a file, in their order. Throws InputError where it is damaged
 /// or no such file.
 std::vector<FieldsMoment> read_fields_moments(const std::filesystem::path& file);
+
+/// The resolved scene, as TOML, of the run that wrote such a file. Throws InputError where it holds
+/// none.
+std::string read_fields_scene(const std::filesystem::path& file);
 
 /// The snapshot of a step from such a file. What changes from step to step is the record's: bed,
 /// fields, numbers, section, step and time; all else (size, units, names, scale) is that of

@@ -263,7 +263,7 @@ class GeotiffReader {
     /// Metres per unit of the band.
     [[nodiscard]] double height_factor(GDALRasterBandH band) const {
         const std::string unit = gdal().GDALGetRasterUnitType(band);
-        if (unit.empty()) return 1.0;
+        if (unit.empty() || query_.any_unit) return 1.0;
         if (const auto metres = metres_per_unit(unit)) return *metres;
         refuse(fmt::format("its heights are in \"{}\"", unit),
                "heights are in a unit of length (\"m\"); another band may hold them (bed.band)");

@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/geo_reference.h"
+#include "base/image.h"
 #include "files/terrain/terrain_format.h"
 
 namespace fumon {
@@ -32,6 +34,11 @@ TerrainFormat geotiff_format();
 TerrainFormat cloud_geotiff_format();
 
 inline constexpr std::string_view cloud_geotiff_name = "cloud-optimized-geotiff";
+
+/// A picture as a GeoTIFF of three bands of 8 bits, losslessly compressed, whose pixels lie at
+/// `place` (its cells are pixels). The same bytes for the same picture. Throws Error where GDAL
+/// fails or there is none.
+std::string geotiff_picture(const Image& picture, const GeoReference& place);
 
 /// A coordinate reference system (WKT) as .prj files have it; as it stands where it is WKT 1
 /// already, or cannot be told so.

@@ -51,6 +51,10 @@ Terrain reprojected(const Terrain&, const std::string&) {
     throw InputError(fmt::format("needs GDAL, and this fumon was built without it; {}", remedy));
 }
 
+std::string geotiff_picture(const Image&, const GeoReference&) {
+    throw Error(fmt::format("a GeoTIFF cannot be written without GDAL; {}", remedy));
+}
+
 std::string esri_projection(const std::string& crs) {
     return crs;
 }

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "base/error.h"
 #include "files/terrain/esri_ascii.h"
@@ -56,16 +58,20 @@ class MemoryFile {
     const char* name_;
 };
 
-void place(GDALDatasetH dataset, const TerrainOutput& terrain) {
-    const WorldScale& scale = terrain.scale;
-    if (!scale.in_metres) return;
-    const GeoReference place = scale.place.value_or(GeoReference{0.0, 0.0, scale.dx, scale.dy});
-    const double north = place.south + place.dy * terrain.heights.ny();
+void place_at(GDALDatasetH dataset, const GeoReference& place, int rows) {
+    const double north = place.south + place.dy * rows;
     std::array<double, 6> transform{place.west, place.dx, 0.0, north, 0.0, -place.dy};
     gdal().GDALSetGeoTransform(dataset, transform.data());
     if (place.crs.empty()) return;
     const SpatialReference crs(place.crs);
     if (crs.understood()) gdal().GDALSetSpatialRef(dataset, crs.get());
+}
+
+void place(GDALDatasetH dataset, const TerrainOutput& terrain) {
+    const WorldScale& scale = terrain.scale;
+    if (!scale.in_metres) return;
+    place_at(dataset, scale.place.value_or(GeoReference{0.0, 0.0, scale.dx, scale.dy}),
+             terrain.heights.ny());
 }
 
 void write_rows(GDALRasterBandH band, const TerrainOutput& terrain) {
@@ -99,10 +105,27 @@ void write_tiff(const MemoryFile& file, const TerrainOutput& terrain) {
     dataset.close();
 }
 
+void refuse_fault(const char* what, const std::string& bytes, const GdalSession& session) {
+    if (session.fault().empty() && !bytes.empty()) return;
+    throw Error(fmt::format("{} cannot be written as a GeoTIFF: {}", what, session.fault()));
+}
+
+/// The channels of a picture's pixels as three bands.
+void write_channels(GDALDatasetH dataset, const Image& picture) {
+    constexpr int channels = 3;
+    std::vector<std::uint8_t> pixels = picture.rgb;  // which GDAL wants to be able to change
+    for (int channel = 0; channel < channels; ++channel) {
+        const CPLErr status = gdal().GDALRasterIO(
+            gdal().GDALGetRasterBand(dataset, channel + 1), GF_Write, 0, 0, picture.width,
+            picture.height, pixels.data() + channel, picture.width, picture.height, GDT_Byte,
+            channels, channels * picture.width);
+        if (status != CE_None) return;  // the session knows why
+    }
+}
+
 std::vector<TerrainBytes> written(const char* ending, std::string bytes,
                                   const GdalSession& session) {
-    if (!session.fault().empty() || bytes.empty())
-        throw Error(fmt::format("a bed cannot be written as a GeoTIFF: {}", session.fault()));
+    refuse_fault("a bed", bytes, session);
     std::vector<TerrainBytes> files;
     files.push_back({ending, std::move(bytes)});
     return files;
@@ -135,6 +158,24 @@ std::vector<TerrainBytes> write_cloud_geotiff(const TerrainOutput& terrain) {
         copy.close();
     }
     return written(".cog.tif", tiled.bytes(), session);
+}
+
+std::string geotiff_picture(const Image& picture, const GeoReference& place) {
+    const GdalSession session;
+    const MemoryFile file("/vsimem/fumon-picture.tif");
+    constexpr std::array<const char*, 5> options{"COMPRESS=DEFLATE", "PREDICTOR=2",
+                                                 "PHOTOMETRIC=RGB", "NUM_THREADS=1", nullptr};
+    GdalDataset dataset(gdal().GDALCreate(gdal().GDALGetDriverByName("GTiff"), file.name(),
+                                          picture.width, picture.height, 3, GDT_Byte,
+                                          options.data()));
+    if (dataset.get() != nullptr) {
+        place_at(dataset.get(), place, picture.height);
+        write_channels(dataset.get(), picture);
+        dataset.close();
+    }
+    std::string bytes = file.bytes();
+    refuse_fault("a picture", bytes, session);
+    return bytes;
 }
 
 std::string esri_projection(const std::string& crs) {

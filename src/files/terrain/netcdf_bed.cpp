@@ -132,13 +132,14 @@ void turn_north_up(Grid& values, bool rows_fall, bool columns_fall) {
     for (int y = 0; columns_fall && y < ny; ++y) std::ranges::reverse(values.row(y));
 }
 
-void convert_values(const NetcdfInput& input, const BedVariable& bed, Terrain& terrain) {
+void convert_values(const NetcdfInput& input, const BedVariable& bed, bool any_unit,
+                    Terrain& terrain) {
     const MissingValues missing = missing_values(input, bed.variable);
     const auto scales = input.numbers(bed.variable, "scale_factor");
     const auto offsets = input.numbers(bed.variable, "add_offset");
     const double scale = scales.empty() ? 1.0 : scales.front();
     const double offset = offsets.empty() ? 0.0 : offsets.front();
-    const double metres = height_factor(input, bed);
+    const double metres = any_unit ? 1.0 : height_factor(input, bed);
     Grid& heights = terrain.heights;
     bool any_data = false;
     for (std::size_t cell = 0; cell < heights.size(); ++cell) {
@@ -235,7 +236,7 @@ void set_cell_sizes(const NetcdfInput& input, Terrain& terrain) {
 }
 
 Terrain read_bed(const NetcdfInput& input, const std::string& variable,
-                 const std::optional<TerrainWindow>& window) {
+                 const std::optional<TerrainWindow>& window, bool any_unit) {
     const BedVariable bed = choose_bed_variable(input, variable);
     check_size(input, bed);
     NetcdfAxis x = read_netcdf_axis(input, bed.x);
@@ -244,7 +245,7 @@ Terrain read_bed(const NetcdfInput& input, const std::string& variable,
     terrain.note = bed.note;
     terrain.heights = read_values(input, bed);
     turn_north_up(terrain.heights, y.descending, x.descending);
-    convert_values(input, bed, terrain);
+    convert_values(input, bed, any_unit, terrain);
     complete_spacing(x, y);
     terrain.place = place_of_grid(input, bed, x, y, terrain);
     crop(terrain, window, input.name());
@@ -259,16 +260,16 @@ Terrain read_netcdf_format(const std::filesystem::path& file, const TerrainQuery
                         "\"HDF\", so it may be damaged or bear a wrong name",
                         file.string()));
     }
-    return read_netcdf_bed(file, query.variable, query.window);
+    return read_netcdf_bed(file, query.variable, query.window, query.any_unit);
 }
 
 }  // namespace
 
 Terrain read_netcdf_bed(const std::filesystem::path& file, const std::string& variable,
-                        const std::optional<TerrainWindow>& window) {
+                        const std::optional<TerrainWindow>& window, bool any_unit) {
     const NetcdfLock lock;
     try {
-        return read_bed(NetcdfInput(file), variable, window);
+        return read_bed(NetcdfInput(file), variable, window, any_unit);
     } catch (const NetcdfFault& fault) {
         throw InputError(fmt::format(
             "{}: cannot be read as NetCDF: {}; it may be cut short, damaged, or still being "

@@ -62,7 +62,7 @@ std::string wanted_system(const Terrain& terrain, const std::string& crs) {
     if (crs != "utm" && crs != "UTM") return crs;
     if (terrain.place->degrees) return utm_zone(*terrain.place, terrain.heights);
     throw InputError(
-        "\"utm\" finds the zone of a terrain in degrees, and this one counts metres; name a "
+        "\"utm\" finds the zone of a terrain in degrees, and this one is projected already; name a "
         "system, for example \"EPSG:32613\"");
 }
 

@@ -28,6 +28,7 @@ struct TerrainQuery {
     std::string variable{};                 ///< of a NetCDF file; empty for what it suggests itself
     std::int64_t band = 0;                  ///< of a GeoTIFF, from 1; 0 for its only or first one
     std::optional<TerrainWindow> window{};  ///< the part to read; none for all
+    bool any_unit = false;  ///< the numbers are no heights: they are taken as they stand
 };
 
 /// Reads a terrain file of any of the formats in terrain_format.h, told by its first bytes: the

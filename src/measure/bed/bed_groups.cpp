@@ -15,6 +15,7 @@
 #include "measure/bed/crest_height.h"
 #include "measure/bed/crest_lines.h"
 #include "measure/bed/crest_orientation.h"
+#include "measure/bed/crest_theory.h"
 #include "measure/bed/dunes.h"
 #include "measure/bed/lone_dunes.h"
 #include "measure/bed/slip_faces.h"
@@ -85,48 +86,6 @@ DuneWay dune_way(const Snapshot& snapshot) {
 
 MeasureGroup no_columns() {
     return {{}, [](const Snapshot&) { return std::vector<double>(); }};
-}
-
-/// Crests measured beside those predicted, degrees clockwise from north.
-struct CrestTheory {
-    double measured = undefined;
-    double gross_normal_transport = undefined;
-    double bed_instability = undefined;
-    double fingering = undefined;
-};
-
-/// Of directions that are equally favoured the one nearest to a line; undefined for none.
-double nearest(const std::vector<double>& directions, double line) {
-    double found = undefined;
-    double least = full_turn;
-    for (const double direction : directions) {
-        const double apart = std::abs(std::fmod(direction - line, half_turn));
-        const double angle = std::min(apart, half_turn - apart);
-        if (angle >= least) continue;
-        found = direction;
-        least = angle;
-    }
-    return found;
-}
-
-CrestTheory crest_theory(const Snapshot& snapshot, const CrestDirections& predicted) {
-    CrestTheory theory;
-    const CrestOrientation crests = crest_orientation(snapshot.bed, snapshot.periodic);
-    if (std::isnan(crests.degrees)) return theory;
-    theory.measured = std::fmod(half_turn - crests.degrees, half_turn);
-    theory.gross_normal_transport = nearest(predicted.gross_normal_transport, theory.measured);
-    theory.bed_instability = nearest(predicted.bed_instability, theory.measured);
-    theory.fingering = nearest(predicted.fingering, theory.measured);
-    return theory;
-}
-
-CrestDirections predicted_crests(const Snapshot& snapshot) {
-    std::vector<SandFlux> fluxes;
-    for (const SnapshotWind& wind : snapshot.winds) {
-        const double toward = elementary::atan2(wind.x, wind.y) * degrees_per_radian;
-        fluxes.push_back({toward < 0.0 ? toward + full_turn : toward, wind.drift});
-    }
-    return crest_directions(fluxes, flux_ratio_of_dunes);
 }
 
 struct Crests {
@@ -291,7 +250,7 @@ MeasureGroup lone_dune_group(const Snapshot& first) {
 
 MeasureGroup crest_direction_group(const Snapshot& first) {
     if (first.winds.empty()) return no_columns();
-    const CrestDirections predicted = predicted_crests(first);
+    const CrestDirections predicted = predicted_crests(first, flux_ratio_of_dunes);
     return group_of<CrestTheory>(
         of_whole_beds(
             [predicted](const Snapshot& snapshot) { return crest_theory(snapshot, predicted); }),

@@ -115,6 +115,18 @@ void ContinuousTransport::hop(DuneBed& bed, const Wind& wind) {
     const double cells_x = parameters_.hop_length * wind.blowing.x / ground_.dx;
     const double cells_y = parameters_.hop_length * wind.blowing.y / ground_.dy;
     const Grid* walls = wind.before_walls;
+    if (wind.bent != nullptr) {
+        hop_all(
+            bed,
+            [&](int x, int y) {
+                const double reach = walls != nullptr ? (*walls)(x, y) * parameters_.hop_length
+                                                      : parameters_.hop_length;
+                return Spreads{HopSpread(reach * wind.bent->x(x, y) / ground_.dx),
+                               HopSpread(reach * wind.bent->y(x, y) / ground_.dy)};
+            },
+            parameters_.hop_length / ground_.dy);
+        return;
+    }
     if (parameters_.speed_up != DuneSpeedUp::height && walls != nullptr) {
         hop_all(
             bed,

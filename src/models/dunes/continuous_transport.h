@@ -5,6 +5,7 @@
 #include "base/grid.h"
 #include "models/dunes/dune_bed.h"
 #include "models/dunes/dunes_parameters.h"
+#include "models/dunes/wind_bend.h"
 #include "models/dunes/wind_shadow.h"
 #include "models/dunes/wind_turns.h"
 
@@ -33,6 +34,9 @@ class WorkerPool;
 /// what it would be (see WindwardWalls), |u| as much is lifted, hops reach u L, and of what arrives
 /// at least 1 − |u| stays.
 ///
+/// A bent wind turns hops only: shadows, the shear stress and what comes in over open edges are of
+/// the wind as it blows over flat ground.
+///
 /// Amounts are whole numbers; what division leaves over goes to the middle cell, so nothing is
 /// lost and no result depends on the order of the cells. Beyond open edges lies flat ground that
 /// drifts at the share `influx` of saturation.
@@ -48,6 +52,7 @@ class ContinuousTransport {
         const Grid* shear = nullptr;  ///< τ/τ0 − 1, of which the lift's factor is f = 1 + that
         const Plants* plants = nullptr;
         const Grid* before_walls = nullptr;  ///< u
+        const BentWind* bent = nullptr;      ///< which way hops go
     };
 
     void step(DuneBed& bed, const Wind& wind);

@@ -9,10 +9,11 @@ namespace fumon {
 /// What dunes are made of, in units of whole_lengths.h. The sum of sand at rest and moving, plus
 /// outflow, less inflow and worn rock, never changes.
 struct DuneBed {
-    WholeGrid surface;         ///< height of rock and sand
-    WholeGrid rock;            ///< height of the hard floor
-    WholeGrid moving;          ///< sand in the air, as a thickness
-    std::int64_t inflow = 0;   ///< over open edges since the start, as a thickness of one cell
+    WholeGrid surface;  ///< height of rock and sand
+    WholeGrid rock;     ///< height of the hard floor
+    WholeGrid moving;   ///< sand in the air, as a thickness
+    std::int64_t inflow =
+        0;  ///< over open edges and of sources since the start, as a thickness of one cell
     std::int64_t outflow = 0;  ///< likewise
     std::int64_t worn = 0;     ///< rock that has become sand since the start, likewise
 };

@@ -61,6 +61,12 @@ void check_transport(const DunesParameters& parameters, const ModelSetup& setup)
                        "slabs know no shear stress; write model.speed_up = \"height\" or \"none\", "
                        "or model.transport = \"continuous\"");
     }
+    if (parameters.wind_bend != DuneBend::none && (parameters.transport == DuneTransport::slabs ||
+                                                   parameters.speed_up != DuneSpeedUp::relief)) {
+        throw KeyError("model.wind_bend",
+                       "relief bends the wind of continuous transport with model.speed_up = "
+                       "\"relief\" only; write these, or model.wind_bend = \"none\"");
+    }
     if (parameters.order == SlabOrder::sequential && parameters.influx > 0.0 &&
         parameters.transport == DuneTransport::slabs) {
         throw KeyError("model.influx",
@@ -106,7 +112,8 @@ void check_plants(const DunesParameters& parameters) {
     if (parameters.plants != DunePlants::none) return;
     for (std::size_t n = 0; n < parameters.features.size(); ++n) {
         const FeatureKind kind = parameters.features[n].kind;
-        if (kind == FeatureKind::rock || kind == FeatureKind::sand) continue;
+        if (kind == FeatureKind::rock || kind == FeatureKind::sand || kind == FeatureKind::source)
+            continue;
         throw KeyError(fmt::format("feature.{}.kind", n),
                        "there are no plants; write model.plants = \"grow\" or \"fixed\"");
     }
@@ -196,6 +203,7 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
     check_angles(parameters);
     check_transport(parameters, setup);
     check_plants(parameters);
+    sources_ = sources_of(parameters.features, ground_);
     if (parameters.plants != DunePlants::none) {
         plants_.emplace(parameters, ground_, bed_, setup.seed, pool_);
         steepen_under_plants();
@@ -211,6 +219,9 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
     continuous_.emplace(parameters, ground_, step_length(parameters, ground_, 1.0), pool_);
     if (parameters.speed_up == DuneSpeedUp::relief)
         shear_.emplace(ground_, parameters.shear_in_phase, parameters.shear_ahead, pool_);
+    if (parameters.wind_bend != DuneBend::none)
+        bent_ = {Grid(ground_.nx, ground_.ny), Grid(ground_.nx, ground_.ny)};
+    if (parameters.wind_bend == DuneBend::contours) contour_bend_.emplace(ground_, pool_);
     if (parameters.rock_wear > 0.0) {
         rock_wear_.emplace(ground_, parameters.rock_wear, tangent(parameters.rock_repose_angle),
                            pool_);
@@ -237,6 +248,7 @@ void Dunes::step() {
         passes_ = outcome.passes;
         at_rest_ = outcome.at_rest;
     }
+    fill_sources();
     if (parameters_.avalanche_age) note_slides();
     if (plants_ && plants_->grow(bed_, turns_.time(steps_ + 1), steps_)) steepen_under_plants();
     ++steps_;
@@ -255,11 +267,36 @@ ContinuousTransport::Wind Dunes::wind_over_bed(const BlowingWind& wind) const {
         shear_->apply(relief_, wind);
         over.shear = &relief_;
     }
+    if (parameters_.wind_bend != DuneBend::none) {
+        bend(wind);
+        over.bent = &bent_;
+    }
     if (walls_) {
         walls_->find(bed_.surface, wind);
         over.before_walls = &walls_->wind();
     }
     return over;
+}
+
+void Dunes::bend(const BlowingWind& wind) const {
+    if (contour_bend_) {
+        contour_bend_->find(bed_.surface, wind, bent_);
+        return;
+    }
+    across_ = shadow_.envelope();
+    shear_->apply_across(across_, wind, parameters_.shear_across);
+    turn_by_stress(across_, wind, pool_, bent_);
+}
+
+void Dunes::fill_sources() {
+    for (std::size_t cell = 0; cell < sources_.size(); ++cell) {
+        if (sources_.values()[cell] == 0) continue;
+        const std::int64_t full = bed_.rock.values()[cell] + sources_.values()[cell];
+        std::int64_t& surface = bed_.surface.values()[cell];
+        if (surface >= full) continue;
+        bed_.inflow += full - surface;
+        surface = full;
+    }
 }
 
 void Dunes::blow_continuously(const BlowingWind& wind) {

@@ -13,6 +13,7 @@
 #include "models/dunes/relief_shear.h"
 #include "models/dunes/rock_wear.h"
 #include "models/dunes/slab_transport.h"
+#include "models/dunes/wind_bend.h"
 #include "models/dunes/wind_shadow.h"
 #include "models/dunes/wind_turns.h"
 #include "models/dunes/windward_walls.h"
@@ -25,6 +26,7 @@ namespace fumon {
 ///
 ///     shadow      what keeps the wind off                       see WindShadow
 ///     speed-up    of the drift over relief, or of hops by height see ReliefShear, hop_factor
+///     bend        of the wind by relief                         see ReliefShear, ContourBend
 ///     transport   continuous, or slabs at random                 see ContinuousTransport,
 ///                                                                SlabTransport
 ///     rock        worn where it is bare                          see RockWear
@@ -51,10 +53,10 @@ class Dunes : public Model {
     [[nodiscard]] std::string_view time_unit() const override { return "yr"; }
 
     /// The bed, rock and sand; fields "sand", "rock", "moving_sand" (m), "wind_shadow" and
-    /// "local_wind" (of the next step's wind), with plants "cover", "grass" and "shrubs", if asked
-    /// for "avalanche_age" (yr; of cells that never slid, since the start); numbers
-    /// "sand_volume", "sand_inflow", "sand_outflow" (m³) and "avalanche_passes", with rock that is
-    /// worn "rock_worn" (m³), with plants "plant_cover".
+    /// "local_wind" (of the next step's wind), where relief bends it "wind_turn" (degrees), with
+    /// plants "cover", "grass" and "shrubs", if asked for "avalanche_age" (yr; of cells that never
+    /// slid, since the start); numbers "sand_volume", "sand_inflow", "sand_outflow" (m³) and
+    /// "avalanche_passes", with rock that is worn "rock_worn" (m³), with plants "plant_cover".
     [[nodiscard]] Snapshot snapshot() const override;
 
     /// Where avalanches of the last step did not come to rest.
@@ -73,6 +75,9 @@ class Dunes : public Model {
     void blow_continuously(const BlowingWind& wind);
     /// The wind over the bed as it is, of continuous transport.
     ContinuousTransport::Wind wind_over_bed(const BlowingWind& wind) const;
+    void bend(const BlowingWind& wind) const;
+    [[nodiscard]] Grid wind_turn() const;
+    void fill_sources();
     void steepen_under_plants();
     void add_plants(Snapshot& snapshot) const;
     void note_slides();
@@ -90,6 +95,7 @@ class Dunes : public Model {
     SlopeRelaxation slopes_;
     mutable WindShadow shadow_;
     mutable std::optional<ReliefShear> shear_;
+    mutable std::optional<ContourBend> contour_bend_;
     mutable std::optional<WindwardWalls> walls_;
     std::optional<Plants> plants_;
     std::optional<RockWear> rock_wear_;
@@ -99,7 +105,10 @@ class Dunes : public Model {
     std::int64_t steps_ = 0;
     std::int64_t passes_ = 0;  ///< of the last step's avalanches
     bool at_rest_ = true;      ///< whether they have ended
+    WholeGrid sources_;        ///< least thickness of sand; empty where there are none
     mutable Grid relief_;      ///< working memory of the shear stress
+    mutable Grid across_;      ///< likewise
+    mutable BentWind bent_;
     mutable Grid state_bed_;
     mutable Grid state_rock_;
     mutable Grid state_moving_;

@@ -36,13 +36,15 @@ void list_wind(DuneWind& wind, const std::string& path, KeyTable& table) {
 
 void list_feature(DuneFeature& feature, const std::string& path, KeyTable& table) {
     constexpr double farthest = 1e6;  // m
-    table.choice(path + ".kind", feature.kind,
-                 {{FeatureKind::rock, "rock", "rock that stands on the floor"},
-                  {FeatureKind::sand, "sand", "a heap of sand"},
-                  {FeatureKind::clearing, "clearing", "ground from which plants are taken"},
-                  {FeatureKind::grass, "grass", "grass, up to model.grass_cover"},
-                  {FeatureKind::shrubs, "shrubs", "shrubs, up to model.shrub_cover"}},
-                 {.help = "what is set on the ground"});
+    table.choice(
+        path + ".kind", feature.kind,
+        {{FeatureKind::rock, "rock", "rock that stands on the floor"},
+         {FeatureKind::sand, "sand", "a heap of sand"},
+         {FeatureKind::source, "source", "a heap of sand that is filled up again after every step"},
+         {FeatureKind::clearing, "clearing", "ground from which plants are taken"},
+         {FeatureKind::grass, "grass", "grass, up to model.grass_cover"},
+         {FeatureKind::shrubs, "shrubs", "shrubs, up to model.shrub_cover"}},
+        {.help = "what is set on the ground"});
     table.choice(path + ".shape", feature.shape,
                  {{FeatureShape::block, "block", "a box with vertical sides"},
                   {FeatureShape::cone, "cone", "rises evenly to its middle"},
@@ -64,7 +66,7 @@ void list_feature(DuneFeature& feature, const std::string& path, KeyTable& table
                 .range = {0, farthest},
                 .help = "across its axis, from foot to foot; 0: as its length"});
     table.real(path + ".height", feature.height,
-               {.unit = "m", .range = {0, 1e4}, .help = "of rock and sand"});
+               {.unit = "m", .range = {0, 1e4}, .help = "of rock, sand and sources"});
     table.real(path + ".axis", feature.axis,
                {.unit = "degrees",
                 .range = {-360, 360},
@@ -192,6 +194,18 @@ void list_wind_keys(DunesParameters& dunes, KeyTable& table) {
                {.range = {0, 100}, .help = "A of speed_up = \"relief\""});
     table.real("model.shear_ahead", dunes.shear_ahead,
                {.range = {0, 100}, .help = "B of speed_up = \"relief\": ahead of the crests"});
+    table.choice(
+        "model.wind_bend", dunes.wind_bend,
+        {{DuneBend::none, "none", "the wind blows straight on everywhere"},
+         {DuneBend::shear, "shear",
+          "the linear shear stress across the wind, C k_w k_n/|k| h, turns hops aside (Hunt et al. "
+          "1988): outward before a hill, inward behind it"},
+         {DuneBend::contours, "contours",
+          "hops turn along the contours of the relief on scales of 200 and 50 m (Nilles, Guenther "
+          "& Mueller 2024)"}},
+        {.help = "how relief turns the wind; of continuous transport with speed_up = \"relief\""});
+    table.real("model.shear_across", dunes.shear_across,
+               {.range = {0, 100}, .help = "C of wind_bend = \"shear\""});
     table.choice(
         "model.shadow", dunes.shadow,
         {{DuneShadow::soft, "soft", "grows from model.shadow_soft_angle to model.shadow_angle"},

@@ -10,12 +10,13 @@ namespace fumon {
 
 enum class DuneTransport { continuous, slabs };
 enum class DuneSpeedUp { none, height, relief };
+enum class DuneBend { none, shear, contours };
 enum class DuneShadow { soft, hard };
 enum class DuneEdge { periodic, open };
 enum class DuneRock { level, bed };
 enum class SlabOrder { parallel, sequential };
 enum class DunePlants { none, fixed, grow };
-enum class FeatureKind { rock, sand, clearing, grass, shrubs };
+enum class FeatureKind { rock, sand, source, clearing, grass, shrubs };
 enum class FeatureShape { block, cone, hill };
 
 /// A wind that blows for a while, or a table of winds, whose place the winds in it take.
@@ -39,7 +40,7 @@ struct DuneFeature {
     double y = 0.0;        ///< m from the southern edge
     double length = 10.0;  ///< m along its axis
     double width = 0.0;    ///< m across it; 0: as its length
-    double height = 2.0;   ///< m, of rock and sand
+    double height = 2.0;   ///< m, of rock, sand and sources
     double axis = 90.0;    ///< degrees clockwise from north
 
     friend bool operator==(const DuneFeature&, const DuneFeature&) = default;
@@ -66,10 +67,12 @@ struct DunesParameters {
     WordOrReal time_step{"auto", 0.0};  ///< years, of continuous transport
 
     DuneSpeedUp speed_up = DuneSpeedUp::relief;
+    DuneBend wind_bend = DuneBend::none;
     double hop_per_height = 0.1;          ///< 1/m
     double hop_per_height_squared = 0.0;  ///< 1/m²
     double shear_in_phase = 3.5;          ///< A
     double shear_ahead = 2.0;             ///< B
+    double shear_across = 2.4;            ///< C
 
     DuneShadow shadow = DuneShadow::soft;
     double shadow_angle = 15.0;       ///< degrees

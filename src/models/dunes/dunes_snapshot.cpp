@@ -3,6 +3,8 @@
 #include <numeric>
 #include <utility>
 
+#include "base/elementary_angle.h"
+#include "base/units.h"
 #include "models/dunes/dunes.h"
 
 namespace fumon {
@@ -38,6 +40,19 @@ Grid Dunes::local_wind() const {
     return local;
 }
 
+/// Of the wind that local_wind() has found.
+Grid Dunes::wind_turn() const {
+    const BlowingWind wind = turns_.at(steps_);
+    Grid turn(ground_.nx, ground_.ny);
+    for (std::size_t cell = 0; cell < turn.size(); ++cell) {
+        const double x = bent_.x.values()[cell];
+        const double y = bent_.y.values()[cell];
+        turn.values()[cell] = elementary::atan2(wind.x * y - wind.y * x, wind.x * x + wind.y * y) *
+                              degrees_per_radian;
+    }
+    return turn;
+}
+
 Grid Dunes::avalanche_age() const {
     Grid age(ground_.nx, ground_.ny);
     std::ranges::transform(slid_at_.values(), age.values().begin(),
@@ -62,6 +77,11 @@ Snapshot Dunes::snapshot() const {
         {"wind_shadow", "how far ground upwind keeps the wind off, 0 to 1", "1", shadow_.shade()},
         {"local_wind", "drift that the wind lifts there, in parts of that over flat ground", "1",
          std::move(local)}};
+    if (!bent_.x.empty()) {
+        snapshot.fields.push_back({"wind_turn",
+                                   "by how much relief turns the wind, counterclockwise", "degrees",
+                                   wind_turn()});
+    }
     const double area = ground_.dx * ground_.dy;
     snapshot.numbers = {{"sand_volume", "m3", area * total_sand(bed_)},
                         {"sand_inflow", "m3", area * to_metres(bed_.inflow)},

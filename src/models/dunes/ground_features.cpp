@@ -50,7 +50,9 @@ Grid feature_shape(const DuneFeature& feature, const DuneGround& ground) {
 void set_features(const std::vector<DuneFeature>& features, const DuneGround& ground,
                   DuneBed& bed) {
     for (const DuneFeature& feature : features) {
-        if (feature.kind != FeatureKind::rock && feature.kind != FeatureKind::sand) continue;
+        if (feature.kind != FeatureKind::rock && feature.kind != FeatureKind::sand &&
+            feature.kind != FeatureKind::source)
+            continue;
         const Grid shape = feature_shape(feature, ground);
         for (std::size_t cell = 0; cell < shape.size(); ++cell) {
             const std::int64_t height = to_units(feature.height * shape.values()[cell]);
@@ -64,6 +66,18 @@ void set_features(const std::vector<DuneFeature>& features, const DuneGround& gr
             }
         }
     }
+}
+
+WholeGrid sources_of(const std::vector<DuneFeature>& features, const DuneGround& ground) {
+    WholeGrid sources;
+    for (const DuneFeature& feature : features) {
+        if (feature.kind != FeatureKind::source) continue;
+        if (sources.empty()) sources = WholeGrid(ground.nx, ground.ny);
+        const Grid shape = feature_shape(feature, ground);
+        for (std::size_t cell = 0; cell < shape.size(); ++cell)
+            sources.values()[cell] += to_units(feature.height * shape.values()[cell]);
+    }
+    return sources;
 }
 
 }  // namespace fumon

@@ -19,7 +19,10 @@ namespace fumon {
 Grid feature_shape(const DuneFeature& feature, const DuneGround& ground);
 
 /// Sets rock and sand on a bed, one after the other: rock raises the floor, and the surface where
-/// the sand there was no thicker; sand raises the surface.
+/// the sand there was no thicker; sand and sources raise the surface.
 void set_features(const std::vector<DuneFeature>& features, const DuneGround& ground, DuneBed& bed);
+
+/// The thickness of sand that sources keep, 0 where there are none; empty where no feature is one.
+WholeGrid sources_of(const std::vector<DuneFeature>& features, const DuneGround& ground);
 
 }  // namespace fumon

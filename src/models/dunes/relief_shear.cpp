@@ -1,122 +1,46 @@
 #include "models/dunes/relief_shear.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
-
-#include "base/elementary.h"
-#include "base/worker_pool.h"
 
 namespace fumon {
 
 namespace {
 
-/// What is left of the modes of a row of `count` cells.
-std::vector<double> smoothing(int count) {
-    std::vector<double> kept(static_cast<std::size_t>(count) / 2 + 1);
-    for (std::size_t mode = 0; mode < kept.size(); ++mode) {
-        const double angle = 2.0 * std::numbers::pi * static_cast<double>(mode) / count;
-        kept[mode] = elementary::exp(-angle * angle / 8.0);
-    }
-    return kept;
-}
-
-/// The next length whose transform is fast.
-int fast_length(int least) {
-    const auto is_fast = [](int length) {
-        for (const int prime : {2, 3, 5}) {
-            while (length % prime == 0) length /= prime;
-        }
-        return length == 1;
-    };
-    while (!is_fast(least)) ++least;
-    return least;
-}
-
-DuneGround extended(DuneGround ground) {
-    if (!ground.periodic_x) ground.nx = fast_length(ground.nx + (ground.nx + 1) / 2);
-    if (!ground.periodic_y) ground.ny = fast_length(ground.ny + (ground.ny + 1) / 2);
-    return ground;
-}
-
-/// The share of the edge ahead at a cell of the way from the one behind.
-double share_ahead(int cell, int cells) {
-    const double way = (cell + 1.0) / (cells + 1.0);
-    return way * way * (3.0 - 2.0 * way);
-}
+/// Of what is taken from waves that the grid does not resolve: half a cell.
+constexpr double smoothed_cells = 0.5;
 
 }  // namespace
 
 ReliefShear::ReliefShear(const DuneGround& ground, double in_phase, double ahead, WorkerPool& pool)
-    : nx_(ground.nx),
-      ny_(ground.ny),
-      ground_(extended(ground)),
-      in_phase_(in_phase),
+    : in_phase_(in_phase),
       ahead_(ahead),
-      pool_(pool),
-      extended_(ground_.nx > nx_ || ground_.ny > ny_ ? Grid(ground_.nx, ground_.ny) : Grid()),
-      filter_(ground_.nx, ground_.ny, pool),
-      smoothing_x_(smoothing(ground_.nx)),
-      smoothing_y_(smoothing(ground_.ny)) {}
+      filter_(ground, pool),
+      smoothing_x_(gaussian_of_modes(filter_.transformed().nx, smoothed_cells)),
+      smoothing_y_(gaussian_of_modes(filter_.transformed().ny, smoothed_cells)) {}
 
-void ReliefShear::go_on_past_edges(const Grid& plane) {
-    const int beyond_x = ground_.nx - nx_;
-    const int beyond_y = ground_.ny - ny_;
-    pool_.for_ranges(ny_, [&](int begin, int end) {
-        for (int y = begin; y < end; ++y) {
-            const auto from = plane.row(y);
-            const auto to = extended_.row(y);
-            std::ranges::copy(from, to.begin());
-            for (int i = 0; i < beyond_x; ++i) {
-                const double share = share_ahead(i, beyond_x);
-                to[static_cast<std::size_t>(nx_ + i)] =
-                    (1.0 - share) * from.back() + share * from.front();
-            }
-        }
-    });
-    pool_.for_ranges(beyond_y, [&](int begin, int end) {
-        for (int j = begin; j < end; ++j) {
-            const double share = share_ahead(j, beyond_y);
-            const auto south = extended_.row(0);
-            const auto north = extended_.row(ny_ - 1);
-            const auto to = extended_.row(ny_ + j);
-            for (std::size_t x = 0; x < to.size(); ++x)
-                to[x] = (1.0 - share) * north[x] + share * south[x];
-        }
-    });
+double ReliefShear::scale(const GroundFilter::Wave& wave) const {
+    const double length = std::sqrt(wave.kx * wave.kx + wave.ky * wave.ky);
+    return length > 0.0 ? smoothing_x_[static_cast<std::size_t>(wave.m)] *
+                              smoothing_y_[static_cast<std::size_t>(wave.n)] / length
+                        : 0.0;
 }
 
 void ReliefShear::apply(Grid& plane, const BlowingWind& wind) {
-    if (extended_.empty()) {
-        respond(plane, wind);
-        return;
-    }
-    go_on_past_edges(plane);
-    respond(extended_, wind);
-    for (int y = 0; y < ny_; ++y) std::copy_n(extended_.row(y).begin(), nx_, plane.row(y).begin());
+    filter_.apply(plane, [&](const GroundFilter::Wave& wave) {
+        const double of_wave = scale(wave);
+        const double along = wave.kx * wind.x + wave.ky * wind.y;
+        return GroundFilter::Response{in_phase_ * of_wave * along * along,
+                                      ahead_ * of_wave * along * std::abs(along)};
+    });
 }
 
-void ReliefShear::respond(Grid& plane, const BlowingWind& wind) {
-    const double unit_x = 2.0 * std::numbers::pi / (ground_.nx * ground_.dx);
-    const double unit_y = 2.0 * std::numbers::pi / (ground_.ny * ground_.dy);
-    filter_.apply(
-        plane, [&](int n, std::span<double> real, std::span<double> imaginary,
-                   std::span<double> mirrored_real, std::span<double> mirrored_imaginary) {
-            const double ky = unit_y * n;
-            const double smoothing_y = smoothing_y_[static_cast<std::size_t>(n)];
-            for (std::size_t m = 0; m < real.size(); ++m) {
-                const double kx = unit_x * static_cast<double>(m);
-                const double length = std::sqrt(kx * kx + ky * ky);
-                const double scale = length > 0.0 ? smoothing_x_[m] * smoothing_y / length : 0.0;
-                const double along = kx * wind.x + ky * wind.y;
-                const double mirrored = ky * wind.y - kx * wind.x;
-                real[m] = in_phase_ * scale * along * along;
-                imaginary[m] = ahead_ * scale * along * std::abs(along);
-                mirrored_real[m] = in_phase_ * scale * mirrored * mirrored;
-                mirrored_imaginary[m] = ahead_ * scale * mirrored * std::abs(mirrored);
-            }
-        });
+void ReliefShear::apply_across(Grid& plane, const BlowingWind& wind, double across) {
+    filter_.apply(plane, [&](const GroundFilter::Wave& wave) {
+        const double along = wave.kx * wind.x + wave.ky * wind.y;
+        const double aside = wave.ky * wind.x - wave.kx * wind.y;
+        return GroundFilter::Response{across * scale(wave) * along * aside, 0.0};
+    });
 }
 
 }  // namespace fumon

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "base/grid.h"
+#include "models/dunes/ground_filter.h"
 #include "models/dunes/wind_shadow.h"
 #include "models/dunes/wind_turns.h"
-#include "numerics/plane_filter.h"
 
 namespace fumon {
 
@@ -13,16 +13,15 @@ class WorkerPool;
 
 /// The linear response of the wind's shear stress on the bed to its relief (Jackson & Hunt 1975;
 /// Kroy, Sauermann & Herrmann 2002), for each wave of the bed with the wave vector k and its
-/// component k_w along the wind:
+/// components k_w along the wind and k_n across it, to the left:
 ///
 ///     τ/τ0 − 1 = (A + iB sgn k_w) (k_w² / |k|) ĥ exp(−(dx k_x / 2√2)² − (dy k_y / 2√2)²)
+///     τ_n/τ0   = C (k_w k_n / |k|) ĥ exp(…)
 ///
 /// The stress is highest ahead of the crests, by atan(B/A) of a wave. The last factor takes away
-/// what the grid cannot resolve.
-///
-/// The transform sees any bed as periodic. Across open edges the bed goes on for half its length,
-/// over which its height passes smoothly from that of one edge to that of the other, so that what
-/// is at one edge is far from the other.
+/// what the grid cannot resolve. Across the wind the stress is in phase with the bed (Hunt,
+/// Leibovich & Richards 1988, of Durán & Moore's 2013 form the part that does not vanish with the
+/// roughness); C is .7 of A for waves of 10 to 160 m and a roughness of 1 mm.
 class ReliefShear {
   public:
     ReliefShear(const DuneGround& ground, double in_phase, double ahead, WorkerPool& pool);
@@ -30,18 +29,15 @@ class ReliefShear {
     /// Replaces heights in metres by τ/τ0 − 1.
     void apply(Grid& plane, const BlowingWind& wind);
 
-  private:
-    void respond(Grid& plane, const BlowingWind& wind);
-    void go_on_past_edges(const Grid& plane);
+    /// Replaces heights in metres by τ_n/τ0.
+    void apply_across(Grid& plane, const BlowingWind& wind, double across);
 
-    int nx_;  ///< of the bed
-    int ny_;
-    DuneGround ground_;  ///< with what goes on past the edges
+  private:
+    [[nodiscard]] double scale(const GroundFilter::Wave& wave) const;
+
     double in_phase_;
     double ahead_;
-    WorkerPool& pool_;
-    Grid extended_;  ///< empty where nothing goes on past the edges
-    PlaneFilter filter_;
+    GroundFilter filter_;
     std::vector<double> smoothing_x_;  ///< of the modes along x
     std::vector<double> smoothing_y_;
 };

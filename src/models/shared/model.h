@@ -22,6 +22,16 @@ struct StateField {
     std::span<const double> values;
 };
 
+/// What a scene gives of a quantity for each cell of the bed.
+struct CellMap {
+    Grid values;  ///< 0 in cells without data
+    Mask nodata;  ///< empty where every cell has data
+
+    [[nodiscard]] bool has(std::size_t cell) const {
+        return nodata.empty() || nodata.values()[cell] == 0;
+    }
+};
+
 /// What a model is built from: the initial bed (model heights), its scale, the seed, and the
 /// threads that it may use. Results must not depend on the number of threads.
 struct ModelSetup {
@@ -30,7 +40,8 @@ struct ModelSetup {
     WorldScale scale;
     std::uint64_t seed = 1;
     WorkerPool& pool;
-    bool from_file = false;  ///< the bed is a terrain file's
+    bool from_file = false;       ///< the bed is a terrain file's
+    std::vector<CellMap> maps{};  ///< those of [[map]], in their order
 };
 
 /// A landform model: it owns its state and advances it. It knows nothing of the pipeline's threads,

@@ -4,8 +4,8 @@
 
 #include "models/shared/padded_grid.h"
 #include "models/water/cip_strip.h"
-#include "models/water/cip_vectors.h"
 #include "models/water/depth_flux.h"
+#include "models/water/kernels/cip_vectors.h"
 #include "models/water/shallow_water.h"
 
 namespace fumon {

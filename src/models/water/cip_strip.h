@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "models/water/cip_vectors.h"
+#include "models/water/kernels/cip_vectors.h"
 
 namespace fumon::cip {
 

@@ -4,7 +4,7 @@
 
 #include "base/give_up.h"
 #include "models/shared/padded_grid.h"
-#include "models/water/depth_vectors.h"
+#include "models/water/kernels/depth_vectors.h"
 
 namespace fumon {
 

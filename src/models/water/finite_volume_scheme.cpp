@@ -23,16 +23,20 @@ double step_of(const std::vector<double>& rates) {
     return most == 0.0 ? std::numeric_limits<double>::infinity() : 1.0 / most;
 }
 
+Grid friction_factors(const GullyParameters& parameters, Grid roughness) {
+    for (double& cell : roughness.values()) cell = friction_factor(parameters, cell);
+    return roughness;
+}
+
 }  // namespace
 
 FiniteVolumeScheme::FiniteVolumeScheme(const GullyParameters& parameters, const WaterDomain& domain,
-                                       WorkerPool& pool)
+                                       WorkerPool& pool, const Grid& roughness)
     : domain_(domain),
       gravity_(parameters.gravity),
-      friction_(constant_friction(parameters)),
-      manning_(parameters.friction == FrictionLaw::manning
-                   ? parameters.gravity * (parameters.manning * parameters.manning)
-                   : 0.0),
+      manning_(parameters.friction == FrictionLaw::manning),
+      even_friction_(friction_factor(parameters)),
+      friction_(friction_factors(parameters, roughness)),
       pool_(pool),
       strips_(static_cast<std::size_t>(pool.size()),
               finite_volume::Strip(parameters.stopping_steps)) {}
@@ -55,14 +59,20 @@ double FiniteVolumeScheme::advance(Water& water, const Grid& bed, double dt, dou
         nx_ = water.depth.nx();
         ny_ = water.depth.ny();
         between_ = {Grid(nx_, ny_), Grid(nx_, ny_), Grid(nx_, ny_)};
-        row_volumes_.resize(static_cast<std::size_t>(ny_));
-        row_rates_.resize(row_volumes_.size());
+        row_rates_.resize(static_cast<std::size_t>(ny_));
         edges_ = std::make_unique<WaterEdges>(domain_, nx_, ny_);
         edges_->set_time(time_);
+        friction_row_.assign(static_cast<std::size_t>(nx_), even_friction_);
         find_outlets();
+        tiles_ = std::make_unique<WetTiles>(nx_, ny_, domain_.edges_x == EdgeKind::periodic,
+                                            domain_.edges_y == EdgeKind::periodic);
+        keep_inlets_wet();
     }
-    run({water, nullptr, between_, bed, dt, rain});
-    run({between_, &water, water, bed, dt, rain});
+    find_wet(water, rain);
+    rain_row_.assign(static_cast<std::size_t>(nx_), rain);
+    run({water, nullptr, between_, bed, dt});
+    run({between_, &water, water, bed, dt});
+    if (flows_ != nullptr) flows_->between = &between_.depth;
     return step_of(row_rates_);
 }
 
@@ -84,31 +94,59 @@ void FiniteVolumeScheme::carry(StateCarrier& carrier) {
     }
 }
 
+/// Cells beside edges over which water may come in.
+void FiniteVolumeScheme::keep_inlets_wet() {
+    for (const EdgeStretch& stretch : domain_.stretches) {
+        if (stretch.kind != EdgeFlow::discharge && stretch.kind != EdgeFlow::level) continue;
+        for (int k = stretch.first; k <= stretch.last; ++k) {
+            const bool across_x = stretch.side == Side::west || stretch.side == Side::east;
+            const int edge = stretch.side == Side::west || stretch.side == Side::south ? 0
+                             : across_x                                                ? nx_ - 1
+                                                                                       : ny_ - 1;
+            tiles_->keep_wet(across_x ? edge : k, across_x ? k : edge);
+        }
+    }
+}
+
+/// Finds where water is, and clears what the last sub-step left where there is none any more.
+void FiniteVolumeScheme::find_wet(const Water& water, double rain) {
+    if (rain > 0.0 || rain_ != nullptr) {
+        tiles_->find_all();
+        return;
+    }
+    tiles_->find(water.depth, pool_);
+    tiles_->for_each_dried([&](int first_x, int first_y, int end_x, int end_y) {
+        const auto clear = [&](Grid& grid, int to_x, int to_y) {
+            for (int y = first_y; y < to_y; ++y)
+                std::fill(grid.row(y).data() + first_x, grid.row(y).data() + to_x, 0.0);
+        };
+        for (Grid* grid : {&between_.depth, &between_.velocity_x, &between_.velocity_y})
+            clear(*grid, end_x, end_y);
+        if (flows_ == nullptr) return;
+        for (FaceFlows::Stage& flow : flows_->stages) {
+            clear(flow.east, end_x == nx_ ? nx_ + 1 : end_x, end_y);
+            clear(flow.north, end_x, ny_ == end_y ? ny_ + 1 : end_y);
+        }
+    });
+}
+
 void FiniteVolumeScheme::run(const Stage& stage) {
-    std::fill(row_volumes_.begin(), row_volumes_.end(), RowVolumes{});
     std::fill(row_rates_.begin(), row_rates_.end(), 0.0);
+    for (std::vector<Outlet>& row : outlets_) {
+        for (Outlet& outlet : row) outlet.volume = 0.0;
+    }
     const int shares = pool_.size();
-    const auto work = [&](int begin, int end) {
+    pool_.for_ranges(shares, [&](int begin, int end) {
         for (int share = begin; share < end; ++share) {
             const int first = static_cast<int>(static_cast<long long>(ny_) * share / shares);
             const int last = static_cast<int>(static_cast<long long>(ny_) * (share + 1) / shares);
             if (first == last) continue;
-            finite_volume::Strip& strip = strips_[static_cast<std::size_t>(share)];
-            const int blocks =
-                (nx_ + finite_volume::Strip::widest_block - 1) / finite_volume::Strip::widest_block;
-            for (int block = 0; block < blocks; ++block) {
-                const auto start = static_cast<long long>(nx_) * block / blocks;
-                const auto stop = static_cast<long long>(nx_) * (block + 1) / blocks;
-                strip.start(static_cast<int>(start), static_cast<int>(stop - start),
-                            start == 0 && edges_->has_stretches(Side::west),
-                            stop == nx_ && edges_->has_stretches(Side::east));
-                advance_block(stage, strip, first, last);
-            }
+            advance_share(stage, strips_[static_cast<std::size_t>(share)], first, last);
         }
-    };
-    pool_.for_ranges(shares, work);
-    RowVolumes sum;
-    for (const RowVolumes& row : row_volumes_) {
+    });
+    Volumes sum;
+    for (int y = 0; y < ny_; ++y) {
+        const Volumes row = volumes_of_row(y);
         sum.left += row.left;
         sum.entered += row.entered;
     }
@@ -117,6 +155,45 @@ void FiniteVolumeScheme::run(const Stage& stage) {
     } else {
         left_with_flow_.add(0.5 * stage.dt * sum.left);
         entered_.add(0.5 * stage.dt * sum.entered);
+    }
+}
+
+/// The wet parts of some rows: runs of tiles side by side, over as many rows as have the same ones.
+void FiniteVolumeScheme::advance_share(const Stage& stage, finite_volume::Strip& strip,
+                                       int first_row, int last_row) {
+    const int columns = tiles_->columns();
+    for (int y = first_row; y < last_row;) {
+        const int row = y / WetTiles::height;
+        const std::uint8_t* wet = tiles_->row(row);
+        int above = row + 1;
+        while (above * WetTiles::height < last_row &&
+               std::equal(wet, wet + columns, tiles_->row(above)))
+            ++above;
+        const int end_y = std::min(above * WetTiles::height, last_row);
+        for (int tile = 0; tile < columns; ++tile) {
+            if (wet[tile] == 0) continue;
+            int beyond = tile;
+            while (beyond < columns && wet[beyond] != 0) ++beyond;
+            advance_part(
+                stage, strip,
+                {tile * WetTiles::width, std::min(beyond * WetTiles::width, nx_), y, end_y});
+            tile = beyond;
+        }
+        y = end_y;
+    }
+}
+
+void FiniteVolumeScheme::advance_part(const Stage& stage, finite_volume::Strip& strip,
+                                      const Part& part) {
+    const int width = part.end_x - part.first_x;
+    constexpr int widest = finite_volume::Strip::widest_block;
+    const int blocks = (width + widest - 1) / widest;
+    for (int block = 0; block < blocks; ++block) {
+        const int start = part.first_x + width * block / blocks;
+        const int stop = part.first_x + width * (block + 1) / blocks;
+        strip.start(start, stop - start, start == 0 && edges_->has_stretches(Side::west),
+                    stop == nx_ && edges_->has_stretches(Side::east));
+        advance_block(stage, strip, part.first_y, part.end_y);
     }
 }
 
@@ -131,9 +208,7 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip&
         gravity_,
         gravity_ * domain_.slope,
         0.0 - gravity_ * domain_.slope_x,  // not −0, which would change the sign of zeros
-        friction_,
-        manning_,
-        stage.rain};
+        manning_};
     const int lowest = first_row - finite_volume::Strip::margin;
     const bool flows = edges_->any_flow();
     for (int top = lowest; top < last_row + finite_volume::Strip::margin; ++top) {
@@ -153,6 +228,9 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip&
         const int y = top - 3;
         if (y < first_row) continue;
         finite_volume::UpdateInput in = strip.update_input(y);
+        in.rain = (rain_ == nullptr ? rain_row_.data() : rain_->row(y).data()) + strip.first_x();
+        in.friction =
+            (friction_.empty() ? friction_row_.data() : friction_.row(y).data()) + strip.first_x();
         if (stage.before != nullptr) {
             in.depth_before = stage.before->depth.row(y).data() + strip.first_x();
             in.x_before = stage.before->velocity_x.row(y).data() + strip.first_x();
@@ -162,8 +240,21 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip&
                               stage.to.velocity_x.row(y).data() + strip.first_x(),
                               stage.to.velocity_y.row(y).data() + strip.first_x(), strip.count());
         count_left(strip, y);
+        if (flows_ != nullptr) keep_flows(stage, strip, y);
         if (stage.before != nullptr) rate_row(stage.to, strip, y);
     }
+}
+
+/// Of row y: its faces to the west, north and, at the grid's ends, east and south.
+void FiniteVolumeScheme::keep_flows(const Stage& stage, finite_volume::Strip& strip, int y) const {
+    FaceFlows::Stage& flow = flows_->stages[stage.before == nullptr ? 0 : 1];
+    const finite_volume::UpdateInput in = strip.update_input(y);
+    const int first = strip.first_x();
+    const int count = strip.count();
+    std::copy_n(in.west.mass, count, flow.east.row(y).data() + first);
+    if (first + count == nx_) flow.east(nx_, y) = in.east.mass[count - 1];
+    std::copy_n(in.north.mass, count, flow.north.row(y + 1).data() + first);
+    if (y == 0) std::copy_n(in.south.mass, count, flow.north.row(0).data() + first);
 }
 
 void FiniteVolumeScheme::rate_row(const Water& water, const finite_volume::Strip& strip, int y) {
@@ -242,21 +333,35 @@ void FiniteVolumeScheme::load_row(const Stage& stage, finite_volume::Strip& stri
 }
 
 void FiniteVolumeScheme::count_left(const finite_volume::Strip& strip, int y) {
-    RowVolumes sum;
-    for (const Outlet& outlet : outlets_[static_cast<std::size_t>(y)]) {
+    for (Outlet& outlet : outlets_[static_cast<std::size_t>(y)]) {
         if (outlet.x < strip.first_x() || outlet.x >= strip.first_x() + strip.count()) continue;
         const bool along_y = outlet.side == Side::west || outlet.side == Side::east;
-        const double volume =
+        outlet.volume =
             strip.outward(outlet.x, y, outlet.side) * (along_y ? domain_.dy : domain_.dx);
-        if (outlet.is_flow && volume < 0.0) {
-            sum.entered -= volume;
-        } else {
-            sum.left += volume;
-        }
     }
-    RowVolumes& row = row_volumes_[static_cast<std::size_t>(y)];
-    row.left += sum.left;
-    row.entered += sum.entered;
+}
+
+/// Summed in a fixed order, whichever parts the row was advanced in.
+FiniteVolumeScheme::Volumes FiniteVolumeScheme::volumes_of_row(int y) const {
+    constexpr int widest = finite_volume::Strip::widest_block;
+    const int blocks = (nx_ + widest - 1) / widest;
+    Volumes row;
+    for (int block = 0; block < blocks; ++block) {
+        const auto start = static_cast<long long>(nx_) * block / blocks;
+        const auto stop = static_cast<long long>(nx_) * (block + 1) / blocks;
+        Volumes sum;
+        for (const Outlet& outlet : outlets_[static_cast<std::size_t>(y)]) {
+            if (outlet.x < start || outlet.x >= stop) continue;
+            if (outlet.is_flow && outlet.volume < 0.0) {
+                sum.entered -= outlet.volume;
+            } else {
+                sum.left += outlet.volume;
+            }
+        }
+        row.left += sum.left;
+        row.entered += sum.entered;
+    }
+    return row;
 }
 
 }  // namespace fumon

@@ -8,6 +8,7 @@
 #include "models/water/finite_volume_strip.h"
 #include "models/water/shallow_water.h"
 #include "models/water/water_edges.h"
+#include "models/water/wet_tiles.h"
 
 namespace fumon {
 
@@ -33,13 +34,17 @@ class WorkerPool;
 /// that are not periodic may have a kind of their own, or a discharge or level (WaterEdges).
 class FiniteVolumeScheme : public ShallowWaterScheme {
   public:
+    /// `roughness`: n, C or C_f of each cell, of the parameters' friction law; empty: theirs
+    /// everywhere.
     FiniteVolumeScheme(const GullyParameters& parameters, const WaterDomain& domain,
-                       WorkerPool& pool);
+                       WorkerPool& pool, const Grid& roughness = {});
 
     [[nodiscard]] double step_at_courant_one(const Water& water) const override;
     double advance(Water& water, const Grid& bed, double dt, double rain) override;
     [[nodiscard]] double left() const override { return left_ + left_with_flow_.value(); }
     [[nodiscard]] double entered() const override { return entered_.value(); }
+    void record(FaceFlows& flows) override { flows_ = &flows; }
+    void set_rain(const Grid* rain) override { rain_ = rain; }
     void set_time(double time) override;
     [[nodiscard]] double edge_step_at_courant_one(double time, const Grid& bed) const override;
     void carry(StateCarrier& carrier) override;
@@ -52,7 +57,6 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
         Water& to;
         const Grid& bed;
         double dt;
-        double rain;
     };
 
     /// A face of a cell through which water leaves the domain, or where it flows over an edge.
@@ -60,18 +64,31 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
         int x = 0;
         GridSide side = GridSide::west;
         bool is_flow = false;
+        double volume = 0.0;  ///< of a stage, m³/s, outward
     };
     struct Place {
         int x = 0;
         int y = 0;
     };
-    struct RowVolumes {
+    /// A rectangle of cells that is advanced at once.
+    struct Part {
+        int first_x = 0;
+        int end_x = 0;
+        int first_y = 0;
+        int end_y = 0;
+    };
+    struct Volumes {
         double left = 0.0;  ///< of a stage, m³/s
         double entered = 0.0;
     };
 
     void find_outlets();
+    void keep_inlets_wet();
+    void find_wet(const Water& water, double rain);
     void run(const Stage& stage);
+    void advance_share(const Stage& stage, finite_volume::Strip& strip, int first_row,
+                       int last_row);
+    void advance_part(const Stage& stage, finite_volume::Strip& strip, const Part& part);
     void advance_block(const Stage& stage, finite_volume::Strip& strip, int first_row,
                        int last_row);
     void load_row(const Stage& stage, finite_volume::Strip& strip, int y) const;
@@ -81,23 +98,30 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     void put_through(finite_volume::Strip& strip, int k, int y, GridSide side, int cell) const;
     void take_edge_x(finite_volume::Strip& strip, int y) const;
     void take_edge_y(finite_volume::Strip& strip, int y) const;
+    void keep_flows(const Stage& stage, finite_volume::Strip& strip, int y) const;
     void count_left(const finite_volume::Strip& strip, int y);
+    [[nodiscard]] Volumes volumes_of_row(int y) const;
     void rate_row(const Water& water, const finite_volume::Strip& strip, int y);
 
     WaterDomain domain_;
     double gravity_;
-    double friction_;
-    double manning_;  // g n², or 0
+    bool manning_;
+    double even_friction_;              // as Grid friction_
+    Grid friction_;                     // C_f, or g n² of Manning's law; empty: even
+    const Grid* rain_ = nullptr;        // m/s, instead of the even rain
+    std::vector<double> friction_row_;  // of an even one
+    std::vector<double> rain_row_;
     WorkerPool& pool_;
     int nx_ = 0;
     int ny_ = 0;
     Water between_;                             // after the first stage
     std::vector<std::vector<Outlet>> outlets_;  // of each row
-    std::vector<RowVolumes> row_volumes_;
-    std::vector<double> row_rates_;  // of the water that the last step left, 1/s
+    std::unique_ptr<WetTiles> tiles_;           // of the grid's size
+    std::vector<double> row_rates_;             // of the water that the last step left, 1/s
     double left_ = 0.0;
     CompensatedSum left_with_flow_;  // where edges have stretches, over which much flows
     CompensatedSum entered_;
+    FaceFlows* flows_ = nullptr;                // where they are recorded
     double time_ = 0.0;                         // of the discharges and levels at the edges, s
     std::unique_ptr<WaterEdges> edges_;         // of the grid's size
     std::vector<finite_volume::Strip> strips_;  // one a thread

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "models/water/edge_flow.h"
-#include "models/water/finite_volume_vectors.h"
 #include "models/water/gully_parameters.h"
+#include "models/water/kernels/finite_volume_vectors.h"
 #include "models/water/water_settings.h"
 
 namespace fumon::finite_volume {

@@ -13,9 +13,8 @@
 #include "base/give_up.h"
 #include "base/state_carrier.h"
 #include "base/worker_pool.h"
-#include "models/water/fault_vectors.h"
+#include "models/water/kernels/fault_vectors.h"
 #include "models/water/shallow_water.h"
-#include "numerics/time_table.h"
 
 namespace fumon {
 
@@ -130,17 +129,24 @@ Gully::Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool)
       scale_(scale),
       pool_(pool),
       bed_(start.bed),
-      first_terrain_(start.on_terrain ? start.bed : Grid()),
+      on_terrain_(start.on_terrain),
+      first_bed_(start.on_terrain || start.parameters.transport == SedimentTransport::loads
+                     ? start.bed
+                     : Grid()),
       water_(start.water),
       scheme_(make_water_scheme(start, pool)),
       step_at_courant_one_(scheme_->step_at_courant_one(water_)),
       sediment_(parameters_, domain_, bed_.nx(), bed_.ny(), pool),
+      loads_(make_loads(start, pool)),
+      flows_(loads_ ? FaceFlows(bed_.nx(), bed_.ny()) : FaceFlows()),
       infiltration_(parameters_, domain_.dx * domain_.dy, bed_.nx(), bed_.ny(), pool),
       gauges_(parameters_, domain_, scale_, bed_.nx(), bed_.ny()),
       cell_area_(domain_.dx * domain_.dy),
       wet_area_(cell_area_ * sum_of(bed_, domain_.nodata, [](double) { return 1.0; })),
       first_water_(water_volume()),
-      first_bed_(bed_volume()) {
+      first_bed_volume_(bed_volume()),
+      rain_(parameters_, start.rain_maps) {
+    if (loads_) scheme_->record(flows_);
     check_time_step(parameters_,
                     std::min(step_at_courant_one_, scheme_->edge_step_at_courant_one(0.0, bed_)));
 }
@@ -159,9 +165,10 @@ void Gully::step() {
                          fmt::format("a step takes more than {} sub-steps", most_substeps));
         }
     }
+    if (loads_) loads_->fail_banks(bed_);
     ++steps_;
     check_water(water_, bed_, time(), pool_);
-    counters_ = {rain_.value(), scheme_->left(), sediment_.removed()};
+    counters_ = {fallen_.value(), scheme_->left(), sediment_removed()};
 }
 
 /// An equal share of what remains of the step, as large as the Courant number allows.
@@ -170,34 +177,35 @@ double Gully::sub_step_size(double remaining, double elapsed) const {
     const double step_at_one =
         std::min(step_at_courant_one_, scheme_->edge_step_at_courant_one(elapsed, bed_));
     const double limit = parameters_.courant_number * step_at_one;
-    const double pieces = std::ceil(remaining / limit * (1.0 - 1e-12));
+    constexpr double bed_courant_number = 0.5;
+    const double of_bed = loads_ ? remaining * loads_->pace() / bed_courant_number : 0.0;
+    const double pieces = std::ceil(std::max(remaining / limit, of_bed) * (1.0 - 1e-12));
     if (pieces <= 1.0) return remaining;
     if (!(pieces <= most_substeps)) {
         check_water(water_, bed_, elapsed, pool_);
+        if (of_bed > remaining / limit) {
+            throw Error(fmt::format(
+                "the bed changes so fast at t = {:.6g} s that a step would take {:.3g} sub-steps; "
+                "try a smaller model.morphological_factor, model.entrainment_rate or "
+                "model.time_step",
+                elapsed, pieces));
+        }
         refuse_speed(water_, elapsed, fmt::format("a sub-step would be {:.3g} s", limit));
     }
     return remaining / pieces;
 }
 
-/// The mean of a sub-step, m/s.
-double Gully::rain_rate(double elapsed, double dt) const {
-    if (!parameters_.rain_times.empty()) {
-        return mean_of_stairs(parameters_.rain_times, parameters_.rain_rates, elapsed,
-                              elapsed + dt) *
-               millimetre_per_hour;
-    }
-    const double until = parameters_.rain_until > 0.0 ? parameters_.rain_until : elapsed + dt;
-    const double raining = std::clamp(until - elapsed, 0.0, dt) / dt;
-    return raining * parameters_.rain * millimetre_per_hour;
-}
-
 void Gully::sub_step(double dt, double& elapsed) {
-    const double rain = rain_rate(elapsed, dt);
+    const Rain::Step rain = rain_.over(elapsed, dt);
+    scheme_->set_rain(rain.by_cell);
     scheme_->set_time(elapsed + 0.5 * dt);
     infiltration_.advance(water_.depth, elapsed, dt);
-    step_at_courant_one_ = scheme_->advance(water_, bed_, dt, rain);
-    rain_.add(rain * dt * wet_area_);
-    sediment_.advance(bed_, water_, dt);
+    if (loads_) loads_->begin(water_.depth);
+    step_at_courant_one_ = scheme_->advance(water_, bed_, dt, rain.even);
+    fallen_.add(rain.by_cell == nullptr ? rain.even * dt * wet_area_ : rain.volume);
+    sediment_.advance(bed_, water_, loads_ ? dt * parameters_.loads.morphological_factor : dt);
+    if (loads_)
+        loads_->advance(bed_, {water_.depth, water_.velocity_x, water_.velocity_y}, flows_, dt);
     elapsed += dt;
 }
 
@@ -209,12 +217,19 @@ double Gully::bed_volume() const {
     return cell_area_ * sum_of(bed_, domain_.nodata, [](double z) { return z; });
 }
 
+/// Bed volume that has gone over the edges or into nothing, less what came in.
+double Gully::sediment_removed() const {
+    if (!loads_) return sediment_.removed();
+    return loads_->bed_factor() * (loads_->left() - loads_->entered());
+}
+
 std::vector<SnapshotNumber> Gully::budgets() const {
     const double water = water_volume();
-    const double rain = rain_.value();
+    const double rain = fallen_.value();
     const double left = scheme_->left();
-    const double sediment = bed_volume() - first_bed_;
-    const double removed = sediment_.removed();
+    const double sediment = bed_volume() - first_bed_volume_;
+    const double removed = sediment_removed();
+    const double suspended = loads_ ? loads_->bed_factor() * loads_->suspended() : 0.0;
     const double in_relief =
         cell_area_ * sum_of(bed_, domain_.nodata, [](double z) { return std::fabs(z); });
     const double entered = scheme_->entered();
@@ -230,12 +245,39 @@ std::vector<SnapshotNumber> Gully::budgets() const {
                {water, first_water_, rain, left, entered, infiltrated})},
         {"sediment_volume", "m3", sediment},
         {"sediment_removed", "m3", removed},
-        {"sediment_budget_error", "1", share(sediment + removed, {sediment, removed, in_relief})},
+        {"sediment_budget_error", "1",
+         share((sediment + suspended) + removed, {sediment, suspended, removed, in_relief})},
         {"substeps", "1", static_cast<double>(substeps_)}};
     if (!domain_.stretches.empty()) numbers.push_back({"entered_volume", "m3", entered});
     if (infiltration_.takes()) numbers.push_back({"infiltrated_volume", "m3", infiltrated});
     if (domain_.slope_x != 0.0) numbers.push_back({"mean_slope_x", "m/m", domain_.slope_x});
     return numbers;
+}
+
+/// What the water carries, and what that has made of the bed.
+void Gully::add_loads(Snapshot& snapshot) const {
+    if (!loads_) return;
+    Grid change = bed_;
+    CompensatedSum eroded;
+    CompensatedSum deposited;
+    for (std::size_t cell = 0; cell < bed_.size(); ++cell) {
+        double& here = change.values()[cell];
+        const bool outside = !domain_.nodata.empty() && domain_.nodata.values()[cell] != 0;
+        here = outside ? 0.0 : here - first_bed_.values()[cell];
+        (here < 0.0 ? eroded : deposited).add(std::fabs(here));
+    }
+    snapshot.fields.push_back({"concentration", "suspended grains, volume over the water's", "1",
+                               loads_->concentration(water_.depth)});
+    snapshot.fields.push_back({"bed_change", "bed less the bed at the start", "m", change});
+    const double factor = parameters_.loads.morphological_factor;
+    const std::vector<SnapshotNumber> numbers{
+        {"eroded_volume", "m3", cell_area_ * eroded.value()},
+        {"deposited_volume", "m3", cell_area_ * deposited.value()},
+        {"suspended_volume", "m3", loads_->suspended()},
+        {"grains_left_volume", "m3", loads_->left()},
+        {"grains_entered_volume", "m3", loads_->entered()},
+        {"bed_time", "s", factor * time()}};
+    snapshot.numbers.insert(snapshot.numbers.end(), numbers.begin(), numbers.end());
 }
 
 Snapshot Gully::snapshot() const {
@@ -247,21 +289,22 @@ Snapshot Gully::snapshot() const {
                        {"velocity_x", "eastward velocity of the water", "m/s", water_.velocity_x},
                        {"velocity_y", "northward velocity of the water", "m/s", water_.velocity_y}};
     snapshot.numbers = budgets();
+    add_loads(snapshot);
     std::ranges::move(gauges_.read(water_, bed_), std::back_inserter(snapshot.numbers));
     return snapshot;
 }
 
 std::string Gully::doubt() const {
     const bool stays = parameters_.transport == SedimentTransport::none;
-    if (first_terrain_.empty() || steps_ == 0 || stays) return {};
+    if (!on_terrain_ || steps_ == 0 || stays || loads_) return {};
     constexpr double least = 1.0;               // m
     constexpr double plausible = 1.0 / 3600.0;  // m/s: a flood in loose ground
     const double expected = std::max(least, plausible * time());
-    if (!(largest_difference(bed_, first_terrain_, pool_) > expected)) return {};
+    if (!(largest_difference(bed_, first_bed_, pool_) > expected)) return {};
     double most = 0.0;
     std::size_t where = 0;
     for (std::size_t cell = 0; cell < bed_.size(); ++cell) {
-        const double change = bed_.values()[cell] - first_terrain_.values()[cell];
+        const double change = bed_.values()[cell] - first_bed_.values()[cell];
         if (!(std::fabs(change) > std::fabs(most))) continue;
         most = change;
         where = cell;
@@ -291,6 +334,7 @@ std::vector<StateField> Gully::state() const {
     fields.insert(fields.end(), own.begin(), own.end());
     if (!infiltration_.total().empty())
         fields.push_back({"infiltrated", infiltration_.total().values()});
+    if (loads_) std::ranges::move(loads_->state(), std::back_inserter(fields));
     fields.push_back({"counters", counters_});
     return fields;
 }
@@ -304,8 +348,9 @@ void Gully::carry(StateCarrier& carrier) {
     carrier.values("velocity_y", water_.velocity_y.values());
     scheme_->carry(carrier);
     sediment_.carry(carrier);
+    if (loads_) loads_->carry(carrier);
     infiltration_.carry(carrier);
-    rain_.carry("rain_volume", carrier);
+    fallen_.carry("rain_volume", carrier);
     carrier.values("counters", counters_);
     step_at_courant_one_ = scheme_->step_at_courant_one(water_);
 }

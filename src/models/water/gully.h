@@ -8,6 +8,7 @@
 #include "models/water/gully_parameters.h"
 #include "models/water/gully_setup.h"
 #include "models/water/infiltration.h"
+#include "models/water/rain.h"
 #include "models/water/sediment.h"
 #include "models/water/shallow_water.h"
 
@@ -18,7 +19,7 @@ namespace fumon {
 ///
 ///     Du/Dt = −g ∂(h+z)/∂x − τx/(ρh)     ∂h/∂t + ∇·(h u) = rain       τ = ρ C_f |u| u
 ///     Dv/Dt = −g ∂(h+z)/∂y − g·slope − τy/(ρh)                        (ShallowWaterScheme)
-///     ∂z/∂t = transport by q_s + D ∇²z                                (Sediment)
+///     ∂z/∂t = transport by q_s + D ∇²z                   (Sediment, or SedimentLoads)
 ///
 /// h depth (m), (u, v) depth-averaged velocity (m/s), z bed (m, departure from the mean plane,
 /// which descends toward −y). A step is model.time_step seconds, cut into sub-steps; in each the
@@ -55,29 +56,34 @@ class Gully : public Model {
     Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool);
 
     void sub_step(double dt, double& elapsed);
-    [[nodiscard]] double rain_rate(double elapsed, double dt) const;
     [[nodiscard]] double sub_step_size(double remaining, double elapsed) const;
     [[nodiscard]] double water_volume() const;
     [[nodiscard]] double bed_volume() const;
+    [[nodiscard]] double sediment_removed() const;
     [[nodiscard]] std::vector<SnapshotNumber> budgets() const;
+    void add_loads(Snapshot& snapshot) const;
 
     GullyParameters parameters_;
     WaterDomain domain_;
     WorldScale scale_;
     WorkerPool& pool_;
     Grid bed_;
-    Grid first_terrain_;  ///< the bed at the start, m; empty where it is no terrain file's
+    bool on_terrain_;  ///< the bed is a terrain file's
+    Grid first_bed_;   ///< at the start, m; empty but on terrain and under loads
     Water water_;
     std::unique_ptr<ShallowWaterScheme> scheme_;
     double step_at_courant_one_;  ///< of the water as it is, s
     Sediment sediment_;
+    std::unique_ptr<SedimentLoads> loads_;  ///< or null
+    FaceFlows flows_;                       ///< of the water, where it carries loads
     Infiltration infiltration_;
     Gauges gauges_;
     double cell_area_;
     double wet_area_;  ///< of all cells with data, m²
     double first_water_;
-    double first_bed_;
-    CompensatedSum rain_;               ///< m³ since the start
+    double first_bed_volume_;
+    Rain rain_;
+    CompensatedSum fallen_;             ///< rain since the start, m³
     std::array<double, 3> counters_{};  ///< rain, left, sediment removed: m³
     std::int64_t steps_ = 0;
     std::int64_t substeps_ = 0;

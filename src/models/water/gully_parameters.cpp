@@ -158,6 +158,9 @@ void list_sediment_keys(GullyParameters& gully, KeyTable& table) {
                    "on the grid"},
                   {SedimentTransport::conservative, "conservative",
                    "dz/dt = -div q_s + D lap z: keeps sediment; no channels grow"},
+                  {SedimentTransport::loads, "loads",
+                   "bed load and suspended load of grains, which settle again: model.bed_load, "
+                   "model.entrainment; keeps sediment; of finite volumes"},
                   {SedimentTransport::none, "none", "a fixed bed, which does not diffuse either"}},
                  {.help = "how flow changes the bed"});
     table.word_or_real("model.transport_factor", gully.transport_factor,
@@ -176,22 +179,39 @@ void list_sediment_keys(GullyParameters& gully, KeyTable& table) {
     table.real("model.slope_exponent", gully.slope_exponent,
                {.range = {0, 10}, .help = "gamma, of the steepness S, mean slope included"});
     table.word_or_real("model.bed_diffusion", gully.bed_diffusion,
-                       {{"auto", "1, or 0 where the bed is a terrain file or fixed"}},
+                       {{"auto", "1, or 0 where the bed is a terrain file, fixed or of loads"}},
                        {.unit = "m^2/s", .range = {0, 1e6}, .help = "D"});
 }
 
 }  // namespace
 
 double constant_friction(const GullyParameters& parameters) {
+    return parameters.friction == FrictionLaw::manning ? 0.0 : friction_factor(parameters);
+}
+
+double friction_factor(const GullyParameters& parameters, double coefficient) {
     switch (parameters.friction) {
         case FrictionLaw::full:
-            return parameters.friction_coefficient;
+            return coefficient;
         case FrictionLaw::half:
-            return 0.5 * parameters.friction_coefficient;
+            return 0.5 * coefficient;
         case FrictionLaw::chezy:
-            return parameters.gravity / (parameters.chezy * parameters.chezy);
+            return parameters.gravity / (coefficient * coefficient);
         case FrictionLaw::manning:
-            break;
+            return parameters.gravity * (coefficient * coefficient);
+    }
+    return coefficient;
+}
+
+double friction_factor(const GullyParameters& parameters) {
+    switch (parameters.friction) {
+        case FrictionLaw::full:
+        case FrictionLaw::half:
+            return friction_factor(parameters, parameters.friction_coefficient);
+        case FrictionLaw::chezy:
+            return friction_factor(parameters, parameters.chezy);
+        case FrictionLaw::manning:
+            return friction_factor(parameters, parameters.manning);
     }
     return 0.0;
 }
@@ -199,6 +219,7 @@ double constant_friction(const GullyParameters& parameters) {
 void list_keys(GullyParameters& gully, KeyTable& table) {
     list_flow_keys(gully, table);
     list_sediment_keys(gully, table);
+    list_keys(gully.loads, table);
     // After all of [model], which a written scene cannot open twice.
     table.tables("water", gully.regions,
                  "water at the start, in the order written, each over those before", list_region);
@@ -208,6 +229,8 @@ void list_keys(GullyParameters& gully, KeyTable& table) {
     table.tables("gauge", gully.gauges,
                  "a place whose water is noted: columns of measurements.csv and fields.nc",
                  list_gauge);
+    table.tables("map", gully.maps,
+                 "rain, roughness or the water at the start, cell by cell from a file", list_map);
 }
 
 }  // namespace fumon

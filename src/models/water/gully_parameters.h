@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "keys/keys.h"
+#include "models/sediment/load_parameters.h"
 #include "models/water/water_settings.h"
 
 namespace fumon {
 
 enum class WaterScheme { automatic, cip, cip_as_published, finite_volume };
-enum class SedimentTransport { incision, as_printed, conservative, none };
+enum class SedimentTransport { incision, as_printed, conservative, loads, none };
 enum class Relief { automatic, gentle, steep };
 enum class FrictionLaw { full, half, chezy, manning };
 enum class InitialWater { film, level, surface, dry };
@@ -49,13 +50,13 @@ struct GullyParameters {
     double suction_head = 0.1;         ///< ψ, m (Green–Ampt)
     double moisture_deficit = 0.3;     ///< Δθ (Green–Ampt)
 
+    SedimentTransport transport = SedimentTransport::incision;
     FrictionLaw friction = FrictionLaw::full;
     double friction_coefficient = 0.01;  ///< C_f
     double chezy = 40.0;                 ///< C, √m/s
     double manning = 0.03;               ///< n, s/m^(1/3)
     double gravity = 9.8;                ///< g, m/s²
 
-    SedimentTransport transport = SedimentTransport::incision;
     WordOrReal transport_factor{"auto", 1.0};  ///< K_f; auto: 1, 1e-5 for a terrain file
     double stress_factor = 1.0;                ///< K_t
     double critical_stress = 0.0;              ///< τ_c
@@ -64,9 +65,12 @@ struct GullyParameters {
     double slope_exponent = 2.1;               ///< γ
     WordOrReal bed_diffusion{"auto", 1.0};     ///< D, m²/s; auto: 1, 0 for a terrain file
 
+    LoadParameters loads;  ///< of transport "loads"
+
     std::vector<RegionSettings> regions;
     std::vector<EdgeSettings> edges;
     std::vector<GaugeSettings> gauges;
+    std::vector<MapSettings> maps;
     bool basin = false;  ///< edges that are automatic are walls, and it may be dry for ever
 };
 
@@ -83,6 +87,12 @@ struct WaterParameters : GullyParameters {
 
 /// C_f of all laws but Manning's, with the half of it that eq. 9 takes; 0 for Manning's.
 double constant_friction(const GullyParameters& parameters);
+
+/// The factor of τ = ρ · factor · |u| u that a coefficient of the friction law gives: C_f, half of
+/// it, g/C², or g n², with which Manning's law has ρ · factor · h^(−1/3) · |u| u.
+double friction_factor(const GullyParameters& parameters, double coefficient);
+/// … and that of the parameters' own coefficient.
+double friction_factor(const GullyParameters& parameters);
 
 /// Lists the keys model.* bound to these parameters.
 void list_keys(GullyParameters& parameters, KeyTable& table);

@@ -57,10 +57,20 @@ WaterDomain domain_of(const GullyParameters& parameters, ModelSetup& setup) {
 
 void check_scheme(const GullyParameters& parameters, const WaterDomain& domain) {
     if (parameters.scheme == WaterScheme::finite_volume) return;
+    if (parameters.transport == SedimentTransport::loads) {
+        throw KeyError("model.transport",
+                       "the CIP schemes carry no loads; take model.scheme = \"finite-volume\"");
+    }
     if (parameters.friction == FrictionLaw::manning) {
         throw KeyError("model.friction",
                        "the CIP schemes have no Manning friction; take model.scheme = "
                        "\"finite-volume\", or model.friction = \"chezy\"");
+    }
+    for (const MapQuantity quantity : {MapQuantity::rain, MapQuantity::roughness}) {
+        if (!has_map(parameters, quantity)) continue;
+        throw KeyError("model.scheme",
+                       "the CIP schemes have one rain and one friction for all cells; take "
+                       "model.scheme = \"finite-volume\" for maps of them");
     }
     if (domain.slope_x != 0.0) {
         throw KeyError("model.slope_x",
@@ -80,15 +90,17 @@ void check_scheme(const GullyParameters& parameters, const WaterDomain& domain) 
 }
 
 void check_slope(const GullyParameters& parameters) {
-    if (parameters.slope_x == 0.0 || parameters.transport == SedimentTransport::none) return;
+    if (parameters.slope_x == 0.0 || parameters.transport != SedimentTransport::as_printed) return;
     throw KeyError("model.slope_x",
-                   "on a plane that slopes along x the bed stays as it is; take model.transport = "
-                   "\"none\", or turn the scene so that it slopes along y");
+                   "eq. 12 as printed has its y axis down the plane; take another "
+                   "model.transport, or turn the scene so that it slopes along y");
 }
 
 void check_motion(const GullyParameters& parameters, const WaterDomain& domain, bool from_file) {
-    const bool brought = parameters.rain > 0.0 || !parameters.rain_times.empty() ||
-                         !parameters.regions.empty() || !parameters.edges.empty();
+    const bool brought =
+        parameters.rain > 0.0 || !parameters.rain_times.empty() || !parameters.regions.empty() ||
+        !parameters.edges.empty() || has_map(parameters, MapQuantity::rain) ||
+        has_map(parameters, MapQuantity::depth) || has_map(parameters, MapQuantity::level);
     if (parameters.basin || brought) return;
     const bool dry = parameters.initial_water == InitialWater::dry ||
                      (parameters.depth == 0.0 && parameters.initial_water != InitialWater::surface);
@@ -110,8 +122,9 @@ void decide_sediment(GullyParameters& parameters, bool from_file) {
     if (parameters.transport_factor.is_word())
         parameters.transport_factor = from_file ? terrain_factor : published_factor;
     const bool fixed = parameters.transport == SedimentTransport::none;
+    const bool loads = parameters.transport == SedimentTransport::loads;
     if (parameters.bed_diffusion.is_word()) {
-        parameters.bed_diffusion = from_file || fixed ? 0.0 : published_diffusion;
+        parameters.bed_diffusion = from_file || fixed || loads ? 0.0 : published_diffusion;
     } else if (fixed && parameters.bed_diffusion.value > 0.0) {
         throw KeyError("model.bed_diffusion",
                        "model.transport = \"none\" is a fixed bed, which does not diffuse; leave "
@@ -194,7 +207,8 @@ double level_of(double depth, const Grid& bed, const Mask& nodata) {
     return 0.0;
 }
 
-Water water_of(const GullyParameters& parameters, const WaterDomain& domain, const Grid& bed) {
+Water water_of(const GullyParameters& parameters, const WaterDomain& domain, const Grid& bed,
+               const std::vector<CellMap>& maps) {
     const int nx = bed.nx();
     const int ny = bed.ny();
     Water water{Grid(nx, ny), Grid(nx, ny), Grid(nx, ny)};
@@ -227,6 +241,7 @@ Water water_of(const GullyParameters& parameters, const WaterDomain& domain, con
         water.velocity_x.values()[cell] = speed * (domain.slope_x / slope);
         water.velocity_y.values()[cell] = -speed * (domain.slope / slope);
     }
+    fill_from_maps(parameters, domain, bed, maps, water);
     fill_regions(parameters, domain, bed, water);
     return water;
 }
@@ -239,12 +254,15 @@ GullyStart start_of_gully(const GullyParameters& parameters, ModelSetup& setup) 
     start.on_terrain = setup.from_file;
     start.domain = domain_of(parameters, setup);
     if (start.parameters.scheme == WaterScheme::automatic) {
-        const bool plane = all_periodic(start.domain) && start.domain.nodata.empty() &&
-                           start.domain.slope_x == 0.0 &&
-                           parameters.friction != FrictionLaw::manning;
+        const bool plane =
+            all_periodic(start.domain) && start.domain.nodata.empty() &&
+            start.domain.slope_x == 0.0 && parameters.friction != FrictionLaw::manning &&
+            parameters.transport != SedimentTransport::loads &&
+            !has_map(parameters, MapQuantity::rain) && !has_map(parameters, MapQuantity::roughness);
         start.parameters.scheme = plane ? WaterScheme::cip : WaterScheme::finite_volume;
     }
     check_rain(parameters);
+    check_maps(parameters, start.domain, setup.maps);
     check_slope(parameters);
     check_scheme(start.parameters, start.domain);
     check_motion(parameters, start.domain, setup.from_file);
@@ -252,8 +270,32 @@ GullyStart start_of_gully(const GullyParameters& parameters, ModelSetup& setup) 
     start.parameters.relief = decided_relief(start.parameters, setup.from_file);
     start.bed = std::move(setup.bed);
     cut_channel(parameters, start.domain.dx, start.bed);
-    start.water = water_of(parameters, start.domain, start.bed);
+    start.water = water_of(parameters, start.domain, start.bed, setup.maps);
+    start.roughness = roughness_of(parameters, start.domain, setup.maps);
+    start.rain_maps = rain_maps_of(parameters, start.domain, setup.maps);
     return start;
+}
+
+std::unique_ptr<SedimentLoads> make_loads(const GullyStart& start, WorkerPool& pool) {
+    const GullyParameters& parameters = start.parameters;
+    if (parameters.transport != SedimentTransport::loads) return nullptr;
+    const WaterDomain& domain = start.domain;
+    Grid friction = start.roughness;
+    for (double& cell : friction.values()) cell = friction_factor(parameters, cell);
+    const LoadGround ground{start.bed.nx(),
+                            start.bed.ny(),
+                            domain.dx,
+                            domain.dy,
+                            domain.slope,
+                            domain.slope_x,
+                            domain.edges_x == EdgeKind::periodic,
+                            domain.edges_y == EdgeKind::periodic,
+                            domain.nodata,
+                            parameters.gravity,
+                            parameters.friction == FrictionLaw::manning,
+                            friction_factor(parameters),
+                            std::move(friction)};
+    return std::make_unique<SedimentLoads>(parameters.loads, ground, pool);
 }
 
 std::unique_ptr<ShallowWaterScheme> make_water_scheme(const GullyStart& start, WorkerPool& pool) {
@@ -265,7 +307,8 @@ std::unique_ptr<ShallowWaterScheme> make_water_scheme(const GullyStart& start, W
         case WaterScheme::finite_volume:
             break;
     }
-    return std::make_unique<FiniteVolumeScheme>(start.parameters, start.domain, pool);
+    return std::make_unique<FiniteVolumeScheme>(start.parameters, start.domain, pool,
+                                                start.roughness);
 }
 
 }  // namespace fumon

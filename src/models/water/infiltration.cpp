@@ -2,8 +2,8 @@
 
 #include "base/elementary.h"
 #include "base/worker_pool.h"
-#include "models/water/infiltration_vectors.h"
-#include "models/water/sediment_vectors.h"
+#include "models/water/kernels/infiltration_vectors.h"
+#include "models/water/kernels/sediment_vectors.h"
 
 namespace fumon {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "models/water/sediment_vectors.h"
+#include "models/water/kernels/sediment_vectors.h"
 #include "models/water/shallow_water.h"
 
 namespace fumon {

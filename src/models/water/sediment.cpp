@@ -31,6 +31,7 @@ Sediment::Sediment(const GullyParameters& parameters, const WaterDomain& domain,
            parameters.velocity_exponent,
            parameters.slope_exponent,
            domain.slope,
+           domain.slope_x,
            0.5 / domain.dx,
            0.5 / domain.dy},
       domain_(domain),
@@ -81,6 +82,7 @@ void Sediment::find_rim() {
 
 void Sediment::advance(Grid& bed, const Water& water, double dt) {
     if (transport_ == SedimentTransport::none) return;
+    if (transport_ == SedimentTransport::loads && diffusion_rate_ == 0.0) return;
     if (!flux_x_.empty()) find_fluxes(bed, water);
     const bool masked = !domain_.nodata.empty();
     diffusion_.prepare(dt);
@@ -155,6 +157,9 @@ void Sediment::transport_row(const Grid& bed, const Water& water, double dt, int
     constexpr Beyond same = Beyond::same;
     switch (transport_) {
         case SedimentTransport::none:
+            break;
+        case SedimentTransport::loads:
+            std::fill_n(change, nx_, 0.0);
             break;
         case SedimentTransport::incision:
             flux_row(bed, water, y, scratch);

@@ -5,8 +5,8 @@
 #include "base/compensated_sum.h"
 #include "models/shared/bed_diffusion.h"
 #include "models/water/gully_parameters.h"
+#include "models/water/kernels/sediment_vectors.h"
 #include "models/water/row_sides.h"
-#include "models/water/sediment_vectors.h"
 #include "models/water/shallow_water.h"
 
 namespace fumon {
@@ -45,7 +45,8 @@ class Sediment {
     Sediment(const GullyParameters& parameters, const WaterDomain& domain, int nx, int ny,
              WorkerPool& pool);
 
-    /// Changes the bed (m, departures from the mean plane) over `dt` seconds of this flow.
+    /// Changes the bed (m, departures from the mean plane) over `dt` seconds of this flow; where
+    /// SedimentLoads moves the grains, by diffusion alone.
     void advance(Grid& bed, const Water& water, double dt);
 
     /// What the transport has taken from the domain since the start, m³.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/grid.h"
+#include "models/sediment/face_flows.h"
 #include "models/shared/model.h"
 #include "models/water/gully_parameters.h"
 #include "models/water/water_settings.h"
@@ -69,6 +70,13 @@ class ShallowWaterScheme {
 
     /// Volume that came in over edges since the start, m³.
     [[nodiscard]] virtual double entered() const { return 0.0; }
+
+    /// From now on writes into `flows` what passes the faces; of finite volumes.
+    virtual void record(FaceFlows& /*flows*/) {}
+
+    /// From now on rain falls as this grid has it, m/s, and not evenly; null: evenly. It is read as
+    /// long as it is set; of finite volumes.
+    virtual void set_rain(const Grid* /*rain*/) {}
 
     /// Takes the discharges and levels at the edges of a time, s.
     virtual void set_time(double /*time*/) {}

@@ -79,6 +79,30 @@ void list_gauge(GaugeSettings& gauge, const std::string& path, KeyTable& table) 
                  {.help = "the side of the grid over which the discharge outward is noted"});
 }
 
+void list_map(MapSettings& map, const std::string& path, KeyTable& table) {
+    table.choice(
+        path + ".quantity", map.quantity,
+        {{MapQuantity::rain, "rain", "mm/h, from map.from on until the next map of rain begins"},
+         {MapQuantity::roughness, "roughness",
+          "the coefficient of model.friction: n (s/m^(1/3)), C (m^(1/2)/s) or C_f"},
+         {MapQuantity::depth, "depth", "h at the start, m"},
+         {MapQuantity::level, "level",
+          "height of the water's surface at the start, m; higher ground is dry"},
+         {MapQuantity::velocity_x, "velocity_x", "eastward at the start, m/s"},
+         {MapQuantity::velocity_y, "velocity_y", "northward at the start, m/s"}},
+        {.help = "what the file gives for each cell"});
+    table.text(path + ".file", map.file,
+               {.help = "a grid as bed.file reads it (no PNG): brought to the bed's cells, linear "
+                        "in between, where both say where they lie, else with as many cells as "
+                        "the bed"});
+    table.text(path + ".variable", map.variable,
+               {.help = "the variable of a NetCDF file; empty: its only one"});
+    table.integer(path + ".band", map.band,
+                  {.range = {0, 100000}, .help = "the band of a GeoTIFF; 0: its only or first"});
+    table.real(path + ".from", map.from,
+               {.unit = "s", .range = {0, 1e12}, .help = "when this rain begins"});
+}
+
 void list_region(RegionSettings& region, const std::string& path, KeyTable& table) {
     table.real_list(path + ".window", region.window, 0, 4,
                     {.unit = "m",

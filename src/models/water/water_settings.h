@@ -45,6 +45,18 @@ struct GaugeSettings {
     GaugeSide side = GaugeSide::none;
 };
 
+enum class MapQuantity { rain, roughness, depth, level, velocity_x, velocity_y };
+
+/// A quantity that a file gives cell by cell: [[map]]. The setup brings it to the grid's cells.
+struct MapSettings {
+    MapQuantity quantity = MapQuantity::rain;
+    std::string file;
+    std::string variable;   ///< of a NetCDF file; empty: its only one
+    std::int64_t band = 0;  ///< of a GeoTIFF, from 1; 0: its only or first one
+    double from = 0.0;      ///< s, when this rain begins
+};
+
+void list_map(MapSettings& map, const std::string& path, KeyTable& table);
 void list_gauge(GaugeSettings& gauge, const std::string& path, KeyTable& table);
 void list_edge(EdgeSettings& edge, const std::string& path, KeyTable& table);
 void list_region(RegionSettings& region, const std::string& path, KeyTable& table);

@@ -7,6 +7,7 @@
     fumon.render(heights, cell_size=30)         # a picture of any terrain
     fumon.measure(heights, cell_size=30)        # its wavelengths, slopes, dunes …
     fumon.movie(beds, "growth.mp4", cell_size=30)
+    fumon.Bmi()                                 # a model for others to step and change
     fumon.compare(image, other), fumon.fingerprint(image)
 
 Grids are arrays (ny, nx): rows run north, columns east. Row 0 is the southernmost. Heights of terrain are metres.
@@ -32,6 +33,7 @@ def _find_data() -> None:
 
 _find_data()
 
+from .bmi import Bmi  # noqa: E402
 from .images import Comparison, Image, compare, fingerprint  # noqa: E402
 from .measures import Measures  # noqa: E402
 from .movies import Movie, movie  # noqa: E402
@@ -51,6 +53,6 @@ def pin_rendering() -> None:
 
 
 __all__ = [
-    "Comparison", "Error", "Image", "InputError", "Measures", "Movie", "Run", "Scene", "Step", "compare",
+    "Bmi", "Comparison", "Error", "Image", "InputError", "Measures", "Movie", "Run", "Scene", "Step", "compare",
     "fingerprint", "measure", "movie", "pin_rendering", "render",
 ]

@@ -23,9 +23,10 @@ class TerrainAccessor:
         """A picture, see fumon.render()."""
         return render(self._array, cell_size, origin=origin, **look)
 
-    def measure(self, cell_size: CellSize = None, *, origin: Origin = "lower", periodic: bool = False) -> Measures:
+    def measure(self, cell_size: CellSize = None, *, origin: Origin = "lower", periodic: bool = False,
+                channel_area: float = 0.0) -> Measures:
         """Its measures, see fumon.measure()."""
-        return measure(self._array, cell_size, origin=origin, periodic=periodic)
+        return measure(self._array, cell_size, origin=origin, periodic=periodic, channel_area=channel_area)
 
     def movie(self, file: PathLike, **options: Any) -> Movie:
         """A movie over its third dimension, see fumon.movie()."""

@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from . import _core
     from .images import Image
 
-_comment = "Recorded by `pytest --fumon-update`, which writes it anew. Commit it; look at the pictures before."
 _key = pytest.StashKey["Session"]()
 
 
@@ -81,7 +80,7 @@ class Session:
     def records(self, lock: Path) -> dict[str, _core.Record]:
         from . import _core
         if lock not in self._locks:
-            self._locks[lock] = _core.read_records(str(lock))
+            self._locks[lock] = _core.read_lock(str(lock))
             self._pin(any(record.pinned for record in self._locks[lock].values()))
         return self._locks[lock]
 
@@ -113,7 +112,7 @@ class Session:
     def finish(self) -> None:
         from . import _core
         for lock in sorted(self._changed):
-            _core.write_records(str(lock), self._locks[lock], _comment)
+            _core.write_lock(str(lock), self._locks[lock])
         if self._page is not None and self._page.finish():
             self.told.append(f"fumon: pictures that differ: {self._page.file}")
 

@@ -49,12 +49,15 @@ def render(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", f
 
 
 def measure(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
-            periodic: bool = False) -> Measures:
+            periodic: bool = False, channel_area: float = 0.0) -> Measures:
     """The measures of a terrain, as ``fumon measure`` has them: wavelengths, crests, slopes, dunes. In metres where
     there is a cell size, else in cells. data, cell_size, origin, field: as for render(). periodic: the bed goes on
-    past its edges with its other side."""
+    past its edges with its other side. channel_area: above 0, the network of channels through which at least this
+    area drains (m², or cells) is measured too."""
+    if not 0.0 <= channel_area < float("inf"):
+        raise ValueError(f"channel_area is {channel_area}; it takes 0 or an area above it")
     bed = bed_of(data, cell_size, origin, field)
-    return Measures(_core.measure_bed(bed.heights, bed.nodata, bed.cell_size, periodic))
+    return Measures(_core.measure_bed(bed.heights, bed.nodata, bed.cell_size, periodic, channel_area))
 
 
 def _painter(bed: Bed, look: dict[str, Any]) -> _core.BedPainter:

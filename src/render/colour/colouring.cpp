@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <numbers>
 
+#include "base/elementary.h"
 #include "base/elementary_angle.h"
 #include "base/find_named.h"
 #include "base/percentile.h"
 #include "base/random.h"
 #include "base/rounding.h"
+#include "measure/network/flow_routing.h"
 #include "render/view/water.h"
 
 namespace fumon {
@@ -51,6 +53,19 @@ Field<float> slopes(const Snapshot& snapshot) {
     return result;
 }
 
+/// Decimal logarithms of the areas that drain through the cells; of cells without data, of one
+/// cell.
+Field<float> drained_areas(const Snapshot& snapshot) {
+    constexpr double ln10 = 2.302585092994046;
+    const double cell = snapshot.scale.dx * snapshot.scale.dy;
+    const Grid area = drainage_area(route_flow(snapshot));
+    Field<float> result(area.nx(), area.ny());
+    std::ranges::transform(area.values(), result.values().begin(), [&](double value) {
+        return static_cast<float>(elementary::log(std::max(value, cell)) / ln10);
+    });
+    return result;
+}
+
 }  // namespace
 
 bool colours_water(Colouring colour_by) {
@@ -67,6 +82,7 @@ Field<float> coloured_values(Colouring colour_by, const Snapshot& snapshot, cons
     if (colour_by == Colouring::speed) return water_speed(snapshot);
     if (colour_by == Colouring::froude) return froude_numbers(snapshot);
     if (colour_by == Colouring::water_depth) return water_depths(snapshot);
+    if (colour_by == Colouring::drainage) return drained_areas(snapshot);
     Field<float> result(snapshot.bed.nx(), snapshot.bed.ny());
     const bool change = colour_by == Colouring::change;
     for (std::size_t i = 0; i < result.size(); ++i) {
@@ -179,7 +195,8 @@ Field<std::uint8_t> ground_texels(const Snapshot& snapshot) {
         const double rock = (1.0 - plants) * std::clamp(1.0 - thickness / hidden, 0.0, 1.0);
         ground.values()[i] = bare_sand + 127.0 * plants - 128.0 * rock;
     }
-    ground = softened(ground, snapshot.periodic);
+    // Twice, so that the edge of rock does not show the cells.
+    ground = softened(softened(ground, snapshot.periodic), snapshot.periodic);
     const Grid sparse = tufts(ground.nx(), ground.ny(), snapshot.periodic);
     for (std::size_t i = 0; i < ground.size(); ++i) {
         const double plants = ground.values()[i] - bare_sand;

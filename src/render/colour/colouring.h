@@ -19,16 +19,16 @@ bool colours_water(Colouring colour_by);
 Mask uncoloured_cells(Colouring colour_by, const Snapshot& snapshot);
 
 /// What is coloured, for every cell of the bed: heights, slopes in degrees (not exaggerated),
-/// heights less the first ones, or a quantity of the water, 0 in dry cells. Throws InputError for
-/// the latter without water.
+/// heights less the first ones, decimal logarithms of the drained areas, or a quantity of the
+/// water, 0 in dry cells. Throws InputError for the latter without water.
 Field<float> coloured_values(Colouring colour_by, const Snapshot& snapshot, const Snapshot& first);
 
 /// The values at the two ends of the palette, in the unit of what is coloured: model heights
-/// (height, change), degrees (slope), m (water-depth), m/s (speed) or 1 (froude). What is not fixed
-/// by look.low and look.high comes from `values`, the snapshot's coloured_values(): the 0.5th and
-/// 99.5th percentile of the bed or of the wet cells, for slope 0 and the 99.5th percentile, for
-/// change the larger of the two tails' 99.5 % on both sides of zero. Natural colouring has the
-/// range of height.
+/// (height, change), degrees (slope), m (water-depth), m/s (speed), 1 (froude) or log10 of m² or
+/// cells (drainage). What is not fixed by look.low and look.high comes from `values`, the
+/// snapshot's coloured_values(): the 0.5th and 99.5th percentile of the bed or of the wet cells,
+/// for slope 0 and the 99.5th percentile, for change the larger of the two tails' 99.5 % on both
+/// sides of zero. Natural colouring has the range of height.
 std::pair<double, double> colour_range(const LookSettings& look, const Snapshot& snapshot,
                                        const Field<float>& values);
 

@@ -126,11 +126,17 @@ void turn_to_night(Light& light) {
     }
 }
 
+/// A unit vector: x east, y north, z up.
+glm::vec3 direction_to(const SunSettings& sun) {
+    const double level = elementary::cos(sun.elevation * degree);
+    return {elementary::sin(sun.azimuth * degree) * level,
+            elementary::cos(sun.azimuth * degree) * level, elementary::sin(sun.elevation * degree)};
+}
+
 }  // namespace
 
 Light make_light(const SunSettings& settings) {
     const double sin_e = elementary::sin(settings.elevation * degree);
-    const double cos_e = elementary::cos(settings.elevation * degree);
     const glm::dvec3 sun =
         transmittance(air_mass(settings.elevation)) / luminance(transmittance(air_mass(45.0)));
     const double sky_level = sky_share * (0.35 + 0.65 * std::sqrt(sin_e));
@@ -139,8 +145,7 @@ Light make_light(const SunSettings& settings) {
     const double exposure = level_exposure / received;
 
     Light light;
-    light.to_sun = {elementary::sin(settings.azimuth * degree) * cos_e,
-                    elementary::cos(settings.azimuth * degree) * cos_e, sin_e};
+    light.to_sun = direction_to(settings);
     light.sun = glm::vec3(sun * (exposure * settings.strength));
     light.sky = glm::vec3(sky * (exposure * settings.sky_strength));
     // Haze scatters both: its colour lies between the sky's and the sun's.
@@ -157,7 +162,6 @@ Light make_atmospheric_light(const SunSettings& settings, Planet planet) {
     const glm::dvec3 martian(0.30, 0.15, 0.07);
     constexpr double eye_height = 0.002;  // km
     const double sin_e = elementary::sin(settings.elevation * degree);
-    const double cos_e = elementary::cos(settings.elevation * degree);
     static const glm::dvec3 day = level_light_of_a_clear_day(sand, eye_height);
     const AirTables air(planet == Planet::mars ? martian_air(settings.dust, martian)
                                                : dusty_air(desert_aerosol * settings.dust, sand));
@@ -172,8 +176,7 @@ Light make_atmospheric_light(const SunSettings& settings, Planet planet) {
 
     Light light;
     light.atmosphere = true;
-    light.to_sun = {elementary::sin(settings.azimuth * degree) * cos_e,
-                    elementary::cos(settings.azimuth * degree) * cos_e, sin_e};
+    light.to_sun = direction_to(settings);
     light.sun = glm::vec3(sun * (exposure * settings.strength));
     light.sky = glm::vec3(sky * (exposure * settings.sky_strength));
     light.sky_lean = fitted_lean(view);
@@ -193,14 +196,11 @@ Light make_atmospheric_light(const SunSettings& settings, Planet planet) {
 }
 
 Light make_overcast_light(const SunSettings& settings) {
-    const double sin_e = elementary::sin(settings.elevation * degree);
-    const double cos_e = elementary::cos(settings.elevation * degree);
     constexpr double sun_share = 0.10;
     const glm::dvec3 cloud(0.965, 1.0, 1.035);
     const double zenith = 9.0 / 7.0 * level_exposure;  // times pi, of such a sky
     Light light;
-    light.to_sun = {elementary::sin(settings.azimuth * degree) * cos_e,
-                    elementary::cos(settings.azimuth * degree) * cos_e, sin_e};
+    light.to_sun = direction_to(settings);
     light.sun = glm::vec3(cloud * (sun_share * level_exposure * settings.strength));
     light.sky = glm::vec3(cloud * (level_exposure * settings.sky_strength));
     light.zenith = glm::vec3(cloud * (zenith * settings.sky_strength));

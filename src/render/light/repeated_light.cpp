@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/resampling.h"
 #include "base/rounding.h"
+#include "numerics/resampling.h"
 #include "render/light/lighting.h"
 #include "render/light/sky_visibility.h"
 #include "render/view/display_bed.h"

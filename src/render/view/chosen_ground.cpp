@@ -14,6 +14,9 @@ const char* why_not_endless(const View& view, const Snapshot& first) {
     if (!first.periodic || first.bed.ny() < 2 || !first.nodata.empty() || first.section)
         return "needs a whole periodic bed, as the sand models have";
     if (draws_water(view.look, first)) return "is for beds without water";
+    if (view.look.draws_contours()) return "shows no contours (look.contours)";
+    if (view.look.background == Background::transparent)
+        return "leaves nothing transparent (look.background)";
     return nullptr;
 }
 
@@ -22,7 +25,16 @@ bool goes_on_endlessly(const View& view, const Snapshot& first) {
     return view.look.ground == Ground::endless;
 }
 
+void check_background(const View& view, const Snapshot& first) {
+    if (view.look.background == Background::transparent && first.section) {
+        throw InputError(
+            "look.background = \"transparent\" is for blocks of ground; a section with its air "
+            "takes \"surroundings\"");
+    }
+}
+
 View with_chosen_ground(View view, const Snapshot& first) {
+    check_background(view, first);
     if (!goes_on_endlessly(view, first)) {
         view.look.ground = Ground::table;
         return view;

@@ -12,8 +12,11 @@ const char* why_not_endless(const View& view, const Snapshot& first);
 /// Whether it goes on: where look.ground says so, and where it is "auto" for what can.
 bool goes_on_endlessly(const View& view, const Snapshot& first);
 
+/// Throws InputError where a look whose background is transparent has one that cannot be.
+void check_background(const View& view, const Snapshot& first);
+
 /// The view with look.ground chosen: where it is "auto", endless for what can be. Throws InputError
-/// where it is endless for what cannot be.
+/// where it is endless for what cannot be, and as check_background.
 View with_chosen_ground(View view, const Snapshot& first);
 
 }  // namespace fumon

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/resampling.h"
+#include "numerics/resampling.h"
 
 namespace fumon {
 

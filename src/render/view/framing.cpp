@@ -12,6 +12,7 @@
 #include "base/elementary_angle.h"
 #include "base/snapshot_lookup.h"
 #include "base/units.h"
+#include "render/view/water.h"
 
 namespace fumon {
 
@@ -196,6 +197,16 @@ Block framed_block(const View& view, const Snapshot& first) {
         block.eye_above = view.camera.at[2] / first.scale.height_unit * block.height_scale;
     set_framing(block, view.camera.framing, first);
     return block;
+}
+
+Block block_of_frame(const Block& block, const LookSettings& look, const Snapshot& first,
+                     const Snapshot& snapshot) {
+    Datum datum = look.datum;
+    if (datum == Datum::automatic) datum = has_water(first) ? Datum::mean : Datum::first;
+    Block framed = block;
+    if (datum == Datum::mean)
+        framed.reference = height_statistics(snapshot.bed, snapshot.nodata).mean;
+    return framed;
 }
 
 Camera camera_at_step(const View& view, const Block& block, std::int64_t step,

@@ -11,6 +11,11 @@ namespace fumon {
 /// The block of a view, fixed by the run's first snapshot as it is shown.
 Block framed_block(const View& view, const Snapshot& first);
 
+/// The block of one frame: heights count from the mean of the run's first bed (as it is shown) or,
+/// by look.datum, from that of the frame's own bed, which is "auto" under water.
+Block block_of_frame(const Block& block, const LookSettings& look, const Snapshot& first,
+                     const Snapshot& snapshot);
+
 /// The camera of a view at a step of a run of `last_step` steps, over which it turns.
 Camera camera_at_step(const View& view, const Block& block, std::int64_t step,
                       std::int64_t last_step);

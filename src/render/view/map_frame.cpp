@@ -36,14 +36,14 @@ std::string xml_text(std::string_view text) {
 
 }  // namespace
 
-MapFrame map_frame(const View& view, const Snapshot& snapshot) {
-    constexpr const char* key = "output.world_files";
+MapFrame map_frame(const View& view, const Snapshot& snapshot, const char* key) {
     if (view.camera.projection != Projection::map)
-        throw KeyError(key, "output.world_files belongs to camera.projection = \"map\"");
+        throw KeyError(key, fmt::format("{} belongs to camera.projection = \"map\"", key));
     if (!snapshot.scale.in_metres || !snapshot.scale.place) {
         throw KeyError(key,
-                       "output.world_files takes a terrain file that lies on a map; this bed has "
-                       "no place there");
+                       fmt::format("{} takes a terrain file that lies on a map; this bed has no "
+                                   "place there",
+                                   key));
     }
     const std::optional<Snapshot> coarser = shown_snapshot(snapshot, view);
     const Snapshot& shown = coarser ? *coarser : snapshot;

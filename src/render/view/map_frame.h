@@ -19,9 +19,9 @@ struct MapFrame {
     std::string crs;  ///< as WKT; empty where it is unknown
 };
 
-/// That of a picture of camera.projection = "map". Throws KeyError, of output.world_files, where
-/// the camera looks otherwise or the bed lies nowhere on a map.
-MapFrame map_frame(const View& view, const Snapshot& snapshot);
+/// That of a picture of camera.projection = "map". Throws KeyError, of the key that asks for it,
+/// where the camera looks otherwise or the bed lies nowhere on a map.
+MapFrame map_frame(const View& view, const Snapshot& snapshot, const char* key);
 
 /// A file that stands beside a picture: picture.png gets picture.pgw and picture.png.aux.xml.
 struct WorldFile {

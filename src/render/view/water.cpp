@@ -8,8 +8,8 @@
 
 #include "base/error.h"
 #include "base/percentile.h"
-#include "base/resampling.h"
 #include "base/snapshot_lookup.h"
+#include "numerics/resampling.h"
 
 namespace fumon {
 

@@ -92,6 +92,20 @@ TEST(TimeText, IsReadableAndAsFineAsTheSteps) {
     EXPECT_EQ(seconds.end, 1000.0);
     EXPECT_EQ(seconds(300.0), "300.00 s");
     EXPECT_EQ(seconds(1000.0), "1,000.00 s");
+
+    scene =
+        parse_scene("[model]\nname = \"sandpile\"\ngrains_per_step = 500\n[run]\nsteps = 4000\n",
+                    "test.toml", "");
+    first.time_unit = "grains";
+    EXPECT_EQ(time_text_of(scene, first).end, 2e6) << "how wide the plate is";
+
+    scene = parse_scene("[model]\nname = \"dunes\"\n[run]\nsteps = 4000\n", "test.toml", "");
+    first.time_unit = "yr";
+    const TimeText years = time_text_of(scene, first);
+    EXPECT_EQ(years(0.0), "0 yr");
+    EXPECT_EQ(years(0.4567), "0.46 yr");
+    EXPECT_EQ(years(2.5), "2.5 yr");
+    EXPECT_EQ(years(1020.6), "1,021 yr");
 }
 
 }  // namespace

@@ -415,6 +415,30 @@ TEST_F(Geotiff, GdalFindsAWrittenBedWhereItLies) {
     GDALClose(dataset);
 }
 
+TEST_F(Geotiff, APictureLiesWhereItWasTakenFrom) {
+    Image picture(3, 2);
+    for (std::size_t k = 0; k < picture.rgb.size(); ++k)
+        picture.rgb[k] = static_cast<std::uint8_t>(10 * k);
+    GeoReference place = *read({}).place;
+    place.dx = 4.0;
+    const std::string bytes = geotiff_picture(picture, place);
+    EXPECT_EQ(geotiff_picture(picture, place), bytes) << "the same bytes every time";
+    GDALDatasetH dataset = GDALOpen(folder_.file("picture.tif", bytes).c_str(), GA_ReadOnly);
+    ASSERT_NE(dataset, nullptr);
+    std::array<double, 6> transform{};
+    EXPECT_EQ(GDALGetGeoTransform(dataset, transform.data()), CE_None);
+    EXPECT_EQ(transform, (std::array<double, 6>{500000, 4, 0, 4000020, 0, -10}));
+    EXPECT_STREQ(OSRGetAuthorityCode(GDALGetSpatialRef(dataset), nullptr), "32613");
+    ASSERT_EQ(GDALGetRasterCount(dataset), 3);
+    EXPECT_EQ(GDALGetRasterColorInterpretation(GDALGetRasterBand(dataset, 3)), GCI_BlueBand);
+    std::array<std::uint8_t, 6> green{};
+    EXPECT_EQ(GDALRasterIO(GDALGetRasterBand(dataset, 2), GF_Read, 0, 0, 3, 2, green.data(), 3, 2,
+                           GDT_Byte, 0, 0),
+              CE_None);
+    EXPECT_EQ(green, (std::array<std::uint8_t, 6>{10, 40, 70, 100, 130, 160})) << "top row first";
+    GDALClose(dataset);
+}
+
 TEST_F(Geotiff, AnEsriGridKeepsThePlaceTooAndItsPrjBesideIt) {
     const Written written(*read({}).place);
     const auto files = written.files("esri-ascii");
@@ -571,7 +595,7 @@ TEST(Reprojected, RefusesWhatIsNoPlaneInMetres) {
     nowhere.place->degrees = false;
     EXPECT_NE(refusal(nowhere, "EPSG:32613").find("does not say"), std::string::npos);
     nowhere.place->crs = "EPSG:32613";
-    EXPECT_NE(refusal(nowhere, "utm").find("counts metres"), std::string::npos);
+    EXPECT_NE(refusal(nowhere, "utm").find("is projected already"), std::string::npos);
 }
 
 }  // namespace

@@ -58,6 +58,11 @@ std::vector<Kind> kinds() {
         dunes.edges_y = DuneEdge::open;
         dunes.influx = 0.6;
         all.push_back({all.back().name + " open", dunes});
+        for (const DuneBend bend : {DuneBend::shear, DuneBend::contours}) {
+            if (speed_up != DuneSpeedUp::relief) continue;
+            dunes.wind_bend = bend;
+            all.push_back({"bent " + std::to_string(static_cast<int>(bend)), dunes});
+        }
         if (speed_up == DuneSpeedUp::relief) continue;
         dunes.transport = DuneTransport::slabs;
         dunes.hop_length = 5.0;

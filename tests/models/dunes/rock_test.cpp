@@ -161,6 +161,30 @@ TEST(Features, RockDisplacesSandAndHeapsLieOnIt) {
     EXPECT_EQ(model.bed().surface(3, 9), to_units(0.5));
 }
 
+TEST(Features, SourcesAreFilledUpAgainAndCounted) {
+    for (const DuneTransport transport : {DuneTransport::continuous, DuneTransport::slabs}) {
+        WorkerPool pool(2);
+        DunesParameters parameters;
+        parameters.transport = transport;
+        parameters.speed_up = DuneSpeedUp::none;
+        parameters.edges_x = DuneEdge::open;
+        parameters.features = {
+            {FeatureKind::source, FeatureShape::cone, 14.0, 12.0, 16.0, 16.0, 4.0, 90.0}};
+        Dunes dunes(parameters, thin_sand(48, 24, 0.0, pool));
+        const std::int64_t first = sand_less_sources(dunes.bed());
+        const WholeGrid source = dunes.bed().surface;
+        std::int64_t inflow = 0;
+        for (int step = 0; step < 40; ++step) {
+            dunes.step();
+            ASSERT_EQ(sand_less_sources(dunes.bed()), first) << step;
+            ASSERT_GT(dunes.bed().inflow, inflow);
+            inflow = dunes.bed().inflow;
+            for (std::size_t cell = 0; cell < source.size(); ++cell)
+                ASSERT_GE(dunes.bed().surface.values()[cell], source.values()[cell]);
+        }
+    }
+}
+
 TEST(Walls, TurnTheWindBackAtTheirFoot) {
     for (const auto& [from, dx, dy] : {std::tuple{270.0, -1, 0}, std::tuple{90.0, 1, 0},
                                        std::tuple{180.0, 0, -1}, std::tuple{0.0, 0, 1}}) {

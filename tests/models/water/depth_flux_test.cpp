@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "models/shared/padded_grid.h"
-#include "models/water/depth_vectors.h"
+#include "models/water/kernels/depth_vectors.h"
 #include "support/gully_run.h"
 
 namespace fumon::test {

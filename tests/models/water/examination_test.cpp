@@ -14,6 +14,7 @@
 #include "models/registry.h"
 #include "models/water/finite_volume_scheme.h"
 #include "scene/initial_bed.h"
+#include "scene/input_maps.h"
 #include "scene/read.h"
 
 namespace fumon::examination {
@@ -117,21 +118,27 @@ TEST(ExaminationScenes, AreWrittenFromTheCases) {
     const std::filesystem::path folder = FUMON_SCENES_FOLDER "/examinations";
     int scenes = 0;
     for (const Case& one : all_cases()) {
-        if (one.square || one.name == "thacker-parabola") continue;
         ++scenes;
-        EXPECT_EQ(text_of(folder / (one.name + ".toml")), scene_of(one, 100)) << one.name;
-        EXPECT_EQ(text_of(folder / (one.name + ".asc")), bed_of(one, 100)) << one.name;
+        const int cells = cells_of_scene(one);
+        EXPECT_EQ(text_of(folder / (one.name + ".toml")), scene_of(one, cells)) << one.name;
+        EXPECT_EQ(text_of(folder / (one.name + ".asc")), bed_of(one, cells)) << one.name;
+        EXPECT_EQ(text_of(folder / (one.name + "-depth.asc")), depth_of(one, cells)) << one.name;
+        EXPECT_EQ(text_of(folder / (one.name + "-velocity_y.asc")), velocity_of(one, cells))
+            << one.name;
         EXPECT_EQ(text_of(folder / (one.name + ".csv")), curve_of(one, 200)) << one.name;
     }
-    EXPECT_EQ(scenes, 14);
+    EXPECT_EQ(scenes, 17);
 }
 
 TEST(ExaminationScenes, RunToTheExactFlow) {
     const std::filesystem::path folder = FUMON_SCENES_FOLDER "/examinations";
-    for (const char* name : {"channel-rain-supercritical", "dam-wet", "dam-friction"}) {
+    for (const char* name :
+         {"channel-rain-supercritical", "dam-wet", "dam-friction", "thacker-planar"}) {
         const Case& one = case_of(name);
         const Scene scene = read_scene(folder / (one.name + ".toml"), {});
         InitialBed initial = make_initial_bed(scene);
+        add_maps(scene, initial);
+        const int cells = cells_of_scene(one);
         WorkerPool pool(1);
         const auto model = find_model(scene.model.name)
                                ->make(scene.model.parameters, {std::move(initial.bed),
@@ -139,13 +146,14 @@ TEST(ExaminationScenes, RunToTheExactFlow) {
                                                                initial.scale,
                                                                1,
                                                                pool,
-                                                               bed_kind(scene) == BedKind::file});
+                                                               bed_kind(scene) == BedKind::file,
+                                                               std::move(initial.maps)});
         while (model->steps_done() < scene.run.steps) model->step();
         EXPECT_NEAR(model->time(), one.duration, 1e-6);
         const Snapshot end = model->snapshot();
         Water water{end.fields[0].values, end.fields[1].values, end.fields[2].values};
-        EXPECT_LT(errors_of(one, setting_of(one, 100), water).depth,
-                  1.05 * run_case(one, 100, 1).errors.depth)
+        EXPECT_LT(errors_of(one, setting_of(one, cells), water).depth,
+                  1.05 * run_case(one, cells, 1).errors.depth)
             << name;
     }
 }

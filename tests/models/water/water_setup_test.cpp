@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -13,14 +14,6 @@
 
 namespace fumon::test {
 namespace {
-
-EdgeSettings edge(GridSide side, EdgeFlow kind, double value = 0.0) {
-    EdgeSettings edge;
-    edge.side = side;
-    edge.kind = kind;
-    edge.value = value;
-    return edge;
-}
 
 double sum_of(const Grid& grid) {
     double sum = 0.0;
@@ -249,7 +242,46 @@ TEST(WaterSetup, RefusesWhatDoesNotGoTogetherAtItsKey) {
     EXPECT_EQ(refusal(gully), "model.friction");
     gully = {};
     gully.slope_x = 0.1;
+    EXPECT_EQ(refusal(gully), "");
+    gully.transport = SedimentTransport::as_printed;
     EXPECT_EQ(refusal(gully), "model.slope_x");
+}
+
+TEST(WaterSetup, TheBedChangesAlikeWhicheverWayThePlaneSlopes) {
+    constexpr int across = 18;
+    constexpr int along = 26;
+    const Grid bed = noise(across, along, 0.02);
+    Grid turned(along, across);  // southward becomes eastward
+    for (int y = 0; y < along; ++y) {
+        for (int x = 0; x < across; ++x) turned(along - 1 - y, x) = bed(x, y);
+    }
+    for (const SedimentTransport transport :
+         {SedimentTransport::incision, SedimentTransport::conservative}) {
+        for (const Relief relief : {Relief::gentle, Relief::steep}) {
+            GullyParameters gully;
+            gully.scheme = WaterScheme::finite_volume;
+            gully.transport = transport;
+            gully.relief = relief;
+            gully.slope = 0.04;
+            gully.bed_diffusion = 0.0;  // which goes along x before y
+            GullyRun southward(gully, bed, 1);
+            gully.slope = 0.0;
+            gully.slope_x = 0.04;
+            GullyRun eastward(gully, turned, 1);
+            southward.to(20.0);
+            eastward.to(20.0);
+            const Grid one = southward.gully.snapshot().bed;
+            const Grid other = eastward.gully.snapshot().bed;
+            double change = 0.0;
+            for (int y = 0; y < along; ++y) {
+                for (int x = 0; x < across; ++x) {
+                    change = std::max(change, std::fabs(one(x, y) - bed(x, y)));
+                    ASSERT_NEAR(other(along - 1 - y, x), one(x, y), 1e-11);
+                }
+            }
+            EXPECT_GT(change, 1e-4);
+        }
+    }
 }
 
 }  // namespace

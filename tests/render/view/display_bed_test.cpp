@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/resampling.h"
 #include "base/worker_pool.h"
+#include "numerics/resampling.h"
 #include "render/light/light.h"
 #include "render/light/lighting.h"
 #include "support/view_beds.h"

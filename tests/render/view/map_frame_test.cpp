@@ -41,7 +41,7 @@ View map_of_heights() {
 TEST(MapFrame, APatchIsDrawnWhereItsCoordinatesSay) {
     const Snapshot snapshot = plateau(30, 34, 3, 5);
     const View view = map_of_heights();
-    const MapFrame frame = map_frame(view, snapshot);
+    const MapFrame frame = map_frame(view, snapshot, "output.world_files");
     const Image image = picture(view, snapshot);
     // Between dark (low) and bright (high) the palette's green rises: half way is the edge of
     // cells.
@@ -74,7 +74,7 @@ TEST(MapFrame, APatchIsDrawnWhereItsCoordinatesSay) {
 TEST(MapFrame, TheBedsCornerIsExactToThePixel) {
     const Snapshot snapshot = plateau(0, 39, 0, 24);
     const View view = map_of_heights();
-    const MapFrame frame = map_frame(view, snapshot);
+    const MapFrame frame = map_frame(view, snapshot, "output.world_files");
     const Image image = picture(view, snapshot);
     const auto background = colour_at(image, 0.0, 0.5);
     int first = 0;
@@ -88,7 +88,7 @@ TEST(MapFrame, TheBedsCornerIsExactToThePixel) {
 TEST(MapFrame, DegreesHavePixelsOfTheirOwnAlongBothAxes) {
     Snapshot snapshot = plateau(3, 5, 3, 5);
     snapshot.scale.place = GeoReference{15.0, 67.0, 2e-4, 1e-4, true, ""};
-    const MapFrame frame = map_frame(map_of_heights(), snapshot);
+    const MapFrame frame = map_frame(map_of_heights(), snapshot, "output.world_files");
     EXPECT_NEAR(frame.pixel_x / frame.pixel_y, 2.0, 1e-9);
     EXPECT_LT(frame.west, 15.0);
     EXPECT_GT(frame.north, 67.0 + 25 * 1e-4);
@@ -96,9 +96,9 @@ TEST(MapFrame, DegreesHavePixelsOfTheirOwnAlongBothAxes) {
 
 TEST(MapFrame, NeedsAMap) {
     View view = map_of_heights();
-    EXPECT_THROW(map_frame(view, flat_bed(9, 9)), KeyError);
+    EXPECT_THROW(map_frame(view, flat_bed(9, 9), "output.world_files"), KeyError);
     view.camera.projection = Projection::perspective;
-    EXPECT_THROW(map_frame(view, plateau(1, 2, 1, 2)), KeyError);
+    EXPECT_THROW(map_frame(view, plateau(1, 2, 1, 2), "output.world_files"), KeyError);
 }
 
 TEST(WorldFiles, SayTheCentreOfTheFirstPixelAndTheReferenceSystem) {

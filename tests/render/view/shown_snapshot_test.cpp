@@ -130,7 +130,7 @@ TEST(Marking, GroundShowsPlantsAboveAndRockBelowBareSand) {
     dunes.periodic = true;
     EXPECT_EQ(marked_field(Marking::ground, dunes), nullptr);
     Grid sand(12, 9, 0.5);
-    for (int x = 0; x < 4; ++x) {
+    for (int x = 0; x < 5; ++x) {
         for (int y = 0; y < 9; ++y) sand(x, y) = 0.0;
     }
     dunes.fields = {{"sand", "", "m", sand}};
@@ -138,8 +138,9 @@ TEST(Marking, GroundShowsPlantsAboveAndRockBelowBareSand) {
     auto marks = mark_texels(Marking::ground, dunes);
     EXPECT_EQ(marks(2, 4), 0) << "rock";
     EXPECT_EQ(marks(8, 4), 128) << "sand";
-    EXPECT_EQ(marks(3, 4), 32) << "softened by a quarter";
-    EXPECT_EQ(marks(0, 4), 32) << "round the bed";
+    EXPECT_EQ(marks(3, 4), 8) << "softened by a sixteenth";
+    EXPECT_EQ(marks(4, 4), 40) << "and by five";
+    EXPECT_EQ(marks(0, 4), 40) << "round the bed";
     Grid cover(12, 9);
     for (int y = 0; y < 9; ++y) cover(7, y) = cover(8, y) = cover(9, y) = 1.0;
     dunes.fields.push_back({"cover", "", "1", cover});

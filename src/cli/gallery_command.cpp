@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/data_files.h"
+#include "base/error.h"
+#include "base/tell.h"
+#include "cli/command.h"
+#include "cli/examples.h"
+#include "cli/shared_options.h"
+#include "files/atomic_file.h"
+#include "files/input_file.h"
+#include "gallery/gallery_page.h"
+#include "outputs/output_claims.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GalleryOptions {
+    std::vector<std::string> from;
+    std::string folder = "gallery";
+    std::string title = "Landforms";
+    bool shipped = false;
+    bool force = false;
+};
+
+void declare(CLI::App& command, GalleryOptions& options) {
+    command.add_option("FROM", options.from,
+                       "folders of runs, pictures and films that fumon made, or such files");
+    command.add_option("-o,--output", options.folder, "the folder for the gallery")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command.add_option("--title", options.title, "what stands above it")->capture_default_str();
+    command.add_flag("--shipped", options.shipped, "the pictures of the scenes that fumon ships");
+    add_force(command, options.force);
+    add_examples(command,
+                 {{"fumon gallery out -o gallery", "of all runs and files below out"},
+                  {"fumon gallery --shipped -o shipped", "of the scenes that fumon ships"}},
+                 "DIR/index.html opens in any browser, without a network; to pass the gallery on, "
+                 "copy the folder.");
+}
+
+/// The pictures of the shipped scenes, which come with the documentation.
+fs::path shipped_pictures() {
+    if (const auto folder = find_document("scenes/pictures")) return *folder;
+    throw InputError(
+        "fumon gallery --shipped: the pictures of the shipped scenes are not installed "
+        "(share/doc/fumon/scenes/pictures); name the folder that has them");
+}
+
+bool is_own_gallery(const fs::path& folder) {
+    const fs::path page = folder / "index.html";
+    std::error_code fault;
+    constexpr std::size_t head = 512;
+    return fs::is_regular_file(page, fault) &&
+           start_of_input_file(page, head).find(own_gallery_mark) != std::string::npos;
+}
+
+int perform(const GalleryOptions& options) {
+    std::vector<fs::path> from{options.from.begin(), options.from.end()};
+    if (options.shipped) from.push_back(shipped_pictures());
+    if (from.empty())
+        throw InputError("fumon gallery: FROM is missing; try `fumon gallery --help`");
+    const std::vector<GalleryItem> items = gallery_items(from);
+    const fs::path folder = options.folder;
+    check_output_folder(folder, "the gallery");
+
+    struct Written {
+        fs::path to;
+        const GalleryFile* file;
+    };
+    const std::vector<GalleryFile> furniture = gallery_furniture();
+    std::vector<Written> all;
+    all.reserve(furniture.size());
+    for (const GalleryFile& file : furniture) all.push_back({folder / file.name, &file});
+    for (const GalleryItem& item : items) {
+        for (const auto* files : {&item.files, &item.plots})
+            for (const GalleryFile& file : *files)
+                all.push_back({folder / "files" / file.name, &file});
+    }
+    const bool own = is_own_gallery(folder);
+    OutputClaims claims(options.force);
+    for (const Written& written : all) claims.reads(written.file->source);
+    for (const Written& written : all) claims.check(written.to, own);
+    claims.check(folder / "index.html", own);
+    const std::string page = gallery_page(options.title, items);
+
+    fs::create_directories(folder / "files");
+    for (const auto& [to, file] : all) {
+        if (file->source.empty()) {
+            write_file(to, file->text);
+        } else {
+            copy_whole(file->source, to);
+        }
+    }
+    write_file(folder / "index.html", page);
+    tell(
+        fmt::format("{}: {} pictures and films\n", (folder / "index.html").string(), items.size()));
+    return 0;
+}
+
+}  // namespace
+
+Command gallery_command() {
+    return make_command<GalleryOptions>(
+        "gallery", "make a folder for a browser of films, pictures, plots and their parameters",
+        declare, perform);
+}
+
+}  // namespace fumon

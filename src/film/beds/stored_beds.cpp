@@ -1,0 +1,305 @@
+#include "film/beds/stored_beds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "base/error.h"
+#include "files/csv_table.h"
+#include "files/input_file.h"
+#include "files/json_text.h"
+#include "files/netcdf/netcdf_record.h"
+#include "measure/suite.h"
+#include "run/inputs/find_input.h"
+#include "run/run_identity.h"
+#include "scene/json.h"
+#include "scene/read.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_kept = 4;  // a cross-fade of two shots, and what comes next
+
+/// A JSON value as TOML: objects as inline tables.
+std::string toml_value(const Json& value) {
+    if (value.is_object()) {
+        std::string text;
+        for (const auto& [name, part] : value.items())
+            text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, toml_value(part));
+        return "{" + text + "}";
+    }
+    if (value.is_array()) {
+        std::string text;
+        for (const Json& part : value) text += (text.empty() ? "" : ", ") + toml_value(part);
+        return "[" + text + "]";
+    }
+    return json_text(value);
+}
+
+std::string scene_toml(const Json& scene) {
+    std::string text;
+    for (const auto& [name, value] : scene.items())
+        text += fmt::format("{} = {}\n", name, toml_value(value));
+    return text;
+}
+
+Json read_manifest(const fs::path& folder) {
+    const fs::path file = folder / "run.json";
+    std::error_code fault;
+    if (!fs::is_directory(folder, fault))
+        throw InputError(fmt::format("{}: is no folder; a film is cut from the folder of a run",
+                                     folder.string()));
+    if (!fs::is_regular_file(file, fault))
+        throw InputError(
+            fmt::format("{}: holds no run (no run.json); `fumon run SCENE -o {}` "
+                        "makes one",
+                        folder.string(), folder.string()));
+    try {
+        Json manifest = parse_json(read_input_file(file));
+        if (manifest.at("status") != "complete") {
+            throw InputError(
+                fmt::format("{}: its run is not finished; `fumon run --resume {}` goes on with it",
+                            folder.string(), folder.string()));
+        }
+        return manifest;
+    } catch (const nlohmann::json::exception&) {
+        throw InputError(
+            fmt::format("{}: is no manifest of a run, or is damaged; run the scene "
+                        "again",
+                        file.string()));
+    }
+}
+
+std::vector<InputFile> inputs_of(const Json& manifest) {
+    std::vector<InputFile> inputs;
+    for (const auto& input : manifest.value("inputs", Json::array()))
+        inputs.push_back({input.at("path"), input.at("sha256")});
+    return inputs;
+}
+
+/// What the run computed and recorded, which is not computed again.
+void check_settings(const Scene& stored, const Scene& changed) {
+    const std::string differs =
+        scene_difference(scene_json(stored, recorded_roles), scene_json(changed, recorded_roles));
+    if (differs.empty()) return;
+    throw InputError(fmt::format(
+        "--set: {}, which the stored beds were made with; only what decides how the run looks and "
+        "which files it writes can be changed",
+        differs));
+}
+
+Scene scene_of(const Json& manifest, const fs::path& folder,
+               const std::vector<std::string>& settings) {
+    const std::string file = (folder / "run.json").string();
+    SceneText text{scene_toml(manifest.at("scene")), file, ""};
+    text.version = manifest.at("fumon").get<std::string>();
+    Scene scene = parse_scene(text, read_settings(settings));
+    if (!settings.empty()) check_settings(parse_scene(text, {}), scene);
+    const std::vector<InputFile> inputs = inputs_of(manifest);
+    find_inputs(scene, inputs, folder / "run.json", "run");
+    return scene;
+}
+
+std::vector<StoredBed> beds_of(const Json& manifest, const fs::path& folder,
+                               const Snapshot& first) {
+    std::vector<StoredBed> beds;
+    if (manifest.contains("fields")) {
+        for (const FieldsMoment& moment :
+             read_fields_moments(folder / manifest["fields"].get<std::string>()))
+            beds.push_back({moment.step, moment.time, ""});
+        if (!beds.empty()) return beds;
+    }
+    const double steps = std::max(1.0, manifest.value("steps_done", 1.0));
+    const double time_of_step = manifest.value("time", steps) / steps;
+    std::set<std::int64_t> seen;
+    for (const auto& bed : manifest.value("beds", Json::array())) {
+        const auto step = bed.at("step").get<std::int64_t>();
+        if (!seen.insert(step).second) continue;  // in another format
+        beds.push_back({step, time_of_step * static_cast<double>(step), bed.at("file")});
+    }
+    if (beds.empty()) {
+        throw InputError(fmt::format(
+            "{}: its run stored no beds to cut a film from; run the scene again with --set "
+            "output.fields_every=N (all fields) or output.bed_every=N (beds alone), every N steps",
+            folder.string()));
+    }
+    if (first.section || first.landform == Landform::water) {
+        throw InputError(
+            fmt::format("{}: its run stored beds without {}; run the scene again with --set "
+                        "output.fields_every=N",
+                        folder.string(), first.section ? "their air" : "their water"));
+    }
+    return beds;
+}
+
+Scene scene_of_bed(const Scene& scene, const fs::path& file) {
+    Scene stored = scene;
+    stored.bed = BedSettings{};
+    stored.bed.kind = BedKind::file;
+    stored.bed.file = file.string();
+    stored.locations["bed.file"] = "--set 1";  // as seen from the working folder
+    return stored;
+}
+
+}  // namespace
+
+StoredBeds::StoredBeds(fs::path folder, int threads, const std::vector<std::string>& settings)
+    : name_(folder.string()),
+      folder_(std::move(folder)),
+      fields_("fields.nc"),
+      measurements_("measurements.csv"),
+      manifest_(folder_ / "run.json") {
+    const Json manifest = read_manifest(folder_);
+    try {
+        run_ = prepare_run(scene_of(manifest, folder_, settings), threads);
+        first_ = run_.model->snapshot();
+        beds_ = beds_of(manifest, folder_, first_);
+    } catch (const nlohmann::json::exception&) {
+        throw InputError(
+            fmt::format("{}: is damaged; run the scene again", (folder_ / "run.json").string()));
+    }
+    run_.model.reset();
+}
+
+StoredBeds StoredBeds::of_sweep(const fs::path& folder, std::int64_t number, int threads) {
+    StoredBeds stored;
+    stored.name_ = fmt::format("{}, run {}", folder.string(), number);
+    stored.folder_ = folder / "runs";
+    stored.fields_ = fmt::format("{:04}-fields.nc", number);
+    stored.measurements_ = fmt::format("{:04}.csv", number);
+    stored.manifest_ = folder / "sweep.json";
+    std::error_code fault;
+    if (!fs::exists(stored.folder_ / fmt::format("{:04}.json", number), fault)) {
+        throw InputError(
+            fmt::format("{}: is not finished; `fumon sweep` with the same values goes on with it",
+                        stored.name_));
+    }
+    const fs::path fields = stored.folder_ / stored.fields_;
+    if (!fs::exists(fields, fault)) {
+        throw InputError(
+            fmt::format("{}: stored no beds to cut a film from; make the sweep again with --set "
+                        "output.fields_every=N, every N steps",
+                        stored.name_));
+    }
+    try {
+        Scene scene = parse_scene(SceneText{read_fields_scene(fields), fields.string(), ""}, {});
+        const std::vector<InputFile> inputs =
+            inputs_of(parse_json(read_input_file(stored.manifest_)));
+        find_inputs(scene, inputs, stored.manifest_, "sweep");
+        stored.run_ = prepare_run(std::move(scene), threads);
+    } catch (const nlohmann::json::exception&) {
+        throw InputError(
+            fmt::format("{}: is damaged; make the sweep again", stored.manifest_.string()));
+    }
+    stored.first_ = stored.run_.model->snapshot();
+    stored.run_.model.reset();
+    for (const FieldsMoment& moment : read_fields_moments(fields))
+        stored.beds_.push_back({moment.step, moment.time, ""});
+    if (stored.beds_.empty()) throw InputError(stored.name_ + ": stored no beds; make it again");
+    return stored;
+}
+
+StoredBeds StoredBeds::recorded(std::string name, fs::path folder, PreparedRun run, Snapshot first,
+                                std::vector<StoredBed> written) {
+    StoredBeds stored;
+    stored.name_ = std::move(name);
+    stored.folder_ = std::move(folder);
+    stored.fields_ = "fields.nc";
+    stored.measurements_ = "measurements.csv";
+    stored.run_ = std::move(run);
+    const auto steps = static_cast<double>(stored.run_.model->steps_done());
+    const double time_of_step = stored.run_.model->snapshot().time / std::max(1.0, steps);
+    stored.run_.model.reset();
+    stored.first_ = std::move(first);
+    std::error_code fault;
+    if (!fs::exists(stored.folder_ / stored.fields_, fault)) {
+        stored.beds_ = std::move(written);
+        for (StoredBed& bed : stored.beds_) bed.time = time_of_step * static_cast<double>(bed.step);
+        return stored;
+    }
+    for (const FieldsMoment& moment : read_fields_moments(stored.folder_ / stored.fields_))
+        stored.beds_.push_back({moment.step, moment.time, ""});
+    return stored;
+}
+
+Snapshot StoredBeds::read(std::size_t number) const {
+    const StoredBed& bed = beds_.at(number);
+    if (bed.file.empty()) return read_fields_snapshot(folder_ / fields_, bed.step, first_);
+    Snapshot snapshot = first_;
+    InitialBed read = make_initial_bed(scene_of_bed(run_.scene, folder_ / bed.file));
+    if (read.bed.nx() != first_.bed.nx() || read.bed.ny() != first_.bed.ny()) {
+        throw InputError(
+            fmt::format("{}: has another size than the run's beds", (folder_ / bed.file).string()));
+    }
+    snapshot.bed = std::move(read.bed);
+    if (!snapshot.nodata.empty() && !read.nodata.empty()) snapshot.nodata = std::move(read.nodata);
+    snapshot.step = bed.step;
+    snapshot.time = bed.time;
+    return snapshot;
+}
+
+std::shared_ptr<const Snapshot> StoredBeds::snapshot(std::size_t number) const {
+    const auto found = std::ranges::find(kept_, number, &Kept::number);
+    Kept kept = found != kept_.end() ? *found
+                                     : Kept{number, std::make_shared<const Snapshot>(read(number))};
+    if (found != kept_.end()) kept_.erase(found);
+    kept_.push_back(kept);
+    if (kept_.size() > most_kept) kept_.erase(kept_.begin());
+    return kept.snapshot;
+}
+
+std::vector<MeasuredRows> StoredBeds::measurements(const std::vector<std::string>& names) const {
+    std::vector<MeasuredRows> rows;
+    if (names.empty()) {
+        rows.resize(beds_.size());
+        return rows;
+    }
+    const fs::path file = folder_ / measurements_;
+    std::error_code fault;
+    if (!fs::is_regular_file(file, fault))
+        throw InputError(
+            fmt::format("{}: is not there, and a plot shows it; run the scene with "
+                        "output.measurements = true",
+                        file.string()));
+    const Table table = parse_csv_table({file.string(), read_input_file(file)});
+    const MeasureSuite suite(measured_landform(first_), first_, {run_.scene.output.channel_area});
+    RowGatherer gatherer(names, suite.columns(), first_);
+    const TableColumn* steps = table.find("step");
+    const TableColumn* times = table.find("time");
+    if (steps == nullptr || times == nullptr)
+        throw InputError(file.string() + ": has no step or time; run the scene again");
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+        Snapshot at;
+        at.step = static_cast<std::int64_t>(steps->values[i]);
+        at.time = times->values[i];
+        while (rows.size() < beds_.size() && at.step > beds_[rows.size()].step)
+            rows.push_back(gatherer.rows());
+        std::vector<double> row;
+        for (const MeasureColumn& column : suite.columns()) {
+            const TableColumn* found = table.find(column.name);
+            row.push_back(found == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                                           : found->values[i]);
+        }
+        gatherer.take(at, row);
+    }
+    rows.resize(beds_.size(), gatherer.rows());
+    return rows;
+}
+
+std::vector<fs::path> StoredBeds::files() const {
+    std::vector<fs::path> files{manifest_, folder_ / fields_, folder_ / measurements_};
+    for (const StoredBed& bed : beds_)
+        if (!bed.file.empty()) files.push_back(folder_ / bed.file);
+    for (const InputFile& input : run_.initial.inputs) files.emplace_back(input.path);
+    return files;
+}
+
+}  // namespace fumon

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/snapshot.h"
+#include "measure/measured_rows.h"
+#include "run/prepared_run.h"
+
+namespace fumon {
+
+/// A bed that a run has stored.
+struct StoredBed {
+    std::int64_t step = 0;
+    double time = 0.0;
+    std::string file;  ///< of its own; empty: in fields.nc
+};
+
+/// The beds that a finished run has stored in its folder, from which films are cut and its frames
+/// drawn later: the records of
+/// fields.nc (output.fields_every, output.fields_at), else beds/ (output.bed_every, output.bed_at),
+/// which hold no water and no air. Runs of a sweep have stored them in its folder.
+class StoredBeds {
+  public:
+    /// Reads run.json and builds the run's model, which is not stepped, for what all its snapshots
+    /// have in common. Throws InputError where the folder holds no run, one that is not finished,
+    /// or one that stored no beds, and says what to ask for. `settings` ("key.path=VALUE") may
+    /// change how the run looks and which files it writes, and nothing that it computed.
+    StoredBeds(std::filesystem::path folder, int threads,
+               const std::vector<std::string>& settings = {});
+
+    /// The same of run `number` (1, 2 …) of a sweep's folder, from runs/NUMBER-fields.nc.
+    static StoredBeds of_sweep(const std::filesystem::path& folder, std::int64_t number,
+                               int threads);
+
+    /// The same of a run that was simulated into a folder just now. `first`: before its first step;
+    /// `written`: the beds alone that it wrote, for a run without fields.nc.
+    static StoredBeds recorded(std::string name, std::filesystem::path folder, PreparedRun run,
+                               Snapshot first, std::vector<StoredBed> written);
+
+    /// What messages call the run: its folder, or "FOLDER, run 3".
+    [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] const Scene& scene() const { return run_.scene; }
+    [[nodiscard]] const std::vector<InputFile>& inputs() const { return run_.initial.inputs; }
+    /// Before the run's first step.
+    [[nodiscard]] const Snapshot& first() const { return first_; }
+    /// In the order of their steps, at least one.
+    [[nodiscard]] const std::vector<StoredBed>& beds() const { return beds_; }
+    /// The snapshot of a bed by its number; the last few are kept. Throws InputError for a damaged
+    /// file.
+    [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::size_t number) const;
+
+    /// For each bed the columns of measurements.csv of these names, as a plot over it takes them:
+    /// all rows up to its step. Throws InputError where the run kept no measurements.
+    [[nodiscard]] std::vector<MeasuredRows> measurements(
+        const std::vector<std::string>& names) const;
+
+    /// The files that are read.
+    [[nodiscard]] std::vector<std::filesystem::path> files() const;
+
+  private:
+    struct Kept {
+        std::size_t number = 0;
+        std::shared_ptr<const Snapshot> snapshot;
+    };
+
+    StoredBeds() = default;
+    [[nodiscard]] Snapshot read(std::size_t number) const;
+
+    std::string name_;
+    std::filesystem::path folder_;
+    std::filesystem::path fields_;        ///< within it
+    std::filesystem::path measurements_;  ///< likewise
+    std::filesystem::path manifest_;
+    PreparedRun run_;
+    Snapshot first_;
+    std::vector<StoredBed> beds_;
+    mutable std::vector<Kept> kept_;
+};
+
+}  // namespace fumon

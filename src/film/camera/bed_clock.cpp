@@ -1,0 +1,118 @@
+#include "film/camera/bed_clock.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/elementary.h"
+#include "base/error.h"
+#include "film/camera/camera_path.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr int most_looked_at = 256;  // cells along each side
+
+/// Lambert's light on a cell, 0 … 1.
+double light_on(const Snapshot& snapshot, int x, int y, int stride) {
+    const Grid& bed = snapshot.bed;
+    const auto height = [&](int i, int j) {
+        return bed(std::clamp(i, 0, bed.nx() - 1), std::clamp(j, 0, bed.ny() - 1)) *
+               snapshot.scale.height_unit;
+    };
+    const double east =
+        (height(x + stride, y) - height(x - stride, y)) / (2.0 * stride * snapshot.scale.dx);
+    const double north =
+        (height(x, y + stride) - height(x, y - stride)) / (2.0 * stride * snapshot.scale.dy);
+    constexpr double level = 0.5;  // of the unit vector to the sun, west and north
+    constexpr double up = 0.7071067811865476;
+    return std::max(
+        0.0, (level * east - level * north + up) / std::sqrt(1.0 + east * east + north * north));
+}
+
+double value_of(const StoredBed& bed, FilmClock clock) {
+    return clock == FilmClock::step ? static_cast<double>(bed.step) : bed.time;
+}
+
+/// The number on the scale of a value between two stored ones.
+double place_of(double value, const std::vector<double>& values,
+                const std::vector<double>& places) {
+    const auto after =
+        static_cast<std::size_t>(std::ranges::upper_bound(values, value) - values.begin());
+    if (after == 0) return places.front();
+    if (after == values.size()) return places.back();
+    const double share = (value - values[after - 1]) / (values[after] - values[after - 1]);
+    return (1.0 - share) * places[after - 1] + share * places[after];
+}
+
+}  // namespace
+
+double visible_change(const Snapshot& one, const Snapshot& other) {
+    const int stride = std::max(1, std::max(one.bed.nx(), one.bed.ny()) / most_looked_at);
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (int y = 0; y < one.bed.ny(); y += stride) {
+        for (int x = 0; x < one.bed.nx(); x += stride, ++count)
+            sum += std::abs(light_on(one, x, y, stride) - light_on(other, x, y, stride));
+    }
+    return sum / static_cast<double>(count);
+}
+
+BedClock::BedClock(const Film& film, std::size_t number, const StoredBeds& beds) {
+    const Shot& shot = film.shots[number];
+    std::vector<double> values;
+    for (const StoredBed& bed : beds.beds()) values.push_back(value_of(bed, shot.clock));
+    const auto end_of = [&](const WordOrReal& end, const char* name) {
+        if (end.is_word()) return end.word == "start" ? values.front() : values.back();
+        const double room = 1e-9 * std::max(1.0, values.back());
+        if (end.value < values.front() - room || end.value > values.back() + room) {
+            const std::string key = fmt::format("shot.{}.{}", number, name);
+            throw InputError(fmt::format(
+                "{}{} = {}: beds are stored of {} {} to {}", film.at(key), key, end.value,
+                shot.clock == FilmClock::step ? "steps" : "times", values.front(), values.back()));
+        }
+        return end.value;
+    };
+    const double from = end_of(shot.from, "from");
+    const double to = end_of(shot.to, "to");
+    places_ = values;
+    if (shot.pace == Pace::logarithmic) {
+        // From 1 on, the first steps of a run that starts at 0 included.
+        for (double& place : places_) place = elementary::log(1.0 + place);
+    } else if (shot.pace == Pace::change) {
+        const double low = std::min(from, to);
+        const double high = std::max(from, to);
+        double sum = 0.0;
+        places_.front() = 0.0;
+        for (std::size_t i = 1; i < values.size(); ++i) {
+            if (values[i] >= low && values[i - 1] <= high)
+                sum += visible_change(*beds.snapshot(i - 1), *beds.snapshot(i));
+            places_[i] = sum + 1e-12 * static_cast<double>(i);  // beds that are alike come in turn
+        }
+    }
+    begin_ = place_of(from, values, places_);
+    end_ = place_of(to, values, places_);
+    eased_ = shot.pace == Pace::eased;
+}
+
+std::size_t BedClock::bed_at(double share) const {
+    const double passed = eased_ ? eased(share) : std::clamp(share, 0.0, 1.0);
+    const double place = (1.0 - passed) * begin_ + passed * end_;
+    const auto after =
+        static_cast<std::size_t>(std::ranges::lower_bound(places_, place) - places_.begin());
+    if (after == 0) return 0;
+    if (after == places_.size()) return places_.size() - 1;
+    return place - places_[after - 1] <= places_[after] - place ? after - 1 : after;
+}
+
+std::size_t BedClock::earliest() const {
+    return std::min(bed_at(0.0), bed_at(1.0));
+}
+
+std::size_t BedClock::latest() const {
+    return std::max(bed_at(0.0), bed_at(1.0));
+}
+
+}  // namespace fumon

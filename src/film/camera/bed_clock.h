@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "film/beds/stored_beds.h"
+#include "film/script/film.h"
+
+namespace fumon {
+
+/// How much one bed differs from another to the eye: the mean change of the light on it, of a sun
+/// at 45° over the north-west and of 1 at most.
+double visible_change(const Snapshot& one, const Snapshot& other);
+
+/// Which stored bed is drawn when in a shot.
+class BedClock {
+  public:
+    /// `path`: "shot.0", for messages. Throws InputError, located, where from or to lie outside
+    /// what is stored.
+    BedClock(const Film& film, std::size_t shot, const StoredBeds& beds);
+
+    /// The number of the stored bed at a share of the shot, 0 … 1: the one nearest to what the
+    /// shot's pace says.
+    [[nodiscard]] std::size_t bed_at(double share) const;
+
+    /// The first and the last bed that it shows, in the order of the run.
+    [[nodiscard]] std::size_t earliest() const;
+    [[nodiscard]] std::size_t latest() const;
+
+  private:
+    std::vector<double> places_;  ///< of all stored beds on the scale that passes evenly
+    double begin_ = 0.0;          ///< on that scale
+    double end_ = 0.0;
+    bool eased_ = false;
+};
+
+}  // namespace fumon

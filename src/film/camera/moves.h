@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "film/beds/film_runs.h"
+#include "film/camera/bed_clock.h"
+#include "film/camera/camera_path.h"
+#include "film/camera/stage.h"
+
+namespace fumon {
+
+/// The poses through which the camera of a shot goes, by its move. Throws InputError, located.
+std::vector<CameraPose> poses_of(const Film& film, std::size_t shot, const FilmStage& stage,
+                                 const StoredBeds& beds, const BedClock& clock);
+
+/// A shot, ready to be drawn: which bed and which pose when.
+class StagedShot {
+  public:
+    /// Reads the beds over which the camera passes, those of all runs. Throws InputError, located.
+    StagedShot(const Film& film, std::size_t shot, const FilmStage& stage, const FilmRuns& runs);
+
+    [[nodiscard]] std::size_t bed_at(double share) const { return clock_.bed_at(share); }
+    /// The share of the shot, not of the way.
+    [[nodiscard]] CameraPose pose_at(double share) const;
+    [[nodiscard]] const BedClock& clock() const { return clock_; }
+
+  private:
+    BedClock clock_;
+    CameraPath path_;
+    CameraSpeed speed_;
+};
+
+}  // namespace fumon

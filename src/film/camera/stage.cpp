@@ -1,0 +1,112 @@
+#include "film/camera/stage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/error.h"
+#include "render/view/chosen_ground.h"
+#include "render/view/framing.h"
+#include "render/view/shown_snapshot.h"
+
+namespace fumon {
+
+namespace {
+
+/// The height of the cell that holds a place of the block.
+double ground_at(const FilmStage& stage, const Snapshot& bed, double x, double y) {
+    const auto cell = [&](double place, int count) {
+        const int index = static_cast<int>(std::floor(std::clamp(place, -1e8, 1e8)));
+        return bed.periodic ? ((index % count) + count) % count : std::clamp(index, 0, count - 1);
+    };
+    return bed.bed(cell((x / stage.block.width_x + 0.5) * bed.bed.nx(), bed.bed.nx()),
+                   cell((y / stage.block.width_y + 0.5) * bed.bed.ny(), bed.bed.ny()));
+}
+
+}  // namespace
+
+FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& size) {
+    FilmStage stage{beds.scene(), {}, 1.0};
+    View& view = stage.scene.view;
+    if (view.look.mode == ViewMode::figure && beds.first().section) {
+        throw InputError(
+            "the run's frames are flat figures of a section, which no camera passes; "
+            "give its scene look.mode = \"scenic\"");
+    }
+    view.image.width = size.width;
+    view.image.height = size.height;
+    if (film.settings.supersampling != 0) view.image.supersampling = film.settings.supersampling;
+    view.camera.projection = Projection::perspective;
+    view.camera.framing = Framing::block;
+    view.camera.distance = 1.0;  // it is not always the whole block that is seen
+    view.camera.at.clear();
+    view.camera.look_at.clear();
+    view.camera.turn = 0.0;
+    view.camera.roll = 0.0;
+    view.overlays = film.overlays;
+    if (film.settings.background == FilmGround::transparent) {
+        view.look.background = Background::transparent;
+        if (beds.scene().view.look.ground == Ground::endless) {
+            throw InputError(film.at("film.background") +
+                             "film.background = \"transparent\": the run's scene has look.ground = "
+                             "\"endless\", which leaves nothing transparent; run it with "
+                             "look.ground = \"table\"");
+        }
+    }
+    view = with_chosen_ground(view, beds.first());
+    const std::optional<Snapshot> shown = shown_snapshot(beds.first(), view);
+    stage.block = framed_block(view, shown ? *shown : beds.first());
+    stage.aspect = static_cast<double>(size.width) / static_cast<double>(size.height);
+    return stage;
+}
+
+Camera camera_of(const FilmStage& stage, const CameraPose& pose) {
+    CameraSettings settings = stage.scene.view.camera;
+    settings.focal_length = pose.focal_length * std::min(1.0, stage.aspect);
+    Block block = stage.block;
+    block.eye = pose.eye;
+    block.look_at = pose.look_at;
+    return place_camera(settings, block, stage.aspect, 0.0);
+}
+
+glm::dvec3 place_on_stage(const FilmStage& stage, const std::vector<double>& place,
+                          const Snapshot& bed) {
+    const Block& block = stage.block;
+    const double x = place[0] / block.side - 0.5 * block.width_x;
+    const double y = place[1] / block.side - 0.5 * block.width_y;
+    return {x, y, block.z(ground_at(stage, bed, x, y) + place[2] / bed.scale.height_unit)};
+}
+
+HighestGround::HighestGround(const FilmStage& stage)
+    : stage_(stage), goes_on_(stage.scene.view.look.ground == Ground::endless) {}
+
+void HighestGround::add(const Snapshot& bed) {
+    if (highest_.size() == 0)
+        highest_ = Grid(bed.bed.nx(), bed.bed.ny(), stage_.block.z(bed.bed.values().front()));
+    for (std::size_t i = 0; i < highest_.size(); ++i)
+        highest_.values()[i] = std::max(highest_.values()[i], stage_.block.z(bed.bed.values()[i]));
+}
+
+double HighestGround::at(double x, double y) const {
+    constexpr double nowhere = -1e9;
+    constexpr int around = 2;  // cells
+    const int nx = highest_.nx();
+    const int ny = highest_.ny();
+    const int column =
+        static_cast<int>(std::floor(std::clamp((x / stage_.block.width_x + 0.5) * nx, -1e8, 1e8)));
+    const int row =
+        static_cast<int>(std::floor(std::clamp((y / stage_.block.width_y + 0.5) * ny, -1e8, 1e8)));
+    double most = nowhere;
+    for (int j = row - around; j <= row + around; ++j) {
+        for (int i = column - around; i <= column + around; ++i) {
+            const bool inside = i >= 0 && i < nx && j >= 0 && j < ny;
+            if (!inside && !goes_on_) continue;
+            most = std::max(most, highest_(((i % nx) + nx) % nx, ((j % ny) + ny) % ny));
+        }
+    }
+    return most;
+}
+
+}  // namespace fumon

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "film/beds/stored_beds.h"
+#include "film/camera/camera_path.h"
+#include "film/script/film.h"
+#include "film/script/film_sizes.h"
+#include "render/view/block.h"
+#include "render/view/camera.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// What all frames of a film have in common: the picture's shape and the block of terrain.
+struct FilmStage {
+    Scene scene;  ///< the run's, with the film's size and overlays, seen in perspective
+    Block block;  ///< of the run's first bed
+    double aspect = 1.0;
+    double overrun = 0.0;  ///< of its width, by which a bed that "fits" is wider than the picture
+};
+
+/// The stage of a film of a run at a size. Throws InputError where the run's scene has no view in
+/// perspective (a section's figure).
+FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& size);
+
+/// The camera of a pose: 24 mm of its film lie along the picture's shorter side.
+Camera camera_of(const FilmStage& stage, const CameraPose& pose);
+
+/// A place of a scene or film (metres or sites east and north of the south-western corner, and
+/// above `bed` there) in the block's lengths.
+glm::dvec3 place_on_stage(const FilmStage& stage, const std::vector<double>& place,
+                          const Snapshot& bed);
+
+/// The highest of some beds' ground at any place, in the block's lengths; far below where no bed
+/// is.
+class HighestGround {
+  public:
+    explicit HighestGround(const FilmStage& stage);
+    void add(const Snapshot& bed);
+    [[nodiscard]] double at(double x, double y) const;
+
+  private:
+    const FilmStage& stage_;
+    Grid highest_;  ///< z
+    bool goes_on_;
+};
+
+}  // namespace fumon

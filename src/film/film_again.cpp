@@ -1,0 +1,135 @@
+#include "film/film_again.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <charconv>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "files/hash.h"
+#include "files/scratch_folder.h"
+#include "film/film_read.h"
+#include "film/film_texts.h"
+#include "film/make_film.h"
+#include "outputs/output_claims.h"
+#include "run/drawing.h"
+#include "run/inputs/find_input.h"
+#include "run/output_files.h"
+#include "run/prepared_run.h"
+#include "run/run_folder.h"
+#include "run/simulate.h"
+#include "run/terminal/interrupt.h"
+#include "scene/read.h"
+#include "scene/schedule.h"
+#include "scene/trust.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Scene scene_of(const FilmedRun& run, const FilmAgain& wanted) {
+    Scene scene = parse_scene(
+        {run.scene, wanted.film.string(), "", wanted.trust, hashes_of(run.inputs), run.version},
+        {});
+    check_limits(scene, 1, scene.run.steps);
+    find_inputs(scene, run.inputs, wanted.film, "film");
+    return scene;
+}
+
+/// Writes beds alone, as a run does.
+class BedWriter : public StepObserver {
+  public:
+    BedWriter(const Scene& scene, const fs::path& folder)
+        : schedule_(bed_schedule(scene)), formats_(scene.output.bed_format), folder_(folder, true) {
+        if (schedule_.count() > 0) make_folder(folder / "beds");
+    }
+    [[nodiscard]] bool wants(std::int64_t step) const override { return schedule_.due(step); }
+    void take(const SharedSnapshot& snapshot) override {
+        const BedRecord written = write_bed(folder_, *snapshot, formats_);
+        beds_.push_back({snapshot->step, 0.0,
+                         RunFolder::bed_name(snapshot->step, written.files.front().ending)});
+    }
+    [[nodiscard]] const std::vector<StoredBed>& beds() const { return beds_; }
+
+  private:
+    Schedule schedule_;
+    std::vector<std::string> formats_;
+    RunFolder folder_;
+    std::vector<StoredBed> beds_;
+};
+
+/// Simulates a run into a folder. Nothing when interrupted.
+std::optional<StoredBeds> stored_again(const FilmedRun& run, const FilmAgain& wanted,
+                                       const fs::path& folder) {
+    PreparedScene ready = prepare_scene(scene_of(run, wanted));
+    check_limits(ready.scene, static_cast<std::int64_t>(ready.initial.bed.size()),
+                 ready.scene.run.steps);
+    PreparedRun prepared = prepare_run(std::move(ready), wanted.work.threads);
+    if (!run.inputs.empty()) prepared.initial.inputs = run.inputs;  // as they were named then
+    Snapshot first = prepared.model->snapshot();
+    Recording recording;
+    recording.files = {folder / "measurements.csv", folder / "avalanches.csv",
+                       folder / "fields.nc"};
+    recording.resolved = run.scene;
+    Recorder recorder(prepared.scene, first, std::move(recording));
+    RunRecord record;
+    std::atomic<double> cell_steps{0.0};
+    BedWriter writer(prepared.scene, folder);
+    if (!simulate(prepared, recorder, record, cell_steps, &writer)) return std::nullopt;
+    return StoredBeds::recorded(run.name, folder, std::move(prepared), std::move(first),
+                                writer.beds());
+}
+
+}  // namespace
+
+bool is_made_film(const fs::path& file) {
+    const FilmTexts texts = read_film_texts(file);
+    return texts.contains(film_keyword);
+}
+
+int make_film_again(const FilmAgain& wanted) {
+    const FilmTexts texts = read_film_texts(wanted.film);
+    const std::vector<FilmedRun> runs = filmed_runs(texts, wanted.film.string());
+    const FilmText text = film_text(wanted.film);
+    Film film = parse_film(text.text, wanted.film.string(), wanted.work.settings, false);
+    const std::string ending = ending_of(film.settings.format);
+    const fs::path usual = wanted.film.stem().string() + "-again" + ending;
+    FilmOutput output{wanted.output.empty() ? usual : wanted.output, std::move(film),
+                      most_bytes_of(texts)};
+    check_ending(output.file, "this film", std::vector<std::string_view>{ending});
+    OutputClaims claims(wanted.force);
+    claims.reads(wanted.film);
+    claim_film(claims, output);
+    prepare_drawing(wanted.work);
+    StatusLine status(wanted.work.verbosity);
+    const ScratchFolder scratch;
+    std::vector<StoredBeds> stored;
+    for (const FilmedRun& run : runs) {
+        const fs::path folder = scratch.path() / std::to_string(stored.size() + 1);
+        fs::create_directory(folder);
+        if (status.due())
+            status.show(fmt::format("simulates run {} of {}", stored.size() + 1, runs.size()));
+        std::optional<StoredBeds> beds = stored_again(run, wanted, folder);
+        if (!beds) return exit_status_of_signal(interrupting_signal());
+        stored.push_back(std::move(*beds));
+    }
+    const FilmRuns film_runs(std::move(stored), showing_of(output.film));
+    const MadeFilm made = make_film(output, film_runs, text.remake, wanted.work, status);
+    if (made.signal != 0) return exit_status_of_signal(made.signal);
+    if (!wanted.work.settings.empty()) {
+        status.note(fmt::format("{}: made", output.file.string()));
+    } else if (file_hash(output.file) == file_hash(wanted.film)) {
+        status.note(
+            fmt::format("{}: the same bytes as {}", output.file.string(), wanted.film.string()));
+    } else {
+        status.note(fmt::format("{}: made, but its bytes differ from {} ({})", output.file.string(),
+                                wanted.film.string(), why_films_differ(texts, output.file)));
+    }
+    return 0;
+}
+
+}  // namespace fumon

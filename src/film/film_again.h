@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "run/terminal/work_options.h"
+
+namespace fumon {
+
+/// What `fumon again` was told.
+struct FilmAgain {
+    std::filesystem::path film;    ///< that is made again
+    std::filesystem::path output;  ///< empty: NAME-again here
+    bool force = false;
+    bool trust = false;  ///< without limits on its runs
+    WorkOptions work;
+};
+
+/// Whether a file is a film that fumon cut from stored beds: by its own texts or its sidecar's.
+bool is_made_film(const std::filesystem::path& file);
+
+/// Simulates the runs of a film again, cuts it from their beds and says whether its bytes are the
+/// same. Returns the exit status. Throws InputError where the film does not tell its runs, or asks
+/// for too much.
+int make_film_again(const FilmAgain& wanted);
+
+}  // namespace fumon

@@ -1,0 +1,118 @@
+#include "film/film_texts.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "files/input_file.h"
+#include "files/json_text.h"
+#include "outputs/output_claims.h"
+#include "picture/movie.h"
+#include "picture/png.h"
+#include "run/picture_text.h"
+#include "scene/json.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+FilmTexts texts_of_json(const fs::path& file) {
+    FilmTexts texts;
+    try {
+        const Json json = parse_json(read_input_file(file));
+        for (const auto& [keyword, text] : json.items())
+            if (text.is_string()) texts[keyword] = text;
+    } catch (const nlohmann::json::exception&) {
+        texts.clear();
+    }
+    return texts;
+}
+
+std::string text_of(const FilmTexts& texts, const char* keyword) {
+    const auto found = texts.find(keyword);
+    return found == texts.end() ? "" : found->second;
+}
+
+}  // namespace
+
+fs::path sidecar_of(const fs::path& file) {
+    return file.string() + ".json";
+}
+
+FilmTexts read_film_texts(const fs::path& file) {
+    constexpr std::size_t signature = 4;
+    std::error_code fault;
+    if (!fs::is_regular_file(file, fault)) return {};
+    if (small_ending(file) == ".json") return texts_of_json(file);
+    if (fs::is_regular_file(sidecar_of(file), fault)) return texts_of_json(sidecar_of(file));
+    PictureText texts;
+    if (is_movie(file)) {
+        texts = read_movie_texts(file);
+    } else if (start_of_input_file(file, signature) == "\x89PNG") {
+        texts = read_png_texts(file);
+    }
+    return {texts.begin(), texts.end()};
+}
+
+std::string filmed_runs_text(const FilmRuns& runs) {
+    Json list = Json::array();
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+        const StoredBeds& beds = runs.beds(run);
+        Json inputs = Json::array();
+        for (const InputFile& input : beds.inputs())
+            inputs.push_back({{"path", input.path}, {"sha256", input.hash}});
+        list.push_back({{"name", fs::path(beds.name()).filename().string()},
+                        {"scene", resolved_scene(beds.scene(), beds.inputs())},
+                        {"inputs", inputs}});
+    }
+    return json_text(list);
+}
+
+std::vector<FilmedRun> filmed_runs(const FilmTexts& texts, const std::string& film) {
+    std::vector<FilmedRun> runs;
+    try {
+        for (const auto& item : parse_json(text_of(texts, runs_keyword))) {
+            FilmedRun run{item.at("name"), item.at("scene"), {}, text_of(texts, version_keyword)};
+            for (const auto& input : item.at("inputs"))
+                run.inputs.push_back({input.at("path"), input.at("sha256")});
+            runs.push_back(std::move(run));
+        }
+    } catch (const nlohmann::json::exception&) {
+        runs.clear();
+    }
+    if (!runs.empty() && runs.size() <= std::size_t{most_joined_runs}) return runs;
+    throw InputError(fmt::format(
+        "{}: does not tell the runs that it was cut from; `fumon film RUN {}` makes it again from "
+        "the folder of one",
+        film, film));
+}
+
+std::int64_t most_bytes_of(const FilmTexts& texts) {
+    const std::string text = text_of(texts, most_bytes_keyword);
+    std::int64_t bytes = 0;
+    std::from_chars(text.data(), text.data() + text.size(), bytes);
+    return bytes;
+}
+
+std::string why_films_differ(const FilmTexts& then, const fs::path& made) {
+    const FilmTexts now = read_film_texts(made);
+    std::string text;
+    for (const auto& [keyword, what] :
+         {std::pair{version_keyword, "fumon"}, std::pair{"fumon:encoder", "encoder"},
+          std::pair{"fumon:environment", "what drew it"}}) {
+        const std::string was = text_of(then, keyword);
+        const std::string is = text_of(now, keyword);
+        if (was != is)
+            text += fmt::format("{}{} was {}, is {}", text.empty() ? "" : "; ", what, was, is);
+    }
+    if (text_of(then, "fumon:pixels-sha256") == text_of(now, "fumon:pixels-sha256"))
+        text += text.empty() ? "the same frames" : "; the same frames";
+    return text.empty() ? "nothing that the film tells of its making differs" : text;
+}
+
+}  // namespace fumon

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "film/beds/film_runs.h"
+#include "scene/initial_bed.h"
+
+namespace fumon {
+
+/// Keyword → text, of what a film's file or its sidecar tells.
+using FilmTexts = std::map<std::string, std::string>;
+
+/// A run that a film was cut from, as the film tells it.
+struct FilmedRun {
+    std::string name;   ///< what the film called it
+    std::string scene;  ///< resolved, as TOML
+    std::vector<InputFile> inputs;
+    std::string version;  ///< of the fumon that cut the film
+};
+
+/// What a file that `fumon film` made beside a sidecar is told by: FILE.json.
+std::filesystem::path sidecar_of(const std::filesystem::path& file);
+
+/// The texts of an MP4 or PNG, of the sidecar beside another file, or of a sidecar itself; none
+/// where there are none.
+FilmTexts read_film_texts(const std::filesystem::path& file);
+
+/// The text that tells a film's runs (fumon:runs), and back. Throws InputError where a film tells
+/// none: it is of an older version, or damaged.
+std::string filmed_runs_text(const FilmRuns& runs);
+std::vector<FilmedRun> filmed_runs(const FilmTexts& texts, const std::string& film);
+
+/// The size that a film had to fit (fumon:most-bytes); 0: any.
+std::int64_t most_bytes_of(const FilmTexts& texts);
+
+/// In what the making of a film and of one made again differ, in words.
+std::string why_films_differ(const FilmTexts& then, const std::filesystem::path& made);
+
+inline constexpr const char* runs_keyword = "fumon:runs";
+inline constexpr const char* most_bytes_keyword = "fumon:most-bytes";
+
+}  // namespace fumon

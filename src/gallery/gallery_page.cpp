@@ -1,0 +1,127 @@
+#include "gallery/gallery_page.h"
+
+#include <fmt/format.h>
+
+#include "base/data_files.h"
+#include "files/input_file.h"
+#include "outputs/output_claims.h"
+#include "picture/markup.h"
+#include "scene/placeholders.h"
+
+namespace fumon {
+
+namespace {
+
+std::string file_link(const std::string& name) {
+    return "files/" + markup_text(name);
+}
+
+bool is_movie_file(const std::string& name) {
+    const std::string ending = small_ending(name);
+    return ending == ".mp4" || ending == ".webm" || ending == ".mov" || ending == ".mkv";
+}
+
+bool is_shown(const std::string& name) {
+    const std::string ending = small_ending(name);
+    return is_movie_file(name) || ending == ".png" || ending == ".svg" || ending == ".webp" ||
+           ending == ".gif" || ending == ".apng";
+}
+
+/// The first file as a picture or film; `small`: in the list of all.
+std::string shown_file(const GalleryItem& item, bool small) {
+    if (!item.files.empty() && is_shown(item.files.front().name)) {
+        const std::string link = file_link(item.files.front().name);
+        if (!is_movie_file(item.files.front().name)) {
+            return fmt::format("<img src=\"{}\" alt=\"{}\" loading=\"lazy\">", link,
+                               markup_text(item.title));
+        }
+        // A film's picture in the list is that of its middle: its start is often a title.
+        return small ? fmt::format(
+                           "<video src=\"{}\" muted playsinline preload=\"metadata\" "
+                           "tabindex=\"-1\"></video>",
+                           link)
+                     : fmt::format(
+                           "<video src=\"{}\" controls playsinline loop "
+                           "preload=\"metadata\"></video>",
+                           link);
+    }
+    if (!item.plots.empty())
+        return fmt::format("<img src=\"{}\" alt=\"{}\" loading=\"lazy\">",
+                           file_link(item.plots.front().name), markup_text(item.title));
+    return "<span class=\"empty\"></span>";
+}
+
+std::string card(const GalleryItem& item) {
+    return fmt::format(
+        "<a class=\"card\" href=\"#{0}\" data-kind=\"{1}\">{2}<span class=\"name\">{3}</span>"
+        "<span class=\"kind\">{1}</span></a>\n",
+        markup_text(item.name), item.kind, shown_file(item, true), markup_text(item.title));
+}
+
+std::string parameters(const GalleryItem& item) {
+    if (item.parameters.empty()) return "";
+    std::string text = "<details><summary>Parameters</summary><div class=\"table\"><table>\n";
+    for (const GalleryParameter& one : item.parameters)
+        text += fmt::format("<tr><th>{}</th><td class=\"value\">{} {}</td><td>{}</td></tr>\n",
+                            markup_text(one.key), markup_text(one.value), markup_text(one.unit),
+                            markup_text(one.help));
+    return text + "</table></div></details>\n";
+}
+
+std::string again(const GalleryItem& item) {
+    if (item.again.empty()) return "";
+    std::string commands;
+    for (const std::string& command : item.again)
+        commands += (commands.empty() ? "" : "\n") + markup_text(command);
+    return fmt::format(
+        "<h3>How to make it again</h3>\n<div class=\"again\"><pre>{}</pre>"
+        "<button type=\"button\" class=\"copy\">Copy</button></div>\n",
+        commands);
+}
+
+std::string sheet(const GalleryItem& item) {
+    std::string plots;
+    for (const GalleryFile& plot : item.plots)
+        plots += fmt::format("<img src=\"{}\" alt=\"{}\" loading=\"lazy\">", file_link(plot.name),
+                             markup_text(plot.name));
+    std::string files;
+    for (const GalleryFile& file : item.files)
+        files += fmt::format("<li><a href=\"{}\" download>{}</a></li>", file_link(file.name),
+                             markup_text(file.name));
+    return fmt::format(
+        "<dialog id=\"{}\" aria-label=\"{}\">\n<div class=\"shown\">{}</div>\n<div "
+        "class=\"told\">\n"
+        "<h2>{}</h2>\n{}{}{}<ul class=\"files\">{}</ul>\n</div>\n</dialog>\n",
+        markup_text(item.name), markup_text(item.title), shown_file(item, false),
+        markup_text(item.title), again(item),
+        plots.empty() ? "" : "<div class=\"plots\">" + plots + "</div>\n", parameters(item), files);
+}
+
+}  // namespace
+
+std::string gallery_page(const std::string& title, const std::vector<GalleryItem>& items) {
+    std::string cards;
+    std::string sheets;
+    for (const GalleryItem& item : items) {
+        cards += card(item);
+        sheets += sheet(item);
+    }
+    const std::string page = read_input_file(data_file("assets/gallery/page.html"));
+    return fill_placeholders(page, [&](const std::string& name) -> std::optional<std::string> {
+        if (name == "title") return markup_text(title);
+        if (name == "count") return fmt::format("{}", items.size());
+        if (name == "version") return FUMON_VERSION;
+        if (name == "cards") return cards;
+        if (name == "sheets") return sheets;
+        return std::nullopt;
+    });
+}
+
+std::vector<GalleryFile> gallery_furniture() {
+    std::vector<GalleryFile> files;
+    for (const char* name : {"gallery.css", "gallery.js"})
+        files.push_back({name, data_file(std::string("assets/gallery/") + name)});
+    return files;
+}
+
+}  // namespace fumon

@@ -1,0 +1,81 @@
+#include "gallery/gallery_plots.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "figure/canvas/canvas.h"
+#include "figure/plot/plot.h"
+#include "files/csv_table.h"
+#include "files/input_file.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr std::size_t most_plots = 4;
+constexpr double width = 320.0;  // points
+constexpr double height = 200.0;
+constexpr double font_size = 11.0;
+constexpr double edge = 8.0;  // points
+
+/// What tells little of a landform: it is conserved, or only grows with what is strewn.
+constexpr std::array<std::string_view, 4> of_little_news{"step", "time", "mean_height",
+                                                         "total_sand"};
+
+/// Whether there is something to see: three values that are not all alike.
+bool changes(const TableColumn& column) {
+    std::vector<double> values;
+    for (const double value : column.values)
+        if (std::isfinite(value)) values.push_back(value);
+    constexpr std::size_t least = 3;
+    if (values.size() < least) return false;
+    const double low = std::ranges::min(values);
+    const double high = std::ranges::max(values);
+    constexpr double rounding = 1e-9;
+    return high - low > rounding * std::max(std::abs(low), std::abs(high));
+}
+
+std::string in_words(std::string name) {
+    std::ranges::replace(name, '_', ' ');
+    return name;
+}
+
+std::string drawn(const TableColumn& time, const TableColumn& column) {
+    Plot plot;
+    plot.x.label = in_words(time.name);
+    plot.y.label = in_words(column.name);
+    PlotSeries line;
+    line.x = time.values;
+    line.y = column.values;
+    plot.series.push_back(std::move(line));
+    const PlotPanel panel(std::move(plot));
+    Canvas canvas(PageFormat::svg, width, height, 96.0, font_size);
+    constexpr double across = width - 2.0 * edge;
+    constexpr double down = height - 2.0 * edge;
+    const PanelMargins margins = panel.margins(canvas, across, down);
+    panel.draw(canvas,
+               {edge + margins.left, edge + margins.above, across - margins.left - margins.right,
+                down - margins.above - margins.below});
+    canvas.set_metadata({{"Title", column.name}, {"Software", "fumon"}});
+    return canvas.bytes();
+}
+
+}  // namespace
+
+std::vector<std::string> measurement_plots(const std::filesystem::path& measurements) {
+    const Table table = parse_csv_table({measurements.string(), read_input_file(measurements)});
+    std::vector<std::string> plots;
+    const TableColumn* time = table.find("time");
+    if (time == nullptr) return plots;
+    for (const TableColumn& column : table.columns) {
+        const bool little = std::ranges::find(of_little_news, column.name) != of_little_news.end();
+        if (little || !changes(column)) continue;
+        plots.push_back(drawn(*time, column));
+        if (plots.size() == most_plots) break;
+    }
+    return plots;
+}
+
+}  // namespace fumon

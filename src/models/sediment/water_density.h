@@ -1,0 +1,7 @@
+#pragma once
+
+namespace fumon {
+
+inline constexpr double water_density = 1000.0;  // kg/m³
+
+}  // namespace fumon

@@ -1,0 +1,456 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "models/water/kernels/finite_volume_vectors.cpp"
+#include <hwy/foreach_target.h>
+// Those below are included once for each target.
+#include "models/water/kernels/finite_volume_vectors.h"
+#include "vectors/functions-inl.h"
+#include "vectors/rows-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace fumon::finite_volume {
+namespace HWY_NAMESPACE {
+
+using namespace vectors::HWY_NAMESPACE;
+
+constexpr double dry_depth = 1e-9;  // m: thinner water rests, but is kept
+constexpr double no_speed = 1e-300;
+
+/// `bound`: half of the steepest slope over the smaller one-sided difference, from ½ (minmod, with
+/// which the values of two cells at their face keep their order) to 1 (monotonised central).
+template <class V>
+HWY_INLINE V half_slope(V back, V forward, V bound, V quarter, V zero) {
+    const V middle = quarter * (back + forward);
+    const V rising = smaller(bound * smaller(back, forward), middle);
+    const V falling = larger(bound * larger(back, forward), middle);
+    return larger(rising, zero) + smaller(falling, zero);
+}
+
+struct LoadCells {
+    SourceRow from;
+    double sign_y;
+    LoadedRow to;
+
+    template <class D>
+    HWY_INLINE void operator()(D d, std::size_t k) const {
+        const auto depth = hn::LoadU(d, from.depth + k);
+        hn::StoreU(depth, d, to.depth + k);
+        hn::StoreU(depth + hn::LoadU(d, from.bed + k), d, to.surface + k);
+        hn::StoreU(hn::LoadU(d, from.velocity_x + k), d, to.velocity_x + k);
+        hn::StoreU(hn::Set(d, sign_y) * hn::LoadU(d, from.velocity_y + k), d, to.velocity_y + k);
+        hn::StoreU(hn::Set(d, 1.0), d, to.inside + k);
+    }
+};
+
+/// With the bed's slopes where `of_bed`.
+template <bool of_bed>
+struct LimitedHalfSlopes {
+    CellRow b;
+    CellRow c;
+    CellRow f;
+    HalfSlopes out;
+
+    template <class D>
+    HWY_INLINE void operator()(D d, std::size_t k) const {
+        using V = hn::Vec<D>;
+        const V one = hn::Set(d, 1.0);
+        const V half = hn::Set(d, 0.5);
+        const V quarter = hn::Set(d, 0.25);
+        const V zero = hn::Zero(d);
+        const V inside = hn::LoadU(d, c.inside + k);
+        const V with_back = hn::LoadU(d, b.inside + k) * inside;
+        const V with_forward = hn::LoadU(d, f.inside + k) * inside;
+        const V depth = hn::LoadU(d, c.depth + k);
+        const V depth_b = hn::LoadU(d, b.depth + k);
+        const V depth_f = hn::LoadU(d, f.depth + k);
+        const V surface = hn::LoadU(d, c.surface + k);
+        const V depth_back = (depth - depth_b) * with_back;
+        const V depth_forward = (depth_f - depth) * with_forward;
+        const V surface_back = (surface - hn::LoadU(d, b.surface + k)) * with_back;
+        const V surface_forward = (hn::LoadU(d, f.surface + k) - surface) * with_forward;
+        const V shallowest = smaller(smaller(depth_b, depth_f), depth);
+        const V bed_back = surface_back - depth_back;
+        const V bed_forward = surface_forward - depth_forward;
+        const V bed_step = larger(hn::Abs(bed_back), hn::Abs(bed_forward));
+        const V bound = hn::IfThenElse(hn::Gt(shallowest, bed_step), one, half);
+        const auto limited = [&](const double* back, const double* here,
+                                 const double* forward) HWY_ATTR {
+            const V middle = hn::LoadU(d, here + k);
+            return half_slope((middle - hn::LoadU(d, back + k)) * with_back,
+                              (hn::LoadU(d, forward + k) - middle) * with_forward, one, quarter,
+                              zero);
+        };
+        const V normal = limited(b.normal, c.normal, f.normal);
+        const V transverse = limited(b.transverse, c.transverse, f.transverse);
+        hn::StoreU(half_slope(depth_back, depth_forward, bound, quarter, zero), d, out.depth + k);
+        hn::StoreU(half_slope(surface_back, surface_forward, bound, quarter, zero), d,
+                   out.surface + k);
+        hn::StoreU(normal, d, out.normal + k);
+        hn::StoreU(transverse, d, out.transverse + k);
+        if constexpr (of_bed) {  // minmod
+            const V rising = larger(smaller(bed_back, bed_forward), zero);
+            const V falling = smaller(larger(bed_back, bed_forward), zero);
+            hn::StoreU(half * (rising + falling), d, out.bed + k);
+        }
+    }
+};
+
+/// Where `only_bed`, the bed's own steps alone stop water.
+template <bool only_bed>
+struct FaceFluxes {
+    CellRow l;
+    HalfSlopes ls;
+    CellRow r;
+    HalfSlopes rs;
+    double gravity;
+    Fluxes out;
+
+    template <class D>
+    HWY_INLINE void operator()(D d, std::size_t k) const {
+        using V = hn::Vec<D>;
+        const V zero = hn::Zero(d);
+        const V half = hn::Set(d, 0.5);
+        const V two = hn::Set(d, 2.0);
+        const V g = hn::Set(d, gravity);
+        const V middle_l = hn::LoadU(d, l.depth + k);
+        const V middle_r = hn::LoadU(d, r.depth + k);
+        const V surface_at_l = hn::LoadU(d, l.surface + k);
+        const V surface_at_r = hn::LoadU(d, r.surface + k);
+        const V depth_l = middle_l + hn::LoadU(d, ls.depth + k);
+        const V depth_r = middle_r - hn::LoadU(d, rs.depth + k);
+        const V level_l = surface_at_l + hn::LoadU(d, ls.surface + k);
+        const V level_r = surface_at_r - hn::LoadU(d, rs.surface + k);
+        const V ground_l = level_l - depth_l;
+        const V ground_r = level_r - depth_r;
+        const auto outside_l = hn::Eq(hn::LoadU(d, l.inside + k), zero);
+        const auto outside_r = hn::Eq(hn::LoadU(d, r.inside + k), zero);
+        const V bed_l = hn::IfThenElse(outside_l, ground_r, ground_l);
+        const V bed_r = hn::IfThenElse(outside_r, ground_l, ground_r);
+        const V surface_l = hn::IfThenElse(outside_l, ground_r, level_l);
+        const V surface_r = hn::IfThenElse(outside_r, ground_l, level_r);
+
+        const V step = smaller(larger(bed_l, bed_r), smaller(surface_l, surface_r));
+        const V above_l = surface_l - step;
+        const V above_r = surface_r - step;
+        const V hl = smaller(above_l, depth_l);
+        const V hr = smaller(above_r, depth_r);
+
+        const V cl = hn::Sqrt(g * hl);
+        const V cr = hn::Sqrt(g * hr);
+        const V un_l = hn::LoadU(d, l.normal + k) + hn::LoadU(d, ls.normal + k);
+        const V un_r = hn::LoadU(d, r.normal + k) - hn::LoadU(d, rs.normal + k);
+        const V front_l = un_r - two * cr;
+        const V front_r = un_l + two * cl;
+        const V ul = hn::IfThenElse(hn::Gt(hl, zero), un_l, front_l);
+        const V ur = hn::IfThenElse(hn::Gt(hr, zero), un_r, front_r);
+        const V u_star = half * (ul + ur) + (cl - cr);
+        const V c_star = half * (cl + cr) + hn::Set(d, 0.25) * (ul - ur);
+        const V slowest = smaller(smaller(ul - cl, u_star - c_star), zero);
+        const V quickest = larger(larger(ur + cr, u_star + c_star), zero);
+        const V share = hn::Set(d, 1.0) / larger(quickest - slowest, hn::Set(d, no_speed));
+
+        const V ql = hl * ul;
+        const V qr = hr * ur;
+        const V both = slowest * quickest;
+        const V mass = ((quickest * ql - slowest * qr) + both * (hr - hl)) * share;
+        const V carried = (quickest * (ql * ul) - slowest * (qr * ur)) + both * (qr - ql);
+        const V half_gravity = half * g;
+        const V pressure_rise = half_gravity * ((hr - hl) * (hr + hl));
+        const V fall_l = half_gravity * ((depth_l + hl) * (hl - above_l));
+        const V fall_r = half_gravity * ((depth_r + hr) * (hr - above_r));
+        const V against_l = larger(un_l, zero);
+        const V against_r = smaller(un_r, zero);
+        V blocked_l = depth_l - hl;
+        V blocked_r = depth_r - hr;
+        if constexpr (only_bed) {
+            const V end_l = (surface_at_l - middle_l) + hn::LoadU(d, ls.bed + k);
+            const V end_r = (surface_at_r - middle_r) - hn::LoadU(d, rs.bed + k);
+            const V rise = end_r - end_l;
+            blocked_l = larger(smaller(blocked_l - hl, rise), zero);
+            blocked_r = larger(smaller(blocked_r - hr, zero - rise), zero);
+        }
+        const V stopped_l = blocked_l * (against_l * against_l);
+        const V stopped_r = blocked_r * (against_r * against_r);
+        const V along_l = hn::LoadU(d, l.transverse + k) + hn::LoadU(d, ls.transverse + k);
+        const V along_r = hn::LoadU(d, r.transverse + k) - hn::LoadU(d, rs.transverse + k);
+        hn::StoreU(mass, d, out.mass + k);
+        hn::StoreU((carried - slowest * pressure_rise) * share + (fall_l + stopped_l), d,
+                   out.left + k);
+        hn::StoreU((carried - quickest * pressure_rise) * share + (fall_r + stopped_r), d,
+                   out.right + k);
+        hn::StoreU(larger(mass, zero) * along_l + smaller(mass, zero) * along_r, d,
+                   out.transverse + k);
+    }
+};
+
+struct Outward {
+    const double* mass_west;
+    const double* mass_east;
+    const double* mass_south;
+    const double* mass_north;
+    double dt_dx;
+    double dt_dy;
+
+    template <class D>
+    HWY_INLINE hn::Vec<D> operator()(D d, std::size_t k) const {
+        const auto zero = hn::Zero(d);
+        const auto gone = [&](const double* forward, const double* back) HWY_ATTR {
+            return larger(hn::LoadU(d, forward + k), zero) - smaller(hn::LoadU(d, back + k), zero);
+        };
+        return hn::Set(d, dt_dx) * gone(mass_east, mass_west) +
+               hn::Set(d, dt_dy) * gone(mass_north, mass_south);
+    }
+};
+
+struct ShortOfWater {
+    Outward outward;
+    const double* depth;
+    bool* found;
+
+    template <class D>
+    HWY_INLINE void operator()(D d, std::size_t k) const {
+        const auto asks_more = hn::Gt(outward(d, k), hn::LoadU(d, depth + k));
+        *found = *found | !hn::AllFalse(d, asks_more);
+    }
+};
+
+struct PayableShares {
+    Outward outward;
+    const double* depth;
+    double* shares;
+
+    template <class D>
+    HWY_INLINE void operator()(D d, std::size_t k) const {
+        const auto out = outward(d, k);
+        const auto there = hn::LoadU(d, depth + k);
+        const auto share = hn::IfThenElse(hn::Gt(out, there), there / out, hn::Set(d, 1.0));
+        hn::StoreU(share, d, shares + k);
+    }
+};
+
+struct CutToShares {
+    Fluxes fluxes;
+    const double* left_shares;
+    const double* right_shares;
+
+    template <class D>
+    HWY_INLINE void operator()(D d, std::size_t k) const {
+        const auto mass = hn::LoadU(d, fluxes.mass + k);
+        const auto share = hn::IfThenElse(hn::Gt(mass, hn::Zero(d)), hn::LoadU(d, left_shares + k),
+                                          hn::LoadU(d, right_shares + k));
+        hn::StoreU(mass * share, d, fluxes.mass + k);
+        for (double* flux : {fluxes.left, fluxes.right, fluxes.transverse})
+            hn::StoreU(hn::LoadU(d, flux + k) * share, d, flux + k);
+    }
+};
+
+template <bool heun, bool manning>
+struct Update {
+    UpdateInput i;
+    UpdateFactors f;
+    double* depth;
+    double* velocity_x;
+    double* velocity_y;
+
+    template <class D>
+    HWY_INLINE void operator()(D d, std::size_t k) const {
+        using V = hn::Vec<D>;
+        const V zero = hn::Zero(d);
+        const V one = hn::Set(d, 1.0);
+        const V two = hn::Set(d, 2.0);
+        const V dry = hn::Set(d, dry_depth);
+        const V dt_dx = hn::Set(d, f.dt_dx);
+        const V dt_dy = hn::Set(d, f.dt_dy);
+        const V h = hn::LoadU(d, i.cells.depth + k);
+        const V weight = hn::Set(d, 2.0 * f.gravity) * h;
+        const auto load = [&](const double* from) HWY_ATTR { return hn::LoadU(d, from + k); };
+        const V lost = dt_dx * (load(i.east.mass) - load(i.west.mass)) +
+                       dt_dy * (load(i.north.mass) - load(i.south.mass));
+        const V lost_x =
+            dt_dx * ((load(i.east.left) - load(i.west.right)) + weight * load(i.surface_x)) +
+            dt_dy * (load(i.north.transverse) - load(i.south.transverse));
+        const V lost_y =
+            dt_dy * ((load(i.north.left) - load(i.south.right)) + weight * load(i.surface_y)) +
+            dt_dx * (load(i.east.transverse) - load(i.west.transverse));
+        V h1 = larger((h - lost) + hn::Set(d, f.dt) * load(i.rain), zero) * load(i.cells.inside);
+        const V qx = (h * load(i.cells.normal) - lost_x) - hn::Set(d, f.dt * f.pull_x) * h;
+        const V qy = (h * load(i.cells.transverse) - lost_y) - hn::Set(d, f.dt * f.pull) * h;
+        const V per_depth = one / larger(h1, dry);
+        const V ux = qx * per_depth;
+        const V uy = qy * per_depth;
+        const V speed = hn::Sqrt(ux * ux + uy * uy);
+        V drag = hn::Set(d, 4.0 * f.dt) * load(i.friction);
+        if constexpr (manning) {
+            const V third = hn::Set(d, -1.0 / 3.0);
+            drag = drag * vectors::HWY_NAMESPACE::exp(third * log_of_normal(larger(h1, dry)));
+        }
+        const V kept = two / (one + hn::Sqrt(one + drag * (speed * per_depth)));
+        V u1 = hn::IfThenElseZero(hn::Gt(h1, dry), ux * kept);
+        V v1 = hn::IfThenElseZero(hn::Gt(h1, dry), uy * kept);
+        if constexpr (heun) {
+            const V half = hn::Set(d, 0.5);
+            const V h0 = load(i.depth_before);
+            const V h_mean = half * (h0 + h1);
+            const V per_mean = half / larger(h_mean, dry);
+            const V ux_mean = (h0 * load(i.x_before) + h1 * u1) * per_mean;
+            const V uy_mean = (h0 * load(i.y_before) + h1 * v1) * per_mean;
+            h1 = h_mean;
+            u1 = hn::IfThenElseZero(hn::Gt(h_mean, dry), ux_mean);
+            v1 = hn::IfThenElseZero(hn::Gt(h_mean, dry), uy_mean);
+        }
+        hn::StoreU(h1, d, depth + k);
+        hn::StoreU(u1, d, velocity_x + k);
+        hn::StoreU(v1, d, velocity_y + k);
+    }
+};
+
+/// Rates as whole numbers: positive doubles order as their bits do, and NaN is above them all.
+struct Rates {
+    const double* depth;
+    const double* velocity_x;
+    const double* velocity_y;
+    double gravity;
+    double dx;
+    double dy;
+
+    template <class D>
+    HWY_INLINE hn::Vec<hn::RebindToSigned<D>> operator()(D d, std::size_t k) const {
+        const auto c = hn::Sqrt(hn::Set(d, gravity) * hn::LoadU(d, depth + k));
+        const auto rate = (hn::Abs(hn::LoadU(d, velocity_x + k)) + c) / hn::Set(d, dx) +
+                          (hn::Abs(hn::LoadU(d, velocity_y + k)) + c) / hn::Set(d, dy);
+        return hn::BitCast(hn::RebindToSigned<D>(), hn::Abs(rate));
+    }
+};
+
+void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int count) {
+    for_each_vector_anew(count, LoadCells{from, sign_y, to});
+}
+
+void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
+                         const HalfSlopes& out, int count) {
+    if (out.bed != nullptr) {
+        for_each_vector_anew(count, LimitedHalfSlopes<true>{back, here, forward, out});
+    } else {
+        for_each_vector_anew(count, LimitedHalfSlopes<false>{back, here, forward, out});
+    }
+}
+
+void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,
+                 const HalfSlopes& right_slopes, double gravity, const Fluxes& out, int count) {
+    if (left_slopes.bed != nullptr) {
+        for_each_vector_anew(
+            count, FaceFluxes<true>{left, left_slopes, right, right_slopes, gravity, out});
+    } else {
+        for_each_vector_anew(
+            count, FaceFluxes<false>{left, left_slopes, right, right_slopes, gravity, out});
+    }
+}
+
+bool payable_shares(const double* depth, const double* mass_west, const double* mass_east,
+                    const double* mass_south, const double* mass_north, double dt_dx, double dt_dy,
+                    double* shares, int count) {
+    bool is_short = false;
+    const Outward outward{mass_west, mass_east, mass_south, mass_north, dt_dx, dt_dy};
+    for_each_vector_anew(count, ShortOfWater{outward, depth, &is_short});
+    if (is_short) for_each_vector_anew(count, PayableShares{outward, depth, shares});
+    return is_short;
+}
+
+void cut_to_shares(const Fluxes& fluxes, const double* left_shares, const double* right_shares,
+                   int count) {
+    for_each_vector(count, CutToShares{fluxes, left_shares, right_shares});
+}
+
+void update(const UpdateInput& in, const UpdateFactors& factors, double* depth, double* velocity_x,
+            double* velocity_y, int count) {
+    const bool manning = factors.manning;
+    if (in.depth_before == nullptr && manning) {
+        for_each_vector_anew(count,
+                             Update<false, true>{in, factors, depth, velocity_x, velocity_y});
+    } else if (in.depth_before == nullptr) {
+        for_each_vector_anew(count,
+                             Update<false, false>{in, factors, depth, velocity_x, velocity_y});
+    } else if (manning) {
+        for_each_vector(count, Update<true, true>{in, factors, depth, velocity_x, velocity_y});
+    } else {
+        for_each_vector(count, Update<true, false>{in, factors, depth, velocity_x, velocity_y});
+    }
+}
+
+double fastest(const double* depth, const double* velocity_x, const double* velocity_y,
+               double gravity, double dx, double dy, int count) {
+    const Rates rates{depth, velocity_x, velocity_y, gravity, dx, dy};
+    const Doubles doubles;
+    const hn::RebindToSigned<Doubles> whole;
+    const hn::CappedTag<double, 1> one;
+    constexpr std::size_t lanes = hn::MaxLanes(doubles);
+    const auto cells = static_cast<std::size_t>(count);
+    auto most = hn::Zero(whole);
+    std::size_t k = 0;
+    for (; k + lanes <= cells; k += lanes) {
+        const auto bits = rates(doubles, k);
+        most = hn::IfThenElse(hn::Gt(bits, most), bits, most);
+    }
+    HWY_ALIGN std::int64_t some[lanes];
+    hn::Store(most, whole, some);
+    std::int64_t found = 0;
+    for (const std::int64_t bits : some) found = bits > found ? bits : found;
+    for (; k < cells; ++k) {
+        const std::int64_t bits = hn::GetLane(rates(one, k));
+        found = bits > found ? bits : found;
+    }
+    return std::bit_cast<double>(found);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace fumon::finite_volume
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace fumon::finite_volume {
+
+HWY_EXPORT(load_cells);
+HWY_EXPORT(limited_half_slopes);
+HWY_EXPORT(face_fluxes);
+HWY_EXPORT(payable_shares);
+HWY_EXPORT(cut_to_shares);
+HWY_EXPORT(update);
+HWY_EXPORT(fastest);
+
+void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int count) {
+    HWY_DYNAMIC_DISPATCH(load_cells)(from, sign_y, to, count);
+}
+
+void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
+                         const HalfSlopes& out, int count) {
+    HWY_DYNAMIC_DISPATCH(limited_half_slopes)(back, here, forward, out, count);
+}
+
+void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,
+                 const HalfSlopes& right_slopes, double gravity, const Fluxes& out, int count) {
+    HWY_DYNAMIC_DISPATCH(face_fluxes)(left, left_slopes, right, right_slopes, gravity, out, count);
+}
+
+bool payable_shares(const double* depth, const double* mass_west, const double* mass_east,
+                    const double* mass_south, const double* mass_north, double dt_dx, double dt_dy,
+                    double* shares, int count) {
+    return HWY_DYNAMIC_DISPATCH(payable_shares)(depth, mass_west, mass_east, mass_south, mass_north,
+                                                dt_dx, dt_dy, shares, count);
+}
+
+void cut_to_shares(const Fluxes& fluxes, const double* left_shares, const double* right_shares,
+                   int count) {
+    HWY_DYNAMIC_DISPATCH(cut_to_shares)(fluxes, left_shares, right_shares, count);
+}
+
+void update(const UpdateInput& in, const UpdateFactors& factors, double* depth, double* velocity_x,
+            double* velocity_y, int count) {
+    HWY_DYNAMIC_DISPATCH(update)(in, factors, depth, velocity_x, velocity_y, count);
+}
+
+double fastest(const double* depth, const double* velocity_x, const double* velocity_y,
+               double gravity, double dx, double dy, int count) {
+    return HWY_DYNAMIC_DISPATCH(fastest)(depth, velocity_x, velocity_y, gravity, dx, dy, count);
+}
+
+}  // namespace fumon::finite_volume
+#endif

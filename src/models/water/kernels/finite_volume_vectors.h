@@ -1,0 +1,114 @@
+#pragma once
+
+namespace fumon::finite_volume {
+
+/// A row of cells as the kernels see it: what lies outside the domain holds no water.
+struct CellRow {
+    const double* depth;       ///< h, m
+    const double* surface;     ///< h + z, m
+    const double* normal;      ///< velocity across the faces in question, m/s
+    const double* transverse;  ///< velocity along them, m/s
+    const double* inside;      ///< 1, or 0 outside the domain
+};
+
+/// Half the limited slope over a cell, so that a face's value is the cell's plus or minus it.
+struct HalfSlopes {
+    double* depth;
+    double* surface;
+    double* normal;
+    double* transverse;
+    double* bed;  ///< or null: then every step of the reconstruction stops water
+};
+
+/// What passes the faces of a row, per metre of face.
+struct Fluxes {
+    double* mass;        ///< m²/s, from left to right
+    double* left;        ///< momentum that the cell on the left loses, its own pressure taken off
+    double* right;       ///< momentum that the cell on the right gains, likewise
+    double* transverse;  ///< momentum along the face
+};
+
+/// A row of the fields as they are kept.
+struct SourceRow {
+    const double* depth;
+    const double* bed;
+    const double* velocity_x;
+    const double* velocity_y;
+};
+
+struct LoadedRow {
+    double* depth;
+    double* surface;
+    double* velocity_x;
+    double* velocity_y;
+    double* inside;
+};
+
+/// Cells inside the domain, their velocity along y times a sign.
+void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int count);
+
+/// Monotonised central slopes (van Leer 1977) of `count` cells between their neighbours `back` and
+/// `forward`; flat toward a neighbour outside the domain. Where the water is thinner than
+/// the bed's steps, depth and surface take the smaller of the two differences (minmod), so that no
+/// two cells' beds overlap at a face and dam the water up. The bed's own slope is minmod's.
+void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
+                         const HalfSlopes& out, int count);
+
+/// Fluxes through the faces between the cells `left` and `right`: values at the face from the half
+/// slopes, hydrostatic reconstruction of the bed's step (Audusse et al. 2004, by the intermediate
+/// height of Chen & Noelle 2017, which lets thin water fall down a step at its full weight), then
+/// HLLC with the two-rarefaction wave speeds and exact fronts next to dry ground (Toro 2001).
+/// Water that runs against a step of more than half its depth loses there the momentum of what does
+/// not pass: a step of the bed's own slopes, for the limited ones of depth and surface leave steps
+/// on a resolved slope too, which a shore climbs. (Without slopes of the bed: against any step.)
+/// Beyond a face to the outside is a dry step of equal height, over which water leaves.
+void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,
+                 const HalfSlopes& right_slopes, double gravity, const Fluxes& out, int count);
+
+/// The share of its outward fluxes that each cell can pay for in one sub-step; 1 nearly everywhere.
+/// Returns whether any cell cannot pay in full; the shares are then written.
+bool payable_shares(const double* depth, const double* mass_west, const double* mass_east,
+                    const double* mass_south, const double* mass_north, double dt_dx, double dt_dy,
+                    double* shares, int count);
+
+/// Cuts the fluxes to what the cell they come from can pay.
+void cut_to_shares(const Fluxes& fluxes, const double* left_shares, const double* right_shares,
+                   int count);
+
+/// What the update of a row of cells reads; each flux at the cell's face on that side.
+struct UpdateInput {
+    CellRow cells{};                    ///< normal: u, transverse: v
+    const double* surface_x = nullptr;  ///< half slopes of the surface
+    const double* surface_y = nullptr;
+    Fluxes west{};
+    Fluxes east{};
+    Fluxes south{};
+    Fluxes north{};
+    const double* rain = nullptr;  ///< m/s
+    /// C_f of τ = ρ · C_f · |u| u, or g n² of τ = ρ · g n² · h^(−1/3) · |u| u
+    const double* friction = nullptr;
+    const double* depth_before = nullptr;  ///< of the step's start, or null
+    const double* x_before = nullptr;
+    const double* y_before = nullptr;
+};
+
+struct UpdateFactors {
+    double dt = 0.0;     ///< s
+    double dt_dx = 0.0;  ///< s/m
+    double dt_dy = 0.0;
+    double gravity = 0.0;  ///< m/s²
+    double pull = 0.0;     ///< g·slope, m/s², toward −y
+    double pull_x = 0.0;   ///< … toward −x
+    bool manning = false;  ///< friction is Manning's
+};
+
+/// Depth and velocities after an Euler step, friction implicit; averaged with the step's start
+/// where it is given (Heun's second stage).
+void update(const UpdateInput& in, const UpdateFactors& factors, double* depth, double* velocity_x,
+            double* velocity_y, int count);
+
+/// The largest (|u| + √(g h))/dx + (|v| + √(g h))/dy of a row, 1/s.
+double fastest(const double* depth, const double* velocity_x, const double* velocity_y,
+               double gravity, double dx, double dy, int count);
+
+}  // namespace fumon::finite_volume

@@ -1,0 +1,186 @@
+#include "models/water/water_maps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "base/compensated_sum.h"
+#include "base/error.h"
+
+namespace fumon {
+
+namespace {
+
+std::string map_key(std::size_t number, const char* key) {
+    return fmt::format("map.{}.{}", number, key);
+}
+
+bool is_inside(const WaterDomain& domain, std::size_t cell) {
+    return domain.nodata.empty() || domain.nodata.values()[cell] == 0;
+}
+
+/// The map of a quantity, of which there is at most one; or nullptr.
+const CellMap* find_map(const GullyParameters& parameters, const std::vector<CellMap>& maps,
+                        MapQuantity quantity) {
+    for (std::size_t n = 0; n < maps.size(); ++n) {
+        if (parameters.maps[n].quantity == quantity) return &maps[n];
+    }
+    return nullptr;
+}
+
+/// What a quantity may be, and what it is called.
+struct Bounds {
+    double low = 0.0;
+    double high = 0.0;
+    bool above = false;  ///< more than `low`
+    const char* unit = "";
+};
+
+Bounds bounds_of(const GullyParameters& parameters, MapQuantity quantity) {
+    constexpr double fastest = 1e3;
+    constexpr double highest = 1e5;
+    constexpr double deepest = 1e4;
+    const bool chezy = parameters.friction == FrictionLaw::chezy;
+    switch (quantity) {
+        case MapQuantity::rain:
+            return {0.0, highest, false, " mm/h"};
+        case MapQuantity::roughness:
+            return {0.0, chezy ? deepest : 10.0, chezy, ""};
+        case MapQuantity::depth:
+            return {0.0, deepest, false, " m"};
+        case MapQuantity::level:
+            return {-highest, highest, false, " m"};
+        case MapQuantity::velocity_x:
+        case MapQuantity::velocity_y:
+            return {-fastest, fastest, false, " m/s"};
+    }
+    return {};
+}
+
+void check_values(const GullyParameters& parameters, const WaterDomain& domain, std::size_t n,
+                  const CellMap& map) {
+    const MapQuantity quantity = parameters.maps[n].quantity;
+    const bool everywhere = quantity == MapQuantity::rain || quantity == MapQuantity::roughness;
+    const Bounds bounds = bounds_of(parameters, quantity);
+    const auto nx = static_cast<std::size_t>(map.values.nx());
+    for (std::size_t cell = 0; cell < map.values.size(); ++cell) {
+        if (!is_inside(domain, cell)) continue;
+        if (!map.has(cell)) {
+            if (!everywhere) continue;
+            throw KeyError(map_key(n, "file"),
+                           fmt::format("has no value for cell ({}, {}) of the bed; fill its holes, "
+                                       "or take one that covers the bed",
+                                       cell % nx, cell / nx));
+        }
+        const double value = map.values.values()[cell];
+        const bool allowed =
+            value >= bounds.low && value <= bounds.high && !(bounds.above && value == bounds.low);
+        if (allowed) continue;
+        throw KeyError(
+            map_key(n, "file"),
+            fmt::format("is {:g}{} in cell ({}, {}) of the bed; it must be {} {:g} and "
+                        "at most {:g}{}",
+                        value, bounds.unit, cell % nx, cell / nx,
+                        bounds.above ? "above" : "at least", bounds.low, bounds.high, bounds.unit));
+    }
+}
+
+}  // namespace
+
+bool has_map(const GullyParameters& parameters, MapQuantity quantity) {
+    return std::ranges::any_of(parameters.maps,
+                               [&](const MapSettings& map) { return map.quantity == quantity; });
+}
+
+void check_maps(const GullyParameters& parameters, const WaterDomain& domain,
+                const std::vector<CellMap>& maps) {
+    if (maps.size() != parameters.maps.size())
+        throw Error("the setup has no grids for the maps of the parameters");
+    const MapSettings* rain_before = nullptr;
+    for (std::size_t n = 0; n < maps.size(); ++n) {
+        const MapSettings& map = parameters.maps[n];
+        if (map.quantity == MapQuantity::rain) {
+            if (rain_before != nullptr && !(map.from > rain_before->from)) {
+                throw KeyError(map_key(n, "from"),
+                               fmt::format("this rain must begin after that of the map before it, "
+                                           "at {:g} s",
+                                           rain_before->from));
+            }
+            rain_before = &map;
+        } else if (map.from != 0.0) {
+            throw KeyError(map_key(n, "from"), "only rain begins; leave the key out");
+        }
+        for (std::size_t other = 0; other < n; ++other) {
+            const MapQuantity first = parameters.maps[other].quantity;
+            const bool both_deep =
+                (first == MapQuantity::depth && map.quantity == MapQuantity::level) ||
+                (first == MapQuantity::level && map.quantity == MapQuantity::depth);
+            if (both_deep || (first == map.quantity && map.quantity != MapQuantity::rain)) {
+                throw KeyError(
+                    map_key(n, "quantity"),
+                    fmt::format("map.{} says that already; leave one of them out", other));
+            }
+        }
+        check_values(parameters, domain, n, maps[n]);
+    }
+    if (rain_before == nullptr) return;
+    if (parameters.rain > 0.0 || !parameters.rain_times.empty()) {
+        throw KeyError(parameters.rain > 0.0 ? "model.rain" : "model.rain_times",
+                       "a [[map]] says the rain; leave one of them out");
+    }
+}
+
+void fill_from_maps(const GullyParameters& parameters, const WaterDomain& domain, const Grid& bed,
+                    const std::vector<CellMap>& maps, Water& water) {
+    const CellMap* depths = find_map(parameters, maps, MapQuantity::depth);
+    const CellMap* levels = find_map(parameters, maps, MapQuantity::level);
+    const CellMap* eastward = find_map(parameters, maps, MapQuantity::velocity_x);
+    const CellMap* northward = find_map(parameters, maps, MapQuantity::velocity_y);
+    const auto has = [](const CellMap* map, std::size_t cell) {
+        return map != nullptr && map->has(cell);
+    };
+    for (std::size_t cell = 0; cell < bed.size(); ++cell) {
+        if (!is_inside(domain, cell)) continue;
+        double& depth = water.depth.values()[cell];
+        double& u = water.velocity_x.values()[cell];
+        double& v = water.velocity_y.values()[cell];
+        if (has(depths, cell)) depth = depths->values.values()[cell];
+        if (has(levels, cell))
+            depth = std::max(levels->values.values()[cell] - bed.values()[cell], 0.0);
+        if (has(eastward, cell)) u = eastward->values.values()[cell];
+        if (has(northward, cell)) v = northward->values.values()[cell];
+        if (!(depth > 0.0)) u = v = 0.0;
+    }
+}
+
+Grid roughness_of(const GullyParameters& parameters, const WaterDomain& domain,
+                  const std::vector<CellMap>& maps) {
+    const CellMap* map = find_map(parameters, maps, MapQuantity::roughness);
+    if (map == nullptr) return {};
+    Grid roughness = map->values;
+    for (std::size_t cell = 0; cell < roughness.size(); ++cell) {
+        if (!is_inside(domain, cell)) roughness.values()[cell] = 1.0;  // where no water is
+    }
+    return roughness;
+}
+
+std::vector<RainMap> rain_maps_of(const GullyParameters& parameters, const WaterDomain& domain,
+                                  const std::vector<CellMap>& maps) {
+    std::vector<RainMap> rains;
+    for (std::size_t n = 0; n < maps.size(); ++n) {
+        if (parameters.maps[n].quantity != MapQuantity::rain) continue;
+        RainMap rain{parameters.maps[n].from, maps[n].values, 0.0};
+        CompensatedSum sum;
+        for (std::size_t cell = 0; cell < rain.rate.size(); ++cell) {
+            double& rate = rain.rate.values()[cell];
+            rate = is_inside(domain, cell) ? rate * millimetre_per_hour : 0.0;
+            sum.add(rate);
+        }
+        rain.volume = domain.dx * domain.dy * sum.value();
+        rains.push_back(std::move(rain));
+    }
+    return rains;
+}
+
+}  // namespace fumon

@@ -1,0 +1,68 @@
+# Debian packages, made by `cpack -G DEB` in a build folder: fumon (program, manual pages, completion), fumon-data
+# (shaders, palettes, scenes, the guide, icon), python3-fumon. Configure with --preset package, which sets the prefix /usr.
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME fumon)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+# Who made the packages, as Debian's own tools ask for it: DEBFULLNAME and DEBEMAIL; else user and machine.
+set(packager "$ENV{DEBFULLNAME}")
+set(address "$ENV{DEBEMAIL}")
+if(NOT packager)
+    set(packager "who built this package of fumon")
+endif()
+if(NOT address)
+    cmake_host_system_information(RESULT machine QUERY FQDN)
+    execute_process(COMMAND id -un OUTPUT_VARIABLE user OUTPUT_STRIP_TRAILING_WHITESPACE)
+    set(address "${user}@${machine}")
+endif()
+set(CPACK_PACKAGE_CONTACT "${packager} <${address}>" CACHE STRING "Who maintains the packages: name and address")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
+    WORLD_EXECUTE)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
+set(CPACK_COMPONENTS_ALL program data)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+
+# OSMesa and EGL are loaded by name, which no linker sees: either is enough.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME fumon)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fumon-data (= ${PROJECT_VERSION}-1), libosmesa6 | libegl1, fonts-dejavu-core | fontconfig")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "sand and water landforms, simulated and rendered
+ Ripples, dunes, barchans, sandpiles, gullies and rain on real terrain,
+ computed reproducibly to the bit and drawn as pictures, movies and paper
+ figures without a display.")
+
+set(CPACK_DEBIAN_DATA_PACKAGE_NAME fumon-data)
+set(CPACK_DEBIAN_DATA_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_DATA_PACKAGE_ARCHITECTURE all)
+set(CPACK_COMPONENT_DATA_DESCRIPTION "shaders, palettes, scenes and guide of fumon
+ fumon simulates sand and water landforms and renders them without a
+ display. This package holds what its program and its Python module read,
+ and its guide.")
+
+if(FUMON_PYTHON_MODULE)
+    list(APPEND CPACK_COMPONENTS_ALL python)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-fumon)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+    math(EXPR next "${Python_VERSION_MINOR} + 1")
+    string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+           "fumon-data (= ${PROJECT_VERSION}-1), libosmesa6 | libegl1, fonts-dejavu-core | fontconfig, python3-numpy, "
+           "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next})")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-xarray, python3-pytest")
+    set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python module of fumon
+ Scenes of sand and water landforms, run and drawn from Python: NumPy views
+ of beds, pictures of anyone's terrain, movies, sweeps as xarray Datasets,
+ and every model as a component of the Basic Model Interface.")
+endif()
+
+# What Debian wants in each package besides: compressed manual pages, a copyright file, a changelog.
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/packages_debian.cmake)
+
+include(CPack)

@@ -1,0 +1,194 @@
+"""Any model of fumon as a component of the Basic Model Interface, version 2.0."""
+
+from __future__ import annotations
+
+import os
+
+import numpy as np
+
+from . import _core
+from .images import PathLike
+
+
+class Bmi:
+    """A model that another program starts, steps, asks and changes, by the functions of the Basic Model Interface 2.0
+    (Hutton, Piper & Tucker 2020). It has what bmipy's abstract class asks for, and needs no bmipy.
+
+        model = fumon.Bmi()
+        model.initialize("dunes.toml")
+        bed = model.get_value_ptr("land_surface__elevation")        # flat, row 0 southernmost
+        while model.get_current_time() < model.get_end_time():
+            model.update()
+
+    Values are float64. ``get_…`` functions fill the array that they are given and return it. What a model computes
+    and takes: ``get_output_var_names()``, ``get_input_var_names()``. A change builds the model anew around its state,
+    which costs about what starting it costs; a value that the model cannot take raises InputError and changes nothing.
+    """
+
+    def __init__(self) -> None:
+        self._core = _core.Component()
+
+    def initialize(self, config_file: PathLike) -> None:
+        """Reads a scene's file, or one that fumon ships by its name, and makes its model ready."""
+        self._core.initialize(os.fspath(config_file))
+
+    def update(self) -> None:
+        """One step of the model."""
+        self._core.update()
+
+    def update_until(self, time: float) -> None:
+        """Steps to the step whose end is nearest to a time: models take whole steps. Ctrl-C stops between two."""
+        now = self._core.current_time()
+        if time < now:
+            raise ValueError(f"the model is at {now} already and does not go back to {time}")
+        step = self._core.time_step()
+        if not step > 0.0:
+            raise ValueError("the model's time stands still; use update")
+        while self._core.current_time() + 0.5 * step <= time:
+            before = self._core.current_time()
+            self._core.update()
+            step = self._core.current_time() - before
+
+    def finalize(self) -> None:
+        """Lets the model go. Arrays of get_value_ptr keep what they show until then only."""
+        self._core.finalize()
+
+    def get_component_name(self) -> str:
+        return self._core.component_name()
+
+    def get_input_item_count(self) -> int:
+        return len(self._core.input_names())
+
+    def get_output_item_count(self) -> int:
+        return len(self._core.output_names())
+
+    def get_input_var_names(self) -> tuple[str, ...]:
+        return tuple(self._core.input_names())
+
+    def get_output_var_names(self) -> tuple[str, ...]:
+        return tuple(self._core.output_names())
+
+    def get_var_grid(self, name: str) -> int:
+        """0: one value a cell; 1: one value."""
+        return self._core.var_grid(name)
+
+    def get_var_type(self, name: str) -> str:
+        self._core.var_grid(name)
+        return "float64"
+
+    def get_var_units(self, name: str) -> str:
+        """As UDUNITS has them; "1" for a pure number, and for sites and model heights."""
+        return self._core.var_units(name)
+
+    def get_var_itemsize(self, name: str) -> int:
+        self._core.var_grid(name)
+        return 8
+
+    def get_var_nbytes(self, name: str) -> int:
+        return 8 * self._core.grid_size(self._core.var_grid(name))
+
+    def get_var_location(self, name: str) -> str:
+        self._core.var_grid(name)
+        return "node"
+
+    def get_current_time(self) -> float:
+        return self._core.current_time()
+
+    def get_start_time(self) -> float:
+        return 0.0
+
+    def get_end_time(self) -> float:
+        """After the scene's run.steps; steps beyond it may be taken."""
+        return self._core.end_time()
+
+    def get_time_units(self) -> str:
+        return self._core.time_units()
+
+    def get_time_step(self) -> float:
+        """What the next step takes, found by taking it on a copy of the model."""
+        return self._core.time_step()
+
+    def get_value(self, name: str, dest: np.ndarray) -> np.ndarray:
+        dest[:] = self._core.value(name)
+        return dest
+
+    def get_value_ptr(self, name: str) -> np.ndarray:
+        """The component's own array, which follows the model and cannot be written to; set_value() does that."""
+        return self._core.value_pointer(name)
+
+    def get_value_at_indices(self, name: str, dest: np.ndarray, inds: np.ndarray) -> np.ndarray:
+        dest[:] = self._core.value(name)[np.asarray(inds)]
+        return dest
+
+    def set_value(self, name: str, src: np.ndarray) -> None:
+        self._core.set(name, np.asarray(src, dtype=float).ravel())
+
+    def set_value_at_indices(self, name: str, inds: np.ndarray, src: np.ndarray) -> None:
+        self._core.set_at(name, np.asarray(inds, dtype=np.intc), np.asarray(src, dtype=float))
+
+    def get_grid_rank(self, grid: int) -> int:
+        return self._core.grid_rank(grid)
+
+    def get_grid_size(self, grid: int) -> int:
+        return self._core.grid_size(grid)
+
+    def get_grid_type(self, grid: int) -> str:
+        return self._core.grid_type(grid)
+
+    def get_grid_shape(self, grid: int, shape: np.ndarray) -> np.ndarray:
+        """(rows, columns)."""
+        shape[:] = self._core.grid_shape(grid)
+        return shape
+
+    def get_grid_spacing(self, grid: int, spacing: np.ndarray) -> np.ndarray:
+        """(northward, eastward), metres or sites."""
+        spacing[:] = self._core.grid_spacing(grid)
+        return spacing
+
+    def get_grid_origin(self, grid: int, origin: np.ndarray) -> np.ndarray:
+        """(northward, eastward) of the south-western cell's centre, from the bed's corner."""
+        origin[:] = self._core.grid_origin(grid)
+        return origin
+
+    def get_grid_x(self, grid: int, x: np.ndarray) -> np.ndarray:
+        """Of the columns' centres."""
+        x[:] = self._core.grid_x(grid)
+        return x
+
+    def get_grid_y(self, grid: int, y: np.ndarray) -> np.ndarray:
+        """Of the rows' centres."""
+        y[:] = self._core.grid_y(grid)
+        return y
+
+    def get_grid_z(self, grid: int, z: np.ndarray) -> np.ndarray:
+        """Raises InputError: the grid lies in the plane."""
+        z[:] = self._core.grid_z(grid)
+        return z
+
+    def get_grid_node_count(self, grid: int) -> int:
+        return self._core.grid_size(grid)
+
+    def get_grid_edge_count(self, grid: int) -> int:
+        return self._core.grid_edge_count(grid)
+
+    def get_grid_face_count(self, grid: int) -> int:
+        return self._core.grid_face_count(grid)
+
+    def get_grid_edge_nodes(self, grid: int, edge_nodes: np.ndarray) -> np.ndarray:
+        """Both ends of each edge: those along x row by row, then those along y."""
+        edge_nodes[:] = self._core.grid_edge_nodes(grid)
+        return edge_nodes
+
+    def get_grid_face_edges(self, grid: int, face_edges: np.ndarray) -> np.ndarray:
+        """The edges of each square between four centres, counterclockwise from the south."""
+        face_edges[:] = self._core.grid_face_edges(grid)
+        return face_edges
+
+    def get_grid_face_nodes(self, grid: int, face_nodes: np.ndarray) -> np.ndarray:
+        """Their corners, counterclockwise from the south-west."""
+        face_nodes[:] = self._core.grid_face_nodes(grid)
+        return face_nodes
+
+    def get_grid_nodes_per_face(self, grid: int, nodes_per_face: np.ndarray) -> np.ndarray:
+        nodes_per_face[:] = self._core.grid_nodes_per_face(grid)
+        return nodes_per_face

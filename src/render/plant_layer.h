@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "base/grid.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "render/bed_shading.h"
+#include "render/light/light.h"
+#include "render/plant_meshes.h"
+#include "render/plant_places.h"
+#include "render/terrain_layer.h"
+#include "render/view/block.h"
+#include "render/view/camera.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// How the ground that plants stand on is drawn.
+struct PlantGround {
+    glm::mat4 clip{1.0F};    ///< world to clip coordinates, or of offsets from the eye
+    bool endless = false;    ///< repeated to the horizon, drawn by offsets from the eye
+    float curvature = 0.0F;  ///< see WorldLayer::curvature()
+};
+
+/// Plants, one by one, on a bed or on its repetitions: leaf by leaf near the camera; farther away
+/// fewer and larger ones, as many as keep their share of what is seen (after Cook, Halstead, Planck
+/// & Ryu 2007), down to a pixel's height. Beyond, the ground's own tint stands for them. Each casts
+/// a soft shadow. The target's depths are those of the ground.
+class PlantLayer {
+  public:
+    PlantLayer(const View& view, const Block& block, const gl::Constants& fixed);
+
+    /// Of a frame: its plants and `z`, the ground as it is drawn, block lengths.
+    void set_bed(const Snapshot& snapshot, const Field<float>& z, bool repeats);
+
+    /// Chooses the plants that the camera sees, for all tiles of a picture.
+    void choose(const PlantGround& ground, const Camera& camera);
+    void draw(const PlantGround& ground, const BedShading& shading, const Light& light,
+              const Camera& camera, const TileSamples& tile) const;
+
+  private:
+    /// What one drawn plant gives to its corners.
+    struct Instance {
+        glm::vec4 root;  ///< and height
+        glm::vec3 form;
+    };
+    static constexpr std::size_t kinds = 2;
+    /// Of plants of like rank, which are drawn up to the same distance: a square of the bed each.
+    struct Level {
+        std::vector<std::vector<Plant>> squares;
+    };
+    struct Mesh {
+        gl::VertexArray array;
+        gl::Buffer corners;
+        gl::Buffer instances;
+        int count = 0;
+        std::vector<Instance> chosen;
+    };
+
+    void build(Mesh& mesh, const std::vector<LeafCorner>& corners) const;
+    void choose_in(const std::vector<Plant>& plants, const glm::dvec2& origin,
+                   const PlantGround& ground, const Camera& camera);
+    static void upload(const Mesh& mesh);
+    [[nodiscard]] float ground_at(const glm::dvec2& place) const;
+    [[nodiscard]] bool in_sight(const Camera& camera, const glm::dvec3& offset,
+                                double radius) const;
+    void draw_shadows(const PlantGround& ground, const BedShading& shading, const Light& light,
+                      const Camera& camera, const TileSamples& tile) const;
+    void set_common(const gl::Program& program, const PlantGround& ground,
+                    const BedShading& shading, const Light& light, const Camera& camera,
+                    const TileSamples& tile) const;
+
+    View view_;
+    Block block_;
+    gl::Program leaf_program_;
+    gl::Program shadow_program_;
+    std::array<std::array<Mesh, plant_details>, kinds> meshes_;
+    std::array<Mesh, kinds> shadows_;
+    std::optional<gl::Texture2D> heights_;
+    Field<float> z_;
+    bool repeats_ = false;
+    std::vector<Level> levels_;
+    float tallest_ = 0.0F;
+};
+
+}  // namespace fumon

@@ -1,0 +1,46 @@
+#include "run/inputs/find_input.h"
+
+#include <fmt/format.h>
+
+#include <system_error>
+#include <vector>
+
+#include "base/error.h"
+#include "files/hash.h"
+#include "scene/input_maps.h"
+
+namespace fumon {
+
+namespace fs = std::filesystem;
+
+fs::path find_input(const InputFile& input, const fs::path& place, std::string_view what) {
+    std::vector<fs::path> candidates{input.path};
+    if (fs::path(input.path).is_relative()) {
+        for (fs::path folder = fs::absolute(place).parent_path();; folder = folder.parent_path()) {
+            candidates.push_back(folder / input.path);
+            if (folder == folder.parent_path()) break;
+        }
+    }
+    for (const fs::path& candidate : candidates) {
+        if (has_hash(candidate, input.hash)) return candidate;
+    }
+    throw InputError(
+        fmt::format("{}: {} as it was when the {} was made (SHA-256 {}…) is not there; bring it "
+                    "back, or run this in the folder from which the path leads to it",
+                    place.string(), input.path, what, input.hash.substr(0, 12)));
+}
+
+std::shared_ptr<const std::vector<std::string>> hashes_of(const std::vector<InputFile>& inputs) {
+    auto hashes = std::make_shared<std::vector<std::string>>();
+    for (const InputFile& input : inputs) hashes->push_back(input.hash);
+    return hashes;
+}
+
+void find_inputs(Scene& scene, const std::vector<InputFile>& inputs, const fs::path& place,
+                 std::string_view what) {
+    const std::vector<InputKey> keys = input_keys(scene);
+    for (std::size_t k = 0; k < keys.size() && k < inputs.size(); ++k)
+        *keys[k].file = find_input(inputs[k], place, what).string();
+}
+
+}  // namespace fumon

@@ -1,0 +1,131 @@
+#include "scene/input_maps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <variant>
+
+#include "base/error.h"
+#include "files/hash.h"
+#include "files/terrain/on_cells.h"
+#include "files/terrain/terrain_file.h"
+#include "scene/scene_keys.h"
+#include "scene/trust.h"
+
+namespace fumon {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string map_key(std::size_t number, const char* key) {
+    return fmt::format("map.{}.{}", number, key);
+}
+
+std::size_t count_of_maps(const KeyTable& keys) {
+    const TableList* list = keys.find_list("map");
+    return list == nullptr ? 0 : list->size();
+}
+
+template <class Value>
+Value& value_of(const KeyTable& keys, std::size_t number, const char* key) {
+    return *std::get<Value*>(keys.find(map_key(number, key))->target);
+}
+
+/// A reader's message as it would speak of a map.
+std::string of_map(std::string message, std::size_t number) {
+    for (const char* key : {"variable", "band"}) {
+        const std::string of_bed = fmt::format("bed.{}", key);
+        for (std::size_t at = message.find(of_bed); at != std::string::npos;
+             at = message.find(of_bed, at + of_bed.size()))
+            message.replace(at, of_bed.size(), map_key(number, key));
+    }
+    return message;
+}
+
+/// A map's file as it is asked for. Where others named it, what is wrong with it tells nothing of
+/// what is in it, nor whether it is there.
+Terrain read_map(const Scene& scene, const KeyTable& keys, std::size_t number,
+                 const fs::path& file) {
+    const std::string key = map_key(number, "file");
+    const bool mine = scene.trusted || scene.set_on_command_line(key);
+    const bool listed = !scene.bed_hashes || scene.set_on_command_line(key) ||
+                        std::ranges::any_of(*scene.bed_hashes, [&](const std::string& hash) {
+                            return has_hash(file, hash);
+                        });
+    if (!listed || (!mine && !scene.bed_hashes)) {
+        throw InputError(fmt::format(
+            "{}{} is not one of the files whose SHA-256 the metadata lists, or is not there as it "
+            "was",
+            scene.at(key), file.string()));
+    }
+    std::error_code fault;
+    if (!fs::exists(file, fault) && mine) {
+        throw InputError(fmt::format("{}{} \"{}\" is not there (looked for {})", scene.at(key), key,
+                                     value_of<std::string>(keys, number, "file"), file.string()));
+    }
+    TerrainQuery query;
+    query.variable = value_of<std::string>(keys, number, "variable");
+    query.band = value_of<std::int64_t>(keys, number, "band");
+    query.any_unit = true;
+    try {
+        return read_terrain(file, query);
+    } catch (const InputError& refusal) {
+        if (!mine)
+            throw InputError(
+                fmt::format("{}{} is no grid that can be read", scene.at(key), file.string()));
+        throw InputError(scene.at(key) + of_map(refusal.what(), number));
+    }
+}
+
+}  // namespace
+
+std::vector<InputKey> input_keys(Scene& scene) {
+    std::vector<InputKey> named;
+    if (bed_kind(scene) == BedKind::file) named.push_back({"bed.file", &scene.bed.file});
+    const KeyTable keys = scene_keys(scene);
+    for (std::size_t n = 0; n < count_of_maps(keys); ++n)
+        named.push_back({map_key(n, "file"), &value_of<std::string>(keys, n, "file")});
+    return named;
+}
+
+fs::path input_path(const Scene& scene, const InputKey& key) {
+    const fs::path file(*key.file);
+    return file.is_absolute() || scene.set_on_command_line(key.path) ? file
+                                                                     : scene.directory / file;
+}
+
+void name_inputs(Scene& scene, const std::vector<InputFile>& inputs,
+                 std::string InputFile::*member) {
+    if (inputs.empty()) return;
+    const std::vector<InputKey> keys = input_keys(scene);
+    for (std::size_t k = 0; k < keys.size() && k < inputs.size(); ++k)
+        *keys[k].file = inputs[k].*member;
+}
+
+void add_maps(const Scene& scene, InitialBed& initial) {
+    Scene named = scene;
+    const KeyTable keys = scene_keys(named);
+    for (std::size_t n = 0; n < count_of_maps(keys); ++n) {
+        const InputKey key{map_key(n, "file"), &value_of<std::string>(keys, n, "file")};
+        if (key.file->empty()) {
+            throw InputError(scene.at(key.path) + key.path +
+                             " is missing; name the file that has the values");
+        }
+        const fs::path file = input_path(scene, key);
+        const Terrain map = read_map(scene, keys, n, file);
+        check_limits(scene, static_cast<std::int64_t>(map.heights.size()), 0);
+        try {
+            Terrain brought =
+                on_cells(map, {initial.bed.nx(), initial.bed.ny(), initial.scale.place});
+            initial.maps.push_back({std::move(brought.heights), std::move(brought.nodata)});
+        } catch (const InputError& refusal) {
+            throw InputError(
+                fmt::format("{}{}: {}", scene.at(key.path), file.string(), refusal.what()));
+        }
+        initial.inputs.push_back({file.lexically_normal().string(), hex(file_hash(file))});
+    }
+}
+
+}  // namespace fumon

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/initial_bed.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// A key of a scene that names a file which its run reads.
+struct InputKey {
+    std::string path;   ///< "bed.file", "map.0.file"
+    std::string* file;  ///< its value in the scene
+};
+
+/// The keys of a scene that name files which decide its results, in the order of
+/// InitialBed::inputs: bed.file where it starts from one, then those of [[map]].
+std::vector<InputKey> input_keys(Scene& scene);
+
+/// Where such a file lies: as it stands on the command line, else as seen from the scene's folder.
+std::filesystem::path input_path(const Scene& scene, const InputKey& key);
+
+/// Puts a member of each input (its path, its hash) in the place of the file that the scene names.
+void name_inputs(Scene& scene, const std::vector<InputFile>& inputs,
+                 std::string InputFile::*member);
+
+/// Reads the maps of a scene, [[map]], and brings each to the cells of the bed that is there
+/// already (on_cells): initial.maps, with their files at the end of initial.inputs and what the
+/// user should hear in its note. Throws InputError, located at the key, where a file is missing,
+/// cannot be read, is none of those that a picture's metadata lists, or does not fit the bed.
+void add_maps(const Scene& scene, InitialBed& initial);
+
+}  // namespace fumon

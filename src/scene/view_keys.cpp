@@ -1,0 +1,270 @@
+#include "base/limits.h"
+#include "keys/keys.h"
+#include "scene/scene_keys.h"
+
+namespace fumon {
+
+void list_view_keys(View& view, KeyTable& table) {
+    table.role(KeyRole::look);
+    CameraSettings& camera = view.camera;
+    table.choice(
+        "camera.projection", camera.projection,
+        {{Projection::perspective, "perspective", "as the eye sees it"},
+         {Projection::orthographic, "orthographic", "oblique, parallel lines stay parallel"},
+         {Projection::map, "map", "straight from above, north up"}},
+        {.help = "how the block is projected"});
+    table.choice(
+        "camera.framing", camera.framing,
+        {{Framing::block, "block", "around the whole block, or as camera.at says"},
+         {Framing::overview, "overview", "over the bed, down on its landforms"},
+         {Framing::low, "low", "across the crests, from a little above the highest"},
+         {Framing::along_crest, "along-crest", "along the highest crest, from beside it"},
+         {Framing::slip_face, "slip-face", "from downwind, up at the highest crest"},
+         {Framing::aerial, "aerial", "steeply down, as from an aeroplane"}},
+        {.help = "by name where the camera stands, from the bed it first sees and its wind; never "
+                 "within 10 degrees of the lattice's own directions"});
+    table.real("camera.azimuth", camera.azimuth,
+               {.unit = "degrees",
+                .range = {-360, 360},
+                .help = "where the camera stands, clockwise from north"});
+    table.real("camera.elevation", camera.elevation,
+               {.unit = "degrees", .range = {1, 89.9}, .help = "above the horizon"});
+    table.word_or_real("camera.distance", camera.distance,
+                       {{"fit", "the whole block just fits the picture"}},
+                       {.unit = "block lengths",
+                        .range = {0.05, 100},
+                        .help = "from the block's centre, in units of its longer side"});
+    table.real(
+        "camera.field_of_view", camera.field_of_view,
+        {.unit = "degrees", .range = {2, 120}, .help = "vertical, for the perspective camera"});
+    table.word_or_real(
+        "camera.focal_length", camera.focal_length, {{"auto", "as camera.field_of_view says"}},
+        {.unit = "mm",
+         .range = {7, 700},
+         .help = "of a lens whose picture is 24 mm high, for the perspective camera"});
+    table.real("camera.roll", camera.roll,
+               {.unit = "degrees",
+                .range = {-180, 180},
+                .help = "of the camera to the right, for the perspective camera"});
+    table.real(
+        "camera.margin", camera.margin,
+        {.range = {0, 0.4}, .help = "free border around the fitted block, share of the picture"});
+    const char* place = "east and north of the bed's south-western corner, and above the bed there";
+    table.real_list("camera.at", camera.at, 0, 3,
+                    {.unit = "m or sites", .range = {-1e9, 1e9}, .help = place});
+    table.real_list("camera.look_at", camera.look_at, 0, 3,
+                    {.unit = "m or sites", .range = {-1e9, 1e9}, .help = place});
+    table.real(
+        "camera.turn", camera.turn,
+        {.unit = "degrees", .range = {-36000, 36000}, .help = "azimuth added evenly over the run"});
+
+    SunSettings& sun = view.sun;
+    table.choice("sun.source", sun.source,
+                 {{LightSource::sun, "sun", "daylight"},
+                  {LightSource::moon, "moon",
+                   "a clear night under a full moon at the sun's place: dark, bluish as eyes see "
+                   "it, stars"}},
+                 {.help = "what the light comes from"});
+    table.real("sun.azimuth", sun.azimuth,
+               {.unit = "degrees",
+                .range = {-360, 360},
+                .help = "where the sun stands, clockwise from north"});
+    table.real("sun.elevation", sun.elevation,
+               {.unit = "degrees", .range = {1, 90}, .help = "above the horizon"});
+    table.real("sun.diameter", sun.diameter,
+               {.unit = "degrees",
+                .range = {0.1, 30},
+                .help = "apparent size: the width of the shadows' soft edge"});
+    table.real("sun.strength", sun.strength,
+               {.range = {0, 10}, .help = "of direct light; 1 is a clear day"});
+    table.real("sun.sky_strength", sun.sky_strength,
+               {.range = {0, 10}, .help = "of light from the sky; 1 is a clear day"});
+    table.real("sun.dust", sun.dust,
+               {.range = {0, 100},
+                .help = "aerosol of the air, for the sky \"atmosphere\"; 1 is a clear day"});
+    table.real("sun.haze", sun.haze,
+               {.range = {0, 1}, .help = "aerial perspective at the far edge of the block"});
+
+    table.choice("air.planet", view.air.planet,
+                 {{Planet::earth, "earth", "blue sky"},
+                  {Planet::mars, "mars",
+                   "thin air full of fine dust: butterscotch sky, blue around a low sun"}},
+                 {.help = "whose air scatters the light, for the sky \"atmosphere\""});
+    table.word_or_real(
+        "air.visibility", view.air.visibility,
+        {{"auto",
+          "40 km over endless ground, 80 km over sun.dust where that is less; around a block on a "
+          "table as sun.haze says"}},
+        {.unit = "km",
+         .range = {1e-4, 1e5},
+         .help = "how far dark things are seen: haze by distance (Koschmieder 1924); without "
+                 "metres the bed's longer side counts as 1 km"});
+
+    LookSettings& look = view.look;
+    table.text(
+        "look.preset", look.preset,
+        {.help = "a look for all keys of light, sky and colour that the scene leaves out: NAME "
+                 "of assets/looks/NAME.toml (golden-hour, noon, overcast, paper, …); empty in "
+                 "resolved scenes, which say them all"});
+    table.choice(
+        "look.mode", look.mode,
+        {{ViewMode::scenic, "scenic", "sunlight, sky and haze"},
+         {ViewMode::figure, "figure", "white ground, no haze, colours true to the colour bar"}},
+        {.help = "for the eye or for a paper"});
+    table.choice(
+        "look.colour_by", look.colour_by,
+        {{Colouring::natural, "natural", "as the ground looks"},
+         {Colouring::height, "height", "bed height"},
+         {Colouring::slope, "slope", "steepness in degrees"},
+         {Colouring::change, "change", "height minus that of the first frame"},
+         {Colouring::water_depth, "water-depth", "depth of the water in m; dry cells stay sand"},
+         {Colouring::speed, "speed", "of the water, m/s"},
+         {Colouring::froude, "froude", "Froude number of the water, speed over sqrt(g depth)"},
+         {Colouring::drainage, "drainage",
+          "decimal logarithm of the area that drains through a cell, m2"}},
+        {.help = "what the colours mean"});
+    table.text("look.palette", look.palette,
+               {.help = "sand, grey, hypsometric, viridis, cividis, magma, inferno, plasma, "
+                        "batlow, lapaz, oslo, vik (for "
+                        "change), or any NAME of assets/palettes/NAME.txt"});
+    table.boolean("look.palette_reversed", look.palette_reversed,
+                  {.help = "reversed, such as dark for deep with grey"});
+    table.word_or_real("look.low", look.low, {{"auto", "from the frame"}},
+                       {.help = "value at the palette's start, in the unit of colour_by"});
+    table.word_or_real("look.high", look.high, {{"auto", "from the frame"}},
+                       {.help = "value at the palette's end"});
+    table.word_or_real("look.exaggeration", look.exaggeration,
+                       {{"auto",
+                         "a round number that shows the relief and keeps 99 % of real terrain "
+                         "below 45°; 1 without metres"},
+                        {"relief", "a round number that shows the relief; 1 without metres"}},
+                       {.range = {0, 1e4, true},
+                        .help = "vertical exaggeration",
+                        .earlier = {"0.2.0", "\"relief\""}});
+    table.choice(
+        "look.ground", look.ground,
+        {{Ground::automatic, "auto",
+          "endless in perspective for a whole periodic bed without water, as the sand models "
+          "have; else table"},
+         {Ground::table, "table", "the bed is a block on a pale table"},
+         {Ground::endless, "endless",
+          "a periodic bed of sand goes on to the horizon, with wind ripples below its grid"}},
+        {.help = "what lies around the bed", .earlier = {"0.2.0", "\"table\""}});
+    table.choice("look.background", look.background,
+                 {{Background::surroundings, "surroundings", "table, sky or the figure's paper"},
+                  {Background::transparent, "transparent",
+                   "nothing: the block alone, in a PNG with alpha; movies without alpha stand on "
+                   "white"}},
+                 {.help = "what stands behind the block"});
+    table.choice(
+        "look.sky", look.sky,
+        {{SkyModel::automatic, "auto",
+          "atmosphere over endless ground, by night and on Mars, else two-colours"},
+         {SkyModel::two_colours, "two-colours", "from the horizon's colour to the zenith's"},
+         {SkyModel::atmosphere, "atmosphere",
+          "sunlight scattered by air, aerosol and ozone (Hillaire 2020)"},
+         {SkyModel::overcast, "overcast",
+          "an even cover of clouds, next to no sun (the CIE's overcast sky)"}},
+        {.help = "how sky, haze and the light from the sky are made"});
+    table.choice(
+        "look.tone", look.tone,
+        {{Tone::automatic, "auto", "agx-punchy over endless ground, else filmic"},
+         {Tone::filmic, "filmic", "a curve fitted to the ACES rendering (Narkowicz 2015)"},
+         {Tone::agx, "agx", "bright colours turn pale, as on film (AgX, Sobotka)"},
+         {Tone::agx_punchy, "agx-punchy", "the same with more contrast and colour"},
+         {Tone::neutral, "neutral", "colours stay as they are up to bright ones (Khronos)"}},
+        {.help = "from light to display values, in scenic views"});
+    table.real("look.exposure", look.exposure,
+               {.unit = "stops", .range = {-10, 10}, .help = "brighter by a factor of two each"});
+    table.word_or_real(
+        "look.contrast", look.contrast, {{"auto", "1.35 over endless ground, else 1"}},
+        {.range = {0.2, 4}, .help = "of light before the tone curve: a power around middle grey"});
+    table.boolean("look.block_sides", look.block_sides,
+                  {.help = "draw the cut sides of the block"});
+    table.choice("look.sides", look.sides,
+                 {{BlockSides::soil, "soil",
+                   "as a spade cuts it: damp sand under a dry skin, earth with stones"},
+                  {BlockSides::layers, "layers", "sets of cross-beds, as in a dune's trench"}},
+                 {.help = "what the block's sides show in a scenic view",
+                  .earlier = {"0.2.0", "\"layers\""}});
+    table.choice("look.sand", look.sand,
+                 {{SandKind::quartz, "quartz", "golden, as most dunes are"},
+                  {SandKind::iron_red, "iron-red", "coated with iron oxide: Namib, Simpson Desert"},
+                  {SandKind::gypsum, "gypsum", "white: White Sands"},
+                  {SandKind::carbonate, "carbonate", "pale cream, of shells and corals"},
+                  {SandKind::basalt, "basalt", "black: Iceland, Hawaii"},
+                  {SandKind::martian, "mars", "basalt with a veil of red dust"}},
+                 {.help = "colour of sand that is coloured \"natural\""});
+    table.real("look.grain", look.grain, {.range = {0, 1}, .help = "visible grain of the sand"});
+    table.real("look.ripples", look.ripples,
+               {.range = {0, 1},
+                .help = "steepness of the wind ripples, too fine for the grid, on endless ground"});
+    table.real("look.plants", look.plants,
+               {.range = {0, 1},
+                .help = "of the plants of model dunes, the share that is drawn one by one; 0: a "
+                        "tint of the ground alone",
+                .earlier = {"0.2.0", "0.0"}});
+    table.word_or_real("look.contours", look.contours,
+                       {{"none", "no lines"}, {"auto", "a round interval: up to 16 lines"}},
+                       {.unit = "m",
+                        .range = {0, 1e6, true},
+                        .help = "between lines of equal height over the ground, every fifth "
+                                "labelled; model heights where there are no metres"});
+    table.word_or_real("look.room", look.room,
+                       {{"auto", "as far as the model's landforms usually grow"}},
+                       {.unit = "model heights",
+                        .range = {0, 1e7},
+                        .help = "space kept free above the first bed"});
+    table.choice(
+        "look.datum", look.datum,
+        {{Datum::automatic, "auto", "mean for models with water, else first"},
+         {Datum::first, "first", "the first bed's heights: a bed that sinks is seen to sink"},
+         {Datum::mean, "mean",
+          "each frame's mean height: a bed that sinks as a whole stays framed"}},
+        {.help = "what the drawn heights are counted from"});
+    table.real("look.shading", look.shading,
+               {.range = {0, 1}, .help = "hill shading of a figure; 0: the colours alone"});
+    table.boolean("look.water", look.water,
+                  {.help = "draw the water over the bed, where the model has some"});
+    table.word_or_real(
+        "look.water_clarity", look.water_clarity,
+        {{"auto", "from the frame's depths: ponds hide their ground, an even film does not"}},
+        {.unit = "m", .range = {0, 1e6, true}, .help = "depth at which the bed is half hidden"});
+    table.real("look.turbidity", look.turbidity,
+               {.range = {0, 1}, .help = "of the water: 0 clear and blue-green, 1 muddy"});
+    table.boolean("look.air", look.air,
+                  {.help = "draw the air over a profile, where the model has some (scenic)"});
+    table.choice("look.mark", look.mark,
+                 {{Marking::none, "none", "the bed alone"},
+                  {Marking::last_avalanche, "last-avalanche",
+                   "the cells of the pile's last avalanche in blue: toppled ones dark, others "
+                   "lighter"},
+                  {Marking::ground, "ground",
+                   "plants in their green where the dunes have some, and rock without sand"}},
+                 {.help = "cells that stand out"});
+    table.integer("look.profile_start", look.profile_start,
+                  {.unit = "sites",
+                   .range = {0, largest_grid_side},
+                   .help = "a profile (grid.ny = 1) is drawn as a strip: its first site"});
+    table.integer(
+        "look.profile_sites", look.profile_sites,
+        {.unit = "sites",
+         .range = {0, 8192},
+         .help = "how many sites of a profile are drawn; 0: 900, or all of a shorter one"});
+
+    ImageSettings& image = view.image;
+    table.integer("image.width", image.width,
+                  {.unit = "pixels",
+                   .range = {smallest_picture_side, largest_picture_side},
+                   .help = "width"});
+    table.integer("image.height", image.height,
+                  {.unit = "pixels",
+                   .range = {smallest_picture_side, largest_picture_side},
+                   .help = "height"});
+    table.integer("image.supersampling", image.supersampling,
+                  {.range = {1, 4}, .help = "1, 2 or 4 samples along each side of a pixel"});
+    table.real("image.dots_per_inch", image.dots_per_inch,
+               {.range = {1, 10000}, .help = "physical size, written into the PNG"});
+}
+
+}  // namespace fumon
