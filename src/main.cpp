@@ -1,5 +1,6 @@
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
 #include <vector>
@@ -15,6 +16,14 @@
 static int tell_out_of_memory() {
     std::fputs(fumon::out_of_memory.data(), stderr);
     return 1;
+}
+
+/// Ends the program without what libraries do at the end of one, where memory has ended within
+/// them: a driver would wait for its own locks.
+static int ended_with(int status) {
+    if (!fumon::memory_has_ended()) return status;
+    std::fflush(nullptr);
+    std::_Exit(status);
 }
 
 /// Gives large fields back to the system as they are freed. By itself the C library raises the size
@@ -36,16 +45,16 @@ int main(int count, char** values) {
         return fumon::run_command_line(std::vector<std::string>(values + 1, values + count));
     } catch (const fumon::InputError& error) {
         // A library that finds no memory may call its input wrong, as the reader of TOML does.
-        if (fumon::memory_has_ended()) return tell_out_of_memory();
+        if (fumon::memory_has_ended()) return ended_with(tell_out_of_memory());
         std::fprintf(stderr, "%s\n", error.what());
         return error.exit_status();
     } catch (const fumon::Error& error) {
         std::fprintf(stderr, "%s\n", error.what());
-        return error.exit_status();
+        return ended_with(error.exit_status());
     } catch (const std::bad_alloc&) {
-        return tell_out_of_memory();
+        return ended_with(tell_out_of_memory());
     } catch (const std::exception& error) {
         std::fprintf(stderr, "fumon: unexpected: %s\n", error.what());
-        return 1;
+        return ended_with(1);
     }
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <string_view>
 
 #include "base/error.h"
@@ -11,6 +12,7 @@ namespace fumon::gl {
 namespace {
 
 thread_local const Functions* current = nullptr;
+std::atomic<bool> left_alone = false;
 
 std::string_view error_name(GLenum error) {
     switch (error) {
@@ -60,6 +62,14 @@ void check_errors(const char* where) {
     while (functions().GetError() != GL_NO_ERROR) {
     }
     throw Error(fmt::format("OpenGL failed in {}: {} (0x{:04x})", where, error_name(error), error));
+}
+
+void leave_drivers_alone() noexcept {
+    left_alone = true;
+}
+
+bool drivers_are_left_alone() noexcept {
+    return left_alone;
 }
 
 }  // namespace fumon::gl

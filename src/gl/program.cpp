@@ -49,7 +49,9 @@ class Stage {
             key = fmt::format(" (files by number: {})", fmt::join(source.files, ", "));
         throw Error(fmt::format("shaders/{} does not compile{}: {}", file, key, log.data()));
     }
-    ~Stage() { functions().DeleteShader(shader_); }
+    ~Stage() {
+        if (!drivers_are_left_alone()) functions().DeleteShader(shader_);
+    }
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 

@@ -229,7 +229,7 @@ TEST_F(FaultTest, WhereMemoryEndsADriversCrashIsOneLineToo) {
         write_text(folder_ / "still.png", "an earlier picture");
         const Ended ended =
             shell(std::string("ulimit -v ") + kibibytes +
-                  "; timeout 60 \"$FUMON\" still scene.toml -o still.png -q --force --step 0");
+                  "; timeout -k 5 60 \"$FUMON\" still scene.toml -o still.png -q --force --step 0");
         if (ended.status == 0) continue;
         ++failed;
         EXPECT_EQ(ended.status, 1) << kibibytes << ended.errors;

@@ -15,6 +15,7 @@
 
 #include "base/platform.h"
 #include "files/library_at_work.h"
+#include "gl/functions.h"
 
 namespace fumon {
 
@@ -57,6 +58,7 @@ extern "C" void tell_crash(int signal) {
 
 void note_end_of_memory() {
     memory_ended = 1;
+    gl::leave_drivers_alone();
     throw std::bad_alloc();
 }
 
