@@ -1,10 +1,9 @@
-// GeoTIFFs that GDAL itself writes here, read by fumon, and the other way round.
+// GeoTIFFs that GDAL itself writes here, read by fumon.
 
 #include "files/terrain/geotiff.h"
 
 #include <cpl_conv.h>
 #include <gdal.h>
-#include <gdal_frmts.h>
 #include <gtest/gtest.h>
 #include <ogr_srs_api.h>
 
@@ -13,80 +12,21 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
-#include "files/terrain/reproject.h"
 #include "files/terrain/terrain_file.h"
-#include "files/terrain/terrain_format.h"
 #include "support/grid_values.h"
-#include "support/temporary_folder.h"
+#include "support/raster_test.h"
 
-namespace fumon {
+namespace fumon::test {
 namespace {
 
-using test::message_of;
-using test::TemporaryFolder;
-using test::values_of;
 namespace fs = std::filesystem;
 
-const std::string utm = "EPSG:32613";
-
-/// What GDAL is to write.
-struct Raster {
-    int nx = 3;
-    int ny = 2;
-    std::vector<double> values{1, 2, 3, 4, 5, 6};  ///< the file's first row first
-    std::vector<double> transform{500000, 10, 0, 4000020, 0, -10};
-    std::string crs = utm;
-    GDALDataType type = GDT_Float64;
-    int bands = 1;
-    std::vector<const char*> options{};
-    std::function<void(GDALDatasetH)> more = [](GDALDatasetH) {};
-};
-
-fs::path write(const fs::path& file, const Raster& raster) {
-    GDALRegister_GTiff();
-    std::vector<const char*> options = raster.options;
-    options.push_back(nullptr);
-    GDALDatasetH dataset = GDALCreate(GDALGetDriverByName("GTiff"), file.c_str(), raster.nx,
-                                      raster.ny, raster.bands, raster.type, options.data());
-    std::vector<double> transform = raster.transform;
-    if (!transform.empty()) GDALSetGeoTransform(dataset, transform.data());
-    if (!raster.crs.empty()) {
-        OGRSpatialReferenceH crs = OSRNewSpatialReference(nullptr);
-        OSRSetFromUserInput(crs, raster.crs.c_str());
-        GDALSetSpatialRef(dataset, crs);
-        OSRDestroySpatialReference(crs);
-    }
-    raster.more(dataset);
-    std::vector<double> values = raster.values;
-    for (int band = 1; band <= raster.bands && !values.empty(); ++band) {
-        EXPECT_EQ(GDALRasterIO(GDALGetRasterBand(dataset, band), GF_Write, 0, 0, raster.nx,
-                               raster.ny, values.data(), raster.nx, raster.ny, GDT_Float64, 0, 0),
-                  CE_None);
-        for (double& value : values) value += 100.0;
-    }
-    GDALClose(dataset);
-    return file;
-}
-
-class Geotiff : public ::testing::Test {
-  protected:
-    [[nodiscard]] Terrain read(const Raster& raster, const TerrainQuery& query = {}) const {
-        return read_terrain(write(folder_.path() / "dem.tif", raster), query);
-    }
-    [[nodiscard]] std::string refusal(const Raster& raster, const TerrainQuery& query = {}) const {
-        const std::string name = (folder_.path() / "dem.tif").string();
-        const std::string message = message_of<InputError>([&] { (void)read(raster, query); });
-        return message.starts_with(name) ? message.substr(name.size() + 2) : message;
-    }
-
-    TemporaryFolder folder_;
-};
+using Geotiff = RasterTest;
 
 TEST_F(Geotiff, KeepsHeightsOriginAndReferenceSystem) {
     const Terrain terrain = read({});
@@ -363,110 +303,6 @@ TEST_F(Geotiff, OnlyTheFileItselfIsRead) {
     EXPECT_EQ(read(raster).dx, 0.0) << "a world file beside it could change unseen";
 }
 
-/// A bed that lies somewhere, with a hole.
-struct Written {
-    Grid heights{3, 2};
-    Mask nodata{3, 2};
-    WorldScale scale{10.0, 10.0, 1.0, true};
-
-    explicit Written(GeoReference place) {
-        for (std::size_t k = 0; k < 6; ++k) heights.values()[k] = 0.1 * static_cast<double>(k);
-        nodata(1, 1) = 1;
-        scale.place = std::move(place);
-    }
-    [[nodiscard]] std::vector<TerrainBytes> files(const char* format) const {
-        return find_written_format(format)->write({heights, nodata, scale});
-    }
-};
-
-TEST_F(Geotiff, AWrittenBedReadsBackTheSame) {
-    const Terrain from = read({});
-    const Written written(*from.place);
-    const auto files = written.files("geotiff");
-    ASSERT_EQ(files.size(), 1U);
-    EXPECT_EQ(files[0].ending, ".tif");
-    const Terrain back = read_terrain(folder_.file("back.tif", files[0].bytes));
-    EXPECT_EQ(back.nodata, written.nodata);
-    for (std::size_t k = 0; k < 6; ++k) {
-        if (written.nodata.values()[k] == 0) {
-            EXPECT_EQ(back.heights.values()[k], written.heights.values()[k]);
-        }
-    }
-    EXPECT_EQ(back.place, from.place);
-    EXPECT_EQ(written.files("geotiff")[0].bytes, files[0].bytes) << "the same bytes every time";
-}
-
-TEST_F(Geotiff, GdalFindsAWrittenBedWhereItLies) {
-    const Written written(*read({}).place);
-    const std::string file = folder_.file("bed.tif", written.files("geotiff")[0].bytes).string();
-    GDALDatasetH dataset = GDALOpen(file.c_str(), GA_ReadOnly);
-    ASSERT_NE(dataset, nullptr);
-    std::array<double, 6> transform{};
-    EXPECT_EQ(GDALGetGeoTransform(dataset, transform.data()), CE_None);
-    EXPECT_EQ(transform, (std::array<double, 6>{500000, 10, 0, 4000020, 0, -10}));
-    EXPECT_STREQ(OSRGetAuthorityCode(GDALGetSpatialRef(dataset), nullptr), "32613");
-    GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
-    EXPECT_EQ(GDALGetRasterDataType(band), GDT_Float64);
-    EXPECT_STREQ(GDALGetRasterUnitType(band), "m");
-    EXPECT_EQ(GDALGetRasterNoDataValue(band, nullptr), -9999.0);
-    double first = 0.0;
-    EXPECT_EQ(GDALRasterIO(band, GF_Read, 0, 0, 1, 1, &first, 1, 1, GDT_Float64, 0, 0), CE_None);
-    EXPECT_EQ(first, written.heights(0, 1)) << "the northern row first";
-    GDALClose(dataset);
-}
-
-TEST_F(Geotiff, APictureLiesWhereItWasTakenFrom) {
-    Image picture(3, 2);
-    for (std::size_t k = 0; k < picture.rgb.size(); ++k)
-        picture.rgb[k] = static_cast<std::uint8_t>(10 * k);
-    GeoReference place = *read({}).place;
-    place.dx = 4.0;
-    const std::string bytes = geotiff_picture(picture, place);
-    EXPECT_EQ(geotiff_picture(picture, place), bytes) << "the same bytes every time";
-    GDALDatasetH dataset = GDALOpen(folder_.file("picture.tif", bytes).c_str(), GA_ReadOnly);
-    ASSERT_NE(dataset, nullptr);
-    std::array<double, 6> transform{};
-    EXPECT_EQ(GDALGetGeoTransform(dataset, transform.data()), CE_None);
-    EXPECT_EQ(transform, (std::array<double, 6>{500000, 4, 0, 4000020, 0, -10}));
-    EXPECT_STREQ(OSRGetAuthorityCode(GDALGetSpatialRef(dataset), nullptr), "32613");
-    ASSERT_EQ(GDALGetRasterCount(dataset), 3);
-    EXPECT_EQ(GDALGetRasterColorInterpretation(GDALGetRasterBand(dataset, 3)), GCI_BlueBand);
-    std::array<std::uint8_t, 6> green{};
-    EXPECT_EQ(GDALRasterIO(GDALGetRasterBand(dataset, 2), GF_Read, 0, 0, 3, 2, green.data(), 3, 2,
-                           GDT_Byte, 0, 0),
-              CE_None);
-    EXPECT_EQ(green, (std::array<std::uint8_t, 6>{10, 40, 70, 100, 130, 160})) << "top row first";
-    GDALClose(dataset);
-}
-
-TEST_F(Geotiff, AnEsriGridKeepsThePlaceTooAndItsPrjBesideIt) {
-    const Written written(*read({}).place);
-    const auto files = written.files("esri-ascii");
-    ASSERT_EQ(files.size(), 2U);
-    EXPECT_NE(files[0].bytes.find("xllcorner 500000\nyllcorner 4000000\ncellsize 10\n"),
-              std::string::npos)
-        << files[0].bytes;
-    EXPECT_EQ(files[1].ending, ".prj");
-    EXPECT_TRUE(files[1].bytes.starts_with("PROJCS[\"WGS_1984_UTM_Zone_13N\"")) << files[1].bytes;
-    const fs::path grid = folder_.file("bed.asc", files[0].bytes);
-    folder_.file("bed.prj", files[1].bytes);
-    const Terrain back = read_terrain(grid);
-    ASSERT_TRUE(back.place);
-    EXPECT_EQ(back.place->west, 500000.0);
-    EXPECT_EQ(back.place->crs + "\n", files[1].bytes);
-    const auto again = Written(*back.place).files("geotiff");
-    const Terrain tiff = read_terrain(folder_.file("again.tif", again[0].bytes));
-    EXPECT_NE(tiff.place->crs.find("UTM zone 13N"), std::string::npos) << tiff.place->crs;
-}
-
-TEST_F(Geotiff, WithoutMetresABedIsWrittenNowhere) {
-    const Grid heights(4, 3, 1.0);
-    const auto files = find_written_format("geotiff")->write({heights, {}, {}});
-    const Terrain back = read_terrain(folder_.file("sites.tif", files[0].bytes));
-    EXPECT_EQ(back.dx, 0.0);
-    EXPECT_EQ(back.heights, heights);
-}
-
 TEST_F(Geotiff, ReadsAVirtualRasterOfTwoFiles) {
     Raster west;
     Raster east;
@@ -497,106 +333,5 @@ TEST_F(Geotiff, ReadsAVirtualRasterOfTwoFiles) {
     EXPECT_THROW((void)read_terrain(vrt("/vsicurl/http://127.0.0.1/west.tif")), InputError);
 }
 
-TEST_F(Geotiff, ACloudOptimizedOneHasTilesAndOverviewsAndTheSameHeights) {
-    Raster raster;
-    raster.nx = 700;
-    raster.ny = 600;
-    raster.values.resize(700U * 600U);
-    for (std::size_t i = 0; i < raster.values.size(); ++i)
-        raster.values[i] = std::sin(0.01 * static_cast<double>(i));
-    const Terrain terrain = read(raster);
-    const WorldScale scale{terrain.dx, terrain.dy, 1.0, true, terrain.place};
-    const TerrainFormat* format = find_written_format("cloud-optimized-geotiff");
-    ASSERT_NE(format, nullptr);
-    const auto files = format->write({terrain.heights, terrain.nodata, scale});
-    ASSERT_EQ(files.size(), 1U);
-    EXPECT_EQ(files[0].ending, ".cog.tif");
-    EXPECT_EQ(format->write({terrain.heights, terrain.nodata, scale})[0].bytes, files[0].bytes);
-    const fs::path file = folder_.path() / "bed.cog.tif";
-    std::ofstream(file, std::ios::binary) << files[0].bytes;
-    EXPECT_EQ(values_of(read_terrain(file).heights), values_of(terrain.heights));
-    EXPECT_EQ(read_terrain(file).place, terrain.place);
-    GDALDatasetH dataset = GDALOpen(file.c_str(), GA_ReadOnly);
-    ASSERT_NE(dataset, nullptr);
-    EXPECT_STREQ(GDALGetMetadataItem(dataset, "LAYOUT", "IMAGE_STRUCTURE"), "COG");
-    EXPECT_EQ(GDALGetOverviewCount(GDALGetRasterBand(dataset, 1)), 1);
-    int width = 0;
-    int height = 0;
-    GDALGetBlockSize(GDALGetRasterBand(dataset, 1), &width, &height);
-    EXPECT_EQ(width, 512);
-    GDALClose(dataset);
-}
-
-/// A plane that rises by a metre a degree of latitude, over Colorado, with one cell without data.
-Terrain plane_in_degrees() {
-    Terrain terrain;
-    terrain.heights = Grid(60, 40);
-    for (int y = 0; y < 40; ++y)
-        for (int x = 0; x < 60; ++x) terrain.heights(x, y) = 1000.0 * (40.0 + (y + 0.5) * 0.001);
-    terrain.nodata = Mask(60, 40);
-    terrain.nodata(30, 20) = 1;
-    terrain.place = GeoReference{-105.55, 40.0, 0.001, 0.001, true, ""};
-    terrain.note =
-        "cell size 0.001° read as degrees and converted to metres at the middle "
-        "latitude 40.02°: dx = 1 m, dy = 1 m; another";
-    return terrain;
-}
-
-TEST(Reprojected, ToUtmLiesWhereProjSays) {
-    const Terrain metric = reprojected(plane_in_degrees(), "utm");
-    ASSERT_TRUE(metric.place);
-    EXPECT_EQ(metric.dx, metric.dy);
-    EXPECT_FALSE(metric.place->degrees);
-    EXPECT_NE(metric.place->crs.find("32613"), std::string::npos) << metric.place->crs;
-    EXPECT_TRUE(metric.note.starts_with("another; reprojected to EPSG:32613: ")) << metric.note;
-    // A cell's centre brought back by PROJ has the plane's height.
-    OGRSpatialReferenceH from = OSRNewSpatialReference(nullptr);
-    OGRSpatialReferenceH to = OSRNewSpatialReference(nullptr);
-    OSRSetFromUserInput(from, "EPSG:32613");
-    OSRSetFromUserInput(to, "EPSG:4326");
-    OSRSetAxisMappingStrategy(from, OAMS_TRADITIONAL_GIS_ORDER);
-    OSRSetAxisMappingStrategy(to, OAMS_TRADITIONAL_GIS_ORDER);
-    OGRCoordinateTransformationH back = OCTNewCoordinateTransformation(from, to);
-    int holes = 0;
-    int compared = 0;
-    for (int y = 5; y < metric.heights.ny() - 5; ++y) {
-        for (int x = 5; x < metric.heights.nx() - 5; ++x) {
-            if (metric.nodata(x, y) != 0) {
-                ++holes;
-                continue;
-            }
-            double east = metric.place->west + (x + 0.5) * metric.dx;
-            double north = metric.place->south + (y + 0.5) * metric.dy;
-            ASSERT_NE(OCTTransform(back, 1, &east, &north, nullptr), 0);
-            EXPECT_NEAR(metric.heights(x, y), 1000.0 * north, 1000.0 * 0.25 * 0.001);
-            ++compared;
-        }
-    }
-    OCTDestroyCoordinateTransformation(back);
-    OSRDestroySpatialReference(from);
-    OSRDestroySpatialReference(to);
-    EXPECT_GE(holes, 1);
-    EXPECT_LE(holes, 4);
-    EXPECT_GT(compared, 1000);
-}
-
-TEST(Reprojected, RefusesWhatIsNoPlaneInMetres) {
-    const auto refusal = [](Terrain terrain, const std::string& crs) {
-        return message_of<InputError>([&] { (void)reprojected(terrain, crs); });
-    };
-    EXPECT_NE(refusal(plane_in_degrees(), "EPSG:4326").find("does not count metres"),
-              std::string::npos);
-    EXPECT_NE(refusal(plane_in_degrees(), "EPSG:2231").find("does not count metres"),
-              std::string::npos)
-        << "feet";
-    EXPECT_NE(refusal(plane_in_degrees(), "nonsense").find("no reference system"),
-              std::string::npos);
-    Terrain nowhere = plane_in_degrees();
-    nowhere.place->degrees = false;
-    EXPECT_NE(refusal(nowhere, "EPSG:32613").find("does not say"), std::string::npos);
-    nowhere.place->crs = "EPSG:32613";
-    EXPECT_NE(refusal(nowhere, "utm").find("is projected already"), std::string::npos);
-}
-
 }  // namespace
-}  // namespace fumon
+}  // namespace fumon::test

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <gdal.h>
+#include <gdal_frmts.h>
+#include <gtest/gtest.h>
+#include <ogr_srs_api.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "files/terrain/terrain_file.h"
+#include "support/temporary_folder.h"
+
+namespace fumon::test {
+
+/// What GDAL is to write.
+struct Raster {
+    int nx = 3;
+    int ny = 2;
+    std::vector<double> values{1, 2, 3, 4, 5, 6};  ///< the file's first row first
+    std::vector<double> transform{500000, 10, 0, 4000020, 0, -10};
+    std::string crs = "EPSG:32613";
+    GDALDataType type = GDT_Float64;
+    int bands = 1;
+    std::vector<const char*> options{};
+    std::function<void(GDALDatasetH)> more = [](GDALDatasetH) {};
+};
+
+inline std::filesystem::path write(const std::filesystem::path& file, const Raster& raster) {
+    GDALRegister_GTiff();
+    std::vector<const char*> options = raster.options;
+    options.push_back(nullptr);
+    GDALDatasetH dataset = GDALCreate(GDALGetDriverByName("GTiff"), file.c_str(), raster.nx,
+                                      raster.ny, raster.bands, raster.type, options.data());
+    std::vector<double> transform = raster.transform;
+    if (!transform.empty()) GDALSetGeoTransform(dataset, transform.data());
+    if (!raster.crs.empty()) {
+        OGRSpatialReferenceH crs = OSRNewSpatialReference(nullptr);
+        OSRSetFromUserInput(crs, raster.crs.c_str());
+        GDALSetSpatialRef(dataset, crs);
+        OSRDestroySpatialReference(crs);
+    }
+    raster.more(dataset);
+    std::vector<double> values = raster.values;
+    for (int band = 1; band <= raster.bands && !values.empty(); ++band) {
+        EXPECT_EQ(GDALRasterIO(GDALGetRasterBand(dataset, band), GF_Write, 0, 0, raster.nx,
+                               raster.ny, values.data(), raster.nx, raster.ny, GDT_Float64, 0, 0),
+                  CE_None);
+        for (double& value : values) value += 100.0;
+    }
+    GDALClose(dataset);
+    return file;
+}
+
+/// Reads what GDAL wrote.
+class RasterTest : public ::testing::Test {
+  protected:
+    [[nodiscard]] Terrain read(const Raster& raster, const TerrainQuery& query = {}) const {
+        return read_terrain(write(folder_.path() / "dem.tif", raster), query);
+    }
+    [[nodiscard]] std::string refusal(const Raster& raster, const TerrainQuery& query = {}) const {
+        const std::string name = (folder_.path() / "dem.tif").string();
+        const std::string message = message_of<InputError>([&] { (void)read(raster, query); });
+        return message.starts_with(name) ? message.substr(name.size() + 2) : message;
+    }
+
+    TemporaryFolder folder_;
+};
+
+}  // namespace fumon::test
