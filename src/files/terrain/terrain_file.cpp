@@ -33,6 +33,11 @@ Terrain read_terrain(const std::filesystem::path& file, const TerrainQuery& quer
     const auto formats = terrain_formats();
     const auto format = std::ranges::find_if(
         formats, [&](const TerrainFormat& one) { return one.is_one(file, start); });
+    if (query.any_unit && !format->has_heights) {
+        throw InputError(fmt::format("{}: {} holds shades, not numbers with a unit; give {}",
+                                     file.string(), format->title,
+                                     "a GeoTIFF, a NetCDF file or an ESRI ASCII grid"));
+    }
     Terrain terrain = format->read(file, query);  // the last format is every other file's
     check_query(file, *format, query);
     return terrain;
