@@ -197,8 +197,9 @@ std::array<int, 3> film_levels_at(const FilmPainter& painter, const Image& image
     const FilmStage& stage = painter.stage();
     const Camera camera = camera_of(stage, painter.shots().front().pose_at(0.0));
     const glm::dvec2 seen = project(camera, place_on_stage(stage, place, bed));
-    const std::uint8_t* pixel = image.row(static_cast<int>(0.5 * (1.0 - seen.y) * image.height)) +
-                                3 * static_cast<int>(0.5 * (1.0 + seen.x) * image.width);
+    const std::uint8_t* pixel =
+        image.row(static_cast<int>(0.5 * (1.0 - seen.y) * image.height)) +
+        std::ptrdiff_t{3} * static_cast<int>(0.5 * (1.0 + seen.x) * image.width);
     return {pixel[0], pixel[1], pixel[2]};
 }
 

@@ -104,7 +104,7 @@ TEST(InsetMapOverlay, ShadesAnEvenSlopeEvenly) {
             for (int x = 0; x < 80; ++x) {
                 const int row = static_cast<int>(box.y + 0.35 * box.height) + y;
                 const int column = static_cast<int>(box.x + 0.5 * box.width) - 40 + x;
-                const int level = image.row(row)[3 * column];
+                const int level = image.row(row)[std::ptrdiff_t{3} * column];
                 least = std::min(least, level);
                 most = std::max(most, level);
             }
@@ -138,7 +138,8 @@ TEST(ArrowOverlay, ShowsAllWindsThatCancelAndTheOneThatBlows) {
         for (int y = 0; y < static_cast<int>(side); ++y) {
             for (int x = 0; x < static_cast<int>(side); ++x) {
                 const int column = static_cast<int>(box.x) + x;
-                if (image.row(static_cast<int>(box.y) + y)[3 * column] > 60) continue;
+                if (image.row(static_cast<int>(box.y) + y)[std::ptrdiff_t{3} * column] > 60)
+                    continue;
                 sum += glm::dvec2(x, y) / side;
                 count += 1.0;
             }

@@ -77,7 +77,7 @@ TEST(LivePlot, OfYearsGoesUpToTheLastFrameOrGrows) {
     };
     const int grown = curve_end({});
     EXPECT_GT(grown, 500) << "up to 10 years, not to 1,200";
-    EXPECT_NEAR(curve_end({false, false, 0.0, 18.0}), grown / 2, 80);
+    EXPECT_NEAR(curve_end({false, false, 0.0, 18.0}), 0.5 * grown, 80);
 }
 
 TEST(GrowingRange, HoldsAllValuesAndChangesSeldom) {
