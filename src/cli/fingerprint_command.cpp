@@ -29,7 +29,7 @@ void declare(CLI::App& command, FingerprintOptions& options) {
         command,
         {{"fumon fingerprint dunes.png", ""}, {"fumon fingerprint a.png b.png --json", ""}},
         "size     width and height, pixels\n"
-        "pixels   SHA-256 of the pixels (8 bits a channel, without alpha), as run.json has it\n"
+        "pixels   SHA-256 of the pixels (8 bits a channel, alpha too), as run.json has it\n"
         "dhash    64-bit difference hash: a label, blind to light and shading\n"
         "red, green, blue   32 x 18 mean levels of boxes of the picture, to a tenth");
 }

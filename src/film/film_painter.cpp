@@ -231,7 +231,8 @@ void FilmPainter::place_overlays(const FilmSize& size) {
         located(film_, [&] {
             made = std::make_unique<FrameOverlays>(
                 scene, runs_.first().first(),
-                OverlayStyle{film_.settings.plates == Plates::none, true, safe_edge * side});
+                OverlayStyle{film_.settings.plates == Plates::none, true, safe_edge * side,
+                             runs_.first().beds().back().time});
         });
         return made;
     };

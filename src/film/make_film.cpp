@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "base/error.h"
@@ -44,6 +45,25 @@ constexpr int most_tries = 14;
 struct Interrupted {
     int signal;
 };
+
+/// A file that is there until this ends; only what kills the program leaves it.
+struct Fleeting {
+    fs::path file{};  ///< none where empty
+
+    explicit Fleeting(fs::path file_) : file(std::move(file_)) {}
+    Fleeting(const Fleeting&) = delete;
+    Fleeting& operator=(const Fleeting&) = delete;
+    ~Fleeting() {
+        std::error_code fault;
+        if (!file.empty()) fs::remove(file, fault);
+    }
+};
+
+/// Whether what a killed program leaves of such a movie plays: MP4 and QuickTime say only at their
+/// end where the frames are.
+bool plays_before_it_is_whole(const MovieFormat& format) {
+    return format.muxer != "mp4" && format.muxer != "mov";
+}
 
 /// One film being made into one file.
 class FilmMaker {
@@ -179,10 +199,13 @@ class FilmMaker {
 
     void write_at_once() {
         if (output_.goes_on) kept_.emplace(output_.file, identity());
+        const Fleeting part{plays_before_it_is_whole(format())
+                                ? fs::path()
+                                : temporary_name(resolved_link(output_.file))};
         Movie movie(kept_ ? kept_->whole() : output_.file, made_.width, made_.height,
                     film_.settings.rate,
                     MovieCoding{format(), static_cast<int>(film_.settings.quality), nullptr, open_,
-                                kept_ ? kept_->so_far() : fs::path()});
+                                kept_ ? kept_->so_far() : part.file});
         for (std::int64_t frame = 0; frame < painter_->frames(); ++frame)
             movie.add(draw(frame, frame, painter_->frames()));
         made_.width = movie.padded_width();

@@ -62,6 +62,14 @@ std::string reason(int code) {
     return text.data();
 }
 
+/// Where a movie is written until it is whole.
+std::filesystem::path temporary_of(const std::filesystem::path& file, const MovieCoding& coding) {
+    std::filesystem::path temporary = temporary_name(file);
+    if (coding.so_far != temporary) return temporary;
+    temporary = file;
+    return temporary_name(temporary += ".whole");
+}
+
 int even(int side) {
     return side + side % 2;
 }
@@ -96,7 +104,7 @@ struct Movie::Parts {
 
     Parts(const std::filesystem::path& file_, int width_, int height_, const MovieCoding& coding_)
         : file(resolved_link(file_)),
-          temporary(temporary_name(file)),
+          temporary(temporary_of(file, coding_)),
           width(width_),
           height(height_),
           coding(coding_) {
@@ -108,6 +116,17 @@ struct Movie::Parts {
         if (finished) return;
         if (so_far && !failed) drain_into_so_far();
         abandon();
+    }
+
+    /// A disk without room for both movies has the one that counts.
+    void add_to_so_far() {
+        if (!so_far) return;
+        try {
+            so_far->add(*packet);
+        } catch (const Error&) {
+            so_far.reset();
+            ::unlink(coding.so_far.c_str());
+        }
     }
 
     /// What the encoder still holds.
@@ -267,7 +286,7 @@ void Movie::Parts::write_filtered(AVPacket* input) {
         const int code = av_bsf_receive_packet(without_version.get(), packet.get());
         if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
         check(code);
-        if (so_far) so_far->add(*packet);
+        add_to_so_far();
         packet->stream_index = stream->index;
         packet->duration = 1;  // frame; the last one would have none
         av_packet_rescale_ts(packet.get(), codec->time_base, stream->time_base);

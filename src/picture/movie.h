@@ -21,7 +21,8 @@ struct MovieCoding {
     /// Its frames have alpha, where the format can; elsewhere they are laid on white.
     bool transparent = false;
     /// A second file, which plays at any time what has been encoded up to there and stays whatever
-    /// ends the program; none where empty.
+    /// ends the program; none where empty. It may be NAME.part, the usual temporary name: the movie
+    /// is then written as NAME.whole.part meanwhile.
     std::filesystem::path so_far{};
 };
 

@@ -33,8 +33,8 @@ std::vector<std::uint8_t> encode_png(const Image& image, double dots_per_inch,
 /// damaged.
 PictureText read_png_texts(const std::filesystem::path& file);
 
-/// The pixels of a PNG file as RGB, 8 bits a channel; 16 bits are rounded to 8, and alpha is
-/// dropped. Throws InputError when it is not a PNG or is damaged.
+/// The pixels of a PNG file as RGB, 8 bits a channel, with opacities where the file stores some; 16
+/// bits are rounded to 8. Throws InputError when it is not a PNG or is damaged.
 Image read_png(const std::filesystem::path& file);
 
 }  // namespace fumon

@@ -55,6 +55,16 @@ Field<Number> field_of_array(const Array& array) {
     return field;
 }
 
+std::vector<std::uint8_t> interleaved(const Image& image) {
+    std::vector<std::uint8_t> levels;
+    levels.reserve(4 * image.alpha.size());
+    for (std::size_t pixel = 0; pixel < image.alpha.size(); ++pixel) {
+        levels.insert(levels.end(), image.rgb.data() + 3 * pixel, image.rgb.data() + 3 * pixel + 3);
+        levels.push_back(image.alpha[pixel]);
+    }
+    return levels;
+}
+
 }  // namespace
 
 py::array view_of(const Grid& grid, std::shared_ptr<const void> owner) {
@@ -74,10 +84,12 @@ Mask mask_of(const MaskArray& array) {
 }
 
 py::array array_of(Image image) {
-    auto kept = std::make_unique<Image>(std::move(image));
-    const std::vector<py::ssize_t> shape{kept->height, kept->width, 3};
-    const std::uint8_t* levels = kept->rgb.data();
-    const py::capsule base(kept.get(), [](void* pointer) { delete static_cast<Image*>(pointer); });
+    const std::vector<py::ssize_t> shape{image.height, image.width, image.transparent() ? 4 : 3};
+    auto kept = std::make_unique<std::vector<std::uint8_t>>(
+        image.transparent() ? interleaved(image) : std::move(image.rgb));
+    const std::uint8_t* levels = kept->data();
+    const py::capsule base(
+        kept.get(), [](void* pointer) { delete static_cast<std::vector<std::uint8_t>*>(pointer); });
     static_cast<void>(kept.release());  // the capsule's now
     return py::array_t<std::uint8_t>(shape, levels, base);
 }
@@ -88,15 +100,26 @@ py::tuple drawn_of(Drawing drawing) {
 }
 
 Image image_of(const ImageArray& array) {
-    if (array.ndim() != 3 || array.shape(2) != 3 || array.shape(0) < 1 || array.shape(1) < 1) {
+    const bool coloured = array.ndim() == 3 && (array.shape(2) == 3 || array.shape(2) == 4);
+    if (!coloured || array.shape(0) < 1 || array.shape(1) < 1) {
         throw InputError(
-            "a picture is an array (height, width, 3) of red, green and blue, 8 bits each");
+            "a picture is an array (height, width, 3) of red, green and blue, 8 bits each, or "
+            "(height, width, 4) with alpha");
     }
     constexpr py::ssize_t largest_side = 65'535;
     if (array.shape(0) > largest_side || array.shape(1) > largest_side)
         throw InputError(fmt::format("a picture has at most {} pixels a side", largest_side));
     Image image(static_cast<int>(array.shape(1)), static_cast<int>(array.shape(0)));
-    std::copy_n(array.data(), image.rgb.size(), image.rgb.data());
+    if (array.shape(2) == 3) {
+        std::copy_n(array.data(), image.rgb.size(), image.rgb.data());
+        return image;
+    }
+    image.alpha.resize(image.rgb.size() / 3);
+    const std::uint8_t* from = array.data();
+    for (std::size_t pixel = 0; pixel < image.alpha.size(); ++pixel, from += 4) {
+        std::copy_n(from, 3, image.rgb.data() + 3 * pixel);
+        image.alpha[pixel] = from[3];
+    }
     return image;
 }
 

@@ -23,7 +23,7 @@ pybind11::array view_of(const Mask& mask, std::shared_ptr<const void> owner);
 Grid grid_of(const GridArray& array);
 Mask mask_of(const MaskArray& array);
 
-/// An array (height, width, 3) that takes over an image's memory.
+/// An array (height, width, 3), or (height, width, 4) with the opacities of an image that has them.
 pybind11::array array_of(Image image);
 
 /// The same with what drew it, as one line of JSON: (array, text).

@@ -37,6 +37,7 @@ class MovieWriter {
         : file_(std::move(file)), format_(format_of(file_)), rate_(rate), quality_(quality) {}
 
     void add(const Image& image) {
+        if (image.transparent() && format_.open_pixels.empty()) return add(laid_on(image, 255));
         if (format_.name == "gif") {
             counts_.add(image);
             waiting_.push_back(image);
@@ -63,8 +64,9 @@ class MovieWriter {
 
   private:
     void begin(const Image& image, const ColourTable* colours) {
-        movie_ = std::make_unique<Movie>(file_, image.width, image.height, rate_,
-                                         MovieCoding{format_, quality_, colours});
+        movie_ =
+            std::make_unique<Movie>(file_, image.width, image.height, rate_,
+                                    MovieCoding{format_, quality_, colours, image.transparent()});
     }
 
     fs::path file_;

@@ -145,21 +145,34 @@ TEST_F(FilmCommandTest, SaysWhatIsMissingAndWritesNothing) {
     EXPECT_FALSE(fs::exists(folder_ / "film.mp4"));
 }
 
+/// Of a movie that plays up to its last one, one a second.
+int fragments_of(const fs::path& movie) {
+    const std::string bytes = read_text(movie);
+    int fragments = 0;
+    for (std::size_t at = bytes.find("moof"); at != std::string::npos;
+         at = bytes.find("moof", at + 1))
+        ++fragments;
+    return fragments;
+}
+
 TEST_F(FilmCommandTest, OneThatIsKilledLeavesNoHalfFile) {
     for (const int signal : {SIGINT, SIGKILL}) {
         Program long_film(
             {"film", "out", "film.toml", "-o", "f.mp4", "--set", "shot.0.seconds=3000"},
             folder_.path());
-        for (int i = 0; i < 400 && !fs::exists(folder_ / "f.mp4.part"); ++i)
-            std::this_thread::sleep_for(std::chrono::milliseconds(50));
-        ASSERT_TRUE(fs::exists(folder_ / "f.mp4.part"));
+        const fs::path part = folder_ / "f.mp4.part";
+        for (int i = 0; i < 2000 && !(fs::exists(part) && fragments_of(part) >= 2); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        ASSERT_TRUE(fs::exists(part));
+        EXPECT_GE(fragments_of(part), 2) << "what a killed film leaves plays";
         long_film.send(signal);
         EXPECT_EQ(long_film.wait().status, 128 + signal);
         EXPECT_FALSE(fs::exists(folder_ / "f.mp4"));
-        EXPECT_EQ(fs::exists(folder_ / "f.mp4.part"), signal == SIGKILL);
+        EXPECT_EQ(fs::exists(part), signal == SIGKILL);
     }
     EXPECT_EQ(film({"-o", "f.mp4", "--force"}).status, 0);
     EXPECT_FALSE(fs::exists(folder_ / "f.mp4.part"));
+    EXPECT_FALSE(fs::exists(folder_ / "f.mp4.whole.part"));
 }
 
 TEST_F(FilmCommandTest, OneThatWasStoppedGoesOnAndHasTheSameBytes) {
@@ -182,13 +195,7 @@ TEST_F(FilmCommandTest, OneThatWasStoppedGoesOnAndHasTheSameBytes) {
         stopped.send(signal);
         ASSERT_EQ(stopped.wait().status, 128 + signal) << "it ended before it was stopped";
         EXPECT_FALSE(fs::exists(folder_ / "f.mp4"));
-        // What plays up to there: fragments, one a second.
-        const std::string so_far = read_text(kept / "so-far.mp4");
-        int fragments = 0;
-        for (std::size_t at = so_far.find("moof"); at != std::string::npos;
-             at = so_far.find("moof", at + 1))
-            ++fragments;
-        EXPECT_GE(fragments, signal == SIGKILL ? 2 : 8);
+        EXPECT_GE(fragments_of(kept / "so-far.mp4"), signal == SIGKILL ? 2 : 8);
         frame += 6;
     }
     write_text(kept / "frame_000003.png", read_text(kept / "frame_000004.png"));

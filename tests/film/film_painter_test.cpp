@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "film/film_read.h"
 #include "support/program.h"
@@ -187,6 +189,62 @@ TEST(FilmPainter, TheColourBarHasTheRangeOfTheWholeFilm) {
     const double highest = std::max({range_of(1), range_of(2), range_of(3)});
     EXPECT_LE(look.high.value, highest);
     EXPECT_GT(look.high.value, 0.8 * highest);
+}
+
+/// The levels of a place's pixel.
+std::array<int, 3> film_levels_at(const FilmPainter& painter, const Image& image,
+                                  const std::vector<double>& place, const Snapshot& bed) {
+    const FilmStage& stage = painter.stage();
+    const Camera camera = camera_of(stage, painter.shots().front().pose_at(0.0));
+    const glm::dvec2 seen = project(camera, place_on_stage(stage, place, bed));
+    const std::uint8_t* pixel =
+        image.row(static_cast<int>(0.5 * (1.0 - seen.y) * image.height)) +
+        std::ptrdiff_t{3} * static_cast<int>(0.5 * (1.0 + seen.x) * image.width);
+    return {pixel[0], pixel[1], pixel[2]};
+}
+
+TEST(FilmPainter, GroundThatDoesNotChangeKeepsItsColourWhileAPileGrows) {
+    const ScratchFolder folder;
+    std::string uneven = "ncols 24\nnrows 20\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+    for (int cell = 0; cell < 24 * 20; ++cell)
+        uneven += std::to_string(cell * 7 % 11 % 3) + (cell % 24 == 23 ? "\n" : " ");
+    test::write_text(folder / "uneven.asc", uneven);
+    test::write_text(
+        folder / "scene.toml",
+        "seed = 5\n[model]\nname = \"sandpile\"\ndrop_x = [4]\ndrop_y = [4]\ngrains_per_step = 20\n"
+        "[bed]\nfile = \"uneven.asc\"\n[run]\nsteps = 20\n"
+        "[frames]\nevery = 20\n[camera]\nazimuth = 45\nelevation = 50\n"
+        "[look]\ncolour_by = \"height\"\npalette = \"viridis\"\nexaggeration = 0.5\nroom = 12\n");
+    ASSERT_EQ(fumon({"run", "scene.toml", "-o", "out", "--quiet", "--set", "output.fields_every=20",
+                     "--set", "output.frames=false", "--set", "output.movie=false"},
+                    folder.path())
+                  .status,
+              0);
+    const Film film = parse_film(
+        "[film]\nwidth = 192\nheight = 144\nrate = 5\n[[shot]]\nseconds = 1\nfrom = 0\nto = 20\n",
+        "f.toml");
+    const FilmRuns runs({(folder / "out").string()}, 1);
+    WorkerPool pool(1);
+    FilmPainter painter(film, runs, film_size(film), {}, gl::Backend::automatic, pool);
+    const Image begin = painter.paint(0);
+    const Image end = painter.paint(painter.frames() - 1);
+    const Snapshot& first = runs.first().first();
+    const Snapshot& last = *runs.first().snapshot(1);
+    ASSERT_GT(last.bed(4, 4), 8.0) << "a pile";
+    int most = 0;
+    int compared = 0;
+    for (int y = 12; y < 20; ++y) {
+        for (int x = 14; x < 24; ++x) {
+            if (first.bed(x, y) != last.bed(x, y)) continue;
+            const auto one = film_levels_at(painter, begin, {x + 0.5, y + 0.5, 0.0}, first);
+            const auto other = film_levels_at(painter, end, {x + 0.5, y + 0.5, 0.0}, first);
+            for (std::size_t band = 0; band < 3; ++band)
+                most = std::max(most, std::abs(one.at(band) - other.at(band)));
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 60);
+    EXPECT_LE(most, 3) << "levels, of the sky that the pile hides";
 }
 
 TEST(FilmPainter, ATransparentFilmFadesByWhatIsSeen) {

@@ -89,6 +89,19 @@ def test_the_kinds_of_frames(tmp_path, barchans):
     assert bytes_of(barchans.run(every=20)) != bytes_of(barchans.run(every=40))
 
 
+def test_movies_keep_alpha_where_they_can(tmp_path):
+    block = fumon.render(HILLS, 2.0, look_background="transparent", **LOOK)
+    alpha = block[:, :, 3:].astype(int)
+    on_white = ((alpha * block[:, :, :3] + (255 - alpha) * 255 + 127) // 255).astype(np.uint8)
+    for ending in ("gif", "mp4"):
+        fumon.movie([block, block], tmp_path / f"open.{ending}")
+        fumon.movie([on_white, on_white], tmp_path / f"white.{ending}")
+        assert (tmp_path / f"open.{ending}").read_bytes() == (tmp_path / f"white.{ending}").read_bytes()
+    fumon.movie([block, on_white], tmp_path / "m.apng")
+    rgba = 6
+    assert (tmp_path / "m.apng").read_bytes()[25] == rgba  # the colour type in IHDR
+
+
 def test_wrong_movies(tmp_path, barchans):
     with pytest.raises(ValueError, match="needs a frame"):
         fumon.movie([], tmp_path / "m.mp4")

@@ -53,6 +53,24 @@ def test_the_look_is_that_of_the_scenes_keys(picture):
         fumon.render(HILLS, 2.0, look_palette="nopalette")
 
 
+def test_a_transparent_background_is_alpha(tmp_path, picture):
+    block = fumon.render(HILLS, 2.0, look_background="transparent", **LOOK)
+    assert block.shape == (64, 96, 4) and block.dtype == np.uint8
+    assert (block[0, 0, 3], block[32, 48, 3]) == (0, 255)
+    rows = "\n".join(" ".join(repr(float(z)) for z in row) for row in HILLS[::-1])
+    (tmp_path / "t.asc").write_text(f"ncols 20\nnrows 14\nxllcorner 0\nyllcorner 0\ncellsize 2\n{rows}\n")
+    (tmp_path / "t.toml").write_text('[model]\nname = "static"\n[bed]\nkind = "file"\nfile = "t.asc"\n')
+    scene = fumon.Scene(tmp_path / "t.toml", look_background="transparent", **LOOK)
+    scene.at(0).save(tmp_path / "still.png")
+    assert np.array_equal(fumon.Image.open(tmp_path / "still.png"), block)  # as the program writes it
+    block.save(tmp_path / "block.png")
+    assert np.array_equal(fumon.Image.open(tmp_path / "block.png"), block)
+    assert block._repr_png_().startswith(b"\x89PNG")
+    assert fumon.compare(block, tmp_path / "block.png").likeness == "identical"
+    assert fumon.compare(block, block[:, :, :3]).likeness != "identical"
+    assert fumon.fingerprint(block)["pixels_sha256"] != fumon.fingerprint(block[:, :, :3])["pixels_sha256"]
+
+
 def test_the_same_terrain_from_a_file_has_the_same_pixels(tmp_path):
     rows = "\n".join(" ".join(repr(float(z)) for z in row) for row in HILLS[::-1])
     (tmp_path / "t.asc").write_text(f"ncols 20\nnrows 14\nxllcorner 0\nyllcorner 0\ncellsize 2\n{rows}\n")

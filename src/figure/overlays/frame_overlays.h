@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "figure/overlays/frame_contours.h"
@@ -13,6 +14,8 @@ struct OverlayStyle {
     bool shadowed = false;      ///< pale letters with a soft shadow instead of dark ones on a plate
     bool camera_moves = false;  ///< frames tell their camera (OverlayFrame::camera)
     double edge = 0.0;          ///< pixels kept free along the picture's edges, at least
+    /// The time up to which frames go, where that is known.
+    std::optional<double> end_time{};
 };
 
 /// Where an overlay stands.

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -23,6 +24,8 @@ struct OverlayScene {
     const Snapshot& shown;      ///< the same as it is drawn, see shown_snapshot()
     bool flat = false;          ///< the frames are a section's flat figure
     bool camera_moves = false;  ///< as frames say, see OverlayFrame
+    /// The time up to which frames go, where that is known.
+    std::optional<double> end_time{};
 };
 
 /// One frame, for what stands over it.

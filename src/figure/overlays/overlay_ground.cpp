@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "base/error.h"
 #include "figure/overlays/overlay.h"
@@ -66,7 +67,8 @@ class ArrowOverlay : public Overlay {
           last_step_(on.scene.run.steps),
           flat_(on.flat),
           moves_(on.camera_moves),
-          direction_(direction_of(on)) {
+          direction_(direction_of(on)),
+          winds_(direction_ || flat_ ? std::vector<GroundWind>() : ground_winds(on.first)) {
         if (!flat_) block_ = framed_block(view_, on.shown);
         if (flat_ && !direction_) {
             throw KeyError(overlay_key(number, "kind"),
@@ -78,19 +80,23 @@ class ArrowOverlay : public Overlay {
         const double font = canvas.font_size();
         const Sizes sizes = sizes_over_run(canvas);
         if (flat_) return sizes.arrow;
-        if (!direction_) return sizes.compass;
+        if (sizes.arrow.width <= 0.0) return sizes.compass;
         return {sizes.arrow.width + apart * font + sizes.compass.width,
                 std::max(sizes.arrow.height, sizes.compass.height)};
     }
     [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
         const GroundAxes axes = axes_of(frame);
-        return fmt::format("{} {} {} {}", axes.east.x, axes.east.y, axes.north.x, axes.north.y);
+        const std::vector<GroundWind> winds = winds_in(frame);
+        const auto blowing = std::ranges::find(winds, true, &GroundWind::blows) - winds.begin();
+        return fmt::format("{} {} {} {} {}", axes.east.x, axes.east.y, axes.north.x, axes.north.y,
+                           blowing);
     }
     void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const override {
         const GroundAxes axes = axes_of(frame);
         const Sizes sizes = sizes_over_run(canvas);
+        const CanvasBox left{box.x, box.y, sizes.arrow.width, box.height};
+        draw_ground_winds(canvas, winds_in(frame), axes, left);
         if (direction_) {
-            const CanvasBox left{box.x, box.y, sizes.arrow.width, box.height};
             draw_ground_arrow(
                 canvas, *direction_, axes,
                 centred(left, ground_arrow_size(canvas, *direction_, axes, arrow_length)), {},
@@ -123,6 +129,12 @@ class ArrowOverlay : public Overlay {
         most = {std::max(most.width, size.width), std::max(most.height, size.height)};
     }
 
+    /// Those that cancel, so that no arrow stands for them all.
+    [[nodiscard]] std::vector<GroundWind> winds_in(const OverlayFrame& frame) const {
+        if (winds_.empty()) return {};
+        return ground_winds(frame.snapshot);
+    }
+
     [[nodiscard]] GroundAxes axes_of(const OverlayFrame& frame) const {
         if (frame.camera != nullptr && !flat_) return axes_seen(levelled(*frame.camera));
         return axes_at(frame.snapshot.step);
@@ -145,9 +157,19 @@ class ArrowOverlay : public Overlay {
         return axes_seen(place_camera(settings, block_, aspect, 0.0));
     }
 
-    /// As the camera sees directions on the ground, wherever it stands.
+    /// As the camera sees directions on the ground, wherever it stands; from low over the ground,
+    /// where they would be lines, as from higher up.
     [[nodiscard]] Camera levelled(const Camera& camera) const {
+        constexpr double least_down = 0.42;  // of the view's direction: 25 degrees
         Camera level = camera;
+        const double ahead = glm::length(glm::dvec2(camera.forward));
+        if (-camera.forward.z < least_down && ahead > 0.0) {
+            const glm::dvec2 along = glm::dvec2(camera.forward) / ahead;
+            const double across = std::sqrt(1.0 - least_down * least_down);
+            level.forward = {across * along.x, across * along.y, -least_down};
+            level.right = {along.y, -along.x, 0.0};
+            level.up = glm::cross(level.right, level.forward);
+        }
         level.perspective = false;
         level.half = {
             static_cast<double>(view_.image.width) / static_cast<double>(view_.image.height), 1.0};
@@ -178,6 +200,7 @@ class ArrowOverlay : public Overlay {
                     : axes_at(static_cast<std::int64_t>(share * static_cast<double>(last_step_)));
             if (direction_)
                 take(sizes.arrow, ground_arrow_size(canvas, *direction_, axes, arrow_length));
+            take(sizes.arrow, ground_winds_size(canvas, winds_, axes));
             take(sizes.compass, compass_size(canvas, axes, needle_length));
         }
         return sizes;
@@ -188,6 +211,7 @@ class ArrowOverlay : public Overlay {
     bool flat_;
     bool moves_;
     std::optional<GroundDirection> direction_;
+    std::vector<GroundWind> winds_;  ///< where they cancel
     Block block_;
 };
 
@@ -207,8 +231,9 @@ std::unique_ptr<Overlay> make_scale_bar_overlay(const OverlayScene& on, std::siz
 }
 
 /// The direction of the wind (sand and air) or of the slope that water runs down (a tilted plane),
-/// as the camera sees the ground at the frame, beside a compass; a compass alone where the model
-/// has neither. Over a section's flat figure the wind alone, which blows to the right.
+/// as the camera sees the ground at the frame, beside a compass; where several winds cancel, all of
+/// them, the one that blows darker; a compass alone where the model has neither. Over a section's
+/// flat figure the wind alone, which blows to the right.
 std::unique_ptr<Overlay> make_arrow_overlay(const OverlayScene& on, std::size_t number) {
     return std::make_unique<ArrowOverlay>(on, number);
 }

@@ -31,36 +31,54 @@ constexpr Ink sight_ink{0.75, 0.16, 0.08, 0.30};
 constexpr Ink camera_ink{0.75, 0.16, 0.08, 1.0};
 constexpr Ink frame_ink{0.25, 0.22, 0.18, 1.0};
 
-/// The mean of the cells that each pixel covers, north up, and whether any has data.
+/// The bed around each pixel, north up, and whether any of it has data.
 struct Plan {
     Grid heights;
     std::vector<std::uint8_t> opacity;
 };
 
+/// The cells around one pixel's middle and their weights, which fall evenly to 0 over as many whole
+/// cells as a pixel is broad: with whole ones an even slope stays even.
+struct CellsAround {
+    int first = 0;
+    std::vector<double> weights;
+};
+
+CellsAround cells_around(int pixel, int pixels, int cells) {
+    const double breadth = static_cast<double>(cells) / pixels;
+    const double reach = std::ceil(breadth);
+    const double middle = (pixel + 0.5) * breadth - 0.5;
+    CellsAround around;
+    around.first = std::max(0, static_cast<int>(std::ceil(middle - reach)));
+    const int last = std::min(cells - 1, static_cast<int>(std::floor(middle + reach)));
+    for (int cell = around.first; cell <= last; ++cell)
+        around.weights.push_back(std::max(1.0 - std::abs(cell - middle) / reach, 0.0));
+    return around;
+}
+
 Plan plan_of(const Snapshot& bed, int width, int height) {
     Plan plan{Grid(width, height), {}};
-    const auto cells = [](int pixel, int pixels, int count) {
-        const auto at = [&](int edge) {
-            return static_cast<int>(std::int64_t{edge} * count / pixels);
-        };
-        const int begin = std::min(at(pixel), count - 1);
-        return std::pair(begin, std::max(begin + 1, at(pixel + 1)));
-    };
+    std::vector<CellsAround> columns;
+    columns.reserve(static_cast<std::size_t>(width));
+    for (int x = 0; x < width; ++x) columns.push_back(cells_around(x, width, bed.bed.nx()));
     for (int y = 0; y < height; ++y) {
-        const auto [south, north] = cells(height - 1 - y, height, bed.bed.ny());
+        const CellsAround rows = cells_around(height - 1 - y, height, bed.bed.ny());
         for (int x = 0; x < width; ++x) {
-            const auto [west, east] = cells(x, width, bed.bed.nx());
+            const CellsAround& across = columns[static_cast<std::size_t>(x)];
             double sum = 0.0;
-            int count = 0;
-            for (int j = south; j < north; ++j) {
-                for (int i = west; i < east; ++i) {
-                    if (!bed.nodata.empty() && bed.nodata(i, j) != 0) continue;
-                    sum += bed.bed(i, j);
-                    ++count;
+            double weights = 0.0;
+            for (std::size_t j = 0; j < rows.weights.size(); ++j) {
+                for (std::size_t i = 0; i < across.weights.size(); ++i) {
+                    const int column = across.first + static_cast<int>(i);
+                    const int row = rows.first + static_cast<int>(j);
+                    if (!bed.nodata.empty() && bed.nodata(column, row) != 0) continue;
+                    const double weight = rows.weights[j] * across.weights[i];
+                    sum += weight * bed.bed(column, row);
+                    weights += weight;
                 }
             }
-            plan.heights(x, y) = count > 0 ? sum / count : 0.0;
-            plan.opacity.push_back(count > 0 ? 255 : 0);
+            plan.heights(x, y) = weights > 0.0 ? sum / weights : 0.0;
+            plan.opacity.push_back(weights > 0.0 ? 255 : 0);
         }
     }
     return plan;

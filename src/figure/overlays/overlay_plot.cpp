@@ -54,6 +54,8 @@ class LivePlot : public Overlay {
         : settings_(on.scene.view.overlays[number]),
           width_(settings_.size * static_cast<double>(on.scene.view.image.width)),
           times_(time_text_of(on.scene, on.first)),
+          run_end_(settings_.x == "step" ? static_cast<double>(times_.last)
+                                         : times_.end.value_or(on.end_time.value_or(0.0))),
           scene_(on.scene) {
         MeasureSuite suite(measured_landform(on.first), on.first, {on.scene.output.channel_area});
         const auto columns = measured_columns(suite.columns(), on.first);
@@ -101,9 +103,7 @@ class LivePlot : public Overlay {
         const auto [length, height] = canvas.text_size(heading_);
         canvas.write(heading_, {box.x, box.y}, {0.0, 0.0}, black_ink,
                      std::min(1.0, box.width / std::max(length, 1.0)));
-        const bool steps = settings_.x == "step";
-        const PlotPanel panel(live_plot(settings_, frame.rows,
-                                        steps ? static_cast<double>(times_.last) : times_.end));
+        const PlotPanel panel(live_plot(settings_, frame.rows, run_end_));
         const double top = height + 0.55 * font;
         // Twice, since the margins depend on the frame's size.
         CanvasBox inner{box.x, box.y + top, box.width, box.height - top};
@@ -124,6 +124,7 @@ class LivePlot : public Overlay {
     OverlaySettings settings_;
     double width_;
     TimeText times_;
+    double run_end_;
     const Scene& scene_;
     std::string heading_;
 };

@@ -16,8 +16,8 @@ namespace fumon {
 std::pair<double, double> growing_range(std::span<const double> values);
 
 /// What a live plot shows at a frame: the rows up to it as a line, its latest point marked. The
-/// axis along it is the whole run where it counts steps or time, else growing_range(), as is the
-/// one up it where overlay.low and overlay.high do not fix it.
+/// axis along it is the whole run where it counts steps or time and `run_end` is above 0, else
+/// growing_range(), as is the one up it where overlay.low and overlay.high do not fix it.
 Plot live_plot(const OverlaySettings& settings, const MeasuredRows& rows, double run_end);
 
 }  // namespace fumon

@@ -65,7 +65,8 @@ class TextOverlay : public Overlay {
           bold_(bold) {
         try {
             begin_ = filled_text(text_, scene_, times_, 0, 0.0);
-            end_ = filled_text(text_, scene_, times_, times_.last, times_.end);
+            end_ = filled_text(text_, scene_, times_, times_.last,
+                               times_.end.value_or(static_cast<double>(times_.last)));
         } catch (const InputError& fault) {
             throw KeyError(overlay_key(number, "text"), fault.what());
         }
@@ -159,10 +160,10 @@ TimeText time_text_of(const Scene& scene, const Snapshot& first) {
     constexpr int most_decimals = 6;
     const std::int64_t last = scene.run.steps;
     const auto steps = static_cast<double>(last);
-    if (first.time_unit == "steps") return {first.time_unit, 0, steps, last};
+    if (first.time_unit == "steps") return {first.time_unit, 0, last, steps};
     const std::optional<double> length = length_of_step(scene);
-    if (!length) return {first.time_unit, TimeText::by_size, steps, last};
-    return {first.time_unit, decimals_of(*length, most_decimals), steps * *length, last};
+    if (!length) return {first.time_unit, TimeText::by_size, last, {}};
+    return {first.time_unit, decimals_of(*length, most_decimals), last, steps * *length};
 }
 
 std::string filled_text(const std::string& text, const Scene& scene, const TimeText& times,

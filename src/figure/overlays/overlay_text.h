@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "figure/overlays/overlay.h"
@@ -14,8 +15,9 @@ struct TimeText {
     static constexpr int by_size = -1;
     std::string unit;       ///< "s"; "steps" where there are only steps
     int decimals = 0;       ///< of a time, or by_size
-    double end = 0.0;       ///< the run's
-    std::int64_t last = 0;  ///< its last step
+    std::int64_t last = 0;  ///< the run's last step
+    /// The run's end; none where the model alone knows how long its steps take.
+    std::optional<double> end{};
 
     /// "300 s"; "1,200 steps".
     [[nodiscard]] std::string operator()(double time) const;

@@ -6,6 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "base/elementary.h"
+#include "base/find_named.h"
+#include "base/units.h"
+
 namespace fumon {
 
 namespace {
@@ -57,21 +61,26 @@ void take_text(ArrowShape& shape, const std::array<double, 2>& size) {
     shape.extent.take(shape.label + half);
 }
 
+/// An arrow along the first axis around `middle`, font sizes.
+std::array<glm::dvec2, 7> arrow_outline(double length, double middle = 0.0) {
+    const double tail = middle - 0.5 * length;
+    const double tip = middle + 0.5 * length;
+    const double neck = tip - 0.95;
+    constexpr double shaft = 0.14;  // half its width
+    constexpr double barb = 0.46;
+    return {{{tail, shaft},
+             {neck, shaft},
+             {neck, barb},
+             {tip, 0.0},
+             {neck, -barb},
+             {neck, -shaft},
+             {tail, -shaft}}};
+}
+
 ArrowShape arrow_shape(const Canvas& canvas, const GroundDirection& direction,
                        const GroundAxes& axes, double length) {
     const double font = canvas.font_size();
-    const double half = 0.5 * length;
-    const double neck = half - 0.95;
-    constexpr double shaft = 0.14;  // half its width, font sizes
-    constexpr double barb = 0.46;
-    const std::array<glm::dvec2, 7> outline{{{-half, shaft},
-                                             {neck, shaft},
-                                             {neck, barb},
-                                             {half, 0.0},
-                                             {neck, -barb},
-                                             {neck, -shaft},
-                                             {-half, -shaft}}};
-    ArrowShape shape{lay(outline, direction.towards, axes, font), {}, {}};
+    ArrowShape shape{lay(arrow_outline(length), direction.towards, axes, font), {}, {}};
     for (const glm::dvec2& point : shape.outline) shape.extent.take(point);
     if (direction.label.empty()) return shape;
     const auto size = canvas.text_size(direction.label, arrow_text);
@@ -83,6 +92,15 @@ ArrowShape arrow_shape(const Canvas& canvas, const GroundDirection& direction,
         shape.label = {0.0, -0.5 * arrow.height - 0.05 * font - 0.5 * size[1]};
     take_text(shape, size);
     return shape;
+}
+
+/// The outline of one arrow of a rose, relative to the rose's middle.
+std::vector<glm::dvec2> arrow_of_rose(const GroundWind& wind, const GroundAxes& axes, double font) {
+    constexpr double from_middle = 0.5;  // font sizes, of the tips
+    constexpr double shortest = 1.2;
+    constexpr double longest = 2.4;
+    const double length = shortest + (longest - shortest) * wind.drift;
+    return lay(arrow_outline(length, -from_middle - 0.5 * length), wind.towards, axes, font);
 }
 
 /// The two halves of a needle, the left one hollow, and the letter beyond its tip.
@@ -131,6 +149,46 @@ void draw_ground_arrow(Canvas& canvas, const GroundDirection& direction, const G
     if (direction.label.empty()) return;
     canvas.write(direction.label, {middle.x + shape.label.x, middle.y + shape.label.y}, {0.5, 0.5},
                  ink, arrow_text);
+}
+
+std::vector<GroundWind> ground_winds(const Snapshot& snapshot) {
+    if (snapshot.winds.size() < 2) return {};
+    double strongest = 0.0;
+    for (const SnapshotWind& wind : snapshot.winds) strongest = std::max(strongest, wind.drift);
+    std::vector<GroundWind> winds;
+    for (const SnapshotWind& wind : snapshot.winds)
+        winds.push_back({{wind.x, wind.y}, strongest > 0.0 ? wind.drift / strongest : 1.0, false});
+    const SnapshotNumber* from = find_named(snapshot.numbers, "wind_from");
+    if (from == nullptr) return winds;
+    const glm::dvec2 towards(-elementary::sin(from->value * degree),
+                             -elementary::cos(from->value * degree));
+    std::ranges::max_element(winds, {}, [&](const GroundWind& wind) {
+        return glm::dot(wind.towards, towards);
+    })->blows = true;
+    return winds;
+}
+
+FurnitureSize ground_winds_size(const Canvas& canvas, const std::vector<GroundWind>& winds,
+                                const GroundAxes& axes) {
+    double across = 0.0;
+    double down = 0.0;
+    for (const GroundWind& wind : winds) {
+        for (const glm::dvec2& point : arrow_of_rose(wind, axes, canvas.font_size())) {
+            across = std::max(across, std::abs(point.x));
+            down = std::max(down, std::abs(point.y));
+        }
+    }
+    return {2.0 * across, 2.0 * down};
+}
+
+void draw_ground_winds(Canvas& canvas, const std::vector<GroundWind>& winds, const GroundAxes& axes,
+                       const CanvasBox& box) {
+    constexpr Ink faint{0.0, 0.0, 0.0, 0.45};
+    const glm::dvec2 middle(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
+    for (const GroundWind& wind : winds) {
+        fill_shape(canvas, arrow_of_rose(wind, axes, canvas.font_size()), middle,
+                   wind.blows ? Ink{} : faint);
+    }
 }
 
 FurnitureSize compass_size(const Canvas& canvas, const GroundAxes& axes, double length) {

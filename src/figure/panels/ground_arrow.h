@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/snapshot.h"
 #include "base/snapshot_lookup.h"
@@ -37,6 +38,27 @@ FurnitureSize ground_arrow_size(const Canvas& canvas, const GroundDirection& dir
 /// where it points up or down, into `box`, which has its size.
 void draw_ground_arrow(Canvas& canvas, const GroundDirection& direction, const GroundAxes& axes,
                        const CanvasBox& box, const Ink& ink = {}, double length = 2.6);
+
+/// One of a run's winds.
+struct GroundWind {
+    glm::dvec2 towards{1.0, 0.0};  ///< a unit vector, east and north
+    double drift = 1.0;            ///< the sand that it moves, of what the strongest does
+    bool blows = false;            ///< at the moment
+};
+
+/// The winds of a run that has several; the one that blows now is the nearest one to the number
+/// `wind_from` of the snapshot.
+std::vector<GroundWind> ground_winds(const Snapshot& snapshot);
+
+/// What a rose of winds takes, at most: an arrow of each toward a middle, the longer the more sand
+/// it moves.
+FurnitureSize ground_winds_size(const Canvas& canvas, const std::vector<GroundWind>& winds,
+                                const GroundAxes& axes);
+
+/// Draws such a rose, whose arrows lie on the ground as `axes` show it, around the middle of `box`;
+/// the wind that blows dark, the others faint.
+void draw_ground_winds(Canvas& canvas, const std::vector<GroundWind>& winds, const GroundAxes& axes,
+                       const CanvasBox& box);
 
 /// What a compass takes: a needle to the north, seen as `axes` show the ground, and the letter N.
 FurnitureSize compass_size(const Canvas& canvas, const GroundAxes& axes, double length = 2.4);

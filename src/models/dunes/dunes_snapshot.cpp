@@ -88,6 +88,11 @@ Snapshot Dunes::snapshot() const {
                         {"sand_outflow", "m3", area * to_metres(bed_.outflow)},
                         {"avalanche_passes", "1", static_cast<double>(passes_)}};
     if (rock_wear_) snapshot.numbers.push_back({"rock_worn", "m3", area * to_metres(bed_.worn)});
+    if (parameters_.winds.size() > 1) {
+        const BlowingWind wind = turns_.at(steps_);
+        const double from = elementary::atan2(-wind.x, -wind.y) * degrees_per_radian;
+        snapshot.numbers.push_back({"wind_from", "degrees", from < 0.0 ? from + 360.0 : from});
+    }
     if (plants_) add_plants(snapshot);
     if (parameters_.avalanche_age) {
         snapshot.fields.push_back(

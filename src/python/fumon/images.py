@@ -14,7 +14,8 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 
 class Image(np.ndarray):
-    """A picture: uint8 (height, width, 3), top row first. A NumPy array in all it does; notebooks show it."""
+    """A picture: uint8 (height, width, 3), top row first; (height, width, 4) where it has alpha, by which colours are not
+    multiplied. A NumPy array in all it does; notebooks show it."""
 
     environment: str  #: what drew it, as one line of JSON; empty where that is not known
 
@@ -32,7 +33,7 @@ class Image(np.ndarray):
 
     @classmethod
     def open(cls, file: PathLike) -> Image:
-        """The pixels of a PNG file."""
+        """The pixels of a PNG file, with alpha where it has some."""
         return _core.read_png(os.fspath(file)).view(cls)
 
     def save(self, file: PathLike) -> None:
@@ -40,7 +41,7 @@ class Image(np.ndarray):
         write_png(file, _core.png(checked_pixels(self)))
 
     def _repr_png_(self) -> bytes | None:
-        is_picture = self.ndim == 3 and self.shape[2] == 3 and self.dtype == np.uint8 and self.size > 0
+        is_picture = self.ndim == 3 and self.shape[2] in (3, 4) and self.dtype == np.uint8 and self.size > 0
         return _core.png(np.ascontiguousarray(self)) if is_picture else None
 
     def __repr__(self) -> str:
@@ -61,8 +62,8 @@ def checked_pixels(pixels: Any) -> np.ndarray:
     array = np.asarray(pixels)
     if array.dtype != np.uint8:
         raise TypeError(f"a picture has levels of 8 bits (uint8), not {array.dtype}")
-    if array.ndim != 3 or array.shape[2] != 3 or array.size == 0:
-        raise ValueError(f"a picture is an array (height, width, 3), not {array.shape}")
+    if array.ndim != 3 or array.shape[2] not in (3, 4) or array.size == 0:
+        raise ValueError(f"a picture is an array (height, width, 3), with alpha (height, width, 4), not {array.shape}")
     return np.ascontiguousarray(array)
 
 
@@ -87,7 +88,8 @@ class Comparison:
 
 
 def compare(first: Any, second: Any) -> Comparison:
-    """Compares two pictures of one size: arrays or PNG files. ValueError where their sizes differ."""
+    """Compares two pictures of one size: arrays or PNG files; what is transparent on black and on white, whichever tells
+    them further apart. ValueError where their sizes differ."""
     a, b = _pixels_of(first), _pixels_of(second)
     return Comparison(**_core.compare(a, b), difference=_core.difference(a, b).view(Image))
 

@@ -47,6 +47,7 @@ def movie(frames: Any, file: PathLike, *, rate: float = 30.0, quality: int = 18,
     frames: a run (``scene.run(every=10)``) or its steps; pictures; or beds to be drawn as render() draws them, framed
         by the first: an array (n, ny, nx), a list of arrays, an xarray.DataArray with one dimension more, or a
         Dataset, of which ``variable`` names the heights ("bed_height" of a run's fields.nc, "bed", or the only one with three dimensions).
+        Pictures with alpha keep it in .mov, .mkv, .webp and .apng, and stand on white in the others.
     rate: frames a second. quality: constant rate factor, 0 (best) to 51. cell_size, origin, look: as for render().
     """
     if not (0.0 < rate <= 1000.0):
@@ -61,10 +62,10 @@ def movie(frames: Any, file: PathLike, *, rate: float = 30.0, quality: int = 18,
     with Progress(total, "frames", progress if total else False) as shown:
         for item in items:
             picture = _picture(item, painter, cell_size, origin, look)
-            if size is not None and picture.shape != size:
+            if size is not None and picture.shape[:2] != size:
                 raise ValueError(f"frame {count} has {picture.shape[1]} x {picture.shape[0]} pixels, the first "
                                  f"{size[1]} x {size[0]}")
-            size = picture.shape
+            size = picture.shape[:2]
             writer.add(picture)
             count += 1
             shown.tell(count)

@@ -42,6 +42,9 @@ def render(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", f
     look: keys of a scene, with an underscore for the dot: ``camera_azimuth=160, look_palette="viridis",
         image_width=800``.
 
+    Returns uint8 (height, width, 3), top row first. With ``look_background="transparent"`` it is the block alone, as
+    (height, width, 4) with alpha, by which colours are not multiplied.
+
     ValueError and TypeError for what is no terrain; InputError for a wrong key.
     """
     bed = bed_of(data, cell_size, origin, field)

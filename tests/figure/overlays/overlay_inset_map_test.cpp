@@ -82,5 +82,76 @@ TEST(InsetMapOverlay, StaysInPlaceWhileTheCameraWanders) {
     EXPECT_THROW(FrameOverlays(map, bed), KeyError);
 }
 
+TEST(InsetMapOverlay, ShadesAnEvenSlopeEvenly) {
+    const Scene scene = scene_of(overlay("inset-map", "lower-right", "size = 0.4\nopacity = 1"),
+                                 640, 360, "ground = \"table\"");
+    for (const int cells : {60, 131, 250}) {  // 144 pixels across
+        Snapshot bed = overlay_bed(cells, cells, 0.0);
+        for (int y = 0; y < cells; ++y)
+            for (int x = 0; x < cells; ++x) bed.bed(x, y) = 0.2 * (x + y);
+        FrameOverlays overlays(scene, bed, {false, true, 0.0});
+        CameraSettings settings = scene.view.camera;
+        settings.azimuth = 180.0;
+        const Camera camera =
+            place_camera(settings, framed_block(scene.view, bed), 640.0 / 360.0, 0.0);
+        const MeasuredRows rows = rows_up_to(1);
+        Image image = grey(640, 360);
+        overlays.draw(image, {bed, rows, {0.0, 1.0}, &camera});
+        const CanvasBox box = overlays.placed().front().box;
+        int least = 255;
+        int most = 0;
+        for (int y = 0; y < 30; ++y) {  // the map's northern part, within its outline
+            for (int x = 0; x < 80; ++x) {
+                const int row = static_cast<int>(box.y + 0.35 * box.height) + y;
+                const int column = static_cast<int>(box.x + 0.5 * box.width) - 40 + x;
+                const int level = image.row(row)[std::ptrdiff_t{3} * column];
+                least = std::min(least, level);
+                most = std::max(most, level);
+            }
+        }
+        EXPECT_LE(most - least, 2) << cells;
+    }
+}
+
+TEST(ArrowOverlay, ShowsAllWindsThatCancelAndTheOneThatBlows) {
+    const Scene scene = scene_of(overlay("arrow", "upper-right", "font_size = 24"), 640, 360,
+                                 "ground = \"table\"\n[camera]\nprojection = \"map\"\n");
+    Snapshot bed = overlay_bed(60, 40, 0.0);
+    const CanvasBox compass_alone = [&] {
+        bed.winds = {{1.0, 0.0, 1.0}, {-1.0, 0.0, 1.0}};
+        const FrameOverlays two(scene, bed);
+        return two.placed().front().box;
+    }();
+    bed.winds = {{1.0, 0.0, 1.0}, {0.0, 1.0, 1.0}, {-1.0, 0.0, 1.0}, {0.0, -1.0, 1.0}};
+    FrameOverlays overlays(scene, bed);
+    const CanvasBox box = overlays.placed().front().box;
+    EXPECT_GT(box.height, compass_alone.height) << "as high as it is wide";
+    const MeasuredRows rows = rows_up_to(1);
+    /// The middle of what is dark in the rose, in shares of the overlay's height.
+    const auto dark = [&](double from) {
+        bed.numbers = {{"wind_from", "degrees", from}};
+        Image image = grey(640, 360);
+        overlays.draw(image, {bed, rows});
+        const double side = box.height;
+        double count = 0.0;
+        glm::dvec2 sum(0.0);
+        for (int y = 0; y < static_cast<int>(side); ++y) {
+            for (int x = 0; x < static_cast<int>(side); ++x) {
+                const int column = static_cast<int>(box.x) + x;
+                if (image.row(static_cast<int>(box.y) + y)[std::ptrdiff_t{3} * column] > 60)
+                    continue;
+                sum += glm::dvec2(x, y) / side;
+                count += 1.0;
+            }
+        }
+        return sum / std::max(count, 1.0);
+    };
+    EXPECT_LT(dark(270.0).x, 0.4);  // a wind from the west, left of the middle
+    EXPECT_GT(dark(90.0).x, 0.6);
+    EXPECT_LT(dark(0.0).y, 0.4);
+    EXPECT_GT(dark(180.0).y, 0.6);
+    EXPECT_NEAR(dark(0.0).x, 0.5, 0.05);
+}
+
 }  // namespace
 }  // namespace fumon

@@ -52,6 +52,34 @@ TEST(LivePlot, IsDrawnAgainForEveryNewRowAndOnlyThen) {
     EXPECT_EQ(drawn(7), seven) << "whatever was drawn before";
 }
 
+TEST(LivePlot, OfYearsGoesUpToTheLastFrameOrGrows) {
+    Snapshot first = overlay_bed(60, 40, 0.0);
+    first.time_unit = "yr";  // the scene does not say how many a step takes
+    EXPECT_FALSE(time_text_of(scene_of("", 64, 48), first).end);
+    const Scene scene = scene_of(overlay("plot", "lower-right", "size = 0.9"), 640, 360);
+    const auto curve_end = [&](const OverlayStyle& style) {
+        FrameOverlays over(scene, first, style);
+        MeasuredRows rows = rows_up_to(0);
+        for (int i = 0; i < 10; ++i) {
+            rows.columns[1].values.push_back(i);
+            rows.columns[2].values.push_back(3.0 + i);
+        }
+        Image image = grey(640, 360);
+        over.draw(image, {first, rows, {}});
+        int right = 0;
+        for (int y = 0; y < image.height; ++y) {
+            for (int x = 0; x < image.width; ++x) {
+                const std::uint8_t* pixel = image.row(y) + std::ptrdiff_t{3} * x;
+                if (pixel[2] > pixel[0] + 60) right = std::max(right, x);
+            }
+        }
+        return right;
+    };
+    const int grown = curve_end({});
+    EXPECT_GT(grown, 500) << "up to 10 years, not to 1,200";
+    EXPECT_NEAR(curve_end({false, false, 0.0, 18.0}), 0.5 * grown, 80);
+}
+
 TEST(GrowingRange, HoldsAllValuesAndChangesSeldom) {
     std::vector<double> values;
     int changes = 0;
