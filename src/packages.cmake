@@ -4,6 +4,7 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME fumon)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # which would stand above each package's own
 # Who made the packages, as Debian's own tools ask for it: DEBFULLNAME and DEBEMAIL; else user and machine.
 set(packager "$ENV{DEBFULLNAME}")
 set(address "$ENV{DEBEMAIL}")
@@ -24,27 +25,32 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_COMPONENTS_ALL program data)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(revision 0fumon1)  # below 1, Debian's own
+set(CPACK_DEBIAN_PACKAGE_RELEASE ${revision})
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 
-# OSMesa and EGL are loaded by name, which no linker sees: either is enough.
+# OSMesa and EGL are loaded by name, which no linker sees: either is enough, EGL with drivers.
+set(drawing "libosmesa6 | libegl1, libosmesa6 | libgl1-mesa-dri, fonts-dejavu-core | fontconfig")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME fumon)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fumon-data (= ${PROJECT_VERSION}-1), libosmesa6 | libegl1, fonts-dejavu-core | fontconfig")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fumon-data (= ${PROJECT_VERSION}-${revision}), ${drawing}")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "fonts-ipaexfont-gothic")
+if(FUMON_GDAL)  # likewise loaded by its name, for GeoTIFF alone
+    string(APPEND CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS ", ${FUMON_GDAL_PACKAGE}")
+endif()
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "sand and water landforms, simulated and rendered
- Ripples, dunes, barchans, sandpiles, gullies and rain on real terrain,
- computed reproducibly to the bit and drawn as pictures, movies and paper
- figures without a display.")
+Ripples, dunes, barchans, sandpiles, gullies and rain on real terrain,
+computed reproducibly to the bit and drawn as pictures, movies and paper
+figures without a display.")
 
 set(CPACK_DEBIAN_DATA_PACKAGE_NAME fumon-data)
 set(CPACK_DEBIAN_DATA_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_DATA_PACKAGE_ARCHITECTURE all)
 set(CPACK_COMPONENT_DATA_DESCRIPTION "shaders, palettes, scenes and guide of fumon
- fumon simulates sand and water landforms and renders them without a
- display. This package holds what its program and its Python module read,
- and its guide.")
+Sand and water landforms, simulated and rendered without a display: this
+package holds what the program and the Python module read, and the guide.")
 
 if(FUMON_PYTHON_MODULE)
     list(APPEND CPACK_COMPONENTS_ALL python)
@@ -53,13 +59,13 @@ if(FUMON_PYTHON_MODULE)
     set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
     math(EXPR next "${Python_VERSION_MINOR} + 1")
     string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-           "fumon-data (= ${PROJECT_VERSION}-1), libosmesa6 | libegl1, fonts-dejavu-core | fontconfig, python3-numpy, "
+           "fumon-data (= ${PROJECT_VERSION}-${revision}), ${drawing}, python3-numpy, "
            "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next})")
     set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-xarray, python3-pytest")
     set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python module of fumon
- Scenes of sand and water landforms, run and drawn from Python: NumPy views
- of beds, pictures of anyone's terrain, movies, sweeps as xarray Datasets,
- and every model as a component of the Basic Model Interface.")
+Scenes of sand and water landforms, run and drawn from Python: NumPy views
+of beds, pictures of anyone's terrain, movies, sweeps as xarray Datasets,
+and every model as a component of the Basic Model Interface.")
 endif()
 
 # What Debian wants in each package besides: compressed manual pages, a copyright file, a changelog.

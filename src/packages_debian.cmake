@@ -22,7 +22,7 @@ Files: *
 Copyright: 2026 the fumon authors
 License: Expat
  ${license}")
-    file(WRITE ${folder}/changelog.Debian "${package} (${CPACK_PACKAGE_VERSION}-1) unstable; urgency=medium
+    file(WRITE ${folder}/changelog.Debian "${package} (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
 
   * Packaged by CPack; what has changed is told in
     /usr/share/doc/fumon/assets/guide/CHANGELOG.md.

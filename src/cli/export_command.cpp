@@ -15,6 +15,7 @@
 #include "base/worker_pool.h"
 #include "cli/command.h"
 #include "cli/examples.h"
+#include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
 #include "files/atomic_file.h"
@@ -243,7 +244,7 @@ void check_kind(const ExportOptions& options, const ExportKind& kind) {
 int perform(const ExportOptions& options) {
     const ExportKind& kind = kind_of(options);
     check_kind(options, kind);
-    const std::string input = last_state_of(options.input).string();
+    const std::string input = last_state_of(terrain_argument(options.input)).string();
     OutputClaims claims(options.force);
     claims.reads(input);
     if (kind.name == "glb") prepare_drawing(options.work);

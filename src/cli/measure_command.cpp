@@ -9,6 +9,7 @@
 #include "base/limits.h"
 #include "cli/command.h"
 #include "cli/examples.h"
+#include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
 #include "files/avalanche_table.h"
@@ -88,7 +89,7 @@ void declare(CLI::App& command, MeasureOptions& options) {
 }
 
 Snapshot read_bed(const MeasureOptions& options, const std::string& file) {
-    Snapshot snapshot = read_snapshot(file, options.heights, options.settings);
+    Snapshot snapshot = read_snapshot(terrain_argument(file), options.heights, options.settings);
     snapshot.periodic = snapshot.periodic && !options.open_edges;
     return snapshot;
 }

@@ -17,6 +17,7 @@
 #include "base/snapshot_lookup.h"
 #include "cli/command.h"
 #include "cli/examples.h"
+#include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
 #include "figure/page/page.h"
@@ -292,7 +293,7 @@ PageFormat format_of(const std::string& file) {
 }
 
 int perform(const ProfileOptions& options) {
-    const std::string input = last_state_of(options.input).string();
+    const std::string input = last_state_of(terrain_argument(options.input)).string();
     OutputClaims claims(options.force);
     claims.reads(input);
     PageFormat format = PageFormat::png;

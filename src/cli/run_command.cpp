@@ -206,7 +206,7 @@ int resume(const RunOptions& options) {
 PreparedRun prepare(const RunOptions& options) {
     const EndAtOnce nothing_is_written;
     Scene scene = is_terrain_name(options.scene, options.work.settings)
-                      ? terrain_run(options.scene, options.work.settings)
+                      ? terrain_run(terrain_argument(options.scene), options.work.settings)
                       : read_scene(scene_argument(options.scene), options.work.settings);
     return prepare_run(std::move(scene), options.work.threads);
 }

@@ -25,20 +25,25 @@ std::vector<std::string> shipped_names() {
     return names;
 }
 
+bool is_bare_name(const std::string& given) {
+    return !given.empty() && !fs::path(given).has_parent_path() && given != "." && given != "..";
+}
+
 }  // namespace
 
 std::string scene_argument(const std::string& given) {
     const fs::path path = given;
     std::error_code fault;
-    const bool bare = !given.empty() && !path.has_parent_path() && given != "." && given != "..";
-    if (!bare || fs::is_regular_file(path, fault)) return given;
+    if (!is_bare_name(given) || fs::is_regular_file(path, fault)) return given;
     const bool is_word = path.extension() != ".toml";
     const std::string file = is_word ? given + ".toml" : given;
     for (const char* folder : {"scenes/", "scenes/figures/"}) {
         if (const auto shipped = find_data_file(folder + file)) return shipped->string();
     }
     if (!is_word || path.has_extension() || fs::exists(path, fault)) return given;
-    const std::string nearest = nearest_name(given, shipped_names());
+    const std::vector<std::string> names = shipped_names();
+    if (names.empty()) static_cast<void>(data_file("scenes"));  // says where they were looked for
+    const std::string nearest = nearest_name(given, names);
     throw InputError(
         nearest.empty()
             ? fmt::format("{}: there is no such file here, and fumon ships no such scene; name a "
@@ -47,6 +52,13 @@ std::string scene_argument(const std::string& given) {
             : fmt::format("{}: there is no such file here, and fumon ships no such scene; did you "
                           "mean \"{}\"?",
                           given, nearest));
+}
+
+std::string terrain_argument(const std::string& given) {
+    std::error_code fault;
+    if (!is_bare_name(given) || fs::exists(given, fault)) return given;
+    const auto shipped = find_data_file("assets/terrain/" + given);
+    return shipped ? shipped->string() : given;
 }
 
 }  // namespace fumon

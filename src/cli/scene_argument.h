@@ -10,4 +10,7 @@ namespace fumon {
 /// word is refused here by an InputError that names the nearest shipped scene.
 std::string scene_argument(const std::string& given);
 
+/// The same of a terrain file, with its ending: "west_bijou_gully.asc" is found from any folder.
+std::string terrain_argument(const std::string& given);
+
 }  // namespace fumon

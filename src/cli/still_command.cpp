@@ -74,7 +74,8 @@ bool is_scene(const fs::path& file) {
 
 Scene scene_of(const StillOptions& options) {
     if (!is_scene(options.input))
-        return terrain_scene(options.input, options.heights, options.work.settings);
+        return terrain_scene(terrain_argument(options.input), options.heights,
+                             options.work.settings);
     if (!options.heights.empty()) {
         throw InputError(
             "--heights belongs to a PNG terrain; in a scene write bed.heights = [low, high]");

@@ -19,3 +19,27 @@ set(FUMON_PYTHON_FOLDER lib/python${Python_VERSION_MAJOR}.${Python_VERSION_MINOR
     "The folder of the Python package, below the prefix")
 install(TARGETS fumon_python_module LIBRARY DESTINATION ${FUMON_PYTHON_FOLDER}/fumon COMPONENT python)
 install(FILES ${package_files} DESTINATION ${FUMON_PYTHON_FOLDER}/fumon COMPONENT python)
+
+# What pip and pytest know a package by, the plugin of pytest among it; pip writes its own from the same pyproject.toml.
+set(project_file ${CMAKE_CURRENT_SOURCE_DIR}/python/pyproject.toml)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${project_file})
+file(READ ${project_file} project)
+string(REGEX MATCH "\ndescription = \"([^\"]+)\"" found "${project}")
+set(summary ${CMAKE_MATCH_1})
+string(REGEX MATCH "\nrequires-python = \"([^\"]+)\"" found "${project}")
+set(python_versions ${CMAKE_MATCH_1})
+string(REGEX MATCH "\nfumon = \"([a-z_.]+)\"" found "${project}")
+set(plugin ${CMAKE_MATCH_1})
+if(NOT summary OR NOT python_versions OR NOT plugin)
+    message(FATAL_ERROR "${project_file} has no description, requires-python or plugin of pytest")
+endif()
+set(about ${CMAKE_BINARY_DIR}/share/fumon-${PROJECT_VERSION}.dist-info)
+file(CONFIGURE OUTPUT ${about}/METADATA CONTENT "Metadata-Version: 2.1
+Name: fumon
+Version: @PROJECT_VERSION@
+Summary: @summary@
+Requires-Python: @python_versions@
+Requires-Dist: numpy
+" @ONLY)
+file(CONFIGURE OUTPUT ${about}/entry_points.txt CONTENT "[pytest11]\nfumon = @plugin@\n" @ONLY)
+install(DIRECTORY ${about} DESTINATION ${FUMON_PYTHON_FOLDER} COMPONENT python)

@@ -83,6 +83,10 @@ TEST(Guide, ManyMachines) {
                                "ranks; ++rank)); do\nexport ") +
                        rank + "=$rank " + size + "=$ranks\n\"$@\"\ndone\n");
     }
+    write_text(folder / "bin/fumon",  // small frames
+               std::string("#!/bin/sh\ncase $1 in\nrun) exec '") + FUMON_PROGRAM +
+                   "' \"$@\" --set image.width=320 --set image.height=180;;\n*) exec '" +
+                   FUMON_PROGRAM + "' \"$@\";;\nesac\n");
     const Spoken spoken = do_page(folder, "cluster.md");
     EXPECT_EQ(spoken.status, 0) << spoken.words;
     const std::string table = read_text(folder / "out/ripples/sweep.csv");
@@ -97,8 +101,10 @@ TEST(Guide, ManyMachines) {
 TEST(Guide, AFigureForAJournalInTwoLanguages) {
     const ScratchFolder folder;
     fs::create_directory(folder / "bin");
-    write_text(folder / "bin/none", "");
-    fs::create_directory_symlink(fs::path(FUMON_GUIDE_FOLDER).parent_path(), folder / "assets");
+    write_text(folder / "bin/fumon",  // five minutes of the hour of rain, in small pictures
+               std::string("#!/bin/sh\ncase $1 in\nfigure) exec '") + FUMON_PROGRAM +
+                   "' \"$@\" --set run.steps=30 --set figure.dots_per_inch=72;;\n*) exec '" +
+                   FUMON_PROGRAM + "' \"$@\";;\nesac\n");
     const Spoken spoken = do_page(folder, "journal.md");
     ASSERT_EQ(spoken.status, 0) << spoken.words;
     for (const char* file : {"en/gully.pdf", "en/gully-a.asc", "en/gully-b-2.csv", "ja/gully.png"})
@@ -114,24 +120,32 @@ TEST(Guide, ImageTestsInAnotherProject) {
     EXPECT_EQ(do_page(folder, "image-tests.md").status, 0);
 }
 
-TEST(Guide, TellsOneVersion) {
+TEST(Guide, TellsOneVersionAndOneDateOfItsRelease) {
     const fs::path guide = FUMON_GUIDE_FOLDER;
-    EXPECT_NE(read_text(guide / "CITATION.cff").find("\nversion: " FUMON_VERSION "\n"),
-              std::string::npos);
+    const std::string citation = read_text(guide / "CITATION.cff");
+    EXPECT_NE(citation.find("\nversion: " FUMON_VERSION "\n"), std::string::npos);
+    EXPECT_NE(read_text(guide / "citing.md").find("version " FUMON_VERSION "."), std::string::npos);
+    const std::string key = "\ndate-released: ";
+    const std::size_t released = citation.find(key);
+    const std::string date = released == std::string::npos
+                                 ? "not released yet"
+                                 : citation.substr(released + key.size(), 10);
     const std::string changes = read_text(guide / "CHANGELOG.md");
     const std::string heading = changes.substr(changes.find("\n## ") + 4);
-    EXPECT_EQ(heading.find(FUMON_VERSION), 0U) << heading.substr(0, heading.find('\n'));
+    EXPECT_EQ(heading.substr(0, heading.find('\n')), FUMON_VERSION " (" + date + ")");
 }
 
 TEST(Guide, FromTerrainToAFilmOfRain) {
     const ScratchFolder folder;
-    fs::create_directory_symlink(fs::path(FUMON_GUIDE_FOLDER).parent_path(), folder / "assets");
     fs::create_directory(folder / "bin");
-    write_text(folder / "bin/fumon",  // small pictures
-               std::string("#!/bin/sh\ncase $1 in\nrun|still) exec '") + FUMON_PROGRAM +
-                   "' \"$@\" --quiet --set image.width=480 --set image.height=320 --set "
-                   "image.supersampling=1;;\n*) exec '" +
-                   FUMON_PROGRAM + "' \"$@\";;\nesac\n");
+    write_text(folder / "bin/fumon",  // small pictures; ten minutes where the page has an hour
+               std::string("#!/bin/sh\nsmall='--quiet --set image.width=480 --set "
+                           "image.height=320 --set image.supersampling=1'\n"
+                           "case \"$*\" in *model.rain=*) small=\"$small --set run.steps=60 --set "
+                           "frames.every=20 --set output.fields_every=10\";; esac\n"
+                           "case $1 in\nrun|still) what=$1; shift; exec '") +
+                   FUMON_PROGRAM + "' $what $small \"$@\";;\n*) exec '" + FUMON_PROGRAM +
+                   "' \"$@\";;\nesac\n");
     const Spoken spoken = do_page(folder, "gis.md");
     ASSERT_EQ(spoken.status, 0) << spoken.words;
     for (const char* file :

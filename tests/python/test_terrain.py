@@ -133,7 +133,9 @@ def test_a_dataarray_brings_its_cell_size_and_axes():
     for same in (array, array.transpose("x", "y"), array.isel(y=slice(None, None, -1)),
                  array.isel(x=slice(None, None, -1)), array.expand_dims(band=1), array.astype("f4").astype("f8") * 0 + array,
                  array.rename(y="northing", x="easting").T, array_with(X / 1000, Y / 1000, units="km")):
-        assert np.array_equal(same.fumon.render(**LOOK), plain)
+        bed = bed_of(same)
+        assert np.array_equal(bed.heights, HILLS) and bed.cell_size == pytest.approx((2.0, 3.0))
+    assert np.array_equal(array.T.fumon.render(**LOOK), plain)
     assert array.fumon.measure()["stoss_slope"] == fumon.measure(HILLS, (2.0, 3.0))["stoss_slope"]
     assert np.array_equal(array.fumon.render(5.0, **LOOK), fumon.render(HILLS, 5.0, **LOOK))
     bare = xarray.DataArray(HILLS, dims=("row", "column"))

@@ -22,8 +22,9 @@ void* GdalFunctions::address_of(const char* name) {
     void* const address = library == nullptr ? nullptr : dlsym(library, name);
     if (address != nullptr) return address;
     const char* why = dlerror();
-    throw Error(fmt::format("GDAL, which GeoTIFF needs, cannot be loaded: {}; install {}",
-                            why == nullptr ? name : why, FUMON_GDAL_LIBRARY));
+    throw Error(
+        fmt::format("GDAL, which GeoTIFF needs, cannot be loaded: {}; install it (on Debian {})",
+                    why == nullptr ? name : why, FUMON_GDAL_PACKAGE));
 }
 
 const GdalFunctions& gdal() {
