@@ -121,7 +121,8 @@ int main(int count, char** arguments) {
         input.resize(size + room);
         for (std::size_t changes = 1 + below(3); changes > 0; --changes) {
             size = LLVMFuzzerCustomMutator != nullptr
-                       ? LLVMFuzzerCustomMutator(input.data(), size, input.size(), generator())
+                       ? LLVMFuzzerCustomMutator(input.data(), size, input.size(),
+                                                 static_cast<unsigned>(generator()))
                        : LLVMFuzzerMutate(input.data(), size, input.size());
         }
         const Bytes exact(input.begin(), input.begin() + static_cast<std::ptrdiff_t>(size));
