@@ -154,7 +154,7 @@ TEST_F(MapsTest, WhatIsWrongIsSaidAtItsKey) {
               std::string::npos);
     write_text(folder_ / "land/shades.png", "\x89PNG\r\n\x1a\n");
     EXPECT_NE(refusal(scene("[[map]]\nquantity = \"depth\"\nfile = \"shades.png\"\n"))
-                  .find("land/shades.png: a grey PNG holds shades, not numbers with a unit; give"),
+                  .find("land/shades.png: a PNG image holds shades, not numbers with a unit; give"),
               std::string::npos);
 }
 
