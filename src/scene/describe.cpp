@@ -173,11 +173,14 @@ Sections sections(const std::string& what) {
         all = sections_of_part(plain_part(what));
     }
     if (!all.empty()) return all;
+    const std::vector<std::string> known = described_names();
     throw InputError(
         fmt::format("fumon describe: \"{}\" is neither \"scene\", \"figure\", \"overlay\", a "
                     "model, a section nor "
                     "a key; {}",
-                    what, suggestion(what, described_names())));
+                    what,
+                    nearest_name(what, known).empty() ? "`fumon describe` alone names them all"
+                                                      : suggestion(what, known)));
 }
 
 /// A section's name and the keys in it, in lines of a terminal's width.

@@ -82,6 +82,9 @@ TEST_F(HabitsTest, DescribeTellsOfASectionOrOneKey) {
               "fumon describe: \"camera.azimut\" is neither \"scene\", \"figure\", \"overlay\", a "
               "model, a section nor a key; did you mean \"camera.azimuth\"?\n");
     EXPECT_EQ(said({"describe", "camra"}).status, 2);
+    EXPECT_EQ(said({"describe", "model.slabs"}).errors,
+              "fumon describe: \"model.slabs\" is neither \"scene\", \"figure\", \"overlay\", a "
+              "model, a section nor a key; `fumon describe` alone names them all\n");
 }
 
 // ---- shipped scenes ----
