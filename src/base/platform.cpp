@@ -14,6 +14,8 @@
 #ifdef __APPLE__
 #include <mach-o/dyld.h>
 #include <mach/mach.h>
+#else
+#include <sys/auxv.h>
 #endif
 
 namespace fumon::platform {
@@ -105,7 +107,12 @@ double cpu_seconds_of_task(const std::filesystem::path& task) {
 
 std::filesystem::path program_file() {
     std::error_code ignored;
-    return std::filesystem::read_symlink("/proc/self/exe", ignored);
+    const auto file = std::filesystem::read_symlink("/proc/self/exe", ignored);
+    if (!file.empty()) return file;
+    // Without /proc, as in a bare change of root: what the kernel was told to execute.
+    const auto* const executed = reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
+    if (executed == nullptr) return {};
+    return std::filesystem::canonical(executed, ignored);
 }
 
 std::size_t longest_thread_name() {

@@ -123,6 +123,17 @@ TEST_F(HabitsTest, ScenesThatNameFilesCanBeEditedElsewhere) {
     EXPECT_EQ(ended.status, 0) << ended.errors;
 }
 
+TEST_F(HabitsTest, ShippedTerrainIsFoundByItsBareNameUnlessAFileHereHasIt) {
+    const std::string hill = "front_range_hill.asc";
+    const std::string shipped = std::string(FUMON_SCENES_FOLDER) + "/../assets/terrain/" + hill;
+    const Json measured = json_of({"measure", shipped, "--json"});
+    EXPECT_EQ(json_of({"measure", hill, "--json"})["measures"], measured["measures"]);
+    write_text(folder_ / hill, "ncols 2\nnrows 2\ncellsize 1\n1 2\n3 4\n");
+    EXPECT_NE(json_of({"measure", hill, "--json"})["measures"], measured["measures"])
+        << "what lies here comes first";
+    EXPECT_EQ(said({"measure", "./no_such_hill.asc"}).status, 2);
+}
+
 // ---- completion ----
 
 TEST_F(HabitsTest, CompletionKnowsCommandsOptionsKeysAndValues) {
