@@ -1,6 +1,6 @@
 // Runs the cases with exact solutions and prints what comes of them as a table:
 //
-//     water_examination [CASE…] [--cells 100,200,400]
+//     water_examination [CASE…] [--cells 100,200,400] [--limiter-tolerance 0.01]
 //     water_examination [CASE…] --scenes FOLDER
 //
 // or writes their scenes, on 100 (squares: 50) cells, with their beds, their water at the start
@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -89,10 +90,13 @@ int main(int count, char** arguments) {
     std::vector<int> grids{100, 200, 400};
     std::vector<std::string> names;
     std::filesystem::path folder;
+    std::optional<double> tolerance;
     for (int k = 1; k < count; ++k) {
         const std::string word = arguments[k];
         if (word == "--cells" && k + 1 < count) {
             grids = numbers_of(arguments[++k]);
+        } else if (word == "--limiter-tolerance" && k + 1 < count) {
+            tolerance = std::stod(arguments[++k]);
         } else if (word == "--scenes" && k + 1 < count) {
             folder = arguments[++k];
         } else {
@@ -118,7 +122,8 @@ int main(int count, char** arguments) {
         "{} order | away from shores and kinks | budget | s | first order: error | order | s |\n"
         "{}---|---|---|---|---|---|---|\n",
         head, rule);
-    for (const Case& one : all_cases()) {
+    for (Case one : all_cases()) {
+        if (tolerance) one.parameters.limiter_tolerance = *tolerance;
         if (is_asked(one)) print_case(one, grids);
     }
     return 0;

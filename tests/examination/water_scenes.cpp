@@ -67,6 +67,8 @@ std::string scene_of(const Case& one, int cells) {
         "title = \"{}\"\n\n[model]\nname = \"water\"\ngravity = {}\n",
         cells, rows, one.duration, one.title, exact::gravity);
     text += friction_of(one.parameters);
+    if (one.parameters.limiter_tolerance > 0.0)
+        text += fmt::format("limiter_tolerance = {:g}\n", one.parameters.limiter_tolerance);
     text += fmt::format("edges_x = \"wall\"\nedges_y = \"{}\"\n", one.square ? "wall" : "periodic");
     if (one.parameters.rain > 0.0) text += fmt::format("rain = {:g}\n", one.parameters.rain);
     text += fmt::format("time_step = {:.9g}\n", one.duration / steps);

@@ -7,6 +7,7 @@
 #include "models/water/edge_flow.h"
 #include "models/water/gully_parameters.h"
 #include "models/water/kernels/finite_volume_vectors.h"
+#include "models/water/kernels/limited_slope_vectors.h"
 #include "models/water/water_settings.h"
 
 namespace fumon::finite_volume {
@@ -21,8 +22,10 @@ class Strip {
     static constexpr int margin = 3;          ///< cells beyond the block that its update reads
     static constexpr int widest_block = 512;  ///< cells
 
-    explicit Strip(StoppingSteps steps)
-        : steps_(steps), values_(static_cast<std::size_t>(fields) * kept * stride) {}
+    Strip(StoppingSteps steps, LimiterTolerance tolerance)
+        : steps_(steps),
+          tolerance_(tolerance),
+          values_(static_cast<std::size_t>(fields) * kept * stride) {}
 
     /// Starts a block of `count` columns from column `first_x` on. Where `edge_west` or
     /// `edge_east`, cells beyond it pay for what comes in there.
@@ -82,6 +85,7 @@ class Strip {
     [[nodiscard]] Fluxes fluxes(Kind kind, int y, int from);
 
     StoppingSteps steps_;
+    LimiterTolerance tolerance_;
     std::vector<double> values_;
     std::array<bool, kept> short_of_water_{};
     int first_x_ = 0;

@@ -82,6 +82,11 @@ void list_flow_keys(GullyParameters& gully, KeyTable& table) {
         {.help = "of finite volumes: the steps at which water that does not pass loses its "
                  "momentum",
          .earlier = {"0.2.0", "\"all\""}});
+    table.real("model.limiter_tolerance", gully.limiter_tolerance,
+               {.range = {0, 0.1},
+                .help = "of finite volumes: what changes from cell to cell by less than this share "
+                        "of the depth is not limited; 0.01 for calm flow, in which the limiter "
+                        "keeps ripples standing"});
     table.real("model.time_step", gully.time_step,
                {.unit = "s", .range = {0, 1000, true}, .help = "of one step"});
     table.choice(

@@ -26,6 +26,7 @@ struct GullyParameters {
     double time_step = 0.1;  ///< s: one step of the model
     Relief relief = Relief::automatic;
     StoppingSteps stopping_steps = StoppingSteps::bed;  ///< of finite volumes
+    double limiter_tolerance = 0.0;                     ///< of finite volumes: a share of the depth
     Substeps substeps = Substeps::adaptive;
     double courant_number = 0.4;  ///< of the sub-steps
 

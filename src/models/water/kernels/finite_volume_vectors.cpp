@@ -15,16 +15,6 @@ using namespace vectors::HWY_NAMESPACE;
 constexpr double dry_depth = 1e-9;  // m: thinner water rests, but is kept
 constexpr double no_speed = 1e-300;
 
-/// `bound`: half of the steepest slope over the smaller one-sided difference, from ½ (minmod, with
-/// which the values of two cells at their face keep their order) to 1 (monotonised central).
-template <class V>
-HWY_INLINE V half_slope(V back, V forward, V bound, V quarter, V zero) {
-    const V middle = quarter * (back + forward);
-    const V rising = smaller(bound * smaller(back, forward), middle);
-    const V falling = larger(bound * larger(back, forward), middle);
-    return larger(rising, zero) + smaller(falling, zero);
-}
-
 struct LoadCells {
     SourceRow from;
     double sign_y;
@@ -38,59 +28,6 @@ struct LoadCells {
         hn::StoreU(hn::LoadU(d, from.velocity_x + k), d, to.velocity_x + k);
         hn::StoreU(hn::Set(d, sign_y) * hn::LoadU(d, from.velocity_y + k), d, to.velocity_y + k);
         hn::StoreU(hn::Set(d, 1.0), d, to.inside + k);
-    }
-};
-
-/// With the bed's slopes where `of_bed`.
-template <bool of_bed>
-struct LimitedHalfSlopes {
-    CellRow b;
-    CellRow c;
-    CellRow f;
-    HalfSlopes out;
-
-    template <class D>
-    HWY_INLINE void operator()(D d, std::size_t k) const {
-        using V = hn::Vec<D>;
-        const V one = hn::Set(d, 1.0);
-        const V half = hn::Set(d, 0.5);
-        const V quarter = hn::Set(d, 0.25);
-        const V zero = hn::Zero(d);
-        const V inside = hn::LoadU(d, c.inside + k);
-        const V with_back = hn::LoadU(d, b.inside + k) * inside;
-        const V with_forward = hn::LoadU(d, f.inside + k) * inside;
-        const V depth = hn::LoadU(d, c.depth + k);
-        const V depth_b = hn::LoadU(d, b.depth + k);
-        const V depth_f = hn::LoadU(d, f.depth + k);
-        const V surface = hn::LoadU(d, c.surface + k);
-        const V depth_back = (depth - depth_b) * with_back;
-        const V depth_forward = (depth_f - depth) * with_forward;
-        const V surface_back = (surface - hn::LoadU(d, b.surface + k)) * with_back;
-        const V surface_forward = (hn::LoadU(d, f.surface + k) - surface) * with_forward;
-        const V shallowest = smaller(smaller(depth_b, depth_f), depth);
-        const V bed_back = surface_back - depth_back;
-        const V bed_forward = surface_forward - depth_forward;
-        const V bed_step = larger(hn::Abs(bed_back), hn::Abs(bed_forward));
-        const V bound = hn::IfThenElse(hn::Gt(shallowest, bed_step), one, half);
-        const auto limited = [&](const double* back, const double* here,
-                                 const double* forward) HWY_ATTR {
-            const V middle = hn::LoadU(d, here + k);
-            return half_slope((middle - hn::LoadU(d, back + k)) * with_back,
-                              (hn::LoadU(d, forward + k) - middle) * with_forward, one, quarter,
-                              zero);
-        };
-        const V normal = limited(b.normal, c.normal, f.normal);
-        const V transverse = limited(b.transverse, c.transverse, f.transverse);
-        hn::StoreU(half_slope(depth_back, depth_forward, bound, quarter, zero), d, out.depth + k);
-        hn::StoreU(half_slope(surface_back, surface_forward, bound, quarter, zero), d,
-                   out.surface + k);
-        hn::StoreU(normal, d, out.normal + k);
-        hn::StoreU(transverse, d, out.transverse + k);
-        if constexpr (of_bed) {  // minmod
-            const V rising = larger(smaller(bed_back, bed_forward), zero);
-            const V falling = smaller(larger(bed_back, bed_forward), zero);
-            hn::StoreU(half * (rising + falling), d, out.bed + k);
-        }
     }
 };
 
@@ -325,15 +262,6 @@ void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int c
     for_each_vector_anew(count, LoadCells{from, sign_y, to});
 }
 
-void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
-                         const HalfSlopes& out, int count) {
-    if (out.bed != nullptr) {
-        for_each_vector_anew(count, LimitedHalfSlopes<true>{back, here, forward, out});
-    } else {
-        for_each_vector_anew(count, LimitedHalfSlopes<false>{back, here, forward, out});
-    }
-}
-
 void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,
                  const HalfSlopes& right_slopes, double gravity, const Fluxes& out, int count) {
     if (left_slopes.bed != nullptr) {
@@ -409,7 +337,6 @@ HWY_AFTER_NAMESPACE();
 namespace fumon::finite_volume {
 
 HWY_EXPORT(load_cells);
-HWY_EXPORT(limited_half_slopes);
 HWY_EXPORT(face_fluxes);
 HWY_EXPORT(payable_shares);
 HWY_EXPORT(cut_to_shares);
@@ -418,11 +345,6 @@ HWY_EXPORT(fastest);
 
 void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int count) {
     HWY_DYNAMIC_DISPATCH(load_cells)(from, sign_y, to, count);
-}
-
-void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
-                         const HalfSlopes& out, int count) {
-    HWY_DYNAMIC_DISPATCH(limited_half_slopes)(back, here, forward, out, count);
 }
 
 void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,

@@ -47,13 +47,6 @@ struct LoadedRow {
 /// Cells inside the domain, their velocity along y times a sign.
 void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int count);
 
-/// Monotonised central slopes (van Leer 1977) of `count` cells between their neighbours `back` and
-/// `forward`; flat toward a neighbour outside the domain. Where the water is thinner than
-/// the bed's steps, depth and surface take the smaller of the two differences (minmod), so that no
-/// two cells' beds overlap at a face and dam the water up. The bed's own slope is minmod's.
-void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
-                         const HalfSlopes& out, int count);
-
 /// Fluxes through the faces between the cells `left` and `right`: values at the face from the half
 /// slopes, hydrostatic reconstruction of the bed's step (Audusse et al. 2004, by the intermediate
 /// height of Chen & Noelle 2017, which lets thin water fall down a step at its full weight), then
