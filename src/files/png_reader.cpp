@@ -64,6 +64,24 @@ std::string utf8_of_latin1(std::string_view latin1) {
     return utf8;
 }
 
+using Texts = std::vector<std::pair<std::string, std::string>>;
+
+Texts texts_of(png_structp png, png_infop place) {
+    png_textp chunks = nullptr;
+    int count = 0;
+    png_get_text(png, place, &chunks, &count);
+    Texts texts;
+    for (int i = 0; i < count; ++i) {
+        const png_text& chunk = chunks[i];
+        const bool international = chunk.compression >= PNG_ITXT_COMPRESSION_NONE;
+        const std::size_t length = international ? chunk.itxt_length : chunk.text_length;
+        const std::string_view text(chunk.text, length);
+        texts.emplace_back(utf8_of_latin1(chunk.key),
+                           international ? std::string(text) : utf8_of_latin1(text));
+    }
+    return texts;
+}
+
 /// Whether every chunk up to the last lies within the file. libpng asks for the memory of a chunk
 /// before it looks whether that much is there.
 bool chunks_fit(std::string_view bytes) {
@@ -220,21 +238,13 @@ std::vector<std::pair<std::string, std::string>> PngReader::texts() {
             png_read_end(parts.png, parts.tail);
         }))
         refuse_damaged();
-    std::vector<std::pair<std::string, std::string>> texts;
-    for (png_infop place : {parts.head, parts.tail}) {
-        png_textp chunks = nullptr;
-        int count = 0;
-        png_get_text(parts.png, place, &chunks, &count);
-        for (int i = 0; i < count; ++i) {
-            const png_text& chunk = chunks[i];
-            const bool international = chunk.compression >= PNG_ITXT_COMPRESSION_NONE;
-            const std::size_t length = international ? chunk.itxt_length : chunk.text_length;
-            const std::string_view text(chunk.text, length);
-            texts.emplace_back(utf8_of_latin1(chunk.key),
-                               international ? std::string(text) : utf8_of_latin1(text));
-        }
-    }
-    return texts;
+    Texts all = texts_of(parts.png, parts.head);
+    for (auto& text : texts_of(parts.png, parts.tail)) all.push_back(std::move(text));
+    return all;
+}
+
+std::vector<std::pair<std::string, std::string>> PngReader::texts_before_picture() const {
+    return texts_of(parts_->png, parts_->head);
 }
 
 }  // namespace fumon

@@ -38,7 +38,7 @@ class PngReader {
     [[nodiscard]] const PngInfo& info() const;
 
     /// All samples as they are stored (16 bits: high byte first), top row first, rows packed.
-    /// Call one of samples(), image() and texts(), once.
+    /// Call one of samples(), image() and texts(), once; texts_before_picture() before it.
     std::vector<std::uint8_t> samples();
 
     /// All pixels, with opacities where the file stores some.
@@ -47,6 +47,9 @@ class PngReader {
     /// Keyword → text of all tEXt, zTXt and iTXt chunks, in the file's order; tEXt and zTXt, which
     /// are Latin-1, become UTF-8.
     std::vector<std::pair<std::string, std::string>> texts();
+
+    /// Of these, those before the picture, which is not read for them.
+    [[nodiscard]] std::vector<std::pair<std::string, std::string>> texts_before_picture() const;
 
   private:
     struct Parts;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.h"
 
 namespace fumon::gl {
@@ -33,6 +35,14 @@ void Texture2D::upload(const void* pixels) const {
     gl.BindTexture(GL_TEXTURE_2D, texture_.name());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, layout_.format, layout_.type, pixels);
+}
+
+void Texture2D::set_mipmap(int level, const void* pixels) const {
+    const Functions& gl = functions();
+    gl.BindTexture(GL_TEXTURE_2D, texture_.name());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexImage2D(GL_TEXTURE_2D, level, layout_.internal_format, std::max(width_ >> level, 1),
+                  std::max(height_ >> level, 1), 0, layout_.format, layout_.type, pixels);
 }
 
 void Texture2D::make_mipmaps() const {

@@ -22,6 +22,7 @@ class Texture2D {
     Texture2D(int width, int height, const TextureLayout& layout, const void* pixels = nullptr);
 
     void upload(const void* pixels) const;  ///< replaces all of it
+    void set_mipmap(int level, const void* pixels) const;
     void make_mipmaps() const;
     void bind(int unit) const;  ///< to texture unit `unit`
 

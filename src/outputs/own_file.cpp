@@ -9,7 +9,6 @@
 #include "files/png_reader.h"
 #include "picture/junit.h"
 #include "picture/movie.h"
-#include "picture/png.h"
 
 namespace fumon {
 
@@ -22,6 +21,14 @@ bool by_fumon(const PictureText& texts) {
     return std::ranges::any_of(texts, [](const auto& text) {
         return text.first == "Software" && text.second.starts_with("fumon");
     });
+}
+
+/// fumon writes its texts before the picture; a program that has changed the file may have moved
+/// them.
+bool is_own_png(const std::filesystem::path& file) {
+    const std::string bytes = read_input_file(file);
+    PngReader reader(bytes, file.string());
+    return by_fumon(reader.texts_before_picture()) || by_fumon(reader.texts());
 }
 
 /// The comments with which a scene begins.
@@ -58,7 +65,7 @@ bool is_figure_file(std::string_view head) {
 bool says_that_fumon_made_it(const std::filesystem::path& file) {
     try {
         const std::string head = start_of_input_file(file, head_bytes);
-        if (is_png(head)) return by_fumon(read_png_texts(file));
+        if (is_png(head)) return is_own_png(file);
         if (is_movie(file)) return by_fumon(read_movie_texts(file));
         if (is_figure_file(head))
             return by_fumon(read_figure_metadata(read_input_file(file), file.string()));

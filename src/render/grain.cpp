@@ -47,4 +47,20 @@ std::vector<std::uint8_t> grain_texels() {
     return texels;
 }
 
+std::vector<std::uint8_t> halved_texels(const std::vector<std::uint8_t>& texels, int size) {
+    const auto whole = static_cast<std::size_t>(size);
+    const std::size_t half = whole / 2;
+    const auto mean = [](unsigned a, unsigned b) { return (a + b + 1U) / 2U; };
+    std::vector<std::uint8_t> result(half * half);
+    for (std::size_t y = 0; y < half; ++y) {
+        const std::uint8_t* lower = texels.data() + 2 * y * whole;
+        const std::uint8_t* upper = lower + whole;
+        for (std::size_t x = 0; x < half; ++x) {
+            result[y * half + x] = static_cast<std::uint8_t>(
+                mean(mean(lower[2 * x], lower[2 * x + 1]), mean(upper[2 * x], upper[2 * x + 1])));
+        }
+    }
+    return result;
+}
+
 }  // namespace fumon

@@ -10,4 +10,8 @@ namespace fumon {
 inline constexpr int grain_size = 512;
 std::vector<std::uint8_t> grain_texels();
 
+/// A square of texels at half its size: each the mean of two columns and then of two rows, halves
+/// rounded up both times, which is what llvmpipe's mipmaps are. `size`, of the given one, is even.
+std::vector<std::uint8_t> halved_texels(const std::vector<std::uint8_t>& texels, int size);
+
 }  // namespace fumon

@@ -85,6 +85,15 @@ bool draws_plants(const View& view, const Snapshot& first) {
             find_named(first.fields, "shrubs") != nullptr);
 }
 
+/// What lies dark on the plain around the block; nothing where no plain is drawn.
+FloorMap floor_of(const View& view, const Snapshot& first, const Block& block, int refinement,
+                  WorkerPool& pool) {
+    const bool seen = view.look.mode == ViewMode::scenic && view.look.ground != Ground::endless &&
+                      view.look.background != Background::transparent;
+    if (!seen) return open_floor();
+    return floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool);
+}
+
 gl::TextureLayout plain_layout() {
     gl::TextureLayout layout;
     layout.filter = GL_NEAREST;
@@ -155,10 +164,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       shading(view, block, first, display_bed(first, block, refinement),
               static_cast<int>(std::max(view.image.width, view.image.height)) * plan.factor, fixed),
       terrain(view, block, fixed),
-      background(
-          view, block,
-          floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool),
-          fixed),
+      background(view, block, floor_of(view, first, block, refinement, pool), fixed),
       depths(plan.target_width, plan.target_height),
       seen(plan.target_width, plan.target_height, seen_layout(view.look.ground), &depths),
       samples(plan.target_width, plan.target_height, plain_layout(), &depths),
@@ -343,8 +349,7 @@ void Renderer::Parts::set_light(const FramePose& pose) {
         view.sun.elevation = pose.sun.elevation;
         light = light_of(view);
         sky.upload(light.sky_texels.data());
-        background.set_floor(
-            floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool));
+        background.set_floor(floor_of(view, first, block, refinement, pool));
     }
     light.stops = pose.exposure;
 }

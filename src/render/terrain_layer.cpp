@@ -45,6 +45,17 @@ void float_attribute(GLuint place, GLint count, std::size_t stride, std::size_t 
     gl.EnableVertexAttribArray(place);
 }
 
+/// With its mipmaps: a driver that makes them compiles shaders for that.
+gl::Texture2D grain_texture() {
+    std::vector<std::uint8_t> texels = grain_texels();
+    gl::Texture2D grain(grain_size, grain_size, grain_layout, texels.data());
+    for (int level = 1; level <= grain_layout.coarsest; ++level) {
+        texels = halved_texels(texels, grain_size >> (level - 1));
+        grain.set_mipmap(level, texels.data());
+    }
+    return grain;
+}
+
 /// Of the bound array, `count` indices from the place `first` on.
 void draw_triangles(std::size_t first, std::size_t count) {
     if (count == 0) return;
@@ -78,9 +89,7 @@ TerrainLayer::TerrainLayer(const View& view, const Block& block, const gl::Const
       surface_colours_("screen.vert.glsl",
                        grainy_ ? "terrain.frag.glsl" : "terrain_plain.frag.glsl"),
       side_colours_("side.vert.glsl", "side.frag.glsl", {"east_north", "normal", "heights"}, fixed),
-      grain_(grain_size, grain_size, grain_layout, grain_texels().data()) {
-    grain_.make_mipmaps();
-}
+      grain_(grain_texture()) {}
 
 void TerrainLayer::build(const DisplayBed& bed, int stride) {
     lattice_ = terrain_lattice(bed.z.nx(), bed.z.ny(), bed.nodata, stride);

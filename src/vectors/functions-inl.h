@@ -109,10 +109,39 @@ HWY_INLINE V without_twos(V x, V k) {
     return hn::Sub(hn::Sub(x, hn::Mul(k, constant<V>(ln2_high))), hn::Mul(k, constant<V>(ln2_low)));
 }
 
-/// elementary::exp, stage by stage of several vectors, in place: each stage is a short chain of
-/// operations, of which a processor works on several at once.
+/// Whether all |x| are below `most`; not where one of them is no number.
 template <class V, std::size_t n>
-HWY_INLINE void exp(V (&x)[n]) {
+HWY_INLINE bool all_below(const V (&x)[n], double most) {
+    const hn::DFromV<V> d;
+    auto below = hn::Lt(hn::Abs(x[0]), constant<V>(most));
+    for (std::size_t i = 1; i < n; ++i)
+        below = hn::And(below, hn::Lt(hn::Abs(x[i]), constant<V>(most)));
+    return hn::AllTrue(d, below);
+}
+
+/// elementary::exp, stage by stage of several vectors, in place: each stage is a short chain of
+/// operations, of which a processor works on several at once. Of |x| < 700, whose powers of two
+/// need not be taken in halves.
+template <class V, std::size_t n>
+HWY_INLINE void exp_of_usual(V (&x)[n]) {
+    using namespace elementary::detail;
+    const V magic = constant<V>(to_integer);
+    V shifted[n];
+    V tail[n];
+    for (std::size_t i = 0; i < n; ++i) {
+        shifted[i] = hn::Add(hn::Mul(x[i], constant<V>(log2_e)), magic);
+        x[i] = without_twos(x[i], hn::Sub(shifted[i], magic));
+    }
+    exp_tails(x, tail);
+    for (std::size_t i = 0; i < n; ++i) {
+        const V value = hn::Add(constant<V>(1.0), hn::Add(x[i], tail[i]));
+        x[i] = hn::Mul(value, power_of_two(shifted[i]));
+    }
+}
+
+/// The same of any x.
+template <class V, std::size_t n>
+HWY_INLINE void exp_of_any(V (&x)[n]) {
     using namespace elementary::detail;
     const V magic = constant<V>(to_integer);
     V k[n];
@@ -128,6 +157,17 @@ HWY_INLINE void exp(V (&x)[n]) {
         const V half_shifted = hn::Add(hn::Mul(constant<V>(0.5), k[i]), magic);
         const V rest_shifted = hn::Add(hn::Sub(k[i], hn::Sub(half_shifted, magic)), magic);
         x[i] = hn::Mul(hn::Mul(value, power_of_two(half_shifted)), power_of_two(rest_shifted));
+    }
+}
+
+/// elementary::exp of several vectors, in place.
+template <class V, std::size_t n>
+HWY_INLINE void exp(V (&x)[n]) {
+    constexpr double usual = 700.0;
+    if (HWY_LIKELY(all_below(x, usual))) {
+        exp_of_usual(x);
+    } else {
+        exp_of_any(x);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "base/rounding.h"
 #include "base/worker_pool.h"
@@ -16,28 +17,85 @@ constexpr int n = FloorMap::cells;
 constexpr float softening = 0.05F;  // tangent: limbs of the sun moved apart, for a soft shadow
 constexpr int rings = 5;  // cells under the block that take their neighbours' light, for filtering
 
+struct Cell {
+    int x;
+    int y;
+};
+
+/// Columns and rows [begin, end) outside which nothing stands, however it is turned about the
+/// middle.
+struct Reach {
+    int begin = n;
+    int end = 0;
+};
+
+Reach reach_of(const Field<std::uint8_t>& covered) {
+    constexpr double middle = 0.5 * (n - 1);
+    double farthest = -1.0;  // squared, cells
+    for (int y = 0; y < n; ++y) {
+        for (int x = 0; x < n; ++x) {
+            if (covered(x, y) == 0) continue;
+            const double east = x - middle;
+            const double north = y - middle;
+            farthest = std::max(farthest, east * east + north * north);
+        }
+    }
+    if (farthest < 0.0) return {};
+    constexpr int beside = 3;  // what interpolation and a cell's neighbours add
+    const int reach = static_cast<int>(std::sqrt(farthest)) + beside;
+    return {std::max(n / 2 - reach, 0), std::min(n / 2 + reach, n)};
+}
+
+/// 1 in the cells of a mask of 0 and 1 and in those beside them, but not on the map's border.
+Field<std::uint8_t> widened(const Field<std::uint8_t>& mask) {
+    Field<std::uint8_t> result(n, n, 0);
+    std::array<std::uint8_t, n> columns{};
+    for (int y = 1; y + 1 < n; ++y) {
+        const std::uint8_t* south = mask.row(y - 1).data();
+        const std::uint8_t* here = mask.row(y).data();
+        const std::uint8_t* north = mask.row(y + 1).data();
+        for (std::size_t x = 0; x < n; ++x)
+            columns[x] = static_cast<std::uint8_t>(south[x] | here[x] | north[x]);
+        std::uint8_t* out = result.row(y).data();
+        for (std::size_t x = 1; x + 1 < n; ++x)
+            out[x] = static_cast<std::uint8_t>(columns[x - 1] | columns[x] | columns[x + 1]);
+    }
+    return result;
+}
+
+/// The covered cells beside others that are not.
+std::vector<Cell> edge_of(const Field<std::uint8_t>& covered, Reach reach) {
+    Field<std::uint8_t> open = covered;
+    for (std::uint8_t& cell : open.values()) cell ^= 1U;
+    const Field<std::uint8_t> at_open = widened(open);
+    std::vector<Cell> edge;
+    for (int y = reach.begin; y < reach.end; ++y)
+        for (int x = reach.begin; x < reach.end; ++x)
+            if ((covered(x, y) & at_open(x, y)) != 0) edge.push_back({x, y});
+    return edge;
+}
+
+/// A covered cell's light from its neighbours that are not.
+float light_around(const Field<float>& light, const Field<std::uint8_t>& covered, Cell cell) {
+    float sum = 0.0F;
+    int count = 0;
+    for (int v = cell.y - 1; v <= cell.y + 1; ++v) {
+        for (int u = cell.x - 1; u <= cell.x + 1; ++u) {
+            if (covered(u, v) != 0) continue;
+            sum += light(u, v);
+            ++count;
+        }
+    }
+    return sum / static_cast<float>(count);
+}
+
 /// The light just outside the block continues a little under it, so that filtering does not mix in
 /// what lies on top.
-void continue_under(Field<float>& light, Field<std::uint8_t> covered) {
+void continue_under(Field<float>& light, Field<std::uint8_t> covered, Reach reach) {
     for (int ring = 0; ring < rings; ++ring) {
-        const Field<std::uint8_t> before = covered;
-        for (int y = 1; y + 1 < n; ++y) {
-            for (int x = 1; x + 1 < n; ++x) {
-                if (before(x, y) == 0) continue;
-                float sum = 0.0F;
-                int count = 0;
-                for (int v = y - 1; v <= y + 1; ++v) {
-                    for (int u = x - 1; u <= x + 1; ++u) {
-                        if (before(u, v) != 0) continue;
-                        sum += light(u, v);
-                        ++count;
-                    }
-                }
-                if (count == 0) continue;
-                light(x, y) = sum / static_cast<float>(count);
-                covered(x, y) = 0;
-            }
-        }
+        const std::vector<Cell> edge = edge_of(covered, reach);
+        for (const Cell cell : edge) light(cell.x, cell.y) = light_around(light, covered, cell);
+        for (const Cell cell : edge) covered(cell.x, cell.y) = 0;
     }
 }
 
@@ -47,12 +105,13 @@ struct Turn {
     double sine;
 };
 
-/// A field turned about its middle, in between linear; `outside` where it does not reach.
-Field<float> turned(const Field<float>& field, const Turn& turn, float outside) {
+/// A field turned about its middle, in between linear, within `reach` both ways; `outside` beyond
+/// that and where the field does not reach.
+Field<float> turned(const Field<float>& field, const Turn& turn, float outside, Reach reach) {
     Field<float> result(n, n, outside);
     constexpr double middle = 0.5 * (n - 1);
-    for (int y = 0; y < n; ++y) {
-        for (int x = 0; x < n; ++x) {
+    for (int y = reach.begin; y < reach.end; ++y) {
+        for (int x = reach.begin; x < reach.end; ++x) {
             const double u = middle + turn.cosine * (x - middle) + turn.sine * (y - middle);
             const double v = middle - turn.sine * (x - middle) + turn.cosine * (y - middle);
             if (u < 0.0 || v < 0.0 || u >= n - 1 || v >= n - 1) continue;
@@ -69,10 +128,19 @@ Field<float> turned(const Field<float>& field, const Turn& turn, float outside) 
     return result;
 }
 
+/// The cells that a turned block covers and those beside it, whose slope a sweep takes for the
+/// wall's.
+Field<std::uint8_t> at_block(const Field<float>& cover) {
+    Field<std::uint8_t> mask(n, n);
+    std::transform(cover.values().begin(), cover.values().end(), mask.values().begin(),
+                   [](float share) { return static_cast<std::uint8_t>(share > 0.0F ? 1 : 0); });
+    return widened(mask);
+}
+
 /// The sky's share seen in 32 directions, the 8 of a lattice that is turned: else the block's
 /// corners cast star-shaped wedges of shade.
-Field<float> open_sky(const Field<float>& heights, const Field<std::uint8_t>& covered, float width,
-                      WorkerPool& pool) {
+Field<float> open_sky(const Field<float>& heights, const Field<std::uint8_t>& covered, Reach reach,
+                      float width, WorkerPool& pool) {
     constexpr std::array<Turn, 4> turns = {{{1.0, 0.0},
                                             {0.98078528040323044, 0.19509032201612827},
                                             {0.92387953251128676, 0.38268343236508977},
@@ -82,20 +150,10 @@ Field<float> open_sky(const Field<float>& heights, const Field<std::uint8_t>& co
                    [](std::uint8_t cell) { return static_cast<float>(cell); });
     Field<float> sum(n, n, 0.0F);
     for (const Turn& turn : turns) {
-        const Field<float> there = turned(cover, turn, 0.0F);
-        Field<std::uint8_t> mask(n, n, 0);
-        for (int y = 1; y + 1 < n; ++y) {
-            for (int x = 1; x + 1 < n; ++x) {
-                // Beside a wall too, whose slope the sweep takes for the floor's.
-                float nearby = 0.0F;
-                for (int v = y - 1; v <= y + 1; ++v)
-                    nearby += there(x - 1, v) + there(x, v) + there(x + 1, v);
-                mask(x, y) = nearby > 0.0F ? 1 : 0;
-            }
-        }
-        Field<float> sky = sky_visibility(turned(heights, turn, 0.0F), width, width, pool);
-        continue_under(sky, mask);
-        const Field<float> back = turned(sky, {turn.cosine, -turn.sine}, 1.0F);
+        const Field<std::uint8_t> mask = at_block(turned(cover, turn, 0.0F, reach));
+        Field<float> sky = sky_visibility(turned(heights, turn, 0.0F, reach), width, width, pool);
+        continue_under(sky, mask, reach);
+        const Field<float> back = turned(sky, {turn.cosine, -turn.sine}, 1.0F, {0, n});
         for (std::size_t i = 0; i < sum.size(); ++i)
             sum.values()[i] += back.values()[i] / static_cast<float>(turns.size());
     }
@@ -144,8 +202,9 @@ FloorMap floor_map(const DisplayBed& bed, const Block& block, const SunDirection
     soft.lower_limb = std::max(sun.lower_limb - softening, 0.5F * sun.lower_limb);
     soft.upper_limb += softening;
     Field<float> sun_share = sun_visibility(heights, width, width, soft);
-    const Field<float> sky_share = open_sky(heights, covered, width, pool);
-    continue_under(sun_share, covered);
+    const Reach reach = reach_of(covered);
+    const Field<float> sky_share = open_sky(heights, covered, reach, width, pool);
+    continue_under(sun_share, covered, reach);
     sun_share = smoothed(sun_share);
     FloorMap map;
     map.sun_and_sky.reserve(2 * heights.size());
@@ -156,6 +215,11 @@ FloorMap floor_map(const DisplayBed& bed, const Block& block, const SunDirection
             static_cast<std::uint8_t>(nearest(255.0F * sky_share.values()[i])));
     }
     return map;
+}
+
+FloorMap open_floor() {
+    constexpr std::uint8_t whole = 255;
+    return {std::vector<std::uint8_t>(2 * std::size_t{n} * n, whole)};
 }
 
 }  // namespace fumon

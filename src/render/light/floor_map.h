@@ -22,4 +22,7 @@ struct FloorMap {
 FloorMap floor_map(const DisplayBed& bed, const Block& block, const SunDirection& sun,
                    WorkerPool& pool);
 
+/// Of no block.
+FloorMap open_floor();
+
 }  // namespace fumon

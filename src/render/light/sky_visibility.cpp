@@ -69,9 +69,18 @@ struct Scratch {
     std::vector<HullPoint> hull;
 };
 
+bool is_flat(const float* z, int count) {
+    return std::isfinite(z[0]) && std::all_of(z, z + count, [z](float at) { return at == z[0]; });
+}
+
 /// Sweeps the line in scratch.heights[1 … count] both ways and adds its sky to `sum`.
 void sweep_line(Scratch& scratch, int count, float spacing, float weight, float* sum) {
     float* z = scratch.heights.data() + 1;
+    if (is_flat(z, count)) {
+        const float whole = weight * 2.0F;  // what the sweeps would find, to the bit
+        for (int i = 0; i < count; ++i) sum[i] += whole;
+        return;
+    }
     // At the ends the slope is taken one-sided, by a padding that continues the line straight on.
     z[-1] = count > 1 ? 2.0F * z[0] - z[1] : z[0];
     z[count] = count > 1 ? 2.0F * z[count - 1] - z[count - 2] : z[0];
