@@ -1,7 +1,7 @@
 #version 330 core
 // What surrounds the block: a pale plain under it, darkened where the block stands and shades it,
-// fading into the haze, and the sky above. Written at the picture's own resolution with one step of
-// dither, so that its slow gradients do not band.
+// fading into the haze, and the sky above. Written at the picture's own resolution, in 8 bits with one
+// step of dither, so that its slow gradients do not band.
 #include "colour.glsl"
 #include "light.glsl"
 #include "noise.glsl"
@@ -18,6 +18,7 @@ uniform float endless;     // 1: no plain, as the ground reaches the horizon
 uniform sampler2D floor_map;  // shares of sun and sky; see render/floor_map.h
 uniform float floor_half_width;
 uniform vec2 picture_pixels;
+uniform float dithered;    // 1: for 8 bits
 uniform vec2 tile_pixel;   // first pixel of this tile
 
 in vec2 place;
@@ -51,5 +52,5 @@ void main() {
     }
     ivec2 pixel = ivec2(gl_FragCoord.xy + tile_pixel);
     float dither = hash(pixel) + hash(pixel + ivec2(7919, 104729)) - 1.0;
-    colour = vec4(display_from_linear(tone_curve(light)) + dither / 255.0, 1.0);
+    colour = vec4(display_from_linear(tone_curve(light)) + dithered * dither / 255.0, 1.0);
 }

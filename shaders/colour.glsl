@@ -1,6 +1,14 @@
 // Linear light, display values, and the tone curve between them.
 
+uniform int tone;        // 0 filmic, 1 AgX, 2 neutral; 3: radiances stay what they are
+uniform float punch;     // 1: AgX with more contrast and colour
+uniform float exposure;  // a factor
+uniform float contrast;  // a power around middle grey
+
+const float largest_radiance = 65000.0;  // that a half can hold, nearly
+
 vec3 display_from_linear(vec3 c) {
+    if (tone == 3) return min(c, vec3(largest_radiance));
     c = clamp(c, 0.0, 1.0);
     vec3 low = 12.92 * c;
     vec3 high = 1.055 * pow(max(c, vec3(1e-6)), vec3(1.0 / 2.4)) - 0.055;
@@ -13,11 +21,6 @@ vec3 linear_from_display(vec3 c) {
 }
 
 float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
-
-uniform int tone;        // 0 filmic, 1 AgX, 2 neutral
-uniform float punch;     // 1: AgX with more contrast and colour
-uniform float exposure;  // a factor
-uniform float contrast;  // a power around middle grey
 
 const float grey = 0.18;
 
@@ -72,6 +75,7 @@ vec3 filmic(vec3 c) {
 }
 
 vec3 tone_curve(vec3 c) {
+    if (tone == 3) return c;
     c *= exposure;
     if (tone == 1) return agx(c);
     if (contrast != 1.0) c = grey * pow(max(c / grey, vec3(1e-10)), vec3(contrast));

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace fumon {
@@ -14,6 +16,8 @@ struct Image {
     std::vector<std::uint8_t> rgb;  ///< 3·width·height bytes
     /// width·height opacities, 0 … 255, by which colours are not multiplied; empty: all opaque.
     std::vector<std::uint8_t> alpha;
+    /// The colours at 16 bits a channel, of which `rgb` is the rounding; empty: there are none.
+    std::vector<std::uint16_t> rgb16;
 
     Image() = default;
     Image(int width_, int height_)
@@ -31,6 +35,30 @@ struct Image {
     [[nodiscard]] bool transparent() const { return !alpha.empty(); }
 
     friend bool operator==(const Image&, const Image&) = default;
+};
+
+/// A level of 16 bits to the nearest of 8, as libpng rounds it.
+constexpr std::uint8_t rounded_to_8(std::uint16_t level) {
+    return static_cast<std::uint8_t>((level * 255U + 32895U) >> 16U);
+}
+
+/// One number a pixel, top row first.
+struct ImageLayer {
+    std::string name;  ///< a channel, as OpenEXR names them: "R", "normal.X"
+    std::string unit;
+    bool half = false;  ///< whether 16 bits are enough for it
+    std::vector<float> values;
+};
+
+/// A picture of many numbers a pixel.
+struct LayeredImage {
+    int width = 0;
+    int height = 0;
+    std::vector<ImageLayer> layers;
+    /// From the world in the layers' lengths to the camera's coordinates (right, up, ahead), and to
+    /// the picture's, 0 … 1 from its upper left corner; for points as rows.
+    std::array<float, 16> world_to_camera{};
+    std::array<float, 16> world_to_picture{};
 };
 
 /// An image without opacities: laid on an even grey ground, in sRGB as programs do it.

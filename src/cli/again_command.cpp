@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include "base/error.h"
@@ -33,7 +35,7 @@ namespace {
 
 struct AgainOptions {
     std::string picture;
-    std::string output;  ///< empty: NAME-again.png (or .mp4, .pdf, .svg) in the working folder
+    std::string output;  ///< empty: NAME-again.png (or .exr, .mp4 …) in the working folder
     std::string runs;    ///< of a figure: the folder of finished runs; empty: "runs" beside it
     bool force = false;
     bool trust = false;  ///< what the picture asks for, without limits
@@ -43,11 +45,11 @@ struct AgainOptions {
 void declare(CLI::App& command, AgainOptions& options) {
     command
         .add_option("PICTURE", options.picture,
-                    "a PNG, MP4, PDF or SVG that fumon made, or a film of any format")
+                    "a PNG, OpenEXR, MP4, PDF or SVG that fumon made, or a film of any format")
         ->required();
     command
         .add_option("-o,--output", options.output,
-                    "what is made (default: NAME-again.png, .mp4, .pdf or .svg here)")
+                    "what is made (default: NAME-again.png, .exr, .mp4, .pdf or .svg here)")
         ->type_name("FILE");
     command
         .add_option("--runs", options.runs,
@@ -241,7 +243,9 @@ int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& o
 int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& work,
                   const PictureOrigin& origin) {
     PreparedRun prepared = prepare(std::move(scene), origin.step, work.threads);
-    const fs::path output = output_of(options, png_ending.front());
+    const std::string_view usual = origin.is_exr ? exr_ending.front() : png_ending.front();
+    const fs::path output = output_of(options, usual);
+    const bool other_format = small_ending(output) != usual;
     claim_output(options, output, scene_files(prepared.scene));
     Progress progress(work.verbosity, static_cast<std::int64_t>(prepared.initial.bed.size()));
     const Snapshot first = prepared.model->snapshot();
@@ -251,7 +255,7 @@ int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& w
     const DrawnStill still =
         draw_still(prepared, first, prepared.model->snapshot(), output.string(), work, progress);
     const std::string pixels = hex(still.pixels);
-    if (origin.pixels_hash.empty() || !options.work.settings.empty()) {
+    if (origin.pixels_hash.empty() || other_format || !options.work.settings.empty()) {
         progress.note(fmt::format("{}: made", output.string()));
     } else if (pixels == origin.pixels_hash) {
         progress.note(fmt::format("{}: the same pixels as {}", output.string(), options.picture));
@@ -288,7 +292,8 @@ int perform(const AgainOptions& options) {
     const PictureOrigin origin = read_origin(options.picture);
     if (!options.output.empty())
         check_ending(options.output, origin.is_movie ? "a movie" : "a picture",
-                     origin.is_movie ? movie_ending : png_ending);
+                     origin.is_movie ? std::span<const std::string_view>(movie_ending)
+                                     : std::span<const std::string_view>(picture_endings));
     WorkOptions work = options.work;
     work.pinned = work.pinned || (origin.environment && origin.environment->pinned);
     prepare_drawing(work);

@@ -28,7 +28,7 @@ namespace {
 
 struct StillOptions {
     std::string input;   ///< a scene (.toml) or a terrain file
-    std::string output;  ///< a PNG
+    std::string output;  ///< a PNG or OpenEXR file
     std::optional<std::int64_t> step;
     std::optional<double> time;
     std::string heights;  ///< "low:high", metres of black and white of a PNG terrain
@@ -39,8 +39,11 @@ struct StillOptions {
 void declare(CLI::App& command, StillOptions& options) {
     command.add_option("INPUT", options.input, "a scene (.toml), or terrain: " + terrain_titles())
         ->required();
-    command.add_option("-o,--output", options.output, "the picture (PNG); - is standard output")
-        ->type_name("FILE.png")
+    command
+        .add_option("-o,--output", options.output,
+                    "the picture: PNG, or linear light and layers as OpenEXR (.exr); - is standard "
+                    "output (PNG)")
+        ->type_name("FILE")
         ->required();
     auto* step = add_number(command, "--step", options.step, 0, largest_step,
                             "of which step (default: the run's last)")
@@ -57,6 +60,7 @@ void declare(CLI::App& command, StillOptions& options) {
         command,
         {{"fumon still terada-barchans --step 500 -o dunes.png", "a step of a scene"},
          {"fumon still terrain.asc -o terrain.png", "a terrain file of your own"},
+         {"fumon still terada-barchans -o dunes.exr", "its light, depth and fields"},
          {"fumon still gully-rain --step 0 -o - --set camera.projection=map | feh -",
           "to a program"},
          {"fumon still terada-ripples -o low.png --set camera.azimuth=160 --set sun.elevation=15",
@@ -111,7 +115,7 @@ int perform(const StillOptions& options) {
     if (to_standard_output) {
         refuse_terminal("the picture is a PNG file", "dunes.png");
     } else {
-        check_ending(options.output, "a picture", png_ending);
+        check_ending(options.output, "a picture", picture_endings);
     }
     prepare_drawing(options.work);
     PreparedRun prepared = prepare(options);

@@ -55,6 +55,8 @@ void check_ending(const std::filesystem::path& file, std::string_view what,
                   std::span<const std::string_view> endings);
 
 inline constexpr std::array<std::string_view, 1> png_ending{".png"};
+inline constexpr std::array<std::string_view, 1> exr_ending{".exr"};
+inline constexpr std::array<std::string_view, 2> picture_endings{".png", ".exr"};
 inline constexpr std::array<std::string_view, 1> movie_ending{".mp4"};
 inline constexpr std::array<std::string_view, 1> scene_ending{".toml"};
 inline constexpr std::array<std::string_view, 1> table_ending{".csv"};

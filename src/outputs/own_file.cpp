@@ -7,6 +7,7 @@
 #include "figure/canvas/figure_metadata.h"
 #include "files/input_file.h"
 #include "files/png_reader.h"
+#include "picture/exr.h"
 #include "picture/junit.h"
 #include "picture/movie.h"
 
@@ -66,6 +67,7 @@ bool says_that_fumon_made_it(const std::filesystem::path& file) {
     try {
         const std::string head = start_of_input_file(file, head_bytes);
         if (is_png(head)) return is_own_png(file);
+        if (is_exr(head)) return by_fumon(read_exr_texts(file));
         if (is_movie(file)) return by_fumon(read_movie_texts(file));
         if (is_figure_file(head))
             return by_fumon(read_figure_metadata(read_input_file(file), file.string()));

@@ -98,7 +98,8 @@ void check_image(const Image& image) {
                        image.height <= longest_side;
     const auto bytes = 3LL * image.width * image.height;
     const bool opacities = !image.transparent() || 3 * image.alpha.size() == image.rgb.size();
-    if (!sides || !opacities || image.rgb.size() != static_cast<std::size_t>(bytes))
+    const bool deep = image.rgb16.empty() || image.rgb16.size() == image.rgb.size();
+    if (!sides || !opacities || !deep || image.rgb.size() != static_cast<std::size_t>(bytes))
         throw Error(fmt::format("an image of {} × {} pixels cannot be written as PNG", image.width,
                                 image.height));
 }
@@ -130,9 +131,38 @@ std::vector<std::uint8_t> filtered_rows(const Image& image) {
     return rows;
 }
 
+/// The same at 16 bits a channel, high bytes first.
+std::vector<std::uint8_t> filtered_deep_rows(const Image& image) {
+    const std::size_t channels = image.transparent() ? 4 : 3;
+    const auto width = static_cast<std::size_t>(image.width);
+    const std::size_t length = 2 * channels * width;
+    std::vector<std::uint8_t> rows;
+    rows.reserve((length + 1) * static_cast<std::size_t>(image.height));
+    std::vector<std::uint8_t> row(length);
+    for (std::size_t first = 0; first < width * static_cast<std::size_t>(image.height);
+         first += width) {
+        std::size_t at = 0;
+        const auto put = [&](unsigned level) {
+            row[at++] = static_cast<std::uint8_t>(level >> 8U);
+            row[at++] = static_cast<std::uint8_t>(level);
+        };
+        for (std::size_t x = first; x < first + width; ++x) {
+            for (std::size_t c = 0; c < 3; ++c) put(image.rgb16[3 * x + c]);
+            if (image.transparent()) put(257U * image.alpha[x]);
+        }
+        rows.push_back(PNG_FILTER_VALUE_SUB);
+        for (std::size_t i = 0; i < length; ++i) {
+            const unsigned before = i < 2 * channels ? 0U : row[i - 2 * channels];
+            rows.push_back(static_cast<std::uint8_t>(row[i] - before));
+        }
+    }
+    return rows;
+}
+
 /// The pixels as the one zlib stream that IDAT chunks hold.
 std::vector<std::uint8_t> compressed(const Image& image) {
-    const std::vector<std::uint8_t> rows = filtered_rows(image);
+    const std::vector<std::uint8_t> rows =
+        image.rgb16.empty() ? filtered_rows(image) : filtered_deep_rows(image);
     const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
         libdeflate_alloc_compressor(compression_level), libdeflate_free_compressor);
     if (!compressor) throw std::bad_alloc();
@@ -163,7 +193,7 @@ std::vector<std::uint8_t> encode_png(const Image& image, double dots_per_inch,
         png_set_write_fn(png, &file, write_to_memory, flush_nothing);
         png_set_user_limits(png, 65535, 65535);
         png_set_IHDR(png, writer.info, static_cast<png_uint_32>(image.width),
-                     static_cast<png_uint_32>(image.height), 8,
+                     static_cast<png_uint_32>(image.height), image.rgb16.empty() ? 8 : 16,
                      image.transparent() ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB,
                      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_set_sRGB(png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);

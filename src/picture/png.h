@@ -23,9 +23,10 @@ inline PictureText own_text() {
 /// Of pictures that are for looking at on a screen.
 inline constexpr double screen_dots_per_inch = 96.0;
 
-/// The PNG file of an image: filter "sub", compressed by libdeflate at its level 1, which takes
-/// half of zlib's time and less space; the chunks are libpng's. The physical size stands in pHYs,
-/// the texts in iTXt. The same input gives the same bytes.
+/// The PNG file of an image, of 16 bits a channel where it has them: filter "sub", compressed by
+/// libdeflate at its level 1, which takes half of zlib's time and less space; the chunks are
+/// libpng's. The physical size stands in pHYs, the texts in iTXt. The same input gives the same
+/// bytes.
 std::vector<std::uint8_t> encode_png(const Image& image, double dots_per_inch,
                                      const PictureText& texts);
 

@@ -33,13 +33,14 @@ void fill(const gl::VertexArray& array, const gl::Buffer& buffer, const AirVerte
 
 }  // namespace
 
-AirLayer::AirLayer(const Block& block, const Camera& camera, int picture_side)
+AirLayer::AirLayer(const Block& block, const Camera& camera, int picture_side,
+                   const gl::Constants& fixed)
     : far_edge_((camera.forward.y >= 0.0 ? 1.0 : -1.0) * (0.5 * block.width_y - inside_edge)),
       texture_width_(std::min(picture_side, finest_sheet)),
       palette_(read_palette(air_palette)),
       behind_program_("screen.vert.glsl", "behind.frag.glsl"),
-      sheet_program_("air.vert.glsl", "air_sheet.frag.glsl", {"point", "paint"}),
-      path_program_("air.vert.glsl", "air_paths.frag.glsl", {"point", "paint"}) {}
+      sheet_program_("air.vert.glsl", "air_sheet.frag.glsl", {"point", "paint"}, fixed),
+      path_program_("air.vert.glsl", "air_paths.frag.glsl", {"point", "paint"}, fixed) {}
 
 void AirLayer::set_air(const Snapshot& strip, const Block& block, const Camera& camera,
                        WorkerPool& pool) {

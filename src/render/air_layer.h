@@ -26,7 +26,8 @@ std::vector<AirVertex> grain_paths(const Snapshot& strip, const Block& block, co
 class AirLayer {
   public:
     /// `camera` says which edge is the far one, `picture_side` how fine the sheet is painted.
-    AirLayer(const Block& block, const Camera& camera, int picture_side);
+    AirLayer(const Block& block, const Camera& camera, int picture_side,
+             const gl::Constants& fixed);
 
     /// Takes the air of a snapshot as it is shown, which has a section.
     void set_air(const Snapshot& strip, const Block& block, const Camera& camera, WorkerPool& pool);

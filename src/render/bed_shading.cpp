@@ -54,9 +54,8 @@ constexpr int noise_texels = 512;  // along the longer side: a dozen to the fine
 const gl::TextureLayout noise_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT,
                                      GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
 
-gl::TextureLayout shaded_layout(bool mipmaps) {
-    gl::TextureLayout layout;
-    layout.internal_format = GL_RGBA8;
+gl::TextureLayout shaded_layout(bool mipmaps, PixelKind kind) {
+    gl::TextureLayout layout = colour_layout(kind);
     if (mipmaps) layout.minification = GL_LINEAR_MIPMAP_LINEAR;
     layout.coarsest = coarsest_seen;
     return layout;
@@ -138,10 +137,24 @@ float extinction(const View& view, const Camera& camera, const Block& block) {
 
 }  // namespace
 
-gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& block) {
+gl::TextureLayout colour_layout(PixelKind kind) {
+    gl::TextureLayout layout;
+    if (kind == PixelKind::display_16)
+        layout = {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
+    if (kind == PixelKind::radiance)
+        layout = {GL_RGBA16F, GL_RGBA, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
+    return layout;
+}
+
+gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& block,
+                             PixelKind kind) {
+    constexpr float no_curve = 3.0F;  // of colour.glsl
+    const bool linear = kind == PixelKind::radiance;
     const Tone tone = chosen_tone(view.look);
     const bool scenic = view.look.mode == ViewMode::scenic;
-    return {{"tone", tone_number(tone)},
+    return {{"tone", linear ? no_curve : tone_number(tone)},
+            {"linear_light", switched(linear)},
+            {"dithered", switched(kind == PixelKind::display_8)},
             {"punch", switched(tone == Tone::agx_punchy)},
             {"atmosphere", switched(light.atmosphere)},
             {"parallel", switched(view.camera.projection != Projection::perspective)},
@@ -203,7 +216,8 @@ void set_sand(const gl::Program& program, const LookSettings& look) {
 }
 
 BedShading::BedShading(const View& view, const Block& block, const Snapshot& first,
-                       const DisplayBed& first_bed, int samples_across, const gl::Constants& fixed)
+                       const DisplayBed& first_bed, int samples_across, const gl::Constants& fixed,
+                       PixelKind kind)
     : view_(view),
       block_(block),
       refinement_(first_bed.z.nx() / first.bed.nx()),
@@ -219,7 +233,7 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
                   colours_water(view.look.colour_by) ? first.bed.ny() : 1, mark_layout),
       target_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
               shaded_size(first_bed.z.ny(), first_bed, samples_across),
-              repeated(shaded_layout(mipmaps_), view.look.ground)) {
+              repeated(shaded_layout(mipmaps_, kind), view.look.ground)) {
     if (view.look.mode == ViewMode::scenic) draw_noise();
     if (draws_water(view.look, first))
         water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny());

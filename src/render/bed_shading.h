@@ -10,6 +10,7 @@
 #include "gl/texture.h"
 #include "render/light/light.h"
 #include "render/light/repeated_light.h"
+#include "render/pixel_kind.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/display_bed.h"
@@ -23,7 +24,11 @@ inline constexpr int sky_unit = 15;
 
 /// What never changes while a view is drawn, of the uniforms of light.glsl, colour.glsl, bed.glsl,
 /// ground.glsl and side.frag.glsl.
-gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& block);
+gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& block,
+                             PixelKind kind = PixelKind::display_8);
+
+/// How colours of that kind are stored.
+gl::TextureLayout colour_layout(PixelKind kind);
 
 /// Sets the uniforms of shaders/light.glsl and shaders/colour.glsl and the eye of shaders/bed.glsl.
 void set_light(const gl::Program& program, const View& view, const Light& light,
@@ -39,7 +44,8 @@ class BedShading {
     /// `samples_across` is the length of the picture's longer side in samples. Throws InputError
     /// for an unknown palette.
     BedShading(const View& view, const Block& block, const Snapshot& first,
-               const DisplayBed& first_bed, int samples_across, const gl::Constants& fixed);
+               const DisplayBed& first_bed, int samples_across, const gl::Constants& fixed,
+               PixelKind kind = PixelKind::display_8);
 
     /// Uploads what light (see lighting_texels) and colouring make of a snapshot. `water` is given
     /// where draws_water says so.

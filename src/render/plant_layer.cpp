@@ -247,13 +247,21 @@ void PlantLayer::upload(const Mesh& mesh) {
                   mesh.chosen.data(), GL_STREAM_DRAW);
 }
 
+void PlantLayer::set_place(const gl::Program& program, const PlantGround& ground,
+                           const TileSamples& tile) {
+    program.use();
+    program.set("clip", ground.clip);
+    program.set("picture_size", tile.picture_size);
+    program.set("tile_corner", tile.corner);
+    program.set("tile_size", tile.size);
+}
+
 void PlantLayer::set_common(const gl::Program& program, const PlantGround& ground,
                             const BedShading& shading, const Light& light, const Camera& camera,
                             const TileSamples& tile) const {
-    program.use();
+    set_place(program, ground, tile);
     shading.bind(program);
     set_light(program, view_, light, camera, block_);
-    program.set("clip", ground.clip);
     // Reduced to one period, for the sake of precision.
     const auto reduced = [](double place, double extent) {
         return place - extent * std::floor(place / extent + 0.5);
@@ -263,9 +271,6 @@ void PlantLayer::set_common(const gl::Program& program, const PlantGround& groun
                                               : glm::vec2(0.0F));
     program.set("from_eye", ground.endless ? 1.0F : 0.0F);
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
-    program.set("picture_size", tile.picture_size);
-    program.set("tile_corner", tile.corner);
-    program.set("tile_size", tile.size);
 }
 
 void PlantLayer::draw_shadows(const PlantGround& ground, const BedShading& shading,
@@ -302,6 +307,23 @@ void PlantLayer::draw(const PlantGround& ground, const BedShading& shading, cons
         leaf_program_.set("young", young.at(kind));
         leaf_program_.set("dry", dry.at(kind));
         for (const Mesh& mesh : meshes_.at(kind)) {
+            if (mesh.chosen.empty()) continue;
+            gl.BindVertexArray(mesh.array.name());
+            gl.DrawArraysInstanced(GL_TRIANGLES, 0, mesh.count,
+                                   static_cast<GLsizei>(mesh.chosen.size()));
+        }
+    }
+    gl.BindVertexArray(0);
+}
+
+void PlantLayer::draw_places(const gl::Program& leaves, const PlantGround& ground,
+                             const Camera& camera, const TileSamples& tile) const {
+    if (tallest_ <= 0.0F || !camera.perspective) return;
+    const gl::Functions& gl = gl::functions();
+    gl.Enable(GL_DEPTH_TEST);
+    set_place(leaves, ground, tile);
+    for (const auto& of_kind : meshes_) {
+        for (const Mesh& mesh : of_kind) {
             if (mesh.chosen.empty()) continue;
             gl.BindVertexArray(mesh.array.name());
             gl.DrawArraysInstanced(GL_TRIANGLES, 0, mesh.count,

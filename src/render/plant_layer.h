@@ -41,6 +41,9 @@ class PlantLayer {
     void choose(const PlantGround& ground, const Camera& camera);
     void draw(const PlantGround& ground, const BedShading& shading, const Light& light,
               const Camera& camera, const TileSamples& tile) const;
+    /// As TerrainLayer::draw_places(), by the program of plant_place.vert.glsl.
+    void draw_places(const gl::Program& leaves, const PlantGround& ground, const Camera& camera,
+                     const TileSamples& tile) const;
 
   private:
     /// What one drawn plant gives to its corners.
@@ -70,6 +73,8 @@ class PlantLayer {
                                 double radius) const;
     void draw_shadows(const PlantGround& ground, const BedShading& shading, const Light& light,
                       const Camera& camera, const TileSamples& tile) const;
+    static void set_place(const gl::Program& program, const PlantGround& ground,
+                          const TileSamples& tile);
     void set_common(const gl::Program& program, const PlantGround& ground,
                     const BedShading& shading, const Light& light, const Camera& camera,
                     const TileSamples& tile) const;

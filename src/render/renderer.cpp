@@ -16,12 +16,15 @@
 #include "render/air_layer.h"
 #include "render/background_layer.h"
 #include "render/bed_shading.h"
+#include "render/byte_picture.h"
+#include "render/deep_picture.h"
 #include "render/light/floor_map.h"
 #include "render/light/light.h"
 #include "render/light/lighting.h"
 #include "render/light/repeated_light.h"
+#include "render/place_layers.h"
+#include "render/place_pass.h"
 #include "render/plant_layer.h"
-#include "render/sample_vectors.h"
 #include "render/terrain_layer.h"
 #include "render/tiles.h"
 #include "render/view/block.h"
@@ -35,8 +38,6 @@
 namespace fumon {
 
 namespace {
-
-constexpr int samples_in_a_band = 1 << 18;  // read at once: 1 MiB
 
 Snapshot shown_first(const Snapshot& first, const View& view) {
     std::optional<Snapshot> shown = shown_snapshot(first, view);
@@ -94,8 +95,8 @@ FloorMap floor_of(const View& view, const Snapshot& first, const Block& block, i
     return floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool);
 }
 
-gl::TextureLayout plain_layout() {
-    gl::TextureLayout layout;
+gl::TextureLayout plain_layout(PixelKind kind) {
+    gl::TextureLayout layout = colour_layout(kind);
     layout.filter = GL_NEAREST;
     return layout;
 }
@@ -104,24 +105,29 @@ gl::TextureLayout plain_layout() {
 
 struct Renderer::Parts {
     Parts(gl::Context& context_, const View& view_, const Snapshot& first_, std::int64_t last_step_,
-          WorkerPool& pool_, const RenderLimits& limits);
+          WorkerPool& pool_, const RenderLimits& limits, PixelKind kind_);
 
     [[nodiscard]] Camera camera_at(std::int64_t step) const;
     /// A tile's first sample, and the sample its target begins at; from the picture's lower left.
     [[nodiscard]] glm::ivec2 first_sample(const Tile& tile) const;
     [[nodiscard]] glm::ivec2 target_corner(const Tile& tile) const;
     void set_light(const FramePose& pose);
+    [[nodiscard]] bool open() const { return view.look.background == Background::transparent; }
+    void draw_samples(const Tile& tile, const Camera& camera);
     void draw_tile(const Tile& tile, const Camera& camera, Image& image);
-    void draw_background(const Tile& tile, const Camera& camera);
-    void read_background(const Tile& tile);
-    void resolve(const Tile& tile, Image& image);
+    void draw_tile(const Tile& tile, const Camera& camera, DeepPicture& picture);
+    void draw_places(const Tile& tile, const Camera& camera, PlaceLayers& layers);
+    [[nodiscard]] DeepPicture deep_picture(const Camera& camera);
+    void draw_background(const Tile& tile, const Camera& camera, DeepPicture* deep);
     [[nodiscard]] PlantGround plant_ground(const Camera& camera) const;
+    [[nodiscard]] Field<float> drawn_surface(const Snapshot& snapshot, const Block& framed) const;
 
     gl::Context& context;
     View view;
     Snapshot first;
     std::int64_t last_step;
     WorkerPool& pool;
+    PixelKind kind;
     Block block;
     bool water;  // whether it is drawn
     int refinement;
@@ -135,23 +141,25 @@ struct Renderer::Parts {
     std::optional<AirLayer> air;
     std::optional<WorldLayer> world;  // where the bed is endless
     std::optional<PlantLayer> plants;
+    std::optional<PlacePass> places;
     gl::DepthBuffer depths;
     gl::RenderTarget seen;  // what each sample sees of the ground
     gl::RenderTarget samples;
     gl::RenderTarget surroundings;
     gl::VertexArray no_attributes;
     bool surroundings_drawn = false;
-    std::vector<ColourPlanes> behind;         // rows of the surroundings, the upper first
-    std::vector<std::uint32_t> samples_read;  // those of a few rows of pixels
+    BytePicture bytes;
 };
 
 Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot& first_,
-                       std::int64_t last_step_, WorkerPool& pool_, const RenderLimits& limits)
+                       std::int64_t last_step_, WorkerPool& pool_, const RenderLimits& limits,
+                       PixelKind kind_)
     : context(context_),
       view(with_chosen_ground(view_, first_)),
       first(shown_first(first_, view)),
       last_step(last_step_),
       pool(pool_),
+      kind(kind_),
       block(framed_block(view, first)),
       water(draws_water(view.look, first)),
       refinement(refinement_of(first.bed.nx(), first.bed.ny(),
@@ -159,22 +167,23 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
                                smooth_enough(view.look.ground))),
       plan(plan_of(view, limits)),
       light(light_of(view)),
-      fixed(fixed_uniforms(view, light, block)),
+      fixed(fixed_uniforms(view, light, block, kind)),
       sky(light.sky_columns, light.sky_rows, sky_layout, light.sky_texels.data()),
       shading(view, block, first, display_bed(first, block, refinement),
-              static_cast<int>(std::max(view.image.width, view.image.height)) * plan.factor, fixed),
+              static_cast<int>(std::max(view.image.width, view.image.height)) * plan.factor, fixed,
+              kind),
       terrain(view, block, fixed),
       background(view, block, floor_of(view, first, block, refinement, pool), fixed),
       depths(plan.target_width, plan.target_height),
       seen(plan.target_width, plan.target_height, seen_layout(view.look.ground), &depths),
-      samples(plan.target_width, plan.target_height, plain_layout(), &depths),
-      surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout()) {
+      samples(plan.target_width, plan.target_height, plain_layout(kind), &depths),
+      surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(kind)) {
     if (view.look.ground == Ground::endless) {
         world.emplace(view, block, first, refinement, fixed);
     }
     if (first.section)
         air.emplace(block, camera_at(0),
-                    static_cast<int>(std::max(view.image.width, view.image.height)));
+                    static_cast<int>(std::max(view.image.width, view.image.height)), fixed);
     if (draws_plants(view, first)) plants.emplace(view, block, fixed);
     gl::check_errors("the renderer's setup");
 }
@@ -188,66 +197,29 @@ Camera Renderer::Parts::camera_at(std::int64_t step) const {
     return camera_at_step(view, block, step, last_step);
 }
 
-void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera) {
+Field<float> Renderer::Parts::drawn_surface(const Snapshot& snapshot, const Block& framed) const {
+    if (world) return world->heights();
+    Field<float> surface = display_bed(snapshot, framed, refinement).z;
+    if (!water) return surface;
+    const DisplayWater standing = display_water(snapshot, refinement);
+    const auto rise = static_cast<float>(block.height_scale / snapshot.scale.height_unit);
+    for (std::size_t i = 0; i < surface.size(); ++i)
+        surface.values()[i] += rise * standing.depth.values()[i];
+    return surface;
+}
+
+void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera, DeepPicture* deep) {
     // Nothing in it changes while the camera stands still.
-    const bool still = view.camera.turn == 0.0 && plan.tiles.size() == 1;
+    const bool still = deep == nullptr && view.camera.turn == 0.0 && plan.tiles.size() == 1;
     if (still && surroundings_drawn) return;
     surroundings.bind();
     background.draw(light, camera, tile);
-    read_background(tile);
+    if (deep != nullptr) {
+        deep->read_background(tile);
+    } else {
+        bytes.read_background(tile);
+    }
     surroundings_drawn = true;
-}
-
-void Renderer::Parts::read_background(const Tile& tile) {
-    const auto width = static_cast<std::size_t>(tile.width);
-    std::vector<std::uint8_t> rgba(4 * width * static_cast<std::size_t>(tile.height));
-    gl::functions().ReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                               rgba.data());
-    behind.assign(static_cast<std::size_t>(tile.height), ColourPlanes(tile.width));
-    const std::uint8_t* pixel = rgba.data();
-    for (ColourPlanes& row : behind) {
-        for (std::size_t x = 0; x < width; ++x, pixel += 4) {
-            row.red[x] = pixel[0];
-            row.green[x] = pixel[1];
-            row.blue[x] = pixel[2];
-        }
-    }
-}
-
-/// Reads the samples a few rows of pixels at a time, so that they stay in the cache.
-void Renderer::Parts::resolve(const Tile& tile, Image& image) {
-    const int columns = tile.width * plan.factor;
-    const auto length = static_cast<std::size_t>(columns);
-    const int band = std::max(1, samples_in_a_band / (columns * plan.factor));  // rows of pixels
-    samples_read.resize(length * static_cast<std::size_t>(band * plan.factor) +
-                        RowOfSamples::samples_read_beyond);
-    const glm::ivec2 from = first_sample(tile) - target_corner(tile);
-    samples.bind();
-    for (int upper = 0; upper < tile.height; upper += band) {
-        const int rows = std::min(band, tile.height - upper);
-        const int lowest = from.y + (tile.height - upper - rows) * plan.factor;
-        gl::functions().ReadPixels(from.x, lowest, columns, rows * plan.factor, GL_RGBA,
-                                   GL_UNSIGNED_INT_8_8_8_8_REV, samples_read.data());
-        pool.for_ranges(rows, [&](int begin, int end) {
-            RowOfSamples row(tile.width, plan.factor);
-            for (int y = begin; y < end; ++y) {
-                const auto above = static_cast<std::size_t>((rows - 1 - y) * plan.factor);
-                for (int j = 0; j < plan.factor; ++j)
-                    row.add(samples_read.data() + length * (above + static_cast<std::size_t>(j)));
-                const int in_tile = upper + y;
-                const auto first_of_row = static_cast<std::size_t>(tile.y + in_tile) *
-                                              static_cast<std::size_t>(image.width) +
-                                          static_cast<std::size_t>(tile.x);
-                if (image.transparent()) {
-                    row.finish_open(image.rgb.data() + 3 * first_of_row,
-                                    image.alpha.data() + first_of_row);
-                    continue;
-                }
-                row.finish(behind[static_cast<std::size_t>(in_tile)],
-                           image.rgb.data() + 3 * first_of_row);
-            }
-        });
-    }
 }
 
 glm::ivec2 Renderer::Parts::first_sample(const Tile& tile) const {
@@ -266,10 +238,55 @@ glm::ivec2 Renderer::Parts::target_corner(const Tile& tile) const {
 }
 
 void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& image) {
-    const gl::Functions& gl = gl::functions();
-    gl.BindVertexArray(no_attributes.name());
-    if (!image.transparent()) draw_background(tile, camera);
+    gl::functions().BindVertexArray(no_attributes.name());
+    if (!image.transparent()) draw_background(tile, camera, nullptr);
+    draw_samples(tile, camera);
+    samples.bind();
+    bytes.resolve(tile, plan.factor, first_sample(tile) - target_corner(tile), pool, image);
+}
 
+void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, DeepPicture& picture) {
+    gl::functions().BindVertexArray(no_attributes.name());
+    if (!open()) draw_background(tile, camera, &picture);
+    draw_samples(tile, camera);
+    samples.bind();
+    picture.resolve(tile, plan.factor, first_sample(tile) - target_corner(tile), pool);
+}
+
+DeepPicture Renderer::Parts::deep_picture(const Camera& camera) {
+    DeepPicture picture(static_cast<int>(view.image.width), static_cast<int>(view.image.height),
+                        kind, open());
+    for (const Tile& tile : plan.tiles) draw_tile(tile, camera, picture);
+    return picture;
+}
+
+void Renderer::Parts::draw_places(const Tile& tile, const Camera& camera, PlaceLayers& layers) {
+    const Tile& largest = plan.tiles.front();
+    if (!places) places.emplace(largest.width, largest.height);
+    const int bottom = static_cast<int>(view.image.height) - tile.y - tile.height;
+    TileSamples placed{};
+    placed.picture_size =
+        glm::vec2(static_cast<float>(view.image.width), static_cast<float>(view.image.height));
+    placed.corner = glm::vec2(static_cast<float>(tile.x), static_cast<float>(bottom));
+    placed.size = glm::vec2(static_cast<float>(largest.width), static_cast<float>(largest.height));
+    const gl::Functions& gl = gl::functions();
+    places->target.bind();
+    gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    if (world) {
+        world->draw_seen(camera, placed);
+    } else {
+        terrain.draw_places(places->surface, places->sides, camera, placed);
+    }
+    if (plants) plants->draw_places(places->leaves, plant_ground(camera), camera, placed);
+    std::vector<float> texels(4 * static_cast<std::size_t>(tile.width) *
+                              static_cast<std::size_t>(tile.height));
+    gl.ReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_FLOAT, texels.data());
+    layers.add(tile, texels, pool);
+}
+
+void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
+    const gl::Functions& gl = gl::functions();
     TileSamples placed{};
     placed.picture_size =
         glm::vec2(static_cast<float>(view.image.width), static_cast<float>(view.image.height)) *
@@ -301,14 +318,13 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
     }
     if (plants) plants->draw(plant_ground(camera), shading, light, camera, placed);
     if (air) air->draw(camera, placed);
-
-    resolve(tile, image);
 }
 
 Renderer::Renderer(gl::Context& context, const View& view, const Snapshot& first,
-                   std::int64_t last_step, WorkerPool& pool, const RenderLimits& limits) {
+                   std::int64_t last_step, WorkerPool& pool, const RenderLimits& limits,
+                   PixelKind kind) {
     context.make_current();
-    parts_ = std::make_unique<Parts>(context, view, first, last_step, pool, limits);
+    parts_ = std::make_unique<Parts>(context, view, first, last_step, pool, limits, kind);
 }
 
 Renderer::~Renderer() = default;
@@ -326,8 +342,33 @@ Image Renderer::render(const Snapshot& whole) {
     const std::optional<Snapshot> reshaped = shown_snapshot(whole, p.view);
     const Snapshot& snapshot = reshaped ? *reshaped : whole;
     const Block framed = block_of_frame(p.block, p.view.look, p.first, snapshot);
-    return draw(snapshot, p.first, framed,
-                above_ground(p.camera_at(snapshot.step), framed, snapshot));
+    const Camera camera = above_ground(p.camera_at(snapshot.step), framed, snapshot);
+    prepare(snapshot, p.first, framed, camera);
+    return draw(camera);
+}
+
+LayeredImage Renderer::render_layers(const Snapshot& whole, bool places) {
+    Parts& p = *parts_;
+    const std::optional<Snapshot> reshaped = shown_snapshot(whole, p.view);
+    const Snapshot& snapshot = reshaped ? *reshaped : whole;
+    const Block framed = block_of_frame(p.block, p.view.look, p.first, snapshot);
+    const Camera camera = above_ground(p.camera_at(snapshot.step), framed, snapshot);
+    prepare(snapshot, p.first, framed, camera);
+    LayeredImage image;
+    image.width = static_cast<int>(p.view.image.width);
+    image.height = static_cast<int>(p.view.image.height);
+    set_matrices(image, framed, camera);
+    image.layers = p.deep_picture(camera).take_channels();
+    if (places) {
+        const bool plain = !p.world && !p.open() && p.view.look.mode == ViewMode::scenic;
+        PlaceLayers layers(image.width, image.height,
+                           {snapshot, framed, camera, p.drawn_surface(snapshot, framed),
+                            p.world.has_value(), plain});
+        for (const Tile& tile : p.plan.tiles) p.draw_places(tile, camera, layers);
+        for (ImageLayer& layer : layers.take()) image.layers.push_back(std::move(layer));
+    }
+    gl::check_errors("a picture's layers");
+    return image;
 }
 
 Image Renderer::render(const Snapshot& whole, const FramePose& pose) {
@@ -339,8 +380,9 @@ Image Renderer::render(const Snapshot& whole, const FramePose& pose) {
     p.surroundings_drawn = false;
     std::optional<Snapshot> reference;
     if (pose.reference != nullptr) reference = shown_first(*pose.reference, p.view);
-    return draw(snapshot, reference ? *reference : p.first,
-                block_of_frame(p.block, p.view.look, p.first, snapshot), pose.camera);
+    prepare(snapshot, reference ? *reference : p.first,
+            block_of_frame(p.block, p.view.look, p.first, snapshot), pose.camera);
+    return draw(pose.camera);
 }
 
 void Renderer::Parts::set_light(const FramePose& pose) {
@@ -354,8 +396,8 @@ void Renderer::Parts::set_light(const FramePose& pose) {
     light.stops = pose.exposure;
 }
 
-Image Renderer::draw(const Snapshot& snapshot, const Snapshot& reference, const Block& framed,
-                     const Camera& camera) {
+void Renderer::prepare(const Snapshot& snapshot, const Snapshot& reference, const Block& framed,
+                       const Camera& camera) {
     Parts& p = *parts_;
     if (snapshot.bed.nx() != p.first.bed.nx() || snapshot.bed.ny() != p.first.bed.ny())
         throw Error("a snapshot of another size than the first one cannot be drawn");
@@ -390,8 +432,17 @@ Image Renderer::draw(const Snapshot& snapshot, const Snapshot& reference, const 
     if (p.air && snapshot.section) p.air->set_air(snapshot, framed, camera, p.pool);
 
     if (p.plants) p.plants->choose(p.plant_ground(camera), camera);
+}
+
+Image Renderer::draw(const Camera& camera) {
+    Parts& p = *parts_;
+    const bool open = p.open();
+    if (p.kind == PixelKind::display_16) {
+        Image image = p.deep_picture(camera).display();
+        gl::check_errors("a frame");
+        return image;
+    }
     Image image(static_cast<int>(p.view.image.width), static_cast<int>(p.view.image.height));
-    const bool open = p.view.look.background == Background::transparent;
     if (open) image = with_alpha(std::move(image));
     for (const Tile& tile : p.plan.tiles) p.draw_tile(tile, camera, image);
     if (open) spread_colours(image);

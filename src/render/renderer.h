@@ -5,6 +5,7 @@
 
 #include "base/image.h"
 #include "base/snapshot.h"
+#include "render/pixel_kind.h"
 #include "render/view/camera.h"
 #include "scene/scene.h"
 
@@ -38,15 +39,22 @@ class Renderer {
     /// `last_step` is the run's length, over which the camera turns. Throws InputError where the
     /// view does not fit the bed (a palette that does not exist), Error where OpenGL fails.
     Renderer(gl::Context& context, const View& view, const Snapshot& first, std::int64_t last_step,
-             WorkerPool& pool, const RenderLimits& limits = {});
+             WorkerPool& pool, const RenderLimits& limits = {},
+             PixelKind kind = PixelKind::display_8);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// The picture of one snapshot. Its bed has the size of the first one.
+    /// The picture of one snapshot. Its bed has the size of the first one. Of a renderer of display
+    /// values.
     Image render(const Snapshot& snapshot);
     /// The same from another place and in another light, which later pictures keep.
     Image render(const Snapshot& snapshot, const FramePose& pose);
+
+    /// The same as radiances: the channels R, G, B and, where the background is transparent, A, by
+    /// which they are multiplied, in units of white on a level plain at noon; with `places` those
+    /// of PlaceLayers too. Of a renderer of radiances.
+    LayeredImage render_layers(const Snapshot& snapshot, bool places);
 
     /// The vertical exaggeration in use.
     [[nodiscard]] double exaggeration() const;
@@ -54,8 +62,9 @@ class Renderer {
     [[nodiscard]] std::pair<double, double> colour_range() const;
 
   private:
-    Image draw(const Snapshot& snapshot, const Snapshot& reference, const Block& framed,
-               const Camera& camera);
+    void prepare(const Snapshot& snapshot, const Snapshot& reference, const Block& framed,
+                 const Camera& camera);
+    Image draw(const Camera& camera);
 
     struct Parts;
     std::unique_ptr<Parts> parts_;

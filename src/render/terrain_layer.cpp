@@ -87,7 +87,7 @@ TerrainLayer::TerrainLayer(const View& view, const Block& block, const gl::Const
       surface_program_("terrain.vert.glsl", "seen.frag.glsl", {"east_north", "height"}),
       side_program_("side.vert.glsl", "seen.frag.glsl", {"east_north", "normal", "heights"}),
       surface_colours_("screen.vert.glsl",
-                       grainy_ ? "terrain.frag.glsl" : "terrain_plain.frag.glsl"),
+                       grainy_ ? "terrain.frag.glsl" : "terrain_plain.frag.glsl", {}, fixed),
       side_colours_("side.vert.glsl", "side.frag.glsl", {"east_north", "normal", "heights"}, fixed),
       grain_(grain_texture()) {}
 
@@ -287,6 +287,23 @@ void TerrainLayer::colour_seen(const gl::Texture2D& seen, const gl::Texture2D& c
         gl.DepthMask(GL_TRUE);
     }
     gl.Disable(GL_STENCIL_TEST);
+    gl.BindVertexArray(0);
+}
+
+void TerrainLayer::draw_places(const gl::Program& surface, const gl::Program& sides,
+                               const Camera& camera, const TileSamples& tile) const {
+    const gl::Functions& gl = gl::functions();
+    gl.Enable(GL_DEPTH_TEST);
+    if (no_back_is_seen(camera)) gl.Enable(GL_CULL_FACE);
+    place(surface, camera, tile);
+    gl.BindVertexArray(surface_array_.name());
+    gl.DrawElements(GL_TRIANGLES, indices_, GL_UNSIGNED_INT, nullptr);
+    if (view_.look.block_sides) {
+        place(sides, camera, tile);
+        gl.BindVertexArray(side_array_.name());
+        for (const Faces& faces : faces_) draw_triangles(faces.first_drawn, faces.drawn.size());
+    }
+    gl.Disable(GL_CULL_FACE);
     gl.BindVertexArray(0);
 }
 

@@ -45,6 +45,11 @@ class TerrainLayer {
     void colour_seen(const gl::Texture2D& seen, const gl::Texture2D& colours, const Light& light,
                      const Camera& camera, const TileSamples& tile) const;
 
+    /// Draws into the bound target, cleared to 0, which point each pixel sees, see place.frag.glsl;
+    /// by the programs of bed_place.vert.glsl and side_place.vert.glsl.
+    void draw_places(const gl::Program& surface, const gl::Program& sides, const Camera& camera,
+                     const TileSamples& tile) const;
+
   private:
     void build(const DisplayBed& bed, int stride);
     void set_sides(const std::vector<SideFace>& borders, const DisplayBed& bed);

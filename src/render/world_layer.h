@@ -23,6 +23,9 @@ class WorldLayer {
 
     void set_bed(const Snapshot& snapshot, const RepeatedLight& light);
 
+    /// Of the bed, block lengths.
+    [[nodiscard]] const Field<float>& heights() const { return z_; }
+
     /// Notes in the bound target (four floats a sample, depths and stencils) how far from the eye
     /// the ground is that each sample sees; colours are found later, once a sample.
     void draw_seen(const Camera& camera, const TileSamples& tile) const;

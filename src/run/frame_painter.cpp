@@ -1,7 +1,10 @@
 #include "run/frame_painter.h"
 
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
+#include "base/error.h"
 #include "figure/canvas/canvas.h"
 #include "figure/overlays/frame_overlays.h"
 #include "figure/panels/section_figure.h"
@@ -16,27 +19,44 @@ namespace {
 
 class BedPainter : public FramePainter {
   public:
-    BedPainter(const Scene& scene, const Snapshot& first, gl::Backend backend, WorkerPool& pool)
+    BedPainter(const Scene& scene, const Snapshot& first, gl::Backend backend, WorkerPool& pool,
+               PaintedFrames frames)
         : context_(gl::Context::create(backend)),
-          renderer_(*context_, scene.view, first, scene.run.steps, pool) {}
+          places_(scene.output.exr_layers == ExrLayers::all) {
+        const auto make = [&](PixelKind kind) {
+            return std::make_unique<Renderer>(*context_, scene.view, first, scene.run.steps, pool,
+                                              RenderLimits{}, kind);
+        };
+        if (frames != PaintedFrames::layers)
+            pictures_ =
+                make(scene.view.image.deep_colour ? PixelKind::display_16 : PixelKind::display_8);
+        if (frames != PaintedFrames::pictures) layers_ = make(PixelKind::radiance);
+    }
 
     Image paint(const Snapshot& snapshot, const MeasuredRows& /*rows*/) override {
-        return renderer_.render(snapshot);
+        return pictures_->render(snapshot);
+    }
+    LayeredImage paint_layers(const Snapshot& snapshot) override {
+        return layers_->render_layers(snapshot, places_);
     }
     [[nodiscard]] std::pair<double, double> colour_range() const override {
-        return renderer_.colour_range();
+        return any().colour_range();
     }
     [[nodiscard]] DrawingRecord record() const override {
         const std::string name = context_->renderer_name();
         const std::string obstacle = gl::rendering_is_pinned() ? gl::why_not_pinned(name) : "";
         return {opengl_environment(context_->backend_name(), name, context_->version(),
                                    gl::rendering_is_pinned() && obstacle.empty()),
-                obstacle, renderer_.exaggeration(), ""};
+                obstacle, any().exaggeration(), ""};
     }
 
   private:
+    [[nodiscard]] const Renderer& any() const { return pictures_ ? *pictures_ : *layers_; }
+
     std::unique_ptr<gl::Context> context_;
-    Renderer renderer_;
+    bool places_;
+    std::unique_ptr<Renderer> pictures_;
+    std::unique_ptr<Renderer> layers_;
 };
 
 class SectionPainter : public FramePainter {
@@ -46,6 +66,10 @@ class SectionPainter : public FramePainter {
 
     Image paint(const Snapshot& snapshot, const MeasuredRows& /*rows*/) override {
         return draw_section_figure(view_, snapshot).image;
+    }
+    LayeredImage paint_layers(const Snapshot& snapshot) override {
+        check_layers(view_, snapshot);
+        throw std::logic_error("a flat figure has no layers");
     }
     [[nodiscard]] DrawingRecord record() const override {
         RenderingEnvironment environment;
@@ -69,8 +93,18 @@ class OverlayPainter : public FramePainter {
 
     Image paint(const Snapshot& snapshot, const MeasuredRows& rows) override {
         Image image = under_->paint(snapshot, rows);
+        const std::vector<std::uint8_t> before =
+            image.rgb16.empty() ? std::vector<std::uint8_t>{} : image.rgb;
         overlays_.draw(image, {snapshot, rows, under_->colour_range()});
+        // Overlays are of 8 bits.
+        for (std::size_t i = 0; i < image.rgb16.size(); ++i) {
+            if (image.rgb[i] != before[i])
+                image.rgb16[i] = static_cast<std::uint16_t>(257U * image.rgb[i]);
+        }
         return image;
+    }
+    LayeredImage paint_layers(const Snapshot& snapshot) override {
+        return under_->paint_layers(snapshot);
     }
     [[nodiscard]] std::pair<double, double> colour_range() const override {
         return under_->colour_range();
@@ -89,19 +123,29 @@ class OverlayPainter : public FramePainter {
 };
 
 std::unique_ptr<FramePainter> make_bare_painter(const Scene& scene, const Snapshot& first,
-                                                gl::Backend backend, WorkerPool& pool) {
+                                                gl::Backend backend, WorkerPool& pool,
+                                                PaintedFrames frames) {
     check_background(scene.view, first);
+    if (frames != PaintedFrames::pictures) check_layers(scene.view, first);
     if (first.section && scene.view.look.mode == ViewMode::figure)
         return std::make_unique<SectionPainter>(scene, first);
-    return std::make_unique<BedPainter>(scene, first, backend, pool);
+    return std::make_unique<BedPainter>(scene, first, backend, pool, frames);
 }
 
 }  // namespace
 
+void check_layers(const View& view, const Snapshot& first) {
+    if (!first.section || view.look.mode != ViewMode::figure) return;
+    throw KeyError("look.mode",
+                   "the flat figure of a section has no light that OpenEXR could hold; look.mode = "
+                   "\"scenic\" has, and PNG takes both");
+}
+
 std::unique_ptr<FramePainter> make_frame_painter(const Scene& scene, const Snapshot& first,
-                                                 gl::Backend backend, WorkerPool& pool) {
-    auto bare = make_bare_painter(scene, first, backend, pool);
-    if (!has_overlays(scene)) return bare;
+                                                 gl::Backend backend, WorkerPool& pool,
+                                                 PaintedFrames frames) {
+    auto bare = make_bare_painter(scene, first, backend, pool, frames);
+    if (!has_overlays(scene) || frames == PaintedFrames::layers) return bare;
     return std::make_unique<OverlayPainter>(std::move(bare), scene, first);
 }
 

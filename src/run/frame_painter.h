@@ -35,15 +35,24 @@ class FramePainter {
     virtual ~FramePainter() = default;
     /// The frame of a snapshot; `rows` are the measurements up to it that plots show.
     virtual Image paint(const Snapshot& snapshot, const MeasuredRows& rows) = 0;
+    /// Its light and layers, without overlays, where they were asked for.
+    virtual LayeredImage paint_layers(const Snapshot& snapshot) = 0;
     /// The values at the palette's ends in the last frame, where it has one palette.
     [[nodiscard]] virtual std::pair<double, double> colour_range() const { return {0.0, 1.0}; }
     [[nodiscard]] virtual DrawingRecord record() const = 0;
 };
 
+/// What a painter is asked for.
+enum class PaintedFrames { pictures, pictures_and_layers, layers };
+
+/// Throws KeyError where a view has no light that layers could hold.
+void check_layers(const View& view, const Snapshot& first);
+
 /// The painter of a scene's view, framed by its first snapshot. Throws InputError where the view
 /// does not fit the bed, KeyError where the section's keys or the overlays do not, Error where
 /// OpenGL fails.
 std::unique_ptr<FramePainter> make_frame_painter(const Scene& scene, const Snapshot& first,
-                                                 gl::Backend backend, WorkerPool& pool);
+                                                 gl::Backend backend, WorkerPool& pool,
+                                                 PaintedFrames frames = PaintedFrames::pictures);
 
 }  // namespace fumon

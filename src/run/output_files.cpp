@@ -7,8 +7,11 @@
 #include "files/hash.h"
 #include "files/terrain/geotiff.h"
 #include "files/terrain/terrain_format.h"
+#include "outputs/output_claims.h"
+#include "picture/exr.h"
 #include "picture/png.h"
 #include "render/view/map_frame.h"
+#include "run/frame_painter.h"
 #include "run/picture_text.h"
 #include "run/pipeline.h"
 
@@ -34,6 +37,13 @@ FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Pi
         write_file(file, bytes);
     };
     if (parts.frames) {
+        if (picture.layers) {  // first: a frame that is there is whole
+            write_file(
+                folder->frame(picture.number).replace_extension(exr_ending.front()),
+                encode_exr(*picture.layers, facts.scene.view.image.dots_per_inch,
+                           picture_text(facts.resolved, facts.scene, snapshot.step, facts.inputs,
+                                        layers_hash(*picture.layers), facts.environment)));
+        }
         write(folder->frame(picture.number),
               picture_text(facts.resolved, facts.scene, snapshot.step, facts.inputs, pixels,
                            facts.environment));
@@ -44,6 +54,7 @@ FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Pi
 }
 
 void check_map_files(const Scene& scene, const Snapshot& first) {
+    if (scene.output.exr_frames) check_layers(scene.view, first);
     if (scene.output.world_files) map_frame(scene.view, first, world_files_key);
     if (!scene.output.geotiff_frames) return;
     map_frame(scene.view, first, geotiff_frames_key);

@@ -23,6 +23,7 @@ struct Picture {
     std::int64_t number = 0;
     SharedSnapshot snapshot;
     std::shared_ptr<const Image> image;
+    std::shared_ptr<const LayeredImage> layers;  ///< null: none are asked for
 };
 
 /// What a run's pictures say of their making.
@@ -38,12 +39,12 @@ struct PictureFacts {
 FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Picture& picture,
                         const PictureFacts& facts);
 
-/// Throws KeyError, as map_frame(), where a scene asks for files beside its pictures that this bed
-/// cannot have, or fumon not write.
+/// Throws KeyError, as map_frame() and check_layers(), where a scene asks for files beside its
+/// pictures that this bed cannot have, or fumon not write.
 void check_map_files(const Scene& scene, const Snapshot& first);
 
 /// The files that a scene asks for beside a picture: picture.pgw and picture.png.aux.xml
-/// (output.world_files), picture.tif (output.geotiff_frames).
+/// (output.world_files), picture.tif (output.geotiff_frames), picture.exr (output.exr_frames).
 std::vector<std::filesystem::path> map_file_names(const Scene& scene,
                                                   const std::filesystem::path& picture);
 

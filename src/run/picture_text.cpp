@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "files/input_file.h"
 #include "files/json_text.h"
+#include "picture/exr.h"
 #include "picture/movie.h"
 #include "scene/input_maps.h"
 #include "scene/json.h"
@@ -103,17 +104,21 @@ PictureOrigin read_origin(const std::filesystem::path& picture) {
     constexpr std::string_view png = "\x89PNG";
     std::map<std::string, std::string> texts;
     const bool movie = is_movie(picture);
-    if (!movie && start_of_input_file(picture, png.size()) != png) {
+    const std::string head = start_of_input_file(picture, png.size());
+    const bool light = is_exr(head);
+    if (!movie && !light && head != png) {
         const std::string what =
             picture.extension() == ".toml"
                 ? fmt::format("; `fumon run {} -o DIR` runs a scene", picture.string())
                 : "";
         throw InputError(
-            fmt::format("{}: is no picture; fumon again takes a PNG, MP4, PDF or SVG that fumon "
-                        "made{}",
+            fmt::format("{}: is no picture; fumon again takes a PNG, OpenEXR, MP4, PDF or SVG "
+                        "that fumon made{}",
                         picture.string(), what));
     }
-    for (auto& [keyword, text] : movie ? read_movie_texts(picture) : read_png_texts(picture))
+    for (auto& [keyword, text] : movie   ? read_movie_texts(picture)
+                                 : light ? read_exr_texts(picture)
+                                         : read_png_texts(picture))
         texts[keyword] = std::move(text);
     if (texts.contains("fumon:film")) {
         throw InputError(fmt::format(
@@ -136,6 +141,7 @@ PictureOrigin read_origin(const std::filesystem::path& picture) {
     origin.version = texts[version_keyword];
     origin.pixels_hash = texts[pixels_keyword];
     origin.is_movie = movie;
+    origin.is_exr = light;
     origin.encoder = texts[encoder_keyword];
     if (texts.contains(environment_keyword))
         origin.environment = parse_drawn_by(texts[environment_keyword], picture.string());

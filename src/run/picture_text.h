@@ -28,6 +28,7 @@ struct PictureOrigin {
     std::string pixels_hash;                          ///< SHA-256 of the raw pixels, hexadecimal
     std::optional<RenderingEnvironment> environment;  ///< none in pictures of older versions
     bool is_movie = false;
+    bool is_exr = false;
     std::string encoder;  ///< of a movie: what encoded its frames
 };
 
@@ -47,8 +48,8 @@ PictureText movie_text(const std::string& resolved, const Scene& scene,
                        const std::vector<InputFile>& inputs, const FrameList& frames,
                        const RenderingEnvironment& environment);
 
-/// Reads them back. Throws InputError when the file is neither PNG nor MP4 or not of fumon's
-/// making.
+/// Reads them back. Throws InputError when the file is neither PNG nor OpenEXR nor MP4 or not of
+/// fumon's making.
 PictureOrigin read_origin(const std::filesystem::path& picture);
 
 }  // namespace fumon

@@ -172,9 +172,12 @@ class Pipeline {
 
     void draw(std::promise<void> ready) {
         WorkerPool pool(options_.threads, "fumon-render");
+        const bool layers = parts_.frames && scene_.output.exr_frames;
         std::unique_ptr<FramePainter> painter;
         try {
-            painter = make_frame_painter(scene_, first_, options_.backend, pool);
+            painter = make_frame_painter(
+                scene_, first_, options_.backend, pool,
+                layers ? PaintedFrames::pictures_and_layers : PaintedFrames::pictures);
             outcome_.drawing = painter->record();
             ready.set_value();
         } catch (...) {
@@ -184,9 +187,13 @@ class Pipeline {
         std::int64_t number = former_frames_.frames;
         while (const auto frame = to_draw_.pop()) {
             const Stopwatch watch;
-            const Picture picture{
+            Picture picture{
                 number++, frame->snapshot,
-                std::make_shared<const Image>(painter->paint(*frame->snapshot, frame->rows))};
+                std::make_shared<const Image>(painter->paint(*frame->snapshot, frame->rows)),
+                nullptr};
+            if (layers)
+                picture.layers =
+                    std::make_shared<const LayeredImage>(painter->paint_layers(*frame->snapshot));
             outcome_.timing.rendering_wall += watch.seconds();
             progress_.seconds_of_frames += watch.seconds();
             if (!to_frames_.push(picture)) break;

@@ -166,7 +166,8 @@ bool asks_for_more(const Scene& scene) {
     const LookSettings& look = scene.view.look;
     return look.mark != Marking::none || colours_water(look.colour_by) ||
            look.mode == ViewMode::figure || scene.view.section != SectionSettings{} ||
-           has_overlays(scene) || scene.output.world_files || scene.output.geotiff_frames;
+           has_overlays(scene) || scene.output.world_files || scene.output.geotiff_frames ||
+           scene.output.exr_frames;
 }
 
 /// Checks the scene's palette, and puts names and tables that it refers to in their place.

@@ -55,7 +55,7 @@ std::int64_t number_in_name(std::string_view name, std::string_view begin, int d
 /// The number of a frame, or of what stands beside it for GIS (which these write there too); −1 of
 /// another name.
 std::int64_t frame_of(std::string_view name) {
-    for (const char* ending : {".png", ".pgw", ".png.aux.xml", ".tif"}) {
+    for (const char* ending : {".png", ".pgw", ".png.aux.xml", ".tif", ".exr"}) {
         const std::int64_t number = number_in_name(name, "frame_", frame_digits, ending);
         if (number >= 0) return number;
     }

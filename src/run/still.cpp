@@ -8,6 +8,8 @@
 
 #include "base/error.h"
 #include "files/atomic_file.h"
+#include "outputs/output_claims.h"
+#include "picture/exr.h"
 #include "picture/png.h"
 #include "run/drawing.h"
 #include "run/output_files.h"
@@ -76,19 +78,49 @@ std::vector<std::uint8_t> still_file(const Scene& scene, const std::vector<Input
     return encode_png(drawing.image, scene.view.image.dots_per_inch, texts);
 }
 
+namespace {
+
+void write_bytes(const std::string& file, const std::vector<std::uint8_t>& bytes) {
+    if (file == standard_output) {
+        std::fwrite(bytes.data(), 1, bytes.size(), stdout);  // looked at when the program ends
+    } else {
+        write_file(file, bytes);
+    }
+}
+
+DrawnStill draw_exr(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
+                    const std::string& file, const WorkOptions& work, Progress& progress) {
+    WorkerPool pool(work.threads, "fumon-render");
+    const Scene& scene = prepared.scene;
+    const auto painter =
+        make_frame_painter(scene, first, work.backend, pool, PaintedFrames::layers);
+    const LayeredImage layers = painter->paint_layers(snapshot);
+    const DrawingRecord record = painter->record();
+    tell_drawing(record, progress);
+    const Sha256 hash = layers_hash(layers);
+    const std::vector<InputFile>& inputs = prepared.initial.inputs;
+    write_bytes(file, encode_exr(layers, scene.view.image.dots_per_inch,
+                                 picture_text(resolved_scene(scene, inputs), scene, snapshot.step,
+                                              inputs, hash, record.environment)));
+    if (has_overlays(scene)) progress.note("overlays are not part of an OpenEXR file");
+    if (record.exaggeration != 1.0)
+        progress.note(fmt::format("vertical exaggeration {:g}", record.exaggeration));
+    return {hash, record.environment};
+}
+
+}  // namespace
+
 DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
                       const std::string& file, const WorkOptions& work, Progress& progress) {
+    if (small_ending(file) == exr_ending.front())
+        return draw_exr(prepared, first, snapshot, file, work, progress);
     const Drawing drawing = draw_snapshot(prepared, first, snapshot, work);
     tell_drawing(drawing.record, progress);
     const Scene& scene = prepared.scene;
     const std::vector<std::uint8_t> bytes =
         still_file(scene, prepared.initial.inputs, snapshot.step, drawing);
-    if (file == standard_output) {
-        std::fwrite(bytes.data(), 1, bytes.size(), stdout);  // looked at when the program ends
-    } else {
-        write_file(file, bytes);
-        write_map_files(scene, snapshot, drawing.image, file);
-    }
+    write_bytes(file, bytes);
+    if (file != standard_output) write_map_files(scene, snapshot, drawing.image, file);
     if (drawing.record.exaggeration != 1.0)
         progress.note(fmt::format("vertical exaggeration {:g}", drawing.record.exaggeration));
     return {pixel_hash(drawing.image), drawing.record.environment};

@@ -50,7 +50,8 @@ inline constexpr const char* standard_output = "-";
 std::vector<std::uint8_t> still_file(const Scene& scene, const std::vector<InputFile>& inputs,
                                      std::int64_t step, const Drawing& drawing);
 
-/// Draws it and writes that file whole.
+/// Draws it and writes that file whole: a PNG or, by its ending .exr, an OpenEXR file, whose hash
+/// is layers_hash().
 DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
                       const std::string& file, const WorkOptions& work, Progress& progress);
 

@@ -150,6 +150,7 @@ struct ImageSettings {
     std::int64_t height = 1080;
     std::int64_t supersampling = 2;  ///< 1, 2 or 4 samples along each side of a pixel
     double dots_per_inch = 300.0;    ///< written into the PNG
+    bool deep_colour = false;        ///< PNG of 16 bits a channel
 };
 
 enum class SectionArrows { arrows, streamlines, none };
@@ -167,6 +168,12 @@ struct SectionSettings {
     friend bool operator==(const SectionSettings&, const SectionSettings&) = default;
 };
 
+/// A person who stands on the bed, as a scale: 1.75 m tall.
+struct PersonSettings {
+    std::vector<double> at;  ///< metres east and north of the bed's south-western corner
+    double facing = 180.0;   ///< degrees clockwise from north
+};
+
 /// All that decides how a snapshot looks.
 struct View {
     CameraSettings camera;
@@ -176,11 +183,16 @@ struct View {
     SectionSettings section;
     ImageSettings image;
     std::vector<OverlaySettings> overlays;
+    std::vector<PersonSettings> persons;
 };
+
+enum class ExrLayers { all, colour };
 
 struct OutputSettings {
     bool frames = true;
     bool movie = true;
+    bool exr_frames = false;  ///< beside the frames, their light and layers as OpenEXR
+    ExrLayers exr_layers = ExrLayers::all;
     bool world_files = false;         ///< beside the frames, where on the map they lie
     bool geotiff_frames = false;      ///< the frames as GeoTIFF, too
     double movie_rate = 30.0;         ///< frames per second

@@ -162,7 +162,14 @@ void list_output_keys(OutputSettings& output, KeyTable& table) {
     table.boolean("output.geotiff_frames", output.geotiff_frames,
                   {.help = "beside each frame of camera.projection = \"map\" the same pixels as a "
                            "GeoTIFF (.tif; with GDAL), for GIS"});
+    table.boolean("output.exr_frames", output.exr_frames,
+                  {.help = "beside each frame its linear light before exposure and tone curve as "
+                           "OpenEXR (.exr), without overlays"});
     table.role(KeyRole::look);
+    table.choice("output.exr_layers", output.exr_layers,
+                 {{ExrLayers::all, "all", "colour, depth, normals, positions and the bed's fields"},
+                  {ExrLayers::colour, "colour", "colour alone"}},
+                 {.help = "what OpenEXR files hold"});
     table.real("output.movie_rate", output.movie_rate,
                {.unit = "frames/s", .range = {1, 240}, .help = "speed of the movie"});
     table.integer("output.movie_quality", output.movie_quality,

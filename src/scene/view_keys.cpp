@@ -4,6 +4,21 @@
 
 namespace fumon {
 
+namespace {
+
+void list_person_keys(PersonSettings& person, const std::string& path, KeyTable& table) {
+    table.real_list(path + ".at", person.at, 0, 2,
+                    {.unit = "m",
+                     .range = {-1e9, 1e9},
+                     .help = "east and north of the bed's south-western corner"});
+    table.real(path + ".facing", person.facing,
+               {.unit = "degrees",
+                .range = {-360, 360},
+                .help = "which way they look, clockwise from north"});
+}
+
+}  // namespace
+
 void list_view_keys(View& view, KeyTable& table) {
     table.role(KeyRole::look);
     CameraSettings& camera = view.camera;
@@ -265,6 +280,11 @@ void list_view_keys(View& view, KeyTable& table) {
                   {.range = {1, 4}, .help = "1, 2 or 4 samples along each side of a pixel"});
     table.real("image.dots_per_inch", image.dots_per_inch,
                {.range = {1, 10000}, .help = "physical size, written into the PNG"});
+    table.boolean("image.deep_colour", image.deep_colour,
+                  {.help = "PNG of 16 bits a channel, of 3-D views"});
+    table.tables("person", view.persons,
+                 "a person of 1.75 m who stands on the bed as a scale (scenic, perspective)",
+                 list_person_keys);
 }
 
 }  // namespace fumon

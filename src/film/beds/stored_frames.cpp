@@ -121,7 +121,10 @@ StoredFrames::Drawn StoredFrames::draw(const std::vector<std::int64_t>& numbers,
     if (numbers.empty()) return {};
     const std::vector<MeasuredRows> rows = beds_.measurements(plotted_columns(scene_));
     WorkerPool pool(work.threads, "fumon-render");
-    const auto painter = make_frame_painter(scene_, beds_.first(), work.backend, pool);
+    const bool with_layers = scene_.output.exr_frames;
+    const auto painter = make_frame_painter(
+        scene_, beds_.first(), work.backend, pool,
+        with_layers ? PaintedFrames::pictures_and_layers : PaintedFrames::pictures);
     const RenderingEnvironment environment = painter->record().environment;
     const std::string drawn_by = environment_text(environment);
     const PictureFacts facts{resolved_, scene_, beds_.inputs(), environment};
@@ -147,7 +150,10 @@ StoredFrames::Drawn StoredFrames::draw(const std::vector<std::int64_t>& numbers,
         const auto place = static_cast<std::size_t>(places_.at(static_cast<std::size_t>(number)));
         const SharedSnapshot snapshot = beds_.snapshot(place);
         auto image = std::make_shared<const Image>(painter->paint(*snapshot, rows[place]));
-        write_frame(&folder, parts, {number, snapshot, std::move(image)}, facts);
+        std::shared_ptr<const LayeredImage> layers;
+        if (with_layers)
+            layers = std::make_shared<const LayeredImage>(painter->paint_layers(*snapshot));
+        write_frame(&folder, parts, {number, snapshot, std::move(image), std::move(layers)}, facts);
         ++counts.drawn;
     }
     status.clear();

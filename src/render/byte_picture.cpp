@@ -1,0 +1,68 @@
+#include "render/byte_picture.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "base/worker_pool.h"
+#include "gl/functions.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr int samples_in_a_band = 1 << 18;  // read at once: 1 MiB
+
+}  // namespace
+
+void BytePicture::read_background(const Tile& tile) {
+    const auto width = static_cast<std::size_t>(tile.width);
+    std::vector<std::uint8_t> rgba(4 * width * static_cast<std::size_t>(tile.height));
+    gl::functions().ReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                               rgba.data());
+    behind_.assign(static_cast<std::size_t>(tile.height), ColourPlanes(tile.width));
+    const std::uint8_t* pixel = rgba.data();
+    for (ColourPlanes& row : behind_) {
+        for (std::size_t x = 0; x < width; ++x, pixel += 4) {
+            row.red[x] = pixel[0];
+            row.green[x] = pixel[1];
+            row.blue[x] = pixel[2];
+        }
+    }
+}
+
+/// Reads the samples a few rows of pixels at a time, so that they stay in the cache.
+void BytePicture::resolve(const Tile& tile, int factor, const glm::ivec2& from, WorkerPool& pool,
+                          Image& image) {
+    const int columns = tile.width * factor;
+    const auto length = static_cast<std::size_t>(columns);
+    const int band = std::max(1, samples_in_a_band / (columns * factor));  // rows of pixels
+    samples_read_.resize(length * static_cast<std::size_t>(band * factor) +
+                         RowOfSamples::samples_read_beyond);
+    for (int upper = 0; upper < tile.height; upper += band) {
+        const int rows = std::min(band, tile.height - upper);
+        const int lowest = from.y + (tile.height - upper - rows) * factor;
+        gl::functions().ReadPixels(from.x, lowest, columns, rows * factor, GL_RGBA,
+                                   GL_UNSIGNED_INT_8_8_8_8_REV, samples_read_.data());
+        pool.for_ranges(rows, [&](int begin, int end) {
+            RowOfSamples row(tile.width, factor);
+            for (int y = begin; y < end; ++y) {
+                const auto above = static_cast<std::size_t>((rows - 1 - y) * factor);
+                for (int j = 0; j < factor; ++j)
+                    row.add(samples_read_.data() + length * (above + static_cast<std::size_t>(j)));
+                const int in_tile = upper + y;
+                const auto first_of_row = static_cast<std::size_t>(tile.y + in_tile) *
+                                              static_cast<std::size_t>(image.width) +
+                                          static_cast<std::size_t>(tile.x);
+                if (image.transparent()) {
+                    row.finish_open(image.rgb.data() + 3 * first_of_row,
+                                    image.alpha.data() + first_of_row);
+                    continue;
+                }
+                row.finish(behind_[static_cast<std::size_t>(in_tile)],
+                           image.rgb.data() + 3 * first_of_row);
+            }
+        });
+    }
+}
+
+}  // namespace fumon

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "base/image.h"
+#include "render/sample_vectors.h"
+#include "render/tiles.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// What tiles of 8 bits a channel come to. The surroundings of the last one stay until others are
+/// read.
+class BytePicture {
+  public:
+    /// Reads the bound target, of a tile's surroundings.
+    void read_background(const Tile& tile);
+    /// Reads the bound target of samples, whose first of this tile is `from`, into the picture.
+    void resolve(const Tile& tile, int factor, const glm::ivec2& from, WorkerPool& pool,
+                 Image& image);
+
+  private:
+    std::vector<ColourPlanes> behind_;         // rows of the surroundings, the upper first
+    std::vector<std::uint32_t> samples_read_;  // those of a few rows of pixels
+};
+
+}  // namespace fumon

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "base/image.h"
+#include "render/pixel_kind.h"
+#include "render/tiles.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// Averages samples of a row of pixels, four floats each, over what is behind them; sums run in a
+/// fixed order. Display values, 0 … 1, are averaged as their squares, as RowOfSamples does;
+/// radiances as they are. `samples`: `factor` rows one below the other; one is covered where its
+/// alpha is not 0. `behind`: the pixels there, or nullptr where there is nothing: the results are
+/// then the means over covered samples of display values, and radiances times opacity. `pixels`:
+/// four floats each, opacity last.
+void resolve_deep(const float* samples, int width, int factor, PixelKind kind, const float* behind,
+                  float* pixels);
+
+/// A picture of more than 8 bits, put together from tiles.
+class DeepPicture {
+  public:
+    /// `open`: with opacities.
+    DeepPicture(int width, int height, PixelKind kind, bool open);
+
+    /// Reads the bound target, of a tile's surroundings.
+    void read_background(const Tile& tile);
+    /// Reads the bound target of samples, whose first of this tile is `from`.
+    void resolve(const Tile& tile, int factor, const glm::ivec2& from, WorkerPool& pool);
+
+    /// The picture of display values, at 16 bits and rounded to 8.
+    [[nodiscard]] Image display() const;
+    /// The channels R, G, B and, with opacities, A, by which they are multiplied.
+    [[nodiscard]] std::vector<ImageLayer> take_channels();
+
+  private:
+    int width_;
+    int height_;
+    PixelKind kind_;
+    bool open_;
+    std::vector<std::vector<float>> channels_;
+    std::vector<float> behind_;   // RGBA, rows of the last tile, the upper first
+    std::vector<float> samples_;  // those of a few rows of pixels
+};
+
+}  // namespace fumon
