@@ -225,14 +225,17 @@ void FilmPainter::place_overlays(const FilmSize& size) {
     const auto is_own = [&](const OverlaySettings& overlay) {
         return several && overlay.kind == OverlayKind::plot;
     };
+    double end_time = 0.0;
+    for (std::size_t run = 0; run < runs_.size(); ++run)
+        end_time = std::max(end_time, runs_.beds(run).beds().back().time);
     const auto make = [&](const Scene& scene, double side) -> std::unique_ptr<FrameOverlays> {
         if (!has_overlays(scene)) return nullptr;
         std::unique_ptr<FrameOverlays> made;
         located(film_, [&] {
-            made = std::make_unique<FrameOverlays>(
-                scene, runs_.first().first(),
-                OverlayStyle{film_.settings.plates == Plates::none, true, safe_edge * side,
-                             runs_.first().beds().back().time});
+            made =
+                std::make_unique<FrameOverlays>(scene, runs_.first().first(),
+                                                OverlayStyle{film_.settings.plates == Plates::none,
+                                                             true, safe_edge * side, end_time});
         });
         return made;
     };
