@@ -123,6 +123,10 @@ std::string heights_in_doubt(const Terrain& terrain) {
     constexpr double beyond_all_ground = 3e4;  // m; the highest mountain known, on Mars, has 22 km
     constexpr double customary = -9999.0;      // for no data
     constexpr double far_below = 1000.0;       // m, from other ground
+    bool all_usual = true;
+    for (const double height : terrain.heights.values())
+        all_usual &= (std::abs(height) < beyond_all_ground) & (height != customary);
+    if (all_usual) return {};
     double lowest = beyond_all_ground;
     for (std::size_t cell = 0; cell < terrain.heights.size(); ++cell) {
         const double height = terrain.heights.values()[cell];
@@ -307,7 +311,9 @@ InitialBed bed_from_file(const Scene& scene) {
     if (terrain.place && lies_somewhere(*terrain.place))
         initial.scale.place = std::move(terrain.place);
     initial.bed = std::move(terrain.heights);
-    for (double& height : initial.bed.values()) height /= initial.scale.height_unit;
+    if (initial.scale.height_unit != 1.0) {
+        for (double& height : initial.bed.values()) height /= initial.scale.height_unit;
+    }
     initial.nodata = std::move(terrain.nodata);
     initial.inputs.push_back({file.lexically_normal().string(), hex(file_hash(file))});
     initial.note = note;

@@ -83,6 +83,9 @@ std::vector<double> arguments() {
                             0x1p-1022, 0x1p-1074,
                             infinity,  -infinity,
                             1e-300,    std::numeric_limits<double>::quiet_NaN()};
+    // Side by side, up to where a power of two alone is none any more.
+    for (int k = 0; k < 600; ++k)
+        all.push_back((k % 2 == 0 ? 1.0 : -1.0) * (690.0 + 0.095 * static_cast<double>(k)));
     std::mt19937_64 random(7);
     for (int k = 0; k < 20'000; ++k) {
         all.push_back(std::bit_cast<double>(random()));
