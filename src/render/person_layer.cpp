@@ -11,6 +11,8 @@
 #include "base/error.h"
 #include "render/drawn_height.h"
 #include "render/person_mesh.h"
+#include "render/view/chosen_ground.h"
+#include "render/view/framing.h"
 
 namespace fumon {
 
@@ -43,16 +45,10 @@ void check_view(const View& view, const Block& block, const Snapshot& first) {
     }
 }
 
-}  // namespace
-
-PersonLayer::PersonLayer(const View& view, const Block& block, const Snapshot& first,
-                         const gl::Constants& fixed)
-    : view_((check_view(view, block, first), view)),
-      block_(block),
-      program_("person.vert.glsl", "plant.frag.glsl", {"part", "part_normal", "part_colour"},
-               fixed),
-      shadow_program_("person_shadow.vert.glsl", "plant.frag.glsl",
-                      {"part", "part_normal", "part_colour"}, fixed) {
+std::vector<PersonPlace> person_places(const View& view, const Block& block,
+                                       const Snapshot& first) {
+    check_view(view, block, first);
+    std::vector<PersonPlace> places;
     for (std::size_t i = 0; i < view.persons.size(); ++i) {
         const PersonSettings& person = view.persons[i];
         const std::string key = fmt::format("person.{}.at", i);
@@ -76,9 +72,29 @@ PersonLayer::PersonLayer(const View& view, const Block& block, const Snapshot& f
                                  block.width_y * block.side));
         }
         const double angle = -person.facing * degree;
-        places_.push_back({glm::dvec2(x - 0.5 * block.width_x, y - 0.5 * block.width_y),
-                           glm::vec2(elementary::cos(angle), elementary::sin(angle))});
+        places.push_back({glm::dvec2(x - 0.5 * block.width_x, y - 0.5 * block.width_y),
+                          glm::vec2(elementary::cos(angle), elementary::sin(angle))});
     }
+    return places;
+}
+
+}  // namespace
+
+void check_persons(const View& view, const Snapshot& first) {
+    if (view.persons.empty()) return;
+    const View drawn = with_chosen_ground(view, first);
+    static_cast<void>(person_places(drawn, framed_block(drawn, first), first));
+}
+
+PersonLayer::PersonLayer(const View& view, const Block& block, const Snapshot& first,
+                         const gl::Constants& fixed)
+    : view_(view),
+      block_(block),
+      places_(person_places(view, block, first)),
+      program_("person.vert.glsl", "plant.frag.glsl", {"part", "part_normal", "part_colour"},
+               fixed),
+      shadow_program_("person_shadow.vert.glsl", "plant.frag.glsl",
+                      {"part", "part_normal", "part_colour"}, fixed) {
     const std::vector<PersonCorner> mesh = person_mesh();
     count_ = static_cast<int>(mesh.size());
     const gl::Functions& gl = gl::functions();
@@ -118,7 +134,7 @@ void PersonLayer::set_common(const gl::Program& program, const PlantGround& grou
     program.set("from_eye", ground.endless ? 1.0F : 0.0F);
 }
 
-void PersonLayer::draw_one(const gl::Program& program, const Place& place,
+void PersonLayer::draw_one(const gl::Program& program, const PersonPlace& place,
                            const PlantGround& ground, const Camera& camera) const {
     const glm::dvec2 share = place.at / glm::dvec2(block_.width_x, block_.width_y) + 0.5;
     const auto height = static_cast<double>(drawn_height(z_, share, repeats_));
@@ -167,7 +183,7 @@ void PersonLayer::draw_shadows(const PlantGround& ground, const BedShading& shad
             middle + off * (elementary::cos(angle) * aside + elementary::sin(angle) * up));
         shadow_program_.set("from_point", glm::vec3(from));
         gl.StencilFunc(GL_GREATER, first_shadow_bit * (point + 1), shadow_bits);
-        for (const Place& place : places_) draw_one(shadow_program_, place, ground, camera);
+        for (const PersonPlace& place : places_) draw_one(shadow_program_, place, ground, camera);
     }
     gl.StencilMask(0xFF);
     gl.Disable(GL_STENCIL_TEST);
@@ -184,7 +200,7 @@ void PersonLayer::draw(const PlantGround& ground, const BedShading& shading, con
     set_common(program_, ground, tile);
     shading.bind(program_);
     set_light(program_, view_, light, camera, block_);
-    for (const Place& place : places_) draw_one(program_, place, ground, camera);
+    for (const PersonPlace& place : places_) draw_one(program_, place, ground, camera);
     gl.BindVertexArray(0);
 }
 
@@ -193,7 +209,7 @@ void PersonLayer::draw_places(const gl::Program& program, const PlantGround& gro
     gl::functions().Enable(GL_DEPTH_TEST);
     gl::functions().BindVertexArray(array_.name());
     set_common(program, ground, tile);
-    for (const Place& place : places_) draw_one(program, place, ground, camera);
+    for (const PersonPlace& place : places_) draw_one(program, place, ground, camera);
     gl::functions().BindVertexArray(0);
 }
 

@@ -16,12 +16,21 @@
 
 namespace fumon {
 
+/// Throws KeyError where persons cannot stand: the bed has no metres or is too small, the view does
+/// not show heights as they are or has no perspective, or a place is not on the bed.
+void check_persons(const View& view, const Snapshot& first);
+
+/// Where a person stands.
+struct PersonPlace {
+    glm::dvec2 at;   ///< block lengths from the bed's middle
+    glm::vec2 turn;  ///< cosine and sine, anticlockwise from north
+};
+
 /// Persons who stand on the bed as a scale, each with a shadow on the ground. The target's depths
 /// are those of the ground; of its stencils the highest three bits are taken.
 class PersonLayer {
   public:
-    /// Throws KeyError where the bed has no metres or is too small, where the view does not show
-    /// heights as they are or has no perspective, and for one who would not stand on the bed.
+    /// Throws as check_persons().
     PersonLayer(const View& view, const Block& block, const Snapshot& first,
                 const gl::Constants& fixed);
 
@@ -34,20 +43,16 @@ class PersonLayer {
                      const TileSamples& tile) const;
 
   private:
-    struct Place {
-        glm::dvec2 at;   ///< block lengths from the bed's middle
-        glm::vec2 turn;  ///< cosine and sine, anticlockwise from north
-    };
     void set_common(const gl::Program& program, const PlantGround& ground,
                     const TileSamples& tile) const;
-    void draw_one(const gl::Program& program, const Place& place, const PlantGround& ground,
+    void draw_one(const gl::Program& program, const PersonPlace& place, const PlantGround& ground,
                   const Camera& camera) const;
     void draw_shadows(const PlantGround& ground, const BedShading& shading, const Light& light,
                       const Camera& camera, const TileSamples& tile) const;
 
     View view_;
     Block block_;
-    std::vector<Place> places_;
+    std::vector<PersonPlace> places_;
     gl::Program program_;
     gl::Program shadow_program_;
     gl::VertexArray array_;

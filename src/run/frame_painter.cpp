@@ -143,8 +143,10 @@ void check_layers(const Scene& scene, const Snapshot& first) {
                        "look.mode = \"scenic\" has, and PNG takes both");
     }
     constexpr double gibibyte = 1 << 30;
-    constexpr double most = 8.0;  // GiB
-    const double colours = 4.0 * 4.0 * static_cast<double>(view.image.width * view.image.height);
+    constexpr double most = 16.0;   // GiB
+    constexpr double copies = 2.0;  // of the layers: what draws them, and the file
+    const double colours =
+        copies * 4.0 * 4.0 * static_cast<double>(view.image.width * view.image.height);
     const bool all = scene.output.exr_layers == ExrLayers::all;
     const double others = all ? 8.0 + static_cast<double>(first.fields.size()) : 0.0;
     const double taken = colours * (1.0 + 0.25 * others) / gibibyte;

@@ -46,7 +46,7 @@ class FramePainter {
 enum class PaintedFrames { pictures, pictures_and_layers, layers };
 
 /// Throws KeyError where a view has no light that layers could hold, or where they would take more
-/// than 8 GiB.
+/// than 16 GiB.
 void check_layers(const Scene& scene, const Snapshot& first);
 
 /// The painter of a scene's view, framed by its first snapshot. Throws InputError where the view
