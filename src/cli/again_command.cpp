@@ -245,6 +245,7 @@ int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& w
     PreparedRun prepared = prepare(std::move(scene), origin.step, work.threads);
     const std::string_view usual = origin.is_exr ? exr_ending.front() : png_ending.front();
     const fs::path output = output_of(options, usual);
+    check_still(prepared, output.string());
     const bool other_format = small_ending(output) != usual;
     claim_output(options, output, scene_files(prepared.scene));
     Progress progress(work.verbosity, static_cast<std::int64_t>(prepared.initial.bed.size()));

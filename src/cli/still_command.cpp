@@ -106,6 +106,7 @@ PreparedRun prepare(const StillOptions& options) {
 void claim_outputs(OutputClaims& claims, const Scene& scene, const std::string& picture) {
     const bool was_own = says_that_fumon_made_it(picture);
     claims.writes(picture);
+    if (small_ending(picture) == exr_ending.front()) return;
     for (const fs::path& file : map_file_names(scene, picture)) claims.writes(file, was_own);
 }
 
@@ -122,6 +123,7 @@ int perform(const StillOptions& options) {
     OutputClaims claims(options.force);
     claims.reads(options.input);
     claims.reads(scene_files(prepared.scene));
+    check_still(prepared, options.output);
     if (!to_standard_output) claim_outputs(claims, prepared.scene, options.output);
     Progress progress(options.work.verbosity,
                       static_cast<std::int64_t>(prepared.initial.bed.size()));

@@ -57,6 +57,7 @@
     X(ShaderSource, PFNGLSHADERSOURCEPROC)                       \
     X(StencilFunc, PFNGLSTENCILFUNCPROC)                         \
     X(StencilOp, PFNGLSTENCILOPPROC)                             \
+    X(StencilMask, PFNGLSTENCILMASKPROC)                         \
     X(TexImage2D, PFNGLTEXIMAGE2DPROC)                           \
     X(TexParameteri, PFNGLTEXPARAMETERIPROC)                     \
     X(TexSubImage2D, PFNGLTEXSUBIMAGE2DPROC)                     \

@@ -151,7 +151,9 @@ bool is_exr(std::string_view head) {
 PictureText read_exr_texts(const std::filesystem::path& file) {
     if (!is_exr(start_of_input_file(file, magic.size())))
         throw InputError(fmt::format("{}: is not an OpenEXR file", file.string()));
+    constexpr int longest_side = 65535;  // pixels; as of PNG
     try {
+        Imf::Header::setMaxImageSize(longest_side, longest_side);
         const Imf::InputFile picture(file.string().c_str());
         PictureText texts;
         const Imf::Header& header = picture.header();

@@ -12,6 +12,8 @@ struct PlacePass {
           sides("side_place.vert.glsl", "place.frag.glsl", {"east_north", "normal", "heights"}),
           leaves("plant_place.vert.glsl", "place.frag.glsl",
                  {"leaf", "leaf_normal", "root", "form"}),
+          persons("person_place.vert.glsl", "place.frag.glsl",
+                  {"part", "part_normal", "part_colour"}),
           depths(width, height),
           target(width, height, {GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_NEAREST, 0, GL_CLAMP_TO_EDGE},
                  &depths) {}
@@ -19,6 +21,7 @@ struct PlacePass {
     gl::Program surface;
     gl::Program sides;
     gl::Program leaves;
+    gl::Program persons;
     gl::DepthBuffer depths;
     gl::RenderTarget target;
 };

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
 #include <utility>
 
 #include "base/elementary.h"
 #include "base/elementary_power.h"
+#include "render/drawn_height.h"
 
 namespace fumon {
 
@@ -124,21 +124,9 @@ void PlantLayer::set_bed(const Snapshot& snapshot, const Field<float>& z, bool r
     heights_->upload(z.data());
 }
 
-/// Linear between cells; from the bed's south-west corner.
+/// From the bed's south-west corner.
 float PlantLayer::ground_at(const glm::dvec2& place) const {
-    const auto split = [&](double at, double extent, int count) {
-        const double cell = at / extent * count - 0.5;
-        const double low = std::floor(cell);
-        const auto number = [&](double value) {
-            const int whole = static_cast<int>(value);
-            return repeats_ ? (whole % count + count) % count : std::clamp(whole, 0, count - 1);
-        };
-        return std::tuple(number(low), number(low + 1.0), static_cast<float>(cell - low));
-    };
-    const auto [west, east, s] = split(place.x, block_.width_x, z_.nx());
-    const auto [south, north, t] = split(place.y, block_.width_y, z_.ny());
-    return std::lerp(std::lerp(z_(west, south), z_(east, south), s),
-                     std::lerp(z_(west, north), z_(east, north), s), t);
+    return drawn_height(z_, place / glm::dvec2(block_.width_x, block_.width_y), repeats_);
 }
 
 /// Whether a ball may show in the picture.

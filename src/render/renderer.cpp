@@ -22,6 +22,8 @@
 #include "render/light/light.h"
 #include "render/light/lighting.h"
 #include "render/light/repeated_light.h"
+#include "render/light/view_light.h"
+#include "render/person_layer.h"
 #include "render/place_layers.h"
 #include "render/place_pass.h"
 #include "render/plant_layer.h"
@@ -59,17 +61,6 @@ TilePlan plan_of(const View& view, const RenderLimits& limits) {
 }
 
 const gl::TextureLayout sky_layout{GL_RGB32F, GL_RGB, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
-
-Light light_of(const View& view) {
-    const bool needed = view.look.ground == Ground::endless ||
-                        view.sun.source == LightSource::moon || view.air.planet != Planet::earth;
-    const bool atmosphere =
-        view.look.sky == SkyModel::atmosphere || (view.look.sky == SkyModel::automatic && needed);
-    if (view.look.sky == SkyModel::overcast && view.look.mode == ViewMode::scenic)
-        return make_overcast_light(view.sun);
-    if (!atmosphere || view.look.mode != ViewMode::scenic) return make_light(view.sun);
-    return make_atmospheric_light(view.sun, view.air.planet);
-}
 
 /// Of what a sample sees: a place on the block, or an offset from the eye over endless ground.
 gl::TextureLayout seen_layout(Ground ground) {
@@ -141,6 +132,7 @@ struct Renderer::Parts {
     std::optional<AirLayer> air;
     std::optional<WorldLayer> world;  // where the bed is endless
     std::optional<PlantLayer> plants;
+    std::optional<PersonLayer> persons;
     std::optional<PlacePass> places;
     gl::DepthBuffer depths;
     gl::RenderTarget seen;  // what each sample sees of the ground
@@ -166,7 +158,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
                                static_cast<int>(std::max(view.image.width, view.image.height)),
                                smooth_enough(view.look.ground))),
       plan(plan_of(view, limits)),
-      light(light_of(view)),
+      light(light_of_view(view)),
       fixed(fixed_uniforms(view, light, block, kind)),
       sky(light.sky_columns, light.sky_rows, sky_layout, light.sky_texels.data()),
       shading(view, block, first, display_bed(first, block, refinement),
@@ -185,6 +177,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
         air.emplace(block, camera_at(0),
                     static_cast<int>(std::max(view.image.width, view.image.height)), fixed);
     if (draws_plants(view, first)) plants.emplace(view, block, fixed);
+    if (!view.persons.empty()) persons.emplace(view, block, first, fixed);
     gl::check_errors("the renderer's setup");
 }
 
@@ -279,6 +272,7 @@ void Renderer::Parts::draw_places(const Tile& tile, const Camera& camera, PlaceL
         terrain.draw_places(places->surface, places->sides, camera, placed);
     }
     if (plants) plants->draw_places(places->leaves, plant_ground(camera), camera, placed);
+    if (persons) persons->draw_places(places->persons, plant_ground(camera), camera, placed);
     std::vector<float> texels(4 * static_cast<std::size_t>(tile.width) *
                               static_cast<std::size_t>(tile.height));
     gl.ReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_FLOAT, texels.data());
@@ -317,6 +311,7 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
         terrain.colour_seen(seen.colour(), shading.colours(), light, camera, placed);
     }
     if (plants) plants->draw(plant_ground(camera), shading, light, camera, placed);
+    if (persons) persons->draw(plant_ground(camera), shading, light, camera, placed);
     if (air) air->draw(camera, placed);
 }
 
@@ -389,7 +384,7 @@ void Renderer::Parts::set_light(const FramePose& pose) {
     if (pose.sun.azimuth != view.sun.azimuth || pose.sun.elevation != view.sun.elevation) {
         view.sun.azimuth = pose.sun.azimuth;
         view.sun.elevation = pose.sun.elevation;
-        light = light_of(view);
+        light = light_of_view(view);
         sky.upload(light.sky_texels.data());
         background.set_floor(floor_of(view, first, block, refinement, pool));
     }
@@ -413,6 +408,7 @@ void Renderer::prepare(const Snapshot& snapshot, const Snapshot& reference, cons
         p.shading.upload(snapshot, reference, light);
         p.world->set_bed(snapshot, light);
         if (p.plants) p.plants->set_bed(snapshot, light.z, true);
+        if (p.persons) p.persons->set_bed(light.z, true);
         p.sky.bind(sky_unit);
         p.shading.shade(p.light, camera);
     } else {
@@ -427,6 +423,7 @@ void Renderer::prepare(const Snapshot& snapshot, const Snapshot& reference, cons
         }
         p.terrain.set_bed(bed, water ? &water->depth : nullptr, camera);
         if (p.plants) p.plants->set_bed(snapshot, bed.z, false);
+        if (p.persons) p.persons->set_bed(bed.z, false);
         p.terrain.set_clarity(rise * static_cast<float>(p.shading.clarity()));
     }
     if (p.air && snapshot.section) p.air->set_air(snapshot, framed, camera, p.pool);

@@ -51,9 +51,9 @@ class Renderer {
     /// The same from another place and in another light, which later pictures keep.
     Image render(const Snapshot& snapshot, const FramePose& pose);
 
-    /// The same as radiances: the channels R, G, B and, where the background is transparent, A, by
-    /// which they are multiplied, in units of white on a level plain at noon; with `places` those
-    /// of PlaceLayers too. Of a renderer of radiances.
+    /// The same as radiances, of which 1 is near that of a white level plain in the sun: the
+    /// channels R, G, B and, where the background is transparent, A, by which they are multiplied;
+    /// with `places` those of PlaceLayers too. Of a renderer of radiances.
     LayeredImage render_layers(const Snapshot& snapshot, bool places);
 
     /// The vertical exaggeration in use.

@@ -1,5 +1,7 @@
 #include "run/frame_painter.h"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -67,8 +69,7 @@ class SectionPainter : public FramePainter {
     Image paint(const Snapshot& snapshot, const MeasuredRows& /*rows*/) override {
         return draw_section_figure(view_, snapshot).image;
     }
-    LayeredImage paint_layers(const Snapshot& snapshot) override {
-        check_layers(view_, snapshot);
+    LayeredImage paint_layers(const Snapshot& /*snapshot*/) override {
         throw std::logic_error("a flat figure has no layers");
     }
     [[nodiscard]] DrawingRecord record() const override {
@@ -126,7 +127,7 @@ std::unique_ptr<FramePainter> make_bare_painter(const Scene& scene, const Snapsh
                                                 gl::Backend backend, WorkerPool& pool,
                                                 PaintedFrames frames) {
     check_background(scene.view, first);
-    if (frames != PaintedFrames::pictures) check_layers(scene.view, first);
+    if (frames != PaintedFrames::pictures) check_layers(scene, first);
     if (first.section && scene.view.look.mode == ViewMode::figure)
         return std::make_unique<SectionPainter>(scene, first);
     return std::make_unique<BedPainter>(scene, first, backend, pool, frames);
@@ -134,11 +135,30 @@ std::unique_ptr<FramePainter> make_bare_painter(const Scene& scene, const Snapsh
 
 }  // namespace
 
-void check_layers(const View& view, const Snapshot& first) {
-    if (!first.section || view.look.mode != ViewMode::figure) return;
-    throw KeyError("look.mode",
-                   "the flat figure of a section has no light that OpenEXR could hold; look.mode = "
-                   "\"scenic\" has, and PNG takes both");
+void check_layers(const Scene& scene, const Snapshot& first) {
+    const View& view = scene.view;
+    if (first.section && view.look.mode == ViewMode::figure) {
+        throw KeyError("look.mode",
+                       "the flat figure of a section has no light that OpenEXR could hold; "
+                       "look.mode = \"scenic\" has, and PNG takes both");
+    }
+    constexpr double gibibyte = 1 << 30;
+    constexpr double most = 16.0;   // GiB
+    constexpr double copies = 2.0;  // of the layers: what draws them, and the file
+    const double colours =
+        copies * 4.0 * 4.0 * static_cast<double>(view.image.width * view.image.height);
+    const bool all = scene.output.exr_layers == ExrLayers::all;
+    const double others = all ? 8.0 + static_cast<double>(first.fields.size()) : 0.0;
+    const double taken = colours * (1.0 + 0.25 * others) / gibibyte;
+    if (taken <= most) return;
+    throw KeyError(
+        "image.width",
+        fmt::format(
+            "{} x {} pixels as OpenEXR take {:.1f} GiB of memory, more than {:g}; {}",
+            view.image.width, view.image.height, taken, most,
+            all && colours <= most * gibibyte
+                ? fmt::format("output.exr_layers = \"colour\" takes {:.1f}", colours / gibibyte)
+                : "make it smaller"));
 }
 
 std::unique_ptr<FramePainter> make_frame_painter(const Scene& scene, const Snapshot& first,

@@ -45,8 +45,9 @@ class FramePainter {
 /// What a painter is asked for.
 enum class PaintedFrames { pictures, pictures_and_layers, layers };
 
-/// Throws KeyError where a view has no light that layers could hold.
-void check_layers(const View& view, const Snapshot& first);
+/// Throws KeyError where a view has no light that layers could hold, or where they would take more
+/// than 16 GiB.
+void check_layers(const Scene& scene, const Snapshot& first);
 
 /// The painter of a scene's view, framed by its first snapshot. Throws InputError where the view
 /// does not fit the bed, KeyError where the section's keys or the overlays do not, Error where

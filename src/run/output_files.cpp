@@ -54,7 +54,7 @@ FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Pi
 }
 
 void check_map_files(const Scene& scene, const Snapshot& first) {
-    if (scene.output.exr_frames) check_layers(scene.view, first);
+    if (scene.output.exr_frames) check_layers(scene, first);
     if (scene.output.world_files) map_frame(scene.view, first, world_files_key);
     if (!scene.output.geotiff_frames) return;
     map_frame(scene.view, first, geotiff_frames_key);

@@ -15,6 +15,7 @@
 #include "models/registry.h"
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
+#include "render/person_layer.h"
 #include "render/view/water.h"
 #include "run/output_files.h"
 #include "scene/faults.h"
@@ -99,9 +100,11 @@ void check_overlays(const Scene& scene, const Snapshot& first) {
     }
 }
 
-/// Files for GIS need a map, and a bed that lies on one.
-void check_frames_on_maps(const Scene& scene, const Snapshot& first) {
+/// Who stands on the bed, and files beside frames: those for GIS need a map, and a bed that lies on
+/// one.
+void check_persons_and_files(const Scene& scene, const Snapshot& first) {
     try {
+        check_persons(scene.view, first);
         check_map_files(scene, first);
     } catch (const KeyError& refusal) {
         throw InputError(scene.at(refusal.key()) + refusal.what());
@@ -167,7 +170,7 @@ bool asks_for_more(const Scene& scene) {
     return look.mark != Marking::none || colours_water(look.colour_by) ||
            look.mode == ViewMode::figure || scene.view.section != SectionSettings{} ||
            has_overlays(scene) || scene.output.world_files || scene.output.geotiff_frames ||
-           scene.output.exr_frames;
+           scene.output.exr_frames || !scene.view.persons.empty();
 }
 
 /// Checks the scene's palette, and puts names and tables that it refers to in their place.
@@ -202,7 +205,7 @@ PreparedScene prepare_scene(Scene scene, InitialBed initial) {
 void check_shown(const Scene& scene, const Snapshot& first) {
     Faults faults(scene.source);
     for (const auto check :
-         {check_marking, check_colouring, check_section, check_overlays, check_frames_on_maps})
+         {check_marking, check_colouring, check_section, check_overlays, check_persons_and_files})
         faults.attempt([&] { check(scene, first); });
     faults.report();
 }

@@ -108,12 +108,25 @@ DrawnStill draw_exr(const PreparedRun& prepared, const Snapshot& first, const Sn
     return {hash, record.environment};
 }
 
+bool is_exr_name(const std::string& file) {
+    return small_ending(file) == exr_ending.front();
+}
+
 }  // namespace
+
+void check_still(const PreparedRun& prepared, const std::string& file) {
+    if (!is_exr_name(file)) return;
+    const Scene& scene = prepared.scene;
+    try {
+        check_layers(scene, prepared.model->snapshot());
+    } catch (const KeyError& refusal) {
+        throw InputError(scene.at(refusal.key()) + refusal.what());
+    }
+}
 
 DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
                       const std::string& file, const WorkOptions& work, Progress& progress) {
-    if (small_ending(file) == exr_ending.front())
-        return draw_exr(prepared, first, snapshot, file, work, progress);
+    if (is_exr_name(file)) return draw_exr(prepared, first, snapshot, file, work, progress);
     const Drawing drawing = draw_snapshot(prepared, first, snapshot, work);
     tell_drawing(drawing.record, progress);
     const Scene& scene = prepared.scene;

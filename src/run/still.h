@@ -50,6 +50,9 @@ inline constexpr const char* standard_output = "-";
 std::vector<std::uint8_t> still_file(const Scene& scene, const std::vector<InputFile>& inputs,
                                      std::int64_t step, const Drawing& drawing);
 
+/// Throws InputError where a still cannot be what the ending of its file says.
+void check_still(const PreparedRun& prepared, const std::string& file);
+
 /// Draws it and writes that file whole: a PNG or, by its ending .exr, an OpenEXR file, whose hash
 /// is layers_hash().
 DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,

@@ -174,7 +174,7 @@ TEST(CommandLine, PicturesAndScenesAreToldApart) {
     }
     EXPECT_EQ(
         fumon({"again", "scene.toml"}, folder.path()).errors,
-        "scene.toml: is no picture; fumon again takes a PNG, MP4, PDF or SVG that fumon made; "
+        "scene.toml: is no picture; fumon again takes a PNG, OpenEXR, MP4, PDF or SVG that fumon made; "
         "`fumon run scene.toml -o DIR` runs a scene\n");
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/error.h"
 #include "base/worker_pool.h"
 #include "gl/context.h"
 #include "render/renderer.h"
@@ -210,6 +211,63 @@ TEST(Layers, ATransparentBackgroundIsSeenThrough) {
     EXPECT_EQ(layer(image, "R").front(), 0.0F);
     EXPECT_EQ(layer(image, "Z").front(), std::numeric_limits<float>::infinity());
     EXPECT_EQ(opacity[40 + 80 * std::size_t{30}], 1.0F);
+}
+
+TEST(Persons, StandOnTheBedAndAreAsTallAsPeople) {
+    Snapshot bed;
+    bed.bed = Grid(40, 30, 3.0);
+    for (const bool periodic : {false, true}) {
+        bed = in_metres(bed, periodic);  // 80 m by 60 m, 1.5 m high
+        View view = small_view(160, 120);
+        view.look.exaggeration = {"", 1.0};
+        view.camera.at = {40.0, 22.0, 1.6};
+        view.camera.look_at = {40.0, 30.0, 1.0};
+        PersonSettings person;
+        person.at = {40.0, 30.0};
+        view.persons = {person};
+        const LayeredImage image = layers_of(view, bed);
+        float top = 0.0F;
+        float foot = 100.0F;
+        for (std::size_t i = 0; i < layer(image, "Z").size(); ++i) {
+            const float x = layer(image, "position.X")[i];
+            const float y = layer(image, "position.Y")[i];
+            const float z = layer(image, "position.Z")[i];
+            const bool bed_seen = !std::isnan(layer(image, "field.height")[i]);
+            if (bed_seen || std::isinf(layer(image, "Z")[i]) || z < 1.4F) continue;
+            EXPECT_NEAR(x, 40.0, 0.35);
+            EXPECT_NEAR(y, 30.0, 0.35);
+            top = std::max(top, z);
+            foot = std::min(foot, z);
+        }
+        EXPECT_NEAR(top, 1.5 + 1.75, 0.04) << periodic;  // a pixel is 3 cm high there
+        EXPECT_NEAR(foot, 1.5, 0.06) << periodic;
+    }
+}
+
+TEST(Persons, StandWhereTheyShowAScale) {
+    Snapshot bed = in_metres(wavy_bed(40, 30), false);
+    View view = small_view();
+    view.look.exaggeration = {"", 1.0};
+    view.persons.resize(1);
+    const auto fault = [&](const Snapshot& first) {
+        try {
+            picture(view, first);
+        } catch (const KeyError& error) {
+            return error.key() + ": " + error.what();
+        }
+        return std::string();
+    };
+    EXPECT_NE(fault(bed).find("person.0.at is two numbers"), std::string::npos) << fault(bed);
+    view.persons[0].at = {90.0, 10.0};
+    EXPECT_NE(fault(bed).find("is beside the bed, which is 80 x 60 m"), std::string::npos);
+    view.persons[0].at = {30.0, 10.0};
+    EXPECT_EQ(fault(bed), "");
+    EXPECT_NE(fault(wavy_bed(40, 30)).find("this bed has no metres"), std::string::npos);
+    view.look.exaggeration = {"", 2.0};
+    EXPECT_NE(fault(bed).find("heights are drawn 2 times as high"), std::string::npos);
+    bed.scale.dx = bed.scale.dy = 0.01;
+    view.look.exaggeration = {"", 1.0};
+    EXPECT_NE(fault(bed).find("is 1.75 m tall, and this bed is 0.4 m long"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,216 @@
+#include "render/person_layer.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "base/elementary.h"
+#include "base/error.h"
+#include "render/drawn_height.h"
+#include "render/person_mesh.h"
+#include "render/view/chosen_ground.h"
+#include "render/view/framing.h"
+
+namespace fumon {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr int height_unit = 7;
+constexpr int points_of_sun = 7;  // as many as three bits count
+constexpr GLuint shadow_bits = 0xE0;
+constexpr GLint first_shadow_bit = 0x20;
+
+void check_view(const View& view, const Block& block, const Snapshot& first) {
+    const auto refuse = [](const std::string& why) {
+        throw KeyError("person.0.at", "a person on the bed " + why);
+    };
+    if (!first.scale.in_metres)
+        refuse("shows a scale, and this bed has no metres; give grid.cell_size, or leave it out");
+    if (view.look.mode != ViewMode::scenic) refuse("is for scenic views (look.mode)");
+    if (view.camera.projection != Projection::perspective)
+        refuse("is for the perspective camera (camera.projection)");
+    if (first.bed.ny() < 2) refuse("is for beds of more than one row");
+    if (block.exaggeration != 1.0) {
+        refuse(
+            fmt::format("shows how large things are, and heights are drawn {:g} times as high; "
+                        "look.exaggeration = 1 draws them as they are",
+                        block.exaggeration));
+    }
+    if (block.side < 2.0 * person_height) {
+        refuse(fmt::format("is {} m tall, and this bed is {:g} m long", person_height, block.side));
+    }
+}
+
+std::vector<PersonPlace> person_places(const View& view, const Block& block,
+                                       const Snapshot& first) {
+    check_view(view, block, first);
+    std::vector<PersonPlace> places;
+    for (std::size_t i = 0; i < view.persons.size(); ++i) {
+        const PersonSettings& person = view.persons[i];
+        const std::string key = fmt::format("person.{}.at", i);
+        if (person.at.size() != 2) {
+            throw KeyError(key, key +
+                                    " is two numbers: metres east and north of the bed's "
+                                    "south-western corner");
+        }
+        const double x = person.at[0] / block.side;
+        const double y = person.at[1] / block.side;
+        const bool beside = x < 0.0 || y < 0.0 || x >= block.width_x || y >= block.width_y;
+        const auto lies_outside = [&] {
+            return first.nodata(static_cast<int>(x / block.width_x * first.bed.nx()),
+                                static_cast<int>(y / block.width_y * first.bed.ny())) != 0;
+        };
+        if (view.look.ground != Ground::endless &&
+            (beside || (!first.nodata.empty() && lies_outside()))) {
+            throw KeyError(
+                key, fmt::format("{} = [{:g}, {:g}] is beside the bed, which is {:g} x {:g} m", key,
+                                 person.at[0], person.at[1], block.width_x * block.side,
+                                 block.width_y * block.side));
+        }
+        const double angle = -person.facing * degree;
+        places.push_back({glm::dvec2(x - 0.5 * block.width_x, y - 0.5 * block.width_y),
+                          glm::vec2(elementary::cos(angle), elementary::sin(angle))});
+    }
+    return places;
+}
+
+}  // namespace
+
+void check_persons(const View& view, const Snapshot& first) {
+    if (view.persons.empty()) return;
+    const View drawn = with_chosen_ground(view, first);
+    static_cast<void>(person_places(drawn, framed_block(drawn, first), first));
+}
+
+PersonLayer::PersonLayer(const View& view, const Block& block, const Snapshot& first,
+                         const gl::Constants& fixed)
+    : view_(view),
+      block_(block),
+      places_(person_places(view, block, first)),
+      program_("person.vert.glsl", "plant.frag.glsl", {"part", "part_normal", "part_colour"},
+               fixed),
+      shadow_program_("person_shadow.vert.glsl", "plant.frag.glsl",
+                      {"part", "part_normal", "part_colour"}, fixed) {
+    const std::vector<PersonCorner> mesh = person_mesh();
+    count_ = static_cast<int>(mesh.size());
+    const gl::Functions& gl = gl::functions();
+    gl.BindVertexArray(array_.name());
+    gl.BindBuffer(GL_ARRAY_BUFFER, corners_.name());
+    constexpr std::size_t size = sizeof(PersonCorner);
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.size() * size), mesh.data(),
+                  GL_STATIC_DRAW);
+    constexpr std::array offsets{offsetof(PersonCorner, place), offsetof(PersonCorner, normal),
+                                 offsetof(PersonCorner, colour)};
+    for (std::size_t i = 0; i < offsets.size(); ++i) {
+        gl.VertexAttribPointer(static_cast<GLuint>(i), 3, GL_FLOAT, GL_FALSE, size,
+                               reinterpret_cast<const void*>(offsets.at(i)));
+        gl.EnableVertexAttribArray(static_cast<GLuint>(i));
+    }
+    gl.BindVertexArray(0);
+}
+
+void PersonLayer::set_bed(const Field<float>& z, bool repeats) {
+    z_ = z;
+    repeats_ = repeats;
+    if (!heights_) {
+        heights_.emplace(z.nx(), z.ny(),
+                         gl::TextureLayout{GL_R32F, GL_RED, GL_FLOAT, GL_LINEAR, 0,
+                                           repeats ? GL_REPEAT : GL_CLAMP_TO_EDGE});
+    }
+    heights_->upload(z.data());
+}
+
+void PersonLayer::set_common(const gl::Program& program, const PlantGround& ground,
+                             const TileSamples& tile) const {
+    program.use();
+    program.set("clip", ground.clip);
+    program.set("picture_size", tile.picture_size);
+    program.set("tile_corner", tile.corner);
+    program.set("tile_size", tile.size);
+    program.set("from_eye", ground.endless ? 1.0F : 0.0F);
+}
+
+void PersonLayer::draw_one(const gl::Program& program, const PersonPlace& place,
+                           const PlantGround& ground, const Camera& camera) const {
+    const glm::dvec2 share = place.at / glm::dvec2(block_.width_x, block_.width_y) + 0.5;
+    const auto height = static_cast<double>(drawn_height(z_, share, repeats_));
+    glm::dvec3 root(place.at, height);
+    if (ground.endless) {
+        root -= camera.eye;
+        root.z -=
+            glm::dot(glm::dvec2(root), glm::dvec2(root)) * static_cast<double>(ground.curvature);
+    }
+    program.set("root", glm::vec4(glm::dvec4(root, 1.0 / block_.side)));
+    program.set("root_place", glm::vec2(share - glm::floor(share)));
+    program.set("turn", place.turn);
+    gl::functions().DrawArrays(GL_TRIANGLES, 0, count_);
+}
+
+/// The union of all shadows from each of a few points of the sun's disc, one after the other.
+void PersonLayer::draw_shadows(const PlantGround& ground, const BedShading& shading,
+                               const Light& light, const Camera& camera,
+                               const TileSamples& tile) const {
+    if (light.to_sun.z <= 0.0F) return;
+    const gl::Functions& gl = gl::functions();
+    set_common(shadow_program_, ground, tile);
+    shading.bind(shadow_program_);
+    set_light(shadow_program_, view_, light, camera, block_);
+    heights_->bind(height_unit);
+    shadow_program_.set("height_map", height_unit);
+    shadow_program_.set("curvature", ground.curvature);
+    shadow_program_.set("height_origin", ground.endless ? static_cast<float>(camera.eye.z) : 0.0F);
+    shadow_program_.set("share", 1.0F / points_of_sun);
+    const glm::dvec3 middle(light.to_sun);
+    const glm::dvec3 aside = glm::normalize(glm::cross(
+        middle, glm::abs(middle.z) < 0.99 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0)));
+    const glm::dvec3 up = glm::cross(aside, middle);
+    // Where half of the disc lies within.
+    const double radius = 0.5 * view_.sun.diameter * degree * std::numbers::sqrt2 / 2.0;
+    gl.DepthMask(GL_FALSE);
+    gl.Enable(GL_BLEND);
+    gl.BlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    gl.Enable(GL_STENCIL_TEST);
+    gl.StencilMask(shadow_bits);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    for (int point = 0; point < points_of_sun; ++point) {
+        const double angle = 2.0 * std::numbers::pi * point / (points_of_sun - 1);
+        const double off = point == points_of_sun - 1 ? 0.0 : radius;
+        const glm::dvec3 from = glm::normalize(
+            middle + off * (elementary::cos(angle) * aside + elementary::sin(angle) * up));
+        shadow_program_.set("from_point", glm::vec3(from));
+        gl.StencilFunc(GL_GREATER, first_shadow_bit * (point + 1), shadow_bits);
+        for (const PersonPlace& place : places_) draw_one(shadow_program_, place, ground, camera);
+    }
+    gl.StencilMask(0xFF);
+    gl.Disable(GL_STENCIL_TEST);
+    gl.Disable(GL_BLEND);
+    gl.DepthMask(GL_TRUE);
+}
+
+void PersonLayer::draw(const PlantGround& ground, const BedShading& shading, const Light& light,
+                       const Camera& camera, const TileSamples& tile) const {
+    const gl::Functions& gl = gl::functions();
+    gl.Enable(GL_DEPTH_TEST);
+    gl.BindVertexArray(array_.name());
+    draw_shadows(ground, shading, light, camera, tile);
+    set_common(program_, ground, tile);
+    shading.bind(program_);
+    set_light(program_, view_, light, camera, block_);
+    for (const PersonPlace& place : places_) draw_one(program_, place, ground, camera);
+    gl.BindVertexArray(0);
+}
+
+void PersonLayer::draw_places(const gl::Program& program, const PlantGround& ground,
+                              const Camera& camera, const TileSamples& tile) const {
+    gl::functions().Enable(GL_DEPTH_TEST);
+    gl::functions().BindVertexArray(array_.name());
+    set_common(program, ground, tile);
+    for (const PersonPlace& place : places_) draw_one(program, place, ground, camera);
+    gl::functions().BindVertexArray(0);
+}
+
+}  // namespace fumon

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/grid.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "render/bed_shading.h"
+#include "render/light/light.h"
+#include "render/plant_layer.h"
+#include "render/terrain_layer.h"
+#include "render/view/block.h"
+#include "render/view/camera.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// Throws KeyError where persons cannot stand: the bed has no metres or is too small, the view does
+/// not show heights as they are or has no perspective, or a place is not on the bed.
+void check_persons(const View& view, const Snapshot& first);
+
+/// Where a person stands.
+struct PersonPlace {
+    glm::dvec2 at;   ///< block lengths from the bed's middle
+    glm::vec2 turn;  ///< cosine and sine, anticlockwise from north
+};
+
+/// Persons who stand on the bed as a scale, each with a shadow on the ground. The target's depths
+/// are those of the ground; of its stencils the highest three bits are taken.
+class PersonLayer {
+  public:
+    /// Throws as check_persons().
+    PersonLayer(const View& view, const Block& block, const Snapshot& first,
+                const gl::Constants& fixed);
+
+    /// `z`: the ground of a frame as it is drawn, block lengths.
+    void set_bed(const Field<float>& z, bool repeats);
+    void draw(const PlantGround& ground, const BedShading& shading, const Light& light,
+              const Camera& camera, const TileSamples& tile) const;
+    /// As TerrainLayer::draw_places(), by the program of person_place.vert.glsl.
+    void draw_places(const gl::Program& program, const PlantGround& ground, const Camera& camera,
+                     const TileSamples& tile) const;
+
+  private:
+    void set_common(const gl::Program& program, const PlantGround& ground,
+                    const TileSamples& tile) const;
+    void draw_one(const gl::Program& program, const PersonPlace& place, const PlantGround& ground,
+                  const Camera& camera) const;
+    void draw_shadows(const PlantGround& ground, const BedShading& shading, const Light& light,
+                      const Camera& camera, const TileSamples& tile) const;
+
+    View view_;
+    Block block_;
+    std::vector<PersonPlace> places_;
+    gl::Program program_;
+    gl::Program shadow_program_;
+    gl::VertexArray array_;
+    gl::Buffer corners_;
+    int count_ = 0;
+    std::optional<gl::Texture2D> heights_;
+    Field<float> z_;
+    bool repeats_ = false;
+};
+
+}  // namespace fumon

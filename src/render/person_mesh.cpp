@@ -1,0 +1,194 @@
+#include "render/person_mesh.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "base/elementary.h"
+
+namespace fumon {
+
+namespace {
+
+// Rounded to what photographs show.
+const glm::vec3 trousers{0.075F, 0.080F, 0.100F};
+const glm::vec3 shirt{0.24F, 0.085F, 0.070F};
+const glm::vec3 skin{0.34F, 0.20F, 0.13F};
+const glm::vec3 hat{0.42F, 0.37F, 0.28F};
+const glm::vec3 shoes{0.060F, 0.045F, 0.035F};
+const glm::vec3 pack{0.060F, 0.090F, 0.055F};
+
+/// An ellipse of a limb: its middle and half its width and depth.
+struct Ring {
+    glm::dvec3 middle;
+    double width;
+    double depth;
+};
+
+constexpr int sides = 20;   // of a limb, around
+constexpr int between = 5;  // rings drawn from one given to the next
+
+/// Through b and c, at t = 0 … 1 (Catmull & Rom 1974).
+double between_points(double a, double b, double c, double d, double t) {
+    return b +
+           0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)));
+}
+
+Ring ring_between(const std::vector<Ring>& rings, std::size_t i, double t) {
+    const Ring& b = rings[i];
+    const Ring& c = rings[i + 1];
+    const Ring& a = i > 0 ? rings[i - 1] : b;
+    const Ring& d = i + 2 < rings.size() ? rings[i + 2] : c;
+    Ring ring{};
+    for (int axis = 0; axis < 3; ++axis)
+        ring.middle[axis] =
+            between_points(a.middle[axis], b.middle[axis], c.middle[axis], d.middle[axis], t);
+    ring.width = std::max(between_points(a.width, b.width, c.width, d.width, t), 0.0);
+    ring.depth = std::max(between_points(a.depth, b.depth, c.depth, d.depth, t), 0.0);
+    return ring;
+}
+
+/// A surface of rows of `sides` points, closed around; normals from its own differences.
+void add_surface(std::vector<PersonCorner>& mesh, const std::vector<std::vector<glm::dvec3>>& rows,
+                 const glm::vec3& colour) {
+    const auto point = [&](std::size_t row, int side) {
+        return rows[row][static_cast<std::size_t>((side + sides) % sides)];
+    };
+    const auto corner = [&](std::size_t row, int side) {
+        const std::size_t below = row > 0 ? row - 1 : row;
+        const std::size_t above = std::min(row + 1, rows.size() - 1);
+        glm::dvec3 around = point(row, side + 1) - point(row, side - 1);
+        if (glm::length(around) < 1e-9)  // a pole
+            around =
+                point(row == 0 ? 1 : row - 1, side + 1) - point(row == 0 ? 1 : row - 1, side - 1);
+        const glm::dvec3 along = point(above, side) - point(below, side);
+        return PersonCorner{glm::vec3(point(row, side)),
+                            glm::vec3(glm::normalize(glm::cross(around, along))), colour};
+    };
+    for (std::size_t row = 0; row + 1 < rows.size(); ++row) {
+        for (int side = 0; side < sides; ++side) {
+            const PersonCorner a = corner(row, side);
+            const PersonCorner b = corner(row, side + 1);
+            const PersonCorner c = corner(row + 1, side);
+            const PersonCorner d = corner(row + 1, side + 1);
+            mesh.insert(mesh.end(), {a, b, c, b, d, c});
+        }
+    }
+}
+
+/// Level ellipses from below upward, rounded off at both ends.
+void add_limb(std::vector<PersonCorner>& mesh, const std::vector<Ring>& rings,
+              const glm::vec3& colour) {
+    std::vector<Ring> all;
+    const auto add_end = [&](const Ring& end, double way) {
+        constexpr std::array shares{0.05, 0.45, 0.8};
+        for (std::size_t k = 0; k < shares.size(); ++k) {
+            const double share = way < 0.0 ? shares.at(k) : shares.at(shares.size() - 1 - k);
+            Ring round = end;
+            round.width *= share;
+            round.depth *= share;
+            round.middle.z += way * std::sqrt(1.0 - share * share) * std::min(end.width, end.depth);
+            all.push_back(round);
+        }
+    };
+    add_end(rings.front(), -1.0);
+    for (std::size_t i = 0; i + 1 < rings.size(); ++i) {
+        for (int k = 0; k < between; ++k)
+            all.push_back(ring_between(rings, i, static_cast<double>(k) / between));
+    }
+    all.push_back(rings.back());
+    add_end(rings.back(), 1.0);
+    std::vector<std::vector<glm::dvec3>> rows;
+    rows.reserve(all.size());
+    for (const Ring& ring : all) {
+        std::vector<glm::dvec3>& row = rows.emplace_back();
+        for (int side = 0; side < sides; ++side) {
+            const double angle = 2.0 * std::numbers::pi * side / sides;
+            row.push_back(ring.middle + glm::dvec3(ring.width * elementary::cos(angle),
+                                                   ring.depth * elementary::sin(angle), 0.0));
+        }
+    }
+    add_surface(mesh, rows, colour);
+}
+
+/// An ellipsoid.
+void add_round(std::vector<PersonCorner>& mesh, const glm::dvec3& middle, const glm::dvec3& radii,
+               const glm::vec3& colour) {
+    constexpr int steps = 12;
+    std::vector<std::vector<glm::dvec3>> rows;
+    for (int step = 0; step <= steps; ++step) {
+        const double rise = std::numbers::pi * (static_cast<double>(step) / steps - 0.5);
+        std::vector<glm::dvec3>& row = rows.emplace_back();
+        for (int side = 0; side < sides; ++side) {
+            const double angle = 2.0 * std::numbers::pi * side / sides;
+            const double out = step == 0 || step == steps ? 0.0 : elementary::cos(rise);
+            row.push_back(middle + radii * glm::dvec3(out * elementary::cos(angle),
+                                                      out * elementary::sin(angle),
+                                                      elementary::sin(rise)));
+        }
+    }
+    add_surface(mesh, rows, colour);
+}
+
+}  // namespace
+
+std::vector<PersonCorner> person_mesh() {
+    std::vector<PersonCorner> mesh;
+    for (const double side : {-1.0, 1.0}) {
+        const double before = 0.13 * side;  // the right foot
+        const auto at = [side](double x, double y, double z) { return glm::dvec3(side * x, y, z); };
+        add_round(mesh, at(0.098, before + 0.045, 0.045), {0.048, 0.135, 0.048}, shoes);
+        add_limb(mesh,
+                 {{at(0.098, before - 0.015, 0.09), 0.043, 0.050},
+                  {at(0.099, before - 0.02, 0.28), 0.058, 0.066},
+                  {at(0.098, 0.6 * before + 0.02, 0.49), 0.061, 0.068},
+                  {at(0.096, 0.25 * before, 0.70), 0.079, 0.086},
+                  {at(0.088, 0.0, 0.88), 0.090, 0.105}},
+                 trousers);
+        const double swing = -0.10 * side;  // arms go with the other foot
+        add_limb(
+            mesh,
+            {{at(0.262, swing + 0.03, 0.80), 0.034, 0.040}, {at(0.262, swing, 0.90), 0.030, 0.034}},
+            skin);
+        add_limb(mesh,
+                 {{at(0.262, swing, 0.90), 0.033, 0.036},
+                  {at(0.255, 0.4 * swing - 0.03, 1.10), 0.040, 0.044},
+                  {at(0.224, -0.01, 1.27), 0.046, 0.052},
+                  {at(0.183, 0.0, 1.375), 0.048, 0.056}},
+                 shirt);
+    }
+    add_limb(mesh, {{{0.0, 0.0, 0.87}, 0.160, 0.105}, {{0.0, 0.0, 0.96}, 0.165, 0.112}}, trousers);
+    add_limb(mesh,
+             {{{0.0, 0.0, 0.97}, 0.158, 0.110},
+              {{0.0, 0.0, 1.08}, 0.150, 0.106},
+              {{0.0, 0.005, 1.24}, 0.172, 0.116},
+              {{0.0, 0.0, 1.36}, 0.188, 0.104},
+              {{0.0, -0.005, 1.42}, 0.150, 0.082},
+              {{0.0, -0.005, 1.46}, 0.078, 0.066}},
+             shirt);
+    add_limb(mesh,
+             {{{0.0, -0.155, 1.02}, 0.115, 0.060},
+              {{0.0, -0.170, 1.20}, 0.130, 0.078},
+              {{0.0, -0.150, 1.36}, 0.105, 0.060}},
+             pack);
+    add_limb(mesh, {{{0.0, 0.0, 1.45}, 0.054, 0.056}, {{0.0, 0.01, 1.55}, 0.052, 0.054}}, skin);
+    add_round(mesh, {0.0, 0.018, 1.605}, {0.074, 0.092, 0.108}, skin);
+    add_round(mesh, {0.0, 0.012, 1.652}, {0.185, 0.205, 0.014}, hat);
+    add_limb(mesh, {{{0.0, 0.012, 1.652}, 0.092, 0.108}, {{0.0, 0.012, 1.700}, 0.080, 0.094}}, hat);
+    // To its height: hat and soles round it off.
+    float lowest = mesh.front().place.z;
+    float highest = lowest;
+    for (const PersonCorner& corner : mesh) {
+        lowest = std::min(lowest, corner.place.z);
+        highest = std::max(highest, corner.place.z);
+    }
+    const float scale = static_cast<float>(person_height) / (highest - lowest);
+    for (PersonCorner& corner : mesh) {
+        corner.place.z -= lowest;
+        corner.place *= scale;
+    }
+    return mesh;
+}
+
+}  // namespace fumon
