@@ -71,10 +71,10 @@ vec4 near_colour(SeenPlace at) {
     float footprint = abs(turns(at.along)) + abs(turns(at.up));
     if (whole_pixels > 0.5) footprint *= 0.5;
     float stand_up = wander.strength * (0.75 + 0.35 * value_noise(wandering * 0.21 + 9.1));
-    float resolved = 1.0 - smoothstep(0.15, 0.45, footprint);
+    float resolved = 1.0 - smoothstep(0.09, 0.3, footprint);
 
     // The sun's share, a mean over the pixel.
-    int parts = whole_pixels > 0.5 ? 4 : 1;
+    int parts = whole_pixels > 0.5 ? 2 : 1;
     float part = 1.0 / float(parts);
     BedPoint mean = BedPoint(vec3(0.0), 0.0, 0.0);
     float direct = 0.0;
@@ -86,7 +86,7 @@ vec4 near_colour(SeenPlace at) {
     float slid = 0.0;
     vec2 tongue = vec2(0.0);
     for (int i = 0; i < parts; ++i) {
-        vec2 aside = whole_pixels > 0.5 ? 0.5 * vec2(float(i & 1), float(i >> 1)) - 0.25 : vec2(0.0);
+        vec2 aside = whole_pixels > 0.5 ? vec2(0.5 * float(i) - 0.25, 0.25 - 0.5 * float(i)) : vec2(0.0);
         vec3 to_part = aside.x * at.along + aside.y * at.up;
         BedPoint point = bed_point(textureLod(lighting_map, place + to_part.xy / extent, level));
         slope = -point.normal.xy / max(point.normal.z, 0.1);

@@ -1,14 +1,13 @@
 #version 330 core
-// Marks the pixels all of whose samples see the same ground, that between two distances.
+// Marks the pixels all of whose samples see the same ground, by depth: before the middle near ones, behind it far ones.
 #include "world_place.glsl"
 
-uniform float least_distance;
-uniform float most_distance;
+uniform float near_to;
 
 void main() {
     float slant;
     bool whole;
     SeenPlace place = pixel_place(slant, whole);
-    float range = length(place.offset);
-    if (!whole || range < least_distance || range >= most_distance) discard;
+    if (!whole) discard;
+    gl_FragDepth = length(place.offset) < near_to ? 0.25 : 0.75;
 }

@@ -1,8 +1,6 @@
 #include "render/height_pyramid.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace fumon {
 
@@ -61,25 +59,6 @@ HeightPyramid::HeightPyramid(const Field<float>& heights)
     : levels_{heights}, highest_(*std::ranges::max_element(heights.values())) {
     while (levels_.back().nx() > 1 || levels_.back().ny() > 1)
         levels_.push_back(halved(levels_.back()));
-}
-
-float HeightPyramid::at(int level, double east, double north) const {
-    const Field<float>& field = levels_[static_cast<std::size_t>(level)];
-    const auto split = [](double share, int count) {
-        const double place = (share - std::floor(share)) * count - 0.5;
-        const double below = std::floor(place);
-        const int first = static_cast<int>(below);
-        return std::pair(first, static_cast<float>(place - below));
-    };
-    const auto [x, right] = split(east, field.nx());
-    const auto [y, upper] = split(north, field.ny());
-    const int x0 = x < 0 ? field.nx() - 1 : std::min(x, field.nx() - 1);
-    const int y0 = y < 0 ? field.ny() - 1 : std::min(y, field.ny() - 1);
-    const int x1 = x0 + 1 == field.nx() ? 0 : x0 + 1;
-    const int y1 = y0 + 1 == field.ny() ? 0 : y0 + 1;
-    const float south = field(x0, y0) + right * (field(x1, y0) - field(x0, y0));
-    const float north_row = field(x0, y1) + right * (field(x1, y1) - field(x0, y1));
-    return south + upper * (north_row - south);
 }
 
 }  // namespace fumon

@@ -299,7 +299,7 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
         if (pixels) {
             const PixelSamples at{first_sample(tile) - target_corner(tile), plan.factor};
             pixels->bind();
-            gl.Clear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+            gl.Clear(everything);
             world->colour_pixels(seen.colour(), at, shading, light, camera);
             samples.bind();
             world->spread_pixels(pixels->colour(), at);

@@ -32,7 +32,7 @@ constexpr double ripple_metres = 0.12;
 constexpr double ripple_cells = 0.3;  // without metres: a hundredth of a dune of 30 cells
 constexpr double steepest = 0.2;
 constexpr double steps_a_ripple = 50.0;  // that it takes to move on by its length
-constexpr double longest_turn = 0.45;  // of a ripple, between two samples, at which it is not seen
+constexpr double longest_turn = 0.3;  // of a ripple, between two samples, at which it is not seen
 
 /// Of those that colour pixels of one ground, or samples of the others.
 gl::Constants for_pixels(gl::Constants fixed, bool whole) {
@@ -242,7 +242,7 @@ void WorldLayer::colour_pixels(const gl::Texture2D& seen, const PixelSamples& at
                                const BedShading& shading, const Light& light,
                                const Camera& camera) const {
     const gl::Functions& gl = gl::functions();
-    gl.Disable(GL_DEPTH_TEST);
+    gl.Enable(GL_DEPTH_TEST);
     gl.Enable(GL_STENCIL_TEST);
     gl.BindVertexArray(no_attributes_.name());
     const auto set_pixels = [&](const gl::Program& program) {
@@ -250,23 +250,27 @@ void WorldLayer::colour_pixels(const gl::Texture2D& seen, const PixelSamples& at
         program.set("factor", at.factor);
     };
     seen.bind(seen_unit);
+    pixel_program_.use();
+    set_pixels(pixel_program_);
+    pixel_program_.set("offsets", seen_unit);
+    pixel_program_.set("near_to", static_cast<float>(near_to_));
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    gl.StencilFunc(GL_ALWAYS, near_stencil, 0xFF);
+    gl.DepthFunc(GL_ALWAYS);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    gl.StencilFunc(GL_EQUAL, near_stencil, 0xFF);
+    gl.DepthMask(GL_FALSE);
     for (const bool near : {true, false}) {
-        const GLint stencil = near ? near_stencil : far_stencil;
-        gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-        gl.StencilFunc(GL_ALWAYS, stencil, 0xFF);
-        pixel_program_.use();
-        set_pixels(pixel_program_);
-        pixel_program_.set("offsets", seen_unit);
-        pixel_program_.set("least_distance", near ? 0.0F : static_cast<float>(near_to_));
-        pixel_program_.set("most_distance", near ? static_cast<float>(near_to_) : 1e30F);
-        gl.DrawArrays(GL_TRIANGLES, 0, 3);
-        gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-        gl.StencilFunc(GL_EQUAL, stencil, 0xFF);
         const gl::Program& program = near ? near_pixels_ : far_pixels_;
         bind(program, seen, shading, light, camera);
         set_pixels(program);
+        gl.DepthFunc(near ? GL_GREATER : GL_LESS);  // of the screen's triangle in the middle
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
     }
+    gl.DepthMask(GL_TRUE);
+    gl.DepthFunc(GL_LESS);
+    gl.Disable(GL_DEPTH_TEST);
     gl.Disable(GL_STENCIL_TEST);
     gl.BindVertexArray(0);
 }
