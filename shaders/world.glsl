@@ -15,6 +15,9 @@ uniform sampler2D wind_map;    // how far ground upwind leaves the wind to the b
 uniform sampler2D relief_map;  // of relief.frag.glsl
 out vec4 colour;
 
+// Of a pixel's extent, over which textures are averaged; samples of its own would be averaged over half of it each.
+const float crisp = 0.7;
+
 // The difference to the nearer of two neighbours: across an edge there is other ground.
 vec3 nearer(vec3 one, vec3 other) { return dot(one, one) < dot(other, other) ? one : other; }
 
@@ -33,7 +36,8 @@ SeenPlace far_place() {
     if (whole_pixels > 0.5) {
         bool whole;
         place = pixel_place(slant, whole);
-        spread *= float(factor);
+        slant *= crisp;
+        spread *= crisp * float(factor);
     } else {
         ivec2 at = ivec2(gl_FragCoord.xy);
         vec4 seen = seen_at(at);
@@ -50,7 +54,10 @@ SeenPlace near_place() {
     if (whole_pixels > 0.5) {
         float slant;
         bool whole;
-        return pixel_place(slant, whole);
+        SeenPlace pixel = pixel_place(slant, whole);
+        pixel.along *= crisp;
+        pixel.up *= crisp;
+        return pixel;
     }
     ivec2 at = ivec2(gl_FragCoord.xy);
     ivec2 last = textureSize(offsets, 0) - 1;

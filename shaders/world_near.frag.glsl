@@ -53,6 +53,27 @@ vec2 tongues(vec2 whole, float height, vec2 across) {
     return mix(vec2(east_west.y * sign(across.y), east_west.x), vec2(north_south.y * sign(across.x), north_south.x), share);
 }
 
+// Grains that mirror the sun to the eye, seldom ones: each in a cell of its own on the ground, a few pixels wide or more.
+float glints(SeenPlace at, vec3 to_eye) {
+    vec2 reach = abs(at.along.xy) + abs(at.up.xy);
+    float size = log2(max(2.5 * metres(max(reach.x, reach.y)), 0.004));
+    vec3 halfway = normalize(to_sun + to_eye);
+    vec2 wanted = halfway.xy / max(halfway.z, 0.2);
+    vec2 ground = in_metres(at.offset).xy;
+    float sum = 0.0;
+    for (int i = 0; i < 2; ++i) {
+        float octave = floor(size) + float(i);
+        vec2 place = ground * exp2(-octave);
+        ivec2 cell = ivec2(floor(place));
+        vec2 from_middle = place - floor(place) - 0.5;
+        vec2 facet = vec2(hash(cell + ivec2(911, 37)), hash(cell + ivec2(13, 709)));
+        float aligned = 1.0 - smoothstep(0.03, 0.10, distance(1.6 * facet - 0.8, wanted));
+        float spot = 1.0 - smoothstep(0.10, 0.40, length(from_middle - 0.4 * (fract(7.0 * facet) - 0.5)));
+        sum += aligned * spot * max(1.0 - abs(octave - size), 0.0);
+    }
+    return sum * (1.0 - smoothstep(-6.0, -4.0, size));
+}
+
 vec4 near_colour(SeenPlace at) {
     vec3 offset = at.offset;
     vec2 place = bed_place(at);
@@ -69,9 +90,9 @@ vec4 near_colour(SeenPlace at) {
     Wander wander = wander_at(wandering);
     float phase = turns(offset) + ripple_phase + wander.turns;
     float footprint = abs(turns(at.along)) + abs(turns(at.up));
-    if (whole_pixels > 0.5) footprint *= 0.5;
+    if (whole_pixels > 0.5) footprint *= 0.5 / crisp;
     float stand_up = wander.strength * (0.75 + 0.35 * value_noise(wandering * 0.21 + 9.1));
-    float resolved = 1.0 - smoothstep(0.09, 0.3, footprint);
+    float resolved = 1.0 - smoothstep(0.1, 0.32, footprint);
 
     // The sun's share, a mean over the pixel.
     int parts = whole_pixels > 0.5 ? 2 : 1;
@@ -82,17 +103,17 @@ vec4 near_colour(SeenPlace at) {
     vec2 slope = vec2(0.0);
     float standing = 0.0;
     vec2 texels = vec2(textureSize(lighting_map, 0));
-    float level = log2(max(max(length(place_along * texels), length(place_up * texels)) * (whole_pixels > 0.5 ? 0.5 : 1.0), 1.0));
+    float level = log2(max(max(length(place_along * texels), length(place_up * texels)) * (whole_pixels > 0.5 ? 0.5 / crisp : 1.0), 1.0));
     float slid = 0.0;
     vec2 tongue = vec2(0.0);
     for (int i = 0; i < parts; ++i) {
-        vec2 aside = whole_pixels > 0.5 ? vec2(0.5 * float(i) - 0.25, 0.25 - 0.5 * float(i)) : vec2(0.0);
+        vec2 aside = whole_pixels > 0.5 ? vec2(float(i) - 0.5, 0.5 - float(i)) * (0.5 / crisp) : vec2(0.0);
         vec3 to_part = aside.x * at.along + aside.y * at.up;
         BedPoint point = bed_point(textureLod(lighting_map, place + to_part.xy / extent, level));
         slope = -point.normal.xy / max(point.normal.z, 0.1);
         float steep = length(slope);
         if (i == 0) {
-            slid = smoothstep(0.46, 0.58, steep) * sand.a * (1.0 - smoothstep(0.3, 0.8, footprint / 4.0));
+            slid = smoothstep(0.46, 0.58, steep) * sand.a * (1.0 - smoothstep(0.0, 0.3, open)) * (1.0 - smoothstep(0.3, 0.8, footprint / 4.0));
             tongue = slid * tongues(whole, (offset.z + eye.z) / ripple_length, vec2(-slope.y, slope.x) / max(steep, 0.1));
         }
         standing = stand_up * rippled(sand.a, open, steep);
@@ -116,7 +137,9 @@ vec4 near_colour(SeenPlace at) {
     direct = roughened(direct, mean.normal, to_eye);
     // Troughs see less of the sky.
     mean.sky *= 1.0 + 0.4 * ripple_slope * standing * resolved * (trough - 1.0);
-    return seen(ground_light_of(albedo, direct, mean, to_eye, 1.0), at, to_eye);
+    vec3 light = ground_light_of(albedo, direct, mean, to_eye, 1.0);
+    light += sun_light * (2.0 * sand_grain * sand.a * mean.sun * glints(at, to_eye));
+    return seen(light, at, to_eye);
 }
 
 void main() { colour = near_colour(near_place()); }

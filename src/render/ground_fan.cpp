@@ -13,8 +13,8 @@ namespace fumon {
 namespace {
 
 constexpr int rings = 1000;
-constexpr int most_places = 8;           // looked at around a ring
-constexpr double texels_a_place = 0.75;  // between two of these
+constexpr int most_places = 12;          // looked at around a ring
+constexpr double texels_a_place = 2.0;  // between two of these
 
 /// The places around a ring, and the level of the bed's means that they are looked up in.
 struct Ring {
@@ -36,7 +36,7 @@ std::vector<Ring> rings_of(const GroundFan& fan, int levels) {
         const double radius = radius_of(fan, u);
         const double from = ring == 1 ? radius : radius_of(fan, u - 0.5 * step);
         const double to = radius_of(fan, u + 0.5 * step);
-        const double fineness = std::max(radius * between_rays / fan.cell, 1.0);
+        const double fineness = std::max(0.2 * radius * between_rays / fan.cell, 1.0);
         const int level = std::min(std::ilogb(fineness), levels - 1);
         const double texel = std::ldexp(fan.cell, level);
         const int count = std::clamp(

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 #include "base/rounding.h"
+#include "base/worker_pool.h"
 #include "numerics/resampling.h"
 #include "render/light/lighting.h"
 #include "render/light/sky_visibility.h"
@@ -29,37 +29,56 @@ Field<float> repeated_sky(const Field<float>& z, float dx, float dy, WorkerPool&
     return without_margin(sky_visibility(with_margin(z, margin), dx, dy, pool), margin);
 }
 
-/// Shadows that begin a cell later: where a shadow begins the ground turns away from the sun, which
-/// its slope shows between cells, and a share does not.
-Field<float> with_later_shadows(const Field<float>& share, float dx, float dy,
-                                const SunDirection& sun) {
-    const int nx = share.nx();
-    const int ny = share.ny();
+/// Between the four nearest cells, at a place some cells away from each.
+class Beside {
+  public:
+    Beside(float east, float north)
+        : west_of_(static_cast<int>(std::floor(east))),
+          south_of_(static_cast<int>(std::floor(north))),
+          right_(east - std::floor(east)),
+          upper_(north - std::floor(north)) {}
+
+    [[nodiscard]] float of(const Field<float>& field, int x, int y) const {
+        const auto within = [](int place, int count) { return (place + count) % count; };
+        const int x0 = within(x + west_of_, field.nx());
+        const int x1 = within(x + west_of_ + 1, field.nx());
+        const int y0 = within(y + south_of_, field.ny());
+        const int y1 = within(y + south_of_ + 1, field.ny());
+        const float low = field(x0, y0) + right_ * (field(x1, y0) - field(x0, y0));
+        const float high = field(x0, y1) + right_ * (field(x1, y1) - field(x0, y1));
+        return low + upper_ * (high - low);
+    }
+
+  private:
+    int west_of_;
+    int south_of_;
+    float right_;
+    float upper_;
+};
+
+/// Shares of the sun whose shadows begin a cell later where the ground turns away from it: its
+/// slope shows the edge between cells, and a share does not.
+Field<float> with_later_shadows(const Field<float>& share, const Field<float>& z, float dx,
+                                float dy, const SunDirection& sun, WorkerPool& pool) {
     const float columns = sun.east / dx;
     const float rows = sun.north / dy;
-    const float longer = std::max(std::abs(columns), std::abs(rows));
-    const float east = columns / longer;
-    const float north = rows / longer;
-    const auto west_of = static_cast<int>(std::floor(east));
-    const auto south_of = static_cast<int>(std::floor(north));
-    const float right = east - static_cast<float>(west_of);
-    const float upper = north - static_cast<float>(south_of);
-    const auto within = [](int place, int count) { return (place + count) % count; };
-    Field<float> later(nx, ny);
-    for (int y = 0; y < ny; ++y) {
-        const auto lower_row = share.row(within(y + south_of, ny));
-        const auto upper_row = share.row(within(y + south_of + 1, ny));
-        const auto own = share.row(y);
-        const auto result = later.row(y);
-        for (int x = 0; x < nx; ++x) {
-            const auto a = static_cast<std::size_t>(within(x + west_of, nx));
-            const auto b = static_cast<std::size_t>(within(x + west_of + 1, nx));
-            const float low = lower_row[a] + right * (lower_row[b] - lower_row[a]);
-            const float high = upper_row[a] + right * (upper_row[b] - upper_row[a]);
-            const auto i = static_cast<std::size_t>(x);
-            result[i] = std::max(own[i], low + upper * (high - low));
+    const float length = 1.0F / std::max(std::abs(columns), std::abs(rows));
+    const Beside sunward(length * columns, length * rows);
+    const Beside away(-length * columns, -length * rows);
+    const float grazing = (sun.lower_limb + sun.upper_limb) * length;  // rise over both
+    Field<float> later(share.nx(), share.ny());
+    pool.for_ranges(share.ny(), [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            for (int x = 0; x < share.nx(); ++x) {
+                const float own = share(x, y);
+                later(x, y) = own;
+                const float gained = std::min(sunward.of(share, x, y), 1.0F) - own;
+                if (gained <= 0.0F) continue;
+                const float rise = sunward.of(z, x, y) - away.of(z, x, y);
+                later(x, y) += gained * std::clamp(rise / grazing - 1.5F, 0.0F, 1.0F);
+            }
         }
-    }
+    });
     return later;
 }
 
@@ -78,7 +97,7 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
     LightShares shares{
         with_margin(with_later_shadows(sun_visibility(light.z, wide.dx, wide.dy, sun, sun_bounds,
                                                       LatticeBorder::periodic),
-                                       wide.dx, wide.dy, sun),
+                                       light.z, wide.dx, wide.dy, sun, pool),
                     1),
         refined_around(repeated_sky(coarse.z, coarse.dx, coarse.dy, pool), refinement), sun_bounds};
     for (float& share : shares.sky.values()) share = std::clamp(share, 0.0F, 1.0F);
