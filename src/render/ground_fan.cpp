@@ -13,8 +13,11 @@ namespace fumon {
 namespace {
 
 constexpr int rings = 1000;
-constexpr int most_places = 12;          // looked at around a ring
-constexpr double texels_a_place = 2.0;  // between two of these
+constexpr int most_places = 12;  // looked at around a ring
+// Between two of these at least: of a texel, and of the distance between rays.
+constexpr double least_texels = 0.5;
+constexpr double least_spacing = 0.6;
+constexpr double texels_a_ray = 0.2;  // a texel at most, of the distance between rays
 
 /// The places around a ring, and the level of the bed's means that they are looked up in.
 struct Ring {
@@ -36,11 +39,13 @@ std::vector<Ring> rings_of(const GroundFan& fan, int levels) {
         const double radius = radius_of(fan, u);
         const double from = ring == 1 ? radius : radius_of(fan, u - 0.5 * step);
         const double to = radius_of(fan, u + 0.5 * step);
-        const double fineness = std::max(0.2 * radius * between_rays / fan.cell, 1.0);
+        const double fineness = std::max(texels_a_ray * radius * between_rays / fan.cell, 1.0);
         const int level = std::min(std::ilogb(fineness), levels - 1);
         const double texel = std::ldexp(fan.cell, level);
-        const int count = std::clamp(
-            static_cast<int>(std::ceil((to - from) / (texels_a_place * texel))), 1, most_places);
+        const double spacing =
+            std::max(least_texels * texel, least_spacing * radius * between_rays);
+        const int count =
+            std::clamp(static_cast<int>(std::ceil((to - from) / spacing)), 1, most_places);
         Ring places{level, {}};
         for (int k = 0; k < count; ++k)
             places.radii.push_back(from + (to - from) * (k + 0.5) / count);
