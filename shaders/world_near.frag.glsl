@@ -92,7 +92,7 @@ vec4 near_colour(SeenPlace at) {
     float footprint = abs(turns(at.along)) + abs(turns(at.up));
     if (whole_pixels > 0.5) footprint *= 0.5 / crisp;
     float stand_up = wander.strength * (0.75 + 0.35 * value_noise(wandering * 0.21 + 9.1));
-    float resolved = 1.0 - smoothstep(0.12, 0.36, footprint);
+    float resolved = 1.0 - smoothstep(0.05, 0.3, footprint);
 
     // The sun's share, a mean over the pixel.
     int parts = whole_pixels > 0.5 ? 2 : 1;

@@ -32,7 +32,7 @@ constexpr double ripple_metres = 0.12;
 constexpr double ripple_cells = 0.3;  // without metres: a hundredth of a dune of 30 cells
 constexpr double steepest = 0.2;
 constexpr double steps_a_ripple = 50.0;  // that it takes to move on by its length
-constexpr double longest_turn = 0.36;  // of a ripple, between two samples, at which it is not seen
+constexpr double longest_turn = 0.3;  // of a ripple, between two samples, at which it is not seen
 
 /// Of those that colour pixels of one ground, or samples of the others.
 gl::Constants for_pixels(gl::Constants fixed, bool whole) {
