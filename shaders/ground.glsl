@@ -30,11 +30,8 @@ vec3 ground_albedo(vec2 place, BedPoint point) {
     return marked(mix(coloured, own, texture(uncoloured_map, place).r), place);
 }
 
-// `gloss` is 1 for dry ground.
-vec3 ground_light(vec3 albedo, BedPoint point, vec3 to_eye, float gloss) {
-    float n_dot_l = max(dot(point.normal, to_sun), 0.0);
-    float n_dot_v = max(dot(point.normal, to_eye), 0.0);
-    float direct = point.sun * oren_nayar(n_dot_l, n_dot_v, dot(to_sun, to_eye));
+// From the sun's share that leaves it, `direct`. `gloss` is 1 for dry ground.
+vec3 ground_light_of(vec3 albedo, float direct, BedPoint point, vec3 to_eye, float gloss) {
     // The sky is brighter on the sun's side.
     vec3 sky = sky_light * point.sky * (1.0 + 0.25 * dot(point.normal.xy, to_sun.xy));
     // One bounce: what the sky does not fill, sunlit sand around does.
@@ -48,8 +45,16 @@ vec3 ground_light(vec3 albedo, BedPoint point, vec3 to_eye, float gloss) {
         float ground_seen = clamp(1.0 - point.sky, 0.0, 1.0);
         bounce = albedo * (0.5 * sun_light * to_sun.z + sky_light) * ground_seen;
     }
+    float n_dot_l = max(dot(point.normal, to_sun), 0.0);
     vec3 halfway = normalize(to_sun + to_eye);
     float shine = max(dot(point.normal, halfway), 0.0);
     shine *= shine; shine *= shine; shine *= shine;
     return albedo * (sun_light * direct + sky + bounce) + sun_light * (0.035 * gloss * shine * point.sun * n_dot_l);
+}
+
+vec3 ground_light(vec3 albedo, BedPoint point, vec3 to_eye, float gloss) {
+    float n_dot_l = max(dot(point.normal, to_sun), 0.0);
+    float n_dot_v = max(dot(point.normal, to_eye), 0.0);
+    float direct = point.sun * oren_nayar(n_dot_l, n_dot_v, dot(to_sun, to_eye));
+    return ground_light_of(albedo, direct, point, to_eye, gloss);
 }

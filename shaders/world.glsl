@@ -1,21 +1,22 @@
-// Sand to the horizon, shaded once a sample, where the triangles said that it is. Needs colour.glsl, light.glsl, noise.glsl, oren_nayar.glsl,
-// bed.glsl and ground.glsl before it.
+// Sand to the horizon, shaded where the triangles said that it is: once a pixel where all its samples see the same
+// ground, else once a sample. Needs colour.glsl, light.glsl, noise.glsl, oren_nayar.glsl, bed.glsl, ground.glsl
+// and world_place.glsl before it.
 uniform vec2 whole_eye;       // the eye's place, not reduced to one period
 uniform float sand_grain;     // how much of it is seen
 uniform float ripple_length;  // block lengths
+uniform float ripple_slope;   // steepest
+uniform vec2 wind;            // where it blows to, unit vector
 
-uniform float sample_angle;   // between two samples
+uniform float sample_angle;    // between two samples
+uniform float whole_pixels;    // 1: colours pixels of one ground, 0: samples of the others
 
-uniform sampler2D offsets;     // of what samples see from the eye, and lengths, of world_seen.frag.glsl; nothing seen: 0
 uniform sampler2D albedo_map;  // roots and bare sand, of shade_albedo.frag.glsl
+uniform sampler2D wind_map;    // how far ground upwind leaves the wind to the bed
+uniform sampler2D relief_map;  // of relief.frag.glsl
 out vec4 colour;
 
-// A place on the ground, and how it changes to the next sample along both sides of the picture.
-struct SeenPlace {
-    vec3 offset;  // from the eye
-    vec3 along;
-    vec3 up;
-};
+// Of a pixel's extent, over which textures are averaged; samples of its own would be averaged over half of it each.
+const float crisp = 0.7;
 
 // The difference to the nearer of two neighbours: across an edge there is other ground.
 vec3 nearer(vec3 one, vec3 other) { return dot(one, one) < dot(other, other) ? one : other; }
@@ -29,26 +30,43 @@ vec3 change(vec3 before, vec3 at, vec3 after) {
 
 // The same of far ground, which is seen so aslant that its neighbours may be on other crests: from what the sample sees.
 SeenPlace far_place() {
-    vec4 seen = texelFetch(offsets, ivec2(gl_FragCoord.xy), 0);
-    vec2 view = normalize(seen.xy + 1e-9);
     SeenPlace place;
-    place.offset = seen.xyz;
-    place.along = vec3(-view.y, view.x, 0.0) * (sample_angle * length(seen.xyz));
-    place.up = vec3(view * seen.w, 0.0);
+    float spread = sample_angle;
+    float slant;
+    if (whole_pixels > 0.5) {
+        bool whole;
+        place = pixel_place(slant, whole);
+        slant *= crisp;
+        spread *= crisp * float(factor);
+    } else {
+        ivec2 at = ivec2(gl_FragCoord.xy);
+        vec4 seen = seen_at(at);
+        place.offset = seen.xyz;
+        slant = seen.w;
+    }
+    vec2 view = normalize(place.offset.xy + 1e-9);
+    place.along = vec3(-view.y, view.x, 0.0) * (spread * length(place.offset));
+    place.up = vec3(view * slant, 0.0);
     return place;
 }
 
-vec3 offset_at(ivec2 sample_place) { return texelFetch(offsets, sample_place, 0).xyz; }
-
-SeenPlace seen_place() {
+SeenPlace near_place() {
+    if (whole_pixels > 0.5) {
+        float slant;
+        bool whole;
+        SeenPlace pixel = pixel_place(slant, whole);
+        pixel.along *= crisp;
+        pixel.up *= crisp;
+        return pixel;
+    }
     ivec2 at = ivec2(gl_FragCoord.xy);
     ivec2 last = textureSize(offsets, 0) - 1;
     SeenPlace place;
-    place.offset = offset_at(at);
-    vec3 west = at.x == 0 ? vec3(0.0) : offset_at(at - ivec2(1, 0));
-    vec3 east = at.x == last.x ? vec3(0.0) : offset_at(at + ivec2(1, 0));
-    vec3 south = at.y == 0 ? vec3(0.0) : offset_at(at - ivec2(0, 1));
-    vec3 north = at.y == last.y ? vec3(0.0) : offset_at(at + ivec2(0, 1));
+    place.offset = seen_at(at).xyz;
+    vec3 west = at.x == 0 ? vec3(0.0) : seen_at(at - ivec2(1, 0)).xyz;
+    vec3 east = at.x == last.x ? vec3(0.0) : seen_at(at + ivec2(1, 0)).xyz;
+    vec3 south = at.y == 0 ? vec3(0.0) : seen_at(at - ivec2(0, 1)).xyz;
+    vec3 north = at.y == last.y ? vec3(0.0) : seen_at(at + ivec2(0, 1)).xyz;
     place.along = change(west, place.offset, east);
     place.up = change(south, place.offset, north);
     return place;
@@ -65,9 +83,43 @@ float grain(SeenPlace at) {
     return mix(value_noise(place), value_noise(0.5 * place + 31.7), octave - whole);
 }
 
+// Slope of the sand's own unevenness between ripples and cells, east and north, and how much lighter it is.
+vec3 relief(SeenPlace at) {
+    const mat2 turned = mat2(0.8, 0.6, -0.6, 0.8);
+    float scale = 1.0 / (180.0 * ripple_length);
+    vec2 place = (whole_eye + at.offset.xy) * scale;
+    vec2 along = at.along.xy * scale;
+    vec2 up = at.up.xy * scale;
+    vec3 fine = textureGrad(relief_map, place, along, up).rgb;
+    float wider = 1.0 / 6.7;
+    vec3 broad = textureGrad(relief_map, wider * (turned * place) + 0.37, wider * (turned * along), wider * (turned * up)).rgb;
+    fine -= 0.5;
+    broad -= 0.5;
+    broad.xy = broad.xy * turned;
+    return fine + broad;
+}
+
 vec4 sand_colour(SeenPlace at) { return textureGrad(albedo_map, bed_place(at), at.along.xy / extent, at.up.xy / extent); }
 
 vec3 albedo_of(vec4 sand, float brighter) { return sand.rgb * sand.rgb * (1.0 + brighter); }
+
+// How far ripples stand on bare sand of a steepness that the wind reaches.
+float rippled(float bare, float open, float steep) { return bare * smoothstep(0.15, 0.6, open) * (1.0 - smoothstep(0.488, 0.601, steep)); }
+
+// The way that ripples face on a slope: sand that rolls downslope turns their crests.
+vec2 facing_of(vec2 slope) {
+    vec2 turned = wind - 0.8 * slope;
+    return turned / max(length(turned), 0.2);
+}
+
+// Mean of what a surface gets of the sun whose slope varies by `spread` about the mean in the sun's direction.
+float mean_facing(float n_dot_l, float spread) { return 0.5 * (n_dot_l + sqrt(n_dot_l * n_dot_l + 0.7 * spread * spread)); }
+
+// What a rough surface throws to the eye of the sun's light that it gets.
+float roughened(float direct, vec3 normal, vec3 to_eye) {
+    float n_dot_l = max(dot(normal, to_sun), 0.02);
+    return direct / n_dot_l * oren_nayar(n_dot_l, max(dot(normal, to_eye), 0.0), dot(to_sun, to_eye));
+}
 
 // Lengths and places in metres, or, without metres, in units to which a cell is 0.4.
 float metres(float block_lengths) { return block_lengths * (0.12 / ripple_length); }

@@ -7,13 +7,27 @@
 #include "bed.glsl"
 #include "ground.glsl"
 #include "rock.glsl"
+#include "world_place.glsl"
 #include "world.glsl"
 
-void main() {
-    SeenPlace at = far_place();
-    BedPoint point = slanting_bed_point(bed_place(at), at.along.xy / extent, at.up.xy / extent);
+vec4 far_colour(SeenPlace at) {
+    vec2 place = bed_place(at);
+    vec2 along = at.along.xy / extent;
+    vec2 up = at.up.xy / extent;
     vec3 to_eye = -normalize(at.offset);
-    vec3 albedo = albedo_of(sand_colour(at), 0.10 * sand_grain * grain(at));
-    if (marks > 1.5) weather(point.normal, albedo, in_metres(at.offset), metres(length(at.along) + length(at.up)), rock_share(bed_place(at)));
-    colour = seen(ground_light(albedo, point, to_eye, 1.0), at, to_eye);
+    vec4 sand = sand_colour(at);
+    vec3 uneven = vec3(vec2(0.13), 0.4) * sand_grain * sand.a * relief(at);
+    vec3 albedo = albedo_of(sand, 0.10 * sand_grain * grain(at) + 0.1 * uneven.z);
+    BedPoint point = slanting_bed_point(place, along, up);
+    vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);
+    float open = textureGrad(wind_map, place, along, up).r;
+    float standing = rippled(sand.a, open, length(slope));
+    point.normal = normalize(vec3(point.normal.xy - uneven.xy * point.normal.z, point.normal.z));
+    if (marks > 1.5) weather(point.normal, albedo, in_metres(at.offset), metres(length(at.along) + length(at.up)), rock_share(place));
+    float spread = 0.7 * ripple_slope * standing * dot(facing_of(slope), to_sun.xy);
+    float n_dot_l = mean_facing(dot(point.normal, to_sun), spread);
+    float direct = roughened(point.sun * n_dot_l, point.normal, to_eye);
+    return seen(ground_light_of(albedo, direct, point, to_eye, 1.0), at, to_eye);
 }
+
+void main() { colour = far_colour(far_place()); }

@@ -7,12 +7,10 @@
 #include "bed.glsl"
 #include "ground.glsl"
 #include "rock.glsl"
+#include "world_place.glsl"
 #include "world.glsl"
 
-uniform vec2 wind;           // where it blows to, unit vector
 uniform float ripple_phase;  // of the eye's place, in turns
-uniform float ripple_slope;  // steepest
-uniform sampler2D wind_map;  // how far ground upwind leaves the wind to the bed
 
 const float tau = 6.2831853;
 
@@ -20,56 +18,128 @@ const float tau = 6.2831853;
 // dune as if each began that much later.
 float turns(vec3 way) { return (dot(way.xy, wind) - 0.8 * way.z) / ripple_length; }
 
-// Cosine and sine of the ripples' phase at a place, and how high they stand. A second train of waves, whose
-// strength and phase wander, cancels the first in places: there crests end or fork.
-vec3 ripples(vec3 offset, vec2 wander) {
-    float phase = turns(offset) + ripple_phase +
-                  1.5 * value_noise(wander * 0.31 + 5.3) + 0.35 * value_noise(wander * 1.3 + 2.9);
-    float turn = tau * fract(phase);
-    vec2 second = vec2(0.6 + 1.5 * value_noise(wander), 1.5 * value_noise(wander + 17.3));
-    float strength = length(second);
-    second /= max(strength, 1e-3);
-    float c = cos(turn);
-    float s = sin(turn);
-    return vec3(c * second.x - s * second.y, s * second.x + c * second.y, min(3.0 * strength, 1.0));
+// How ripples wander: what is added to their phase, and a second train of waves, whose strength and phase wander. It
+// cancels the first in places: there crests end or fork.
+struct Wander {
+    float turns;
+    vec2 second;
+    float strength;
+};
+
+Wander wander_at(vec2 place) {
+    Wander wander;
+    wander.turns = 1.5 * value_noise(place * 0.31 + 5.3) + 0.35 * value_noise(place * 1.3 + 2.9);
+    wander.second = vec2(0.6 + 1.5 * value_noise(place), 1.5 * value_noise(place + 17.3));
+    float strength = length(wander.second);
+    wander.second /= max(strength, 1e-3);
+    wander.strength = min(3.0 * strength, 1.0);
+    return wander;
 }
 
-void main() {
-    SeenPlace at = seen_place();
+// Cosine and sine of the ripples' phase.
+vec2 wave_of(Wander wander, float phase) {
+    float turn = tau * fract(phase);
+    float c = cos(turn);
+    float s = sin(turn);
+    return vec2(c * wander.second.x - s * wander.second.y, s * wander.second.x + c * wander.second.y);
+}
+
+// Tongues of sand that slid down a steep face: slope across it, and how much lighter it is. Stripes down the faces that
+// look east or west, and down those that look north or south.
+vec2 tongues(vec2 whole, float height, vec2 across) {
+    vec3 north_south = sloped_noise(vec2(whole.x / 3.0 + 0.4 * sin(height / 19.0), height / 40.0));
+    vec3 east_west = sloped_noise(vec2(whole.y / 3.0 + 3.1 + 0.4 * sin(height / 23.0), height / 40.0));
+    float share = smoothstep(0.3, 0.7, across.x * across.x);
+    return mix(vec2(east_west.y * sign(across.y), east_west.x), vec2(north_south.y * sign(across.x), north_south.x), share);
+}
+
+// Grains that mirror the sun to the eye, seldom ones: each in a cell of its own on the ground, a few pixels wide or more.
+float glints(SeenPlace at, vec3 to_eye) {
+    vec2 reach = abs(at.along.xy) + abs(at.up.xy);
+    float size = log2(max(2.5 * metres(max(reach.x, reach.y)), 0.004));
+    vec3 halfway = normalize(to_sun + to_eye);
+    vec2 wanted = halfway.xy / max(halfway.z, 0.2);
+    vec2 ground = in_metres(at.offset).xy;
+    float sum = 0.0;
+    for (int i = 0; i < 2; ++i) {
+        float octave = floor(size) + float(i);
+        vec2 place = ground * exp2(-octave);
+        ivec2 cell = ivec2(floor(place));
+        vec2 from_middle = place - floor(place) - 0.5;
+        vec2 facet = vec2(hash(cell + ivec2(911, 37)), hash(cell + ivec2(13, 709)));
+        float aligned = 1.0 - smoothstep(0.03, 0.10, distance(1.6 * facet - 0.8, wanted));
+        float spot = 1.0 - smoothstep(0.10, 0.40, length(from_middle - 0.4 * (fract(7.0 * facet) - 0.5)));
+        sum += aligned * spot * max(1.0 - abs(octave - size), 0.0);
+    }
+    return sum * (1.0 - smoothstep(-6.0, -4.0, size));
+}
+
+vec4 near_colour(SeenPlace at) {
     vec3 offset = at.offset;
     vec2 place = bed_place(at);
     vec2 place_along = at.along.xy / extent;
     vec2 place_up = at.up.xy / extent;
-    BedPoint point = bed_point(textureGrad(lighting_map, place, place_along, place_up));
     vec3 to_eye = -normalize(offset);
-    vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);
-    float steep = length(slope);
-    vec2 lee = vec2(-wind.y, wind.x);  // along the crests
-
-    vec2 whole = (whole_eye + offset.xy) / ripple_length;
-    vec2 wander = vec2(dot(whole, wind), 0.45 * dot(whole, lee)) / 7.0;
-    float footprint = abs(turns(at.along)) + abs(turns(at.up));
-    vec3 wave = ripples(offset, wander);
-    float open = textureGrad(wind_map, place, place_along, place_up).r;
     vec4 sand = sand_colour(at);
-    float standing = sand.a * wave.z * (0.75 + 0.35 * value_noise(wander * 0.21 + 9.1)) * smoothstep(0.15, 0.6, open) * (1.0 - smoothstep(0.488, 0.601, steep));
-    float resolved = standing * (1.0 - smoothstep(0.15, 0.45, footprint));
-    vec2 turned = wind - 0.8 * slope;
-    turned /= max(length(turned), 0.2);
-    vec2 tilt = turned * (ripple_slope * resolved * (wave.x - 0.2 * (2.0 * wave.x * wave.x - 1.0)));
+    float open = textureGrad(wind_map, place, place_along, place_up).r;
+    vec3 uneven = vec3(vec2(0.13), 0.4) * sand_grain * sand.a * relief(at);
 
-    // Tongues of sand that slid down steep faces.
-    float slid = smoothstep(0.46, 0.58, steep);
-    float length_down = (offset.z + eye.z) / ripple_length;
-    vec2 down = vec2(dot(whole, lee) / 6.0, length_down / 22.0);
-    float tongue = value_noise(down) + 0.5 * value_noise(2.3 * down + 7.7);
-    slid *= 1.0 - smoothstep(0.3, 0.8, footprint / 6.0);
-    tilt += lee * (0.045 * slid * tongue);
+    vec2 lee = vec2(-wind.y, wind.x);  // along the crests
+    vec2 whole = (whole_eye + offset.xy) / ripple_length;
+    vec2 wandering = vec2(dot(whole, wind), 0.45 * dot(whole, lee)) / 7.0;
+    Wander wander = wander_at(wandering);
+    float phase = turns(offset) + ripple_phase + wander.turns;
+    float footprint = abs(turns(at.along)) + abs(turns(at.up));
+    if (whole_pixels > 0.5) footprint *= 0.5 / crisp;
+    float stand_up = wander.strength * (0.75 + 0.35 * value_noise(wandering * 0.21 + 9.1));
+    float resolved = 1.0 - smoothstep(0.05, 0.3, footprint);
 
-    point.normal = normalize(vec3(-slope - tilt, 1.0));
-    vec3 albedo = albedo_of(sand, 0.10 * sand_grain * grain(at) + 0.03 * slid * tongue);
-    if (marks > 1.5) weather(point.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), rock_share(place));
+    // The sun's share, a mean over the pixel.
+    int parts = whole_pixels > 0.5 ? 2 : 1;
+    float part = 1.0 / float(parts);
+    BedPoint mean = BedPoint(vec3(0.0), 0.0, 0.0);
+    float direct = 0.0;
+    float trough = 0.0;
+    vec2 slope = vec2(0.0);
+    float standing = 0.0;
+    vec2 texels = vec2(textureSize(lighting_map, 0));
+    float level = log2(max(max(length(place_along * texels), length(place_up * texels)) * (whole_pixels > 0.5 ? 0.5 / crisp : 1.0), 1.0));
+    float slid = 0.0;
+    vec2 tongue = vec2(0.0);
+    for (int i = 0; i < parts; ++i) {
+        vec2 aside = whole_pixels > 0.5 ? vec2(float(i) - 0.5, 0.5 - float(i)) * (0.5 / crisp) : vec2(0.0);
+        vec3 to_part = aside.x * at.along + aside.y * at.up;
+        BedPoint point = bed_point(textureLod(lighting_map, place + to_part.xy / extent, level));
+        slope = -point.normal.xy / max(point.normal.z, 0.1);
+        float steep = length(slope);
+        if (i == 0) {
+            slid = smoothstep(0.46, 0.58, steep) * sand.a * (1.0 - smoothstep(0.0, 0.3, open)) * (1.0 - smoothstep(0.3, 0.8, footprint / 4.0));
+            tongue = slid * tongues(whole, (offset.z + eye.z) / ripple_length, vec2(-slope.y, slope.x) / max(steep, 0.1));
+        }
+        standing = stand_up * rippled(sand.a, open, steep);
+        vec2 wave = wave_of(wander, phase + turns(to_part));
+        vec2 facing = facing_of(slope);
+        vec2 tilt = facing * (ripple_slope * standing * resolved * (wave.x - 0.2 * (2.0 * wave.x * wave.x - 1.0)));
+        tilt += vec2(-slope.y, slope.x) / max(steep, 0.1) * (0.07 * tongue.x) + uneven.xy;
+        point.normal = normalize(vec3(-slope - tilt, 1.0));
+        float spread = 0.7 * ripple_slope * standing * (1.0 - resolved) * dot(facing, to_sun.xy);
+        direct += part * point.sun * mean_facing(dot(point.normal, to_sun), spread);
+        mean.normal += part * point.normal;
+        mean.sun += part * point.sun;
+        mean.sky += part * point.sky;
+        trough += part * wave.y;
+    }
+    vec3 albedo = albedo_of(sand, 0.10 * sand_grain * grain(at) + 0.05 * tongue.y + 0.1 * uneven.z);
+    if (marks > 1.5) {
+        weather(mean.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), rock_share(place));
+        direct = mix(direct, mean.sun * max(dot(mean.normal, to_sun), 0.0), rock_share(place));
+    }
+    direct = roughened(direct, mean.normal, to_eye);
     // Troughs see less of the sky.
-    point.sky *= 1.0 + 0.4 * ripple_slope * resolved * (wave.y - 1.0);
-    colour = seen(ground_light(albedo, point, to_eye, 1.0), at, to_eye);
+    mean.sky *= 1.0 + 0.4 * ripple_slope * standing * resolved * (trough - 1.0);
+    vec3 light = ground_light_of(albedo, direct, mean, to_eye, 1.0);
+    light += sun_light * (2.0 * sand_grain * sand.a * mean.sun * glints(at, to_eye));
+    return seen(light, at, to_eye);
 }
+
+void main() { colour = near_colour(near_place()); }

@@ -136,6 +136,8 @@ struct Renderer::Parts {
     std::optional<PlacePass> places;
     gl::DepthBuffer depths;
     gl::RenderTarget seen;  // what each sample sees of the ground
+    std::optional<gl::DepthBuffer> pixel_depths;
+    std::optional<gl::RenderTarget> pixels;  // of endless ground, those that see one place each
     gl::RenderTarget samples;
     gl::RenderTarget surroundings;
     gl::VertexArray no_attributes;
@@ -172,6 +174,11 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(kind)) {
     if (view.look.ground == Ground::endless) {
         world.emplace(view, block, first, refinement, fixed);
+        if (plan.factor > 1) {
+            const Tile& tile = plan.tiles.front();
+            pixel_depths.emplace(tile.width, tile.height);
+            pixels.emplace(tile.width, tile.height, plain_layout(kind), &*pixel_depths);
+        }
     }
     if (first.section)
         air.emplace(block, camera_at(0),
@@ -306,7 +313,15 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
                          first_sample(tile) - target_corner(tile), {tile.width, tile.height});
     }
     if (world) {
-        world->colour_seen(seen.colour(), shading, light, camera, placed);
+        if (pixels) {
+            const PixelSamples at{first_sample(tile) - target_corner(tile), plan.factor};
+            pixels->bind();
+            gl.Clear(everything);
+            world->colour_pixels(seen.colour(), at, shading, light, camera);
+            samples.bind();
+            world->spread_pixels(pixels->colour(), at);
+        }
+        world->colour_seen(seen.colour(), shading, light, camera);
     } else {
         terrain.colour_seen(seen.colour(), shading.colours(), light, camera, placed);
     }
@@ -428,6 +443,9 @@ void Renderer::prepare(const Snapshot& snapshot, const Snapshot& reference, cons
     }
     if (p.air && snapshot.section) p.air->set_air(snapshot, framed, camera, p.pool);
 
+    if (p.world)
+        p.world->look_from(camera, static_cast<double>(p.view.image.height) * p.plan.factor,
+                           p.pool);
     if (p.plants) p.plants->choose(p.plant_ground(camera), camera);
 }
 

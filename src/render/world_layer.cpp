@@ -13,17 +13,18 @@ namespace fumon {
 
 namespace {
 
-const gl::TextureLayout height_layout{
-    GL_R32F, GL_RED, GL_FLOAT, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
 const gl::TextureLayout wind_layout{
     GL_R8, GL_RED, GL_UNSIGNED_BYTE, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
+const gl::TextureLayout relief_layout{
+    GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
+constexpr int relief_texels = 512;
 
-constexpr int rings = 1000;
 constexpr double nearest_share = 0.2;    // of the eye's height above the ground: the first ring
 constexpr double least_nearest = 1e-6;   // block lengths
 constexpr double earth_radius = 6360.0;  // km
 constexpr double pixels_a_ray = 3.0;
 constexpr int detail_unit = 7;
+constexpr int seen_unit = 10;
 constexpr GLint near_stencil = 1;
 constexpr GLint far_stencil = 2;
 
@@ -31,11 +32,12 @@ constexpr double ripple_metres = 0.12;
 constexpr double ripple_cells = 0.3;  // without metres: a hundredth of a dune of 30 cells
 constexpr double steepest = 0.2;
 constexpr double steps_a_ripple = 50.0;  // that it takes to move on by its length
-constexpr double longest_turn = 0.45;  // of a ripple, between two samples, at which it is not seen
+constexpr double longest_turn = 0.3;  // of a ripple, between two samples, at which it is not seen
 
-/// Between two samples in the middle of the picture.
-double sample_angle(const Camera& camera, const TileSamples& tile) {
-    return 2.0 * camera.half.y / static_cast<double>(tile.picture_size.y);
+/// Of those that colour pixels of one ground, or samples of the others.
+gl::Constants for_pixels(gl::Constants fixed, bool whole) {
+    fixed.push_back({"whole_pixels", whole ? 1.0F : 0.0F});
+    return fixed;
 }
 
 }  // namespace
@@ -48,72 +50,58 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
           std::min(block.width_x / first.bed.nx(), block.width_y / first.bed.ny()) / refinement)),
       ripple_length_(first.scale.in_metres ? ripple_metres / block.side
                                            : ripple_cells * cell_ * refinement),
-      seen_program_("world.vert.glsl", "world_seen.frag.glsl", {"ray_and_ring"}),
-      near_colours_("screen.vert.glsl", "world_near.frag.glsl", {}, fixed),
-      far_colours_("screen.vert.glsl", "world_far.frag.glsl", {}, fixed),
-      heights_(first.bed.nx() * refinement, first.bed.ny() * refinement, height_layout),
-      wind_(first.bed.nx() * refinement, first.bed.ny() * refinement, wind_layout) {
+      seen_program_("world.vert.glsl", "world_seen.frag.glsl", {"offset"}),
+      pixel_program_("screen.vert.glsl", "world_pixels.frag.glsl"),
+      spread_program_("screen.vert.glsl", "world_spread.frag.glsl"),
+      near_pixels_("screen.vert.glsl", "world_near.frag.glsl", {}, for_pixels(fixed, true)),
+      far_pixels_("screen.vert.glsl", "world_far.frag.glsl", {}, for_pixels(fixed, true)),
+      near_colours_("screen.vert.glsl", "world_near.frag.glsl", {}, for_pixels(fixed, false)),
+      far_colours_("screen.vert.glsl", "world_far.frag.glsl", {}, for_pixels(fixed, false)),
+      wind_(first.bed.nx() * refinement, first.bed.ny() * refinement, wind_layout),
+      relief_(relief_texels, relief_texels, relief_layout) {
     build();
+    draw_relief();
 }
 
 void WorldLayer::build() {
-    rays_ = static_cast<int>(static_cast<double>(view_.image.width) / pixels_a_ray) + 2;
-    std::vector<glm::vec2> places;
-    places.reserve(static_cast<std::size_t>(rays_) * rings);
-    for (int ring = 0; ring < rings; ++ring) {
-        for (int ray = 0; ray < rays_; ++ray)
-            places.emplace_back(
-                -1.0F + 2.0F * static_cast<float>(ray) / static_cast<float>(rays_ - 1),
-                static_cast<float>(ring - 1) / static_cast<float>(rings - 2));
-    }
-    std::vector<std::uint32_t> triangles;
-    triangles.reserve(6 * places.size());
-    for (int ring = 0; ring + 1 < rings; ++ring) {
-        for (int ray = 0; ray + 1 < rays_; ++ray) {
-            const auto a = static_cast<std::uint32_t>(ring * rays_ + ray);
-            const std::uint32_t b = a + 1;
-            const std::uint32_t c = a + static_cast<std::uint32_t>(rays_);
-            triangles.insert(triangles.end(), {a, b, c, b, c + 1, c});
-        }
-    }
     const gl::Functions& gl = gl::functions();
     gl.BindVertexArray(array_.name());
-    gl.BindBuffer(GL_ARRAY_BUFFER, places_.name());
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(places.size() * sizeof(glm::vec2)),
-                  places.data(), GL_STATIC_DRAW);
-    gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    places_.bind();
+    gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
     gl.EnableVertexAttribArray(0);
-    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.name());
-    gl.BufferData(GL_ELEMENT_ARRAY_BUFFER,
-                  static_cast<GLsizeiptr>(triangles.size() * sizeof(std::uint32_t)),
-                  triangles.data(), GL_STATIC_DRAW);
+    triangles_.bind();
+    gl.BindVertexArray(0);
+}
+
+void WorldLayer::draw_relief() {
+    const gl::Functions& gl = gl::functions();
+    const gl::Program program("screen.vert.glsl", "relief.frag.glsl");
+    relief_.bind();
+    gl.BindVertexArray(no_attributes_.name());
+    gl.Disable(GL_DEPTH_TEST);
+    program.use();
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    relief_.colour().make_mipmaps();
     gl.BindVertexArray(0);
 }
 
 void WorldLayer::set_bed(const Snapshot& snapshot, const RepeatedLight& light) {
-    heights_.upload(light.z.data());
-    heights_.make_mipmaps();
     wind_.upload(light.wind.data());
     wind_.make_mipmaps();
-    z_ = light.z;
-    highest_ = *std::ranges::max_element(z_.values());
+    heights_.emplace(light.z);
     step_ = snapshot.step;
     way_ = prevailing_way(snapshot);
 }
 
 double WorldLayer::ground_under(const glm::dvec3& eye) const {
-    const auto cell = [](double share, int count) {
-        const double within = share - std::floor(share);
-        return std::min(static_cast<int>(within * count), count - 1);
-    };
-    return z_(cell(eye.x / block_.width_x + 0.5, z_.nx()),
-              cell(eye.y / block_.width_y + 0.5, z_.ny()));
+    return static_cast<double>(
+        heights_->at(0, eye.x / block_.width_x + 0.5, eye.y / block_.width_y + 0.5));
 }
 
 /// As wide as the picture's corners reach, all around where it looks down on itself; from the
 /// ground under the camera to where the planet's curvature hides the highest crests.
-WorldLayer::Fan WorldLayer::fan_of(const Camera& camera) const {
-    Fan fan;
+GroundFan WorldLayer::fan_of(const Camera& camera) const {
+    GroundFan fan;
     const glm::dvec2 level(camera.forward.x, camera.forward.y);
     const double length = glm::length(level);
     if (length > 1e-6) fan.heading = level / length;
@@ -133,29 +121,39 @@ WorldLayer::Fan WorldLayer::fan_of(const Camera& camera) const {
     fan.nearest =
         std::max(nearest_share * (camera.eye.z - ground_under(camera.eye)), least_nearest);
     // Where the whole bed lies under the eye, nothing nearer than the steepest ray's foot is seen.
+    const auto highest = static_cast<double>(heights_->highest());
     if (fan.half_angle < std::numbers::pi)
-        fan.nearest = std::max(fan.nearest, 0.9 * (camera.eye.z - highest_) * least_run);
+        fan.nearest = std::max(fan.nearest, 0.9 * (camera.eye.z - highest) * least_run);
     const double twice_radius = 2.0 * earth_radius / block_.kilometres;
     const auto horizon = [&](double height) {
         return std::sqrt(std::max(height, 0.0) * twice_radius);
     };
-    const double lowest = block_.surface - (highest_ - block_.surface);
-    fan.farthest = std::max(1.1 * (horizon(camera.eye.z - lowest) + horizon(highest_ - lowest)),
+    const double lowest = block_.surface - (highest - block_.surface);
+    fan.farthest = std::max(1.1 * (horizon(camera.eye.z - lowest) + horizon(highest - lowest)),
                             1e3 * fan.nearest);
+    fan.rays = static_cast<int>(static_cast<double>(view_.image.width) / pixels_a_ray) + 2;
+    fan.eye = reduced_eye(camera);
+    fan.extent = glm::dvec2(block_.width_x, block_.width_y);
+    fan.cell = static_cast<double>(cell_);
+    fan.curvature = static_cast<double>(curvature());
+    fan.near_to = near_to_;
     return fan;
 }
 
-void WorldLayer::set_eye(const gl::Program& program, const Camera& camera) const {
+glm::dvec3 WorldLayer::reduced_eye(const Camera& camera) const {
     const auto reduced = [](double place, double extent) {
         return place - extent * std::floor(place / extent + 0.5);
     };
-    const glm::dvec3 eye(reduced(camera.eye.x, block_.width_x),
-                         reduced(camera.eye.y, block_.width_y), camera.eye.z);
-    program.set("eye", glm::vec3(eye));
+    return {reduced(camera.eye.x, block_.width_x), reduced(camera.eye.y, block_.width_y),
+            camera.eye.z};
+}
+
+void WorldLayer::set_eye(const gl::Program& program, const Camera& camera) const {
+    program.set("eye", glm::vec3(reduced_eye(camera)));
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
 }
 
-glm::mat4 WorldLayer::clip_from_eye(const Camera& camera, const Fan& fan) {
+glm::mat4 WorldLayer::clip_from_eye(const Camera& camera, const GroundFan& fan) {
     Camera at_origin = camera;
     at_origin.eye = glm::dvec3(0.0);
     at_origin.near_depth = 0.5 * fan.nearest;
@@ -171,26 +169,23 @@ float WorldLayer::curvature() const {
     return static_cast<float>(block_.kilometres / (2.0 * earth_radius));
 }
 
-void WorldLayer::set_fan(const gl::Program& program, const Fan& fan, const Camera& camera,
-                         const TileSamples& tile) const {
-    program.set("clip_from_eye", clip_from_eye(camera, fan));
-    program.set("heading", glm::vec2(fan.heading));
-    program.set("half_angle", static_cast<float>(fan.half_angle));
-    program.set("nearest", static_cast<float>(fan.nearest));
-    const double reach = elementary::log(fan.farthest / fan.nearest);
-    program.set("reach", static_cast<float>(reach));
-    program.set("ray_spacing", static_cast<float>(2.0 * fan.half_angle / rays_));
-    program.set("ring_spacing", static_cast<float>(reach / (rings - 2)));
-    program.set("cell", cell_);
-    program.set("curvature", curvature());
-    program.set("picture_size", tile.picture_size);
-    program.set("tile_corner", tile.corner);
-    program.set("tile_size", tile.size);
+void WorldLayer::look_from(const Camera& camera, double samples_high, WorkerPool& pool) {
+    sample_angle_ = 2.0 * camera.half.y / samples_high;
+    // Beyond that distance a sample spans too much of a ripple.
+    near_to_ = 2.0 * longest_turn * ripple_length_ / sample_angle_;
+    GroundMesh mesh = ground_mesh(fan_of(camera), *heights_, pool);
+    near_indices_ = static_cast<GLsizei>(mesh.near_triangles.size());
+    far_indices_ = static_cast<GLsizei>(mesh.far_triangles.size());
+    mesh.near_triangles.insert(mesh.near_triangles.end(), mesh.far_triangles.begin(),
+                               mesh.far_triangles.end());
+    gl::functions().BindVertexArray(array_.name());
+    places_.fill(mesh.places);
+    triangles_.fill(mesh.near_triangles);
+    gl::functions().BindVertexArray(0);
 }
 
-void WorldLayer::set_detail(const gl::Program& program, const Camera& camera,
-                            const TileSamples& tile) const {
-    program.set("sample_angle", static_cast<float>(sample_angle(camera, tile)));
+void WorldLayer::set_detail(const gl::Program& program, const Camera& camera) const {
+    program.set("sample_angle", static_cast<float>(sample_angle_));
     const glm::dvec2 wind(way_.x, way_.y);
     program.set("wind", glm::vec2(wind));
     program.set("ripple_length", static_cast<float>(ripple_length_));
@@ -202,68 +197,110 @@ void WorldLayer::set_detail(const gl::Program& program, const Camera& camera,
     program.set("whole_eye", glm::vec2(camera.eye));
 }
 
-void WorldLayer::draw_rings(int first, int last) const {
-    if (last <= first) return;
-    const std::size_t indices = 6 * static_cast<std::size_t>(rays_ - 1);
-    const std::size_t from = sizeof(std::uint32_t) * indices * static_cast<std::size_t>(first);
-    gl::functions().DrawElements(
-        GL_TRIANGLES, static_cast<GLsizei>(indices * static_cast<std::size_t>(last - first)),
-        GL_UNSIGNED_INT, reinterpret_cast<const void*>(from));
-}
-
-int WorldLayer::first_far_ring(const Fan& fan, const Camera& camera,
-                               const TileSamples& tile) const {
-    // Beyond that distance a sample spans too much of a ripple.
-    const double seen_to = 2.0 * longest_turn * ripple_length_ / sample_angle(camera, tile);
-    const double share = elementary::log(std::max(seen_to / fan.nearest, 1.0)) /
-                         elementary::log(fan.farthest / fan.nearest);
-    // Of log radius = reach · u · (0.6 + 0.4 u).
-    const double u = 1.25 * (std::sqrt(0.36 + 1.6 * std::clamp(share, 0.0, 1.0)) - 0.6);
-    return std::min(static_cast<int>(std::ceil(u * (rings - 2))) + 1, rings - 1);
-}
-
 void WorldLayer::draw_seen(const Camera& camera, const TileSamples& tile) const {
     const gl::Functions& gl = gl::functions();
     gl.Enable(GL_DEPTH_TEST);
     gl.Enable(GL_STENCIL_TEST);
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    const Fan fan = fan_of(camera);
-    const int first_far = first_far_ring(fan, camera, tile);
     seen_program_.use();
-    heights_.bind(detail_unit - 1);
-    seen_program_.set("height_map", detail_unit - 1);
-    set_eye(seen_program_, camera);
-    set_fan(seen_program_, fan, camera, tile);
+    seen_program_.set("clip_from_eye", clip_from_eye(camera));
+    seen_program_.set("picture_size", tile.picture_size);
+    seen_program_.set("tile_corner", tile.corner);
+    seen_program_.set("tile_size", tile.size);
     gl.BindVertexArray(array_.name());
+    const auto draw = [&](GLint stencil, GLsizei first, GLsizei count) {
+        if (count == 0) return;
+        gl.StencilFunc(GL_ALWAYS, stencil, 0xFF);
+        gl.DrawElements(
+            GL_TRIANGLES, count, GL_UNSIGNED_INT,
+            reinterpret_cast<const void*>(sizeof(std::uint32_t) * static_cast<std::size_t>(first)));
+    };
+    draw(near_stencil, 0, near_indices_);
+    draw(far_stencil, near_indices_, far_indices_);
+    gl.Disable(GL_STENCIL_TEST);
+    gl.BindVertexArray(0);
+}
+
+void WorldLayer::bind(const gl::Program& program, const gl::Texture2D& seen,
+                      const BedShading& shading, const Light& light, const Camera& camera) const {
+    program.use();
+    shading.bind(program);
+    set_light(program, view_, light, camera, block_);
+    wind_.bind(detail_unit);
+    program.set("wind_map", detail_unit);
+    shading.colours().bind(detail_unit + 1);
+    program.set("albedo_map", detail_unit + 1);
+    relief_.colour().bind(detail_unit + 2);
+    program.set("relief_map", detail_unit + 2);
+    seen.bind(seen_unit);
+    program.set("offsets", seen_unit);
+    set_eye(program, camera);
+    set_detail(program, camera);
+}
+
+void WorldLayer::colour_pixels(const gl::Texture2D& seen, const PixelSamples& at,
+                               const BedShading& shading, const Light& light,
+                               const Camera& camera) const {
+    const gl::Functions& gl = gl::functions();
+    gl.Enable(GL_DEPTH_TEST);
+    gl.Enable(GL_STENCIL_TEST);
+    gl.BindVertexArray(no_attributes_.name());
+    const auto set_pixels = [&](const gl::Program& program) {
+        program.set("first_sample", glm::vec2(at.first));
+        program.set("factor", at.factor);
+    };
+    seen.bind(seen_unit);
+    pixel_program_.use();
+    set_pixels(pixel_program_);
+    pixel_program_.set("offsets", seen_unit);
+    pixel_program_.set("near_to", static_cast<float>(near_to_));
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     gl.StencilFunc(GL_ALWAYS, near_stencil, 0xFF);
-    draw_rings(0, first_far);
-    gl.StencilFunc(GL_ALWAYS, far_stencil, 0xFF);
-    draw_rings(first_far, rings - 1);
+    gl.DepthFunc(GL_ALWAYS);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    gl.StencilFunc(GL_EQUAL, near_stencil, 0xFF);
+    gl.DepthMask(GL_FALSE);
+    for (const bool near : {true, false}) {
+        const gl::Program& program = near ? near_pixels_ : far_pixels_;
+        bind(program, seen, shading, light, camera);
+        set_pixels(program);
+        gl.DepthFunc(near ? GL_GREATER : GL_LESS);  // of the screen's triangle in the middle
+        gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    gl.DepthMask(GL_TRUE);
+    gl.DepthFunc(GL_LESS);
+    gl.Disable(GL_DEPTH_TEST);
+    gl.Disable(GL_STENCIL_TEST);
+    gl.BindVertexArray(0);
+}
+
+void WorldLayer::spread_pixels(const gl::Texture2D& pixels, const PixelSamples& at) const {
+    const gl::Functions& gl = gl::functions();
+    gl.Disable(GL_DEPTH_TEST);
+    gl.Enable(GL_STENCIL_TEST);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    gl.StencilFunc(GL_ALWAYS, 0, 0xFF);
+    gl.BindVertexArray(no_attributes_.name());
+    spread_program_.use();
+    spread_program_.set("first_sample", glm::vec2(at.first));
+    spread_program_.set("factor", at.factor);
+    pixels.bind(seen_unit);
+    spread_program_.set("pixels", seen_unit);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
     gl.Disable(GL_STENCIL_TEST);
     gl.BindVertexArray(0);
 }
 
 void WorldLayer::colour_seen(const gl::Texture2D& seen, const BedShading& shading,
-                             const Light& light, const Camera& camera,
-                             const TileSamples& tile) const {
+                             const Light& light, const Camera& camera) const {
     const gl::Functions& gl = gl::functions();
     gl.Disable(GL_DEPTH_TEST);
     gl.Enable(GL_STENCIL_TEST);
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     gl.BindVertexArray(no_attributes_.name());
     for (const bool near : {true, false}) {
-        const gl::Program& program = near ? near_colours_ : far_colours_;
-        program.use();
-        shading.bind(program);
-        set_light(program, view_, light, camera, block_);
-        wind_.bind(detail_unit);
-        program.set("wind_map", detail_unit);
-        shading.colours().bind(detail_unit + 1);
-        program.set("albedo_map", detail_unit + 1);
-        seen.bind(detail_unit + 2);
-        program.set("offsets", detail_unit + 2);
-        set_eye(program, camera);
-        set_detail(program, camera, tile);
+        bind(near ? near_colours_ : far_colours_, seen, shading, light, camera);
         gl.StencilFunc(GL_EQUAL, near ? near_stencil : far_stencil, 0xFF);
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
     }

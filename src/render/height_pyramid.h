@@ -1,0 +1,51 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/grid.h"
+
+namespace fumon {
+
+/// Heights of a periodic bed, and their means over squares of 2, 4, 8 … cells.
+class HeightPyramid {
+  public:
+    explicit HeightPyramid(const Field<float>& heights);
+
+    [[nodiscard]] const Field<float>& finest() const { return levels_.front(); }
+    [[nodiscard]] int levels() const { return static_cast<int>(levels_.size()); }
+    /// Between the four nearest means of a level. `east` and `north` count periods: 0 and 1 are the
+    /// bed's two ends.
+    [[nodiscard]] float at(int level, double east, double north) const {
+        const Field<float>& field = levels_[static_cast<std::size_t>(level)];
+        const Between x = between(east, field.nx());
+        const Between y = between(north, field.ny());
+        const float* below = field.row(y.first).data();
+        const float* above = field.row(y.second).data();
+        const float south = below[x.first] + x.share * (below[x.second] - below[x.first]);
+        const float over = above[x.first] + x.share * (above[x.second] - above[x.first]);
+        return south + y.share * (over - south);
+    }
+    [[nodiscard]] float highest() const { return highest_; }
+
+  private:
+    struct Between {
+        int first;
+        int second;
+        float share;  ///< of the second
+    };
+    static Between between(double periods, int count) {
+        const double whole = static_cast<double>(static_cast<std::int64_t>(periods));
+        double place = (periods - whole) * count - 0.5;
+        if (place < 0.0) place += count;
+        const int first = std::min(static_cast<int>(place), count - 1);
+        return {first, first + 1 == count ? 0 : first + 1, static_cast<float>(place - first)};
+    }
+
+    std::vector<Field<float>> levels_;
+    float highest_ = 0.0F;
+};
+
+}  // namespace fumon
