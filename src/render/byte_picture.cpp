@@ -46,7 +46,8 @@ void BytePicture::resolve(const Tile& tile, int factor, const glm::ivec2& from, 
         pool.for_ranges(rows, [&](int begin, int end) {
             RowOfSamples row(tile.width, factor);
             for (int y = begin; y < end; ++y) {
-                const auto above = static_cast<std::size_t>((rows - 1 - y) * factor);
+                const int first_above = (rows - 1 - y) * factor;
+                const auto above = static_cast<std::size_t>(first_above);
                 for (int j = 0; j < factor; ++j)
                     row.add(samples_read_.data() + length * (above + static_cast<std::size_t>(j)));
                 const int in_tile = upper + y;

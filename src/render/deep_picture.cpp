@@ -83,10 +83,12 @@ void DeepPicture::resolve(const Tile& tile, int factor, const glm::ivec2& from, 
         pool.for_ranges(rows, [&](int begin, int end) {
             std::vector<float> pixels(4 * width);
             for (int y = begin; y < end; ++y) {
-                const auto in_tile = static_cast<std::size_t>(upper + y);
-                const auto row = static_cast<std::size_t>((rows - 1 - y) * factor);
-                resolve_deep(samples_.data() + length * row, tile.width, factor, kind_,
-                             open_ ? nullptr : behind_.data() + 4 * width * in_tile, pixels.data());
+                const int row_of_tile = upper + y;
+                const auto in_tile = static_cast<std::size_t>(row_of_tile);
+                const int above = (rows - 1 - y) * factor;
+                resolve_deep(samples_.data() + length * static_cast<std::size_t>(above), tile.width,
+                             factor, kind_, open_ ? nullptr : behind_.data() + 4 * width * in_tile,
+                             pixels.data());
                 const std::size_t first = (static_cast<std::size_t>(tile.y) + in_tile) *
                                               static_cast<std::size_t>(width_) +
                                           static_cast<std::size_t>(tile.x);
@@ -106,13 +108,13 @@ Image DeepPicture::display() const {
     for (std::size_t i = 0; i < channels_[0].size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
             const double value = std::clamp(static_cast<double>(channels_[c][i]), 0.0, 1.0);
-            const auto level = static_cast<unsigned>(65535.0 * value + 0.5);
-            image.rgb16[3 * i + c] = static_cast<std::uint16_t>(level);
-            image.rgb[3 * i + c] = rounded_to_8(static_cast<std::uint16_t>(level));
+            const auto level = static_cast<std::uint16_t>(std::lround(65535.0 * value));
+            image.rgb16[3 * i + c] = level;
+            image.rgb[3 * i + c] = rounded_to_8(level);
         }
         if (open_) {
-            image.alpha[i] =
-                static_cast<std::uint8_t>(255.0 * static_cast<double>(channels_[3][i]) + 0.5);
+            image.alpha[i] = static_cast<std::uint8_t>(
+                std::lround(255.0 * static_cast<double>(channels_[3][i])));
         }
     }
     if (!open_) return image;

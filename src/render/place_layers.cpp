@@ -178,15 +178,18 @@ void set_matrices(LayeredImage& image, const Block& block, const Camera& camera)
     // Rows times matrix, of points in the layers' lengths.
     const glm::dvec3 origin(0.5 * block.width_x, 0.5 * block.width_y, -block.z(0.0));
     const auto fill = [&](std::array<float, 16>& to, const glm::dmat4& from_block) {
+        const auto number = [&to](int row, int column) -> float& {
+            const int at = 4 * row + column;
+            return to.at(static_cast<std::size_t>(at));
+        };
         for (int column = 0; column < 4; ++column) {
             double shift = from_block[3][column];
             for (int row = 0; row < 3; ++row) {
                 const double factor = from_block[row][column];
-                to.at(static_cast<std::size_t>(4 * row + column)) =
-                    static_cast<float>(factor / block.side);
+                number(row, column) = static_cast<float>(factor / block.side);
                 shift -= factor * origin[row];
             }
-            to.at(static_cast<std::size_t>(12 + column)) = static_cast<float>(shift);
+            number(3, column) = static_cast<float>(shift);
         }
     };
     glm::dmat4 to_camera(1.0);

@@ -172,10 +172,10 @@ TEST(CommandLine, PicturesAndScenesAreToldApart) {
             "a.png: is a picture; a scene is TOML: [section] lines and key = value lines; what "
             "fumon has drawn, `fumon again a.png` makes again\n");
     }
-    EXPECT_EQ(
-        fumon({"again", "scene.toml"}, folder.path()).errors,
-        "scene.toml: is no picture; fumon again takes a PNG, OpenEXR, MP4, PDF or SVG that fumon made; "
-        "`fumon run scene.toml -o DIR` runs a scene\n");
+    EXPECT_EQ(fumon({"again", "scene.toml"}, folder.path()).errors,
+              "scene.toml: is no picture; fumon again takes a PNG, OpenEXR, MP4, PDF or SVG that "
+              "fumon made; "
+              "`fumon run scene.toml -o DIR` runs a scene\n");
 }
 
 TEST(CommandLine, AShippedSceneIsFoundByItsNameFromAnywhere) {

@@ -264,7 +264,7 @@ TEST_F(ReplacedFiles, AnUnknownEndingIsRefusedBeforeAnythingIsRead) {
     const auto refused = [&](const Words& words, const std::string& what) {
         expect_refused(words, what + "\n");
     };
-    refused({"still", "no.toml", "-o", "a.gif"}, "a.gif: the name of a picture ends in .png");
+    refused({"still", "no.toml", "-o", "a.gif"}, "a.gif: the name of a picture ends in .png, .exr");
     refused({"compare", "no.png", "no.png", "--diff", "d.jpg"},
             "d.jpg: the name of a picture ends in .png");
     refused({"verify", "no.toml", "--junit", "j.html"},

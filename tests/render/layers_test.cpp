@@ -93,7 +93,21 @@ void expect_consistent(const LayeredImage& image, const Snapshot& bed, bool plai
             ASSERT_NEAR(through(image.world_to_picture, 1) / w * image.height, y + 0.5, 0.02);
             ASSERT_NEAR(through(image.world_to_camera, 2), z[i], 2e-5 * z[i] + 1e-3);
             const float height = layer(image, "field.height")[i];
-            if (std::isnan(height)) continue;
+            if (std::isnan(height)) {  // a side or the plain: it faces the eye
+                double away = 0.0;
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    const std::array<double, 3> normal{layer(image, "normal.X")[i],
+                                                       layer(image, "normal.Y")[i],
+                                                       layer(image, "normal.Z")[i]};
+                    double along = 0.0;
+                    for (std::size_t row = 0; row < 3; ++row)
+                        along += normal.at(row) *
+                                 static_cast<double>(image.world_to_camera.at(4 * row + axis));
+                    away += along * through(image.world_to_camera, axis);
+                }
+                ASSERT_LT(away, 0.0);
+                continue;
+            }
             ++beds;
             const auto cell = [](double place, int count) {
                 const int number = static_cast<int>(std::floor(place / 2.0));
@@ -218,7 +232,7 @@ TEST(Persons, StandOnTheBedAndAreAsTallAsPeople) {
     bed.bed = Grid(40, 30, 3.0);
     for (const bool periodic : {false, true}) {
         bed = in_metres(bed, periodic);  // 80 m by 60 m, 1.5 m high
-        View view = small_view(160, 120);
+        View view = small_view(120, 90);
         view.look.exaggeration = {"", 1.0};
         view.camera.at = {40.0, 22.0, 1.6};
         view.camera.look_at = {40.0, 30.0, 1.0};
@@ -239,8 +253,43 @@ TEST(Persons, StandOnTheBedAndAreAsTallAsPeople) {
             top = std::max(top, z);
             foot = std::min(foot, z);
         }
-        EXPECT_NEAR(top, 1.5 + 1.75, 0.04) << periodic;  // a pixel is 3 cm high there
+        EXPECT_NEAR(top, 1.5 + 1.75, 0.05) << periodic;  // a pixel is 4 cm high there
         EXPECT_NEAR(foot, 1.5, 0.06) << periodic;
+    }
+}
+
+TEST(Persons, CastTheirShadowsAwayFromTheSun) {
+    Snapshot bed;
+    bed.bed = Grid(40, 30, 3.0);
+    for (const bool periodic : {false, true}) {
+        bed = in_metres(bed, periodic);
+        View view = small_view(120, 90);
+        view.look.exaggeration = {"", 1.0};
+        view.look.ripples = 0.0;
+        view.look.grain = 0.0;
+        view.camera.at = {40.0, 20.0, 6.0};
+        view.camera.look_at = {40.0, 30.0, 0.0};
+        view.sun.azimuth = 270.0;
+        view.sun.elevation = 30.0;
+        const LayeredImage without = layers_of(view, bed);
+        view.persons.resize(1);
+        view.persons[0].at = {40.0, 30.0};
+        const LayeredImage with = layers_of(view, bed);
+        // How much of the light is left near a point on the ground.
+        const auto left = [&](float east) {
+            double least = 2.0;
+            for (std::size_t i = 0; i < layer(with, "Z").size(); ++i) {
+                const bool there = std::abs(layer(without, "position.X")[i] - east) < 0.15F &&
+                                   std::abs(layer(without, "position.Y")[i] - 30.0F) < 0.15F;
+                if (there)
+                    least = std::min(least, static_cast<double>(layer(with, "R")[i]) /
+                                                static_cast<double>(layer(without, "R")[i]));
+            }
+            return least;
+        };
+        EXPECT_LT(left(42.0F), 0.6) << periodic;  // of the chest, 1.15 m high
+        EXPECT_NEAR(left(38.0F), 1.0, 1e-6) << periodic;
+        EXPECT_NEAR(left(44.0F), 1.0, 1e-6) << periodic;  // the hat's ends at 43.2 m
     }
 }
 

@@ -29,7 +29,10 @@ ny = 20
 steps = 8
 [frames]
 every = 8
+[look]
+ground = "table"
 [image]
+supersampling = 1
 width = 64
 height = 48
 [[overlay]]
@@ -54,9 +57,6 @@ TEST_F(LightFiles, AStillIsMadeAgainToTheByte) {
     EXPECT_NE(again.errors.find("a-again.exr: the same pixels as a.exr"), std::string::npos)
         << again.errors;
     EXPECT_EQ(read_text(folder_ / "a.exr"), read_text(folder_ / "a-again.exr"));
-    const Ended kept = run({"still", "scene.toml", "-o", "a.exr"});
-    EXPECT_EQ(kept.status, 0) << kept.errors;  // fumon's own
-
     ASSERT_EQ(run({"again", "a.exr", "-o", "b.png"}).status, 0);
     EXPECT_EQ(read_png(folder_ / "b.png").width, 64);
 }
