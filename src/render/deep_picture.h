@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/image.h"
-#include "render/pixel_kind.h"
+#include "render/colour/pixel_kind.h"
 #include "render/tiles.h"
 
 namespace fumon {

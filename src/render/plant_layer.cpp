@@ -7,7 +7,8 @@
 
 #include "base/elementary.h"
 #include "base/elementary_power.h"
-#include "render/drawn_height.h"
+#include "base/snapshot_lookup.h"
+#include "render/view/drawn_height.h"
 
 namespace fumon {
 
@@ -43,6 +44,13 @@ double pixel_angle(const Camera& camera, const View& view) {
 }
 
 }  // namespace
+
+bool draws_plants(const View& view, const Snapshot& first) {
+    return view.look.plants > 0.0 && view.look.mode == ViewMode::scenic &&
+           view.camera.projection == Projection::perspective &&
+           (find_named(first.fields, "grass") != nullptr ||
+            find_named(first.fields, "shrubs") != nullptr);
+}
 
 PlantLayer::PlantLayer(const View& view, const Block& block, const gl::Constants& fixed)
     : view_(view),

@@ -19,6 +19,9 @@
 
 namespace fumon {
 
+/// Whether a view draws the plants of such beds.
+bool draws_plants(const View& view, const Snapshot& first);
+
 /// How the ground that plants stand on is drawn.
 struct PlantGround {
     glm::mat4 clip{1.0F};    ///< world to clip coordinates, or of offsets from the eye

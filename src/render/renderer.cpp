@@ -62,21 +62,6 @@ TilePlan plan_of(const View& view, const RenderLimits& limits) {
 
 const gl::TextureLayout sky_layout{GL_RGB32F, GL_RGB, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
 
-/// Of what a sample sees: a place on the block, or an offset from the eye over endless ground.
-gl::TextureLayout seen_layout(Ground ground) {
-    gl::TextureLayout layout{GL_RG16, GL_RG, GL_UNSIGNED_SHORT, GL_NEAREST, 0, GL_CLAMP_TO_EDGE};
-    if (ground == Ground::endless)
-        layout = {GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_NEAREST, 0, GL_CLAMP_TO_EDGE};
-    return layout;
-}
-
-bool draws_plants(const View& view, const Snapshot& first) {
-    return view.look.plants > 0.0 && view.look.mode == ViewMode::scenic &&
-           view.camera.projection == Projection::perspective &&
-           (find_named(first.fields, "grass") != nullptr ||
-            find_named(first.fields, "shrubs") != nullptr);
-}
-
 /// What lies dark on the plain around the block; nothing where no plain is drawn.
 FloorMap floor_of(const View& view, const Snapshot& first, const Block& block, int refinement,
                   WorkerPool& pool) {

@@ -5,7 +5,7 @@
 
 #include "base/image.h"
 #include "base/snapshot.h"
-#include "render/pixel_kind.h"
+#include "render/colour/pixel_kind.h"
 #include "render/view/camera.h"
 #include "scene/scene.h"
 

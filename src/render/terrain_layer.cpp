@@ -80,6 +80,13 @@ ScreenScale screen_scale(const Camera& camera, const View& view, const Block& bl
 
 }  // namespace
 
+gl::TextureLayout seen_layout(Ground ground) {
+    gl::TextureLayout layout{GL_RG16, GL_RG, GL_UNSIGNED_SHORT, GL_NEAREST, 0, GL_CLAMP_TO_EDGE};
+    if (ground == Ground::endless)
+        layout = {GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_NEAREST, 0, GL_CLAMP_TO_EDGE};
+    return layout;
+}
+
 TerrainLayer::TerrainLayer(const View& view, const Block& block, const gl::Constants& fixed)
     : view_(view),
       block_(block),

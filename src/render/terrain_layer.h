@@ -22,6 +22,9 @@ struct TileSamples {
     glm::vec2 size;
 };
 
+/// Of what a sample sees: a place on the block, or an offset from the eye over endless ground.
+gl::TextureLayout seen_layout(Ground ground);
+
 /// The block: the bed's surface, coloured by a shaded texture, and its sides.
 class TerrainLayer {
   public:
