@@ -67,7 +67,7 @@ float glints(SeenPlace at, vec3 to_eye) {
         ivec2 cell = ivec2(floor(place));
         vec2 from_middle = place - floor(place) - 0.5;
         vec2 facet = vec2(hash(cell + ivec2(911, 37)), hash(cell + ivec2(13, 709)));
-        float aligned = 1.0 - smoothstep(0.03, 0.10, distance(1.6 * facet - 0.8, wanted));
+        float aligned = 1.0 - smoothstep(0.02, 0.08, distance(1.6 * facet - 0.8, wanted));
         float spot = 1.0 - smoothstep(0.10, 0.40, length(from_middle - 0.4 * (fract(7.0 * facet) - 0.5)));
         sum += aligned * spot * max(1.0 - abs(octave - size), 0.0);
     }
@@ -138,7 +138,7 @@ vec4 near_colour(SeenPlace at) {
     // Troughs see less of the sky.
     mean.sky *= 1.0 + 0.4 * ripple_slope * standing * resolved * (trough - 1.0);
     vec3 light = ground_light_of(albedo, direct, mean, to_eye, 1.0);
-    light += sun_light * (2.0 * sand_grain * sand.a * mean.sun * glints(at, to_eye));
+    light += sun_light * (0.4 * sand_grain * sand.a * mean.sun * glints(at, to_eye));
     return seen(light, at, to_eye);
 }
 
