@@ -14,7 +14,7 @@ namespace fumon {
 
 namespace {
 
-constexpr int samples_in_a_band = 1 << 17;  // read at once: 2 MiB
+constexpr int deep_samples_in_a_band = 1 << 17;  // read at once: 2 MiB
 
 }  // namespace
 
@@ -73,7 +73,7 @@ void DeepPicture::read_background(const Tile& tile) {
 void DeepPicture::resolve(const Tile& tile, int factor, const glm::ivec2& from, WorkerPool& pool) {
     const auto width = static_cast<std::size_t>(tile.width);
     const std::size_t length = 4 * width * static_cast<std::size_t>(factor);
-    const int band = std::max(1, samples_in_a_band / (tile.width * factor * factor));
+    const int band = std::max(1, deep_samples_in_a_band / (tile.width * factor * factor));
     samples_.resize(length * static_cast<std::size_t>(band * factor));
     for (int upper = 0; upper < tile.height; upper += band) {
         const int rows = std::min(band, tile.height - upper);

@@ -20,7 +20,7 @@ const glm::vec3 shoes{0.060F, 0.045F, 0.035F};
 const glm::vec3 pack{0.060F, 0.090F, 0.055F};
 
 /// An ellipse of a limb: its middle and half its width and depth.
-struct Ring {
+struct BodyRing {
     glm::dvec3 middle;
     double width;
     double depth;
@@ -35,12 +35,12 @@ double between_points(double a, double b, double c, double d, double t) {
            0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)));
 }
 
-Ring ring_between(const std::vector<Ring>& rings, std::size_t i, double t) {
-    const Ring& b = rings[i];
-    const Ring& c = rings[i + 1];
-    const Ring& a = i > 0 ? rings[i - 1] : b;
-    const Ring& d = i + 2 < rings.size() ? rings[i + 2] : c;
-    Ring ring{};
+BodyRing ring_between(const std::vector<BodyRing>& rings, std::size_t i, double t) {
+    const BodyRing& b = rings[i];
+    const BodyRing& c = rings[i + 1];
+    const BodyRing& a = i > 0 ? rings[i - 1] : b;
+    const BodyRing& d = i + 2 < rings.size() ? rings[i + 2] : c;
+    BodyRing ring{};
     for (int axis = 0; axis < 3; ++axis)
         ring.middle[axis] =
             between_points(a.middle[axis], b.middle[axis], c.middle[axis], d.middle[axis], t);
@@ -78,14 +78,14 @@ void add_surface(std::vector<PersonCorner>& mesh, const std::vector<std::vector<
 }
 
 /// Level ellipses from below upward, rounded off at both ends.
-void add_limb(std::vector<PersonCorner>& mesh, const std::vector<Ring>& rings,
+void add_limb(std::vector<PersonCorner>& mesh, const std::vector<BodyRing>& rings,
               const glm::vec3& colour) {
-    std::vector<Ring> all;
-    const auto add_end = [&](const Ring& end, double way) {
+    std::vector<BodyRing> all;
+    const auto add_end = [&](const BodyRing& end, double way) {
         constexpr std::array shares{0.05, 0.45, 0.8};
         for (std::size_t k = 0; k < shares.size(); ++k) {
             const double share = way < 0.0 ? shares.at(k) : shares.at(shares.size() - 1 - k);
-            Ring round = end;
+            BodyRing round = end;
             round.width *= share;
             round.depth *= share;
             round.middle.z += way * std::sqrt(1.0 - share * share) * std::min(end.width, end.depth);
@@ -101,7 +101,7 @@ void add_limb(std::vector<PersonCorner>& mesh, const std::vector<Ring>& rings,
     add_end(rings.back(), 1.0);
     std::vector<std::vector<glm::dvec3>> rows;
     rows.reserve(all.size());
-    for (const Ring& ring : all) {
+    for (const BodyRing& ring : all) {
         std::vector<glm::dvec3>& row = rows.emplace_back();
         for (int side = 0; side < sides; ++side) {
             const double angle = 2.0 * std::numbers::pi * side / sides;
