@@ -107,7 +107,7 @@ double cpu_seconds_of_task(const std::filesystem::path& task) {
 
 std::filesystem::path program_file() {
     std::error_code ignored;
-    const auto file = std::filesystem::read_symlink("/proc/self/exe", ignored);
+    auto file = std::filesystem::read_symlink("/proc/self/exe", ignored);
     if (!file.empty()) return file;
     // Without /proc, as in a bare change of root: what the kernel was told to execute.
     const auto* const executed = reinterpret_cast<const char*>(::getauxval(AT_EXECFN));

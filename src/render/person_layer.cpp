@@ -19,7 +19,7 @@ namespace fumon {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr int height_unit = 7;
+constexpr int ground_unit = 7;
 constexpr int points_of_sun = 7;  // as many as three bits count
 constexpr GLuint shadow_bits = 0xE0;
 constexpr GLint first_shadow_bit = 0x20;
@@ -159,8 +159,8 @@ void PersonLayer::draw_shadows(const PlantGround& ground, const BedShading& shad
     set_common(shadow_program_, ground, tile);
     shading.bind(shadow_program_);
     set_light(shadow_program_, view_, light, camera, block_);
-    heights_->bind(height_unit);
-    shadow_program_.set("height_map", height_unit);
+    heights_->bind(ground_unit);
+    shadow_program_.set("height_map", ground_unit);
     shadow_program_.set("curvature", ground.curvature);
     shadow_program_.set("height_origin", ground.endless ? static_cast<float>(camera.eye.z) : 0.0F);
     shadow_program_.set("share", 1.0F / points_of_sun);
