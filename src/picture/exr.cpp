@@ -26,8 +26,8 @@ namespace {
 
 constexpr std::string_view magic = "\x76\x2f\x31\x01";
 constexpr const char* units_keyword = "fumon:units";
-constexpr int compression_level = 2;  // of zlib's: half the time of OpenEXR's usual 4
-constexpr int rows_of_a_band = 64;    // written at once; a multiple of ZIP's 16
+constexpr int zip_level = 2;        // of zlib's: half the time of OpenEXR's usual 4
+constexpr int rows_of_a_band = 64;  // written at once; a multiple of ZIP's 16
 
 class MemoryFile : public Imf::OStream {
   public:
@@ -75,7 +75,7 @@ void check(const LayeredImage& image) {
 Imf::Header header_of(const LayeredImage& image, double dots_per_inch, const PictureText& texts) {
     Imf::Header header(image.width, image.height);
     header.compression() = Imf::ZIP_COMPRESSION;
-    header.zipCompressionLevel() = compression_level;
+    header.zipCompressionLevel() = zip_level;
     Imf::addChromaticities(header, Imf::Chromaticities());
     Imf::addXDensity(header, static_cast<float>(dots_per_inch));
     Imf::addWorldToCamera(header, matrix(image.world_to_camera));
