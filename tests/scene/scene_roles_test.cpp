@@ -39,13 +39,15 @@ TEST(SceneRoles, EachKeyDecidesWhatItSays) {
                                                   "output.fields_at", "output.avalanches"}));
     EXPECT_EQ(paths_with(KeyRole::file),
               (Paths{"output.frames", "output.movie", "output.bed_every", "output.bed_at",
-                     "output.bed_format", "output.world_files", "output.geotiff_frames"}));
+                     "output.bed_format", "output.world_files", "output.geotiff_frames",
+                     "output.exr_frames"}));
     EXPECT_EQ(paths_with(KeyRole::sweep), (Paths{"sweep.over", "sweep.seeds"}));
     const std::set<std::string> pictures{"air",     "camera", "sun",    "look",
                                          "section", "image",  "overlay"};
     for (const std::string& path : paths_with(KeyRole::look)) {
-        const bool of_movie = path == "output.movie_rate" || path == "output.movie_quality";
-        EXPECT_TRUE(of_movie || pictures.contains(path.substr(0, path.find('.')))) << path;
+        const bool of_file = path == "output.movie_rate" || path == "output.movie_quality" ||
+                             path == "output.exr_layers";
+        EXPECT_TRUE(of_file || pictures.contains(path.substr(0, path.find('.')))) << path;
     }
     for (const std::string& path : paths_with(KeyRole::figure))
         EXPECT_TRUE(path.starts_with("figure.")) << path;
