@@ -29,8 +29,9 @@ TEST(PublishedNetwork, HalvingTheMorphologicalFactorKeepsItsMeasures) {
     SweepTable::Row whole = network("4000", "300");
     SweepTable::Row halved = network("2000", "600");
     EXPECT_EQ(whole["bed_time"], halved["bed_time"]);
-    for (const char* measure : {"drainage_density", "bifurcation_ratio", "stream_length_ratio",
-                                "hack_exponent", "network_spacing"}) {
+    // Not the ratios: a few streams of the highest orders decide them (assets/guide/water.md).
+    for (const char* measure :
+         {"drainage_density", "network_spacing", "channel_concavity", "hack_exponent"}) {
         expect_within(halved[measure], whole[measure], 0.1, measure);
     }
 }
