@@ -286,8 +286,10 @@ Image FilmPainter::picture(std::size_t run, const PartOfFrame& shown) {
 }
 
 Image FilmPainter::ground(const PartOfFrame& shown) {
-    if (shown.part->kind == FilmPart::Kind::card)
-        return titles_->dark_card(shown.part->number, shown.share);
+    if (shown.part->kind == FilmPart::Kind::card) {
+        return titles_->card(shown.part->number, shown.share,
+                             [&](std::int64_t frame) { return ground(timeline_.shot_at(frame)); });
+    }
     if (runs_.size() == 1) return picture(0, shown);
     Image whole = layout_.ground();
     const std::vector<PaneBox>& boxes = layout_.boxes();

@@ -64,7 +64,11 @@ bool JoinedFilm::transparent() const {
 
 Image JoinedFilm::ground(const PartOfFrame& shown, std::int64_t frame) {
     const FilmPart& part = *shown.part;
-    if (part.kind == FilmPart::Kind::card) return titles_->dark_card(part.number, shown.share);
+    if (part.kind == FilmPart::Kind::card) {
+        return titles_->card(part.number, shown.share, [&](std::int64_t beside) {
+            return ground(timeline_.shot_at(beside), beside);
+        });
+    }
     return piece(part.number).painter->paint(part.begin + frame - part.first);
 }
 

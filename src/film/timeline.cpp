@@ -21,7 +21,7 @@ Timeline::Timeline(const Film& film) : rate_(film.settings.rate) {
     const auto add_cards = [&](CardPlace place) {
         for (std::size_t i = 0; i < film.cards.size(); ++i) {
             const Card& card = film.cards[i];
-            if (card.place != place || card.ground != CardGround::dark) continue;
+            if (card.place != place || card.ground == CardGround::picture) continue;
             add({FilmPart::Kind::card, i}, card.seconds, place == CardPlace::end ? card.fade : 0.0);
         }
     };
@@ -83,6 +83,13 @@ std::vector<PartOfFrame> Timeline::at(std::int64_t frame) const {
         shown.push_back({&part, share, weight});
     }
     return shown;
+}
+
+PartOfFrame Timeline::shot_at(std::int64_t frame) const {
+    std::vector<PartOfFrame> shown = at(frame);
+    std::erase_if(shown,
+                  [](const PartOfFrame& one) { return one.part->kind == FilmPart::Kind::card; });
+    return shown.back();
 }
 
 }  // namespace fumon

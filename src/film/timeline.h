@@ -8,7 +8,7 @@
 
 namespace fumon {
 
-/// A shot, a piece of another film, or a card on a dark ground, on the film's way.
+/// A shot, a piece of another film, or a card that is not over one, on the film's way.
 struct FilmPart {
     enum class Kind { shot, excerpt, card };
     Kind kind = Kind::shot;
@@ -36,7 +36,10 @@ class Timeline {
     [[nodiscard]] const std::vector<FilmPart>& parts() const { return parts_; }
     /// One part, or the two of a cross-fade, the one that goes first.
     [[nodiscard]] std::vector<PartOfFrame> at(std::int64_t frame) const;
-    /// The first and the frame after the last one of the shots, without dark cards before and
+    /// What a frame between shots_begin() and shots_end() shows besides a card: the last where
+    /// several are seen.
+    [[nodiscard]] PartOfFrame shot_at(std::int64_t frame) const;
+    /// The first and the frame after the last one of the shots, without cards before and
     /// after.
     [[nodiscard]] std::int64_t shots_begin() const { return shots_begin_; }
     [[nodiscard]] std::int64_t shots_end() const { return shots_end_; }

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "figure/overlays/overlay_text.h"
+#include "film/card_backdrop.h"
 #include "scene/placeholders.h"
 
 namespace fumon {
@@ -102,7 +103,9 @@ Titles::Titles(const Film& film, const FilmStage& stage, const Snapshot& first,
     : film_(film),
       width_(static_cast<int>(stage.scene.view.image.width)),
       height_(static_cast<int>(stage.scene.view.image.height)),
-      rate_(timeline.rate()) {
+      rate_(timeline.rate()),
+      first_(timeline.shots_begin()),
+      last_(timeline.shots_end() - 1) {
     const double font = caption_font(film, width_, height_);
     const double widest = (1.0 - 2.0 * safe_margin) * width_;
     for (std::size_t i = 0; i < film.cards.size(); ++i) {
@@ -113,7 +116,7 @@ Titles::Titles(const Film& film, const FilmStage& stage, const Snapshot& first,
             throw InputError(fmt::format("{}card.{} has more lines than the picture has room for",
                                          film.at(key), i));
         }
-        if (card.ground == CardGround::dark) continue;
+        if (card.ground != CardGround::picture) continue;
         const std::int64_t shots = timeline.shots_end() - timeline.shots_begin();
         const std::int64_t frames =
             std::clamp<std::int64_t>(std::lround(card.seconds * rate_), 1, shots);
@@ -174,9 +177,21 @@ void Titles::draw(Image& image, std::int64_t frame) const {
     }
 }
 
-Image Titles::dark_card(std::size_t card, double share) const {
-    Image image(width_, height_);
-    std::ranges::fill(image.rgb, darkness);
+const Image& Titles::ground_of(std::size_t card, const PictureOf& picture) {
+    const auto [found, added] = grounds_.try_emplace(card, width_, height_);
+    Image& ground = found->second;
+    if (!added) return ground;
+    const Card& settings = film_.cards[card];
+    if (settings.ground == CardGround::blurred) {
+        ground = card_backdrop(picture(settings.place == CardPlace::start ? first_ : last_));
+    } else {
+        std::ranges::fill(ground.rgb, darkness);
+    }
+    return ground;
+}
+
+Image Titles::card(std::size_t card, double share, const PictureOf& picture) {
+    Image image = ground_of(card, picture);
     const Card& settings = film_.cards[card];
     const Lettering& lettering = cards_[card];
     lettering.draw(image, 0.5 * width_, 0.5 * (height_ - lettering.height()),

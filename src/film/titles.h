@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,8 +44,11 @@ class Titles {
 
     /// Over a frame of the film.
     void draw(Image& image, std::int64_t frame) const;
-    /// A dark card alone, `share` of which has passed.
-    [[nodiscard]] Image dark_card(std::size_t card, double share) const;
+    /// Draws a frame of the film's shots without its titles.
+    using PictureOf = std::function<Image(std::int64_t frame)>;
+    /// A card that stands before or after the shots, `share` of which has passed. What a blurred
+    /// one stands on is asked for once.
+    [[nodiscard]] Image card(std::size_t card, double share, const PictureOf& picture);
     /// One line for the user where no font has a letter; else empty.
     [[nodiscard]] std::string missing_letters() const;
 
@@ -58,12 +64,16 @@ class Titles {
     };
 
     [[nodiscard]] double opacity_of(const Card& card, double seconds) const;
+    const Image& ground_of(std::size_t card, const PictureOf& picture);
 
     Film film_;
     int width_;
     int height_;
     double rate_;
+    std::int64_t first_;  ///< frame of the shots
+    std::int64_t last_;
     std::vector<Lettering> cards_;
+    std::map<std::size_t, Image> grounds_;
     std::vector<OverPicture> over_;
     std::vector<Placed> captions_;
     double bottom_ = 0.0;  ///< of captions, pixels from above

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/error.h"
+#include "film/card_backdrop.h"
 #include "film/film_read.h"
 #include "picture/movie.h"
 #include "support/program.h"
@@ -81,6 +84,24 @@ TEST(JoinedFilm, ShowsPiecesOfOtherFilmsEachOfItsRun) {
     EXPECT_NE(last, frames.paint(3));
     EXPECT_EQ(frames.paint(0), alone.paint(2)) << "any frame at any time";
     EXPECT_EQ(frames.paint(frames.frames() - 1), last);
+}
+
+TEST(JoinedFilm, ABlurredCardStandsOnTheLastPicture) {
+    const ScratchFolder& folder = joined_films();
+    const std::string place = (folder / "joined.toml").string();
+    const Film film = parse_film(joined, place);
+    const std::string card =
+        "[[card]]\nplace = \"end\"\nground = \"blurred\"\ntitle = \".\"\nseconds = 1\n";
+    const Film longer = parse_film(joined + card, place);
+    const FilmRuns runs({(folder / "a").string(), (folder / "b").string()}, 1, showing_of(film));
+    WorkerPool pool(1);
+    JoinedFilm frames(longer, runs, film_size(longer), {}, gl::Backend::automatic, pool);
+    const Image shown = frames.paint(frames.frames() - 1);
+    JoinedFilm pieces(film, runs, film_size(film), {}, gl::Backend::automatic, pool);
+    const Image ground = card_backdrop(pieces.paint(pieces.frames() - 1));
+    for (const int y : {0, 1, shown.height - 1})  // above and below the letters
+        EXPECT_TRUE(std::equal(shown.row(y), shown.row(y) + 3 * shown.width, ground.row(y))) << y;
+    EXPECT_NE(shown, ground);
 }
 
 TEST(JoinedFilm, IsMadeAgainFromItsFileAlone) {

@@ -56,12 +56,12 @@ TEST(Timeline, AHoldKeepsTheLastPicture) {
         EXPECT_DOUBLE_EQ(timeline.at(frame).front().share, 1.0) << frame;
 }
 
-TEST(Timeline, DarkCardsStandBeforeAndAfterTheShots) {
+TEST(Timeline, DarkAndBlurredCardsStandBeforeAndAfterTheShots) {
     Film film = film_of_shots({2.0});
     for (const CardPlace place : {CardPlace::end, CardPlace::start}) {
         Card card;
         card.place = place;
-        card.ground = CardGround::dark;
+        card.ground = place == CardPlace::end ? CardGround::blurred : CardGround::dark;
         card.seconds = 1.0;
         card.fade = 0.2;
         film.cards.push_back(card);
@@ -74,6 +74,10 @@ TEST(Timeline, DarkCardsStandBeforeAndAfterTheShots) {
     EXPECT_EQ(timeline.at(35).front().part->number, 0U);
     EXPECT_EQ(timeline.shots_begin(), 8);
     EXPECT_EQ(timeline.shots_end(), 28);
+    for (const std::int64_t frame : {8, 27}) {  // which cards overlap
+        EXPECT_EQ(timeline.at(frame).size(), 2U);
+        EXPECT_EQ(timeline.shot_at(frame).part->kind, FilmPart::Kind::shot) << frame;
+    }
 }
 
 TEST(Subrip, HasTheTimesOfTheCaptionsInTheirOrder) {

@@ -37,7 +37,7 @@ enum class Move {
 };
 enum class Transition { cut, cross_fade };
 enum class CardPlace { start, end };
-enum class CardGround { picture, dark };
+enum class CardGround { picture, dark, blurred };
 enum class Plates { translucent, none };
 
 /// What stands behind the bed.

@@ -8,7 +8,7 @@
 #include "film/script/film_sizes.h"
 #include "keys/describe_key.h"
 #include "picture/movie_format.h"
-#include "scene/figure_keys.h"
+#include "scene/figure/figure_keys.h"
 
 namespace fumon {
 
@@ -229,7 +229,9 @@ void list_card(Card& card, const std::string& path, KeyTable& table) {
                  {.help = "where it stands"});
     table.choice(path + ".ground", card.ground,
                  {{CardGround::picture, "picture", "over the first or last seconds of the shots"},
-                  {CardGround::dark, "dark", "before or after the shots, on a dark ground"}},
+                  {CardGround::dark, "dark", "before or after the shots, on a dark ground"},
+                  {CardGround::blurred, "blurred",
+                   "before or after them, on their first or last picture out of focus"}},
                  {.help = "what it stands on"});
     table.real(path + ".seconds", card.seconds,
                {.unit = "s", .range = {0, 600, true}, .help = "its length"});
