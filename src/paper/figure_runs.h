@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "run/run_store.h"
+#include "paper/run_store.h"
 
 namespace fumon {
 

@@ -10,7 +10,7 @@
 #include "figure/canvas/panel.h"
 #include "gl/context.h"
 #include "paper/figure_plan.h"
-#include "scene/panel_kinds.h"
+#include "scene/figure/panel_kinds.h"
 
 namespace fumon {
 
@@ -61,7 +61,7 @@ struct PanelMaker {
     std::vector<MadePanel> (*make)(const PanelSubject& subject, PanelTools& tools);
 };
 
-/// One for each line of FUMON_PANEL_KINDS (scene/panel_kinds.h), each in a file of its own:
+/// One for each line of FUMON_PANEL_KINDS (scene/figure/panel_kinds.h), each in a file of its own:
 /// panels::map in draw_maps.cpp.
 namespace panels {
 #define FUMON_MAKER(name, word, shows, help) extern const PanelMaker name;

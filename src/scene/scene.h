@@ -11,7 +11,7 @@
 
 #include "files/terrain/resample_terrain.h"
 #include "keys/word_or_real.h"
-#include "scene/figure_settings.h"
+#include "scene/figure/figure_settings.h"
 
 namespace fumon {
 

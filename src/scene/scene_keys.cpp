@@ -4,7 +4,7 @@
 #include "files/terrain/terrain_format.h"
 #include "keys/keys.h"
 #include "models/registry.h"
-#include "scene/figure_keys.h"
+#include "scene/figure/figure_keys.h"
 
 namespace fumon {
 

@@ -12,7 +12,7 @@
 #include "figure/canvas/furniture.h"
 #include "measure/measured_rows.h"
 #include "render/view/camera.h"
-#include "scene/overlay_kinds.h"
+#include "scene/figure/overlay_kinds.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -54,8 +54,8 @@ class Overlay {
     virtual void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const = 0;
 };
 
-/// One for each line of FUMON_OVERLAY_KINDS (scene/overlay_kinds.h): makes the scene's overlay of
-/// that number. Throws KeyError where the scene cannot have it.
+/// One for each line of FUMON_OVERLAY_KINDS (scene/figure/overlay_kinds.h): makes the scene's
+/// overlay of that number. Throws KeyError where the scene cannot have it.
 #define FUMON_MAKER(name, word, shows, help) \
     std::unique_ptr<Overlay> make_##name##_overlay(const OverlayScene& on, std::size_t number);
 FUMON_OVERLAY_KINDS(FUMON_MAKER)

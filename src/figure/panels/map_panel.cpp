@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "base/elementary_angle.h"
-#include "base/percentile.h"
 #include "base/quantity_text.h"
 #include "base/snapshot_lookup.h"
 #include "figure/canvas/furniture.h"
 #include "figure/panels/arrow_field.h"
 #include "figure/panels/axis_units.h"
 #include "figure/panels/scale_bar.h"
+#include "numerics/percentile.h"
 #include "render/view/water.h"
 
 namespace fumon {

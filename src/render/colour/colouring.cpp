@@ -8,10 +8,10 @@
 #include "base/elementary.h"
 #include "base/elementary_angle.h"
 #include "base/find_named.h"
-#include "base/percentile.h"
 #include "base/random.h"
 #include "base/rounding.h"
 #include "measure/network/flow_routing.h"
+#include "numerics/percentile.h"
 #include "render/view/water.h"
 
 namespace fumon {

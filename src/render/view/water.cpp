@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/percentile.h"
 #include "base/snapshot_lookup.h"
+#include "numerics/percentile.h"
 #include "numerics/resampling.h"
 
 namespace fumon {

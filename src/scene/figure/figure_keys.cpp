@@ -1,4 +1,4 @@
-#include "scene/figure_keys.h"
+#include "scene/figure/figure_keys.h"
 
 #include "base/limits.h"
 

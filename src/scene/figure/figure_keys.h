@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keys/keys.h"
-#include "scene/figure_settings.h"
+#include "scene/figure/figure_settings.h"
 
 namespace fumon {
 

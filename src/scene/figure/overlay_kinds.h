@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "scene/kind_line.h"
+#include "scene/figure/kind_line.h"
 
 namespace fumon {
 

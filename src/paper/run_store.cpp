@@ -1,4 +1,4 @@
-#include "run/run_store.h"
+#include "paper/run_store.h"
 
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 
 #include "keys/word_or_real.h"
 #include "numerics/curve_law.h"
-#include "scene/overlay_kinds.h"
-#include "scene/panel_kinds.h"
+#include "scene/figure/overlay_kinds.h"
+#include "scene/figure/panel_kinds.h"
 
 namespace fumon {
 

@@ -1,0 +1,248 @@
+#include "scene/figure_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+
+namespace fumon {
+
+namespace {
+
+class FigureCheck {
+  public:
+    FigureCheck(const Scene& scene, Faults& faults) : scene_(scene), faults_(faults) {}
+
+    void check() const {
+        check_formats();
+        const std::vector<PanelSettings>& panels = scene_.figure.panels;
+        for (std::size_t p = 0; p < panels.size(); ++p) {
+            const std::string path = fmt::format("figure.panel.{}", p);
+            if (p == 0 && panels[p].inset != InsetPlace::none)
+                refuse(path + ".inset",
+                       "an inset stands in the panel before it; this is the first");
+            check_place(panels[p], path);
+            check_keys_of_kind(panels[p], path);
+            if (shown_by(panels[p].kind) == PanelShows::curves) {
+                check_plot(panels[p], path);
+            } else {
+                check_picture(panels[p], path);
+            }
+        }
+    }
+
+  private:
+    void refuse(const std::string& key, const std::string& what) const {
+        faults_.add(InputError(place_of(key) + fmt::format("{}: {}", key, what)));
+    }
+
+    /// Where a key stands, else another key of its panel or curve.
+    [[nodiscard]] std::string place_of(const std::string& key) const {
+        if (scene_.locations.contains(key)) return scene_.at(key);
+        const std::string owner = key.substr(0, key.rfind('.') + 1);
+        const auto near = scene_.locations.lower_bound(owner);
+        const bool found = near != scene_.locations.end() && near->first.starts_with(owner);
+        return scene_.at(found ? near->first : key);
+    }
+
+    void check_formats() const {
+        const std::vector<std::string>& formats = scene_.figure.formats;
+        const std::vector<std::string> known{"pdf", "svg", "png"};
+        if (formats.empty()) refuse("figure.formats", "there is none; take pdf, svg, png");
+        std::set<std::string> seen;
+        for (const std::string& format : formats) {
+            if (std::find(known.begin(), known.end(), format) == known.end()) {
+                refuse("figure.formats",
+                       fmt::format("unknown format \"{}\"; {}", format, suggestion(format, known)));
+            }
+            if (!seen.insert(format).second)
+                refuse("figure.formats", fmt::format("\"{}\" is there twice", format));
+        }
+    }
+
+    void check_place(const PanelSettings& panel, const std::string& path) const {
+        if ((panel.row > 0) != (panel.column > 0)) {
+            const std::string missing = panel.row > 0 ? ".column" : ".row";
+            refuse(path + (panel.row > 0 ? ".row" : ".column"),
+                   fmt::format("a place in the grid has a row and a column; give {}{} too", path,
+                               missing));
+        }
+        if (panel.inset != InsetPlace::none &&
+            (panel.row > 0 || panel.rows > 1 || panel.columns > 1)) {
+            refuse(path + ".inset",
+                   "an inset has no place in the grid; drop row, column, rows and columns");
+        }
+    }
+
+    /// Refuses what a panel of this kind would not show.
+    void check_keys_of_kind(const PanelSettings& panel, const std::string& path) const {
+        using enum PanelKind;
+        const std::vector<PanelKind> plots{plot};
+        const std::vector<PanelKind> pictures{map, view, profile, time_space, section};
+        const std::vector<PanelKind> stepped{map, view, profile, section};
+        const std::vector<PanelKind> coloured{map, view, time_space, section};
+        const std::vector<PanelKind> maps{map};
+        const PanelSettings usual;
+        struct Asked {
+            const char* key;
+            bool given;  ///< otherwise than it is where nothing is said
+            const std::vector<PanelKind>& kinds;
+        };
+        const std::vector<PanelKind> along_rows{profile, time_space};
+        const std::vector<PanelKind> of_fields{map, time_space};
+        const std::vector<PanelKind> with_ground{map, view};
+        const std::vector<PanelKind> with_arrow{map, view, profile};
+        const std::vector<PanelKind> over_time{time_space};
+        const std::vector<PanelKind> with_axes{plot, map, profile, time_space};
+        const std::vector<PanelKind> sections{section};
+        const std::vector<Asked> all{
+            {"x_label", panel.x_label != usual.x_label, with_axes},
+            {"y_label", panel.y_label != usual.y_label, with_axes},
+            {"bar_label", panel.bar_label != usual.bar_label, of_fields},
+            {"x_logarithmic", panel.x_logarithmic, plots},
+            {"y_logarithmic", panel.y_logarithmic, plots},
+            {"x_low", panel.x_low != usual.x_low, plots},
+            {"x_high", panel.x_high != usual.x_high, plots},
+            {"y_low", panel.y_low != usual.y_low, plots},
+            {"y_high", panel.y_high != usual.y_high, plots},
+            {"legend", panel.legend != usual.legend, plots},
+            {"scene", panel.scene != usual.scene, pictures},
+            {"set", panel.set != usual.set, pictures},
+            {"steps", panel.steps != usual.steps, stepped},
+            {"every", panel.every != usual.every, over_time},
+            {"row_of_bed", panel.row_of_bed != usual.row_of_bed, along_rows},
+            {"field", panel.field != usual.field, of_fields},
+            {"low", panel.low != usual.low, coloured},
+            {"high", panel.high != usual.high, coloured},
+            {"palette", panel.palette != usual.palette, coloured},
+            {"palette_reversed", panel.palette_reversed, coloured},
+            {"shading", panel.shading != usual.shading, maps},
+            {"shading_from_all_sides", panel.shading_from_all_sides, maps},
+            {"axes", panel.axes != usual.axes, maps},
+            {"contours", panel.contours != usual.contours, maps},
+            {"vectors", panel.vectors, maps},
+            {"scale_bar", panel.scale_bar, with_ground},
+            {"arrow", panel.arrow != usual.arrow, with_arrow},
+            {"section", panel.section != usual.section, sections}};
+        for (const Asked& asked : all) {
+            if (!asked.given || std::ranges::find(asked.kinds, panel.kind) != asked.kinds.end())
+                continue;
+            refuse(fmt::format("{}.{}", path, asked.key),
+                   fmt::format("belongs to {}; a {} panel would not show it", names_of(asked.kinds),
+                               word_of(panel.kind)));
+        }
+    }
+
+    static std::string_view word_of(PanelKind kind) {
+        return panel_kinds[static_cast<std::size_t>(kind)].choice.word;
+    }
+
+    /// "map and view panels".
+    static std::string names_of(const std::vector<PanelKind>& kinds) {
+        std::string names;
+        for (std::size_t k = 0; k < kinds.size(); ++k) {
+            if (k > 0) names += k + 1 == kinds.size() ? " and " : ", ";
+            names += word_of(kinds[k]);
+        }
+        return names + " panels";
+    }
+
+    void check_plot(const PanelSettings& panel, const std::string& path) const {
+        if (panel.curves.empty() && panel.boxes.empty())
+            refuse(path + ".kind", "the plot shows nothing; add [[figure.panel.curve]]");
+        check_range(panel.x_low, panel.x_high, path, "x", panel.x_logarithmic);
+        check_range(panel.y_low, panel.y_high, path, "y", panel.y_logarithmic);
+        for (std::size_t c = 0; c < panel.curves.size(); ++c)
+            check_curve(panel, panel.curves[c], fmt::format("{}.curve.{}", path, c));
+        for (std::size_t b = 0; b < panel.boxes.size(); ++b)
+            check_box(panel, panel.boxes[b], fmt::format("{}.box.{}", path, b));
+    }
+
+    void check_range(const WordOrReal& low, const WordOrReal& high, const std::string& path,
+                     const std::string& axis, bool logarithmic) const {
+        const std::string dot = axis.empty() ? path + "." : path + "." + axis + "_";
+        const auto above_zero = [&](const WordOrReal& end, const char* name) {
+            if (logarithmic && !end.is_word() && end.value <= 0.0)
+                refuse(dot + name, "a logarithmic axis lies above 0");
+        };
+        above_zero(low, "low");
+        above_zero(high, "high");
+        if (!low.is_word() && !high.is_word() && !(low.value < high.value)) {
+            refuse(dot + "high",
+                   fmt::format("{} must be above the low end {}", high.value, low.value));
+        }
+    }
+
+    void check_curve(const PanelSettings& panel, const CurveSettings& curve,
+                     const std::string& path) const {
+        if (curve.y.empty()) refuse(path + ".y", "is missing; name the column to draw");
+        if (curve.x.empty()) refuse(path + ".x", "is empty; name a column");
+        const bool from_file = curve.table == CurveTable::file;
+        if (from_file && curve.file.empty())
+            refuse(path + ".file", "is missing; name the CSV file");
+        if (!from_file && !curve.file.empty())
+            refuse(path + ".file", "is given but not read; write table = \"file\"");
+        if (from_file && (!curve.scene.empty() || !curve.set.empty() || !curve.over.empty() ||
+                          curve.seeds > 0)) {
+            refuse(path + ".table",
+                   "a file has no runs; drop scene, set, over and seeds, or table = \"file\"");
+        }
+        if (curve.spread != CurveSpread::none && !curve.average)
+            refuse(path + ".spread", "is of what is averaged; write average = true");
+        if (curve.fit == CurveFit::none && !(curve.fit_low.is_word() && curve.fit_high.is_word()))
+            refuse(path + (curve.fit_low.is_word() ? ".fit_high" : ".fit_low"),
+                   "there is no fit; write fit = \"line\" or another");
+        check_range(curve.fit_low, curve.fit_high, path, "fit", curve.fit == CurveFit::power);
+        const bool scaled_x = curve.scale_x != 1.0 && panel.x_label.empty();
+        const bool scaled_y = curve.scale_y != 1.0 && panel.y_label.empty();
+        if (scaled_x || scaled_y) {
+            refuse(path + (scaled_x ? ".scale_x" : ".scale_y"),
+                   fmt::format("the column's unit holds no more; name the quantity and its new "
+                               "unit with the panel's {}_label",
+                               scaled_x ? "x" : "y"));
+        }
+    }
+
+    void check_box(const PanelSettings& panel, const RangeBoxSettings& box,
+                   const std::string& path) const {
+        if (box.label.empty()) refuse(path + ".label", "is missing; say what lies in this range");
+        if (box.source.empty())
+            refuse(path + ".source", "is missing; name author and year, or leave the box out");
+        if (!(box.x_low < box.x_high)) refuse(path + ".x_high", "must be above x_low");
+        if (!(box.y_low < box.y_high)) refuse(path + ".y_high", "must be above y_low");
+        if (panel.x_logarithmic && box.x_low <= 0.0)
+            refuse(path + ".x_low", "a logarithmic axis lies above 0");
+        if (panel.y_logarithmic && box.y_low <= 0.0)
+            refuse(path + ".y_low", "a logarithmic axis lies above 0");
+    }
+
+    void check_picture(const PanelSettings& panel, const std::string& path) const {
+        if (!panel.curves.empty())
+            refuse(path + ".kind", "curves belong to plots; write kind = \"plot\"");
+        if (!panel.boxes.empty())
+            refuse(path + ".kind", "boxes belong to plots; write kind = \"plot\"");
+        check_range(panel.low, panel.high, path, "", false);
+        if (panel.inset != InsetPlace::none && panel.steps.size() > 1)
+            refuse(path + ".steps", "an inset shows one step");
+        const PanelShows shows = shown_by(panel.kind);
+        if (shows == PanelShows::each_step && panel.row > 0 && panel.steps.size() > 1)
+            refuse(path + ".row", "several steps are several panels; place them in reading order");
+    }
+
+    const Scene& scene_;
+    Faults& faults_;
+};
+
+}  // namespace
+
+void check_figure(const Scene& scene, Faults& faults) {
+    if (!scene.figure.panels.empty()) FigureCheck(scene, faults).check();
+}
+
+}  // namespace fumon
