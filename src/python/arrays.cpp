@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -97,6 +98,21 @@ py::array array_of(Image image) {
 py::tuple drawn_of(Drawing drawing) {
     const std::string environment = environment_text(drawing.record.environment);
     return py::make_tuple(array_of(std::move(drawing.image)), environment);
+}
+
+py::tuple layers_of(LayersDrawing drawing) {
+    const std::vector<py::ssize_t> shape{drawing.layers.height, drawing.layers.width};
+    py::list layers;
+    for (ImageLayer& layer : drawing.layers.layers) {
+        auto kept = std::make_unique<std::vector<float>>(std::move(layer.values));
+        const float* values = kept->data();
+        const py::capsule base(
+            kept.get(), [](void* pointer) { delete static_cast<std::vector<float>*>(pointer); });
+        static_cast<void>(kept.release());  // the capsule's now
+        layers.append(
+            py::make_tuple(layer.name, layer.unit, py::array_t<float>(shape, values, base)));
+    }
+    return py::make_tuple(layers, environment_text(drawing.record.environment));
 }
 
 Image image_of(const ImageArray& array) {

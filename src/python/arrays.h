@@ -29,7 +29,11 @@ pybind11::array array_of(Image image);
 /// The same with what drew it, as one line of JSON: (array, text).
 pybind11::tuple drawn_of(Drawing drawing);
 
-/// A copy of such an array. Throws InputError for another shape.
+/// A picture's layers and what drew them: (list of (name, unit, array (height, width) float32),
+/// text).
+pybind11::tuple layers_of(LayersDrawing drawing);
+
+/// A copy of an array (height, width, 3 or 4). Throws InputError for another shape.
 Image image_of(const ImageArray& array);
 
 }  // namespace fumon::python

@@ -71,6 +71,10 @@ class BedPainter {
         return drawer_->draw(std::make_shared<const Snapshot>(std::move(snapshot)), {});
     }
 
+    [[nodiscard]] LayersDrawing draw_layers() const {
+        return drawer_->draw_layers(drawer_->first());
+    }
+
   private:
     std::unique_ptr<Drawer> drawer_;
 };
@@ -115,6 +119,15 @@ void define_beds(py::module_& core) {
                      drawing = painter.draw(std::nullopt);
                  }
                  return drawn_of(std::move(drawing));
+             })
+        .def("layers",
+             [](const BedPainter& painter) {
+                 LayersDrawing drawing;
+                 {
+                     const py::gil_scoped_release unlocked;
+                     drawing = painter.draw_layers();
+                 }
+                 return layers_of(std::move(drawing));
              })
         .def(
             "draw",

@@ -1,6 +1,8 @@
 #include "python/drawer.h"
 
 #include <atomic>
+#include <map>
+#include <memory>
 #include <utility>
 
 #include "base/thread_clock.h"
@@ -31,20 +33,36 @@ Drawer::~Drawer() {
 }
 
 Drawing Drawer::draw(SharedSnapshot snapshot, const MeasuredRows& rows) {
+    const auto drawn = std::make_shared<Drawing>();  // the caller may be interrupted before it is
+    wait_until_done(Task([snapshot = std::move(snapshot), rows, drawn](const Painter& painter) {
+        FramePainter& pictures = painter(PaintedFrames::pictures);
+        drawn->image = pictures.paint(*snapshot, rows);
+        drawn->record = pictures.record();
+    }));
+    return std::move(*drawn);
+}
+
+LayersDrawing Drawer::draw_layers(SharedSnapshot snapshot) {
+    const auto drawn = std::make_shared<LayersDrawing>();
+    wait_until_done(Task([snapshot = std::move(snapshot), drawn](const Painter& painter) {
+        FramePainter& layers = painter(PaintedFrames::layers);
+        drawn->layers = layers.paint_layers(*snapshot);
+        drawn->record = layers.record();
+    }));
+    return std::move(*drawn);
+}
+
+void Drawer::wait_until_done(Task task) {
     process_.check();
     check_drawing_process();
-    Task task([snapshot = std::move(snapshot), rows](const Painter& painter) -> Drawing {
-        Image image = painter().paint(*snapshot, rows);
-        return {std::move(image), painter().record()};
-    });
-    std::future<Drawing> drawn = task.get_future();
+    std::future<void> done = task.get_future();
     Worker& worker = started();
     {
         const std::lock_guard lock(worker.mutex);
         worker.tasks.push_back(std::move(task));
     }
     worker.changed.notify_all();
-    return wait_for(std::move(drawn));
+    wait_for(std::move(done));
 }
 
 Drawer::Worker& Drawer::started() {
@@ -60,10 +78,11 @@ Drawer::Worker& Drawer::started() {
 void Drawer::work(Worker& worker, const std::stop_token& stop) const {
     name_this_thread("fumon-draw");
     WorkerPool pool(0, "fumon-render");
-    std::unique_ptr<FramePainter> made;
-    const Painter painter = [&]() -> FramePainter& {
-        if (!made) made = make_frame_painter(scene_, *first_, gl::Backend::automatic, pool);
-        return *made;
+    std::map<PaintedFrames, std::unique_ptr<FramePainter>> made;
+    const Painter painter = [&](PaintedFrames frames) -> FramePainter& {
+        std::unique_ptr<FramePainter>& one = made[frames];
+        if (!one) one = make_frame_painter(scene_, *first_, gl::Backend::automatic, pool, frames);
+        return *one;
     };
     for (;;) {
         Task task;

@@ -28,14 +28,17 @@ class Drawer {
     /// The caller does not hold the interpreter's lock. Throws as FramePainter does, Error in a
     /// fork of a process that has drawn, and as look_for_signals().
     [[nodiscard]] Drawing draw(SharedSnapshot snapshot, const MeasuredRows& rows);
+    /// Its light and layers, without overlays. Throws likewise, KeyError for a flat figure.
+    [[nodiscard]] LayersDrawing draw_layers(SharedSnapshot snapshot);
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] const std::vector<InputFile>& inputs() const { return inputs_; }
     [[nodiscard]] const SharedSnapshot& first() const { return first_; }
 
   private:
-    using Painter = std::function<FramePainter&()>;
-    using Task = std::packaged_task<Drawing(const Painter&)>;
+    /// The painter of pictures or that of layers, made when it is first asked for.
+    using Painter = std::function<FramePainter&(PaintedFrames)>;
+    using Task = std::packaged_task<void(const Painter&)>;
     struct Worker {
         std::mutex mutex;
         std::condition_variable_any changed;
@@ -45,6 +48,7 @@ class Drawer {
 
     void work(Worker& worker, const std::stop_token& stop) const;
     Worker& started();
+    void wait_until_done(Task task);
 
     Scene scene_;
     std::vector<InputFile> inputs_;

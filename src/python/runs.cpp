@@ -2,6 +2,7 @@
 
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "python/arrays.h"
 #include "python/live_run.h"
@@ -52,6 +53,22 @@ Drawing drawing_of(const Step& step) {
     return step.drawer->draw(step.snapshot, step.plotted);
 }
 
+LayersDrawing layers_drawing_of(const Step& step) {
+    const py::gil_scoped_release unlocked;
+    return step.drawer->draw_layers(step.snapshot);
+}
+
+py::bytes layers_file_of(const Step& step) {
+    const LayersDrawing drawing = layers_drawing_of(step);
+    std::vector<std::uint8_t> bytes;
+    {
+        const py::gil_scoped_release unlocked;
+        bytes =
+            layers_file(step.drawer->scene(), step.drawer->inputs(), step.snapshot->step, drawing);
+    }
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
 py::bytes file_of(const Step& step) {
     const Drawing drawing = drawing_of(step);
     std::vector<std::uint8_t> bytes;
@@ -96,7 +113,9 @@ void define_runs(py::module_& core) {
         .def_property_readonly("numbers", &numbers_of)
         .def_property_readonly("measured", &measures_of)
         .def("drawn", [](const Step& step) { return drawn_of(drawing_of(step)); })
-        .def("png", &file_of);
+        .def("png", &file_of)
+        .def("layers", [](const Step& step) { return layers_of(layers_drawing_of(step)); })
+        .def("exr", &layers_file_of);
 
     py::class_<LiveRun>(core, "LiveRun")
         .def(py::init([](const SceneValue& scene, int threads, bool measures) {

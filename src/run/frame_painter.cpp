@@ -35,6 +35,10 @@ class BedPainter : public FramePainter {
         if (frames != PaintedFrames::pictures) layers_ = make(PixelKind::radiance);
     }
 
+    ~BedPainter() override { context_->make_current(); }  // others may have drawn since
+    BedPainter(const BedPainter&) = delete;
+    BedPainter& operator=(const BedPainter&) = delete;
+
     Image paint(const Snapshot& snapshot, const MeasuredRows& /*rows*/) override {
         return pictures_->render(snapshot);
     }

@@ -78,6 +78,13 @@ std::vector<std::uint8_t> still_file(const Scene& scene, const std::vector<Input
     return encode_png(drawing.image, scene.view.image.dots_per_inch, texts);
 }
 
+std::vector<std::uint8_t> layers_file(const Scene& scene, const std::vector<InputFile>& inputs,
+                                      std::int64_t step, const LayersDrawing& drawing) {
+    return encode_exr(drawing.layers, scene.view.image.dots_per_inch,
+                      picture_text(resolved_scene(scene, inputs), scene, step, inputs,
+                                   layers_hash(drawing.layers), drawing.record.environment));
+}
+
 namespace {
 
 void write_bytes(const std::string& file, const std::vector<std::uint8_t>& bytes) {
@@ -94,18 +101,15 @@ DrawnStill draw_exr(const PreparedRun& prepared, const Snapshot& first, const Sn
     const Scene& scene = prepared.scene;
     const auto painter =
         make_frame_painter(scene, first, work.backend, pool, PaintedFrames::layers);
-    const LayeredImage layers = painter->paint_layers(snapshot);
-    const DrawingRecord record = painter->record();
+    LayeredImage layers = painter->paint_layers(snapshot);  // record() is of what is drawn by then
+    const LayersDrawing drawing{std::move(layers), painter->record()};
+    const DrawingRecord& record = drawing.record;
     tell_drawing(record, progress);
-    const Sha256 hash = layers_hash(layers);
-    const std::vector<InputFile>& inputs = prepared.initial.inputs;
-    write_bytes(file, encode_exr(layers, scene.view.image.dots_per_inch,
-                                 picture_text(resolved_scene(scene, inputs), scene, snapshot.step,
-                                              inputs, hash, record.environment)));
+    write_bytes(file, layers_file(scene, prepared.initial.inputs, snapshot.step, drawing));
     if (has_overlays(scene)) progress.note("overlays are not part of an OpenEXR file");
     if (record.exaggeration != 1.0)
         progress.note(fmt::format("vertical exaggeration {:g}", record.exaggeration));
-    return {hash, record.environment};
+    return {layers_hash(drawing.layers), record.environment};
 }
 
 bool is_exr_name(const std::string& file) {

@@ -50,6 +50,16 @@ inline constexpr const char* standard_output = "-";
 std::vector<std::uint8_t> still_file(const Scene& scene, const std::vector<InputFile>& inputs,
                                      std::int64_t step, const Drawing& drawing);
 
+/// The light and layers of a snapshot, and what drew them.
+struct LayersDrawing {
+    LayeredImage layers;
+    DrawingRecord record;
+};
+
+/// The OpenEXR file of such layers of a step, with its metadata, by which `fumon again` makes it.
+std::vector<std::uint8_t> layers_file(const Scene& scene, const std::vector<InputFile>& inputs,
+                                      std::int64_t step, const LayersDrawing& drawing);
+
 /// Throws InputError where a still cannot be what the ending of its file says.
 void check_still(const PreparedRun& prepared, const std::string& file);
 

@@ -104,6 +104,31 @@ def test_pictures_are_the_programs_to_the_byte(tmp_path, name, step, settings):
     assert np.array_equal(present.image(), fumon.Image.open(tmp_path / "program.png"))
 
 
+def test_layers_are_the_programs_to_the_byte(tmp_path):
+    settings = {**SITES, "run.steps": 20, "image.width": 96, "image.height": 54, "camera.elevation": 3}
+    words = [f"--set={key}={value}" for key, value in settings_of(settings)]
+    subprocess.run([PROGRAM, "still", "terada-barchans", "--step", "20", "-o", tmp_path / "program.exr", "--quiet",
+                    *words], check=True)
+    present = fumon.Scene("terada-barchans", **settings).at(20)
+    present.save(tmp_path / "module.exr")
+    assert (tmp_path / "module.exr").read_bytes() == (tmp_path / "program.exr").read_bytes()
+    layers = present.layers()
+    assert layers.light.shape == (54, 96, 3) and layers.light.dtype == np.float32
+    seen = np.isfinite(layers["Z"])
+    assert 0.1 < seen.mean() < 1.0 and layers.units["Z"] == "sites"
+    lengths = sum(layers[f"normal.{axis}"] ** 2 for axis in "XYZ")
+    assert np.allclose(lengths[seen], 1, atol=0.01)
+    assert np.nanmax(layers["field.height"]) <= present.bed.max()
+    assert present.image().shape == (54, 96, 3)  # the two are drawn in turn
+    assert np.array_equal(present.layers()["R"], layers["R"])
+
+
+def test_the_flat_figure_of_a_section_has_no_layers():
+    section = fumon.Scene("air-and-grains", look_mode="figure", run_steps=1, image_width=96, image_height=54).at(1)
+    with pytest.raises(fumon.InputError, match="look.mode"):
+        section.layers()
+
+
 def test_the_bed_is_that_of_the_program(barchans, tmp_path):
     (tmp_path / "s.toml").write_text(barchans.to_toml())
     subprocess.run([PROGRAM, "run", tmp_path / "s.toml", "-o", tmp_path / "out", "--quiet", "--set", "output.frames=false",

@@ -53,6 +53,16 @@ def test_the_look_is_that_of_the_scenes_keys(picture):
         fumon.render(HILLS, 2.0, look_palette="nopalette")
 
 
+def test_layers_tell_where_each_pixel_looks(picture):
+    y, x = np.mgrid[0:30, 0:40]
+    layers = fumon.render_layers(x + 100.0, 10, camera_projection="map", image_width=80, image_height=60)
+    heights, east = layers["field.height"], layers["position.X"]
+    on = np.isfinite(heights)
+    assert layers.units["position.X"] == "m" and on.mean() > 0.5
+    assert np.abs(heights[on] - 100 - (east[on] / 10 - 0.5)).max() <= 0.51
+    assert "120" not in repr(layers) and "80 x 60" in repr(layers)
+
+
 def test_a_transparent_background_is_alpha(tmp_path, picture):
     block = fumon.render(HILLS, 2.0, look_background="transparent", **LOOK)
     assert block.shape == (64, 96, 4) and block.dtype == np.uint8

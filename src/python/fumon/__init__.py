@@ -35,10 +35,11 @@ _find_data()
 
 from .bmi import Bmi  # noqa: E402
 from .images import Comparison, Image, compare, fingerprint  # noqa: E402
+from .layers import Layers  # noqa: E402
 from .measures import Measures  # noqa: E402
 from .movies import Movie, movie  # noqa: E402
 from .scene import Run, Scene, Step  # noqa: E402
-from .terrain import measure, render  # noqa: E402
+from .terrain import measure, render, render_layers  # noqa: E402
 
 try:
     from . import accessor as _accessor  # noqa: F401,E402
@@ -53,6 +54,6 @@ def pin_rendering() -> None:
 
 
 __all__ = [
-    "Bmi", "Comparison", "Error", "Image", "InputError", "Measures", "Movie", "Run", "Scene", "Step", "compare",
-    "fingerprint", "measure", "movie", "pin_rendering", "render",
+    "Bmi", "Comparison", "Error", "Image", "InputError", "Layers", "Measures", "Movie", "Run", "Scene", "Step",
+    "compare", "fingerprint", "measure", "movie", "pin_rendering", "render", "render_layers",
 ]

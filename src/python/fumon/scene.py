@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _core
 from .images import Image, PathLike, write_png
+from .layers import Layers
 from .measures import Measures
 from .progress import Progress
 from .settings import key_of, settings_of
@@ -238,9 +239,19 @@ class Step:
         """The picture of ``fumon still`` at this step, to the byte."""
         return Image.drawn(self._core.drawn())
 
+    def layers(self) -> Layers:
+        """The light of that picture before exposure and tone curve, without overlays, and what each pixel shows: depth,
+        normals, positions and the bed's fields. ``output_exr_layers="colour"`` in the scene leaves it at the light.
+        InputError for the flat figure of a section, which has none."""
+        return Layers.drawn(self._core.layers())
+
     def save(self, file: PathLike) -> None:
-        """Writes that picture as PNG, with all that ``fumon again`` needs to make it once more."""
-        write_png(file, self._core.png())
+        """Writes that picture as PNG or, where the name ends in .exr, its layers as OpenEXR, with all that
+        ``fumon again`` needs to make it once more."""
+        if os.fspath(file).lower().endswith(".exr"):
+            _core.write_file(os.fspath(file), self._core.exr())
+        else:
+            write_png(file, self._core.png())
 
     def _repr_png_(self) -> bytes:
         return self._core.png()

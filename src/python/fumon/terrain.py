@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _core
 from .images import Image
+from .layers import Layers
 from .measures import Measures
 from .settings import settings_of
 
@@ -49,6 +50,14 @@ def render(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", f
     """
     bed = bed_of(data, cell_size, origin, field)
     return Image.drawn(_painter(bed, look).first())
+
+
+def render_layers(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
+                  **look: Any) -> Layers:
+    """The light of the picture that render() gives, before exposure and tone curve, and what each of its pixels shows:
+    depth, normals, positions, heights. Arguments and errors as for render()."""
+    bed = bed_of(data, cell_size, origin, field)
+    return Layers.drawn(_painter(bed, look).layers())
 
 
 def measure(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
