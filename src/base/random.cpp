@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "base/elementary.h"
 #include "base/give_up.h"
@@ -196,13 +197,26 @@ RandomStream::RandomStream(std::uint64_t seed, std::uint32_t row, std::int64_t s
     : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)},
       counter_{0, row, static_cast<std::uint32_t>(step), static_cast<std::uint32_t>(purpose)} {}
 
-std::uint32_t RandomStream::next32() {
-    if (used_ == 4) {
-        block_ = philox4x32(counter_, key_);
+/// The first blocks one by one, since many streams end with them, then many at a time.
+void RandomStream::make_words() {
+    constexpr std::uint32_t one_by_one = 4;
+    static_assert(std::tuple_size_v<decltype(words_)> == 4 * lanes);
+    used_ = 0;
+    if (counter_[0] < one_by_one) {
+        const auto block = philox4x32(counter_, key_);
+        std::ranges::copy(block, words_.begin());
         ++counter_[0];
-        used_ = 0;
+        made_ = block.size();
+    } else {
+        philox_chunks(counter_, key_, words_.data(), 1);
+        counter_[0] += static_cast<std::uint32_t>(lanes);
+        made_ = words_.size();
     }
-    return block_[static_cast<std::size_t>(used_++)];
+}
+
+std::uint32_t RandomStream::next32() {
+    if (used_ == made_) make_words();
+    return words_[used_++];
 }
 
 std::uint64_t RandomStream::next64() {
@@ -228,20 +242,17 @@ std::uint32_t RandomStream::below(std::uint32_t count) {
 void RandomStream::fill(std::span<std::uint32_t> words) {
     constexpr std::size_t chunk = 4 * lanes;
     std::size_t done = 0;
-    while (done < words.size() && used_ != 4) words[done++] = next32();
+    while (done < words.size() && used_ != made_) words[done++] = next32();
     const std::size_t whole = (words.size() - done) / chunk;
     philox_chunks(counter_, key_, words.data() + done, whole);
     counter_[0] += static_cast<std::uint32_t>(lanes * whole);
     done += chunk * whole;
     if (done == words.size()) return;
-    std::array<std::uint32_t, chunk> last{};
-    philox_chunks(counter_, key_, last.data(), 1);
-    const std::size_t rest = words.size() - done;
-    std::copy_n(last.begin(), rest, words.begin() + static_cast<std::ptrdiff_t>(done));
-    const std::size_t block = (rest - 1) / 4;
-    std::copy_n(last.begin() + static_cast<std::ptrdiff_t>(4 * block), 4, block_.begin());
-    counter_[0] += static_cast<std::uint32_t>(block + 1);
-    used_ = static_cast<int>(rest - 4 * block);
+    philox_chunks(counter_, key_, words_.data(), 1);
+    counter_[0] += static_cast<std::uint32_t>(lanes);
+    made_ = words_.size();
+    used_ = words.size() - done;
+    std::copy_n(words_.begin(), used_, words.begin() + static_cast<std::ptrdiff_t>(done));
 }
 
 std::int64_t binomial(RandomStream& stream, std::int64_t trials, double probability) {

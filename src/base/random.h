@@ -45,10 +45,13 @@ class RandomStream {
     void fill(std::span<std::uint32_t> words);
 
   private:
+    void make_words();
+
     std::array<std::uint32_t, 2> key_;
     std::array<std::uint32_t, 4> counter_;
-    std::array<std::uint32_t, 4> block_{};
-    int used_ = 4;
+    std::array<std::uint32_t, 64> words_{};  ///< the next ones
+    std::size_t made_ = 0;                   ///< how many of them
+    std::size_t used_ = 0;
 };
 
 /// A binomial variate: successes of `trials` at `probability`, exact in distribution; the algorithm

@@ -187,7 +187,7 @@ void SlopeRelaxation::settle_row(WholeGrid& surface, int y) {
 }
 
 SlopeRelaxation::Outcome SlopeRelaxation::relax(WholeGrid& surface, const WholeGrid& floor,
-                                                int most_passes) {
+                                                int most_passes, Ending ending) {
     constexpr std::int64_t worth_sharing = 2000;  // cells
     std::int64_t count = worth_sharing;
     const auto over_rows = [&](const auto& body) {
@@ -213,6 +213,9 @@ SlopeRelaxation::Outcome SlopeRelaxation::relax(WholeGrid& surface, const WholeG
         over_rows([&](int begin, int end) {
             for (int y = begin; y < end; ++y) settle_row(surface, y);
         });
+        // What would slide next has to be found where it is remembered as sliding.
+        if (ending == Ending::unseen && pass + 1 == most_passes && slid_.words() == 0)
+            return {most_passes, false};
     }
 }
 

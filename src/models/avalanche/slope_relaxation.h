@@ -79,8 +79,13 @@ class SlopeRelaxation {
         bool at_rest = true;  ///< false where `most_passes` did not suffice
     };
 
+    /// Whether it is to be seen, after `most_passes`, that all is at rest; where it is not, the
+    /// outcome may say that it is not.
+    enum class Ending { seen, unseen };
+
     /// Relaxes the whole surface. `floor` is what does not slide.
-    Outcome relax(WholeGrid& surface, const WholeGrid& floor, int most_passes);
+    Outcome relax(WholeGrid& surface, const WholeGrid& floor, int most_passes,
+                  Ending ending = Ending::seen);
 
     /// Relaxes what some cells, and what slides from them, make too steep: cell after cell, first
     /// in first out, on one thread. Cells are numbered y·nx + x. False where it gave up after

@@ -2,6 +2,9 @@
 #define HWY_TARGET_INCLUDE "models/dunes/shadow_vectors.cpp"
 #include <hwy/foreach_target.h>
 // Those below are included once for each target.
+#include <algorithm>
+#include <cstddef>
+
 #include "models/dunes/shadow_vectors.h"
 #include "vectors/functions-inl.h"
 #include "vectors/rows-inl.h"
@@ -63,6 +66,31 @@ void lift(const Lines& lines, const Between& between) {
     for_each_vector(lines.count, loop);
 }
 
+void range_of_row(const std::int64_t* heights, int count, std::int64_t& lowest,
+                  std::int64_t& highest) {
+    const hn::ScalableTag<std::int64_t> whole;
+    constexpr std::size_t lanes = hn::MaxLanes(whole);
+    const auto cells = static_cast<std::size_t>(count);
+    auto low = hn::Set(whole, heights[0]);
+    auto high = low;
+    std::size_t x = 0;
+    for (; x + lanes <= cells; x += lanes) {
+        const auto here = hn::LoadU(whole, heights + x);
+        low = hn::Min(low, here);
+        high = hn::Max(high, here);
+    }
+    HWY_ALIGN std::int64_t lows[lanes];
+    HWY_ALIGN std::int64_t highs[lanes];
+    hn::Store(low, whole, lows);
+    hn::Store(high, whole, highs);
+    lowest = *std::min_element(lows, lows + lanes);
+    highest = *std::max_element(highs, highs + lanes);
+    for (; x < cells; ++x) {
+        lowest = std::min(lowest, heights[x]);
+        highest = std::max(highest, heights[x]);
+    }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace fumon::shadow_vectors
 HWY_AFTER_NAMESPACE();
@@ -73,6 +101,7 @@ namespace fumon::shadow_vectors {
 HWY_EXPORT(fall);
 HWY_EXPORT(shade);
 HWY_EXPORT(lift);
+HWY_EXPORT(range_of_row);
 
 void fall(const Lines& lines, const Fall& fall) {
     HWY_DYNAMIC_DISPATCH(fall)(lines, fall);
@@ -85,6 +114,11 @@ void shade(const Lines& lines, const Between& between, double range, double* sha
 
 void lift(const Lines& lines, const Between& between) {
     HWY_DYNAMIC_DISPATCH(lift)(lines, between);
+}
+
+void range_of_row(const std::int64_t* heights, int count, std::int64_t& lowest,
+                  std::int64_t& highest) {
+    HWY_DYNAMIC_DISPATCH(range_of_row)(heights, count, lowest, highest);
 }
 
 }  // namespace fumon::shadow_vectors

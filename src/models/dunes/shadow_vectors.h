@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 /// The steps of wind shadows as loops over vectors of lines.
 namespace fumon::shadow_vectors {
 
@@ -34,5 +36,9 @@ void shade(const Lines& lines, const Between& between, double range, double* sha
 
 /// Lifts the surfaces to the ground below the lines.
 void lift(const Lines& lines, const Between& between);
+
+/// The lowest and the highest of a row of at least one height.
+void range_of_row(const std::int64_t* heights, int count, std::int64_t& lowest,
+                  std::int64_t& highest);
 
 }  // namespace fumon::shadow_vectors

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
+#include <mutex>
 #include <numeric>
 
 #include "base/give_up.h"
@@ -18,6 +18,10 @@ namespace {
 /// Passes of avalanches after each sub-step but the last, after which they end: what slides on from
 /// one to the next is less than what the next one's slabs bring.
 constexpr int passes_between = 1;
+
+/// Cells of a field in a line of the caches. Those of the next row are fetched while a row's cells
+/// are picked, which come in no order that the processor would foresee.
+constexpr int cells_of_line = 8;
 
 /// Where a place along an axis lies in the grid; −1 beyond an open edge.
 int cell_of(double place, int count, bool periodic) {
@@ -59,10 +63,6 @@ void SlabTransport::step(DuneBed& bed, const BlowingWind& wind, const Plants* pl
     }
 }
 
-void SlabTransport::add(int x, int y, std::int64_t amount) {
-    std::atomic_ref(change_(x, y)).fetch_add(amount, std::memory_order_relaxed);
-}
-
 /// Hops from a place, in cells, until the slab comes to rest; false where it leaves over an open
 /// edge.
 template <class Shade>
@@ -93,27 +93,42 @@ bool SlabTransport::hop(const DuneBed& bed, const BlowingWind& wind, const Shade
 }
 
 std::int64_t SlabTransport::pick_row(const DuneBed& bed, const BlowingWind& wind, const Grid& shade,
-                                     int y, RandomStream& stream, std::vector<std::int64_t>& left) {
-    for (int x = 0; x < ground_.nx; ++x)
-        left[static_cast<std::size_t>(x)] = bed.surface(x, y) - bed.rock(x, y);
+                                     int y, RandomStream& stream, Share& share) {
     const auto shade_at = [&](int x, int row) { return shade(x, row); };
+    const std::int64_t picks = picks_[static_cast<std::size_t>(y)];
+    const int next = y + 1 < share.end ? y + 1 : y;
+    const int lines_a_pick = static_cast<int>(ground_.nx / cells_of_line / (picks + 1)) + 1;
+    int fetched = 0;
     std::int64_t lost = 0;
-    for (std::int64_t pick = 0; pick < picks_[static_cast<std::size_t>(y)]; ++pick) {
+    for (std::int64_t pick = 0; pick < picks; ++pick) {
+        const int fetch = std::min(fetched + lines_a_pick * cells_of_line, ground_.nx);
+        for (; fetched < fetch; fetched += cells_of_line) {
+            __builtin_prefetch(&bed.surface(fetched, next));
+            __builtin_prefetch(&bed.rock(fetched, next));
+            __builtin_prefetch(&shade(fetched, next));
+            __builtin_prefetch(&change_(fetched, next), 1);
+        }
         const auto x = static_cast<int>(stream.below(static_cast<std::uint32_t>(ground_.nx)));
         const double shaded = shade(x, y);
         const double chance = stream.uniform();
-        std::int64_t& here = left[static_cast<std::size_t>(x)];
-        if (here <= 0 || chance < held(shaded, x, y)) continue;
-        const std::int64_t slab = std::min(slab_, here);
-        here -= slab;
-        add(x, y, -slab);
+        std::int64_t& taken = share.taken[static_cast<std::size_t>(x)];
+        const std::int64_t left = bed.surface(x, y) - bed.rock(x, y) - taken;
+        if (left <= 0 || chance < held(shaded, x, y)) continue;
+        const std::int64_t slab = std::min(slab_, left);
+        taken += slab;
+        share.picked.push_back(x);
+        change_(x, y) -= slab;
         Place place;
-        if (hop(bed, wind, shade_at, x, y, stream, place)) {
-            add(place.x, place.y, slab);
-        } else {
+        if (!hop(bed, wind, shade_at, x, y, stream, place)) {
             lost += slab;
+        } else if (place.y >= share.begin && place.y < share.end) {
+            change_(place.x, place.y) += slab;
+        } else {
+            share.beyond.emplace_back(place, slab);
         }
     }
+    for (const int x : share.picked) share.taken[static_cast<std::size_t>(x)] = 0;
+    share.picked.clear();
     return lost;
 }
 
@@ -134,7 +149,7 @@ std::int64_t SlabTransport::blow_in(const DuneBed& bed, const BlowingWind& wind,
             const auto [x, y] = start();
             Place place;
             if (!hop(bed, wind, shade_at, x, y, stream, place)) continue;
-            add(place.x, place.y, slab_);
+            change_(place.x, place.y) += slab_;
             came += slab_;
         }
     };
@@ -166,15 +181,24 @@ void SlabTransport::step_in_parallel(DuneBed& bed, const BlowingWind& wind, std:
         shadow.cast(bed.surface, wind, shadow_, WindShadow::Find::shade);
         RandomStream shares(seed_, 0, substep, Purpose::picks_per_row);
         multinomial_equal(shares, (k + 1) * cells / substeps - k * cells / substeps, picks_);
+        std::mutex joining;
+        std::vector<Landing> beyond;
         pool_.for_ranges(ground_.ny, [&](int begin, int end) {
-            std::vector<std::int64_t> left(static_cast<std::size_t>(ground_.nx));
+            Share share{begin,
+                        end,
+                        std::vector<std::int64_t>(static_cast<std::size_t>(ground_.nx)),
+                        {},
+                        {}};
             for (int y = begin; y < end; ++y) {
                 give_up_if_asked();
                 RandomStream stream(seed_, static_cast<std::uint32_t>(y), substep, Purpose::picks);
                 lost_[static_cast<std::size_t>(y)] =
-                    pick_row(bed, wind, shadow.shade(), y, stream, left);
+                    pick_row(bed, wind, shadow.shade(), y, stream, share);
             }
+            const std::scoped_lock lock(joining);
+            beyond.insert(beyond.end(), share.beyond.begin(), share.beyond.end());
         });
+        for (const auto& [place, slab] : beyond) change_(place.x, place.y) += slab;
         bed.outflow += std::accumulate(lost_.begin(), lost_.end(), std::int64_t{0});
         if (parameters_.influx > 0.0) bed.inflow += blow_in(bed, wind, shadow.shade(), substep);
         pool_.for_ranges(ground_.ny, [&](int begin, int end) {
@@ -188,7 +212,9 @@ void SlabTransport::step_in_parallel(DuneBed& bed, const BlowingWind& wind, std:
         const bool last = k + 1 == substeps;
         const int most =
             last ? avalanches.most_passes : std::min(passes_between, avalanches.most_passes);
-        const auto outcome = avalanches.slopes.relax(bed.surface, bed.rock, most);
+        using Ending = SlopeRelaxation::Ending;
+        const auto outcome = avalanches.slopes.relax(bed.surface, bed.rock, most,
+                                                     last ? Ending::seen : Ending::unseen);
         avalanches.passes = std::max(avalanches.passes, outcome.passes);
         if (last) avalanches.at_rest = outcome.at_rest;
     }

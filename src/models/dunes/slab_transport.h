@@ -50,13 +50,27 @@ class SlabTransport {
         int y = 0;
     };
 
+    struct Landing {
+        Place place;
+        std::int64_t slab;
+    };
+
+    /// What a thread picks from its rows [begin, end).
+    struct Share {
+        int begin;
+        int end;
+        std::vector<std::int64_t> taken;  ///< of the cells of the row at hand
+        std::vector<int> picked;          ///< those that are not 0
+        std::vector<Landing> beyond;      ///< in rows of other threads
+    };
+
     void step_in_parallel(DuneBed& bed, const BlowingWind& wind, std::int64_t step,
                           WindShadow& shadow, Avalanches& avalanches);
     void step_in_sequence(DuneBed& bed, const BlowingWind& wind, std::int64_t step,
                           Avalanches& avalanches);
     [[nodiscard]] std::int64_t pick_row(const DuneBed& bed, const BlowingWind& wind,
                                         const Grid& shade, int y, RandomStream& stream,
-                                        std::vector<std::int64_t>& left);
+                                        Share& share);
     [[nodiscard]] std::int64_t blow_in(const DuneBed& bed, const BlowingWind& wind,
                                        const Grid& shade, std::int64_t substep);
     template <class Shade>
@@ -64,7 +78,6 @@ class SlabTransport {
              double from_y, RandomStream& stream, Place& place) const;
     [[nodiscard]] double marched_shade(const DuneBed& bed, const BlowingWind& wind, int x, int y,
                                        std::int64_t highest) const;
-    void add(int x, int y, std::int64_t amount);
     /// The probability that a picked slab stays where it is.
     [[nodiscard]] double held(double shade, int x, int y) const;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "base/grid.h"
@@ -51,11 +52,11 @@ class WindShadow {
     [[nodiscard]] const Grid& envelope() const { return envelope_; }
 
   private:
-    /// The way of the lines over the grid, whose cells are taken with the axis along the wind
-    /// second.
+    /// The way of the lines over the grid, whose rows across the wind they meet one by one.
     struct Way {
-        int across = 0;  ///< cells across
-        int along = 0;   ///< cells along
+        bool turned = false;  ///< the grid's columns are the rows across the wind
+        int across = 0;       ///< cells across
+        int along = 0;        ///< cells along
         bool periodic_across = true;
         bool periodic_along = true;
         bool forward = true;    ///< toward larger numbers
@@ -63,20 +64,19 @@ class WindShadow {
         double distance = 0.0;  ///< m for each cell along
     };
 
-    void take_heights(const WholeGrid& surface, bool turned);
-    void give_back(bool turned, Find find);
-    void follow_lines(const Way& way, const ShadowTangents& tangents, int first, int last);
-    [[nodiscard]] Way way_of(const BlowingWind& wind, bool turned) const;
+    [[nodiscard]] Way way_of(const BlowingWind& wind) const;
+    /// Rows before the first from which a shadow can reach it.
+    int rows_of_reach(const WholeGrid& surface, const Way& way, const ShadowTangents& tangents);
+    void follow_lines(const WholeGrid& surface, const Way& way, const ShadowTangents& tangents,
+                      Find find, int first, int last);
 
     DuneGround ground_;
     WorkerPool& pool_;
-    Grid heights_;  ///< m, the axis along the wind second
-    Grid found_shade_;
-    Grid found_envelope_;
     Grid shade_;
     Grid envelope_;
-    std::vector<double> lowest_;   ///< of each row
-    std::vector<double> highest_;  ///< of each row
+    int rows_before_ = 0;
+    std::vector<std::int64_t> lowest_;   ///< of each row
+    std::vector<std::int64_t> highest_;  ///< of each row
 };
 
 }  // namespace fumon

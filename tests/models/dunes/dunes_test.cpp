@@ -199,6 +199,43 @@ TEST(Dunes, ShadowOfAPeriodicBedGoesRound) {
     EXPECT_EQ(open.shade()(5, 5), 0.0);
 }
 
+/// Lines are followed so many at a time: where they are cut apart must not be seen.
+TEST(Dunes, ShadowIsTheSameWhereverLinesAreCutApart) {
+    constexpr int nx = 150;
+    constexpr int ny = 134;
+    constexpr int moved = 29;
+    WholeGrid surface(nx, ny);
+    WholeGrid beside(nx, ny);
+    const Grid heights = noise(nx, ny, 6.0);
+    for (int y = 0; y < ny; ++y) {
+        for (int x = 0; x < nx; ++x) {
+            surface(x, y) = to_units(heights(x, y));
+            beside(x, (y + moved) % ny) = surface(x, y);
+        }
+    }
+    for (const bool periodic : {true, false}) {
+        const DuneGround ground{nx, ny, 1.0, 1.0, periodic, periodic};
+        for (const double from : {270.0, 90.0, 258.0, 301.0, 180.0, 10.0, 225.0}) {
+            SCOPED_TRACE(from);
+            const WindTurns turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
+            const auto shade_of = [&](const WholeGrid& bed, int threads) {
+                WorkerPool pool(threads);
+                WindShadow shadow(ground, pool);
+                shadow.cast(bed, turns.at(0), {0.2, 0.3}, WindShadow::Find::shade_and_envelope);
+                return std::pair(shadow.shade(), shadow.envelope());
+            };
+            const auto one = shade_of(surface, 1);
+            EXPECT_TRUE(one == shade_of(surface, 3));
+            const bool along_x = from > 225.0 || from == 90.0;
+            if (!periodic || !along_x) continue;
+            const Grid other = shade_of(beside, 1).first;
+            for (int y = 0; y < ny; ++y) {
+                EXPECT_TRUE(std::ranges::equal(other.row((y + moved) % ny), one.first.row(y))) << y;
+            }
+        }
+    }
+}
+
 /// A single wave, for which the stress is known.
 TEST(Dunes, ShearStressLeadsTheCrests) {
     WorkerPool pool(2);
