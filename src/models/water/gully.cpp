@@ -139,7 +139,7 @@ Gully::Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool)
       sediment_(parameters_, domain_, bed_.nx(), bed_.ny(), pool),
       loads_(make_loads(start, pool)),
       flows_(loads_ ? FaceFlows(bed_.nx(), bed_.ny()) : FaceFlows()),
-      infiltration_(parameters_, domain_.dx * domain_.dy, bed_.nx(), bed_.ny(), pool),
+      infiltration_(parameters_, start.soil, domain_.dx * domain_.dy, bed_.nx(), bed_.ny(), pool),
       gauges_(parameters_, domain_, scale_, bed_.nx(), bed_.ny()),
       cell_area_(domain_.dx * domain_.dy),
       wet_area_(cell_area_ * sum_of(bed_, domain_.nodata, [](double) { return 1.0; })),

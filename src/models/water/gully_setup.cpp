@@ -272,6 +272,7 @@ GullyStart start_of_gully(const GullyParameters& parameters, ModelSetup& setup) 
     cut_channel(parameters, start.domain.dx, start.bed);
     start.water = water_of(parameters, start.domain, start.bed, setup.maps);
     start.roughness = roughness_of(parameters, start.domain, setup.maps);
+    start.soil = soil_of(parameters, start.domain, setup.maps);
     start.rain_maps = rain_maps_of(parameters, start.domain, setup.maps);
     return start;
 }

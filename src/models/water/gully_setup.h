@@ -17,7 +17,8 @@ struct GullyStart {
     bool on_terrain = false;  ///< the bed is a terrain file's
     Grid bed;
     Water water;
-    Grid roughness;                  ///< n, C or C_f of each cell; empty: the parameters' own
+    Grid roughness;  ///< n, C or C_f of each cell; empty: the parameters' own
+    Soil soil;
     std::vector<RainMap> rain_maps;  ///< by their times
 };
 

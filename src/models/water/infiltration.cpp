@@ -13,13 +13,13 @@ constexpr double hour = 3600.0;
 
 }  // namespace
 
-Infiltration::Infiltration(const GullyParameters& parameters, double cell_area, int nx, int ny,
-                           WorkerPool& pool)
+Infiltration::Infiltration(const GullyParameters& parameters, Soil soil, double cell_area, int nx,
+                           int ny, WorkerPool& pool)
     : law_(parameters.infiltration),
-      rate_(parameters.infiltration_rate * millimetre_per_hour),
-      start_(parameters.infiltration_start * millimetre_per_hour),
+      rate_(std::move(soil.rate), parameters.infiltration_rate * millimetre_per_hour, nx),
+      start_(std::move(soil.start), parameters.infiltration_start * millimetre_per_hour, nx),
       decay_(parameters.infiltration_decay / hour),
-      suction_(parameters.suction_head * parameters.moisture_deficit),
+      suction_(std::move(soil.suction), parameters.suction_head * parameters.moisture_deficit, nx),
       cell_area_(cell_area),
       pool_(pool) {
     if (!takes()) return;
@@ -29,21 +29,19 @@ Infiltration::Infiltration(const GullyParameters& parameters, double cell_area, 
 
 void Infiltration::advance(Grid& depth, double time, double dt) {
     if (!takes()) return;
-    double most = rate_ * dt;
-    if (law_ == InfiltrationLaw::horton) {
-        const double fallen = elementary::exp(-decay_ * (time + 0.5 * dt));
-        most = (rate_ + (start_ - rate_) * fallen) * dt;
-    }
+    const bool falls = law_ == InfiltrationLaw::horton;
+    const double fallen = falls ? elementary::exp(-decay_ * (time + 0.5 * dt)) : 0.0;
     const int nx = depth.nx();
     pool_.for_ranges(depth.ny(), [&](int begin, int end) {
         std::vector<double> taken(static_cast<std::size_t>(nx));
         for (int y = begin; y < end; ++y) {
             double* row = depth.row(y).data();
             if (law_ == InfiltrationLaw::green_ampt) {
-                infiltration::green_ampt_row(most, suction_, nx, row, total_.row(y).data(),
-                                             taken.data());
+                infiltration::green_ampt_row({rate_.row(y), suction_.row(y), dt}, nx, row,
+                                             total_.row(y).data(), taken.data());
             } else {
-                infiltration::take_row(most, nx, row, taken.data());
+                const double* start = falls ? start_.row(y) : rate_.row(y);
+                infiltration::take_row({rate_.row(y), start, fallen, dt}, nx, row, taken.data());
             }
             rows_[static_cast<std::size_t>(y)] = sediment::row_sum(taken.data(), nx);
         }

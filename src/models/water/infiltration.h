@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "base/compensated_sum.h"
@@ -10,6 +11,13 @@ namespace fumon {
 
 class WorkerPool;
 
+/// What differs from cell to cell; a grid that is empty: the parameters' own everywhere.
+struct Soil {
+    Grid rate;     ///< m/s: f, or K
+    Grid start;    ///< m/s: f0
+    Grid suction;  ///< m: ψ Δθ
+};
+
 /// Water that the ground takes where there is some (f in m/s):
 ///
 ///  * constant: f;
@@ -19,7 +27,7 @@ class WorkerPool;
 /// What is left keeps its velocity.
 class Infiltration {
   public:
-    Infiltration(const GullyParameters& parameters, double cell_area, int nx, int ny,
+    Infiltration(const GullyParameters& parameters, Soil soil, double cell_area, int nx, int ny,
                  WorkerPool& pool);
 
     [[nodiscard]] bool takes() const { return law_ != InfiltrationLaw::none; }
@@ -33,11 +41,26 @@ class Infiltration {
     void carry(StateCarrier& carrier);
 
   private:
+    /// A parameter of each cell, or of a row of cells where all rows have the same.
+    class OfCells {
+      public:
+        OfCells(Grid cells, double even, int nx)
+            : cells_(std::move(cells)),
+              row_(cells_.empty() ? static_cast<std::size_t>(nx) : 0, even) {}
+        [[nodiscard]] const double* row(int y) const {
+            return cells_.empty() ? row_.data() : cells_.row(y).data();
+        }
+
+      private:
+        Grid cells_;
+        std::vector<double> row_;
+    };
+
     InfiltrationLaw law_;
-    double rate_;   ///< m/s
-    double start_;  ///< m/s
-    double decay_;  ///< 1/s
-    double suction_;
+    OfCells rate_;   ///< m/s
+    OfCells start_;  ///< m/s
+    double decay_;   ///< 1/s
+    OfCells suction_;
     double cell_area_;
     WorkerPool& pool_;
     Grid total_;

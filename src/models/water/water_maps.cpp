@@ -47,6 +47,14 @@ Bounds bounds_of(const GullyParameters& parameters, MapQuantity quantity) {
             return {0.0, highest, false, " mm/h"};
         case MapQuantity::roughness:
             return {0.0, chezy ? deepest : 10.0, chezy, ""};
+        case MapQuantity::infiltration_rate:
+            return {0.0, highest, false, " mm/h"};
+        case MapQuantity::infiltration_start:
+            return {0.0, fastest * fastest, false, " mm/h"};
+        case MapQuantity::suction_head:
+            return {0.0, 100.0, false, " m"};
+        case MapQuantity::moisture_deficit:
+            return {0.0, 1.0, false, ""};
         case MapQuantity::depth:
             return {0.0, deepest, false, " m"};
         case MapQuantity::level:
@@ -58,10 +66,39 @@ Bounds bounds_of(const GullyParameters& parameters, MapQuantity quantity) {
     return {};
 }
 
+/// Whether a map says what is there at the start, which cells without data leave as it is.
+bool is_of_start(MapQuantity quantity) {
+    return quantity == MapQuantity::depth || quantity == MapQuantity::level ||
+           quantity == MapQuantity::velocity_x || quantity == MapQuantity::velocity_y;
+}
+
+/// Throws KeyError where a map says of the soil what the law of infiltration does not ask for.
+void check_soil(const GullyParameters& parameters, std::size_t n) {
+    const InfiltrationLaw law = parameters.infiltration;
+    const char* of = nullptr;
+    switch (parameters.maps[n].quantity) {
+        case MapQuantity::infiltration_rate:
+            if (law == InfiltrationLaw::none) of = "\"constant\", \"horton\" or \"green-ampt\"";
+            break;
+        case MapQuantity::infiltration_start:
+            if (law != InfiltrationLaw::horton) of = "\"horton\"";
+            break;
+        case MapQuantity::suction_head:
+        case MapQuantity::moisture_deficit:
+            if (law != InfiltrationLaw::green_ampt) of = "\"green-ampt\"";
+            break;
+        default:
+            break;
+    }
+    if (of == nullptr) return;
+    throw KeyError(map_key(n, "quantity"),
+                   fmt::format("is of another infiltration; write model.infiltration = {}", of));
+}
+
 void check_values(const GullyParameters& parameters, const WaterDomain& domain, std::size_t n,
                   const CellMap& map) {
     const MapQuantity quantity = parameters.maps[n].quantity;
-    const bool everywhere = quantity == MapQuantity::rain || quantity == MapQuantity::roughness;
+    const bool everywhere = !is_of_start(quantity);
     const Bounds bounds = bounds_of(parameters, quantity);
     const auto nx = static_cast<std::size_t>(map.values.nx());
     for (std::size_t cell = 0; cell < map.values.size(); ++cell) {
@@ -122,6 +159,7 @@ void check_maps(const GullyParameters& parameters, const WaterDomain& domain,
                     fmt::format("map.{} says that already; leave one of them out", other));
             }
         }
+        check_soil(parameters, n);
         check_values(parameters, domain, n, maps[n]);
     }
     if (rain_before == nullptr) return;
@@ -163,6 +201,34 @@ Grid roughness_of(const GullyParameters& parameters, const WaterDomain& domain,
         if (!is_inside(domain, cell)) roughness.values()[cell] = 1.0;  // where no water is
     }
     return roughness;
+}
+
+Soil soil_of(const GullyParameters& parameters, const WaterDomain& domain,
+             const std::vector<CellMap>& maps) {
+    const auto of_cells = [&](MapQuantity quantity, double unit) {
+        const CellMap* map = find_map(parameters, maps, quantity);
+        if (map == nullptr) return Grid();
+        Grid values = map->values;
+        for (std::size_t cell = 0; cell < values.size(); ++cell) {
+            double& value = values.values()[cell];
+            value = is_inside(domain, cell) ? value * unit : 0.0;
+        }
+        return values;
+    };
+    Soil soil{of_cells(MapQuantity::infiltration_rate, millimetre_per_hour),
+              of_cells(MapQuantity::infiltration_start, millimetre_per_hour),
+              of_cells(MapQuantity::suction_head, 1.0)};
+    const Grid deficit = of_cells(MapQuantity::moisture_deficit, 1.0);
+    if (deficit.empty()) {
+        for (double& head : soil.suction.values()) head *= parameters.moisture_deficit;
+    } else if (soil.suction.empty()) {
+        soil.suction = deficit;
+        for (double& suction : soil.suction.values()) suction = parameters.suction_head * suction;
+    } else {
+        for (std::size_t cell = 0; cell < deficit.size(); ++cell)
+            soil.suction.values()[cell] *= deficit.values()[cell];
+    }
+    return soil;
 }
 
 std::vector<RainMap> rain_maps_of(const GullyParameters& parameters, const WaterDomain& domain,

@@ -4,6 +4,7 @@
 
 #include "models/shared/model.h"
 #include "models/water/gully_parameters.h"
+#include "models/water/infiltration.h"
 #include "models/water/rain.h"
 #include "models/water/shallow_water.h"
 
@@ -25,6 +26,10 @@ void fill_from_maps(const GullyParameters& parameters, const WaterDomain& domain
 /// n, C or C_f of each cell; empty where no map says it.
 Grid roughness_of(const GullyParameters& parameters, const WaterDomain& domain,
                   const std::vector<CellMap>& maps);
+
+/// What the ground takes, cell by cell where maps say it; none outside the domain.
+Soil soil_of(const GullyParameters& parameters, const WaterDomain& domain,
+             const std::vector<CellMap>& maps);
 
 /// The maps of rain, by their times; none falls outside the domain.
 std::vector<RainMap> rain_maps_of(const GullyParameters& parameters, const WaterDomain& domain,

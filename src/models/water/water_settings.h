@@ -45,7 +45,18 @@ struct GaugeSettings {
     GaugeSide side = GaugeSide::none;
 };
 
-enum class MapQuantity { rain, roughness, depth, level, velocity_x, velocity_y };
+enum class MapQuantity {
+    rain,
+    roughness,
+    infiltration_rate,
+    infiltration_start,
+    suction_head,
+    moisture_deficit,
+    depth,
+    level,
+    velocity_x,
+    velocity_y
+};
 
 /// A quantity that a file gives cell by cell: [[map]]. The setup brings it to the grid's cells.
 struct MapSettings {

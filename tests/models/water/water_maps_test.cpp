@@ -184,6 +184,90 @@ TEST(WaterMaps, TheWaterAtTheStart) {
               0.125);
 }
 
+/// Half a metre of water that lies still between walls.
+WaterParameters pond(InfiltrationLaw law) {
+    WaterParameters water = wet_ground();
+    water.edges_x = water.edges_y = EdgeKind::wall;
+    water.initial_water = InitialWater::film;
+    water.depth = 0.5;
+    water.infiltration = law;
+    return water;
+}
+
+TEST(WaterMaps, EvenGroundTakesWhatItsNumbersSay) {
+    const Grid bed = noise(map_columns, map_rows, 0.5);
+    for (const InfiltrationLaw law :
+         {InfiltrationLaw::constant, InfiltrationLaw::horton, InfiltrationLaw::green_ampt}) {
+        WaterParameters even = pond(law);
+        even.infiltration_rate = 37.0;
+        even.infiltration_start = 900.0;
+        even.suction_head = 0.17;
+        even.moisture_deficit = 0.23;
+        WaterParameters mapped = even;
+        mapped.maps = {says(MapQuantity::infiltration_rate)};
+        std::vector<CellMap> maps{map_of(37.0)};
+        mapped.infiltration_rate = 1.0;
+        if (law == InfiltrationLaw::horton) {
+            mapped.maps.push_back(says(MapQuantity::infiltration_start));
+            maps.push_back(map_of(900.0));
+            mapped.infiltration_start = 1.0;
+        }
+        if (law == InfiltrationLaw::green_ampt) {
+            mapped.maps.push_back(says(MapQuantity::suction_head));
+            mapped.maps.push_back(says(MapQuantity::moisture_deficit));
+            maps.push_back(map_of(0.17));
+            maps.push_back(map_of(0.23));
+            mapped.suction_head = mapped.moisture_deficit = 1.0;
+        }
+        MappedRun one(even, bed, {});
+        MappedRun other(mapped, bed, maps);
+        one.to(30.0);
+        other.to(30.0);
+        EXPECT_GT(one.number("infiltrated_volume"), 0.0);
+        EXPECT_EQ(one.number("infiltrated_volume"), other.number("infiltrated_volume"));
+        const Snapshot first = one.gully.snapshot();
+        const Snapshot second = other.gully.snapshot();
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_TRUE(std::ranges::equal(first.fields[k].values.values(),
+                                           second.fields[k].values.values()));
+    }
+}
+
+/// What two soils take side by side is what each takes alone.
+TEST(WaterMaps, EachSoilTakesItsOwn) {
+    const Grid bed(map_columns, map_rows);
+    constexpr double cell = 4.0;
+    constexpr double west = cell * (map_columns / 2) * map_rows;
+    constexpr double east = cell * (map_columns - map_columns / 2) * map_rows;
+    const auto taken = [&](const WaterParameters& water, std::vector<CellMap> maps) {
+        MappedRun run(water, bed, std::move(maps));
+        run.to(100.0);
+        EXPECT_LT(std::fabs(run.number("water_budget_error")), 1e-13);
+        return run.number("infiltrated_volume");
+    };
+    WaterParameters constant = pond(InfiltrationLaw::constant);
+    constant.maps = {says(MapQuantity::infiltration_rate)};
+    EXPECT_NEAR(taken(constant, {halves(36.0, 9.0)}), west * 1e-3 + east * 0.25e-3, 1e-11);
+    WaterParameters horton = pond(InfiltrationLaw::horton);
+    horton.infiltration_rate = 36.0;
+    horton.infiltration_decay = 1e-4;
+    horton.maps = {says(MapQuantity::infiltration_start)};
+    EXPECT_NEAR(taken(horton, {halves(72.0, 36.0)}), west * 2e-3 + east * 1e-3, west * 1e-8);
+    // F of Green & Ampt (1911): F − S ln(1 + F / S) = K t.
+    WaterParameters front = pond(InfiltrationLaw::green_ampt);
+    front.infiltration_rate = 36.0;
+    front.suction_head = 0.1;
+    front.maps = {says(MapQuantity::moisture_deficit)};
+    front.time_step = 0.05;
+    const auto depth_of = [](double suction) {
+        double depth = 0.01;
+        for (int k = 0; k < 200; ++k) depth = 1e-3 + suction * std::log1p(depth / suction);
+        return depth;
+    };
+    const double expected = west * depth_of(0.04) + east * depth_of(0.01);
+    EXPECT_NEAR(taken(front, {halves(0.4, 0.1)}), expected, 0.01 * expected);
+}
+
 TEST(WaterMaps, WhatDoesNotGoTogetherIsRefused) {
     WaterParameters water = wet_ground();
     water.maps = {says(MapQuantity::rain)};
@@ -204,6 +288,21 @@ TEST(WaterMaps, WhatDoesNotGoTogetherIsRefused) {
     EXPECT_EQ(refusal(water, {map_of(1.0), map_of(1.0)}), "map.1.quantity");
     water.maps = {says(MapQuantity::depth, 3.0)};
     EXPECT_EQ(refusal(water, {map_of(1.0)}), "map.0.from");
+    water.maps = {says(MapQuantity::infiltration_rate)};
+    EXPECT_EQ(refusal(water, {map_of(1.0)}), "map.0.quantity");
+    water.infiltration = InfiltrationLaw::constant;
+    EXPECT_EQ(refusal(water, {map_of(1.0)}), "");
+    EXPECT_EQ(refusal(water, {map_of(-1.0)}), "map.0.file");
+    EXPECT_EQ(refusal(water, {holed}), "map.0.file");
+    water.maps = {says(MapQuantity::infiltration_start)};
+    EXPECT_EQ(refusal(water, {map_of(1.0)}), "map.0.quantity");
+    water.infiltration = InfiltrationLaw::horton;
+    water.maps = {says(MapQuantity::moisture_deficit)};
+    EXPECT_EQ(refusal(water, {map_of(0.5)}), "map.0.quantity");
+    water.infiltration = InfiltrationLaw::green_ampt;
+    EXPECT_EQ(refusal(water, {map_of(1.5)}), "map.0.file");
+    EXPECT_EQ(refusal(water, {holed}, holed.nodata), "");
+    water.infiltration = InfiltrationLaw::none;
     water.maps = {says(MapQuantity::roughness)};
     water.friction = FrictionLaw::chezy;
     EXPECT_EQ(refusal(water, {map_of(0.0)}), "map.0.file");

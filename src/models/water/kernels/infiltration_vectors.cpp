@@ -13,22 +13,24 @@ namespace HWY_NAMESPACE {
 using namespace vectors::HWY_NAMESPACE;
 
 struct Take {
-    double most;
+    Rates rates;
     double* depth;
     double* taken;
 
     template <class D>
     HWY_INLINE void operator()(D d, std::size_t x) const {
         const auto there = hn::LoadU(d, depth + x);
-        const auto gone = lesser(hn::Set(d, most), there);
+        const auto rate = hn::LoadU(d, rates.rate + x);
+        const auto above = hn::LoadU(d, rates.start + x) - rate;
+        const auto most = (rate + above * hn::Set(d, rates.fallen)) * hn::Set(d, rates.dt);
+        const auto gone = lesser(most, there);
         hn::StoreU(gone, d, taken + x);
         hn::StoreU(there - gone, d, depth + x);
     }
 };
 
 struct GreenAmpt {
-    double conductivity;
-    double suction;
+    WettingFront front;
     double* depth;
     double* total;
     double* taken;
@@ -37,8 +39,10 @@ struct GreenAmpt {
     HWY_INLINE void operator()(D d, std::size_t x) const {
         const auto there = hn::LoadU(d, depth + x);
         const auto before = hn::LoadU(d, total + x);
-        const auto grown = before + hn::Set(d, conductivity);
-        const auto root = hn::Sqrt(grown * grown + hn::Set(d, 4.0 * conductivity * suction));
+        const auto conducted = hn::LoadU(d, front.conductivity + x) * hn::Set(d, front.dt);
+        const auto suction = hn::LoadU(d, front.suction + x);
+        const auto grown = before + conducted;
+        const auto root = hn::Sqrt(grown * grown + hn::Set(d, 4.0) * conducted * suction);
         const auto could = hn::Set(d, 0.5) * (grown + root) - before;
         const auto gone = lesser(greater(could, hn::Zero(d)), there);
         hn::StoreU(gone, d, taken + x);
@@ -47,13 +51,13 @@ struct GreenAmpt {
     }
 };
 
-void take_row(double most, int count, double* depth, double* taken) {
-    for_each_vector(count, Take{most, depth, taken});
+void take_row(const Rates& rates, int count, double* depth, double* taken) {
+    for_each_vector(count, Take{rates, depth, taken});
 }
 
-void green_ampt_row(double conductivity, double suction, int count, double* depth, double* total,
+void green_ampt_row(const WettingFront& front, int count, double* depth, double* total,
                     double* taken) {
-    for_each_vector(count, GreenAmpt{conductivity, suction, depth, total, taken});
+    for_each_vector(count, GreenAmpt{front, depth, total, taken});
 }
 
 }  // namespace HWY_NAMESPACE
@@ -66,13 +70,13 @@ namespace fumon::infiltration {
 HWY_EXPORT(take_row);
 HWY_EXPORT(green_ampt_row);
 
-void take_row(double most, int count, double* depth, double* taken) {
-    HWY_DYNAMIC_DISPATCH(take_row)(most, count, depth, taken);
+void take_row(const Rates& rates, int count, double* depth, double* taken) {
+    HWY_DYNAMIC_DISPATCH(take_row)(rates, count, depth, taken);
 }
 
-void green_ampt_row(double conductivity, double suction, int count, double* depth, double* total,
+void green_ampt_row(const WettingFront& front, int count, double* depth, double* total,
                     double* taken) {
-    HWY_DYNAMIC_DISPATCH(green_ampt_row)(conductivity, suction, count, depth, total, taken);
+    HWY_DYNAMIC_DISPATCH(green_ampt_row)(front, count, depth, total, taken);
 }
 
 }  // namespace fumon::infiltration

@@ -2,13 +2,27 @@
 
 namespace fumon::infiltration {
 
-/// Takes up to `most` m from each depth of a row; `taken` gets what was there to take.
-void take_row(double most, int count, double* depth, double* taken);
+/// How fast the ground takes water in a sub-step: f + (f0 − f) · fallen, m/s.
+struct Rates {
+    const double* rate;   ///< f
+    const double* start;  ///< f0
+    double fallen;
+    double dt;  ///< s
+};
+
+/// Takes what the ground can from each depth of a row; `taken` gets what was there to take.
+void take_row(const Rates& rates, int count, double* depth, double* taken);
+
+/// Of the law of Green & Ampt: K (m/s) and S = ψ Δθ (m) of each cell.
+struct WettingFront {
+    const double* conductivity;
+    const double* suction;
+    double dt;  ///< s
+};
 
 /// By Green & Ampt (1911): what the ground takes in a sub-step from F on, implicit, so that
-/// F1 = F + K dt (1 + S / F1). `conductivity` is K dt (m), `suction` S = ψ Δθ (m), `total` F (m),
-/// which grows by what was there to take.
-void green_ampt_row(double conductivity, double suction, int count, double* depth, double* total,
+/// F1 = F + K dt (1 + S / F1). `total` is F (m), which grows by what was there to take.
+void green_ampt_row(const WettingFront& front, int count, double* depth, double* total,
                     double* taken);
 
 }  // namespace fumon::infiltration
