@@ -1,6 +1,7 @@
 // Million cell-steps per second of the finite-volume shallow water on all processors, over grid
 // sizes; a cell-step is one cell advanced by one sub-step, both stages and its length included. The
-// film beside plain loops on one processor.
+// film beside plain loops on one processor. Loads: the whole model, whose step is one sub-step of
+// water, bed load, suspended load and bed, and the failing of banks.
 
 #include <benchmark/benchmark.h>
 
@@ -10,6 +11,7 @@
 #include "base/worker_pool.h"
 #include "fastest.h"
 #include "models/water/finite_volume_scheme.h"
+#include "models/water/gully.h"
 #include "plain/finite_volume_plain.h"
 
 namespace fumon {
@@ -74,6 +76,34 @@ void film_with_islands(benchmark::State& state) {
     measure(state, 0.1, EdgeKind::open, false);
 }
 
+void measure_loads(benchmark::State& state, BedLoadLaw bed_load, EntrainmentLaw entrainment) {
+    const int side = static_cast<int>(state.range(0));
+    WorkerPool pool;
+    GullyParameters parameters;
+    parameters.scheme = WaterScheme::finite_volume;
+    parameters.transport = SedimentTransport::loads;
+    parameters.friction = FrictionLaw::manning;
+    parameters.slope = slope;
+    parameters.depth = depth;
+    parameters.time_step = 0.1;
+    parameters.substeps = Substeps::fixed;
+    parameters.loads.bed_load = bed_load;
+    parameters.loads.entrainment = entrainment;
+    Gully gully(parameters, {noise(side, 0.001), {}, {1.0, 1.0, 1.0, true}, 1, pool});
+    Fastest fastest;
+    for ([[maybe_unused]] auto _ : state)
+        state.SetIterationTime(fastest.time([&] { gully.step(); }));
+    state.counters["million_cell_steps_per_second"] =
+        fastest.rate(static_cast<double>(side) * side);
+}
+
+void bed_load(benchmark::State& state) {
+    measure_loads(state, BedLoadLaw::meyer_peter_mueller, EntrainmentLaw::none);
+}
+void bed_and_suspended_load(benchmark::State& state) {
+    measure_loads(state, BedLoadLaw::meyer_peter_mueller, EntrainmentLaw::excess_shear);
+}
+
 /// A river that winds through dry ground, 5 % of the cells, beside the same ground under water.
 void river(benchmark::State& state) {
     const int side = static_cast<int>(state.range(0));
@@ -117,6 +147,12 @@ void sizes(benchmark::internal::Benchmark* one) {
 
 BENCHMARK(film)->Apply(sizes);
 BENCHMARK(film_with_islands)->Apply(sizes);
+BENCHMARK(bed_load)->Arg(512)->Arg(2048)->Unit(benchmark::kMillisecond)->UseManualTime();
+BENCHMARK(bed_and_suspended_load)
+    ->Arg(512)
+    ->Arg(2048)
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime();
 BENCHMARK(river)->Arg(512)->Arg(2048)->Unit(benchmark::kMillisecond)->UseManualTime();
 
 }  // namespace
