@@ -54,8 +54,11 @@ constexpr int noise_texels = 512;  // along the longer side: a dozen to the fine
 const gl::TextureLayout noise_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT,
                                      GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
 
-gl::TextureLayout shaded_layout(bool mipmaps, PixelKind kind) {
-    gl::TextureLayout layout = colour_layout(kind);
+/// The colours of endless ground are lit later: a byte's step of a dark one is two levels of the
+/// picture, and falls elsewhere on a bed that is shifted.
+gl::TextureLayout shaded_layout(Ground ground, bool mipmaps, PixelKind kind) {
+    gl::TextureLayout layout =
+        colour_layout(ground == Ground::endless ? PixelKind::display_16 : kind);
     if (mipmaps) layout.minification = GL_LINEAR_MIPMAP_LINEAR;
     layout.coarsest = coarsest_seen;
     return layout;
@@ -233,7 +236,7 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
                   colours_water(view.look.colour_by) ? first.bed.ny() : 1, mark_layout),
       target_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
               shaded_size(first_bed.z.ny(), first_bed, samples_across),
-              repeated(shaded_layout(mipmaps_, kind), view.look.ground)) {
+              repeated(shaded_layout(view.look.ground, mipmaps_, kind), view.look.ground)) {
     if (view.look.mode == ViewMode::scenic) draw_noise();
     if (draws_water(view.look, first))
         water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny());

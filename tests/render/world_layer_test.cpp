@@ -37,15 +37,14 @@ TEST(WorldLayer, ABedShiftedWithTheCameraLooksTheSame) {
     const Image expected = drawn(0, 0);
     const Image shifted = drawn(37, 290);
     // Crests near the horizon, finer than texels of the levels that they are taken from, are not
-    // quite where they were: 48 values if every sample is coloured. Pixels that are coloured as a
-    // whole make it 296, on any processor, which is more than it should be.
+    // quite where they were: 11 values, in two rows.
     std::size_t off = 0;
     for (std::size_t i = 0; i < expected.rgb.size(); ++i) {
         const int apart = std::abs(int{expected.rgb[i]} - int{shifted.rgb[i]});
         EXPECT_LE(apart, 6);
         if (apart > 1) ++off;
     }
-    EXPECT_LT(off, expected.rgb.size() / 500);
+    EXPECT_LT(off, expected.rgb.size() / 10000);
 }
 
 /// Across the crests, the sun low at one side.
