@@ -83,23 +83,31 @@ float grain(SeenPlace at) {
     return mix(value_noise(place), value_noise(0.5 * place + 31.7), octave - whole);
 }
 
+// The level of a texture's means over what is seen, with so many texels to a block length.
+float coarseness(SeenPlace at, float texels) {
+    return 0.5 * log2(max(max(dot(at.along.xy, at.along.xy), dot(at.up.xy, at.up.xy)) * (texels * texels), 1e-12));
+}
+
 // Slope of the sand's own unevenness between ripples and cells, east and north, and how much lighter it is.
 vec3 relief(SeenPlace at) {
     const mat2 turned = mat2(0.8, 0.6, -0.6, 0.8);
-    float scale = 1.0 / (180.0 * ripple_length);
+    float scale = 1.0 / (70.0 * ripple_length);
     vec2 place = (whole_eye + at.offset.xy) * scale;
-    vec2 along = at.along.xy * scale;
-    vec2 up = at.up.xy * scale;
-    vec3 fine = textureGrad(relief_map, place, along, up).rgb;
-    float wider = 1.0 / 6.7;
-    vec3 broad = textureGrad(relief_map, wider * (turned * place) + 0.37, wider * (turned * along), wider * (turned * up)).rgb;
+    float level = coarseness(at, scale * float(textureSize(relief_map, 0).x));
+    vec3 fine = textureLod(relief_map, place, level).rgb;
+    const float wider = 1.0 / 11.3;
+    vec3 broad = textureLod(relief_map, wider * (turned * place) + 0.37, level - 3.5).rgb;
     fine -= 0.5;
     broad -= 0.5;
     broad.xy = broad.xy * turned;
     return fine + broad;
 }
 
-vec4 sand_colour(SeenPlace at) { return textureGrad(albedo_map, bed_place(at), at.along.xy / extent, at.up.xy / extent); }
+vec4 sand_colour(SeenPlace at) { return textureLod(albedo_map, bed_place(at), coarseness(at, float(textureSize(albedo_map, 0).x) / extent.x)); }
+
+// Slope and brightness of the sand's unevenness, and how much grains differ: stones on bare floors the most.
+vec3 unevenness(float bare) { return vec3(vec2(0.21), 0.52) * sand_grain * (marks > 1.5 ? bare : 0.6 + 0.4 * bare); }
+float grains_of(float bare) { return sand_grain * (marks > 1.5 ? 0.18 : 0.48 - 0.30 * bare); }
 
 vec3 albedo_of(vec4 sand, float brighter) { return sand.rgb * sand.rgb * (1.0 + brighter); }
 

@@ -16,8 +16,8 @@ vec4 far_colour(SeenPlace at) {
     vec2 up = at.up.xy / extent;
     vec3 to_eye = -normalize(at.offset);
     vec4 sand = sand_colour(at);
-    vec3 uneven = vec3(vec2(0.13), 0.4) * sand_grain * sand.a * relief(at);
-    vec3 albedo = albedo_of(sand, 0.10 * sand_grain * grain(at) + 0.1 * uneven.z);
+    vec3 uneven = unevenness(sand.a) * relief(at);
+    vec3 albedo = albedo_of(sand, grains_of(sand.a) * grain(at) + 0.1 * uneven.z);
     BedPoint point = slanting_bed_point(place, along, up);
     vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);
     float open = textureGrad(wind_map, place, along, up).r;

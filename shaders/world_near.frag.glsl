@@ -10,6 +10,8 @@
 #include "world_place.glsl"
 #include "world.glsl"
 
+uniform sampler2D wander_map;  // of ripple_wander.frag.glsl
+uniform float wander_scale;    // of its side, a ripple's length
 uniform float ripple_phase;  // of the eye's place, in turns
 
 const float tau = 6.2831853;
@@ -18,21 +20,22 @@ const float tau = 6.2831853;
 // dune as if each began that much later.
 float turns(vec3 way) { return (dot(way.xy, wind) - 0.8 * way.z) / ripple_length; }
 
-// How ripples wander: what is added to their phase, and a second train of waves, whose strength and phase wander. It
-// cancels the first in places: there crests end or fork.
+// How ripples wander: what is added to their phase, how high they stand, and a second train of waves, whose strength and
+// phase wander. It cancels the first in places: there crests end or fork.
 struct Wander {
     float turns;
     vec2 second;
-    float strength;
+    float height;
 };
 
 Wander wander_at(vec2 place) {
+    vec4 texel = texture(wander_map, place);
     Wander wander;
-    wander.turns = 1.5 * value_noise(place * 0.31 + 5.3) + 0.35 * value_noise(place * 1.3 + 2.9);
-    wander.second = vec2(0.6 + 1.5 * value_noise(place), 1.5 * value_noise(place + 17.3));
+    wander.turns = 10.0 * texel.x - 5.0;
+    wander.second = 4.0 * texel.yz - 2.0;
     float strength = length(wander.second);
     wander.second /= max(strength, 1e-3);
-    wander.strength = min(3.0 * strength, 1.0);
+    wander.height = 1.15 * texel.w * min(2.5 * strength, 1.0);
     return wander;
 }
 
@@ -43,6 +46,9 @@ vec2 wave_of(Wander wander, float phase) {
     float s = sin(turn);
     return vec2(c * wander.second.x - s * wander.second.y, s * wander.second.x + c * wander.second.y);
 }
+
+// Slope of a ripple, of its phase's cosine: crests are sharper than troughs.
+float profile(float c) { return c * (0.7 + 0.4 * c * c) - 0.3 * (2.0 * c * c - 1.0); }
 
 // Tongues of sand that slid down a steep face: slope across it, and how much lighter it is. Stripes down the faces that
 // look east or west, and down those that look north or south.
@@ -81,17 +87,15 @@ vec4 near_colour(SeenPlace at) {
     vec2 place_up = at.up.xy / extent;
     vec3 to_eye = -normalize(offset);
     vec4 sand = sand_colour(at);
-    float open = textureGrad(wind_map, place, place_along, place_up).r;
-    vec3 uneven = vec3(vec2(0.13), 0.4) * sand_grain * sand.a * relief(at);
+    float open = textureLod(wind_map, place, coarseness(at, float(textureSize(wind_map, 0).x) / extent.x)).r;
+    vec3 uneven = unevenness(sand.a) * relief(at);
 
     vec2 lee = vec2(-wind.y, wind.x);  // along the crests
     vec2 whole = (whole_eye + offset.xy) / ripple_length;
-    vec2 wandering = vec2(dot(whole, wind), 0.45 * dot(whole, lee)) / 7.0;
-    Wander wander = wander_at(wandering);
+    Wander wander = wander_at(wander_scale * vec2(dot(whole, wind), 0.75 * dot(whole, lee)));
     float phase = turns(offset) + ripple_phase + wander.turns;
     float footprint = abs(turns(at.along)) + abs(turns(at.up));
     if (whole_pixels > 0.5) footprint *= 0.5 / crisp;
-    float stand_up = wander.strength * (0.75 + 0.35 * value_noise(wandering * 0.21 + 9.1));
     float resolved = 1.0 - smoothstep(0.05, 0.3, footprint);
 
     // The sun's share, a mean over the pixel.
@@ -113,14 +117,14 @@ vec4 near_colour(SeenPlace at) {
         slope = -point.normal.xy / max(point.normal.z, 0.1);
         float steep = length(slope);
         if (i == 0) {
-            slid = smoothstep(0.46, 0.58, steep) * sand.a * (1.0 - smoothstep(0.0, 0.3, open)) * (1.0 - smoothstep(0.3, 0.8, footprint / 4.0));
+            slid = smoothstep(0.46, 0.58, steep) * sand.a * (1.0 - 0.85 * smoothstep(0.0, 0.3, open)) * (1.0 - smoothstep(0.3, 0.8, footprint / 4.0));
             tongue = slid * tongues(whole, (offset.z + eye.z) / ripple_length, vec2(-slope.y, slope.x) / max(steep, 0.1));
         }
-        standing = stand_up * rippled(sand.a, open, steep);
+        standing = wander.height * rippled(sand.a, open, steep);
         vec2 wave = wave_of(wander, phase + turns(to_part));
         vec2 facing = facing_of(slope);
-        vec2 tilt = facing * (ripple_slope * standing * resolved * (wave.x - 0.2 * (2.0 * wave.x * wave.x - 1.0)));
-        tilt += vec2(-slope.y, slope.x) / max(steep, 0.1) * (0.07 * tongue.x) + uneven.xy;
+        vec2 tilt = facing * (ripple_slope * standing * resolved * profile(wave.x));
+        tilt += vec2(-slope.y, slope.x) / max(steep, 0.1) * (0.09 * tongue.x) + uneven.xy;
         point.normal = normalize(vec3(-slope - tilt, 1.0));
         float spread = 0.7 * ripple_slope * standing * (1.0 - resolved) * dot(facing, to_sun.xy);
         direct += part * point.sun * mean_facing(dot(point.normal, to_sun), spread);
@@ -129,7 +133,7 @@ vec4 near_colour(SeenPlace at) {
         mean.sky += part * point.sky;
         trough += part * wave.y;
     }
-    vec3 albedo = albedo_of(sand, 0.10 * sand_grain * grain(at) + 0.05 * tongue.y + 0.1 * uneven.z);
+    vec3 albedo = albedo_of(sand, grains_of(sand.a) * grain(at) + 0.06 * tongue.y + 0.1 * uneven.z);
     if (marks > 1.5) {
         weather(mean.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), rock_share(place));
         direct = mix(direct, mean.sun * max(dot(mean.normal, to_sun), 0.0), rock_share(place));

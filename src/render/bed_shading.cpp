@@ -112,9 +112,46 @@ std::pair<double, double> natural_range(const Snapshot& snapshot, const Block& b
     return {block.reference + mean - half, block.reference + mean + half};
 }
 
+/// Palette places up to which ground between dunes is bare floor, and from which it is sand alone:
+/// by the heights that a twentieth of the bed is below and above; and how far there is such ground
+/// at all, since a bed that is nearly flat is all alike.
+glm::vec3 floor_places(const Field<float>& values, std::pair<double, double> range) {
+    std::vector<float> sorted(values.values().begin(), values.values().end());
+    const auto at = [&](double share) {
+        const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size()));
+        std::nth_element(sorted.begin(), sorted.begin() + place, sorted.end());
+        return static_cast<double>(sorted[static_cast<std::size_t>(place)]);
+    };
+    const double low = (at(0.05) - range.first) / (range.second - range.first);
+    const double span = (at(0.95) - range.first) / (range.second - range.first) - low;
+    const double floors = std::clamp(5.0 * span - 0.5, 0.0, 1.0);
+    return {low + 0.02 * span, low + std::max(0.2 * span, 0.01), floors};
+}
+
 Tone chosen_tone(const LookSettings& look) {
     if (look.tone != Tone::automatic) return look.tone;
     return look.ground == Ground::endless ? Tone::agx_punchy : Tone::filmic;
+}
+
+/// Of light before the tone curve.
+struct Rendering {
+    double contrast = 1.0;
+    double stops = 0.0;
+};
+
+/// As a photograph of a desert under a low sun is developed, with deep shadows: slopes that face
+/// the sun are then far brighter than the level ground that the light's exposure is for. A high
+/// sun, night, clouds and other planets need less.
+Rendering chosen_rendering(const View& view, const Light& light) {
+    const LookSettings& look = view.look;
+    if (!look.contrast.is_word()) return {look.contrast.value, look.exposure};
+    if (look.ground != Ground::endless) return {1.0, look.exposure};
+    constexpr double low = 0.2;  // sines of elevations
+    constexpr double high = 0.5;
+    double share =
+        std::clamp((high - static_cast<double>(light.to_sun.z)) / (high - low), 0.0, 1.0);
+    if (!light.atmosphere || light.stars || view.air.planet != Planet::earth) share = 0.0;
+    return {1.35 + 0.45 * share, look.exposure - 0.5 * share};
 }
 
 float tone_number(Tone tone) {  // of colour.glsl
@@ -174,12 +211,10 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
     const Tone tone = chosen_tone(view.look);
     program.set("tone", static_cast<int>(tone_number(tone)));
     program.set("punch", switched(tone == Tone::agx_punchy));
-    program.set("exposure", static_cast<float>(elementary::exp(
-                                std::numbers::ln2 * (view.look.exposure + light.stops))));
-    const double usual_contrast = view.look.ground == Ground::endless ? 1.35 : 1.0;
-    const WordOrReal& contrast = view.look.contrast;
-    program.set("contrast",
-                static_cast<float>(contrast.is_word() ? usual_contrast : contrast.value));
+    const Rendering rendering = chosen_rendering(view, light);
+    program.set("exposure", static_cast<float>(elementary::exp(std::numbers::ln2 *
+                                                               (rendering.stops + light.stops))));
+    program.set("contrast", static_cast<float>(rendering.contrast));
     program.set("to_sun", light.to_sun);
     program.set("sun_light", light.sun);
     program.set("sky_light", light.sky);
@@ -293,8 +328,9 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
     lighting_.make_mipmaps();
     lighting_.upload(light.texels.data());
     constexpr int margin = 2;  // cells that the refinement looks at
-    const Field<float> wide =
-        refined(with_margin(ranged_values(snapshot, first), margin), refinement_);
+    const Field<float> values = ranged_values(snapshot, first);
+    floor_places_ = floor_places(values, range_);
+    const Field<float> wide = refined(with_margin(values, margin), refinement_);
     values_.upload(palette_places(without_margin(wide, margin * refinement_), range_).data());
     values_.make_mipmaps();
     upload_marks(snapshot);
@@ -324,6 +360,7 @@ void BedShading::bind(const gl::Program& program) const {
     program.set("marks", mark_number(view_.look.mark));
     program.set("natural", view_.look.colour_by == Colouring::natural ? 1.0F : 0.0F);
     program.set("rock", static_cast<float>(block_.rock));
+    program.set("floor_values", floor_places_);
     set_sand(program, view_.look);
 }
 

@@ -77,6 +77,7 @@ class BedShading {
     int refinement_;
     bool mipmaps_;
     std::pair<double, double> range_{0.0, 1.0};
+    glm::vec3 floor_places_{0.0F};  ///< of palette places, of endless ground
     gl::Program program_;
     gl::Texture2D palette_;
     gl::Texture2D lighting_;

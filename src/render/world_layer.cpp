@@ -18,6 +18,11 @@ const gl::TextureLayout wind_layout{
 const gl::TextureLayout relief_layout{
     GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
 constexpr int relief_texels = 512;
+const gl::TextureLayout wander_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT,
+                                      GL_LINEAR, 0,       GL_REPEAT};
+constexpr int wander_texels = 512;
+constexpr double wander_features = 64.0;  // along its side
+constexpr double ripples_a_feature = 7.0;
 
 constexpr double nearest_share = 0.2;    // of the eye's height above the ground: the first ring
 constexpr double least_nearest = 1e-6;   // block lengths
@@ -25,6 +30,7 @@ constexpr double earth_radius = 6360.0;  // km
 constexpr double pixels_a_ray = 3.0;
 constexpr int detail_unit = 7;
 constexpr int seen_unit = 10;
+constexpr int wander_unit = 11;
 constexpr GLint near_stencil = 1;
 constexpr GLint far_stencil = 2;
 
@@ -58,9 +64,11 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
       near_colours_("screen.vert.glsl", "world_near.frag.glsl", {}, for_pixels(fixed, false)),
       far_colours_("screen.vert.glsl", "world_far.frag.glsl", {}, for_pixels(fixed, false)),
       wind_(first.bed.nx() * refinement, first.bed.ny() * refinement, wind_layout),
-      relief_(relief_texels, relief_texels, relief_layout) {
+      relief_(relief_texels, relief_texels, relief_layout),
+      wander_(wander_texels, wander_texels, wander_layout) {
     build();
     draw_relief();
+    draw_wander();
 }
 
 void WorldLayer::build() {
@@ -82,6 +90,18 @@ void WorldLayer::draw_relief() {
     program.use();
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
     relief_.colour().make_mipmaps();
+    gl.BindVertexArray(0);
+}
+
+void WorldLayer::draw_wander() {
+    const gl::Functions& gl = gl::functions();
+    const gl::Program program("screen.vert.glsl", "ripple_wander.frag.glsl");
+    wander_.bind();
+    gl.BindVertexArray(no_attributes_.name());
+    gl.Disable(GL_DEPTH_TEST);
+    program.use();
+    program.set("features", static_cast<float>(wander_features));
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
     gl.BindVertexArray(0);
 }
 
@@ -192,6 +212,7 @@ void WorldLayer::set_detail(const gl::Program& program, const Camera& camera) co
     const double turns = glm::dot(glm::dvec2(camera.eye), wind) / ripple_length_ -
                          static_cast<double>(step_) / steps_a_ripple;
     program.set("ripple_phase", static_cast<float>(turns - std::floor(turns)));
+    program.set("wander_scale", static_cast<float>(1.0 / (wander_features * ripples_a_feature)));
     program.set("ripple_slope", static_cast<float>(steepest * view_.look.ripples));
     program.set("sand_grain", static_cast<float>(view_.look.grain));
     program.set("whole_eye", glm::vec2(camera.eye));
@@ -232,6 +253,8 @@ void WorldLayer::bind(const gl::Program& program, const gl::Texture2D& seen,
     program.set("albedo_map", detail_unit + 1);
     relief_.colour().bind(detail_unit + 2);
     program.set("relief_map", detail_unit + 2);
+    wander_.colour().bind(wander_unit);
+    program.set("wander_map", wander_unit);
     seen.bind(seen_unit);
     program.set("offsets", seen_unit);
     set_eye(program, camera);

@@ -64,6 +64,7 @@ class WorldLayer {
   private:
     void build();
     void draw_relief();
+    void draw_wander();
     [[nodiscard]] double ground_under(const glm::dvec3& eye) const;
     [[nodiscard]] GroundFan fan_of(const Camera& camera) const;
     [[nodiscard]] static glm::mat4 clip_from_eye(const Camera& camera, const GroundFan& fan);
@@ -91,6 +92,7 @@ class WorldLayer {
     gl::Program far_colours_;
     gl::Texture2D wind_;
     gl::RenderTarget relief_;
+    gl::RenderTarget wander_;
     gl::VertexArray array_;
     gl::VertexArray no_attributes_;
     gl::DynamicBuffer places_{GL_ARRAY_BUFFER};

@@ -192,7 +192,10 @@ void list_view_keys(View& view, KeyTable& table) {
     table.real("look.exposure", look.exposure,
                {.unit = "stops", .range = {-10, 10}, .help = "brighter by a factor of two each"});
     table.word_or_real(
-        "look.contrast", look.contrast, {{"auto", "1.35 over endless ground, else 1"}},
+        "look.contrast", look.contrast,
+        {{"auto",
+          "over endless ground 1.35, up to 1.8 with half a stop less light under a low sun; "
+          "else 1"}},
         {.range = {0.2, 4}, .help = "of light before the tone curve: a power around middle grey"});
     table.boolean("look.block_sides", look.block_sides,
                   {.help = "draw the cut sides of the block"});
