@@ -199,7 +199,7 @@ void refine(const Scene& scene, Terrain& terrain) {
 }
 
 TerrainQuery query_of(const BedSettings& bed) {
-    TerrainQuery query{bed.heights, bed.variable, bed.band, std::nullopt};
+    TerrainQuery query{.png_heights = bed.heights, .variable = bed.variable, .band = bed.band};
     if (bed.window.size() == 4)
         query.window = {bed.window[0], bed.window[1], bed.window[2], bed.window[3]};
     return query;

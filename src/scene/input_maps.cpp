@@ -10,6 +10,7 @@
 #include "files/hash.h"
 #include "files/terrain/on_cells.h"
 #include "files/terrain/terrain_file.h"
+#include "keys/key_value.h"
 #include "scene/scene_keys.h"
 #include "scene/trust.h"
 
@@ -35,7 +36,7 @@ Value& value_of(const KeyTable& keys, std::size_t number, const char* key) {
 
 /// A reader's message as it would speak of a map.
 std::string of_map(std::string message, std::size_t number) {
-    for (const char* key : {"variable", "band"}) {
+    for (const char* key : {"variable", "band", "record"}) {
         const std::string of_bed = fmt::format("bed.{}", key);
         for (std::size_t at = message.find(of_bed); at != std::string::npos;
              at = message.find(of_bed, at + of_bed.size()))
@@ -68,6 +69,8 @@ Terrain read_map(const Scene& scene, const KeyTable& keys, std::size_t number,
     TerrainQuery query;
     query.variable = value_of<std::string>(keys, number, "variable");
     query.band = value_of<std::int64_t>(keys, number, "band");
+    query.record = value_of<std::int64_t>(keys, number, "record");
+    query.must_name_record = value_text(*keys.find(map_key(number, "quantity"))) == "\"rain\"";
     query.any_unit = true;
     try {
         return read_terrain(file, query);
@@ -116,6 +119,10 @@ void add_maps(const Scene& scene, InitialBed& initial) {
         const fs::path file = input_path(scene, key);
         const Terrain map = read_map(scene, keys, n, file);
         check_limits(scene, static_cast<std::int64_t>(map.heights.size()), 0);
+        if (!map.note.empty()) {
+            initial.note +=
+                fmt::format("{}{}: {}", initial.note.empty() ? "" : "; ", key.path, map.note);
+        }
         try {
             Terrain brought =
                 on_cells(map, {initial.bed.nx(), initial.bed.ny(), initial.scale.place});

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     // Only the classic format: HDF5 has faults of its own on damaged files.
     if (!is_netcdf(bytes) || !bytes.starts_with("CDF")) return -1;
     const fuzz::MemoryFile file(bytes);
-    fuzz::taken([&] { read_netcdf_bed(file.path(), ""); });
+    fuzz::taken([&] { read_netcdf_bed(file.path(), {}); });
     fuzz::taken([&] { read_fields_record(file.path()); });
     Snapshot outline;
     outline.bed = Grid(4, 3);

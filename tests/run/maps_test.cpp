@@ -136,6 +136,39 @@ TEST_F(MapsTest, AStoppedRunGoesOnWithThem) {
     EXPECT_EQ(state("copy"), state("whole"));
 }
 
+TEST_F(MapsTest, OneOfTheTimesOfANetcdfFile) {
+    const Ended first = run({"run", "land/scene.toml", "-o", "out", "-q", "--set",
+                             "output.fields_every=6", "--set", "output.frames=false"});
+    ASSERT_EQ(first.status, 0) << first.errors;
+    const std::string depth =
+        "[[map]]\nquantity = \"depth\"\nfile = \"../out/fields.nc\"\nvariable = \"water_depth\"\n";
+    const auto manifest_of = [&](const std::string& more) {
+        write_text(folder_ / "land/scene.toml", scene(depth + more));
+        const Ended ended = run({"run", "land/scene.toml", "-o", "next", "-q", "--force", "--set",
+                                 "output.frames=false"});
+        EXPECT_EQ(ended.status, 0) << ended.errors;
+        return nlohmann::json::parse(read_text(folder_ / "next/run.json"));
+    };
+    const auto last = manifest_of("");
+    EXPECT_NE(last["note"].get<std::string>().find(
+                  "map.2.file: the last of 3 records of water_depth is read"),
+              std::string::npos);
+    EXPECT_EQ(manifest_of("record = 3\n")["state_sha256"], last["state_sha256"]);
+    EXPECT_FALSE(manifest_of("record = 3\n").contains("note"));
+    EXPECT_NE(manifest_of("record = 2\n")["state_sha256"], last["state_sha256"]);
+    EXPECT_NE(refusal(scene(depth + "record = 4\n"))
+                  .find("water_depth has 3 records; name one of them by map.2.record, 1 to 3"),
+              std::string::npos);
+    const std::string rain =
+        "[[map]]\nquantity = \"rain\"\nfrom = 5\nfile = \"../out/fields.nc\"\nvariable = "
+        "\"water_depth\"\n";
+    EXPECT_NE(refusal(scene(rain)).find("water_depth has 3 records; name one of them"),
+              std::string::npos);
+    EXPECT_NE(refusal(scene("[[map]]\nquantity = \"depth\"\nfile = \"n.asc\"\nrecord = 1\n"))
+                  .find("leave map.2.record out"),
+              std::string::npos);
+}
+
 TEST_F(MapsTest, WhatIsWrongIsSaidAtItsKey) {
     EXPECT_NE(refusal(scene("[[map]]\nquantity = \"depth\"\n"))
                   .find("map.2.file is missing; name the file that has the values"),

@@ -90,7 +90,8 @@ int choose(const NetcdfInput& input, const std::string& wanted) {
 
 }  // namespace
 
-BedVariable choose_bed_variable(const NetcdfInput& input, const std::string& wanted) {
+BedVariable choose_bed_variable(const NetcdfInput& input, const std::string& wanted,
+                                const WantedRecord& record) {
     BedVariable bed;
     bed.variable = choose(input, wanted);
     bed.name = input.variable_name(bed.variable);
@@ -100,12 +101,19 @@ BedVariable choose_bed_variable(const NetcdfInput& input, const std::string& wan
     bed.x = over[over.size() - 1];
     bed.y = over[over.size() - 2];
     bed.has_records = over.size() == 3;
+    if (!bed.has_records && record.number > 0)
+        input.refuse(fmt::format("{} has no records", bed.name), "leave bed.record out");
     if (!bed.has_records) return bed;
     const std::size_t records = input.dimension_length(over.front());
     if (records == 0)
         input.refuse(fmt::format("{} has no record yet", bed.name), "let the run write one first");
-    bed.record = records - 1;
-    if (records > 1)
+    const auto number = static_cast<std::size_t>(record.number);
+    if (number > records || (number == 0 && records > 1 && record.must_name)) {
+        input.refuse(fmt::format("{} has {} records", bed.name, records),
+                     fmt::format("name one of them by bed.record, 1 to {}", records));
+    }
+    bed.record = number > 0 ? number - 1 : records - 1;
+    if (records > 1 && number == 0)
         bed.note = fmt::format("the last of {} records of {} is read", records, bed.name);
     return bed;
 }

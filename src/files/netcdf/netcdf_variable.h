@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "files/netcdf/netcdf_input.h"
@@ -14,14 +15,22 @@ struct BedVariable {
     int y = 0;  ///< its dimensions, by their NetCDF numbers
     int x = 0;
     bool has_records = false;  ///< a dimension before y and x
-    std::size_t record = 0;    ///< the last
+    std::size_t record = 0;    ///< from 0
     std::string note;          ///< what was chosen of several records; or empty
+};
+
+/// Which of the records of a variable over (time, y, x): one of them, from 1, or 0 for the last;
+/// the last only where there is but one, if `must_name`.
+struct WantedRecord {
+    std::int64_t number = 0;
+    bool must_name = false;
 };
 
 /// The variable `wanted`; where that is empty bed_height, else the only numeric variable over two
 /// horizontal dimensions, alone or behind a third. Not among the candidates are the bounds and the
 /// two-dimensional coordinates of others. Throws InputError, which lists the candidates, where the
-/// name is unknown or does not fit, and for none or several.
-BedVariable choose_bed_variable(const NetcdfInput& input, const std::string& wanted);
+/// name is unknown or does not fit, for none or several, and for a record that it does not have.
+BedVariable choose_bed_variable(const NetcdfInput& input, const std::string& wanted,
+                                const WantedRecord& record = {});
 
 }  // namespace fumon

@@ -235,9 +235,9 @@ void set_cell_sizes(const NetcdfInput& input, Terrain& terrain) {
     add_note(terrain, cells.note);
 }
 
-Terrain read_bed(const NetcdfInput& input, const std::string& variable,
-                 const std::optional<TerrainWindow>& window, bool any_unit) {
-    const BedVariable bed = choose_bed_variable(input, variable);
+Terrain read_bed(const NetcdfInput& input, const TerrainQuery& query) {
+    const BedVariable bed =
+        choose_bed_variable(input, query.variable, {query.record, query.must_name_record});
     check_size(input, bed);
     NetcdfAxis x = read_netcdf_axis(input, bed.x);
     NetcdfAxis y = read_netcdf_axis(input, bed.y);
@@ -245,10 +245,10 @@ Terrain read_bed(const NetcdfInput& input, const std::string& variable,
     terrain.note = bed.note;
     terrain.heights = read_values(input, bed);
     turn_north_up(terrain.heights, y.descending, x.descending);
-    convert_values(input, bed, any_unit, terrain);
+    convert_values(input, bed, query.any_unit, terrain);
     complete_spacing(x, y);
     terrain.place = place_of_grid(input, bed, x, y, terrain);
-    crop(terrain, window, input.name());
+    crop(terrain, query.window, input.name());
     set_cell_sizes(input, terrain);
     return terrain;
 }
@@ -260,16 +260,15 @@ Terrain read_netcdf_format(const std::filesystem::path& file, const TerrainQuery
                         "\"HDF\", so it may be damaged or bear a wrong name",
                         file.string()));
     }
-    return read_netcdf_bed(file, query.variable, query.window, query.any_unit);
+    return read_netcdf_bed(file, query);
 }
 
 }  // namespace
 
-Terrain read_netcdf_bed(const std::filesystem::path& file, const std::string& variable,
-                        const std::optional<TerrainWindow>& window, bool any_unit) {
+Terrain read_netcdf_bed(const std::filesystem::path& file, const TerrainQuery& query) {
     const NetcdfLock lock;
     try {
-        return read_bed(NetcdfInput(file), variable, window, any_unit);
+        return read_bed(NetcdfInput(file), query);
     } catch (const NetcdfFault& fault) {
         throw InputError(fmt::format(
             "{}: cannot be read as NetCDF: {}; it may be cut short, damaged, or still being "

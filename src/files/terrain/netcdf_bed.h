@@ -18,7 +18,7 @@ namespace fumon {
 /// type's default) or missing_value, beyond valid_min, valid_max or valid_range, or NaN hold no
 /// data; others are value × scale_factor + add_offset, converted to metres where their unit is
 /// another length ("1" and none are taken as they are).
-/// `any_unit` takes all numbers as they are, in whatever unit.
+/// `query.any_unit` takes all numbers as they are, in whatever unit.
 /// Cell sizes: lengths become metres; degrees become metres at the middle latitude (coordinates
 /// without a unit are judged by is_geographic); sites and missing coordinates leave them 0. A grid
 /// of a single row or column has square cells. `note` says what was chosen and converted.
@@ -26,9 +26,7 @@ namespace fumon {
 /// Throws InputError "FILE: what; remedy" for a damaged or truncated file, no or several suitable
 /// variables, an unknown name, more than `largest_grid_cells` cells, uneven coordinates, units that
 /// are no lengths, infinite heights, and where no cell holds data.
-Terrain read_netcdf_bed(const std::filesystem::path& file, const std::string& variable,
-                        const std::optional<TerrainWindow>& window = std::nullopt,
-                        bool any_unit = false);
+Terrain read_netcdf_bed(const std::filesystem::path& file, const TerrainQuery& query);
 
 /// NetCDF files as a terrain format.
 TerrainFormat netcdf_format();

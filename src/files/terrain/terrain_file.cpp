@@ -23,6 +23,8 @@ void check_query(const std::filesystem::path& file, const TerrainFormat& format,
         refuse("a height range was given", "holds its own heights", "bed.heights or --heights");
     if (!format.has_variables && !query.variable.empty())
         refuse("a variable was named", "has none", "bed.variable");
+    if (!format.has_variables && query.record != 0)
+        refuse("a record was named", "has none", "bed.record");
     if (!format.has_bands && query.band != 0) refuse("a band was named", "has none", "bed.band");
 }
 

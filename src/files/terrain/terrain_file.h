@@ -24,9 +24,11 @@ struct Terrain {
 
 /// What a scene says of how its terrain file is to be read.
 struct TerrainQuery {
-    std::vector<double> png_heights{};      ///< metres of black and of white of a PNG; else empty
-    std::string variable{};                 ///< of a NetCDF file; empty for what it suggests itself
-    std::int64_t band = 0;                  ///< of a GeoTIFF, from 1; 0 for its only or first one
+    std::vector<double> png_heights{};  ///< metres of black and of white of a PNG; else empty
+    std::string variable{};             ///< of a NetCDF file; empty for what it suggests itself
+    std::int64_t band = 0;              ///< of a GeoTIFF, from 1; 0 for its only or first one
+    std::int64_t record = 0;        ///< of a NetCDF variable over time, from 1; 0 for its last one
+    bool must_name_record = false;  ///< where it has several
     std::optional<TerrainWindow> window{};  ///< the part to read; none for all
     bool any_unit = false;  ///< the numbers are no heights: they are taken as they stand
 };

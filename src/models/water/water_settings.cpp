@@ -106,6 +106,10 @@ void list_map(MapSettings& map, const std::string& path, KeyTable& table) {
                {.help = "the variable of a NetCDF file; empty: its only one"});
     table.integer(path + ".band", map.band,
                   {.range = {0, 100000}, .help = "the band of a GeoTIFF; 0: its only or first"});
+    table.integer(path + ".record", map.record,
+                  {.range = {0, 1000000000},
+                   .help = "of a NetCDF variable over (time, y, x), from 1; 0: its last one, of "
+                           "rain its only one"});
     table.real(path + ".from", map.from,
                {.unit = "s", .range = {0, 1e12}, .help = "when this rain begins"});
 }

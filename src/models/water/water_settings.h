@@ -62,9 +62,10 @@ enum class MapQuantity {
 struct MapSettings {
     MapQuantity quantity = MapQuantity::rain;
     std::string file;
-    std::string variable;   ///< of a NetCDF file; empty: its only one
-    std::int64_t band = 0;  ///< of a GeoTIFF, from 1; 0: its only or first one
-    double from = 0.0;      ///< s, when this rain begins
+    std::string variable;     ///< of a NetCDF file; empty: its only one
+    std::int64_t band = 0;    ///< of a GeoTIFF, from 1; 0: its only or first one
+    std::int64_t record = 0;  ///< of a NetCDF variable over time, from 1; 0: its only or last one
+    double from = 0.0;        ///< s, when this rain begins
 };
 
 void list_map(MapSettings& map, const std::string& path, KeyTable& table);

@@ -103,6 +103,12 @@ TEST_F(NetcdfBed, AFieldsFileComesBack) {
         }
     }
     EXPECT_EQ(read("moved").heights(0, 0), 8.0);
+    const Terrain first = read_terrain(path, {.record = 1});
+    EXPECT_EQ(first.note, "");
+    EXPECT_TRUE(read_terrain(path, {.record = 2}).heights == terrain.heights);
+    EXPECT_EQ(first.heights(0, 0), 0.5 * (snapshot.bed(0, 0) - 1.0));
+    EXPECT_EQ(message_of<InputError>([&] { (void)read_terrain(path, {.record = 3}); }),
+              path.string() + ": bed_height has 2 records; name one of them by bed.record, 1 to 2");
 }
 
 TEST_F(NetcdfBed, AFieldsFileInSitesBringsNoCellSize) {
