@@ -18,7 +18,9 @@
     X(BufferSubData, PFNGLBUFFERSUBDATAPROC)                     \
     X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC)   \
     X(Clear, PFNGLCLEARPROC)                                     \
+    X(ClearBufferuiv, PFNGLCLEARBUFFERUIVPROC)                   \
     X(ClearColor, PFNGLCLEARCOLORPROC)                           \
+    X(CullFace, PFNGLCULLFACEPROC)                               \
     X(CompileShader, PFNGLCOMPILESHADERPROC)                     \
     X(CreateProgram, PFNGLCREATEPROGRAMPROC)                     \
     X(CreateShader, PFNGLCREATESHADERPROC)                       \
@@ -30,6 +32,7 @@
     X(DeleteVertexArrays, PFNGLDELETEVERTEXARRAYSPROC)           \
     X(DepthFunc, PFNGLDEPTHFUNCPROC)                             \
     X(DepthMask, PFNGLDEPTHMASKPROC)                             \
+    X(DepthRange, PFNGLDEPTHRANGEPROC)                           \
     X(Disable, PFNGLDISABLEPROC)                                 \
     X(DrawArrays, PFNGLDRAWARRAYSPROC)                           \
     X(DrawArraysInstanced, PFNGLDRAWARRAYSINSTANCEDPROC)         \

@@ -21,10 +21,14 @@ class BytePicture {
     /// Reads the bound target of samples, whose first of this tile is `from`, into the picture.
     void resolve(const Tile& tile, int factor, const glm::ivec2& from, WorkerPool& pool,
                  Image& image);
+    /// Reads the bound target of TerrainLayer::colour_pixels(), whose first pixel of this tile is
+    /// `from`, into the picture.
+    void read_pixels(const Tile& tile, const glm::ivec2& from, WorkerPool& pool, Image& image);
 
   private:
     std::vector<ColourPlanes> behind_;         // rows of the surroundings, the upper first
     std::vector<std::uint32_t> samples_read_;  // those of a few rows of pixels
+    std::vector<std::uint16_t> squares_read_;
 };
 
 }  // namespace fumon

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -71,11 +72,45 @@ FloorMap floor_of(const View& view, const Snapshot& first, const Block& block, i
     return floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool);
 }
 
+/// Along each side of the shaded bed: finer ones want finer places than draw_kinds() has room for.
+constexpr int most_texels_of_pixels = 2048;
+
+const gl::TextureLayout kinds_layout{GL_R32UI, GL_RED_INTEGER,  GL_UNSIGNED_INT, GL_NEAREST,
+                                     0,        GL_CLAMP_TO_EDGE};
+const gl::TextureLayout squares_layout{GL_RGBA16,  GL_RGBA, GL_UNSIGNED_SHORT,
+                                       GL_NEAREST, 0,       GL_CLAMP_TO_EDGE};
+
 gl::TextureLayout plain_layout(PixelKind kind) {
     gl::TextureLayout layout = colour_layout(kind);
     layout.filter = GL_NEAREST;
     return layout;
 }
+
+/// What samples see, and their colours.
+struct SampleTargets {
+    SampleTargets(const TilePlan& plan, Ground ground, PixelKind kind)
+        : depths(plan.target_width, plan.target_height),
+          seen(plan.target_width, plan.target_height, seen_layout(ground), &depths),
+          colours(plan.target_width, plan.target_height, plain_layout(kind), &depths) {}
+
+    gl::DepthBuffer depths;
+    gl::RenderTarget seen;
+    gl::RenderTarget colours;
+};
+
+/// What the samples of a block see, and the colours of its pixels.
+struct BlockTargets {
+    explicit BlockTargets(const TilePlan& plan)
+        : depths(plan.target_width, plan.target_height),
+          seen(plan.target_width, plan.target_height, kinds_layout, &depths),
+          pixel_depths(plan.target_width / 2, plan.target_height / 2),
+          pixels(plan.target_width / 2, plan.target_height / 2, squares_layout, &pixel_depths) {}
+
+    gl::DepthBuffer depths;
+    gl::RenderTarget seen;
+    gl::DepthBuffer pixel_depths;
+    gl::RenderTarget pixels;
+};
 
 }  // namespace
 
@@ -89,6 +124,10 @@ struct Renderer::Parts {
     [[nodiscard]] glm::ivec2 target_corner(const Tile& tile) const;
     void set_light(const FramePose& pose);
     [[nodiscard]] bool open() const { return view.look.background == Background::transparent; }
+    [[nodiscard]] TileSamples placed_samples(const Tile& tile) const;
+    /// Whether pixels of the block get their colours as wholes, of 8 bits and in the scenic look.
+    [[nodiscard]] bool coloured_by_pixels() const;
+    void draw_pixels(const Tile& tile, const Camera& camera);
     void draw_samples(const Tile& tile, const Camera& camera);
     void draw_tile(const Tile& tile, const Camera& camera, Image& image);
     void draw_tile(const Tile& tile, const Camera& camera, DeepPicture& picture);
@@ -119,11 +158,10 @@ struct Renderer::Parts {
     std::optional<PlantLayer> plants;
     std::optional<PersonLayer> persons;
     std::optional<PlacePass> places;
-    gl::DepthBuffer depths;
-    gl::RenderTarget seen;  // what each sample sees of the ground
+    std::optional<SampleTargets> sampled;
+    std::optional<BlockTargets> block_targets;
     std::optional<gl::DepthBuffer> pixel_depths;
     std::optional<gl::RenderTarget> pixels;  // of endless ground, those that see one place each
-    gl::RenderTarget samples;
     gl::RenderTarget surroundings;
     gl::VertexArray no_attributes;
     bool surroundings_drawn = false;
@@ -153,9 +191,6 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
               kind),
       terrain(view, block, fixed),
       background(view, block, floor_of(view, first, block, refinement, pool), fixed),
-      depths(plan.target_width, plan.target_height),
-      seen(plan.target_width, plan.target_height, seen_layout(view.look.ground), &depths),
-      samples(plan.target_width, plan.target_height, plain_layout(kind), &depths),
       surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(kind)) {
     if (view.look.ground == Ground::endless) {
         world.emplace(view, block, first, refinement, fixed);
@@ -225,8 +260,13 @@ glm::ivec2 Renderer::Parts::target_corner(const Tile& tile) const {
 void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& image) {
     gl::functions().BindVertexArray(no_attributes.name());
     if (!image.transparent()) draw_background(tile, camera, nullptr);
+    if (coloured_by_pixels()) {
+        draw_pixels(tile, camera);
+        bytes.read_pixels(tile, (first_sample(tile) - target_corner(tile)) / 2, pool, image);
+        return;
+    }
     draw_samples(tile, camera);
-    samples.bind();
+    sampled->colours.bind();
     bytes.resolve(tile, plan.factor, first_sample(tile) - target_corner(tile), pool, image);
 }
 
@@ -234,7 +274,7 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, DeepPict
     gl::functions().BindVertexArray(no_attributes.name());
     if (!open()) draw_background(tile, camera, &picture);
     draw_samples(tile, camera);
-    samples.bind();
+    sampled->colours.bind();
     picture.resolve(tile, plan.factor, first_sample(tile) - target_corner(tile), pool);
 }
 
@@ -271,8 +311,7 @@ void Renderer::Parts::draw_places(const Tile& tile, const Camera& camera, PlaceL
     layers.add(tile, texels, pool);
 }
 
-void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
-    const gl::Functions& gl = gl::functions();
+TileSamples Renderer::Parts::placed_samples(const Tile& tile) const {
     TileSamples placed{};
     placed.picture_size =
         glm::vec2(static_cast<float>(view.image.width), static_cast<float>(view.image.height)) *
@@ -280,6 +319,38 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
     placed.corner = glm::vec2(target_corner(tile));
     placed.size =
         glm::vec2(static_cast<float>(plan.target_width), static_cast<float>(plan.target_height));
+    return placed;
+}
+
+bool Renderer::Parts::coloured_by_pixels() const {
+    const gl::Texture2D& colours = shading.colours();
+    return kind == PixelKind::display_8 && view.look.mode == ViewMode::scenic && plan.factor == 2 &&
+           !world && !air && !plants && !persons && !terrain.has_rim() &&
+           std::max(colours.width(), colours.height()) <= most_texels_of_pixels;
+}
+
+void Renderer::Parts::draw_pixels(const Tile& tile, const Camera& camera) {
+    const gl::Functions& gl = gl::functions();
+    if (!block_targets) block_targets.emplace(plan);
+    const TileSamples placed = placed_samples(tile);
+    block_targets->seen.bind();
+    const std::array<GLuint, 4> nothing{};
+    gl.ClearBufferuiv(GL_COLOR, 0, nothing.data());
+    gl.Clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    terrain.draw_kinds(camera, placed);
+    block_targets->pixels.bind();
+    gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    terrain.colour_pixels(block_targets->seen.colour(), shading.colours(), light, camera,
+                          {0.5F * placed.picture_size, 0.5F * placed.corner, 0.5F * placed.size});
+}
+
+void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
+    const gl::Functions& gl = gl::functions();
+    if (!sampled) sampled.emplace(plan, view.look.ground, kind);
+    const gl::RenderTarget& seen = sampled->seen;
+    const gl::RenderTarget& samples = sampled->colours;
+    const TileSamples placed = placed_samples(tile);
     gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     constexpr GLbitfield everything =
         GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;

@@ -56,13 +56,6 @@ gl::Texture2D grain_texture() {
     return grain;
 }
 
-/// Of the bound array, `count` indices from the place `first` on.
-void draw_triangles(std::size_t first, std::size_t count) {
-    if (count == 0) return;
-    gl::functions().DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
-                                 reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
-}
-
 /// How large heights are on the screen over a block.
 ScreenScale screen_scale(const Camera& camera, const View& view, const Block& block) {
     ScreenScale scale;
@@ -91,12 +84,21 @@ TerrainLayer::TerrainLayer(const View& view, const Block& block, const gl::Const
     : view_(view),
       block_(block),
       grainy_(view.look.mode == ViewMode::scenic && view.look.grain > 0.0),
-      surface_program_("terrain.vert.glsl", "seen.frag.glsl", {"east_north", "height"}),
-      side_program_("side.vert.glsl", "seen.frag.glsl", {"east_north", "normal", "heights"}),
-      surface_colours_("screen.vert.glsl",
-                       grainy_ ? "terrain.frag.glsl" : "terrain_plain.frag.glsl", {}, fixed),
-      side_colours_("side.vert.glsl", "side.frag.glsl", {"east_north", "normal", "heights"}, fixed),
+      fixed_(fixed),
       grain_(grain_texture()) {}
+
+const TerrainLayer::SamplePrograms& TerrainLayer::by_sample() {
+    if (!by_sample_)
+        by_sample_.emplace(SamplePrograms{
+            {"terrain.vert.glsl", "seen.frag.glsl", {"east_north", "height"}},
+            {"side.vert.glsl", "seen.frag.glsl", {"east_north", "normal", "heights"}},
+            {"screen.vert.glsl",
+             grainy_ ? "terrain.frag.glsl" : "terrain_plain.frag.glsl",
+             {},
+             fixed_},
+            {"side.vert.glsl", "side.frag.glsl", {"east_north", "normal", "heights"}, fixed_}});
+    return *by_sample_;
+}
 
 void TerrainLayer::build(const DisplayBed& bed, int stride) {
     lattice_ = terrain_lattice(bed.z.nx(), bed.z.ny(), bed.nodata, stride);
@@ -239,18 +241,25 @@ bool TerrainLayer::no_back_is_seen(const Camera& camera) const {
     return view_.look.block_sides && from_above;
 }
 
-void TerrainLayer::draw_seen(const Camera& camera, const TileSamples& tile) const {
+void TerrainLayer::draw_triangles(std::size_t first, std::size_t count) {
+    if (count == 0) return;
+    gl::functions().DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                                 reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+}
+
+void TerrainLayer::draw_seen(const Camera& camera, const TileSamples& tile) {
     const gl::Functions& gl = gl::functions();
+    const SamplePrograms& programs = by_sample();
     gl.Enable(GL_DEPTH_TEST);
     gl.Enable(GL_STENCIL_TEST);
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     if (no_back_is_seen(camera)) gl.Enable(GL_CULL_FACE);
-    place(surface_program_, camera, tile);
+    place(programs.surface, camera, tile);
     gl.StencilFunc(GL_ALWAYS, surface_stencil, 0xFF);
     gl.BindVertexArray(surface_array_.name());
     gl.DrawElements(GL_TRIANGLES, indices_, GL_UNSIGNED_INT, nullptr);
     if (view_.look.block_sides) {
-        place(side_program_, camera, tile);
+        place(programs.sides, camera, tile);
         gl.BindVertexArray(side_array_.name());
         for (const Faces& faces : faces_) {
             gl.StencilFunc(GL_ALWAYS, faces.stencil, 0xFF);
@@ -263,23 +272,23 @@ void TerrainLayer::draw_seen(const Camera& camera, const TileSamples& tile) cons
 }
 
 void TerrainLayer::colour_seen(const gl::Texture2D& seen, const gl::Texture2D& colours,
-                               const Light& light, const Camera& camera,
-                               const TileSamples& tile) const {
+                               const Light& light, const Camera& camera, const TileSamples& tile) {
     const gl::Functions& gl = gl::functions();
+    const SamplePrograms& programs = by_sample();
     gl.Disable(GL_DEPTH_TEST);
     gl.Enable(GL_STENCIL_TEST);
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     seen.bind(2);
-    surface_colours_.use();
-    surface_colours_.set("seen", 2);
-    colour_surface(colours);
+    programs.surface_colours.use();
+    programs.surface_colours.set("seen", 2);
+    set_surface(programs.surface_colours, colours);
     gl.StencilFunc(GL_EQUAL, surface_stencil, 0xFF);
     gl.BindVertexArray(no_attributes_.name());
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
     if (view_.look.block_sides) {
-        place(side_colours_, camera, tile);
-        side_colours_.set("seen", 2);
-        colour_sides(light, camera);
+        place(programs.side_colours, camera, tile);
+        programs.side_colours.set("seen", 2);
+        set_sides(programs.side_colours, light, camera);
         gl.BindVertexArray(side_array_.name());
         gl.DepthMask(GL_FALSE);
         gl.DepthFunc(GL_LEQUAL);
@@ -314,29 +323,28 @@ void TerrainLayer::draw_places(const gl::Program& surface, const gl::Program& si
     gl.BindVertexArray(0);
 }
 
-void TerrainLayer::colour_surface(const gl::Texture2D& colours) const {
+void TerrainLayer::set_surface(const gl::Program& program, const gl::Texture2D& colours) const {
     colours.bind(0);
-    surface_colours_.set("shaded", 0);
+    program.set("shaded", 0);
     if (grainy_) {
         grain_.bind(1);
-        surface_colours_.set("grain", 1);
+        program.set("grain", 1);
         const double repeats = grains_across / grain_size;
-        surface_colours_.set("grain_scale",
-                             glm::vec2(repeats * block_.width_x, repeats * block_.width_y));
-        surface_colours_.set("grain_strength",
-                             static_cast<float>(strongest_grain * view_.look.grain));
+        program.set("grain_scale", glm::vec2(repeats * block_.width_x, repeats * block_.width_y));
+        program.set("grain_strength", static_cast<float>(strongest_grain * view_.look.grain));
     }
 }
 
-void TerrainLayer::colour_sides(const Light& light, const Camera& camera) const {
-    set_light(side_colours_, view_, light, camera, block_);
-    side_colours_.set("turbidity", static_cast<float>(view_.look.turbidity));
-    set_sand(side_colours_, view_.look);
-    side_colours_.set("pixels", static_cast<float>(pixels_per_length(camera, view_)));
-    side_colours_.set("clarity", clarity_);
-    side_colours_.set("base", static_cast<float>(block_.base));
-    side_colours_.set("rock", static_cast<float>(block_.rock));
-    side_colours_.set("figure", view_.look.mode == ViewMode::figure ? 1.0F : 0.0F);
+void TerrainLayer::set_sides(const gl::Program& program, const Light& light,
+                             const Camera& camera) const {
+    set_light(program, view_, light, camera, block_);
+    program.set("turbidity", static_cast<float>(view_.look.turbidity));
+    set_sand(program, view_.look);
+    program.set("pixels", static_cast<float>(pixels_per_length(camera, view_)));
+    program.set("clarity", clarity_);
+    program.set("base", static_cast<float>(block_.base));
+    program.set("rock", static_cast<float>(block_.rock));
+    program.set("figure", view_.look.mode == ViewMode::figure ? 1.0F : 0.0F);
 }
 
 }  // namespace fumon

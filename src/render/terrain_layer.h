@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "gl/dynamic_buffer.h"
@@ -38,15 +39,29 @@ class TerrainLayer {
     /// The depth of water at which the bed is half hidden, in block lengths.
     void set_clarity(float clarity) { clarity_ = clarity; }
 
+    /// Whether the bed ends around cells without data.
+    [[nodiscard]] bool has_rim() const { return !rim_.empty(); }
+
     /// Draws what each sample sees into the bound target of two numbers 0 … 1 and its cleared
     /// stencils: of the surface the place east and north, of the sides the ground and the surface
     /// over it, see side.vert.glsl. The stencil says which of them it is.
-    void draw_seen(const Camera& camera, const TileSamples& tile) const;
+    void draw_seen(const Camera& camera, const TileSamples& tile);
 
     /// Colours, in the bound target, the samples whose stencils that has set: each sample once,
     /// however many triangles its neighbours see.
     void colour_seen(const gl::Texture2D& seen, const gl::Texture2D& colours, const Light& light,
-                     const Camera& camera, const TileSamples& tile) const;
+                     const Camera& camera, const TileSamples& tile);
+
+    /// The same, of 2 × 2 samples a pixel, for colour_pixels(): into a target of one whole number,
+    /// see seen_kind.frag.glsl.
+    void draw_kinds(const Camera& camera, const TileSamples& tile);
+
+    /// Colours pixels, in the bound target, cleared to 0, and its cleared depths: one look at the
+    /// bed for each that sees one piece of the surface, one colour for each side that a pixel sees,
+    /// and samples by themselves where surfaces meet. Squares of display values, times the share of
+    /// the pixel that is covered, and that share. `tile` counts in pixels. Of a block without rim.
+    void colour_pixels(const gl::Texture2D& seen, const gl::Texture2D& colours, const Light& light,
+                       const Camera& camera, const TileSamples& tile);
 
     /// Draws into the bound target, cleared to 0, which point each pixel sees, see place.frag.glsl;
     /// by the programs of bed_place.vert.glsl and side_place.vert.glsl.
@@ -57,17 +72,39 @@ class TerrainLayer {
     void build(const DisplayBed& bed, int stride);
     void set_sides(const std::vector<SideFace>& borders, const DisplayBed& bed);
     void place(const gl::Program& program, const Camera& camera, const TileSamples& tile) const;
+    /// Of the bound array, `count` indices from the place `first` on.
+    static void draw_triangles(std::size_t first, std::size_t count);
     [[nodiscard]] bool no_back_is_seen(const Camera& camera) const;
-    void colour_surface(const gl::Texture2D& colours) const;
-    void colour_sides(const Light& light, const Camera& camera) const;
+    void set_surface(const gl::Program& program, const gl::Texture2D& colours) const;
+    void set_sides(const gl::Program& program, const Light& light, const Camera& camera) const;
 
     View view_;
     Block block_;
     bool grainy_;
-    gl::Program surface_program_;
-    gl::Program side_program_;
-    gl::Program surface_colours_;
-    gl::Program side_colours_;
+    gl::Constants fixed_;
+    /// What draws, made as it is needed: by samples, and by pixels.
+    struct SamplePrograms {
+        gl::Program surface;
+        gl::Program sides;
+        gl::Program surface_colours;
+        gl::Program side_colours;
+    };
+    struct PixelPrograms {
+        gl::Program surface;
+        gl::Program sides;
+        gl::Program pixels;
+        gl::Program edges;
+        gl::Program side_pixels;
+    };
+    struct Box {
+        glm::dvec3 lowest;
+        glm::dvec3 highest;
+    };
+    [[nodiscard]] Box box_around() const;  ///< the bed and its sides
+    const SamplePrograms& by_sample();
+    const PixelPrograms& by_pixel();
+    std::optional<SamplePrograms> by_sample_;
+    std::optional<PixelPrograms> by_pixel_;
     gl::Texture2D grain_;
     gl::VertexArray surface_array_;
     gl::VertexArray side_array_;
