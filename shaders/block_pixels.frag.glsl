@@ -1,4 +1,5 @@
 #version 330 core
+#extension GL_ARB_texture_gather : enable
 // Colours the pixels whose four samples see one piece of the block's surface, by one look at the shaded bed. The depth says
 // which pixels are left: behind them lie those and what nothing covers.
 #include "block_samples.glsl"
@@ -10,6 +11,9 @@ out vec4 colour;  // squares of display values, and the share of the pixel
 
 // Between samples, in texels: up to there a look halfway between them misses nothing.
 const float near_enough = 1.25;
+
+// Of the grain's mipmaps: ground lies aslant, and the finer axis should not be blurred as much as the other one.
+const float grain_bias = -0.4;
 
 void main() {
     ivec4 there = seen_by_samples();
@@ -25,7 +29,7 @@ void main() {
     bool whole = surface_only && max(apart.x, apart.y) <= near_enough;
     bool no_side = all(lessThanEqual(kinds, ivec4(surface_kind)));
     bool no_surface = all(notEqual(kinds, ivec4(surface_kind)));
-    vec3 display = surface_colour(place, texture(grain, place * grain_scale).r);
+    vec3 display = surface_colour(place, texture(grain, place * grain_scale, grain_bias).r);
     colour = whole ? vec4(display * display, 1.0) : vec4(0.0);
     gl_FragDepth = whole ? 0.875 : no_surface ? 0.625 : no_side ? 0.125 : 0.375;
 }
