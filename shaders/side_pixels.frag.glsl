@@ -1,6 +1,6 @@
 #version 330 core
 #extension GL_ARB_texture_gather : enable
-// The share that one of the block's sides has of a pixel, in one colour.
+// The share that one of the block's sides has of a pixel, in one colour. Of a dry bed.
 #include "block_samples.glsl"
 #include "side_colour.glsl"
 
@@ -14,10 +14,9 @@ void main() {
     vec4 of_side = vec4(equal(kinds_of(there), ivec4(kind)));
     float samples = dot(of_side, vec4(1.0));
     if (samples == 0.0) discard;
-    vec2 heights = vec2(dot(first_numbers(there), of_side), dot(second_numbers(there), of_side)) / samples;
-    if (abs(heights.y - heights.x) < 1.0 / 16000.0) heights.y = heights.x;  // dry, but for rounding
+    float ground = dot(first_numbers(there), of_side) / samples;
     vec3 point = world_point;
-    point.z = min(point.z, mix(height_range.x, height_range.y, max(heights.x, heights.y)));  // the middle may lie outside
-    vec3 display = side_colour(point, heights);
+    point.z = min(point.z, mix(height_range.x, height_range.y, ground));  // the middle may lie outside
+    vec3 display = side_colour(point, vec2(ground));
     colour = 0.25 * samples * vec4(display * display, 1.0);
 }

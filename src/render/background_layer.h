@@ -4,9 +4,9 @@
 #include "gl/texture.h"
 #include "render/light/floor_map.h"
 #include "render/light/light.h"
-#include "render/tiles.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
+#include "render/view/tiles.h"
 #include "scene/scene.h"
 
 namespace fumon {

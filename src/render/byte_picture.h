@@ -6,7 +6,7 @@
 
 #include "base/image.h"
 #include "render/sample_vectors.h"
-#include "render/tiles.h"
+#include "render/view/tiles.h"
 
 namespace fumon {
 

@@ -5,7 +5,7 @@
 
 #include "base/image.h"
 #include "render/colour/pixel_kind.h"
-#include "render/tiles.h"
+#include "render/view/tiles.h"
 
 namespace fumon {
 

@@ -7,9 +7,9 @@
 #include "base/grid.h"
 #include "base/image.h"
 #include "base/snapshot.h"
-#include "render/tiles.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
+#include "render/view/tiles.h"
 
 namespace fumon {
 

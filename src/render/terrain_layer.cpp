@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "render/bed_shading.h"
-#include "render/grain.h"
+#include "render/colour/grain.h"
 #include "render/view/framing.h"
 
 namespace fumon {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/grain.h"
+#include "render/colour/grain.h"
 
 namespace fumon {
 

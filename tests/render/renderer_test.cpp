@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/worker_pool.h"
 #include "gl/context.h"
-#include "render/tiles.h"
+#include "render/view/tiles.h"
 #include "support/drawn_picture.h"
 #include "support/missing_library.h"
 #include "support/view_beds.h"

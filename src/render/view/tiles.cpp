@@ -1,4 +1,4 @@
-#include "render/tiles.h"
+#include "render/view/tiles.h"
 
 #include <algorithm>
 

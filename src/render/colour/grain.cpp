@@ -1,4 +1,4 @@
-#include "render/grain.h"
+#include "render/colour/grain.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,0 +1,309 @@
+#include "render/renderer_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "gl/functions.h"
+#include "render/light/floor_map.h"
+#include "render/light/lighting.h"
+#include "render/light/view_light.h"
+#include "render/view/chosen_ground.h"
+#include "render/view/display_bed.h"
+#include "render/view/framing.h"
+#include "render/view/shown_snapshot.h"
+
+namespace fumon {
+
+namespace {
+
+/// Cells along the bed's longer side from which on it is drawn as it is. On endless ground one may
+/// stand.
+int smooth_enough(Ground ground) {
+    return ground == Ground::endless ? 1000 : 400;
+}
+
+TilePlan plan_of(const View& view, const RenderLimits& limits) {
+    GLint largest = 0;
+    gl::functions().GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    return plan_tiles(static_cast<int>(view.image.width), static_cast<int>(view.image.height),
+                      static_cast<int>(view.image.supersampling),
+                      std::min(limits.tile_samples, static_cast<int>(largest)));
+}
+
+const gl::TextureLayout sky_layout{GL_RGB32F, GL_RGB, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
+
+/// What lies dark on the plain around the block; nothing where no plain is drawn.
+FloorMap floor_of(const View& view, const Snapshot& first, const Block& block, int refinement,
+                  WorkerPool& pool) {
+    const bool seen = view.look.mode == ViewMode::scenic && view.look.ground != Ground::endless &&
+                      view.look.background != Background::transparent;
+    if (!seen) return open_floor();
+    return floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool);
+}
+
+/// Along each side of the shaded bed: finer ones want finer places than draw_kinds() has room for.
+constexpr int most_texels_of_pixels = 2048;
+
+const gl::TextureLayout kinds_layout{GL_R32UI, GL_RED_INTEGER,  GL_UNSIGNED_INT, GL_NEAREST,
+                                     0,        GL_CLAMP_TO_EDGE};
+const gl::TextureLayout squares_layout{GL_RGBA16,  GL_RGBA, GL_UNSIGNED_SHORT,
+                                       GL_NEAREST, 0,       GL_CLAMP_TO_EDGE};
+
+gl::TextureLayout plain_layout(PixelKind kind) {
+    gl::TextureLayout layout = colour_layout(kind);
+    layout.filter = GL_NEAREST;
+    return layout;
+}
+
+}  // namespace
+
+SampleTargets::SampleTargets(const TilePlan& plan, Ground ground, PixelKind kind)
+    : depths(plan.target_width, plan.target_height),
+      seen(plan.target_width, plan.target_height, seen_layout(ground), &depths),
+      colours(plan.target_width, plan.target_height, plain_layout(kind), &depths) {}
+
+BlockTargets::BlockTargets(const TilePlan& plan)
+    : depths(plan.target_width, plan.target_height),
+      seen(plan.target_width, plan.target_height, kinds_layout, &depths),
+      pixel_depths(plan.target_width / 2, plan.target_height / 2),
+      pixels(plan.target_width / 2, plan.target_height / 2, squares_layout, &pixel_depths) {}
+
+Snapshot Renderer::Parts::shown_first(const Snapshot& first, const View& view) {
+    std::optional<Snapshot> shown = shown_snapshot(first, view);
+    return shown ? *std::move(shown) : first;
+}
+
+Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot& first_,
+                       std::int64_t last_step_, WorkerPool& pool_, const RenderLimits& limits,
+                       PixelKind kind_)
+    : context(context_),
+      view(with_chosen_ground(view_, first_)),
+      first(shown_first(first_, view)),
+      last_step(last_step_),
+      pool(pool_),
+      kind(kind_),
+      block(framed_block(view, first)),
+      water(draws_water(view.look, first)),
+      refinement(refinement_of(first.bed.nx(), first.bed.ny(),
+                               static_cast<int>(std::max(view.image.width, view.image.height)),
+                               smooth_enough(view.look.ground))),
+      plan(plan_of(view, limits)),
+      light(light_of_view(view)),
+      fixed(fixed_uniforms(view, light, block, kind)),
+      sky(light.sky_columns, light.sky_rows, sky_layout, light.sky_texels.data()),
+      shading(view, block, first, display_bed(first, block, refinement),
+              static_cast<int>(std::max(view.image.width, view.image.height)) * plan.factor, fixed,
+              kind),
+      terrain(view, block, fixed),
+      background(view, block, floor_of(view, first, block, refinement, pool), fixed),
+      surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(kind)) {
+    if (view.look.ground == Ground::endless) {
+        world.emplace(view, block, first, refinement, fixed);
+        if (plan.factor > 1) {
+            const Tile& tile = plan.tiles.front();
+            pixel_depths.emplace(tile.width, tile.height);
+            pixels.emplace(tile.width, tile.height, plain_layout(kind), &*pixel_depths);
+        }
+    }
+    if (first.section)
+        air.emplace(block, camera_at(0),
+                    static_cast<int>(std::max(view.image.width, view.image.height)), fixed);
+    if (draws_plants(view, first)) plants.emplace(view, block, fixed);
+    if (!view.persons.empty()) persons.emplace(view, block, first, fixed);
+    gl::check_errors("the renderer's setup");
+}
+
+PlantGround Renderer::Parts::plant_ground(const Camera& camera) const {
+    if (world) return {world->clip_from_eye(camera), true, world->curvature()};
+    return {glm::mat4(clip_matrix(camera)), false, 0.0F};
+}
+
+Camera Renderer::Parts::camera_at(std::int64_t step) const {
+    return camera_at_step(view, block, step, last_step);
+}
+
+Field<float> Renderer::Parts::drawn_surface(const Snapshot& snapshot, const Block& framed) const {
+    if (world) return world->heights();
+    Field<float> surface = display_bed(snapshot, framed, refinement).z;
+    if (!water) return surface;
+    const DisplayWater standing = display_water(snapshot, refinement);
+    const auto rise = static_cast<float>(block.height_scale / snapshot.scale.height_unit);
+    for (std::size_t i = 0; i < surface.size(); ++i)
+        surface.values()[i] += rise * standing.depth.values()[i];
+    return surface;
+}
+
+void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera, DeepPicture* deep) {
+    // Nothing in it changes while the camera stands still.
+    const bool still = deep == nullptr && view.camera.turn == 0.0 && plan.tiles.size() == 1;
+    if (still && surroundings_drawn) return;
+    surroundings.bind();
+    background.draw(light, camera, tile);
+    if (deep != nullptr) {
+        deep->read_background(tile);
+    } else {
+        bytes.read_background(tile);
+    }
+    surroundings_drawn = true;
+}
+
+glm::ivec2 Renderer::Parts::first_sample(const Tile& tile) const {
+    const int bottom = static_cast<int>(view.image.height) - tile.y - tile.height;
+    return glm::ivec2(tile.x, bottom) * plan.factor;
+}
+
+glm::ivec2 Renderer::Parts::target_corner(const Tile& tile) const {
+    const auto aligned = [&](int sample) {
+        return static_cast<int>(
+            std::floor(static_cast<double>(sample - plan.margin) / plan.alignment) *
+            plan.alignment);
+    };
+    const glm::ivec2 kept = first_sample(tile);
+    return {aligned(kept.x), aligned(kept.y)};
+}
+
+void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& image) {
+    gl::functions().BindVertexArray(no_attributes.name());
+    if (!image.transparent()) draw_background(tile, camera, nullptr);
+    if (coloured_by_pixels()) {
+        draw_pixels(tile, camera);
+        bytes.read_pixels(tile, (first_sample(tile) - target_corner(tile)) / 2, pool, image);
+        return;
+    }
+    draw_samples(tile, camera);
+    sampled->colours.bind();
+    bytes.resolve(tile, plan.factor, first_sample(tile) - target_corner(tile), pool, image);
+}
+
+void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, DeepPicture& picture) {
+    gl::functions().BindVertexArray(no_attributes.name());
+    if (!open()) draw_background(tile, camera, &picture);
+    draw_samples(tile, camera);
+    sampled->colours.bind();
+    picture.resolve(tile, plan.factor, first_sample(tile) - target_corner(tile), pool);
+}
+
+DeepPicture Renderer::Parts::deep_picture(const Camera& camera) {
+    DeepPicture picture(static_cast<int>(view.image.width), static_cast<int>(view.image.height),
+                        kind, open());
+    for (const Tile& tile : plan.tiles) draw_tile(tile, camera, picture);
+    return picture;
+}
+
+void Renderer::Parts::draw_places(const Tile& tile, const Camera& camera, PlaceLayers& layers) {
+    const Tile& largest = plan.tiles.front();
+    if (!places) places.emplace(largest.width, largest.height);
+    const int bottom = static_cast<int>(view.image.height) - tile.y - tile.height;
+    TileSamples placed{};
+    placed.picture_size =
+        glm::vec2(static_cast<float>(view.image.width), static_cast<float>(view.image.height));
+    placed.corner = glm::vec2(static_cast<float>(tile.x), static_cast<float>(bottom));
+    placed.size = glm::vec2(static_cast<float>(largest.width), static_cast<float>(largest.height));
+    const gl::Functions& gl = gl::functions();
+    places->target.bind();
+    gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    if (world) {
+        world->draw_seen(camera, placed);
+    } else {
+        terrain.draw_places(places->surface, places->sides, camera, placed);
+    }
+    if (plants) plants->draw_places(places->leaves, plant_ground(camera), camera, placed);
+    if (persons) persons->draw_places(places->persons, plant_ground(camera), camera, placed);
+    std::vector<float> texels(4 * static_cast<std::size_t>(tile.width) *
+                              static_cast<std::size_t>(tile.height));
+    gl.ReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_FLOAT, texels.data());
+    layers.add(tile, texels, pool);
+}
+
+TileSamples Renderer::Parts::placed_samples(const Tile& tile) const {
+    TileSamples placed{};
+    placed.picture_size =
+        glm::vec2(static_cast<float>(view.image.width), static_cast<float>(view.image.height)) *
+        static_cast<float>(plan.factor);
+    placed.corner = glm::vec2(target_corner(tile));
+    placed.size =
+        glm::vec2(static_cast<float>(plan.target_width), static_cast<float>(plan.target_height));
+    return placed;
+}
+
+bool Renderer::Parts::coloured_by_pixels() const {
+    const gl::Texture2D& colours = shading.colours();
+    const bool alone = !world && !air && !plants && !persons && !water && !terrain.has_rim();
+    return kind == PixelKind::display_8 && view.look.mode == ViewMode::scenic &&
+           view.camera.projection != Projection::map && plan.factor == 2 && alone &&
+           std::max(colours.width(), colours.height()) <= most_texels_of_pixels;
+}
+
+void Renderer::Parts::draw_pixels(const Tile& tile, const Camera& camera) {
+    const gl::Functions& gl = gl::functions();
+    if (!block_targets) block_targets.emplace(plan);
+    const TileSamples placed = placed_samples(tile);
+    block_targets->seen.bind();
+    const std::array<GLuint, 4> nothing{};
+    gl.ClearBufferuiv(GL_COLOR, 0, nothing.data());
+    gl.Clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    terrain.draw_kinds(camera, placed);
+    block_targets->pixels.bind();
+    gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    terrain.colour_pixels(block_targets->seen.colour(), shading.colours(), light, camera,
+                          {0.5F * placed.picture_size, 0.5F * placed.corner, 0.5F * placed.size});
+}
+
+void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
+    const gl::Functions& gl = gl::functions();
+    if (!sampled) sampled.emplace(plan, view.look.ground, kind);
+    const gl::RenderTarget& seen = sampled->seen;
+    const gl::RenderTarget& samples = sampled->colours;
+    const TileSamples placed = placed_samples(tile);
+    gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    constexpr GLbitfield everything =
+        GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
+    seen.bind();
+    gl.Clear(everything);
+    if (world) {
+        world->draw_seen(camera, placed);
+    } else {
+        terrain.draw_seen(camera, placed);
+    }
+    samples.bind();
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    if (air) {
+        gl.BindVertexArray(no_attributes.name());
+        air->draw_behind(surroundings.colour(), plan.factor,
+                         first_sample(tile) - target_corner(tile), {tile.width, tile.height});
+    }
+    if (world) {
+        if (pixels) {
+            const PixelSamples at{first_sample(tile) - target_corner(tile), plan.factor};
+            pixels->bind();
+            gl.Clear(everything);
+            world->colour_pixels(seen.colour(), at, shading, light, camera);
+            samples.bind();
+            world->spread_pixels(pixels->colour(), at);
+        }
+        world->colour_seen(seen.colour(), shading, light, camera);
+    } else {
+        terrain.colour_seen(seen.colour(), shading.colours(), light, camera, placed);
+    }
+    if (plants) plants->draw(plant_ground(camera), shading, light, camera, placed);
+    if (persons) persons->draw(plant_ground(camera), shading, light, camera, placed);
+    if (air) air->draw(camera, placed);
+}
+
+void Renderer::Parts::set_light(const FramePose& pose) {
+    if (pose.sun.azimuth != view.sun.azimuth || pose.sun.elevation != view.sun.elevation) {
+        view.sun.azimuth = pose.sun.azimuth;
+        view.sun.elevation = pose.sun.elevation;
+        light = light_of_view(view);
+        sky.upload(light.sky_texels.data());
+        background.set_floor(floor_of(view, first, block, refinement, pool));
+    }
+    light.stops = pose.exposure;
+}
+
+}  // namespace fumon

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "base/worker_pool.h"
+#include "gl/context.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "render/air_layer.h"
+#include "render/background_layer.h"
+#include "render/bed_shading.h"
+#include "render/byte_picture.h"
+#include "render/deep_picture.h"
+#include "render/light/light.h"
+#include "render/person_layer.h"
+#include "render/place_layers.h"
+#include "render/place_pass.h"
+#include "render/plant_layer.h"
+#include "render/renderer.h"
+#include "render/terrain_layer.h"
+#include "render/view/block.h"
+#include "render/view/camera.h"
+#include "render/view/tiles.h"
+#include "render/world_layer.h"
+
+namespace fumon {
+
+/// What samples see, and their colours.
+struct SampleTargets {
+    SampleTargets(const TilePlan& plan, Ground ground, PixelKind kind);
+
+    gl::DepthBuffer depths;
+    gl::RenderTarget seen;
+    gl::RenderTarget colours;
+};
+
+/// What the samples of a block see, and the colours of its pixels, of 2 × 2 samples each; see
+/// TerrainLayer::colour_pixels().
+struct BlockTargets {
+    explicit BlockTargets(const TilePlan& plan);
+
+    gl::DepthBuffer depths;
+    gl::RenderTarget seen;
+    gl::DepthBuffer pixel_depths;
+    gl::RenderTarget pixels;
+};
+
+/// What a renderer keeps, and how it draws a tile with it.
+struct Renderer::Parts {
+    Parts(gl::Context& context_, const View& view_, const Snapshot& first_, std::int64_t last_step_,
+          WorkerPool& pool_, const RenderLimits& limits, PixelKind kind_);
+
+    /// The first snapshot as it is shown.
+    [[nodiscard]] static Snapshot shown_first(const Snapshot& first, const View& view);
+    [[nodiscard]] Camera camera_at(std::int64_t step) const;
+    /// A tile's first sample, and the sample its target begins at; from the picture's lower left.
+    [[nodiscard]] glm::ivec2 first_sample(const Tile& tile) const;
+    [[nodiscard]] glm::ivec2 target_corner(const Tile& tile) const;
+    void set_light(const FramePose& pose);
+    [[nodiscard]] bool open() const { return view.look.background == Background::transparent; }
+    [[nodiscard]] TileSamples placed_samples(const Tile& tile) const;
+    /// Whether pixels of the block get their colours as wholes: 8 bits of it alone, in the scenic
+    /// look. Maps stay what they are, and in water, cut through, what stands over the bed is thin.
+    [[nodiscard]] bool coloured_by_pixels() const;
+    void draw_pixels(const Tile& tile, const Camera& camera);
+    void draw_samples(const Tile& tile, const Camera& camera);
+    void draw_tile(const Tile& tile, const Camera& camera, Image& image);
+    void draw_tile(const Tile& tile, const Camera& camera, DeepPicture& picture);
+    void draw_places(const Tile& tile, const Camera& camera, PlaceLayers& layers);
+    [[nodiscard]] DeepPicture deep_picture(const Camera& camera);
+    void draw_background(const Tile& tile, const Camera& camera, DeepPicture* deep);
+    [[nodiscard]] PlantGround plant_ground(const Camera& camera) const;
+    [[nodiscard]] Field<float> drawn_surface(const Snapshot& snapshot, const Block& framed) const;
+
+    gl::Context& context;
+    View view;
+    Snapshot first;
+    std::int64_t last_step;
+    WorkerPool& pool;
+    PixelKind kind;
+    Block block;
+    bool water;  // whether it is drawn
+    int refinement;
+    TilePlan plan;
+    Light light;
+    gl::Constants fixed;
+    gl::Texture2D sky;
+    BedShading shading;
+    TerrainLayer terrain;
+    BackgroundLayer background;
+    std::optional<AirLayer> air;
+    std::optional<WorldLayer> world;  // where the bed is endless
+    std::optional<PlantLayer> plants;
+    std::optional<PersonLayer> persons;
+    std::optional<PlacePass> places;
+    std::optional<SampleTargets> sampled;
+    std::optional<BlockTargets> block_targets;
+    std::optional<gl::DepthBuffer> pixel_depths;
+    std::optional<gl::RenderTarget> pixels;  // of endless ground, those that see one place each
+    gl::RenderTarget surroundings;
+    gl::VertexArray no_attributes;
+    bool surroundings_drawn = false;
+    BytePicture bytes;
+};
+
+}  // namespace fumon
