@@ -86,6 +86,29 @@ TEST(WorldLayer, ALowSunGetsMoreContrastAndLessLight) {
     EXPECT_EQ(picture(view, bed), developed(1.35, 0.0));
 }
 
+TEST(WorldLayer, LowLevelGroundIsGreyerThanSand) {
+    const Snapshot bed = repeated_dunes(420, 400);
+    const auto saturation_over = [&](std::size_t site) {
+        const double x = static_cast<double>(site % 420) + 0.5;
+        const double y = static_cast<double>(site / 420) + 0.5;
+        View view = standing_view(0, 0);
+        view.image.width = 64;
+        view.image.height = 36;
+        view.sun.elevation = 60.0;
+        view.look.ripples = 0.0;
+        view.camera.at = {x, y, 4.0};
+        view.camera.look_at = {x + 0.5, y, 0.0};
+        const auto colour = colour_at(picture(view, bed), 0.5, 0.5);
+        return 1.0 - static_cast<double>(colour[2]) / colour[0];
+    };
+    const auto heights = bed.bed.values();
+    const auto lowest = std::ranges::min_element(heights) - heights.begin();
+    const auto highest = std::ranges::max_element(heights) - heights.begin();
+    EXPECT_LT(saturation_over(static_cast<std::size_t>(lowest)),
+              saturation_over(static_cast<std::size_t>(highest)))
+        << "sand alone is paler on crests";
+}
+
 TEST(WorldLayer, FarGroundMeetsTheSkyWithoutACrease) {
     View view = golden_hour();
     view.air.visibility = 4.0;
