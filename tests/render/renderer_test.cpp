@@ -116,6 +116,25 @@ TEST(Renderer, TilesLeaveNoSeams) {
     }
 }
 
+/// One look at the bed for a pixel shows what sixteen samples do: no speck along an edge, and the
+/// same light.
+TEST(Renderer, PixelsColouredAsWholesAreWhatTheirSamplesSee) {
+    View view = small_view(600, 400);
+    const Snapshot bed = wavy_bed(120, 90);
+    const Image wholes = picture(view, bed);
+    view.image.supersampling = 4;
+    const Image samples = picture(view, bed);
+    double sum = 0.0;
+    int far_off = 0;
+    for (std::size_t i = 0; i < wholes.rgb.size(); ++i) {
+        const int off = static_cast<int>(wholes.rgb[i]) - static_cast<int>(samples.rgb[i]);
+        sum += off;
+        if (std::abs(off) > 16) ++far_off;
+    }
+    EXPECT_NEAR(sum / static_cast<double>(wholes.rgb.size()), 0.0, 0.05);
+    EXPECT_LE(far_off, 300);  // where an edge passes between four samples otherwise than sixteen
+}
+
 TEST(Tiles, CoverThePictureOnce) {
     for (const int factor : {1, 2, 4}) {
         const TilePlan plan = plan_tiles(1001, 777, factor, 600);
