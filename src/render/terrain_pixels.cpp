@@ -8,7 +8,7 @@ namespace fumon {
 namespace {
 
 constexpr int surface_kind = 1;  // of block_samples.glsl; sides are the next ones
-constexpr int seen_unit = 2;
+constexpr int block_unit = 2;
 constexpr double around_box = 0.01;  // block lengths: more than a pixel
 // Between the depths that block_pixels.frag.glsl gives: what lies behind is done.
 constexpr double behind_edges = 0.5;
@@ -74,7 +74,7 @@ void TerrainLayer::colour_pixels(const gl::Texture2D& seen, const gl::Texture2D&
         place(program, camera, tile);
         program.set("lowest", glm::vec3(box.lowest));
         program.set("highest", glm::vec3(box.highest));
-        program.set("seen", seen_unit);
+        program.set("seen", block_unit);
         program.set("texels", glm::vec2(colours.width(), colours.height()));
         set_surface(program, colours);
         gl.Enable(GL_CULL_FACE);
@@ -84,7 +84,7 @@ void TerrainLayer::colour_pixels(const gl::Texture2D& seen, const gl::Texture2D&
         gl.CullFace(GL_BACK);
         gl.Disable(GL_CULL_FACE);
     };
-    seen.bind(seen_unit);
+    seen.bind(block_unit);
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_ALWAYS);
     draw_covered(programs.pixels);
@@ -98,7 +98,7 @@ void TerrainLayer::colour_pixels(const gl::Texture2D& seen, const gl::Texture2D&
         gl.DepthRange(behind_sides, behind_sides);
         if (no_back_is_seen(camera)) gl.Enable(GL_CULL_FACE);
         place(programs.side_pixels, camera, tile);
-        programs.side_pixels.set("seen", seen_unit);
+        programs.side_pixels.set("seen", block_unit);
         set_sides(programs.side_pixels, light, camera);
         gl.BindVertexArray(side_array_.name());
         for (std::size_t i = 0; i < faces_.size(); ++i) {
