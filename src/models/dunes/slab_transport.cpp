@@ -124,7 +124,7 @@ std::int64_t SlabTransport::pick_row(const DuneBed& bed, const BlowingWind& wind
         } else if (place.y >= share.begin && place.y < share.end) {
             change_(place.x, place.y) += slab;
         } else {
-            share.beyond.emplace_back(place, slab);
+            share.beyond.push_back({place, slab});
         }
     }
     for (const int x : share.picked) share.taken[static_cast<std::size_t>(x)] = 0;
