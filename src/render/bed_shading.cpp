@@ -139,9 +139,17 @@ struct Rendering {
     double stops = 0.0;
 };
 
+/// How far red sand stands out from grey, 0 … 1. A power of each channel deepens its colour too.
+double depth_of_colour(const SandColours& sand) {
+    const double saturation = 1.0 - static_cast<double>(sand.crest.b / sand.crest.r);
+    constexpr double as_quartz = 0.6;
+    constexpr double as_iron_red = 0.8;
+    return std::clamp((saturation - as_quartz) / (as_iron_red - as_quartz), 0.0, 1.0);
+}
+
 /// As a photograph of a desert under a low sun is developed, with deep shadows: slopes that face
 /// the sun are then far brighter than the level ground that the light's exposure is for. A high
-/// sun, night, clouds and other planets need less.
+/// sun, night, clouds, red sand and other planets need less.
 Rendering chosen_rendering(const View& view, const Light& light) {
     const LookSettings& look = view.look;
     if (!look.contrast.is_word()) return {look.contrast.value, look.exposure};
@@ -151,6 +159,7 @@ Rendering chosen_rendering(const View& view, const Light& light) {
     double share =
         std::clamp((high - static_cast<double>(light.to_sun.z)) / (high - low), 0.0, 1.0);
     if (!light.atmosphere || light.stars || view.air.planet != Planet::earth) share = 0.0;
+    share *= 1.0 - depth_of_colour(sand_colours(look));
     return {1.35 + 0.45 * share, look.exposure - 0.5 * share};
 }
 

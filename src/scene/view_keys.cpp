@@ -194,8 +194,8 @@ void list_view_keys(View& view, KeyTable& table) {
     table.word_or_real(
         "look.contrast", look.contrast,
         {{"auto",
-          "over endless ground 1.35, up to 1.8 with half a stop less light under a low sun; "
-          "else 1"}},
+          "over endless ground 1.35, up to 1.8 with half a stop less light under a low sun, "
+          "but not of red sand; else 1"}},
         {.range = {0.2, 4}, .help = "of light before the tone curve: a power around middle grey"});
     table.boolean("look.block_sides", look.block_sides,
                   {.help = "draw the cut sides of the block"});

@@ -15,7 +15,7 @@
 namespace fumon::test {
 namespace {
 
-Grid noise(int nx, int ny, double high) {
+Grid uneven_bed(int nx, int ny, double high) {
     Grid bed(nx, ny);
     for (int y = 0; y < ny; ++y) {
         RandomStream stream(3, static_cast<std::uint32_t>(y), 0, Purpose::initial_bed);
@@ -83,7 +83,7 @@ TEST(WindShadow, IsTheSameWhereverLinesAreCutApart) {
     constexpr int moved = 29;
     WholeGrid surface(nx, ny);
     WholeGrid beside(nx, ny);
-    const Grid heights = noise(nx, ny, 6.0);
+    const Grid heights = uneven_bed(nx, ny, 6.0);
     for (int y = 0; y < ny; ++y) {
         for (int x = 0; x < nx; ++x) {
             surface(x, y) = to_units(heights(x, y));
