@@ -18,6 +18,7 @@
 #include "files/hash.h"
 #include "film/film_read.h"
 #include "film/film_texts.h"
+#include "film/frame_consumer.h"
 #include "film/frame_spool.h"
 #include "film/joined_film.h"
 #include "film/kept_frames.h"
@@ -120,8 +121,6 @@ class FilmMaker {
         Image image = fits ? *std::move(before) : painter_->paint(frame);
         if (image.transparent() && !open_) image = laid_on(image, 255);
         if (kept_ && !fits) kept_->add(frame, image);
-        const Sha256 hash = pixel_hash(image);
-        pixels_.add(hash.data(), hash.size());
         if (status_.due()) {
             const double seconds = watch_.seconds();
             const double left =
@@ -131,6 +130,22 @@ class FilmMaker {
                                      static_cast<double>(done + 1) / seconds, clock_text(left)));
         }
         return image;
+    }
+
+    void add_to_hash(const Image& image) {
+        const Sha256 hash = pixel_hash(image);
+        pixels_.add(hash.data(), hash.size());
+    }
+
+    /// Draws all frames and hands them on, each while the next one is drawn.
+    void draw_all(const FrameConsumer::Use& use) {
+        FrameConsumer consumer([&](const Image& image) {
+            add_to_hash(image);
+            use(image);
+        });
+        for (std::int64_t frame = 0; frame < painter_->frames(); ++frame)
+            consumer.add(draw(frame, frame, painter_->frames()));
+        consumer.finish();
     }
 
     [[nodiscard]] PictureText texts() const {
@@ -156,6 +171,7 @@ class FilmMaker {
                          : std::min<std::int64_t>(std::lround(second * film_.settings.rate),
                                                   painter_->frames() - 1);
         const Image image = draw(frame, 0, 1);
+        add_to_hash(image);
         made_.frames = 1;
         write_file(output_.file,
                    encode_png(image, beds_.scene().view.image.dots_per_inch, texts()));
@@ -176,9 +192,10 @@ class FilmMaker {
         constexpr int gap = 4;
         Image sheet(columns * (width + gap) - gap, rows * (height + gap) - gap);
         for (std::size_t i = 0; i < frames.size(); ++i) {
-            const Image tile = resized(draw(frames[i], static_cast<std::int64_t>(i),
-                                            static_cast<std::int64_t>(frames.size())),
-                                       width, height);
+            const Image image = draw(frames[i], static_cast<std::int64_t>(i),
+                                     static_cast<std::int64_t>(frames.size()));
+            add_to_hash(image);
+            const Image tile = resized(image, width, height);
             const int left = static_cast<int>(i) % columns * (width + gap);
             const int top = static_cast<int>(i) / columns * (height + gap);
             copy_into(sheet, tile, {left, top, width, height});
@@ -206,8 +223,7 @@ class FilmMaker {
                     film_.settings.rate,
                     MovieCoding{format(), static_cast<int>(film_.settings.quality), nullptr, open_,
                                 kept_ ? kept_->so_far() : part.file});
-        for (std::int64_t frame = 0; frame < painter_->frames(); ++frame)
-            movie.add(draw(frame, frame, painter_->frames()));
+        draw_all([&](const Image& image) { movie.add(image); });
         made_.width = movie.padded_width();
         made_.height = movie.padded_height();
         movie.finish(movie_texts());
@@ -224,11 +240,10 @@ class FilmMaker {
     void write_in_tries() {
         FrameSpool spool(output_.file, made_.width, made_.height, open_);
         ColourCounts counts;
-        for (std::int64_t frame = 0; frame < painter_->frames(); ++frame) {
-            const Image image = draw(frame, frame, painter_->frames());
+        draw_all([&](const Image& image) {
             counts.add(image);
             spool.add(image);
-        }
+        });
         std::optional<ColourTable> colours;
         if (film_.settings.format == "gif") colours.emplace(counts);
         const bool has_quality =
