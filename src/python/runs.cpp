@@ -58,24 +58,13 @@ LayersDrawing layers_drawing_of(const Step& step) {
     return step.drawer->draw_layers(step.snapshot);
 }
 
-py::bytes layers_file_of(const Step& step) {
-    const LayersDrawing drawing = layers_drawing_of(step);
+/// The file that `encode` makes of a drawing of a step.
+template <class Drawn, class Encode>
+py::bytes file_of(const Step& step, const Drawn& drawing, Encode encode) {
     std::vector<std::uint8_t> bytes;
     {
         const py::gil_scoped_release unlocked;
-        bytes =
-            layers_file(step.drawer->scene(), step.drawer->inputs(), step.snapshot->step, drawing);
-    }
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-py::bytes file_of(const Step& step) {
-    const Drawing drawing = drawing_of(step);
-    std::vector<std::uint8_t> bytes;
-    {
-        const py::gil_scoped_release unlocked;
-        bytes =
-            still_file(step.drawer->scene(), step.drawer->inputs(), step.snapshot->step, drawing);
+        bytes = encode(step.drawer->scene(), step.drawer->inputs(), step.snapshot->step, drawing);
     }
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
@@ -113,9 +102,10 @@ void define_runs(py::module_& core) {
         .def_property_readonly("numbers", &numbers_of)
         .def_property_readonly("measured", &measures_of)
         .def("drawn", [](const Step& step) { return drawn_of(drawing_of(step)); })
-        .def("png", &file_of)
+        .def("png", [](const Step& step) { return file_of(step, drawing_of(step), &still_file); })
         .def("layers", [](const Step& step) { return layers_of(layers_drawing_of(step)); })
-        .def("exr", &layers_file_of);
+        .def("exr",
+             [](const Step& step) { return file_of(step, layers_drawing_of(step), &layers_file); });
 
     py::class_<LiveRun>(core, "LiveRun")
         .def(py::init([](const SceneValue& scene, int threads, bool measures) {

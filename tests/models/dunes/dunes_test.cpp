@@ -14,18 +14,10 @@
 #include "base/worker_pool.h"
 #include "models/shared/state_hash.h"
 #include "support/temporary_folder.h"
+#include "support/uneven_bed.h"
 
 namespace fumon::test {
 namespace {
-
-Grid noise(int nx, int ny, double high) {
-    Grid bed(nx, ny);
-    for (int y = 0; y < ny; ++y) {
-        RandomStream stream(3, static_cast<std::uint32_t>(y), 0, Purpose::initial_bed);
-        for (double& height : bed.row(y)) height = high * stream.uniform();
-    }
-    return bed;
-}
 
 ModelSetup setup(Grid bed, WorkerPool& pool, double cell = 1.0) {
     return {std::move(bed), {}, {cell, cell, 1.0, true}, 7, pool};
@@ -81,7 +73,7 @@ TEST(Dunes, SandIsConservedToTheLastUnitInEveryStep) {
     WorkerPool pool(2);
     for (const Kind& kind : kinds()) {
         SCOPED_TRACE(kind.name);
-        Dunes dunes(kind.parameters, setup(noise(48, 40, 1.5), pool));
+        Dunes dunes(kind.parameters, setup(uneven_bed(48, 40, 1.5), pool));
         const std::int64_t at_first = accounted(dunes.bed());
         for (int step = 0; step < 24; ++step) {
             dunes.step();
@@ -104,7 +96,7 @@ TEST(Dunes, AnyNumberOfThreadsGivesTheSameBytes) {
         std::vector<Sha256> hashes;
         for (const int threads : {1, 2, 5}) {
             WorkerPool pool(threads);
-            Dunes dunes(kind.parameters, setup(noise(70, 64, 1.5), pool));
+            Dunes dunes(kind.parameters, setup(uneven_bed(70, 64, 1.5), pool));
             for (int step = 0; step < 8; ++step) dunes.step();
             hashes.push_back(state_hash(dunes));
         }
@@ -117,7 +109,7 @@ TEST(Dunes, NoSlopeExceedsTheAngleOfRepose) {
     WorkerPool pool(2);
     for (const Kind& kind : kinds()) {
         SCOPED_TRACE(kind.name);
-        Dunes dunes(kind.parameters, setup(noise(40, 40, 3.0), pool));
+        Dunes dunes(kind.parameters, setup(uneven_bed(40, 40, 3.0), pool));
         const bool periodic = kind.parameters.edges_x == DuneEdge::periodic;
         const SlopeRelaxation slopes({40, 40, 1.0, 1.0, periodic, periodic}, {}, pool);
         for (int step = 0; step < 12; ++step) {
@@ -187,7 +179,7 @@ TEST(Dunes, ShearStressForgetsEarlierBeds) {
         const DuneGround ground{nx, 30, 1.0, 1.0, true, true};
         const WindTurns turns({{250.0, 1.0, 1.0}}, [](double) { return 1.0; });
         ReliefShear shear(ground, 3.5, 2.0, pool);
-        const Grid bed = noise(nx, 30, 2.0);
+        const Grid bed = uneven_bed(nx, 30, 2.0);
         Grid first = bed;
         shear.apply(first, turns.at(0));
         for (int n = 0; n < 250; ++n) {

@@ -9,20 +9,11 @@
 #include <tuple>
 #include <utility>
 
-#include "base/random.h"
 #include "base/worker_pool.h"
+#include "support/uneven_bed.h"
 
 namespace fumon::test {
 namespace {
-
-Grid uneven_bed(int nx, int ny, double high) {
-    Grid bed(nx, ny);
-    for (int y = 0; y < ny; ++y) {
-        RandomStream stream(3, static_cast<std::uint32_t>(y), 0, Purpose::initial_bed);
-        for (double& height : bed.row(y)) height = high * stream.uniform();
-    }
-    return bed;
-}
 
 TEST(WindShadow, LiesBehindAWall) {
     WorkerPool pool(2);
