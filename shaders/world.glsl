@@ -109,6 +109,9 @@ vec4 sand_colour(SeenPlace at) { return textureLod(albedo_map, bed_place(at), co
 vec3 unevenness(float bare) { return vec3(vec2(0.21), 0.52) * sand_grain * (marks > 1.5 ? bare : 0.6 + 0.4 * bare); }
 float grains_of(float bare) { return sand_grain * (marks > 1.5 ? 0.18 : 0.48 - 0.30 * bare); }
 
+// How much of that there is on a slope: sand that slides down a slip face leaves it smooth.
+float uneven_share(float bare, float steep) { return 1.0 - 0.8 * bare * smoothstep(0.40, 0.56, steep); }
+
 vec3 albedo_of(vec4 sand, float brighter) { return sand.rgb * sand.rgb * (1.0 + brighter); }
 
 // How far ripples stand on bare sand of a steepness that the wind reaches.

@@ -17,12 +17,14 @@ vec4 far_colour(SeenPlace at) {
     vec3 to_eye = -normalize(at.offset);
     vec4 sand = sand_colour(at);
     vec3 uneven = unevenness(sand.a) * relief(at);
-    vec3 albedo = albedo_of(sand, grains_of(sand.a) * grain(at) + 0.1 * uneven.z);
     BedPoint point = slanting_bed_point(place, along, up);
     vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);
+    float steep = length(slope);
+    float share = uneven_share(sand.a, steep);
+    vec3 albedo = albedo_of(sand, share * (grains_of(sand.a) * grain(at) + 0.1 * uneven.z));
     float open = textureGrad(wind_map, place, along, up).r;
-    float standing = rippled(sand.a, open, length(slope));
-    point.normal = normalize(vec3(point.normal.xy - uneven.xy * point.normal.z, point.normal.z));
+    float standing = rippled(sand.a, open, steep);
+    point.normal = normalize(vec3(point.normal.xy - share * uneven.xy * point.normal.z, point.normal.z));
     if (marks > 1.5) weather(point.normal, albedo, in_metres(at.offset), metres(length(at.along) + length(at.up)), rock_share(place));
     float spread = 0.7 * ripple_slope * standing * dot(facing_of(slope), to_sun.xy);
     float n_dot_l = mean_facing(dot(point.normal, to_sun), spread);

@@ -109,6 +109,7 @@ vec4 near_colour(SeenPlace at) {
     vec2 texels = vec2(textureSize(lighting_map, 0));
     float level = log2(max(max(length(place_along * texels), length(place_up * texels)) * (whole_pixels > 0.5 ? 0.5 / crisp : 1.0), 1.0));
     float slid = 0.0;
+    float share = 1.0;  // of the unevenness
     vec2 tongue = vec2(0.0);
     for (int i = 0; i < parts; ++i) {
         vec2 aside = whole_pixels > 0.5 ? vec2(float(i) - 0.5, 0.5 - float(i)) * (0.5 / crisp) : vec2(0.0);
@@ -117,6 +118,7 @@ vec4 near_colour(SeenPlace at) {
         slope = -point.normal.xy / max(point.normal.z, 0.1);
         float steep = length(slope);
         if (i == 0) {
+            share = uneven_share(sand.a, steep);
             slid = smoothstep(0.46, 0.58, steep) * sand.a * (1.0 - 0.85 * smoothstep(0.0, 0.3, open)) * (1.0 - smoothstep(0.3, 0.8, footprint / 4.0));
             tongue = slid * tongues(whole, (offset.z + eye.z) / ripple_length, vec2(-slope.y, slope.x) / max(steep, 0.1));
         }
@@ -124,7 +126,7 @@ vec4 near_colour(SeenPlace at) {
         vec2 wave = wave_of(wander, phase + turns(to_part));
         vec2 facing = facing_of(slope);
         vec2 tilt = facing * (ripple_slope * standing * resolved * profile(wave.x));
-        tilt += vec2(-slope.y, slope.x) / max(steep, 0.1) * (0.09 * tongue.x) + uneven.xy;
+        tilt += vec2(-slope.y, slope.x) / max(steep, 0.1) * (0.09 * tongue.x) + share * uneven.xy;
         point.normal = normalize(vec3(-slope - tilt, 1.0));
         float spread = 0.7 * ripple_slope * standing * (1.0 - resolved) * dot(facing, to_sun.xy);
         direct += part * point.sun * mean_facing(dot(point.normal, to_sun), spread);
@@ -133,7 +135,7 @@ vec4 near_colour(SeenPlace at) {
         mean.sky += part * point.sky;
         trough += part * wave.y;
     }
-    vec3 albedo = albedo_of(sand, grains_of(sand.a) * grain(at) + 0.06 * tongue.y + 0.1 * uneven.z);
+    vec3 albedo = albedo_of(sand, share * (grains_of(sand.a) * grain(at) + 0.1 * uneven.z) + 0.06 * tongue.y);
     if (marks > 1.5) {
         weather(mean.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), rock_share(place));
         direct = mix(direct, mean.sun * max(dot(mean.normal, to_sun), 0.0), rock_share(place));

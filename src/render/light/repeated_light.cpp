@@ -10,17 +10,17 @@
 #include "render/light/sky_visibility.h"
 #include "render/view/display_bed.h"
 #include "render/view/repeated_bed.h"
+#include "render/view/sharp_brinks.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr int read_around = 2;  // cells that the refinement and slopes look at
+constexpr int read_around = 4;  // cells that the refinement and slopes look at
 
-/// A periodic field on finer cells, with a margin of one of these.
-Field<float> refined_around(const Field<float>& field, int refinement) {
-    return without_margin(refined(with_margin(field, read_around), refinement),
-                          read_around * refinement - 1);
+/// What lies in a bed and in a margin of one of its finer cells.
+Field<float> with_narrow_margin(const Field<float>& wide, int refinement) {
+    return without_margin(wide, read_around * refinement - 1);
 }
 
 /// The sky's share of each cell, as horizons up to half a period away make it.
@@ -88,7 +88,9 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
                              const SunDirection& sun, const Way& way, WorkerPool& pool) {
     const DisplayBed coarse = display_bed(snapshot, block, 1);
     DisplayBed wide;
-    wide.z = refined_around(coarse.z, refinement);
+    wide.z = with_narrow_margin(refined_with_brinks(with_margin(coarse.z, read_around), coarse.dx,
+                                                    coarse.dy, refinement, pool),
+                                refinement);
     wide.dx = coarse.dx / static_cast<float>(refinement);
     wide.dy = coarse.dy / static_cast<float>(refinement);
     RepeatedLight light;
@@ -99,7 +101,11 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
                                                       LatticeBorder::periodic),
                                        light.z, wide.dx, wide.dy, sun, pool),
                     1),
-        refined_around(repeated_sky(coarse.z, coarse.dx, coarse.dy, pool), refinement), sun_bounds};
+        with_narrow_margin(
+            refined(with_margin(repeated_sky(coarse.z, coarse.dx, coarse.dy, pool), read_around),
+                    refinement),
+            refinement),
+        sun_bounds};
     for (float& share : shares.sky.values()) share = std::clamp(share, 0.0F, 1.0F);
     light.texels = lighting_texels(wide, shares, 1, pool);
 
