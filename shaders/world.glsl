@@ -11,7 +11,7 @@ uniform float sample_angle;    // between two samples
 uniform float whole_pixels;    // 1: colours pixels of one ground, 0: samples of the others
 
 uniform sampler2D albedo_map;  // roots and bare sand, of shade_albedo.frag.glsl
-uniform sampler2D wind_map;    // how far ground upwind leaves the wind to the bed
+uniform sampler2D surface_map; // how far ground upwind leaves the wind to the bed; how far sand lies as it slid
 uniform sampler2D relief_map;  // of relief.frag.glsl
 out vec4 colour;
 
@@ -109,8 +109,8 @@ vec4 sand_colour(SeenPlace at) { return textureLod(albedo_map, bed_place(at), co
 vec3 unevenness(float bare) { return vec3(vec2(0.21), 0.52) * sand_grain * (marks > 1.5 ? bare : 0.6 + 0.4 * bare); }
 float grains_of(float bare) { return sand_grain * (marks > 1.5 ? 0.18 : 0.48 - 0.30 * bare); }
 
-// How much of that there is on a slope: sand that slides down a slip face leaves it smooth.
-float uneven_share(float bare, float steep) { return 1.0 - 0.8 * bare * smoothstep(0.40, 0.56, steep); }
+// How much of that there is where sand slid: it lies smooth.
+float uneven_share(float bare, float slid) { return 1.0 - 0.85 * bare * slid; }
 
 vec3 albedo_of(vec4 sand, float brighter) { return sand.rgb * sand.rgb * (1.0 + brighter); }
 

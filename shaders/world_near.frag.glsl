@@ -26,6 +26,7 @@ struct Wander {
     float turns;
     vec2 second;
     float height;
+    float patches;  // 0 … 1, wide ones
 };
 
 Wander wander_at(vec2 place) {
@@ -35,6 +36,7 @@ Wander wander_at(vec2 place) {
     wander.second = 4.0 * texel.yz - 2.0;
     float strength = length(wander.second);
     wander.second /= max(strength, 1e-3);
+    wander.patches = texel.w;
     wander.height = 1.15 * texel.w * min(2.5 * strength, 1.0);
     return wander;
 }
@@ -87,8 +89,10 @@ vec4 near_colour(SeenPlace at) {
     vec2 place_up = at.up.xy / extent;
     vec3 to_eye = -normalize(offset);
     vec4 sand = sand_colour(at);
-    float open = textureLod(wind_map, place, coarseness(at, float(textureSize(wind_map, 0).x) / extent.x)).r;
-    vec3 uneven = unevenness(sand.a) * relief(at);
+    vec2 surface = textureLod(surface_map, place, coarseness(at, float(textureSize(surface_map, 0).x) / extent.x)).rg;
+    float open = surface.r;
+    float share = uneven_share(sand.a, surface.g);
+    vec3 uneven = share * unevenness(sand.a) * relief(at);
 
     vec2 lee = vec2(-wind.y, wind.x);  // along the crests
     vec2 whole = (whole_eye + offset.xy) / ripple_length;
@@ -109,7 +113,6 @@ vec4 near_colour(SeenPlace at) {
     vec2 texels = vec2(textureSize(lighting_map, 0));
     float level = log2(max(max(length(place_along * texels), length(place_up * texels)) * (whole_pixels > 0.5 ? 0.5 / crisp : 1.0), 1.0));
     float slid = 0.0;
-    float share = 1.0;  // of the unevenness
     vec2 tongue = vec2(0.0);
     for (int i = 0; i < parts; ++i) {
         vec2 aside = whole_pixels > 0.5 ? vec2(float(i) - 0.5, 0.5 - float(i)) * (0.5 / crisp) : vec2(0.0);
@@ -118,15 +121,14 @@ vec4 near_colour(SeenPlace at) {
         slope = -point.normal.xy / max(point.normal.z, 0.1);
         float steep = length(slope);
         if (i == 0) {
-            share = uneven_share(sand.a, steep);
-            slid = smoothstep(0.46, 0.58, steep) * sand.a * (1.0 - 0.85 * smoothstep(0.0, 0.3, open)) * (1.0 - smoothstep(0.3, 0.8, footprint / 4.0));
+            slid = smoothstep(0.46, 0.58, steep) * sand.a * smoothstep(0.2, 0.7, wander.patches) * (1.0 - 0.85 * smoothstep(0.0, 0.3, open)) * (1.0 - smoothstep(0.3, 0.8, footprint / 4.0));
             tongue = slid * tongues(whole, (offset.z + eye.z) / ripple_length, vec2(-slope.y, slope.x) / max(steep, 0.1));
         }
         standing = wander.height * rippled(sand.a, open, steep);
         vec2 wave = wave_of(wander, phase + turns(to_part));
         vec2 facing = facing_of(slope);
         vec2 tilt = facing * (ripple_slope * standing * resolved * profile(wave.x));
-        tilt += vec2(-slope.y, slope.x) / max(steep, 0.1) * (0.09 * tongue.x) + share * uneven.xy;
+        tilt += vec2(-slope.y, slope.x) / max(steep, 0.1) * (0.09 * tongue.x) + uneven.xy;
         point.normal = normalize(vec3(-slope - tilt, 1.0));
         float spread = 0.7 * ripple_slope * standing * (1.0 - resolved) * dot(facing, to_sun.xy);
         direct += part * point.sun * mean_facing(dot(point.normal, to_sun), spread);
@@ -135,7 +137,7 @@ vec4 near_colour(SeenPlace at) {
         mean.sky += part * point.sky;
         trough += part * wave.y;
     }
-    vec3 albedo = albedo_of(sand, share * (grains_of(sand.a) * grain(at) + 0.1 * uneven.z) + 0.06 * tongue.y);
+    vec3 albedo = albedo_of(sand, share * grains_of(sand.a) * grain(at) + 0.1 * uneven.z + 0.06 * tongue.y);
     if (marks > 1.5) {
         weather(mean.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), rock_share(place));
         direct = mix(direct, mean.sun * max(dot(mean.normal, to_sun), 0.0), rock_share(place));

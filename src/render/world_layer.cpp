@@ -13,8 +13,8 @@ namespace fumon {
 
 namespace {
 
-const gl::TextureLayout wind_layout{
-    GL_R8, GL_RED, GL_UNSIGNED_BYTE, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
+const gl::TextureLayout surface_layout{
+    GL_RG8, GL_RG, GL_UNSIGNED_BYTE, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
 const gl::TextureLayout relief_layout{
     GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
 constexpr int relief_texels = 512;
@@ -63,7 +63,7 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
       far_pixels_("screen.vert.glsl", "world_far.frag.glsl", {}, for_pixels(fixed, true)),
       near_colours_("screen.vert.glsl", "world_near.frag.glsl", {}, for_pixels(fixed, false)),
       far_colours_("screen.vert.glsl", "world_far.frag.glsl", {}, for_pixels(fixed, false)),
-      wind_(first.bed.nx() * refinement, first.bed.ny() * refinement, wind_layout),
+      surface_(first.bed.nx() * refinement, first.bed.ny() * refinement, surface_layout),
       relief_(relief_texels, relief_texels, relief_layout),
       wander_(wander_texels, wander_texels, wander_layout) {
     build();
@@ -106,8 +106,8 @@ void WorldLayer::draw_wander() {
 }
 
 void WorldLayer::set_bed(const Snapshot& snapshot, const RepeatedLight& light) {
-    wind_.upload(light.wind.data());
-    wind_.make_mipmaps();
+    surface_.upload(light.surface.data());
+    surface_.make_mipmaps();
     heights_.emplace(light.z);
     step_ = snapshot.step;
     way_ = prevailing_way(snapshot);
@@ -247,8 +247,8 @@ void WorldLayer::bind(const gl::Program& program, const gl::Texture2D& seen,
     program.use();
     shading.bind(program);
     set_light(program, view_, light, camera, block_);
-    wind_.bind(detail_unit);
-    program.set("wind_map", detail_unit);
+    surface_.bind(detail_unit);
+    program.set("surface_map", detail_unit);
     shading.colours().bind(detail_unit + 1);
     program.set("albedo_map", detail_unit + 1);
     relief_.colour().bind(detail_unit + 2);

@@ -90,7 +90,7 @@ class WorldLayer {
     gl::Program far_pixels_;
     gl::Program near_colours_;
     gl::Program far_colours_;
-    gl::Texture2D wind_;
+    gl::Texture2D surface_;
     gl::RenderTarget relief_;
     gl::RenderTarget wander_;
     gl::VertexArray array_;

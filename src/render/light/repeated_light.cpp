@@ -16,7 +16,7 @@ namespace fumon {
 
 namespace {
 
-constexpr int read_around = 4;  // cells that the refinement and slopes look at
+constexpr int read_around = 6;  // cells that the refinement and slopes look at
 
 /// What lies in a bed and in a margin of one of its finer cells.
 Field<float> with_narrow_margin(const Field<float>& wide, int refinement) {
@@ -82,6 +82,43 @@ Field<float> with_later_shadows(const Field<float>& share, const Field<float>& z
     return later;
 }
 
+/// How far the sand of each cell lies as it slid, 0 … 1: on steep slopes, and to a cell from them.
+Field<float> slid_sand(const DisplayBed& bed) {
+    constexpr float none = 0.40F;  // slopes
+    constexpr float all = 0.56F;
+    const Field<float> z = with_margin(bed.z, 1);
+    Field<float> steep(bed.z.nx(), bed.z.ny());  // squares of slopes
+    for (int y = 0; y < steep.ny(); ++y) {
+        for (int x = 0; x < steep.nx(); ++x) {
+            const float east = (z(x + 2, y + 1) - z(x, y + 1)) / (2.0F * bed.dx);
+            const float north = (z(x + 1, y + 2) - z(x + 1, y)) / (2.0F * bed.dy);
+            steep(x, y) = east * east + north * north;
+        }
+    }
+    const Field<float> wide = with_margin(steep, 1);
+    Field<float> slid(steep.nx(), steep.ny());
+    for (int y = 0; y < slid.ny(); ++y) {
+        for (int x = 0; x < slid.nx(); ++x) {
+            float most = 0.0F;
+            for (int v = y; v < y + 3; ++v)
+                for (int u = x; u < x + 3; ++u) most = std::max(most, wide(u, v));
+            const float t = std::clamp((std::sqrt(most) - none) / (all - none), 0.0F, 1.0F);
+            slid(x, y) = t * t * (3.0F - 2.0F * t);
+        }
+    }
+    return slid;
+}
+
+/// A periodic field on finer cells.
+Field<float> refined_around(const Field<float>& field, int refinement) {
+    return without_margin(refined(with_margin(field, read_around), refinement),
+                          read_around * refinement);
+}
+
+std::uint8_t byte_of(float share) {
+    return static_cast<std::uint8_t>(nearest(255.0F * std::clamp(share, 0.0F, 1.0F)));
+}
+
 }  // namespace
 
 RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int refinement,
@@ -122,9 +159,12 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
                               no_shadow};
     const Field<float> wind =
         sun_visibility(light.z, wide.dx, wide.dy, upwind, {}, LatticeBorder::periodic);
-    light.wind.reserve(wind.size());
-    for (const float share : wind.values())
-        light.wind.push_back(static_cast<std::uint8_t>(nearest(255.0F * share)));
+    const Field<float> slid = refined_around(slid_sand(coarse), refinement);
+    light.surface.reserve(2 * wind.size());
+    for (std::size_t i = 0; i < wind.size(); ++i) {
+        light.surface.push_back(byte_of(wind.values()[i]));
+        light.surface.push_back(byte_of(slid.values()[i]));
+    }
     return light;
 }
 

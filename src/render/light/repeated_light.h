@@ -17,7 +17,9 @@ struct RepeatedLight {
     Field<float> z;                      ///< as the display bed's
     std::vector<std::uint16_t> texels;   ///< as lighting_texels; the sun's within `sun_bounds`
     std::vector<std::uint16_t> clamped;  ///< the same with the sun's share kept to 0 … 1
-    std::vector<std::uint8_t> wind;      ///< how far ground upwind leaves the wind to it, 0 … 255
+    /// Two of each cell, 0 … 255: how far ground upwind leaves the wind to it, and how far its sand
+    /// lies as it slid, on slopes near the angle of repose and a cell around them.
+    std::vector<std::uint8_t> surface;
 };
 
 /// Bounds of the sun's share in RepeatedLight::texels.

@@ -14,7 +14,8 @@ namespace {
 
 constexpr float no_edge = 0.2F;  // differences of slope
 constexpr float full_edge = 0.45F;
-constexpr float most_cut = 0.25F;  // of an edge's height, over a cell, that a smooth surface cuts off
+constexpr float most_cut =
+    0.25F;  // of an edge's height, over a cell, that a smooth surface cuts off
 
 /// Rises over a cell, east and north.
 struct Rise {
@@ -30,8 +31,7 @@ float smoother_rise(const std::array<float, 5>& heights) {
     const float far_after = heights[4] - heights[3];
     const float bend_before = before - far_before;
     const float bend_after = far_after - after;
-    return std::abs(bend_before) <= std::abs(bend_after) ? before + 0.5F * bend_before
-                                                         : after - 0.5F * bend_after;
+    return std::abs(bend_before) <= std::abs(bend_after) ? before : after;
 }
 
 Field<Rise> smoother_rises(const Field<float>& heights, WorkerPool& pool) {
@@ -55,29 +55,59 @@ Field<Rise> smoother_rises(const Field<float>& heights, WorkerPool& pool) {
     return rises;
 }
 
-/// How far the ground about each cell has an edge, 0 … 1.
-Field<float> edges(const Field<Rise>& rises, float dx, float dy, WorkerPool& pool) {
+/// What the ground about a cell has of an edge: how much of one, 0 … 1, how much a bicubic may cut
+/// off it, and where it runs.
+struct Edge {
+    float share = 0.0F;
+    float most = 0.0F;
+    float east = 0.0F;  // a unit vector along it
+    float north = 0.0F;
+};
+
+/// Sums of products of differences of slope.
+struct Products {
+    float east_east = 0.0F;
+    float east_north = 0.0F;
+    float north_north = 0.0F;
+};
+
+/// The direction in which slopes differ the least.
+Edge edge_along(const Products& sum, float share, float most) {
+    const float half = 0.5F * (sum.east_east - sum.north_north);
+    const float larger = half + std::sqrt(half * half + sum.east_north * sum.east_north);
+    // Across the edge lies (larger, east_north) where slopes differ eastward the most.
+    const float east = larger > 0.0F ? -sum.east_north : -1.0F;
+    const float length = std::sqrt(larger * larger + east * east);
+    return {share, most, east / length, larger / length};
+}
+
+Field<Edge> edges(const Field<Rise>& rises, float dx, float dy, WorkerPool& pool) {
     const int nx = rises.nx();
     const int ny = rises.ny();
-    Field<float> sharp(nx, ny);
+    Field<Edge> found(nx, ny);
     pool.for_ranges(ny, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
             for (int x = 0; x < nx; ++x) {
                 float most = 0.0F;  // square of a difference of slope
+                Products sum;
                 for (int v = std::max(y - 1, 0); v <= std::min(y + 1, ny - 1); ++v) {
                     for (int u = std::max(x - 1, 0); u <= std::min(x + 1, nx - 1); ++u) {
                         const float east = (rises(u, v).east - rises(x, y).east) / dx;
                         const float north = (rises(u, v).north - rises(x, y).north) / dy;
                         most = std::max(most, east * east + north * north);
+                        sum.east_east += east * east;
+                        sum.east_north += east * north;
+                        sum.north_north += north * north;
                     }
                 }
-                const float t =
-                    std::clamp((std::sqrt(most) - no_edge) / (full_edge - no_edge), 0.0F, 1.0F);
-                sharp(x, y) = t * t * (3.0F - 2.0F * t);
+                const float bend = std::sqrt(most);
+                const float t = std::clamp((bend - no_edge) / (full_edge - no_edge), 0.0F, 1.0F);
+                found(x, y) =
+                    edge_along(sum, t * t * (3.0F - 2.0F * t), most_cut * bend * std::min(dx, dy));
             }
         }
     });
-    return sharp;
+    return found;
 }
 
 /// Of the four cells around a place, the south-western one first, then eastward and northward.
@@ -87,10 +117,9 @@ struct Corner {
     float sharp = 0.0F;
 };
 
-/// What the planes of four cells change of a smooth height, at a place some way (0 … 1) east and north of
-/// the first.
-float cut(const std::array<Corner, 4>& corners, float east, float north, float smooth,
-          float least_side) {
+/// What the planes of four cells change of a smooth height, at a place some way (0 … 1) east and
+/// north of the first, at most so much.
+float cut(const std::array<Corner, 4>& corners, float east, float north, float smooth, float most) {
     float lowest = 0.0F;
     float highest = 0.0F;
     float sharp = 0.0F;
@@ -104,8 +133,73 @@ float cut(const std::array<Corner, 4>& corners, float east, float north, float s
         highest = i == 0 ? plane : std::max(highest, plane);
         sharp += corner.sharp * (1.0F - std::abs(from_west)) * (1.0F - std::abs(from_south));
     }
-    const float most = most_cut * least_side;
     return sharp * (std::clamp(lowest, 0.0F, most) + std::clamp(highest, -most, 0.0F));
+}
+
+/// What edges change of smooth heights, on fine cells.
+Field<float> cuts(const Field<float>& heights, const Field<float>& fine, const Field<Rise>& rises,
+                  const Field<Edge>& edge, int refinement, WorkerPool& pool) {
+    Field<float> changes(fine.nx(), fine.ny());
+    const int first =
+        refinement / 2;  // fine cell that is the first one beyond a coarse one's middle
+    const auto part = [&](int i) {
+        return (static_cast<float>(i) + (refinement % 2 == 0 ? 0.5F : 0.0F)) /
+               static_cast<float>(refinement);
+    };
+    pool.for_ranges(heights.ny() - 1, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            for (int x = 0; x + 1 < heights.nx(); ++x) {
+                std::array<Corner, 4> corners{};
+                float share = 0.0F;
+                float most = 0.0F;
+                for (int i = 0; i < 4; ++i) {
+                    const int u = x + i % 2;
+                    const int v = y + i / 2;
+                    corners[static_cast<std::size_t>(i)] = {heights(u, v), rises(u, v),
+                                                            edge(u, v).share};
+                    share = std::max(share, edge(u, v).share);
+                    most = std::max(most, edge(u, v).most);
+                }
+                if (share == 0.0F) continue;
+                for (int j = 0; j < refinement; ++j) {
+                    for (int i = 0; i < refinement; ++i) {
+                        const int u = x * refinement + first + i;
+                        const int v = y * refinement + first + j;
+                        changes(u, v) = cut(corners, part(i), part(j), fine(u, v), most);
+                    }
+                }
+            }
+        }
+    });
+    return changes;
+}
+
+/// The mean of a field over three coarse cells along an edge, which runs on where the lattice
+/// breaks it up.
+float mean_along(const Field<float>& field, int x, int y, const Edge& edge, int refinement) {
+    constexpr int places = 6;  // to either side
+    const float step = 1.5F * static_cast<float>(refinement) / static_cast<float>(places);
+    float sum = 0.0F;
+    float weights = 0.0F;
+    for (int i = -places; i <= places; ++i) {
+        const float away = step * static_cast<float>(i);
+        const float u = std::clamp(static_cast<float>(x) + away * edge.east, 0.0F,
+                                   static_cast<float>(field.nx() - 1));
+        const float v = std::clamp(static_cast<float>(y) + away * edge.north, 0.0F,
+                                   static_cast<float>(field.ny() - 1));
+        const int west = std::min(static_cast<int>(u), field.nx() - 2);
+        const int south = std::min(static_cast<int>(v), field.ny() - 2);
+        const float right = u - static_cast<float>(west);
+        const float upper = v - static_cast<float>(south);
+        const float low =
+            field(west, south) + right * (field(west + 1, south) - field(west, south));
+        const float high =
+            field(west, south + 1) + right * (field(west + 1, south + 1) - field(west, south + 1));
+        const auto weight = static_cast<float>(places + 1 - std::abs(i));
+        sum += weight * (low + upper * (high - low));
+        weights += weight;
+    }
+    return sum / weights;
 }
 
 }  // namespace
@@ -115,32 +209,15 @@ Field<float> refined_with_brinks(const Field<float>& heights, float dx, float dy
     Field<float> fine = refined(heights, refinement);
     if (refinement == 1) return fine;
     const Field<Rise> rises = smoother_rises(heights, pool);
-    const Field<float> sharp = edges(rises, dx, dy, pool);
-    const float least_side = std::min(dx, dy);
-    const int first = refinement / 2;  // fine cell that is the first one beyond a coarse one's middle
-    const auto part = [&](int i) {
-        return (static_cast<float>(i) + (refinement % 2 == 0 ? 0.5F : 0.0F)) /
-               static_cast<float>(refinement);
-    };
-    pool.for_ranges(heights.ny() - 1, [&](int begin, int end) {
+    const Field<Edge> edge = edges(rises, dx, dy, pool);
+    const Field<float> changes = cuts(heights, fine, rises, edge, refinement, pool);
+    pool.for_ranges(heights.ny(), [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
-            for (int x = 0; x + 1 < heights.nx(); ++x) {
-                std::array<Corner, 4> corners{};
-                float most = 0.0F;
-                for (int i = 0; i < 4; ++i) {
-                    const int u = x + i % 2;
-                    const int v = y + i / 2;
-                    corners[static_cast<std::size_t>(i)] = {heights(u, v), rises(u, v),
-                                                            sharp(u, v)};
-                    most = std::max(most, sharp(u, v));
-                }
-                if (most == 0.0F) continue;
-                for (int j = 0; j < refinement; ++j) {
-                    for (int i = 0; i < refinement; ++i) {
-                        float& height =
-                            fine(x * refinement + first + i, y * refinement + first + j);
-                        height += cut(corners, part(i), part(j), height, least_side);
-                    }
+            for (int x = 0; x < heights.nx(); ++x) {
+                if (edge(x, y).share == 0.0F) continue;
+                for (int v = y * refinement; v < (y + 1) * refinement; ++v) {
+                    for (int u = x * refinement; u < (x + 1) * refinement; ++u)
+                        fine(u, v) += mean_along(changes, u, v, edge(x, y), refinement);
                 }
             }
         }
