@@ -4,72 +4,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "base/error.h"
 #include "files/length_unit.h"
 #include "files/netcdf/netcdf_fields.h"
-#include "files/netcdf/netcdf_input.h"
 #include "files/terrain/geographic.h"
 #include "scene/initial_bed.h"
 #include "scene/read.h"
+#include "support/netcdf_beds.h"
 #include "support/netcdf_file.h"
 #include "support/temporary_folder.h"
 
 namespace fumon {
 namespace {
 
-using test::bytes_of;
+using test::make_bed;
 using test::message_of;
+using test::NetcdfBed;
 using test::NetcdfMaker;
-using test::TemporaryFolder;
+using test::SimpleBed;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-class NetcdfBed : public ::testing::Test {
-  protected:
-    TemporaryFolder folder;
-    std::filesystem::path path = folder / "bed.nc";
-
-    [[nodiscard]] Terrain read(const std::string& variable = "") const {
-        return read_terrain(path, {.variable = variable});
-    }
-    /// The refusal without the file's name before it.
-    [[nodiscard]] std::string refusal(const std::string& variable = "") const {
-        const std::string message = message_of<InputError>([&] { (void)read(variable); });
-        const std::string begin = path.string() + ": ";
-        EXPECT_EQ(message.find(begin), 0U) << message;
-        return message.substr(std::min(message.size(), begin.size()));
-    }
-};
-
-/// A 3 × 2 bed (columns × rows) with the given coordinates.
-struct Simple {
-    std::vector<double> x{10, 20, 30};
-    std::vector<double> y{5, 10};
-    std::string unit = "m";
-    std::vector<double> heights{1, 2, 3, 4, 5, 6};
-    int type = NC_DOUBLE;
-    int axis_type = NC_DOUBLE;
-    int format = NC_NETCDF4;
-    std::string x_name = "x";
-    std::string y_name = "y";
-    std::function<void(const NetcdfMaker&, int)> more{};  ///< with the bed's number
-};
-
-void make(const std::filesystem::path& path, const Simple& bed) {
-    const NetcdfMaker maker(path, bed.format);
-    const int y = maker.dimension(bed.y_name.c_str(), bed.y.size());
-    const int x = maker.dimension(bed.x_name.c_str(), bed.x.size());
-    const int ys = maker.axis(bed.y_name.c_str(), y, bed.unit, bed.axis_type);
-    const int xs = maker.axis(bed.x_name.c_str(), x, bed.unit, bed.axis_type);
-    const int z = maker.variable("z", bed.type, {y, x});
-    if (bed.more) bed.more(maker, z);
-    maker.values(ys, {bed.y.size()}, bed.y);
-    maker.values(xs, {bed.x.size()}, bed.x);
-    maker.values(z, {bed.y.size(), bed.x.size()}, bed.heights);
-}
 
 Snapshot own_snapshot(bool in_metres) {
     Snapshot snapshot;
@@ -126,7 +82,7 @@ TEST_F(NetcdfBed, EveryFormatAndTypeIsRead) {
     for (const int format :
          {NC_NETCDF4, NC_NETCDF4 | NC_CLASSIC_MODEL, 0, NC_64BIT_OFFSET, NC_64BIT_DATA}) {
         for (const int type : {NC_BYTE, NC_SHORT, NC_INT, NC_FLOAT, NC_DOUBLE}) {
-            make(path, {.type = type, .format = format});
+            make_bed(path, {.type = type, .format = format});
             const Terrain terrain = read();
             EXPECT_EQ(terrain.heights(0, 0), 1.0) << format << ' ' << type;
             EXPECT_EQ(terrain.heights(2, 1), 6.0);
@@ -138,7 +94,7 @@ TEST_F(NetcdfBed, EveryFormatAndTypeIsRead) {
 }
 
 TEST_F(NetcdfBed, CoordinatesSayWhereNorthAndEastAre) {
-    make(path, {.x = {30, 20, 10}, .y = {10, 5}});
+    make_bed(path, {.x = {30, 20, 10}, .y = {10, 5}});
     const Terrain terrain = read();
     EXPECT_EQ(terrain.heights(0, 0), 6.0);
     EXPECT_EQ(terrain.heights(2, 0), 4.0);
@@ -147,16 +103,16 @@ TEST_F(NetcdfBed, CoordinatesSayWhereNorthAndEastAre) {
 }
 
 TEST_F(NetcdfBed, PackedHeightsAndMissingOnesAreUnderstood) {
-    make(path, {.heights = {100, -32768, 300, -9999, 500, 600},
-                .type = NC_SHORT,
-                .more = [](const NetcdfMaker& maker, int z) {
-                    maker.number(z, "_FillValue", NC_SHORT, {-32768});
-                    maker.number(z, "missing_value", NC_SHORT, {-9999});
-                    maker.number(z, "valid_max", NC_SHORT, {550});
-                    maker.number(z, "scale_factor", NC_DOUBLE, {0.5});
-                    maker.number(z, "add_offset", NC_DOUBLE, {1000});
-                    maker.text(z, "units", "m");
-                }});
+    make_bed(path, {.heights = {100, -32768, 300, -9999, 500, 600},
+                    .type = NC_SHORT,
+                    .more = [](const NetcdfMaker& maker, int z) {
+                        maker.number(z, "_FillValue", NC_SHORT, {-32768});
+                        maker.number(z, "missing_value", NC_SHORT, {-9999});
+                        maker.number(z, "valid_max", NC_SHORT, {550});
+                        maker.number(z, "scale_factor", NC_DOUBLE, {0.5});
+                        maker.number(z, "add_offset", NC_DOUBLE, {1000});
+                        maker.text(z, "units", "m");
+                    }});
     const Terrain terrain = read();
     EXPECT_EQ(terrain.heights(0, 0), 1050.0);
     EXPECT_EQ(terrain.heights(1, 1), 1250.0);
@@ -166,7 +122,7 @@ TEST_F(NetcdfBed, PackedHeightsAndMissingOnesAreUnderstood) {
 }
 
 TEST_F(NetcdfBed, NaNAndTheDefaultFillAreNoData) {
-    make(path, {.heights = {1, not_a_number, 3, NC_FILL_DOUBLE, 5, 6}});
+    make_bed(path, {.heights = {1, not_a_number, 3, NC_FILL_DOUBLE, 5, 6}});
     const Terrain terrain = read();
     EXPECT_EQ(terrain.nodata(1, 0), 1);
     EXPECT_EQ(terrain.nodata(0, 1), 1);
@@ -175,13 +131,13 @@ TEST_F(NetcdfBed, NaNAndTheDefaultFillAreNoData) {
 
 TEST_F(NetcdfBed, DegreesBecomeMetresAtTheMiddleLatitude) {
     const DegreeLengths lengths = degree_lengths(40.015);
-    const Simple bed{.x = {-105.02, -105.01, -105.0},
-                     .y = {40.02, 40.01},
-                     .unit = "degrees_north",
-                     .axis_type = NC_FLOAT,
-                     .x_name = "lon",
-                     .y_name = "lat"};
-    make(path, bed);
+    const SimpleBed bed{.x = {-105.02, -105.01, -105.0},
+                        .y = {40.02, 40.01},
+                        .unit = "degrees_north",
+                        .axis_type = NC_FLOAT,
+                        .x_name = "lon",
+                        .y_name = "lat"};
+    make_bed(path, bed);
     const Terrain terrain = read();
     EXPECT_NEAR(terrain.dx, 0.01 * lengths.east, 0.5) << "single-precision longitudes";
     EXPECT_NEAR(terrain.dy, 0.01 * lengths.north, 0.5);
@@ -189,70 +145,71 @@ TEST_F(NetcdfBed, DegreesBecomeMetresAtTheMiddleLatitude) {
     EXPECT_NE(terrain.note.find("degrees"), std::string::npos) << terrain.note;
 
     const DegreeLengths middle = degree_lengths(43.0);  // of 41 … 45: 3 % off at either edge
-    make(path, {.x = {-106, -104, -102},
-                .y = {44, 42},
-                .unit = "degrees_north",
-                .x_name = "lon",
-                .y_name = "lat"});
+    make_bed(path, {.x = {-106, -104, -102},
+                    .y = {44, 42},
+                    .unit = "degrees_north",
+                    .x_name = "lon",
+                    .y_name = "lat"});
     EXPECT_NEAR(read().dx, 2.0 * middle.east, 1e-6);
     EXPECT_NEAR(read().dy, 2.0 * middle.north, 1e-6);
 
-    Simple unsaid = bed;
+    SimpleBed unsaid = bed;
     unsaid.unit = "";
-    make(path, unsaid);
+    make_bed(path, unsaid);
     EXPECT_NEAR(read().dx, 0.01 * lengths.east, 0.5) << "a needle in metres: by is_geographic";
     unsaid.heights = std::vector<double>(6, 1.0);
-    make(path, unsaid);
+    make_bed(path, unsaid);
     EXPECT_NEAR(read().dx, 0.01, 1e-4) << "flat: metres";
 }
 
 TEST_F(NetcdfBed, OtherLengthsBecomeMetres) {
-    make(path, {.unit = "km",
-                .more = [](const NetcdfMaker& maker, int z) { maker.text(z, "units", "cm"); }});
+    make_bed(path, {.unit = "km",
+                    .more = [](const NetcdfMaker& maker, int z) { maker.text(z, "units", "cm"); }});
     const Terrain terrain = read();
     EXPECT_EQ(terrain.dx, 10'000.0);
     EXPECT_DOUBLE_EQ(terrain.heights(2, 1), 0.06);
     EXPECT_EQ(terrain.note, "heights converted to metres from cm");
-    make(path, {.more = [](const NetcdfMaker& maker, int z) {
-             maker.text(z, "units", "meters above mean sea level");
-         }});
+    make_bed(path, {.more = [](const NetcdfMaker& maker, int z) {
+                 maker.text(z, "units", "meters above mean sea level");
+             }});
     EXPECT_EQ(read().heights(2, 1), 6.0);
     EXPECT_EQ(read().note, "");
-    make(path, {.more = [](const NetcdfMaker& maker, int z) { maker.text(z, "units", "m s-1"); }});
+    make_bed(path,
+             {.more = [](const NetcdfMaker& maker, int z) { maker.text(z, "units", "m s-1"); }});
     EXPECT_NE(refusal().find("z is in \"m s-1\""), std::string::npos);
     EXPECT_EQ(metres_per_unit("Feet"), 0.3048);
     EXPECT_FALSE(metres_per_unit("K").has_value());
 }
 
 TEST_F(NetcdfBed, CoordinatesMustBeEven) {
-    make(path, {.x = {0, 10, 20.001}});
+    make_bed(path, {.x = {0, 10, 20.001}});
     EXPECT_EQ(refusal(),
               "x is not evenly spaced: x[1] is 10 where even spacing has 10.0005; put the heights "
               "on an even grid first");
-    make(path, {.x = {0, 10, 20.000001}});
+    make_bed(path, {.x = {0, 10, 20.000001}});
     EXPECT_EQ(read().dx, 10.0000005);
-    make(path, {.x = {0, 20, 10}});
+    make_bed(path, {.x = {0, 20, 10}});
     EXPECT_NE(refusal().find("x is not evenly spaced"), std::string::npos);
-    make(path, {.x = {10, 10, 10}});
+    make_bed(path, {.x = {10, 10, 10}});
     EXPECT_EQ(refusal(), "x begins and ends at 10; coordinates must rise or fall evenly");
-    make(path, {.x = {0, not_a_number, 20}});
+    make_bed(path, {.x = {0, not_a_number, 20}});
     EXPECT_EQ(refusal(), "x[1] is not a finite number; every coordinate must be one");
-    make(path, {.unit = "K"});
+    make_bed(path, {.unit = "K"});
     EXPECT_EQ(refusal(),
               "the unit of x is \"K\"; coordinates are in a unit of length (\"m\") or in degrees");
 }
 
 TEST_F(NetcdfBed, SinglePrecisionCoordinatesAreEvenEnough) {
-    Simple bed{.y = {4'000'000.0, 4'000'030.0}, .axis_type = NC_FLOAT};
+    SimpleBed bed{.y = {4'000'000.0, 4'000'030.0}, .axis_type = NC_FLOAT};
     bed.x.clear();
     for (int i = 0; i < 1000; ++i) bed.x.push_back(500'000.1 + 30.1 * i);
     bed.heights.assign(2000, 1.0);
-    make(path, bed);
+    make_bed(path, bed);
     EXPECT_NEAR(read().dx, 30.1, 1e-4);
 }
 
 TEST_F(NetcdfBed, ASingleRowHasSquareCells) {
-    make(path, {.y = {5}, .heights = {1, 2, 3}});
+    make_bed(path, {.y = {5}, .heights = {1, 2, 3}});
     const Terrain terrain = read();
     EXPECT_EQ(terrain.heights.ny(), 1);
     EXPECT_EQ(terrain.dx, 10.0);
@@ -283,7 +240,7 @@ TEST_F(NetcdfBed, TheVariableIsNamedOrTheOnlyOne) {
             maker.text(maker.variable("crs", NC_CHAR, {}), "grid_mapping_name", "mercator");
         };
     };
-    make(path, {.more = second("slope")});
+    make_bed(path, {.more = second("slope")});
     EXPECT_EQ(refusal(),
               "holds 2 variables that may be the bed; name one by bed.variable: z, slope");
     EXPECT_EQ(read("z").heights(0, 0), 1.0);
@@ -293,12 +250,12 @@ TEST_F(NetcdfBed, TheVariableIsNamedOrTheOnlyOne) {
     EXPECT_EQ(refusal("slope"),
               "slope holds no data in any cell; at least one height must differ "
               "from the _FillValue");
-    make(path, {.more = second("bed_height")});
+    make_bed(path, {.more = second("bed_height")});
     EXPECT_NE(refusal().find("bed_height holds no data"), std::string::npos) << "before others";
-    make(path, {.more = [](const NetcdfMaker& maker, int z) {
-             maker.text(z, "coordinates", "longitudes");
-             (void)maker.variable("longitudes", NC_DOUBLE, {0, 1});
-         }});
+    make_bed(path, {.more = [](const NetcdfMaker& maker, int z) {
+                 maker.text(z, "coordinates", "longitudes");
+                 (void)maker.variable("longitudes", NC_DOUBLE, {0, 1});
+             }});
     EXPECT_EQ(read().heights(0, 0), 1.0) << "two-dimensional coordinates are no bed";
 }
 
@@ -327,102 +284,18 @@ TEST_F(NetcdfBed, ARunWithoutARecordHasNoBed) {
 }
 
 TEST_F(NetcdfBed, HeightsMustBeHeights) {
-    make(path, {.more = [](const NetcdfMaker& maker, int z) { maker.text(z, "units", "K"); }});
+    make_bed(path, {.more = [](const NetcdfMaker& maker, int z) { maker.text(z, "units", "K"); }});
     EXPECT_EQ(refusal(),
               "z is in \"K\"; heights are in a unit of length (\"m\"); name another "
               "variable by bed.variable");
-    make(path, {.heights = {1, 2, 3, 4, std::numeric_limits<double>::infinity(), 6}});
+    make_bed(path, {.heights = {1, 2, 3, 4, std::numeric_limits<double>::infinity(), 6}});
     EXPECT_EQ(refusal(),
               "z is infinite at row 2, column 2 from the south-west; write a finite "
               "number or the _FillValue");
 }
 
-TEST_F(NetcdfBed, ATooLargeBedIsRefusedBeforeItIsRead) {
-    {
-        const NetcdfMaker maker(path);
-        const int y = maker.dimension("y", 20'000);
-        const int x = maker.dimension("x", 20'000);
-        (void)maker.variable("z", NC_DOUBLE, {y, x});
-    }
-    EXPECT_EQ(refusal(),
-              "z has 20000 × 20000 cells; at most 134217728 are read; cut out or "
-              "coarsen the part you need");
-}
-
-TEST_F(NetcdfBed, AFileCutShortIsRefusedWhereverItEnds) {
-    for (const int format : {NC_NETCDF4, 0, NC_64BIT_OFFSET, NC_64BIT_DATA}) {
-        for (const bool with_records : {false, true}) {
-            std::vector<double> heights(400);
-            for (std::size_t i = 0; i < heights.size(); ++i)
-                heights[i] = 1.0 + static_cast<double>(i);
-            {
-                const NetcdfMaker maker(path, format);
-                const int time = maker.dimension("time", NC_UNLIMITED);
-                const int y = maker.dimension("y", 10);
-                const int x = maker.dimension("x", 10);
-                maker.text(NC_GLOBAL, "history", "made for a test");
-                const int z = with_records ? maker.variable("z", NC_DOUBLE, {time, y, x})
-                                           : maker.variable("z", NC_DOUBLE, {y, x});
-                const int when = maker.variable("time", NC_DOUBLE, {time});
-                maker.values(when, {4}, {0, 1, 2, 3});
-                if (with_records) {
-                    maker.values(z, {4, 10, 10}, heights);
-                } else {
-                    maker.values(z, {10, 10}, heights);
-                }
-            }
-            EXPECT_EQ(read().heights(9, 9), with_records ? 400.0 : 100.0);
-            const std::string whole = bytes_of(path);
-            for (std::size_t length = 4; length < whole.size(); length += 1 + whole.size() / 60) {
-                folder.file("bed.nc", whole.substr(0, length));
-                EXPECT_NE(refusal(), "") << format << ": " << length << " of " << whole.size();
-            }
-            folder.file("bed.nc", whole.substr(0, whole.size() - 1));
-            EXPECT_NE(refusal(), "");
-        }
-    }
-}
-
-TEST_F(NetcdfBed, DamagedBytesNeverCrash) {
-    make(path, {});
-    const std::string whole = bytes_of(path);
-    for (std::size_t at = 0; at < whole.size(); at += 7) {
-        std::string damaged = whole;
-        damaged[at] = static_cast<char>(~damaged[at]);
-        folder.file("bed.nc", damaged);
-        try {
-            (void)read();
-        } catch (const InputError&) {
-        }
-    }
-    make(path, {.format = NC_64BIT_OFFSET});
-    const std::string classic = bytes_of(path);
-    for (std::size_t at = 0; at < classic.size(); ++at) {
-        std::string damaged = classic;
-        damaged[at] = static_cast<char>(~damaged[at]);
-        folder.file("bed.nc", damaged);
-        try {
-            (void)read();
-        } catch (const InputError&) {
-        }
-    }
-}
-
-TEST_F(NetcdfBed, WhatIsNoNetcdfFileIsRefused) {
-    folder.file("bed.nc", "ncols 3\nnrows 2\n");
-    EXPECT_EQ(refusal(),
-              "is not a NetCDF file; such a file starts with \"CDF\" or \"HDF\", so it "
-              "may be damaged or bear a wrong name");
-    folder.file("bed.nc", "");
-    EXPECT_NE(refusal().find("is not a NetCDF file; "), std::string::npos);
-    std::filesystem::remove(path);
-    EXPECT_NE(refusal().find("cannot be read: No such file or directory; "), std::string::npos);
-    EXPECT_FALSE(is_netcdf("CDF\3"));
-    EXPECT_FALSE(is_netcdf("CDF"));
-}
-
 TEST_F(NetcdfBed, KeysOfOtherFilesAreRefused) {
-    make(path, {});
+    make_bed(path, {});
     EXPECT_EQ(message_of<InputError>([&] {
                   (void)read_terrain(path, {{0, 850}});
               }),
@@ -439,14 +312,14 @@ TEST_F(NetcdfBed, KeysOfOtherFilesAreRefused) {
 TEST_F(NetcdfBed, AFileByAnOddNameIsRead) {
     std::filesystem::create_directory(folder / "#mode=zarr");
     path = folder / "#mode=zarr/a bed [1] 砂.dat";
-    make(path, {});
+    make_bed(path, {});
     EXPECT_EQ(read().heights(0, 0), 1.0);
 }
 
 TEST_F(NetcdfBed, ASceneStartsFromOne) {
-    make(path, {.more = [](const NetcdfMaker& maker, int) {
-             (void)maker.variable("slope", NC_DOUBLE, {0, 1});
-         }});
+    make_bed(path, {.more = [](const NetcdfMaker& maker, int) {
+                 (void)maker.variable("slope", NC_DOUBLE, {0, 1});
+             }});
     const std::string begin = "[model]\nname = \"static\"\n[bed]\nkind = \"file\"\n";
     const Scene scene =
         parse_scene(begin + "file = \"bed.nc\"\nvariable = \"z\"\n", "scene.toml", folder.path());
