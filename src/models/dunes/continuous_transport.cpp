@@ -93,7 +93,14 @@ void ContinuousTransport::step(DuneBed& bed, const Wind& wind) {
 double ContinuousTransport::lift_factor(const Wind& wind, int x, int y) {
     double factor = 1.0 - wind.shade(x, y);
     if (wind.shear != nullptr) factor *= std::clamp(1.0 + (*wind.shear)(x, y), 0.0, greatest_lift);
-    if (wind.before_walls != nullptr) factor *= std::abs((*wind.before_walls)(x, y));
+    if (wind.along_walls != nullptr) {
+        const double u = (*wind.before_walls)(x, y);
+        const double back = std::min(u, 0.0);
+        const double aside = (*wind.along_walls)(x, y);
+        factor = factor * std::max(u, 0.0) + std::sqrt(back * back + aside * aside);
+    } else if (wind.before_walls != nullptr) {
+        factor *= std::abs((*wind.before_walls)(x, y));
+    }
     if (wind.plants != nullptr) factor *= wind.plants->lifted(wind.plants->cover()(x, y));
     return factor;
 }
@@ -115,6 +122,10 @@ void ContinuousTransport::hop(DuneBed& bed, const Wind& wind) {
     const double cells_x = parameters_.hop_length * wind.blowing.x / ground_.dx;
     const double cells_y = parameters_.hop_length * wind.blowing.y / ground_.dy;
     const Grid* walls = wind.before_walls;
+    if (wind.along_walls != nullptr) {
+        hop_along_walls(bed, wind);
+        return;
+    }
     if (wind.bent != nullptr) {
         hop_all(
             bed,
@@ -155,6 +166,30 @@ void ContinuousTransport::hop(DuneBed& bed, const Wind& wind) {
             return Spreads{HopSpread(factor * cells_x), HopSpread(factor * cells_y)};
         },
         most * std::abs(cells_y));
+}
+
+void ContinuousTransport::hop_along_walls(DuneBed& bed, const Wind& wind) {
+    const bool by_height = parameters_.speed_up == DuneSpeedUp::height;
+    const double mean = by_height ? mean_height(bed.surface) : 0.0;
+    double most = 1.0;
+    if (by_height) {
+        const auto heights = bed.surface.values();
+        most = std::max(
+            most, hop_factor(parameters_, to_metres(*std::ranges::max_element(heights)) - mean));
+    }
+    hop_all(
+        bed,
+        [&](int x, int y) {
+            double reach = parameters_.hop_length;
+            if (by_height) reach *= hop_factor(parameters_, to_metres(bed.surface(x, y)) - mean);
+            const double ahead = reach * (*wind.before_walls)(x, y);
+            const double aside = reach * (*wind.along_walls)(x, y);
+            const double to_x = wind.bent != nullptr ? wind.bent->x(x, y) : wind.blowing.x;
+            const double to_y = wind.bent != nullptr ? wind.bent->y(x, y) : wind.blowing.y;
+            return Spreads{HopSpread((ahead * to_x - aside * wind.blowing.y) / ground_.dx),
+                           HopSpread((ahead * to_y + aside * wind.blowing.x) / ground_.dy)};
+        },
+        2.0 * most * parameters_.hop_length / ground_.dy);
 }
 
 /// Rows are hopped from in blocks, first every other one, then those between, so that no two
@@ -303,9 +338,16 @@ void ContinuousTransport::deposit(DuneBed& bed, const Wind& wind, int y) {
         const double cover = std::min(sand * (1.0 / thickness), 1.0);
         double share = on_rock + more_on_sand * cover;
         if (wind.plants != nullptr) share += wind.plants->cover().row(y)[x] * (1.0 - share);
-        if (wind.before_walls != nullptr)
-            share = std::max(share, 1.0 - std::abs(wind.before_walls->row(y)[x]));
-        share = std::max(shaded[x], share);
+        if (wind.along_walls != nullptr) {
+            const double u = wind.before_walls->row(y)[x];
+            const double v = wind.along_walls->row(y)[x];
+            const double still = std::max(shaded[x], 1.0 - std::sqrt(u * u + v * v));
+            share = std::max(share, still * (1.0 - std::abs(v)));
+        } else {
+            if (wind.before_walls != nullptr)
+                share = std::max(share, 1.0 - std::abs(wind.before_walls->row(y)[x]));
+            share = std::max(shaded[x], share);
+        }
         const auto stays = static_cast<std::int64_t>(share * static_cast<double>(arrived[x]));
         surface[x] += stays;
         moving[x] = arrived[x] - stays;

@@ -32,7 +32,9 @@ class WorkerPool;
 ///
 /// Under plants less is lifted and more stays (see Plants). Where the wind before a wall is u of
 /// what it would be (see WindwardWalls), |u| as much is lifted, hops reach u L, and of what arrives
-/// at least 1 − |u| stays.
+/// at least 1 − |u| stays. Where it also blows aside there, with v, hops reach √(u² + v²) L that
+/// way, f (1 − r) max(u, 0) + √(min(u, 0)² + v²) as much is lifted, since neither the linear shear
+/// stress nor the wind shadow knows the eddy, and at least max(r, 1 − √(u² + v²)) (1 − |v|) stays.
 ///
 /// A bent wind turns hops only: shadows, the shear stress and what comes in over open edges are of
 /// the wind as it blows over flat ground.
@@ -52,6 +54,7 @@ class ContinuousTransport {
         const Grid* shear = nullptr;  ///< τ/τ0 − 1, of which the lift's factor is f = 1 + that
         const Plants* plants = nullptr;
         const Grid* before_walls = nullptr;  ///< u
+        const Grid* along_walls = nullptr;   ///< v, with u only
         const BentWind* bent = nullptr;      ///< which way hops go
     };
 
@@ -67,6 +70,7 @@ class ContinuousTransport {
   private:
     void lift(DuneBed& bed, const Wind& wind, double layer, int y) const;
     void hop(DuneBed& bed, const Wind& wind);
+    void hop_along_walls(DuneBed& bed, const Wind& wind);
     template <class Spread>
     std::int64_t hop_rows(const DuneBed& bed, const Spread& spread, int begin, int end);
     template <class Spread>

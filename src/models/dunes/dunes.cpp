@@ -78,6 +78,19 @@ void check_transport(const DunesParameters& parameters, const ModelSetup& setup)
                        "slabs wear no rock; write model.transport = \"continuous\", or no "
                        "model.rock_wear");
     }
+    if (parameters.rock_wear == 0.0 && !parameters.abrasion_height.is_word()) {
+        throw KeyError("model.abrasion_height",
+                       "no rock is worn; write model.rock_wear, or model.abrasion_height = "
+                       "\"none\"");
+    }
+    if (parameters.rock_wear == 0.0 && parameters.rock_dust > 0.0) {
+        throw KeyError("model.rock_dust",
+                       "no rock is worn; write model.rock_wear, or no model.rock_dust");
+    }
+    if (parameters.wall_angle.is_word() && parameters.wall_drift > 0.0) {
+        throw KeyError("model.wall_drift",
+                       "there are no walls; write model.wall_angle, or no model.wall_drift");
+    }
     if (parameters.transport == DuneTransport::slabs && !parameters.wall_angle.is_word()) {
         throw KeyError("model.wall_angle",
                        "slabs meet no walls; write model.transport = \"continuous\", or "
@@ -223,11 +236,14 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
         bent_ = {Grid(ground_.nx, ground_.ny), Grid(ground_.nx, ground_.ny)};
     if (parameters.wind_bend == DuneBend::contours) contour_bend_.emplace(ground_, pool_);
     if (parameters.rock_wear > 0.0) {
-        rock_wear_.emplace(ground_, parameters.rock_wear, tangent(parameters.rock_repose_angle),
-                           pool_);
+        rock_wear_.emplace(
+            ground_,
+            RockWear::Rule{parameters.rock_wear, tangent(parameters.rock_repose_angle),
+                           parameters.abrasion_height.value, parameters.rock_dust},
+            pool_);
     }
     if (!parameters.wall_angle.is_word())
-        walls_.emplace(ground_, tangent(parameters.wall_angle.value), pool_);
+        walls_.emplace(ground_, tangent(parameters.wall_angle.value), parameters.wall_drift, pool_);
 }
 
 void Dunes::steepen_under_plants() {
@@ -274,6 +290,7 @@ ContinuousTransport::Wind Dunes::wind_over_bed(const BlowingWind& wind) const {
     if (walls_) {
         walls_->find(bed_.surface, wind);
         over.before_walls = &walls_->wind();
+        if (parameters_.wall_drift > 0.0) over.along_walls = &walls_->aside();
     }
     return over;
 }

@@ -260,6 +260,17 @@ void list_ground_keys(DunesParameters& dunes, KeyTable& table) {
                {.unit = "degrees",
                 .range = {5, 89},
                 .help = "worn rock that is steeper crumbles to sand"});
+    table.word_or_real(
+        "model.abrasion_height", dunes.abrasion_height,
+        {{"none", "landing sand wears rock at any height"}},
+        {.unit = "m",
+         .range = {0, 1e3, true},
+         .help = "wear falls by a factor e over this height above what ground upwind "
+                 "and on either side reaches by a rise of 15 degrees, so that hills "
+                 "are worn at their feet (yardangs)"});
+    table.real("model.rock_dust", dunes.rock_dust,
+               {.range = {0, 1},
+                .help = "share of worn rock that is blown away as dust; it counts as outflow"});
     table.word_or_real("model.wall_angle", dunes.wall_angle, {{"none", "no ground is so steep"}},
                        {.unit = "degrees",
                         .range = {35, 89},
@@ -267,6 +278,10 @@ void list_ground_keys(DunesParameters& dunes, KeyTable& table) {
                                 "its height on, the wind slackens, and turns back nearer than .4 "
                                 "of its height (echo dunes; Tsoar 1983: about 55 degrees); of "
                                 "continuous transport"});
+    table.real("model.wall_drift", dunes.wall_drift,
+               {.range = {0, 1},
+                .help = "wind along the foot of such a wall toward its ends, in parts of the wind, "
+                        "which keeps a corridor there clear of sand"});
 }
 
 }  // namespace

@@ -96,9 +96,12 @@ struct DunesParameters {
     double rock_level = 0.0;  ///< m
     double sand_cover = 1.0;  ///< m
 
-    double rock_wear = 0.0;              ///< of the volume of the sand that lands
-    double rock_repose_angle = 68.0;     ///< degrees, of rock that is worn
-    WordOrReal wall_angle{"none", 0.0};  ///< degrees
+    double rock_wear = 0.0;                   ///< of the volume of the sand that lands
+    double rock_repose_angle = 68.0;          ///< degrees, of rock that is worn
+    WordOrReal abrasion_height{"none", 0.0};  ///< m
+    double rock_dust = 0.0;                   ///< of the rock that is worn
+    WordOrReal wall_angle{"none", 0.0};       ///< degrees
+    double wall_drift = 0.0;                  ///< of the wind
     std::vector<DuneFeature> features;
 
     DunePlants plants = DunePlants::none;

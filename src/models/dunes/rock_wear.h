@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "base/grid.h"
+#include "models/dunes/abrasion_reach.h"
 #include "models/dunes/dune_bed.h"
 #include "models/dunes/wind_shadow.h"
 #include "models/dunes/wind_turns.h"
@@ -20,11 +23,24 @@ class WorkerPool;
 /// cm of sand that is steeper than its angle of repose, by the one-sided slope of SlopeRelaxation,
 /// crumbles: a quarter of the excess fall to its lowest neighbour becomes sand where it is.
 ///
-/// What is worn off is counted in DuneBed::worn to the last unit.
+/// With a height of abrasion h the wear by sand is also multiplied by exp(−z / h), z the height
+/// above the stream (AbrasionReach), and m is taken from the cell before, since the wear of slopes
+/// that face the wind drives them downwind. Hills are then worn at their feet, in front 1 + 5 m
+/// times as much as on their flanks, the plain between them is lowered, and rock that their wind
+/// shadows shelter stays as a tail behind them: yardangs.
+///
+/// A share of what is worn off or crumbles is dust, which is in suspension and counted as outflow;
+/// soft rock is mostly silt. What is worn off is counted in DuneBed::worn to the last unit.
 class RockWear {
   public:
-    /// `share`: c. `tangent`: of the rock's angle of repose.
-    RockWear(const DuneGround& ground, double share, double tangent, WorkerPool& pool);
+    struct Rule {
+        double share = 0.0;    ///< c
+        double tangent = 1.0;  ///< of the rock's angle of repose
+        double height = 0.0;   ///< h of AbrasionReach, m; 0: the same wear at any height
+        double dust = 0.0;     ///< of what is worn off
+    };
+
+    RockWear(const DuneGround& ground, const Rule& rule, WorkerPool& pool);
 
     /// `landed`: what has come down in each cell in this step. `cover`: of plants, or null.
     void wear(DuneBed& bed, const BlowingWind& wind, const WholeGrid& landed, const Grid* cover);
@@ -41,13 +57,16 @@ class RockWear {
     [[nodiscard]] Around around(int x, int y) const;
     [[nodiscard]] std::int64_t crumbles(std::int64_t here, const Around& rock) const;
     [[nodiscard]] double slope_along(const BlowingWind& wind, const Around& rock) const;
+    [[nodiscard]] double slope_before(const BlowingWind& wind, std::int64_t here,
+                                      const Around& rock) const;
 
     DuneGround ground_;
-    double share_;
-    double tangent_;
+    Rule rule_;
     WorkerPool& pool_;
+    std::optional<AbrasionReach> reach_;
     WholeGrid before_;  ///< the rock before
     WholeGrid worn_of_row_;
+    WholeGrid dust_of_row_;
 };
 
 }  // namespace fumon

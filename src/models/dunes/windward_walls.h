@@ -23,14 +23,25 @@ class WorkerPool;
 ///
 /// in parts of what it would be: hops reach u times as far, back where u < 0. The least u of all
 /// walls holds.
+///
+/// The eddy at the foot leaves a wall round its ends, as a horseshoe vortex, and takes sand along:
+/// with y the place along the feet that touch one another, −1 and 1 at their ends, the wind also
+/// blows outward along the wall with
+///
+///     v = a min(|4 y|, 1) min((1 − s) / 0.6, 1),   s < 1,
+///
+/// in parts of the wind. Feet that close round a periodic bed have no ends, and v is 0.
 class WindwardWalls {
   public:
-    WindwardWalls(const DuneGround& ground, double tangent, WorkerPool& pool);
+    /// `drift`: a.
+    WindwardWalls(const DuneGround& ground, double tangent, double drift, WorkerPool& pool);
 
     void find(const WholeGrid& surface, const BlowingWind& wind);
 
     /// u, −0.5 … 1.
     [[nodiscard]] const Grid& wind() const { return wind_; }
+    /// v, to the left of the wind, −a … a; empty where a is 0.
+    [[nodiscard]] const Grid& aside() const { return aside_; }
 
   private:
     struct Line {
@@ -41,6 +52,9 @@ class WindwardWalls {
 
     void find_feet(const WholeGrid& surface, const Line& line, int y);
     void slacken_before(const WholeGrid& surface, const Line& line, int x, int y);
+    /// v / a at the foot of each wall, by cell.
+    void find_ways_to_ends(const BlowingWind& wind);
+    void follow_wall(int x, int y, const BlowingWind& wind);
     /// The height n cells along from (x, y), 2⁻³² m; false beyond an open edge.
     bool height_at(const WholeGrid& surface, const Line& line, int x, int y, int n,
                    std::int64_t& height) const;
@@ -48,9 +62,13 @@ class WindwardWalls {
 
     DuneGround ground_;
     double tangent_;
+    double drift_;
     WorkerPool& pool_;
     std::vector<std::vector<int>> feet_;  ///< of each row, where walls begin
     Grid wind_;
+    Grid aside_;
+    Grid outward_;         ///< of feet
+    Field<char> waiting_;  ///< feet whose wall was not followed yet
 };
 
 }  // namespace fumon

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/worker_pool.h"
+#include "models/dunes/abrasion_reach.h"
 #include "models/dunes/dunes.h"
 #include "models/dunes/ground_features.h"
 #include "models/shared/state_hash.h"
@@ -30,6 +31,49 @@ std::int64_t sand_less_sources(const DuneBed& bed) {
            bed.inflow - bed.worn;
 }
 
+struct Axes {
+    double ratio;  ///< of the standard deviations along and across
+    double angle;  ///< degrees from x
+    double head;   ///< by how many of the former its middle lies beyond its top, along x
+};
+
+/// Of the cells that stand out of the plain by more than a third of the greatest height over it.
+Axes axes_of_hill(const WholeGrid& rock) {
+    std::vector<std::int64_t> heights(rock.values().begin(), rock.values().end());
+    std::ranges::sort(heights);
+    const std::int64_t plain = heights[heights.size() / 2];
+    const std::int64_t least = plain + (heights.back() - plain) / 3;
+    std::vector<std::pair<double, double>> cells;
+    double mean_x = 0.0;
+    double top_x = 0.0;
+    double mean_y = 0.0;
+    for (int y = 0; y < rock.ny(); ++y) {
+        for (int x = 0; x < rock.nx(); ++x) {
+            if (rock(x, y) <= least) continue;
+            cells.emplace_back(x, y);
+            if (rock(x, y) == heights.back()) top_x = x;
+            mean_x += x;
+            mean_y += y;
+        }
+    }
+    const auto count = static_cast<double>(cells.size());
+    mean_x /= count;
+    mean_y /= count;
+    double xx = 0.0;
+    double yy = 0.0;
+    double xy = 0.0;
+    for (const auto& [x, y] : cells) {
+        xx += (x - mean_x) * (x - mean_x) / count;
+        yy += (y - mean_y) * (y - mean_y) / count;
+        xy += (x - mean_x) * (y - mean_y) / count;
+    }
+    const double mean = 0.5 * (xx + yy);
+    const double apart = std::hypot(0.5 * (xx - yy), xy);
+    return {std::sqrt((mean + apart) / (mean - apart)),
+            0.5 * std::atan2(2.0 * xy, xx - yy) * 180.0 / std::acos(-1.0),
+            (mean_x - top_x) / std::sqrt(xx)};
+}
+
 TEST(WornRock, SandOutflowInflowAndWornRockBalanceExactly) {
     for (const bool open : {false, true}) {
         std::vector<Sha256> hashes;
@@ -37,10 +81,13 @@ TEST(WornRock, SandOutflowInflowAndWornRockBalanceExactly) {
             WorkerPool pool(threads);
             DunesParameters dunes;
             dunes.rock_wear = 0.02;
+            if (open) dunes.abrasion_height = {"", 0.5};
+            dunes.rock_dust = open ? 0.7 : 0.0;
             dunes.edges_x = open ? DuneEdge::open : DuneEdge::periodic;
             dunes.influx = 0.5;
             dunes.winds = {{270.0, 1.0, 0.01}, {20.0, 1.3, 0.005}};
             dunes.wall_angle = {"", 55.0};
+            dunes.wall_drift = open ? 0.6 : 0.0;
             dunes.plants = DunePlants::grow;
             dunes.shrubs.cover = 0.4;
             dunes.shrubs.share = 0.1;
@@ -71,7 +118,7 @@ TEST(WornRock, SandOutflowInflowAndWornRockBalanceExactly) {
 TEST(WornRock, LevelRockLosesItsShareOfWhatLands) {
     WorkerPool pool(1);
     const DuneGround ground{20, 10, 1.0, 1.0, true, true};
-    RockWear rock(ground, 0.01, std::tan(68.0 * std::acos(-1.0) / 180.0), pool);
+    RockWear rock(ground, {0.01, std::tan(68.0 * std::acos(-1.0) / 180.0)}, pool);
     DuneBed bed{WholeGrid(20, 10), WholeGrid(20, 10), WholeGrid(20, 10)};
     bed.surface(7, 4) = to_units(0.025);
     bed.surface(9, 4) = to_units(0.06);
@@ -91,7 +138,7 @@ TEST(WornRock, LevelRockLosesItsShareOfWhatLands) {
 TEST(WornRock, SlopesThatFaceTheWindLoseMost) {
     WorkerPool pool(1);
     const DuneGround ground{40, 10, 1.0, 1.0, true, true};
-    RockWear rock(ground, 0.01, std::tan(68.0 * std::acos(-1.0) / 180.0), pool);
+    RockWear rock(ground, {0.01, std::tan(68.0 * std::acos(-1.0) / 180.0)}, pool);
     DuneBed bed{WholeGrid(40, 10), WholeGrid(40, 10), WholeGrid(40, 10)};
     for (int y = 0; y < 10; ++y) {
         for (int x = 0; x < 40; ++x) bed.rock(x, y) = to_units(0.4 * (x < 20 ? x : 40 - x));
@@ -102,6 +149,57 @@ TEST(WornRock, SlopesThatFaceTheWindLoseMost) {
     rock.wear(bed, turns.at(0), WholeGrid(40, 10, to_units(0.1)), nullptr);
     EXPECT_NEAR(to_metres(first(10, 5) - bed.rock(10, 5)), 0.003, 1e-9) << "1 + .4 / .2";
     EXPECT_EQ(bed.rock(30, 5), first(30, 5)) << "in the lee";
+}
+
+TEST(WornRock, GrainsReachWhatRisesGentlyAndHardlyAbove) {
+    const DuneGround ground{60, 60, 1.0, 1.0, true, true};
+    WholeGrid surface(60, 60);
+    for (int y = 25; y < 35; ++y) {
+        for (int x = 20; x < 40; ++x) surface(x, y) = to_units(2.0);
+    }
+    const double climb = std::tan(15.0 * std::acos(-1.0) / 180.0);
+    for (const double from : {270.0, 90.0}) {
+        const WindTurns turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
+        WorkerPool pool(2);
+        AbrasionReach reach(ground, 0.5, pool);
+        reach.find(surface, turns.at(0));
+        const auto above = [&](int x, int y) { return -0.5 * std::log(reach.share()(x, y)); };
+        EXPECT_NEAR(above(10, 30), 0.0, 1e-9) << "on the plain";
+        const int front = from == 270.0 ? 20 : 39;
+        const int back = from == 270.0 ? 39 : 20;
+        EXPECT_NEAR(above(front, 30), 2.0 - climb, 1e-9) << "just behind the edge it faces";
+        EXPECT_NEAR(above(30, 25), 2.0 - climb, 1e-9) << "behind that on a side";
+        EXPECT_NEAR(above(back, 30), 2.0 - 5.0 * climb, 1e-9) << "nothing comes from behind";
+    }
+}
+
+/// A hill that lies askew becomes a long one along the wind, whose top is near its front.
+TEST(WornRock, HillsBecomeYardangs) {
+    WorkerPool pool(2);
+    DunesParameters dunes;
+    dunes.rock = DuneRock::bed;
+    dunes.sand_cover = 0.15;
+    dunes.deposit_on_rock = 0.1;
+    dunes.time_step = {"", 0.004};
+    dunes.rock_wear = 0.08;
+    dunes.rock_dust = 1.0;
+    dunes.rock_repose_angle = 60.0;
+    dunes.abrasion_height = {"", 1.0};
+    dunes.wind_bend = DuneBend::shear;
+    dunes.shear_across = 1.2;
+    dunes.winds = {{270.0, 1.0, 1.0, {}, 10.0, 0.0, 0.02}};
+    dunes.features = {{FeatureKind::rock, FeatureShape::hill, 32.0, 20.0, 22.0, 12.0, 4.0, 130.0}};
+    Dunes model(dunes, thin_sand(112, 40, 0.0, pool));
+    const WholeGrid& rock = model.bed().rock;
+    const Axes first = axes_of_hill(rock);
+    EXPECT_LT(first.ratio, 2.0);
+    EXPECT_GT(std::abs(first.angle), 30.0);
+    for (int step = 0; step < 750; ++step) model.step();
+    const Axes then = axes_of_hill(rock);
+    EXPECT_GT(then.ratio, 3.0);
+    EXPECT_LT(std::abs(then.angle), 10.0);
+    EXPECT_LT(first.head, 0.2);
+    EXPECT_GT(then.head, 0.3) << "which has a tail";
 }
 
 TEST(WornRock, CrumblesToItsAngleOfRepose) {
@@ -185,53 +283,6 @@ TEST(Features, SourcesAreFilledUpAgainAndCounted) {
     }
 }
 
-TEST(Walls, TurnTheWindBackAtTheirFoot) {
-    for (const auto& [from, dx, dy] : {std::tuple{270.0, -1, 0}, std::tuple{90.0, 1, 0},
-                                       std::tuple{180.0, 0, -1}, std::tuple{0.0, 0, 1}}) {
-        SCOPED_TRACE(from);
-        const DuneGround ground{60, 60, 1.0, 1.0, true, true};
-        WholeGrid surface(60, 60);
-        for (int y = 25; y < 35; ++y) {
-            for (int x = 25; x < 35; ++x) surface(x, y) = to_units(10.0);
-        }
-        const WindTurns turns({{from, 1.0, 1.0}}, [](double) { return 1.0; });
-        WorkerPool pool(2);
-        WindwardWalls walls(ground, std::tan(55.0 * std::acos(-1.0) / 180.0), pool);
-        walls.find(surface, turns.at(0));
-        const auto at = [&](int cells) {
-            const int x = dx == 0 ? 30 : dx < 0 ? 24 - cells : 35 + cells;
-            const int y = dy == 0 ? 30 : dy < 0 ? 24 - cells : 35 + cells;
-            return walls.wind()(x, y);
-        };
-        EXPECT_DOUBLE_EQ(at(0), -0.5);
-        EXPECT_DOUBLE_EQ(at(2), -0.25);
-        EXPECT_NEAR(at(4), 0.0, 1e-12) << "at .4 of its height";
-        EXPECT_NEAR(at(12), 0.5, 1e-12);
-        EXPECT_DOUBLE_EQ(at(20), 1.0);
-        EXPECT_DOUBLE_EQ(walls.wind()(30, 30), 1.0) << "on top";
-    }
-}
-
-/// Sand that drifts up to a wall stays before it, with bare ground at its foot; up to a hill of the
-/// same height it does not.
-TEST(Walls, AnEchoDuneStandsClearOfTheWall) {
-    WorkerPool pool(2);
-    DunesParameters dunes;
-    dunes.wall_angle = {"", 55.0};
-    dunes.features = {{FeatureKind::rock, FeatureShape::block, 70.0, 24.0, 16.0, 48.0, 10.0, 90.0}};
-    Dunes model(dunes, thin_sand(96, 48, 0.3, pool));
-    for (int step = 0; step < 700; ++step) model.step();
-    int crest = 0;
-    for (int x = 30; x < 62; ++x) {
-        if (model.bed().surface(x, 24) > model.bed().surface(crest, 24)) crest = x;
-    }
-    const double distance = 61.5 - crest;
-    EXPECT_GT(to_metres(model.bed().surface(crest, 24)), 1.5);
-    EXPECT_GT(distance, 4.0);
-    EXPECT_LT(distance, 12.0);
-    EXPECT_LT(to_metres(model.bed().surface(61, 24)), 0.6) << "at the foot";
-}
-
 TEST(WornRock, SlabsRefuseIt) {
     WorkerPool pool(1);
     DunesParameters dunes;
@@ -243,6 +294,14 @@ TEST(WornRock, SlabsRefuseIt) {
     };
     EXPECT_NE(refusal().find("slabs wear no rock"), std::string::npos);
     dunes.rock_wear = 0.0;
+    dunes.abrasion_height = {"", 1.0};
+    EXPECT_NE(refusal().find("no rock is worn"), std::string::npos);
+    dunes.abrasion_height = {"none", 0.0};
+    dunes.rock_dust = 0.5;
+    EXPECT_NE(refusal().find("no rock is worn"), std::string::npos);
+    dunes.rock_dust = 0.0;
+    dunes.wall_drift = 0.5;
+    EXPECT_NE(refusal().find("there are no walls"), std::string::npos);
     dunes.wall_angle = {"", 55.0};
     EXPECT_NE(refusal().find("slabs meet no walls"), std::string::npos);
 }
