@@ -28,7 +28,12 @@ void weather(inout vec3 normal, inout vec3 albedo, vec3 at, float footprint, flo
     vec2 out_of_wall = normalize(normal.xy + vec2(1e-5, 0.0));
     vec3 side = vec3(-out_of_wall.y, out_of_wall.x, 0.0);
     vec3 on_floor = rock_roughness(2.6 * at.xy, 2.6 * footprint);
-    vec3 on_wall = rock_roughness(vec2(dot(at, side), 1.6 * at.z), footprint);
+    // Walls take it from the two upright planes through the axes: along a wall that turns, a place far from the origin
+    // would slip over it.
+    float faces_x = smoothstep(0.3, 0.7, out_of_wall.x * out_of_wall.x);
+    vec3 from_x = rock_roughness(vec2(at.y, 1.6 * at.z), footprint) * vec3(sign(side.y), 1.0, 1.0);
+    vec3 from_y = rock_roughness(vec2(at.x, 1.6 * at.z) + 31.0, footprint) * vec3(sign(side.x), 1.0, 1.0);
+    vec3 on_wall = mix(from_y, from_x, faces_x);
     // A floor is swept and worn: stones, not ledges.
     vec3 tilt = mix(0.14 * vec3(on_floor.xy, 0.0), on_wall.x * side + vec3(0.0, 0.0, on_wall.y), wall);
     float relief = mix(0.15 * on_floor.z, on_wall.z, wall);
