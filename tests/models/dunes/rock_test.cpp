@@ -200,6 +200,7 @@ TEST(WornRock, HillsBecomeYardangs) {
     EXPECT_LT(std::abs(then.angle), 10.0);
     EXPECT_LT(first.head, 0.2);
     EXPECT_GT(then.head, 0.3) << "which has a tail";
+    EXPECT_GT(*std::ranges::max_element(rock.values()), to_units(2.5)) << "worn at its foot";
 }
 
 TEST(WornRock, CrumblesToItsAngleOfRepose) {
