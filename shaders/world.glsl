@@ -110,7 +110,7 @@ vec3 unevenness(float bare) { return vec3(vec2(0.21), 0.52) * sand_grain * (mark
 float grains_of(float bare) { return sand_grain * (marks > 1.5 ? 0.18 : 0.48 - 0.30 * bare); }
 
 // How much of that there is where sand slid: it lies smooth.
-float uneven_share(float bare, float slid) { return 1.0 - 0.85 * bare * slid; }
+float uneven_share(float bare, float slid) { return 1.0 - 0.75 * bare * slid; }
 
 vec3 albedo_of(vec4 sand, float brighter) { return sand.rgb * sand.rgb * (1.0 + brighter); }
 
