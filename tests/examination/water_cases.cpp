@@ -36,6 +36,8 @@ GullyParameters frictionless() {
 
 /// Of flows that become steady: the limiter would keep ripples standing in them.
 constexpr double calm_tolerance = 0.01;
+/// By steeper slopes a jump that stands still keeps sending waves.
+constexpr double steepness_at_jumps = 1.3;
 
 /// A discharge is in m²/s here; setting_of() multiplies it by the width.
 EdgeSettings edge(GridSide side, EdgeFlow kind, double value = 0.0, double depth = 0.0) {
@@ -98,11 +100,13 @@ void add_bumps(std::vector<Case>& cases) {
                                    [](double x) { return exact::bump_transcritical(x, 1.53); }));
     cases.back().kinks.push_back(10.0);
     cases.back().smooth = true;
+    cases.back().parameters.limiter_tolerance = 0.001;  // below the bed's steps at its kinks
     cases.push_back(flow_over_bump("bump-jump", "bump, transcritical with a jump", 0.18, 0.33,
                                    [](double x) { return exact::bump_with_jump(x, 0.18, 0.33); }));
     cases.back().kinks.push_back(10.0);
     cases.back().kinks.push_back(exact::bump_jump(0.18, 0.33));
     cases.back().parameters.limiter_tolerance = 0.0;  // waves behind its jump never end
+    cases.back().parameters.limiter_steepness = steepness_at_jumps;
 }
 
 Case channel_case(const char* name, const char* title, const exact::Channel& channel) {
@@ -221,6 +225,7 @@ Case basin(const char* name, const char* title, bool square, double h0, double d
     };
     one.exact = flow;
     one.start = [flow](double x, double y, double) { return flow(x, y, 0.0); };
+    one.parameters.shore_velocity = ShoreVelocity::even;
     one.smooth = true;
     one.basin = true;
     return one;

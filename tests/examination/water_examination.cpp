@@ -1,6 +1,7 @@
 // Runs the cases with exact solutions and prints what comes of them as a table:
 //
 //     water_examination [CASE…] [--cells 100,200,400] [--limiter-tolerance 0.01]
+//                       [--limiter-steepness 1.3]
 //     water_examination [CASE…] --scenes FOLDER
 //
 // or writes their scenes, on 100 (squares: 50) cells, with their beds, their water at the start
@@ -91,12 +92,15 @@ int main(int count, char** arguments) {
     std::vector<std::string> names;
     std::filesystem::path folder;
     std::optional<double> tolerance;
+    std::optional<double> steepness;
     for (int k = 1; k < count; ++k) {
         const std::string word = arguments[k];
         if (word == "--cells" && k + 1 < count) {
             grids = numbers_of(arguments[++k]);
         } else if (word == "--limiter-tolerance" && k + 1 < count) {
             tolerance = std::stod(arguments[++k]);
+        } else if (word == "--limiter-steepness" && k + 1 < count) {
+            steepness = std::stod(arguments[++k]);
         } else if (word == "--scenes" && k + 1 < count) {
             folder = arguments[++k];
         } else {
@@ -124,6 +128,7 @@ int main(int count, char** arguments) {
         head, rule);
     for (Case one : all_cases()) {
         if (tolerance) one.parameters.limiter_tolerance = *tolerance;
+        if (steepness) one.parameters.limiter_steepness = *steepness;
         if (is_asked(one)) print_case(one, grids);
     }
     return 0;

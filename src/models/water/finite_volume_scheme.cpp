@@ -39,8 +39,10 @@ FiniteVolumeScheme::FiniteVolumeScheme(const GullyParameters& parameters, const 
       friction_(friction_factors(parameters, roughness)),
       pool_(pool),
       strips_(static_cast<std::size_t>(pool.size()),
-              finite_volume::Strip(parameters.stopping_steps,
-                                   {parameters.limiter_tolerance, parameters.gravity})) {}
+              finite_volume::Strip(
+                  parameters.stopping_steps,
+                  {parameters.limiter_tolerance, parameters.gravity, parameters.limiter_steepness,
+                   parameters.shore_velocity == ShoreVelocity::even})) {}
 
 double FiniteVolumeScheme::step_at_courant_one(const Water& water) const {
     const int nx = water.depth.nx();

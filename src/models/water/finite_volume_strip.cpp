@@ -38,14 +38,14 @@ Fluxes Strip::fluxes(Kind kind, int y, int from) {
 }
 
 void Strip::take_x_fluxes(int y, double gravity) {
-    limited_half_slopes(across_x(y, 0), across_x(y, 1), across_x(y, 2), tolerance_,
+    limited_half_slopes(across_x(y, 0), across_x(y, 1), across_x(y, 2), limits_,
                         slopes(x_slopes, y, 1), padded() - 2);
     face_fluxes(across_x(y, 1), slopes(x_slopes, y, 1), across_x(y, 2), slopes(x_slopes, y, 2),
                 gravity, fluxes(x_fluxes, y, 1), padded() - 3);
 }
 
 void Strip::take_y_slopes(int y) {
-    limited_half_slopes(across_y(y - 1, 2), across_y(y, 2), across_y(y + 1, 2), tolerance_,
+    limited_half_slopes(across_y(y - 1, 2), across_y(y, 2), across_y(y + 1, 2), limits_,
                         slopes(y_slopes, y, 2), padded() - 4);
 }
 

@@ -22,9 +22,9 @@ class Strip {
     static constexpr int margin = 3;          ///< cells beyond the block that its update reads
     static constexpr int widest_block = 512;  ///< cells
 
-    Strip(StoppingSteps steps, LimiterTolerance tolerance)
+    Strip(StoppingSteps steps, const SlopeLimits& limits)
         : steps_(steps),
-          tolerance_(tolerance),
+          limits_(limits),
           values_(static_cast<std::size_t>(fields) * kept * stride) {}
 
     /// Starts a block of `count` columns from column `first_x` on. Where `edge_west` or
@@ -85,7 +85,7 @@ class Strip {
     [[nodiscard]] Fluxes fluxes(Kind kind, int y, int from);
 
     StoppingSteps steps_;
-    LimiterTolerance tolerance_;
+    SlopeLimits limits_;
     std::vector<double> values_;
     std::array<bool, kept> short_of_water_{};
     int first_x_ = 0;

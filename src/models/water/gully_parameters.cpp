@@ -87,6 +87,17 @@ void list_flow_keys(GullyParameters& gully, KeyTable& table) {
                 .help = "of finite volumes: what changes from cell to cell by less than this share "
                         "of the depth is not limited; 0.01 for calm flow, in which the limiter "
                         "keeps ripples standing"});
+    table.real("model.limiter_steepness", gully.limiter_steepness,
+               {.range = {1, 2},
+                .help = "of finite volumes: slopes within cells over the smaller of the "
+                        "differences to both sides; 1 where a jump that stands still keeps "
+                        "sending waves"});
+    table.choice("model.shore_velocity", gully.shore_velocity,
+                 {{ShoreVelocity::sloped, "sloped", "as elsewhere"},
+                  {ShoreVelocity::even, "even",
+                   "has no slope: a shore that moves over a smooth bed sends fewer waves"}},
+                 {.help = "of finite volumes: the velocity within cells whose water is thinner "
+                          "than twice the bed's steps"});
     table.real("model.time_step", gully.time_step,
                {.unit = "s", .range = {0, 1000, true}, .help = "of one step"});
     table.choice(

@@ -18,6 +18,7 @@ enum class InfiltrationLaw { none, constant, horton, green_ampt };
 enum class InitialFlow { automatic, uniform, rest };
 enum class EdgeKind { automatic, periodic, open, wall };
 enum class StoppingSteps { bed, all };
+enum class ShoreVelocity { sloped, even };
 enum class Substeps { adaptive, fixed };
 
 /// The parameters of the gully model (Saeki & Okamura 2007), in metres and seconds.
@@ -27,6 +28,8 @@ struct GullyParameters {
     Relief relief = Relief::automatic;
     StoppingSteps stopping_steps = StoppingSteps::bed;  ///< of finite volumes
     double limiter_tolerance = 0.0;                     ///< of finite volumes: a share of the depth
+    double limiter_steepness = 2.0;                     ///< of finite volumes: θ
+    ShoreVelocity shore_velocity = ShoreVelocity::sloped;
     Substeps substeps = Substeps::adaptive;
     double courant_number = 0.4;  ///< of the sub-steps
 

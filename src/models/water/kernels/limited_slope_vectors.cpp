@@ -33,19 +33,21 @@ HWY_INLINE V half_slope(V back, V forward, V bound, V quarter, V zero, V small) 
     return larger(smaller(middle, highest), lowest);
 }
 
-/// With the bed's slopes where `of_bed`; by tolerance.share where `tolerant`.
-template <bool of_bed, bool tolerant>
+/// Water thinner than so many of the bed's steps is a shore's.
+constexpr double shore_steps = 2.0;
+
+/// With the bed's slopes where `of_bed`; past the limit where `tolerant`.
+template <bool of_bed, bool tolerant, bool even_shores>
 struct LimitedHalfSlopes {
     CellRow b;
     CellRow c;
     CellRow f;
-    LimiterTolerance tolerance;
+    SlopeLimits limits;
     HalfSlopes out;
 
     template <class D>
     HWY_INLINE void operator()(D d, std::size_t k) const {
         using V = hn::Vec<D>;
-        const V one = hn::Set(d, 1.0);
         const V half = hn::Set(d, 0.5);
         const V quarter = hn::Set(d, 0.25);
         const V zero = hn::Zero(d);
@@ -65,30 +67,37 @@ struct LimitedHalfSlopes {
         const V bed_forward = surface_forward - depth_forward;
         const V bed_step = larger(hn::Abs(bed_back), hn::Abs(bed_forward));
         const auto deep = hn::Gt(shallowest, bed_step);
-        const V bound = hn::IfThenElse(deep, one, half);
+        const V steepest = hn::Set(d, 0.5 * limits.steepness);
+        const V bound = hn::IfThenElse(deep, steepest, half);
         V small_rise = zero;
         V small_speed = zero;
         if constexpr (tolerant) {
             const V open = hn::IfThenElseZero(deep, with_back * with_forward);
-            small_rise = hn::Set(d, tolerance.share) * depth * open;
-            small_speed = hn::Set(d, tolerance.share) * open *
-                          hn::Sqrt(hn::Set(d, tolerance.gravity) * depth);
+            small_rise = hn::Set(d, limits.tolerance) * depth * open;
+            small_speed =
+                hn::Set(d, limits.tolerance) * open * hn::Sqrt(hn::Set(d, limits.gravity) * depth);
         }
-        const auto sloped = [&](V back, V forward, V steepest, V small) HWY_ATTR {
+        const auto sloped = [&](V back, V forward, V at_most, V small) HWY_ATTR {
             if constexpr (tolerant) {
-                return half_slope(back, forward, steepest, quarter, zero, small);
+                return half_slope(back, forward, at_most, quarter, zero, small);
             } else {
-                return half_slope(back, forward, steepest, quarter, zero);
+                return half_slope(back, forward, at_most, quarter, zero);
             }
         };
         const auto limited = [&](const double* back, const double* here,
                                  const double* forward) HWY_ATTR {
             const V middle = hn::LoadU(d, here + k);
             return sloped((middle - hn::LoadU(d, back + k)) * with_back,
-                          (hn::LoadU(d, forward + k) - middle) * with_forward, one, small_speed);
+                          (hn::LoadU(d, forward + k) - middle) * with_forward, steepest,
+                          small_speed);
         };
-        const V normal = limited(b.normal, c.normal, f.normal);
-        const V transverse = limited(b.transverse, c.transverse, f.transverse);
+        V normal = limited(b.normal, c.normal, f.normal);
+        V transverse = limited(b.transverse, c.transverse, f.transverse);
+        if constexpr (even_shores) {
+            const auto off_shore = hn::Gt(shallowest, hn::Set(d, shore_steps) * bed_step);
+            normal = hn::IfThenElseZero(off_shore, normal);
+            transverse = hn::IfThenElseZero(off_shore, transverse);
+        }
         hn::StoreU(sloped(depth_back, depth_forward, bound, small_rise), d, out.depth + k);
         hn::StoreU(sloped(surface_back, surface_forward, bound, small_rise), d, out.surface + k);
         hn::StoreU(normal, d, out.normal + k);
@@ -101,24 +110,26 @@ struct LimitedHalfSlopes {
     }
 };
 
-template <bool tolerant>
+template <bool tolerant, bool even_shores>
 HWY_INLINE void take_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
-                            const LimiterTolerance& tolerance, const HalfSlopes& out, int count) {
+                            const SlopeLimits& limits, const HalfSlopes& out, int count) {
     if (out.bed != nullptr) {
-        for_each_vector_anew(
-            count, LimitedHalfSlopes<true, tolerant>{back, here, forward, tolerance, out});
+        for_each_vector_anew(count, LimitedHalfSlopes<true, tolerant, even_shores>{
+                                        back, here, forward, limits, out});
     } else {
-        for_each_vector_anew(
-            count, LimitedHalfSlopes<false, tolerant>{back, here, forward, tolerance, out});
+        for_each_vector_anew(count, LimitedHalfSlopes<false, tolerant, even_shores>{
+                                        back, here, forward, limits, out});
     }
 }
 
 void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
-                         const LimiterTolerance& tolerance, const HalfSlopes& out, int count) {
-    if (tolerance.share > 0.0) {
-        take_slopes<true>(back, here, forward, tolerance, out, count);
+                         const SlopeLimits& limits, const HalfSlopes& out, int count) {
+    if (limits.tolerance > 0.0) {
+        limits.even_shores ? take_slopes<true, true>(back, here, forward, limits, out, count)
+                           : take_slopes<true, false>(back, here, forward, limits, out, count);
     } else {
-        take_slopes<false>(back, here, forward, tolerance, out, count);
+        limits.even_shores ? take_slopes<false, true>(back, here, forward, limits, out, count)
+                           : take_slopes<false, false>(back, here, forward, limits, out, count);
     }
 }
 
@@ -132,8 +143,8 @@ namespace fumon::finite_volume {
 HWY_EXPORT(limited_half_slopes);
 
 void limited_half_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
-                         const LimiterTolerance& tolerance, const HalfSlopes& out, int count) {
-    HWY_DYNAMIC_DISPATCH(limited_half_slopes)(back, here, forward, tolerance, out, count);
+                         const SlopeLimits& limits, const HalfSlopes& out, int count) {
+    HWY_DYNAMIC_DISPATCH(limited_half_slopes)(back, here, forward, limits, out, count);
 }
 
 }  // namespace fumon::finite_volume
