@@ -20,6 +20,7 @@ uniform float floor_half_width;
 uniform vec2 picture_pixels;
 uniform float dithered;    // 1: for 8 bits
 uniform vec2 tile_pixel;   // first pixel of this tile
+uniform vec2 row_of;       // rows run downward: the first one's number, and 1 or, from the lowest on, −1
 
 in vec2 place;
 out vec4 colour;
@@ -37,7 +38,8 @@ vec3 plain(vec3 point, vec3 view) {
 }
 
 void main() {
-    vec2 at = (gl_FragCoord.xy + tile_pixel) / picture_pixels;
+    vec2 place_in_tile = vec2(gl_FragCoord.x, row_of.x + row_of.y * gl_FragCoord.y);
+    vec2 at = (place_in_tile + tile_pixel) / picture_pixels;
     vec2 across = vec2(2.0, -2.0) * at + vec2(-1.0, 1.0);  // rows run downward
     vec3 offset = across.x * ray_right + across.y * ray_up;
     vec3 origin = ray_origin + parallel * offset;
@@ -50,7 +52,7 @@ void main() {
         light = sky(view);
         if (stars > 0.5) light += starlight(view);
     }
-    ivec2 pixel = ivec2(gl_FragCoord.xy + tile_pixel);
+    ivec2 pixel = ivec2(place_in_tile + tile_pixel);
     float dither = hash(pixel) + hash(pixel + ivec2(7919, 104729)) - 1.0;
     colour = vec4(display_from_linear(tone_curve(light)) + dithered * dither / 255.0, 1.0);
 }

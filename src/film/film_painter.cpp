@@ -57,7 +57,9 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
       size_(size),
       timeline_(film),
       layout_(film, runs, size),
-      stage_(make_stage(film, runs.first(), layout_.size())) {
+      stage_(make_stage(film, runs.first(), layout_.size())),
+      pool_(pool),
+      ahead_(pool.size()) {
     if (layout_.boxes().size() > 1) stage_.overrun = overrun_of_pane(stage_.aspect);
     for (std::size_t i = 0; i < film.shots.size(); ++i) shots_.emplace_back(film, i, stage_, runs);
     const double side = static_cast<double>(std::min(size.width, size.height));
@@ -261,26 +263,64 @@ void FilmPainter::place_overlays(const FilmSize& size) {
     }
 }
 
+/// The pictures of runs that a frame is put together of, in the order in which they are drawn;
+/// those under a card left out.
+std::vector<WantedPicture> FilmPainter::pictures_of(std::int64_t frame) const {
+    const std::size_t runs = film_.panes.show == PanesShow::wipe ? 2 : layout_.boxes().size();
+    std::vector<WantedPicture> pictures;
+    for (const PartOfFrame& shown : timeline_.at(frame)) {
+        if (shown.part->kind != FilmPart::Kind::shot) continue;
+        for (std::size_t run = 0; run < runs; ++run)
+            pictures.push_back({run, shown.part->number, shown.share});
+    }
+    return pictures;
+}
+
+FilmPainter::Sight FilmPainter::sight_of(const WantedPicture& wanted) const {
+    const StagedShot& shot = shots_[wanted.shot];
+    return {{wanted.shot, shot.bed_at(wanted.share)}, shot.pose_at(wanted.share)};
+}
+
+/// Reads the bed, and says how what its picture needs is found.
+PictureAhead::Find FilmPainter::way_to(std::size_t run, const Sight& sight) const {
+    FramePose frame{camera_of(stage_, sight.pose), stage_.scene.view.sun, sight.pose.exposure};
+    frame.sun.azimuth = sight.pose.sun_azimuth;
+    frame.sun.elevation = sight.pose.sun_elevation;
+    if (differs()) frame.reference = panes_[1].beds->snapshot(bed_of(1, sight.moment));
+    const Pane& pane = panes_[run];
+    return
+        [&renderer = *pane.renderer, bed = pane.beds->snapshot(bed_of(run, sight.moment)), frame,
+         before = pane.lit](WorkerPool& pool) { return renderer.ready(bed, frame, before, pool); };
+}
+
+void FilmPainter::look_ahead_from(const WantedPicture& present) {
+    auto next = std::ranges::find(coming_, present);
+    if (next == coming_.end() || ++next == coming_.end()) return;
+    const Sight sight = sight_of(*next);
+    if (panes_[next->run].seen != sight) ahead_.begin(*next, way_to(next->run, sight));
+}
+
 /// What one run shows.
 Image FilmPainter::picture(std::size_t run, const PartOfFrame& shown) {
-    const StagedShot& shot = shots_[shown.part->number];
-    const Moment moment{shown.part->number, shot.bed_at(shown.share)};
-    const CameraPose pose = shot.pose_at(shown.share);
-    FramePose frame{camera_of(stage_, pose), stage_.scene.view.sun, pose.exposure};
-    frame.sun.azimuth = pose.sun_azimuth;
-    frame.sun.elevation = pose.sun_elevation;
-    std::shared_ptr<const Snapshot> other;
-    if (differs()) {
-        other = panes_[1].beds->snapshot(bed_of(1, moment));
-        frame.reference = other.get();
+    const WantedPicture wanted{run, shown.part->number, shown.share};
+    Pane& pane = panes_[run];
+    const Sight sight = sight_of(wanted);
+    std::optional<ReadyPicture> ready = ahead_.take(wanted);
+    if (pane.seen != sight) {
+        if (!ready) ready = way_to(run, sight)(pool_);
+        pane.lit = ready->lit;
+        pane.seen = sight;
+        look_ahead_from(wanted);
+        pane.image = pane.renderer->render(*ready);
+    } else {
+        look_ahead_from(wanted);
     }
-    const Pane& pane = panes_[run];
-    const std::size_t number = bed_of(run, moment);
-    const auto bed = pane.beds->snapshot(number);
-    Image image = pane.renderer->render(*bed, frame);
+    Image image = pane.image;
     if (pane.overlays) {
-        pane.overlays->draw(
-            image, {*bed, pane.rows[number], pane.renderer->colour_range(), &frame.camera});
+        const std::size_t number = bed_of(run, sight.moment);
+        const Camera camera = camera_of(stage_, sight.pose);
+        pane.overlays->draw(image, {*pane.beds->snapshot(number), pane.rows[number],
+                                    pane.renderer->colour_range(), &camera});
     }
     return image;
 }
@@ -316,6 +356,12 @@ void FilmPainter::write_over(Image& image, const PartOfFrame& shown) {
 
 Image FilmPainter::paint(std::int64_t frame) {
     const std::vector<PartOfFrame> shown = timeline_.at(frame);
+    coming_ = pictures_of(frame);
+    if (frame == last_frame_ + 1 && frame + 1 < frames()) {
+        const std::vector<WantedPicture> next = pictures_of(frame + 1);
+        coming_.insert(coming_.end(), next.begin(), next.end());
+    }
+    last_frame_ = frame;
     Image image = ground(shown.front());
     if (shown.size() == 1) {
         write_over(image, shown.front());

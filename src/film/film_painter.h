@@ -16,6 +16,7 @@
 #include "film/camera/stage.h"
 #include "film/film_frames.h"
 #include "film/panes.h"
+#include "film/picture_ahead.h"
 #include "film/timeline.h"
 #include "film/titles.h"
 #include "gl/context.h"
@@ -50,6 +51,18 @@ class FilmPainter : public FilmFrames {
     [[nodiscard]] const std::vector<std::string>& notes() const override { return notes_; }
 
   private:
+    /// A bed of the first run, by its number and that of its shot, in step.
+    struct Moment {
+        std::size_t shot = 0;
+        std::size_t bed = 0;
+        friend auto operator<=>(const Moment&, const Moment&) = default;
+    };
+    /// All that the picture of a run depends on.
+    struct Sight {
+        Moment moment;
+        CameraPose pose;
+        friend bool operator==(const Sight&, const Sight&) = default;
+    };
     /// One run's part of the picture.
     struct Pane {
         const StoredBeds* beds = nullptr;
@@ -57,14 +70,9 @@ class FilmPainter : public FilmFrames {
         std::vector<MeasuredRows> rows{};  ///< up to each bed
         std::unique_ptr<Renderer> renderer{};
         std::unique_ptr<FrameOverlays> overlays{};  ///< what is its own: plots
-    };
-    /// A bed of the first run, by its number and that of its shot, in step.
-    struct Moment {
-        std::size_t shot = 0;
-        std::size_t bed = 0;
-        friend bool operator<(const Moment& one, const Moment& other) {
-            return std::pair(one.shot, one.bed) < std::pair(other.shot, other.bed);
-        }
+        std::shared_ptr<const LitBed> lit{};        ///< of its last picture
+        std::optional<Sight> seen{};                ///< likewise
+        Image image{};                              ///< likewise, without overlays
     };
 
     [[nodiscard]] bool differs() const { return film_.panes.show == PanesShow::difference; }
@@ -75,6 +83,10 @@ class FilmPainter : public FilmFrames {
     void fix_colours(const std::set<Moment>& shown);
     void fix_plots(const std::set<Moment>& shown);
     void place_overlays(const FilmSize& size);
+    [[nodiscard]] std::vector<WantedPicture> pictures_of(std::int64_t frame) const;
+    [[nodiscard]] Sight sight_of(const WantedPicture& wanted) const;
+    [[nodiscard]] PictureAhead::Find way_to(std::size_t run, const Sight& sight) const;
+    void look_ahead_from(const WantedPicture& present);
     Image picture(std::size_t run, const PartOfFrame& shown);
     Image ground(const PartOfFrame& shown);
     void write_over(Image& image, const PartOfFrame& shown);
@@ -85,6 +97,7 @@ class FilmPainter : public FilmFrames {
     Timeline timeline_;
     Panes layout_;
     FilmStage stage_;
+    WorkerPool& pool_;
     std::vector<StagedShot> shots_;
     std::vector<std::string> notes_;
     std::unique_ptr<gl::Context> context_;
@@ -92,6 +105,9 @@ class FilmPainter : public FilmFrames {
     Scene whole_;                              ///< as the stage's, of the film's size
     std::unique_ptr<FrameOverlays> overlays_;  ///< over the whole picture
     std::unique_ptr<Titles> titles_;
+    std::int64_t last_frame_ = -2;
+    std::vector<WantedPicture> coming_;  ///< of the present frame and, frame after frame, the next
+    PictureAhead ahead_;                 // last: it uses the renderers
 };
 
 }  // namespace fumon

@@ -22,7 +22,8 @@ void BackgroundLayer::set_floor(const FloorMap& floor) const {
     floor_.upload(floor.sun_and_sky.data());
 }
 
-void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile& tile) const {
+void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile& tile,
+                           RowOrder order) const {
     const gl::Functions& gl = gl::functions();
     gl.Disable(GL_DEPTH_TEST);
     if (view_.look.mode == ViewMode::figure) {
@@ -46,6 +47,9 @@ void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile&
     program_.set("floor_half_width", static_cast<float>(FloorMap::half_width));
     program_.set("picture_pixels", glm::vec2(static_cast<float>(view_.image.width),
                                              static_cast<float>(view_.image.height)));
+    const bool upward = order == RowOrder::upward;
+    program_.set("row_of", upward ? glm::vec2(static_cast<float>(tile.height), -1.0F)
+                                  : glm::vec2(0.0F, 1.0F));
     program_.set("tile_pixel", glm::vec2(static_cast<float>(tile.x), static_cast<float>(tile.y)));
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -11,6 +11,9 @@
 
 namespace fumon {
 
+/// Which row of a tile a target holds first.
+enum class RowOrder { downward, upward };
+
 /// Draws what surrounds the block: plain and sky, or white paper in figure mode.
 class BackgroundLayer {
   public:
@@ -20,8 +23,8 @@ class BackgroundLayer {
     /// For the light of another sun.
     void set_floor(const FloorMap& floor) const;
 
-    /// Draws one tile's background into the bound target, top row first.
-    void draw(const Light& light, const Camera& camera, const Tile& tile) const;
+    /// Draws one tile's background into the bound target. Stencils may keep it out.
+    void draw(const Light& light, const Camera& camera, const Tile& tile, RowOrder order) const;
 
   private:
     View view_;

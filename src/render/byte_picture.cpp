@@ -15,14 +15,15 @@ constexpr int pixels_in_a_band = 1 << 17;   // the same
 
 }  // namespace
 
-void BytePicture::read_background(const Tile& tile) {
+void BytePicture::read_background(const Tile& tile, RowOrder order) {
     const auto width = static_cast<std::size_t>(tile.width);
     std::vector<std::uint8_t> rgba(4 * width * static_cast<std::size_t>(tile.height));
     gl::functions().ReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_UNSIGNED_BYTE,
                                rgba.data());
     behind_.assign(static_cast<std::size_t>(tile.height), ColourPlanes(tile.width));
     const std::uint8_t* pixel = rgba.data();
-    for (ColourPlanes& row : behind_) {
+    for (std::size_t y = 0; y < behind_.size(); ++y) {
+        ColourPlanes& row = behind_[order == RowOrder::downward ? y : behind_.size() - 1 - y];
         for (std::size_t x = 0; x < width; ++x, pixel += 4) {
             row.red[x] = pixel[0];
             row.green[x] = pixel[1];

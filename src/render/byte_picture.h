@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "render/background_layer.h"
 #include "render/sample_vectors.h"
 #include "render/view/tiles.h"
 
@@ -17,7 +18,7 @@ class WorkerPool;
 class BytePicture {
   public:
     /// Reads the bound target, of a tile's surroundings.
-    void read_background(const Tile& tile);
+    void read_background(const Tile& tile, RowOrder order);
     /// Reads the bound target of samples, whose first of this tile is `from`, into the picture.
     void resolve(const Tile& tile, int factor, const glm::ivec2& from, WorkerPool& pool,
                  Image& image);

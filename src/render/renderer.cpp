@@ -1,21 +1,12 @@
 #include "render/renderer.h"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
-#include <vector>
+#include <utility>
 
-#include "base/error.h"
-#include "base/snapshot_lookup.h"
 #include "gl/functions.h"
-#include "render/light/lighting.h"
-#include "render/light/repeated_light.h"
-#
+#include "render/ready_picture.h"
 #include "render/renderer_parts.h"
-#include "render/view/chosen_ground.h"
-#include "render/view/display_bed.h"
-#include "render/view/framing.h"
-#include "render/view/shown_snapshot.h"
 
 namespace fumon {
 
@@ -36,32 +27,41 @@ std::pair<double, double> Renderer::colour_range() const {
     return parts_->shading.range();
 }
 
-Image Renderer::render(const Snapshot& whole) {
-    Parts& p = *parts_;
-    const std::optional<Snapshot> reshaped = shown_snapshot(whole, p.view);
-    const Snapshot& snapshot = reshaped ? *reshaped : whole;
-    const Block framed = block_of_frame(p.block, p.view.look, p.first, snapshot);
-    const Camera camera = above_ground(p.camera_at(snapshot.step), framed, snapshot);
-    prepare(snapshot, p.first, framed, camera);
-    return draw(camera);
+ReadyPicture Renderer::ready(std::shared_ptr<const Snapshot> snapshot, const FramePose& pose,
+                             const std::shared_ptr<const LitBed>& before, WorkerPool& pool) const {
+    SunSettings sun = pose.sun;
+    sun.diameter = parts_->view.sun.diameter;
+    return parts_->ready(std::move(snapshot), sun_direction(sun), pose, before, pool);
+}
+
+ReadyPicture Renderer::ready_at_step(const Snapshot& snapshot) const {
+    const std::shared_ptr<const Snapshot> lent(std::shared_ptr<const Snapshot>(), &snapshot);
+    return parts_->ready(lent, sun_direction(parts_->view.sun), std::nullopt, nullptr,
+                         parts_->pool);
+}
+
+Image Renderer::render(const Snapshot& snapshot) {
+    const ReadyPicture picture = ready_at_step(snapshot);
+    prepare(picture);
+    parts_->uploaded.reset();  // no later picture is of this snapshot
+    return draw(picture.pose.camera);
 }
 
 LayeredImage Renderer::render_layers(const Snapshot& whole, bool places) {
     Parts& p = *parts_;
-    const std::optional<Snapshot> reshaped = shown_snapshot(whole, p.view);
-    const Snapshot& snapshot = reshaped ? *reshaped : whole;
-    const Block framed = block_of_frame(p.block, p.view.look, p.first, snapshot);
-    const Camera camera = above_ground(p.camera_at(snapshot.step), framed, snapshot);
-    prepare(snapshot, p.first, framed, camera);
+    const ReadyPicture picture = ready_at_step(whole);
+    const Camera& camera = picture.pose.camera;
+    prepare(picture);
+    p.uploaded.reset();
     LayeredImage image;
     image.width = static_cast<int>(p.view.image.width);
     image.height = static_cast<int>(p.view.image.height);
-    set_matrices(image, framed, camera);
+    set_matrices(image, picture.framed, camera);
     image.layers = p.deep_picture(camera).take_channels();
     if (places) {
         const bool plain = !p.world && !p.open() && p.view.look.mode == ViewMode::scenic;
         PlaceLayers layers(image.width, image.height,
-                           {snapshot, framed, camera, p.drawn_surface(snapshot, framed),
+                           {picture.shown(), picture.framed, camera, p.drawn_surface(picture),
                             p.world.has_value(), plain});
         for (const Tile& tile : p.plan.tiles) p.draw_places(tile, camera, layers);
         for (ImageLayer& layer : layers.take()) image.layers.push_back(std::move(layer));
@@ -70,60 +70,54 @@ LayeredImage Renderer::render_layers(const Snapshot& whole, bool places) {
     return image;
 }
 
-Image Renderer::render(const Snapshot& whole, const FramePose& pose) {
+Image Renderer::render(const ReadyPicture& picture) {
     Parts& p = *parts_;
-    const std::optional<Snapshot> reshaped = shown_snapshot(whole, p.view);
-    const Snapshot& snapshot = reshaped ? *reshaped : whole;
     p.context.make_current();
-    p.set_light(pose);
+    p.set_light(picture.pose);
     p.surroundings_drawn = false;
-    std::optional<Snapshot> reference;
-    if (pose.reference != nullptr) reference = Parts::shown_first(*pose.reference, p.view);
-    prepare(snapshot, reference ? *reference : p.first,
-            block_of_frame(p.block, p.view.look, p.first, snapshot), pose.camera);
-    return draw(pose.camera);
+    prepare(picture);
+    return draw(picture.pose.camera);
 }
 
-void Renderer::prepare(const Snapshot& snapshot, const Snapshot& reference, const Block& framed,
-                       const Camera& camera) {
+void Renderer::prepare(const ReadyPicture& picture) {
     Parts& p = *parts_;
-    if (snapshot.bed.nx() != p.first.bed.nx() || snapshot.bed.ny() != p.first.bed.ny())
-        throw Error("a snapshot of another size than the first one cannot be drawn");
     p.context.make_current();
-    const SunDirection sun = sun_direction(p.view.sun);
-    std::optional<DisplayWater> water;
-    if (p.water) water = display_water(snapshot, p.refinement);
+    const Snapshot& snapshot = picture.shown();
+    const LitBed& lit = *picture.lit;
+    const Camera& camera = picture.pose.camera;
+    std::optional<Snapshot> other;
+    if (picture.pose.reference) other = Parts::shown_first(*picture.pose.reference, p.view);
+    const Snapshot& reference = other ? *other : p.first;
+    const bool uploaded = p.uploaded == picture.lit && !other;
+    p.uploaded = other ? nullptr : picture.lit;
 
     gl::functions().BindVertexArray(p.no_attributes.name());
     if (p.world) {
-        const RepeatedLight light =
-            repeated_light(snapshot, framed, p.refinement, sun, prevailing_way(snapshot), p.pool);
-        p.shading.upload(snapshot, reference, light);
-        p.world->set_bed(snapshot, light);
-        if (p.plants) p.plants->set_bed(snapshot, light.z, true);
-        if (p.persons) p.persons->set_bed(light.z, true);
+        if (!uploaded) {
+            p.shading.upload(snapshot, reference, lit.light);
+            p.world->set_bed(snapshot, lit.light, lit.heights);
+            if (p.plants) p.plants->set_bed(snapshot, lit.heights->finest(), true);
+            if (p.persons) p.persons->set_bed(lit.heights->finest(), true);
+        }
         p.sky.bind(sky_unit);
-        p.shading.shade(p.light, camera);
+        if (!uploaded) p.shading.shade(p.light, camera);
+        p.world->look_at(picture.ground);
     } else {
-        const DisplayBed bed = display_bed(snapshot, framed, p.refinement);
-        p.shading.upload(snapshot, reference, lighting_texels(bed, sun, p.pool),
-                         water ? &*water : nullptr);
+        std::optional<DisplayWater> water;
+        if (p.water) water = display_water(snapshot, p.refinement);
+        p.shading.upload(snapshot, reference, lit.texels, water ? &*water : nullptr);
         p.sky.bind(sky_unit);
         p.shading.shade(p.light, camera);
         const auto rise = static_cast<float>(p.block.height_scale / snapshot.scale.height_unit);
         if (water) {
             for (float& depth : water->depth.values()) depth *= rise;
         }
-        p.terrain.set_bed(bed, water ? &water->depth : nullptr, camera);
-        if (p.plants) p.plants->set_bed(snapshot, bed.z, false);
-        if (p.persons) p.persons->set_bed(bed.z, false);
+        p.terrain.set_bed(lit.bed, water ? &water->depth : nullptr, camera);
+        if (p.plants) p.plants->set_bed(snapshot, lit.bed.z, false);
+        if (p.persons) p.persons->set_bed(lit.bed.z, false);
         p.terrain.set_clarity(rise * static_cast<float>(p.shading.clarity()));
     }
-    if (p.air && snapshot.section) p.air->set_air(snapshot, framed, camera, p.pool);
-
-    if (p.world)
-        p.world->look_from(camera, static_cast<double>(p.view.image.height) * p.plan.factor,
-                           p.pool);
+    if (p.air && snapshot.section) p.air->set_air(snapshot, picture.framed, camera, p.pool);
     if (p.plants) p.plants->choose(p.plant_ground(camera), camera);
 }
 

@@ -22,8 +22,11 @@ struct FramePose {
     SunSettings sun;        ///< of which the azimuth and the elevation count
     double exposure = 0.0;  ///< stops, besides look.exposure
     /// From whose bed look.colour_by = "change" counts; none: the first one. Of its size.
-    const Snapshot* reference = nullptr;
+    std::shared_ptr<const Snapshot> reference{};
 };
+
+struct LitBed;
+struct ReadyPicture;
 
 /// How much is drawn at once.
 struct RenderLimits {
@@ -48,8 +51,15 @@ class Renderer {
     /// The picture of one snapshot. Its bed has the size of the first one. Of a renderer of display
     /// values.
     Image render(const Snapshot& snapshot);
-    /// The same from another place and in another light, which later pictures keep.
-    Image render(const Snapshot& snapshot, const FramePose& pose);
+    /// What the picture of a snapshot from another place and in another light needs besides OpenGL,
+    /// found on any thread, also while this draws. The light of `before`, of an earlier picture or
+    /// none, is taken where bed and sun are the same.
+    [[nodiscard]] ReadyPicture ready(std::shared_ptr<const Snapshot> snapshot,
+                                     const FramePose& pose,
+                                     const std::shared_ptr<const LitBed>& before,
+                                     WorkerPool& pool) const;
+    /// That picture. Later ones keep its light.
+    Image render(const ReadyPicture& picture);
 
     /// The same as radiances, of which 1 is near that of a white level plain in the sun: the
     /// channels R, G, B and, where the background is transparent, A, by which they are multiplied;
@@ -62,8 +72,8 @@ class Renderer {
     [[nodiscard]] std::pair<double, double> colour_range() const;
 
   private:
-    void prepare(const Snapshot& snapshot, const Snapshot& reference, const Block& framed,
-                 const Camera& camera);
+    [[nodiscard]] ReadyPicture ready_at_step(const Snapshot& snapshot) const;
+    void prepare(const ReadyPicture& picture);
     Image draw(const Camera& camera);
 
     struct Parts;

@@ -52,6 +52,12 @@ const gl::TextureLayout kinds_layout{GL_R32UI, GL_RED_INTEGER,  GL_UNSIGNED_INT,
 const gl::TextureLayout squares_layout{GL_RGBA16,  GL_RGBA, GL_UNSIGNED_SHORT,
                                        GL_NEAREST, 0,       GL_CLAMP_TO_EDGE};
 
+/// Of the pixels of a tile, where endless ground is coloured by them.
+std::optional<gl::DepthBuffer> depths_of_pixels(const View& view, const TilePlan& plan) {
+    if (view.look.ground != Ground::endless || plan.factor == 1) return std::nullopt;
+    return gl::DepthBuffer(plan.tiles.front().width, plan.tiles.front().height);
+}
+
 gl::TextureLayout plain_layout(PixelKind kind) {
     gl::TextureLayout layout = colour_layout(kind);
     layout.filter = GL_NEAREST;
@@ -99,12 +105,13 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
               kind),
       terrain(view, block, fixed),
       background(view, block, floor_of(view, first, block, refinement, pool), fixed),
-      surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(kind)) {
+      pixel_depths(depths_of_pixels(view, plan)),
+      surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(kind),
+                   pixel_depths ? &*pixel_depths : nullptr) {
     if (view.look.ground == Ground::endless) {
         world.emplace(view, block, first, refinement, fixed);
-        if (plan.factor > 1) {
+        if (pixel_depths) {
             const Tile& tile = plan.tiles.front();
-            pixel_depths.emplace(tile.width, tile.height);
             pixels.emplace(tile.width, tile.height, plain_layout(kind), &*pixel_depths);
         }
     }
@@ -125,10 +132,11 @@ Camera Renderer::Parts::camera_at(std::int64_t step) const {
     return camera_at_step(view, block, step, last_step);
 }
 
-Field<float> Renderer::Parts::drawn_surface(const Snapshot& snapshot, const Block& framed) const {
-    if (world) return world->heights();
-    Field<float> surface = display_bed(snapshot, framed, refinement).z;
+Field<float> Renderer::Parts::drawn_surface(const ReadyPicture& picture) const {
+    if (world) return picture.lit->heights->finest();
+    Field<float> surface = picture.lit->bed.z;
     if (!water) return surface;
+    const Snapshot& snapshot = picture.shown();
     const DisplayWater standing = display_water(snapshot, refinement);
     const auto rise = static_cast<float>(block.height_scale / snapshot.scale.height_unit);
     for (std::size_t i = 0; i < surface.size(); ++i)
@@ -141,13 +149,26 @@ void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera, De
     const bool still = deep == nullptr && view.camera.turn == 0.0 && plan.tiles.size() == 1;
     if (still && surroundings_drawn) return;
     surroundings.bind();
-    background.draw(light, camera, tile);
+    background.draw(light, camera, tile, RowOrder::downward);
     if (deep != nullptr) {
         deep->read_background(tile);
     } else {
-        bytes.read_background(tile);
+        bytes.read_background(tile, RowOrder::downward);
     }
     surroundings_drawn = true;
+}
+
+/// Where pixels see the ground alone nothing behind it counts.
+void Renderer::Parts::draw_uncovered_background(const Tile& tile, const Camera& camera) {
+    const gl::Functions& gl = gl::functions();
+    gl.BindVertexArray(no_attributes.name());
+    surroundings.bind();
+    gl.Enable(GL_STENCIL_TEST);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    gl.StencilFunc(GL_EQUAL, 0, 0xFF);
+    background.draw(light, camera, tile, RowOrder::upward);
+    gl.Disable(GL_STENCIL_TEST);
+    bytes.read_background(tile, RowOrder::upward);
 }
 
 glm::ivec2 Renderer::Parts::first_sample(const Tile& tile) const {
@@ -167,13 +188,16 @@ glm::ivec2 Renderer::Parts::target_corner(const Tile& tile) const {
 
 void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& image) {
     gl::functions().BindVertexArray(no_attributes.name());
-    if (!image.transparent()) draw_background(tile, camera, nullptr);
+    const bool seen_behind = !image.transparent();
+    const bool ground_first = pixels && !air;
+    if (seen_behind && !ground_first) draw_background(tile, camera, nullptr);
     if (coloured_by_pixels()) {
         draw_pixels(tile, camera);
         bytes.read_pixels(tile, (first_sample(tile) - target_corner(tile)) / 2, pool, image);
         return;
     }
     draw_samples(tile, camera);
+    if (seen_behind && ground_first) draw_uncovered_background(tile, camera);
     sampled->colours.bind();
     bytes.resolve(tile, plan.factor, first_sample(tile) - target_corner(tile), pool, image);
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 
 #include "base/worker_pool.h"
@@ -18,6 +19,7 @@
 #include "render/place_layers.h"
 #include "render/place_pass.h"
 #include "render/plant_layer.h"
+#include "render/ready_picture.h"
 #include "render/renderer.h"
 #include "render/terrain_layer.h"
 #include "render/view/block.h"
@@ -59,6 +61,13 @@ struct Renderer::Parts {
     [[nodiscard]] glm::ivec2 first_sample(const Tile& tile) const;
     [[nodiscard]] glm::ivec2 target_corner(const Tile& tile) const;
     void set_light(const FramePose& pose);
+    [[nodiscard]] std::shared_ptr<const LitBed> lit_bed(const ReadyPicture& picture,
+                                                        const SunDirection& sun,
+                                                        WorkerPool& with) const;
+    [[nodiscard]] ReadyPicture ready(std::shared_ptr<const Snapshot> snapshot,
+                                     const SunDirection& sun, const std::optional<FramePose>& pose,
+                                     const std::shared_ptr<const LitBed>& before,
+                                     WorkerPool& with) const;
     [[nodiscard]] bool open() const { return view.look.background == Background::transparent; }
     [[nodiscard]] TileSamples placed_samples(const Tile& tile) const;
     /// Whether pixels of the block get their colours as wholes: 8 bits of it alone, in the scenic
@@ -71,8 +80,10 @@ struct Renderer::Parts {
     void draw_places(const Tile& tile, const Camera& camera, PlaceLayers& layers);
     [[nodiscard]] DeepPicture deep_picture(const Camera& camera);
     void draw_background(const Tile& tile, const Camera& camera, DeepPicture* deep);
+    /// After draw_samples(), by the stencils of its pixels.
+    void draw_uncovered_background(const Tile& tile, const Camera& camera);
     [[nodiscard]] PlantGround plant_ground(const Camera& camera) const;
-    [[nodiscard]] Field<float> drawn_surface(const Snapshot& snapshot, const Block& framed) const;
+    [[nodiscard]] Field<float> drawn_surface(const ReadyPicture& picture) const;
 
     gl::Context& context;
     View view;
@@ -88,6 +99,7 @@ struct Renderer::Parts {
     gl::Constants fixed;
     gl::Texture2D sky;
     BedShading shading;
+    std::shared_ptr<const LitBed> uploaded;  // which the textures hold
     TerrainLayer terrain;
     BackgroundLayer background;
     std::optional<AirLayer> air;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "base/elementary.h"
@@ -105,22 +106,23 @@ void WorldLayer::draw_wander() {
     gl.BindVertexArray(0);
 }
 
-void WorldLayer::set_bed(const Snapshot& snapshot, const RepeatedLight& light) {
+void WorldLayer::set_bed(const Snapshot& snapshot, const RepeatedLight& light,
+                         std::shared_ptr<const HeightPyramid> heights) {
     surface_.upload(light.surface.data());
     surface_.make_mipmaps();
-    heights_.emplace(light.z);
+    heights_ = std::move(heights);
     step_ = snapshot.step;
     way_ = prevailing_way(snapshot);
 }
 
-double WorldLayer::ground_under(const glm::dvec3& eye) const {
+double WorldLayer::ground_under(const glm::dvec3& eye, const HeightPyramid& heights) const {
     return static_cast<double>(
-        heights_->at(0, eye.x / block_.width_x + 0.5, eye.y / block_.width_y + 0.5));
+        heights.at(0, eye.x / block_.width_x + 0.5, eye.y / block_.width_y + 0.5));
 }
 
 /// As wide as the picture's corners reach, all around where it looks down on itself; from the
 /// ground under the camera to where the planet's curvature hides the highest crests.
-GroundFan WorldLayer::fan_of(const Camera& camera) const {
+GroundFan WorldLayer::fan_of(const Camera& camera, const HeightPyramid& heights) const {
     GroundFan fan;
     const glm::dvec2 level(camera.forward.x, camera.forward.y);
     const double length = glm::length(level);
@@ -139,9 +141,9 @@ GroundFan WorldLayer::fan_of(const Camera& camera) const {
     }
     fan.half_angle = fan.half_angle > 1.4 ? std::numbers::pi : fan.half_angle * 1.02 + 0.01;
     fan.nearest =
-        std::max(nearest_share * (camera.eye.z - ground_under(camera.eye)), least_nearest);
+        std::max(nearest_share * (camera.eye.z - ground_under(camera.eye, heights)), least_nearest);
     // Where the whole bed lies under the eye, nothing nearer than the steepest ray's foot is seen.
-    const auto highest = static_cast<double>(heights_->highest());
+    const auto highest = static_cast<double>(heights.highest());
     if (fan.half_angle < std::numbers::pi)
         fan.nearest = std::max(fan.nearest, 0.9 * (camera.eye.z - highest) * least_run);
     const double twice_radius = 2.0 * earth_radius / block_.kilometres;
@@ -156,7 +158,6 @@ GroundFan WorldLayer::fan_of(const Camera& camera) const {
     fan.extent = glm::dvec2(block_.width_x, block_.width_y);
     fan.cell = static_cast<double>(cell_);
     fan.curvature = static_cast<double>(curvature());
-    fan.near_to = near_to_;
     return fan;
 }
 
@@ -182,25 +183,33 @@ glm::mat4 WorldLayer::clip_from_eye(const Camera& camera, const GroundFan& fan) 
 }
 
 glm::mat4 WorldLayer::clip_from_eye(const Camera& camera) const {
-    return clip_from_eye(camera, fan_of(camera));
+    return clip_from_eye(camera, fan_of(camera, *heights_));
 }
 
 float WorldLayer::curvature() const {
     return static_cast<float>(block_.kilometres / (2.0 * earth_radius));
 }
 
-void WorldLayer::look_from(const Camera& camera, double samples_high, WorkerPool& pool) {
-    sample_angle_ = 2.0 * camera.half.y / samples_high;
+SeenGround WorldLayer::ground_seen(const Camera& camera, double samples_high,
+                                   const HeightPyramid& heights, WorkerPool& pool) const {
+    SeenGround ground;
+    ground.sample_angle = 2.0 * camera.half.y / samples_high;
     // Beyond that distance a sample spans too much of a ripple.
-    near_to_ = 2.0 * longest_turn * ripple_length_ / sample_angle_;
-    GroundMesh mesh = ground_mesh(fan_of(camera), *heights_, pool);
-    near_indices_ = static_cast<GLsizei>(mesh.near_triangles.size());
-    far_indices_ = static_cast<GLsizei>(mesh.far_triangles.size());
-    mesh.near_triangles.insert(mesh.near_triangles.end(), mesh.far_triangles.begin(),
-                               mesh.far_triangles.end());
+    ground.near_to = 2.0 * longest_turn * ripple_length_ / ground.sample_angle;
+    GroundFan fan = fan_of(camera, heights);
+    fan.near_to = ground.near_to;
+    ground.mesh = ground_mesh(fan, heights, pool);
+    return ground;
+}
+
+void WorldLayer::look_at(const SeenGround& ground) {
+    sample_angle_ = ground.sample_angle;
+    near_to_ = ground.near_to;
+    near_indices_ = static_cast<GLsizei>(ground.mesh.near_indices);
+    far_indices_ = static_cast<GLsizei>(ground.mesh.triangles.size()) - near_indices_;
     gl::functions().BindVertexArray(array_.name());
-    places_.fill(mesh.places);
-    triangles_.fill(mesh.near_triangles);
+    places_.fill(ground.mesh.places);
+    triangles_.fill(ground.mesh.triangles);
     gl::functions().BindVertexArray(0);
 }
 

@@ -1,15 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 
 #include "base/snapshot_lookup.h"
 #include "gl/dynamic_buffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/bed_shading.h"
-#include "render/ground_fan.h"
-#include "render/height_pyramid.h"
+#include "render/ground/ground_fan.h"
+#include "render/ground/height_pyramid.h"
 #include "render/light/light.h"
 #include "render/light/repeated_light.h"
 #include "render/terrain_layer.h"
@@ -35,12 +35,16 @@ class WorldLayer {
     WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
                const gl::Constants& fixed);
 
-    void set_bed(const Snapshot& snapshot, const RepeatedLight& light);
+    /// `heights`: of the bed, block lengths.
+    void set_bed(const Snapshot& snapshot, const RepeatedLight& light,
+                 std::shared_ptr<const HeightPyramid> heights);
 
-    /// Of the bed, block lengths.
-    [[nodiscard]] const Field<float>& heights() const { return heights_->finest(); }
-    /// Puts the ground where a camera sees it. `samples_high`: of the whole picture.
-    void look_from(const Camera& camera, double samples_high, WorkerPool& pool);
+    /// The ground of a bed of those heights as a camera sees it. `samples_high`: of the whole
+    /// picture. Asks OpenGL for nothing, and reads nothing that drawing changes.
+    [[nodiscard]] SeenGround ground_seen(const Camera& camera, double samples_high,
+                                         const HeightPyramid& heights, WorkerPool& pool) const;
+    /// Takes that as the ground to draw.
+    void look_at(const SeenGround& ground);
 
     /// Notes in the bound target (four floats a sample, depths and stencils) how far from the eye
     /// the ground is that each sample sees; colours are found later.
@@ -65,8 +69,8 @@ class WorldLayer {
     void build();
     void draw_relief();
     void draw_wander();
-    [[nodiscard]] double ground_under(const glm::dvec3& eye) const;
-    [[nodiscard]] GroundFan fan_of(const Camera& camera) const;
+    [[nodiscard]] double ground_under(const glm::dvec3& eye, const HeightPyramid& heights) const;
+    [[nodiscard]] GroundFan fan_of(const Camera& camera, const HeightPyramid& heights) const;
     [[nodiscard]] static glm::mat4 clip_from_eye(const Camera& camera, const GroundFan& fan);
     [[nodiscard]] glm::dvec3 reduced_eye(const Camera& camera) const;
     void set_eye(const gl::Program& program, const Camera& camera) const;
@@ -78,7 +82,7 @@ class WorldLayer {
     Block block_;
     float cell_;            ///< of the drawn bed, block lengths
     double ripple_length_;  ///< block lengths
-    std::optional<HeightPyramid> heights_;
+    std::shared_ptr<const HeightPyramid> heights_;
     std::int64_t step_ = 0;
     Way way_;
     double sample_angle_ = 0.0;  ///< between two samples in the middle of the picture

@@ -267,5 +267,35 @@ TEST(FilmPainter, ATransparentFilmFadesByWhatIsSeen) {
     EXPECT_FALSE(at.painter.paint(at.painter.frames() - 1).transparent()) << "a dark card";
 }
 
+/// Two runs side by side, beds that change and stand still, two shots that fade into each other and
+/// a card: frame after frame, what the next picture needs is found while one is drawn.
+TEST(FilmPainter, FramesAreTheSameFoundAheadOrEachAlone) {
+    for (const char* ground : {"endless", "table"}) {
+        const Film film = parse_film(
+            "[film]\nwidth = 192\nheight = 96\nrate = 5\nsupersampling = 2\ncap_height = 100\n"
+            "[[shot]]\nseconds = 1.6\nfrom = 5\nto = 8\nmove = \"orbit\"\nturn = 30\n"
+            "[[shot]]\nseconds = 1.6\nfrom = 9\nto = 9\nhold = 0.6\n"
+            "transition = \"cross-fade\"\ntransition_seconds = 0.6\n"
+            "[[card]]\nplace = \"end\"\nground = \"blurred\"\nseconds = 0.6\n",
+            "f.toml");
+        std::vector<StoredBeds> both;
+        for (int run = 0; run < 2; ++run)
+            both.emplace_back(filmed_run(), 1,
+                              std::vector<std::string>{std::string("look.ground=") + ground});
+        const FilmRuns runs(std::move(both));
+        WorkerPool alone(1);
+        WorkerPool two(2);
+        FilmPainter each(film, runs, film_size(film), {}, gl::Backend::automatic, alone);
+        FilmPainter ahead(film, runs, film_size(film), {}, gl::Backend::automatic, two);
+        std::vector<Image> frames;
+        for (std::int64_t frame = 0; frame < ahead.frames(); ++frame)
+            frames.push_back(ahead.paint(frame));
+        EXPECT_NE(frames[0].rgb, frames[1].rgb);
+        for (std::int64_t frame = each.frames(); frame-- > 0;)
+            EXPECT_EQ(each.paint(frame).rgb, frames[static_cast<std::size_t>(frame)].rgb)
+                << ground << ", frame " << frame;
+    }
+}
+
 }  // namespace
 }  // namespace fumon

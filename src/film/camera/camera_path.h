@@ -15,6 +15,8 @@ struct CameraPose {
     double sun_azimuth = 0.0;    ///< degrees
     double sun_elevation = 30.0;
     double exposure = 0.0;  ///< stops
+
+    friend bool operator==(const CameraPose&, const CameraPose&) = default;
 };
 
 /// The way of a camera through some poses: a centripetal Catmull-Rom spline (Catmull & Rom 1974;

@@ -26,7 +26,7 @@ Field<float> with_narrow_margin(const Field<float>& wide, int refinement) {
 /// The sky's share of each cell, as horizons up to half a period away make it.
 Field<float> repeated_sky(const Field<float>& z, float dx, float dy, WorkerPool& pool) {
     const int margin = (std::max(z.nx(), z.ny()) + 1) / 2;
-    return without_margin(sky_visibility(with_margin(z, margin), dx, dy, pool), margin);
+    return sky_visibility(with_margin(z, margin), dx, dy, pool, margin);
 }
 
 /// Between the four nearest cells, at a place some cells away from each.
@@ -39,7 +39,11 @@ class Beside {
           upper_(north - std::floor(north)) {}
 
     [[nodiscard]] float of(const Field<float>& field, int x, int y) const {
-        const auto within = [](int place, int count) { return (place + count) % count; };
+        const auto within = [](int place, int count) {
+            while (place < 0) place += count;
+            while (place >= count) place -= count;
+            return place;
+        };
         const int x0 = within(x + west_of_, field.nx());
         const int x1 = within(x + west_of_ + 1, field.nx());
         const int y0 = within(y + south_of_, field.ny());

@@ -10,6 +10,7 @@
 #include "base/elementary_angle.h"
 #include "base/worker_pool.h"
 #include "render/light/light_vectors.h"
+#include "render/view/repeated_bed.h"
 
 namespace fumon {
 
@@ -73,12 +74,20 @@ bool is_flat(const float* z, int count) {
     return std::isfinite(z[0]) && std::all_of(z, z + count, [z](float at) { return at == z[0]; });
 }
 
-/// Sweeps the line in scratch.heights[1 … count] both ways and adds its sky to `sum`.
-void sweep_line(Scratch& scratch, int count, float spacing, float weight, float* sum) {
+/// Cells from `begin` on, up to the one before `end`.
+struct Stretch {
+    int begin = 0;
+    int end = 0;
+};
+
+/// Sweeps the line in scratch.heights[1 … count] both ways and adds the sky of its cells within
+/// `wanted` to `sum`.
+void sweep_line(Scratch& scratch, int count, const Stretch& wanted, float spacing, float weight,
+                float* sum) {
     float* z = scratch.heights.data() + 1;
     if (is_flat(z, count)) {
         const float whole = weight * 2.0F;  // what the sweeps would find, to the bit
-        for (int i = 0; i < count; ++i) sum[i] += whole;
+        for (int i = wanted.begin; i < wanted.end; ++i) sum[i] += whole;
         return;
     }
     // At the ends the slope is taken one-sided, by a padding that continues the line straight on.
@@ -86,22 +95,35 @@ void sweep_line(Scratch& scratch, int count, float spacing, float weight, float*
     z[count] = count > 1 ? 2.0F * z[count - 1] - z[count - 2] : z[0];
     sweep_horizon<1>(z, count, scratch.back.data(), scratch.hull.data());
     sweep_horizon<-1>(z + count - 1, count, scratch.ahead.data() + count - 1, scratch.hull.data());
-    light_vectors::add_sky(z, count, scratch.back.data(), scratch.ahead.data(), spacing, weight,
-                           sum);
+    const int first = wanted.begin;
+    light_vectors::add_sky(z + first, wanted.end - first, scratch.back.data() + first,
+                           scratch.ahead.data() + first, spacing, weight, sum + first);
 }
 
-void sweep_rows(const Field<float>& heights, float spacing, float weight, Field<float>& sum,
-                int begin, int end) {
-    Scratch scratch(heights.nx());
-    for (int y = begin; y < end; ++y) {
-        std::copy_n(heights.row(y).data(), heights.nx(), scratch.heights.begin() + 1);
-        sweep_line(scratch, heights.nx(), spacing, weight, sum.row(y).data());
+void sweep_rows(const Field<float>& heights, int margin, float spacing, float weight,
+                Field<float>& sum, const Stretch& rows) {
+    const int nx = heights.nx();
+    Scratch scratch(nx);
+    for (int y = rows.begin; y < rows.end; ++y) {
+        std::copy_n(heights.row(y).data(), nx, scratch.heights.begin() + 1);
+        sweep_line(scratch, nx, {margin, nx - margin}, spacing, weight, sum.row(y).data());
     }
 }
 
+/// The rows in which the line through column x of row 0 lies within a margin.
+Stretch rows_within(const Field<float>& heights, int margin, int shear, int x) {
+    const int nx = heights.nx();
+    const Stretch rows{margin, heights.ny() - margin};
+    if (shear > 0) return {std::max(rows.begin, margin - x), std::min(rows.end, nx - margin - x)};
+    if (shear < 0)
+        return {std::max(rows.begin, x - nx + margin + 1), std::min(rows.end, x - margin + 1)};
+    return x >= margin && x < nx - margin ? rows : Stretch{};
+}
+
 /// Sweeps `bundle` neighbouring lines, the first through column `first` of row 0.
-void sweep_bundle(const Field<float>& heights, const Family& family, int first, Scratch& scratch,
-                  std::vector<float>& lines, std::vector<float>& sums, Field<float>& sum) {
+void sweep_bundle(const Field<float>& heights, int margin, const Family& family, int first,
+                  Scratch& scratch, std::vector<float>& lines, std::vector<float>& sums,
+                  Field<float>& sum) {
     const int nx = heights.nx();
     const int ny = heights.ny();
     const auto length = static_cast<std::size_t>(ny);
@@ -118,25 +140,17 @@ void sweep_bundle(const Field<float>& heights, const Family& family, int first, 
     }
     for (int lane = 0; lane < bundle; ++lane) {
         const int x = first + lane;  // at row 0; the rows with 0 ≤ x + shear·y < nx belong to it
-        int begin = 0;
-        int end = ny;
-        if (family.shear > 0) {
-            begin = std::max(0, -x);
-            end = std::min(ny, nx - x);
-        } else if (family.shear < 0) {
-            begin = std::max(0, x - nx + 1);
-            end = std::min(ny, x + 1);
-        } else if (x >= nx) {
-            end = 0;
-        }
-        if (begin >= end) continue;
+        const auto [begin, end] = rows_within(heights, 0, family.shear, x);
+        const Stretch wanted = rows_within(heights, margin, family.shear, x);
+        if (wanted.begin >= wanted.end) continue;
         const float* line = lines.data() + static_cast<std::size_t>(lane) * length;
         float* line_sum = sums.data() + static_cast<std::size_t>(lane) * length;
         std::fill(line_sum + begin, line_sum + end, 0.0F);
         std::copy(line + begin, line + end, scratch.heights.begin() + 1);
-        sweep_line(scratch, end - begin, family.spacing, family.weight, line_sum + begin);
+        sweep_line(scratch, end - begin, {wanted.begin - begin, wanted.end - begin}, family.spacing,
+                   family.weight, line_sum + begin);
     }
-    for (int y = 0; y < ny; ++y) {
+    for (int y = margin; y < ny - margin; ++y) {
         const auto [x0, begin, end] = columns(y);
         float* row = sum.row(y).data() + x0;
         for (int lane = begin; lane < end; ++lane)
@@ -145,24 +159,29 @@ void sweep_bundle(const Field<float>& heights, const Family& family, int first, 
     }
 }
 
-void sweep_family(const Field<float>& heights, const Family& family, Field<float>& sum,
+void sweep_family(const Field<float>& heights, int margin, const Family& family, Field<float>& sum,
                   WorkerPool& pool) {
     const int ny = heights.ny();
-    const int first = family.shear > 0 ? -(ny - 1) : 0;
-    const int last = heights.nx() - 1 + (family.shear < 0 ? ny - 1 : 0);
+    const int last_row = ny - margin - 1;
+    const int first = margin - (family.shear > 0 ? last_row : family.shear < 0 ? -margin : 0);
+    const int last = heights.nx() - margin - 1 +
+                     (family.shear < 0   ? last_row
+                      : family.shear > 0 ? -margin
+                                         : 0);
     const int bundles = (last - first + bundle) / bundle;
     pool.for_ranges(bundles, [&](int begin, int end) {
         Scratch scratch(ny);
         std::vector<float> lines(static_cast<std::size_t>(bundle) * static_cast<std::size_t>(ny));
         std::vector<float> sums(lines.size());
         for (int i = begin; i < end; ++i)
-            sweep_bundle(heights, family, first + i * bundle, scratch, lines, sums, sum);
+            sweep_bundle(heights, margin, family, first + i * bundle, scratch, lines, sums, sum);
     });
 }
 
 }  // namespace
 
-Field<float> sky_visibility(const Field<float>& heights, float dx, float dy, WorkerPool& pool) {
+Field<float> sky_visibility(const Field<float>& heights, float dx, float dy, WorkerPool& pool,
+                            int margin) {
     const int nx = heights.nx();
     const int ny = heights.ny();
     Field<float> sum(nx, ny, 0.0F);
@@ -172,14 +191,15 @@ Field<float> sky_visibility(const Field<float>& heights, float dx, float dy, Wor
     const float weight_x = diagonal_angle / circle;
     const float weight_y = (0.25F * circle - diagonal_angle) / circle;
     const float diagonal = std::sqrt(dx * dx + dy * dy);
-    pool.for_ranges(
-        ny, [&](int begin, int end) { sweep_rows(heights, dx, weight_x, sum, begin, end); });
-    sweep_family(heights, {0, dy, weight_y}, sum, pool);
-    sweep_family(heights, {1, diagonal, 0.125F}, sum, pool);
-    sweep_family(heights, {-1, diagonal, 0.125F}, sum, pool);
-    pool.for_ranges(ny, [&](int begin, int end) {
+    pool.for_ranges(ny - 2 * margin, [&](int begin, int end) {
+        sweep_rows(heights, margin, dx, weight_x, sum, {begin + margin, end + margin});
+    });
+    sweep_family(heights, margin, {0, dy, weight_y}, sum, pool);
+    sweep_family(heights, margin, {1, diagonal, 0.125F}, sum, pool);
+    sweep_family(heights, margin, {-1, diagonal, 0.125F}, sum, pool);
+    pool.for_ranges(ny - 2 * margin, [&](int begin, int end) {
         std::vector<float> row(static_cast<std::size_t>(nx) + 2);
-        for (int y = begin; y < end; ++y) {
+        for (int y = begin + margin; y < end + margin; ++y) {
             const int south = std::max(y - 1, 0);
             const int north = std::min(y + 1, ny - 1);
             std::copy_n(heights.row(y).data(), nx, row.begin() + 1);
@@ -193,7 +213,7 @@ Field<float> sky_visibility(const Field<float>& heights, float dx, float dy, Wor
                                               nx, sum.row(y).data());
         }
     });
-    return sum;
+    return margin > 0 ? without_margin(sum, margin) : sum;
 }
 
 }  // namespace fumon

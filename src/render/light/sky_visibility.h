@@ -15,7 +15,9 @@ class WorkerPool;
 ///     E = n_z/π · Σ Δφ · [ −g·(π/2 − θ − sin θ cos θ)/2 + cos² θ / 2 ]
 /// with the horizon's elevation θ and the slope g towards it. O(cells) in each direction.
 ///
-/// `heights`, `dx` and `dy` are in one unit of length. Independent of the pool's size.
-Field<float> sky_visibility(const Field<float>& heights, float dx, float dy, WorkerPool& pool);
+/// `heights`, `dx` and `dy` are in one unit of length. Cells of a margin on each side hide the sky
+/// from the others, which alone are returned. Independent of the pool's size.
+Field<float> sky_visibility(const Field<float>& heights, float dx, float dy, WorkerPool& pool,
+                            int margin = 0);
 
 }  // namespace fumon

@@ -10,6 +10,8 @@ struct SunDirection {
     float north = 1.0F;
     float lower_limb = 0.4F;  ///< tangent of the elevation of the disc's lowest point
     float upper_limb = 0.5F;  ///< tangent of the elevation of its highest point
+
+    friend bool operator==(const SunDirection&, const SunDirection&) = default;
 };
 
 /// Between which bounds shares are kept. Beyond 0 … 1 they say how far a place lies inside the

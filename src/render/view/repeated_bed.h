@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 #include "base/grid.h"
 
 namespace fumon {
@@ -11,9 +15,13 @@ Field<Number> with_margin(const Field<Number>& field, int margin) {
     const int ny = field.ny();
     Field<Number> wide(nx + 2 * margin, ny + 2 * margin);
     const auto within = [](int place, int count) { return (place % count + count) % count; };
+    std::vector<std::size_t> columns;
+    for (int x = 0; x < wide.nx(); ++x)
+        columns.push_back(static_cast<std::size_t>(within(x - margin, nx)));
     for (int y = 0; y < wide.ny(); ++y) {
-        for (int x = 0; x < wide.nx(); ++x)
-            wide(x, y) = field(within(x - margin, nx), within(y - margin, ny));
+        const auto from = field.row(within(y - margin, ny));
+        std::ranges::transform(columns, wide.row(y).begin(),
+                               [&](std::size_t column) { return from[column]; });
     }
     return wide;
 }
@@ -22,9 +30,8 @@ Field<Number> with_margin(const Field<Number>& field, int margin) {
 template <class Number>
 Field<Number> without_margin(const Field<Number>& wide, int margin) {
     Field<Number> field(wide.nx() - 2 * margin, wide.ny() - 2 * margin);
-    for (int y = 0; y < field.ny(); ++y) {
-        for (int x = 0; x < field.nx(); ++x) field(x, y) = wide(x + margin, y + margin);
-    }
+    for (int y = 0; y < field.ny(); ++y)
+        std::copy_n(wide.row(y + margin).begin() + margin, field.nx(), field.row(y).begin());
     return field;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/worker_pool.h"
+#include "render/view/repeated_bed.h"
 #include "support/view_beds.h"
 
 namespace fumon {
@@ -87,6 +88,19 @@ TEST(SkyVisibility, NarrowBedsWork) {
     for (const auto& [nx, ny] : {std::pair{1, 1}, {1, 9}, {9, 1}, {2, 2}}) {
         const Field<float> sky = sky_visibility(Field<float>(nx, ny, 1.0F), 1.0F, 1.0F, pool);
         for (const float value : sky.values()) EXPECT_NEAR(value, 1.0F, 2e-5F);
+    }
+}
+
+TEST(SkyVisibility, CellsOfAMarginHideTheSkyAndAreLeftOut) {
+    Field<float> heights(53, 38);
+    for (int y = 0; y < heights.ny(); ++y)
+        for (int x = 0; x < heights.nx(); ++x)
+            heights(x, y) = static_cast<float>((x * 7 + y * 13) % 11 + (x * x + y) % 5);
+    WorkerPool pool(2);
+    const Field<float> whole = sky_visibility(heights, 1.0F, 1.3F, pool);
+    for (const int margin : {1, 7, 18}) {
+        EXPECT_EQ(sky_visibility(heights, 1.0F, 1.3F, pool, margin), without_margin(whole, margin))
+            << margin;
     }
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "render/height_pyramid.h"
+#include "render/ground/height_pyramid.h"
 
 namespace fumon {
 
@@ -26,9 +27,16 @@ struct GroundFan {
 
 /// The ground as triangles.
 struct GroundMesh {
-    std::vector<glm::vec3> places;  ///< offsets from the eye
-    std::vector<std::uint32_t> near_triangles;
-    std::vector<std::uint32_t> far_triangles;
+    std::vector<glm::vec3> places;         ///< offsets from the eye
+    std::vector<std::uint32_t> triangles;  ///< their corners, near ones first
+    std::size_t near_indices = 0;          ///< how many of these are of near ones
+};
+
+/// The ground that a camera sees.
+struct SeenGround {
+    GroundMesh mesh;
+    double sample_angle = 0.0;  ///< between two samples in the middle of the picture
+    double near_to = 0.0;       ///< a ripple is not seen beyond, block lengths
 };
 
 /// Where a ring crosses a ray the ground stands at the place between the neighbouring rings that

@@ -1,4 +1,4 @@
-#include "render/ground_fan.h"
+#include "render/ground/ground_fan.h"
 
 #include <gtest/gtest.h>
 
@@ -84,13 +84,13 @@ TEST(GroundFan, LeavesOutWhatIsHiddenAndNoMore) {
     const HeightPyramid bed(ridges());
     GroundFan fan = eastward();
     WorkerPool pool(1);
-    const std::size_t all_seen = ground_mesh(fan, bed, pool).far_triangles.size();
+    const std::size_t all_seen = ground_mesh(fan, bed, pool).triangles.size();
     fan.eye.z = 0.05;  // below the crests
     const GroundMesh mesh = ground_mesh(fan, bed, pool);
-    EXPECT_LT(mesh.far_triangles.size(), all_seen / 2);
+    EXPECT_LT(mesh.triangles.size(), all_seen / 2);
     // Of each ray what looks highest is still drawn.
     std::vector<bool> drawn(mesh.places.size(), false);
-    for (const std::uint32_t corner : mesh.far_triangles) drawn[corner] = true;
+    for (const std::uint32_t corner : mesh.triangles) drawn[corner] = true;
     const std::size_t rings = mesh.places.size() / static_cast<std::size_t>(fan.rays);
     for (int ray = 0; ray < fan.rays; ++ray) {
         const auto tangent = [&](std::size_t i) {
@@ -112,7 +112,7 @@ TEST(GroundFan, IsTheSameForAnyNumberOfThreads) {
     const GroundMesh expected = ground_mesh(eastward(), bed, one);
     const GroundMesh mesh = ground_mesh(eastward(), bed, three);
     EXPECT_EQ(mesh.places, expected.places);
-    EXPECT_EQ(mesh.far_triangles, expected.far_triangles);
+    EXPECT_EQ(mesh.triangles, expected.triangles);
 }
 
 }  // namespace

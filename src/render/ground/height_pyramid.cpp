@@ -1,6 +1,7 @@
-#include "render/height_pyramid.h"
+#include "render/ground/height_pyramid.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace fumon {
 
@@ -55,8 +56,9 @@ Field<float> halved(const Field<float>& fine) {
 
 }  // namespace
 
-HeightPyramid::HeightPyramid(const Field<float>& heights)
-    : levels_{heights}, highest_(*std::ranges::max_element(heights.values())) {
+HeightPyramid::HeightPyramid(Field<float> heights)
+    : highest_(*std::ranges::max_element(heights.values())) {
+    levels_.push_back(std::move(heights));
     while (levels_.back().nx() > 1 || levels_.back().ny() > 1)
         levels_.push_back(halved(levels_.back()));
 }

@@ -12,10 +12,13 @@ namespace fumon {
 /// Heights of a periodic bed, and their means over squares of 2, 4, 8 … cells.
 class HeightPyramid {
   public:
-    explicit HeightPyramid(const Field<float>& heights);
+    explicit HeightPyramid(Field<float> heights);
 
     [[nodiscard]] const Field<float>& finest() const { return levels_.front(); }
     [[nodiscard]] int levels() const { return static_cast<int>(levels_.size()); }
+    [[nodiscard]] const Field<float>& level(int number) const {
+        return levels_[static_cast<std::size_t>(number)];
+    }
     /// Between the four nearest means of a level. `east` and `north` count periods: 0 and 1 are the
     /// bed's two ends.
     [[nodiscard]] float at(int level, double east, double north) const {

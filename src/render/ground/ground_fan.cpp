@@ -1,12 +1,14 @@
-#include "render/ground_fan.h"
+#include "render/ground/ground_fan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "base/elementary.h"
 #include "base/elementary_angle.h"
 #include "base/worker_pool.h"
+#include "render/ground/ground_vectors.h"
 
 namespace fumon {
 
@@ -19,11 +21,23 @@ constexpr double least_texels = 0.5;
 constexpr double least_spacing = 0.6;
 constexpr double texels_a_ray = 0.2;  // a texel at most, of the distance between rays
 
+static_assert(most_places <= ground_vectors::places_at_once);
+
 /// The places around a ring, and the level of the bed's means that they are looked up in.
 struct Ring {
     int level = 0;
-    std::vector<double> radii;
+    std::size_t count = 0;
+    /// The last one again past `count`, from wherever one reads as many as are looked at at once.
+    std::array<double, std::size_t{most_places} + ground_vectors::places_at_once> radii{};
 };
+
+Ring ring_of(int level, double from, double to, int count) {
+    Ring ring{level, static_cast<std::size_t>(count)};
+    for (std::size_t k = 0; k < ring.radii.size(); ++k)
+        ring.radii[k] =
+            from + (to - from) * (std::min(static_cast<int>(k), count - 1) + 0.5) / count;
+    return ring;
+}
 
 double radius_of(const GroundFan& fan, double u) {
     const double reach = elementary::log(fan.farthest / fan.nearest);
@@ -32,7 +46,7 @@ double radius_of(const GroundFan& fan, double u) {
 
 std::vector<Ring> rings_of(const GroundFan& fan, int levels) {
     const double between_rays = 2.0 * fan.half_angle / (fan.rays - 1);
-    std::vector<Ring> all(1, Ring{0, {1e-3 * fan.nearest}});
+    std::vector<Ring> all(1, ring_of(0, 1e-3 * fan.nearest, 1e-3 * fan.nearest, 1));
     constexpr double step = 1.0 / (rings - 2);
     for (int ring = 1; ring < rings; ++ring) {
         const double u = (ring - 1) * step;
@@ -46,10 +60,7 @@ std::vector<Ring> rings_of(const GroundFan& fan, int levels) {
             std::max(least_texels * texel, least_spacing * radius * between_rays);
         const int count =
             std::clamp(static_cast<int>(std::ceil((to - from) / spacing)), 1, most_places);
-        Ring places{level, {}};
-        for (int k = 0; k < count; ++k)
-            places.radii.push_back(from + (to - from) * (k + 0.5) / count);
-        all.push_back(std::move(places));
+        all.push_back(ring_of(level, from, to, count));
     }
     return all;
 }
@@ -66,56 +77,56 @@ void place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::vector
                            fan.heading.x * s + fan.heading.y * c);
     const glm::dvec2 per_length = along / fan.extent;
     const glm::dvec2 origin = glm::dvec2(fan.eye) / fan.extent + 0.5;
+    const ground_vectors::Ray over_bed{origin.x,     origin.y,  per_length.x,
+                                       per_length.y, fan.eye.z, fan.curvature};
+    std::array<double, ground_vectors::places_at_once> over{};
+    std::array<double, ground_vectors::places_at_once> rises{};
     double highest_before = -1e30;
     for (std::size_t ring = 0; ring < all.size(); ++ring) {
         const Ring& around = all[ring];
-        const std::size_t count = around.radii.size();
+        const std::size_t count = around.count;
         // Ground that cannot rise over what stands before it needs no care.
         const double last = around.radii[count - 1];
         const bool hidden = (bed.highest() - fan.eye.z) / last < highest_before;
         const std::size_t from = hidden ? count / 2 : 0;
         const std::size_t to = hidden ? from + 1 : count;
-        double best = -1e30;
-        double best_radius = 0.0;
-        double best_z = 0.0;
-        for (std::size_t k = from; k < to; ++k) {
-            const double radius = around.radii[k];
-            const glm::dvec2 at = origin + radius * per_length;
-            const double z = static_cast<double>(bed.at(around.level, at.x, at.y)) -
-                             radius * radius * fan.curvature - fan.eye.z;
-            const double tangent = z / radius;
-            if (tangent <= best) continue;
-            best = tangent;
-            best_radius = radius;
-            best_z = z;
-        }
+        const Field<float>& means = bed.level(around.level);
+        ground_vectors::look_along({means.data(), means.nx(), means.ny()}, over_bed,
+                                   around.radii.data() + from, static_cast<int>(to - from),
+                                   over.data(), rises.data());
+        std::size_t highest = 0;
+        for (std::size_t k = 1; k < to - from; ++k)
+            if (rises[k] > rises[highest]) highest = k;
+        const double best = rises[highest];
         highest_before = std::max(highest_before, best);
-        places[ring] = glm::vec3(glm::dvec3(best_radius * along, best_z));
+        places[ring] = glm::vec3(glm::dvec3(around.radii[from + highest] * along, over[highest]));
         tangents[ring] = static_cast<float>(best);
     }
 }
 
-struct Triangles {
-    std::vector<std::uint32_t> near_ones;
-    std::vector<std::uint32_t> far_ones;
+/// Rings between two of them.
+struct RingRange {
+    int first;
+    int last;
 };
 
-/// Between two neighbouring rays. At any azimuth between them the ground looks at least as high as
-/// the lower of both at the same ring.
-void add_visible(int ray, int first_far, const Tangents& tangents, Triangles& triangles) {
+/// Between two neighbouring rays, those that begin in a range of rings. At any azimuth between them
+/// the ground looks at least as high as the lower of both at the same ring. `hiding`: how high what
+/// stands before looks, between these two rays.
+void add_visible(int ray, const RingRange& among, const Tangents& tangents, float& hiding,
+                 std::vector<std::uint32_t>& triangles) {
     const auto a = static_cast<std::size_t>(ray) * rings;
     const std::size_t b = a + rings;
-    float hiding = -1e30F;
-    for (std::size_t ring = 0; ring + 1 < rings; ++ring) {
+    for (auto ring = static_cast<std::size_t>(among.first);
+         ring < static_cast<std::size_t>(among.last); ++ring) {
         const float here = std::max(tangents[a + ring], tangents[b + ring]);
         const float next = std::max(tangents[a + ring + 1], tangents[b + ring + 1]);
         hiding = std::max(hiding, std::min(tangents[a + ring], tangents[b + ring]));
         if (std::max(here, next) < hiding) continue;
-        auto& list = static_cast<int>(ring) < first_far ? triangles.near_ones : triangles.far_ones;
         const auto a0 = static_cast<std::uint32_t>(a + ring);
         const auto b0 = static_cast<std::uint32_t>(b + ring);
         for (const std::uint32_t corner : {a0, b0, a0 + 1, b0, b0 + 1, a0 + 1})
-            list.push_back(corner);
+            triangles.push_back(corner);
     }
 }
 
@@ -135,10 +146,16 @@ GroundMesh ground_mesh(const GroundFan& fan, const HeightPyramid& bed, WorkerPoo
     int first_far = 0;
     while (first_far < rings && all[static_cast<std::size_t>(first_far)].radii[0] < fan.near_to)
         ++first_far;
-    Triangles triangles;
-    for (int ray = 0; ray + 1 < fan.rays; ++ray) add_visible(ray, first_far, tangents, triangles);
-    mesh.near_triangles = std::move(triangles.near_ones);
-    mesh.far_triangles = std::move(triangles.far_ones);
+    first_far = std::min(first_far, rings - 1);
+    std::vector<float> hiding(static_cast<std::size_t>(fan.rays), -1e30F);
+    const auto add_all = [&](const RingRange& among) {
+        for (int ray = 0; ray + 1 < fan.rays; ++ray)
+            add_visible(ray, among, tangents, hiding[static_cast<std::size_t>(ray)],
+                        mesh.triangles);
+    };
+    add_all({0, first_far});
+    mesh.near_indices = mesh.triangles.size();
+    add_all({first_far, rings - 1});
     return mesh;
 }
 

@@ -1,0 +1,84 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/ground/ground_vectors.cpp"
+#include <hwy/foreach_target.h>
+// Those below are included once for each target.
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+#include "render/ground/ground_vectors.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace fumon::ground_vectors {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, places_at_once>;
+using Floats = hn::Rebind<float, Doubles>;
+using Integers = hn::Rebind<std::int32_t, Doubles>;
+
+/// Two neighbouring cells, and how far a place lies from the first towards the second.
+struct Between {
+    hn::Vec<Integers> first;
+    hn::Vec<Integers> second;
+    hn::Vec<Floats> share;
+};
+
+HWY_INLINE Between between(hn::Vec<Doubles> periods, int count) {
+    const Doubles d;
+    const Integers integers;
+    const auto cells = hn::Set(d, static_cast<double>(count));
+    const auto place = (periods - hn::Trunc(periods)) * cells - hn::Set(d, 0.5);
+    const auto within = hn::IfThenElse(hn::Lt(place, hn::Zero(d)), place + cells, place);
+    const auto first =
+        hn::Min(hn::DemoteTo(integers, within), hn::Set(integers, std::int32_t{count} - 1));
+    const auto next = first + hn::Set(integers, std::int32_t{1});
+    const auto second =
+        hn::IfThenZeroElse(hn::Eq(next, hn::Set(integers, std::int32_t{count})), next);
+    return {first, second, hn::DemoteTo(Floats(), within - hn::PromoteTo(d, first))};
+}
+
+void look_along(const Heights& bed, const Ray& ray, const double* radii, int count, double* over,
+                double* tangents) {
+    const Doubles d;
+    const Floats floats;
+    const auto columns = hn::Set(Integers(), std::int32_t{bed.nx});
+    for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+        const auto radius = hn::LoadU(d, radii + i);
+        const Between x =
+            between(hn::Set(d, ray.east) + radius * hn::Set(d, ray.east_per_length), bed.nx);
+        const Between y =
+            between(hn::Set(d, ray.north) + radius * hn::Set(d, ray.north_per_length), bed.ny);
+        const auto height = [&](hn::Vec<Integers> column, hn::Vec<Integers> row) HWY_ATTR {
+            return hn::GatherIndex(floats, bed.values, row * columns + column);
+        };
+        const auto below = height(x.first, y.first);
+        const auto above = height(x.first, y.second);
+        const auto south = below + x.share * (height(x.second, y.first) - below);
+        const auto north = above + x.share * (height(x.second, y.second) - above);
+        const auto z = hn::PromoteTo(d, south + y.share * (north - south));
+        const auto seen =
+            z - radius * radius * hn::Set(d, ray.curvature) - hn::Set(d, ray.eye_height);
+        hn::StoreU(seen, d, over + i);
+        hn::StoreU(seen / radius, d, tangents + i);
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace fumon::ground_vectors
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace fumon::ground_vectors {
+
+HWY_EXPORT(look_along);
+
+void look_along(const Heights& bed, const Ray& ray, const double* radii, int count, double* over,
+                double* tangents) {
+    HWY_DYNAMIC_DISPATCH(look_along)(bed, ray, radii, count, over, tangents);
+}
+
+}  // namespace fumon::ground_vectors
+#endif

@@ -1,0 +1,33 @@
+#pragma once
+
+/// The loop over the places along a ray that a mesh of the ground takes, see vectors/target.h: the
+/// same bits on every target.
+namespace fumon::ground_vectors {
+
+/// Heights of a periodic bed, or means of them, x fastest.
+struct Heights {
+    const float* values;
+    int nx;
+    int ny;
+};
+
+/// A ray over it. Places count periods of the bed, 0 and 1 its two ends.
+struct Ray {
+    double east;  ///< under the eye
+    double north;
+    double east_per_length;
+    double north_per_length;
+    double eye_height;
+    double curvature;  ///< by which the planet sinks at a distance of 1
+};
+
+/// Places are looked at so many at once at most: as many radii are read, and heights and tangents
+/// written, as the next multiple of it has.
+constexpr int places_at_once = 16;
+
+/// How far the ground lies over the eye at `count` radii from it, and the tangents of the
+/// elevations at which that is seen: as HeightPyramid::at() for each.
+void look_along(const Heights& bed, const Ray& ray, const double* radii, int count, double* over,
+                double* tangents);
+
+}  // namespace fumon::ground_vectors

@@ -1,0 +1,60 @@
+#include "render/ready_picture.h"
+
+#include <utility>
+
+#include "base/error.h"
+#include "base/snapshot_lookup.h"
+#include "render/light/lighting.h"
+#include "render/renderer_parts.h"
+#include "render/view/framing.h"
+#include "render/view/shown_snapshot.h"
+
+namespace fumon {
+
+/// Reads nothing that drawing changes.
+std::shared_ptr<const LitBed> Renderer::Parts::lit_bed(const ReadyPicture& picture,
+                                                       const SunDirection& sun,
+                                                       WorkerPool& with) const {
+    const Snapshot& shown = picture.shown();
+    auto lit = std::make_shared<LitBed>();
+    lit->snapshot = picture.snapshot;
+    lit->sun = sun;
+    if (world) {
+        lit->light =
+            repeated_light(shown, picture.framed, refinement, sun, prevailing_way(shown), with);
+        lit->heights = std::make_shared<const HeightPyramid>(std::move(lit->light.z));
+    } else {
+        lit->bed = display_bed(shown, picture.framed, refinement);
+        lit->texels = lighting_texels(lit->bed, sun, with);
+    }
+    return lit;
+}
+
+/// Likewise. Without a pose the camera is that of the snapshot's step.
+ReadyPicture Renderer::Parts::ready(std::shared_ptr<const Snapshot> snapshot,
+                                    const SunDirection& sun, const std::optional<FramePose>& pose,
+                                    const std::shared_ptr<const LitBed>& before,
+                                    WorkerPool& with) const {
+    ReadyPicture picture;
+    picture.snapshot = std::move(snapshot);
+    picture.reshaped = shown_snapshot(*picture.snapshot, view);
+    const Snapshot& shown = picture.shown();
+    if (shown.bed.nx() != first.bed.nx() || shown.bed.ny() != first.bed.ny())
+        throw Error("a snapshot of another size than the first one cannot be drawn");
+    picture.framed = block_of_frame(block, view.look, first, shown);
+    if (pose) {
+        picture.pose = *pose;
+    } else {
+        picture.pose.camera = above_ground(camera_at(shown.step), picture.framed, shown);
+    }
+    const bool same = before && before->snapshot == picture.snapshot && before->sun == sun;
+    picture.lit = same ? before : lit_bed(picture, sun, with);
+    if (world) {
+        const double samples_high = static_cast<double>(view.image.height) * plan.factor;
+        picture.ground =
+            world->ground_seen(picture.pose.camera, samples_high, *picture.lit->heights, with);
+    }
+    return picture;
+}
+
+}  // namespace fumon

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/snapshot.h"
+#include "render/ground/ground_fan.h"
+#include "render/ground/height_pyramid.h"
+#include "render/light/repeated_light.h"
+#include "render/light/sun_sweep.h"
+#include "render/renderer.h"
+#include "render/view/block.h"
+#include "render/view/display_bed.h"
+
+namespace fumon {
+
+/// A bed and what the light of a sun does to it, as textures take them.
+struct LitBed {
+    std::shared_ptr<const Snapshot> snapshot;
+    SunDirection sun;
+    DisplayBed bed;                     ///< of a block
+    std::vector<std::uint16_t> texels;  ///< likewise, see lighting_texels()
+    RepeatedLight light;                ///< of endless ground, without its heights
+    std::shared_ptr<const HeightPyramid> heights;
+};
+
+/// All that a picture needs besides OpenGL, see Renderer::ready().
+struct ReadyPicture {
+    std::shared_ptr<const Snapshot> snapshot;
+    std::optional<Snapshot> reshaped;  ///< as it is shown, where that differs
+    FramePose pose;
+    Block framed;
+    std::shared_ptr<const LitBed> lit;
+    SeenGround ground;  ///< of endless ground
+
+    [[nodiscard]] const Snapshot& shown() const { return reshaped ? *reshaped : *snapshot; }
+};
+
+}  // namespace fumon

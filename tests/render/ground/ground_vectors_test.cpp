@@ -1,0 +1,60 @@
+#include "render/ground/ground_vectors.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "render/ground/height_pyramid.h"
+#include "vectors/target.h"
+
+namespace fumon {
+namespace {
+
+HeightPyramid rough_heights() {
+    Field<float> heights(37, 21);
+    std::uint32_t state = 4711;
+    for (float& height : heights.values()) {
+        state = state * 1664525U + 1013904223U;
+        height = static_cast<float>(state >> 8U) * 0x1p-24F;
+    }
+    return HeightPyramid(heights);
+}
+
+TEST(GroundVectors, EveryTargetSeesWhatIsLookedUpPlaceByPlace) {
+    const std::string before = vectors::target();
+    const HeightPyramid bed = rough_heights();
+    constexpr int count = 11;
+    std::array<double, ground_vectors::places_at_once> radii{};
+    for (const int level : {0, 2}) {
+        const Field<float>& means = bed.level(level);
+        for (const double start : {0.01, 0.7, 300.0}) {
+            for (std::size_t k = 0; k < radii.size(); ++k)
+                radii[k] = start * (1.0 + 0.013 * static_cast<double>(k));
+            const ground_vectors::Ray ray{0.5, 0.21, -0.83, 0.61, 0.37, 1e-4};
+            for (const std::string& target : vectors::targets()) {
+                vectors::use_target(target);
+                std::array<double, ground_vectors::places_at_once> over{};
+                std::array<double, ground_vectors::places_at_once> tangents{};
+                ground_vectors::look_along({means.data(), means.nx(), means.ny()}, ray,
+                                           radii.data(), count, over.data(), tangents.data());
+                for (std::size_t k = 0; k < count; ++k) {
+                    const double radius = radii[k];
+                    const auto height =
+                        static_cast<double>(bed.at(level, ray.east + radius * ray.east_per_length,
+                                                   ray.north + radius * ray.north_per_length));
+                    const double expected =
+                        height - radius * radius * ray.curvature - ray.eye_height;
+                    EXPECT_EQ(over[k], expected) << target << ", " << radius;
+                    EXPECT_EQ(tangents[k], expected / radius) << target << ", " << radius;
+                }
+            }
+        }
+    }
+    vectors::use_target(before);
+}
+
+}  // namespace
+}  // namespace fumon
