@@ -140,6 +140,19 @@ std::vector<StoredBed> beds_of(const Json& manifest, const fs::path& folder,
     return beds;
 }
 
+/// What is kept by a number, else what is read, which is kept then in the place of the oldest.
+template <class Kept, class Read>
+std::shared_ptr<const Snapshot> kept_or(std::vector<Kept>& all, std::size_t number,
+                                        const Read& read) {
+    const auto found = std::ranges::find(all, number, &Kept::number);
+    Kept kept =
+        found != all.end() ? *found : Kept{number, std::make_shared<const Snapshot>(read())};
+    if (found != all.end()) all.erase(found);
+    all.push_back(kept);
+    if (all.size() > most_kept) all.erase(all.begin());
+    return kept.snapshot;
+}
+
 Scene scene_of_bed(const Scene& scene, const fs::path& file) {
     Scene stored = scene;
     stored.bed = BedSettings{};
@@ -230,10 +243,10 @@ StoredBeds StoredBeds::recorded(std::string name, fs::path folder, PreparedRun r
     return stored;
 }
 
-Snapshot StoredBeds::read(std::size_t number) const {
+Snapshot StoredBeds::read(std::size_t number, const Snapshot& outline) const {
     const StoredBed& bed = beds_.at(number);
-    if (bed.file.empty()) return read_fields_snapshot(folder_ / fields_, bed.step, first_);
-    Snapshot snapshot = first_;
+    if (bed.file.empty()) return read_fields_snapshot(folder_ / fields_, bed.step, outline);
+    Snapshot snapshot = outline;
     InitialBed read = make_initial_bed(scene_of_bed(run_.scene, folder_ / bed.file));
     if (read.bed.nx() != first_.bed.nx() || read.bed.ny() != first_.bed.ny()) {
         throw InputError(
@@ -247,13 +260,19 @@ Snapshot StoredBeds::read(std::size_t number) const {
 }
 
 std::shared_ptr<const Snapshot> StoredBeds::snapshot(std::size_t number) const {
-    const auto found = std::ranges::find(kept_, number, &Kept::number);
-    Kept kept = found != kept_.end() ? *found
-                                     : Kept{number, std::make_shared<const Snapshot>(read(number))};
-    if (found != kept_.end()) kept_.erase(found);
-    kept_.push_back(kept);
-    if (kept_.size() > most_kept) kept_.erase(kept_.begin());
-    return kept.snapshot;
+    return kept_or(kept_, number, [&] { return read(number, first_); });
+}
+
+std::shared_ptr<const Snapshot> StoredBeds::heights(std::size_t number) const {
+    const auto whole = std::ranges::find(kept_, number, &Kept::number);
+    if (whole != kept_.end()) return whole->snapshot;
+    return kept_or(kept_heights_, number, [&] {
+        Snapshot outline = first_;
+        outline.fields.clear();
+        outline.numbers.clear();
+        outline.section.reset();
+        return read(number, outline);
+    });
 }
 
 std::vector<MeasuredRows> StoredBeds::measurements(const std::vector<std::string>& names) const {

@@ -53,6 +53,8 @@ class StoredBeds {
     /// The snapshot of a bed by its number; the last few are kept. Throws InputError for a damaged
     /// file.
     [[nodiscard]] std::shared_ptr<const Snapshot> snapshot(std::size_t number) const;
+    /// The same with its bed alone: no fields, numbers or air, most of what reading takes.
+    [[nodiscard]] std::shared_ptr<const Snapshot> heights(std::size_t number) const;
 
     /// For each bed the columns of measurements.csv of these names, as a plot over it takes them:
     /// all rows up to its step. Throws InputError where the run kept no measurements.
@@ -69,7 +71,7 @@ class StoredBeds {
     };
 
     StoredBeds() = default;
-    [[nodiscard]] Snapshot read(std::size_t number) const;
+    [[nodiscard]] Snapshot read(std::size_t number, const Snapshot& outline) const;
 
     std::string name_;
     std::filesystem::path folder_;
@@ -80,6 +82,7 @@ class StoredBeds {
     Snapshot first_;
     std::vector<StoredBed> beds_;
     mutable std::vector<Kept> kept_;
+    mutable std::vector<Kept> kept_heights_;
 };
 
 }  // namespace fumon

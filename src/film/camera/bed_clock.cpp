@@ -88,7 +88,7 @@ BedClock::BedClock(const Film& film, std::size_t number, const StoredBeds& beds)
         places_.front() = 0.0;
         for (std::size_t i = 1; i < values.size(); ++i) {
             if (values[i] >= low && values[i - 1] <= high)
-                sum += visible_change(*beds.snapshot(i - 1), *beds.snapshot(i));
+                sum += visible_change(*beds.heights(i - 1), *beds.heights(i));
             places_[i] = sum + 1e-12 * static_cast<double>(i);  // beds that are alike come in turn
         }
     }

@@ -349,7 +349,7 @@ CameraPath path_of(const Film& film, std::size_t number, const FilmStage& stage,
     for (std::size_t run = 0; run < runs.size(); ++run) {
         const std::size_t last = runs.in_step(run, clock.latest(), shot.clock);
         for (std::size_t i = runs.in_step(run, clock.earliest(), shot.clock); i <= last; ++i)
-            ground.add(*runs.beds(run).snapshot(i));
+            ground.add(*runs.beds(run).heights(i));
     }
     return CameraPath(
         poses, [&](double x, double y) { return ground.at(x, y) + clearance; }, timing);

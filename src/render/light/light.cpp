@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <numbers>
+#include <optional>
 
 #include "base/elementary.h"
 #include "base/elementary_power.h"
@@ -53,11 +56,32 @@ glm::dvec3 srgb_of_wavelengths(const glm::dvec3& light) {
     return glm::max(found, glm::dvec3(0.0));
 }
 
+/// The tables of a planet's air with so much dust. The last ones are kept: they are the same
+/// wherever the sun stands, and take longer than all else that a moved sun asks for.
+std::shared_ptr<const AirTables> tables_of_air(Planet planet, double dust) {
+    const glm::dvec3 sand(0.42, 0.30, 0.18);
+    const glm::dvec3 martian(0.30, 0.15, 0.07);
+    struct Kept {
+        Planet planet;
+        double dust;
+        std::shared_ptr<const AirTables> tables;
+    };
+    static std::mutex alone;
+    static std::optional<Kept> last;
+    const std::lock_guard lock(alone);
+    if (!last || last->planet != planet || last->dust != dust) {
+        last =
+            Kept{planet, dust,
+                 std::make_shared<const AirTables>(
+                     planet == Planet::mars ? martian_air(dust, martian) : dusty_air(dust, sand))};
+    }
+    return last->tables;
+}
+
 /// With the sun at 45 degrees.
-glm::dvec3 level_light_of_a_clear_day(const glm::dvec3& ground, double eye_height) {
+glm::dvec3 level_light_of_a_clear_day(double eye_height) {
     constexpr double usual_elevation = 45.0 * degree;
-    const AirTables clear(dusty_air(1.0, ground));
-    const SkyView usual(clear, usual_elevation, eye_height);
+    const SkyView usual(*tables_of_air(Planet::earth, 1.0), usual_elevation, eye_height);
     return srgb_of_wavelengths(usual.sun() * elementary::sin(usual_elevation) +
                                usual.level_irradiance());
 }
@@ -158,14 +182,11 @@ Light make_light(const SunSettings& settings) {
 }
 
 Light make_atmospheric_light(const SunSettings& settings, Planet planet) {
-    const glm::dvec3 sand(0.42, 0.30, 0.18);
-    const glm::dvec3 martian(0.30, 0.15, 0.07);
     constexpr double eye_height = 0.002;  // km
     const double sin_e = elementary::sin(settings.elevation * degree);
-    static const glm::dvec3 day = level_light_of_a_clear_day(sand, eye_height);
-    const AirTables air(planet == Planet::mars ? martian_air(settings.dust, martian)
-                                               : dusty_air(desert_aerosol * settings.dust, sand));
-    const SkyView view(air, settings.elevation * degree, eye_height);
+    static const glm::dvec3 day = level_light_of_a_clear_day(eye_height);
+    const double dust = planet == Planet::mars ? settings.dust : desert_aerosol * settings.dust;
+    const SkyView view(*tables_of_air(planet, dust), settings.elevation * degree, eye_height);
     const glm::dvec3 level = srgb_of_wavelengths(view.level_irradiance());
     const glm::dvec3 now = srgb_of_wavelengths(view.sun()) * sin_e + level;
     const glm::dvec3 white = adapted_white(day, now);
