@@ -15,9 +15,9 @@ Field<Number> with_margin(const Field<Number>& field, int margin) {
     const int ny = field.ny();
     Field<Number> wide(nx + 2 * margin, ny + 2 * margin);
     const auto within = [](int place, int count) { return (place % count + count) % count; };
-    std::vector<std::size_t> columns;
+    std::vector<std::size_t> columns(static_cast<std::size_t>(wide.nx()));
     for (int x = 0; x < wide.nx(); ++x)
-        columns.push_back(static_cast<std::size_t>(within(x - margin, nx)));
+        columns[static_cast<std::size_t>(x)] = static_cast<std::size_t>(within(x - margin, nx));
     for (int y = 0; y < wide.ny(); ++y) {
         const auto from = field.row(within(y - margin, ny));
         std::ranges::transform(columns, wide.row(y).begin(),
