@@ -54,6 +54,9 @@ TEST(StoredBeds, AreThoseThatTheRunRecorded) {
     EXPECT_EQ(beds.snapshot(7)->step, 7);
     EXPECT_EQ(visible_change(*beds.snapshot(0), beds.first()), 0.0);
     EXPECT_GT(visible_change(*beds.snapshot(20), beds.first()), 0.0);
+    EXPECT_EQ(beds.heights(12)->bed, beds.snapshot(12)->bed);
+    EXPECT_EQ(beds.heights(13)->step, 13);
+    EXPECT_EQ(beds.heights(13)->bed, StoredBeds(filmed_run(), 1).snapshot(13)->bed);
     EXPECT_EQ(beds.scene().title, "small");
     const auto rows = beds.measurements({"step", "wavelength_spectrum"});
     EXPECT_EQ(rows[4].find("step")->values.size(), 1U);

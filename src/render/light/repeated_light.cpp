@@ -18,9 +18,10 @@ namespace {
 
 constexpr int read_around = 6;  // cells that the refinement and slopes look at
 
-/// What lies in a bed and in a margin of one of its finer cells.
-Field<float> with_narrow_margin(const Field<float>& wide, int refinement) {
-    return without_margin(wide, read_around * refinement - 1);
+/// A periodic field on finer cells, with a margin of so many of them.
+Field<float> refined_around(const Field<float>& field, int refinement, int margin) {
+    return without_margin(refined(with_margin(field, read_around), refinement),
+                          read_around * refinement - margin);
 }
 
 /// The sky's share of each cell, as horizons up to half a period away make it.
@@ -113,12 +114,6 @@ Field<float> slid_sand(const DisplayBed& bed) {
     return slid;
 }
 
-/// A periodic field on finer cells.
-Field<float> refined_around(const Field<float>& field, int refinement) {
-    return without_margin(refined(with_margin(field, read_around), refinement),
-                          read_around * refinement);
-}
-
 std::uint8_t byte_of(float share) {
     return static_cast<std::uint8_t>(nearest(255.0F * std::clamp(share, 0.0F, 1.0F)));
 }
@@ -129,9 +124,9 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
                              const SunDirection& sun, const Way& way, WorkerPool& pool) {
     const DisplayBed coarse = display_bed(snapshot, block, 1);
     DisplayBed wide;
-    wide.z = with_narrow_margin(refined_with_brinks(with_margin(coarse.z, read_around), coarse.dx,
-                                                    coarse.dy, refinement, pool),
-                                refinement);
+    wide.z = without_margin(refined_with_brinks(with_margin(coarse.z, read_around), coarse.dx,
+                                                coarse.dy, refinement, pool),
+                            read_around * refinement - 1);
     wide.dx = coarse.dx / static_cast<float>(refinement);
     wide.dy = coarse.dy / static_cast<float>(refinement);
     RepeatedLight light;
@@ -142,10 +137,7 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
                                                       LatticeBorder::periodic),
                                        light.z, wide.dx, wide.dy, sun, pool),
                     1),
-        with_narrow_margin(
-            refined(with_margin(repeated_sky(coarse.z, coarse.dx, coarse.dy, pool), read_around),
-                    refinement),
-            refinement),
+        refined_around(repeated_sky(coarse.z, coarse.dx, coarse.dy, pool), refinement, 1),
         sun_bounds};
     for (float& share : shares.sky.values()) share = std::clamp(share, 0.0F, 1.0F);
     light.texels = lighting_texels(wide, shares, 1, pool);
@@ -163,7 +155,7 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
                               no_shadow};
     const Field<float> wind =
         sun_visibility(light.z, wide.dx, wide.dy, upwind, {}, LatticeBorder::periodic);
-    const Field<float> slid = refined_around(slid_sand(coarse), refinement);
+    const Field<float> slid = refined_around(slid_sand(coarse), refinement, 0);
     light.surface.reserve(2 * wind.size());
     for (std::size_t i = 0; i < wind.size(); ++i) {
         light.surface.push_back(byte_of(wind.values()[i]));

@@ -33,6 +33,19 @@ TEST(AtmosphericLight, DustTakesTheBlueOutOfTheSky) {
     EXPECT_LT(blue_over_red(dusty.sky), 0.8 * blue_over_red(clear.sky));
 }
 
+TEST(AtmosphericLight, IsThatOfItsAirWhateverOtherAirWasAskedForBefore) {
+    SunSettings low;
+    low.elevation = 8.0;
+    SunSettings dusty = low;
+    dusty.dust = 4.0;
+    const Light before = make_atmospheric_light(low);
+    const Light other = make_atmospheric_light(dusty);
+    const Light mars = make_atmospheric_light(dusty, Planet::mars);
+    EXPECT_NE(other.sky_texels, before.sky_texels);
+    EXPECT_NE(mars.sky_texels, other.sky_texels);
+    EXPECT_EQ(make_atmospheric_light(dusty).sky_texels, other.sky_texels);
+}
+
 TEST(AtmosphericLight, MarsHasAWarmSkyAndABlueGlowAroundALowSun) {
     SunSettings sun;
     sun.elevation = 5.0;
