@@ -351,7 +351,7 @@ void FilmPainter::write_over(Image& image, const PartOfFrame& shown) {
     const Pane& pane = panes_.front();
     const Camera camera = camera_of(stage_, shot.pose_at(shown.share));
     overlays_->draw(image, {*pane.beds->snapshot(number), pane.rows[number],
-                            pane.renderer->colour_range(), &camera});
+                            pane.renderer->colour_range(), &camera, layout_.size().height});
 }
 
 Image FilmPainter::paint(std::int64_t frame) {

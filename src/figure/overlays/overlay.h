@@ -36,6 +36,9 @@ struct OverlayFrame {
     std::pair<double, double> colours{0.0, 1.0};
     /// Its camera, where it is not the one of the scene's view.
     const Camera* camera = nullptr;
+    /// The height in pixels of that camera's picture, where it is not the scene's: films of several
+    /// runs show it in a part of theirs.
+    std::int64_t camera_height = 0;
 };
 
 /// Something written or drawn over every frame of a run.

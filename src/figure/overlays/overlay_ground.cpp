@@ -22,26 +22,51 @@ constexpr double longest_bar_of_picture = 0.2;  // of the picture's width
 
 class ScaleBarOverlay : public Overlay {
   public:
-    explicit ScaleBarOverlay(const OverlayScene& on) {
-        const View& view = on.scene.view;
-        const Block block = framed_block(view, on.shown);
-        const Camera camera = camera_at_step(view, block, 0, on.scene.run.steps);
-        bar_ =
-            round_scale_bar(on.shown.scale.in_metres, pixels_per_length(camera, view) / block.side,
-                            longest_bar_of_picture * static_cast<double>(view.image.width));
-        if (camera.perspective) bar_.text += " at the middle";
-    }
+    explicit ScaleBarOverlay(const OverlayScene& on)
+        : view_(on.scene.view),
+          block_(framed_block(view_, on.shown)),
+          in_metres_(on.shown.scale.in_metres),
+          moves_(on.camera_moves),
+          camera_(camera_at_step(view_, block_, 0, on.scene.run.steps)) {}
 
     [[nodiscard]] FurnitureSize size(const Canvas& canvas) const override {
-        return scale_bar_size(canvas, bar_);
+        if (!moves_) return scale_bar_size(canvas, bar(camera_, view_));
+        ScaleBar widest{0.0, longest(), in_metres_ ? "500 mm" : "5000 sites"};
+        if (camera_.perspective) widest.text += at_middle;
+        return scale_bar_size(canvas, widest);
     }
-    [[nodiscard]] std::string look_in(const OverlayFrame& /*frame*/) const override { return ""; }
-    void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& /*frame*/) const override {
-        draw_scale_bar(canvas, bar_, box);
+    [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
+        const ScaleBar shown = bar_in(frame);
+        return moves_ ? fmt::format("{} {}", shown.text, shown.drawn) : "";
+    }
+    void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const override {
+        draw_scale_bar(canvas, bar_in(frame), box);
     }
 
   private:
-    ScaleBar bar_;
+    static constexpr const char* at_middle = " at the middle";
+
+    [[nodiscard]] double longest() const {
+        return longest_bar_of_picture * static_cast<double>(view_.image.width);
+    }
+    [[nodiscard]] ScaleBar bar(const Camera& camera, const View& view) const {
+        ScaleBar made =
+            round_scale_bar(in_metres_, pixels_per_length(camera, view) / block_.side, longest());
+        if (camera.perspective) made.text += at_middle;
+        return made;
+    }
+    [[nodiscard]] ScaleBar bar_in(const OverlayFrame& frame) const {
+        if (frame.camera == nullptr) return bar(camera_, view_);
+        View of_camera = view_;
+        if (frame.camera_height > 0) of_camera.image.height = frame.camera_height;
+        return bar(*frame.camera, of_camera);
+    }
+
+    View view_;
+    Block block_;
+    bool in_metres_;
+    bool moves_;
+    Camera camera_;  ///< where frames name none
 };
 
 std::optional<GroundDirection> direction_of(const OverlayScene& on) {
@@ -218,8 +243,9 @@ class ArrowOverlay : public Overlay {
 }  // namespace
 
 /// A level bar of a round length, at most a fifth of the picture's width: true everywhere in a map
-/// and, for lengths across the picture, in an orthographic view; in perspective at the middle of
-/// the block, which its text says. None over a section's flat figure, whose axes have the scale.
+/// and, for lengths across the picture, in an orthographic view; in perspective at the depth of
+/// what the camera looks at, which its text says. Under a moving camera it is that of each frame.
+/// None over a section's flat figure, whose axes have the scale.
 std::unique_ptr<Overlay> make_scale_bar_overlay(const OverlayScene& on, std::size_t number) {
     if (on.flat) {
         throw KeyError(overlay_key(number, "kind"),

@@ -81,19 +81,6 @@ void check_times(const Film& film, std::size_t number) {
     }
 }
 
-void check_overlays(const Film& film, Faults& faults) {
-    for (std::size_t i = 0; i < film.overlays.size(); ++i) {
-        faults.attempt([&] {
-            if (film.overlays[i].kind != OverlayKind::scale_bar) return;
-            const std::string key = fmt::format("overlay.{}.kind", i);
-            throw InputError(fmt::format(
-                "{}{}: a scale bar has no constant length under a moving camera; leave it out, or "
-                "write a length into a caption",
-                film.at(key), key));
-        });
-    }
-}
-
 }  // namespace
 
 void check_film(const Film& film, Faults& faults) {
@@ -126,7 +113,6 @@ void check_film(const Film& film, Faults& faults) {
                                          caption.to, caption.from));
         });
     }
-    check_overlays(film, faults);
 }
 
 void check_excerpts(const Film& film, Faults& faults) {

@@ -158,6 +158,32 @@ TEST(ScaleBarOverlay, IsAsLongAsItsMetresInMapsAndOrthographicViews) {
     }
 }
 
+TEST(ScaleBarOverlay, IsTrueAtWhatAMovingCameraLooksAt) {
+    const Snapshot bed = overlay_bed(120, 90, 0.5);
+    const Scene scene = scene_of(overlay("scale-bar", "lower-left", "opacity = 0.0"), 1280, 720);
+    FrameOverlays over(scene, bed, {false, true, 0.0});
+    Block block = framed_block(scene.view, bed);
+    for (const double distance : {0.4, 0.9, 2.3}) {
+        block.look_at = glm::dvec3(0.1, -0.2, 0.0);
+        block.eye = *block.look_at + distance * glm::dvec3(0.6, 0.0, 0.8);
+        const Camera camera = place_camera(scene.view.camera, block, 1280.0 / 720.0, 0.0);
+        for (const std::int64_t height : {std::int64_t{0}, std::int64_t{360}}) {
+            Image image = grey(1280, 720);
+            over.draw(image, {bed, {}, {}, &camera, height});
+            const double metre = project(camera, *block.look_at + camera.right / block.side).x -
+                                 project(camera, *block.look_at).x;
+            const double pixels = 0.5 * metre * (height > 0 ? 640.0 : 1280.0);
+            const double metres = longest_dark_run(image) / pixels;
+            const double digit = metres / std::pow(10.0, std::floor(std::log10(metres * 1.05)));
+            const double off = std::min(
+                {std::abs(digit - 1.0), std::abs(digit / 2.0 - 1.0), std::abs(digit / 5.0 - 1.0)});
+            EXPECT_LE(off, 1.5 / longest_dark_run(image)) << distance << " " << metres;
+            EXPECT_LE(longest_dark_run(image), 0.2 * 1280.0 + 1.5);
+            EXPECT_GE(longest_dark_run(image), 0.08 * 1280.0 - 1.5);
+        }
+    }
+}
+
 /// The largest patch of dark pixels that touch one another.
 std::vector<CanvasPoint> largest_dark_patch(const Image& image) {
     std::vector<char> dark(image.rgb.size() / 3);
