@@ -167,12 +167,12 @@ TEST(ScaleBarOverlay, IsTrueAtWhatAMovingCameraLooksAt) {
         block.look_at = glm::dvec3(0.1, -0.2, 0.0);
         block.eye = *block.look_at + distance * glm::dvec3(0.6, 0.0, 0.8);
         const Camera camera = place_camera(scene.view.camera, block, 1280.0 / 720.0, 0.0);
-        for (const std::int64_t height : {std::int64_t{0}, std::int64_t{360}}) {
+        for (const std::int64_t height : {std::int64_t{0}, std::int64_t{480}}) {
             Image image = grey(1280, 720);
             over.draw(image, {bed, {}, {}, &camera, height});
             const double metre = project(camera, *block.look_at + camera.right / block.side).x -
                                  project(camera, *block.look_at).x;
-            const double pixels = 0.5 * metre * (height > 0 ? 640.0 : 1280.0);
+            const double pixels = 0.5 * metre * (height > 0 ? 1280.0 * 480.0 / 720.0 : 1280.0);
             const double metres = longest_dark_run(image) / pixels;
             const double digit = metres / std::pow(10.0, std::floor(std::log10(metres * 1.05)));
             const double off = std::min(
