@@ -30,7 +30,7 @@ static int ended_with(int status) {
 /// from which it does so, and each thread's heap keeps the most that it ever held: frames of a bed
 /// of 1024 x 1024 cells took 770 MB instead of 460. What pictures of 1920 x 1080 pixels and a bed's
 /// measures take over and over again is kept: the system would clear it for each frame, which took
-/// a tenth of the time.
+/// a fifteenth of the time.
 static void give_memory_back() {
 #ifdef __GLIBC__
     constexpr int large = 10 << 20;
