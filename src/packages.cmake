@@ -32,10 +32,12 @@ set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 
 # OSMesa and EGL are loaded by name, which no linker sees: either is enough, EGL with drivers.
 set(drawing "libosmesa6 | libegl1, libosmesa6 | libgl1-mesa-dri, fonts-dejavu-core | fontconfig")
+# So is FFmpeg.
+set(by_name "${drawing}, ${FUMON_LIBAV_PACKAGES}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME fumon)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fumon-data (= ${PROJECT_VERSION}-${revision}), ${drawing}")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fumon-data (= ${PROJECT_VERSION}-${revision}), ${by_name}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "fonts-ipaexfont-gothic")
 if(FUMON_GDAL)  # likewise loaded by its name, for GeoTIFF alone
     string(APPEND CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS ", ${FUMON_GDAL_PACKAGE}")
@@ -59,7 +61,7 @@ if(FUMON_PYTHON_MODULE)
     set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
     math(EXPR next "${Python_VERSION_MINOR} + 1")
     string(CONCAT CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-           "fumon-data (= ${PROJECT_VERSION}-${revision}), ${drawing}, python3-numpy, "
+           "fumon-data (= ${PROJECT_VERSION}-${revision}), ${by_name}, python3-numpy, "
            "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next})")
     set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-xarray, python3-pytest")
     set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python module of fumon

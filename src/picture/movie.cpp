@@ -1,14 +1,5 @@
 #include "picture/movie.h"
 
-extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavcodec/bsf.h>
-#include <libavformat/avformat.h>
-#include <libavutil/opt.h>
-#include <libavutil/pixdesc.h>
-#include <libswscale/swscale.h>
-}
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -30,6 +21,7 @@ extern "C" {
 #include "picture/encoder_options.h"
 #include "picture/frame_rate.h"
 #include "picture/growing_movie.h"
+#include "picture/libav_functions.h"
 #include "picture/movie_pixels.h"
 
 namespace fumon {
@@ -42,23 +34,23 @@ template <auto release>
 struct Release {
     template <class Handle>
     void operator()(Handle* handle) const {
-        release(&handle);
+        (libav().*release)(&handle);
     }
 };
 struct ReleaseScaler {
-    void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
+    void operator()(SwsContext* scaler) const { libav().sws_freeContext(scaler); }
 };
 /// Closes the file, too, if it is still open.
 struct ReleaseContainer {
     void operator()(AVFormatContext* container) const {
-        avio_closep(&container->pb);
-        avformat_free_context(container);
+        libav().avio_closep(&container->pb);
+        libav().avformat_free_context(container);
     }
 };
 
 std::string reason(int code) {
     std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
-    av_strerror(code, text.data(), text.size());
+    libav().av_strerror(code, text.data(), text.size());
     return text.data();
 }
 
@@ -86,11 +78,11 @@ struct Movie::Parts {
     bool finished = false;
 
     std::unique_ptr<AVFormatContext, ReleaseContainer> container;
-    std::unique_ptr<AVCodecContext, Release<avcodec_free_context>> codec;
-    std::unique_ptr<AVBSFContext, Release<av_bsf_free>> without_version;
-    std::unique_ptr<AVFrame, Release<av_frame_free>> rgb;
-    std::unique_ptr<AVFrame, Release<av_frame_free>> yuv;
-    std::unique_ptr<AVPacket, Release<av_packet_free>> packet;
+    std::unique_ptr<AVCodecContext, Release<&LibavFunctions::avcodec_free_context>> codec;
+    std::unique_ptr<AVBSFContext, Release<&LibavFunctions::av_bsf_free>> without_version;
+    std::unique_ptr<AVFrame, Release<&LibavFunctions::av_frame_free>> rgb;
+    std::unique_ptr<AVFrame, Release<&LibavFunctions::av_frame_free>> yuv;
+    std::unique_ptr<AVPacket, Release<&LibavFunctions::av_packet_free>> packet;
     std::unique_ptr<SwsContext, ReleaseScaler> scaler;
     AVStream* stream = nullptr;  ///< the container's
     std::optional<GrowingMovie> so_far;
@@ -170,19 +162,19 @@ struct Movie::Parts {
 
 void Movie::Parts::open_codec(AVRational rate) {
     const std::string name(coding.format.encoder);
-    const AVCodec* encoder = avcodec_find_encoder_by_name(name.c_str());
+    const AVCodec* encoder = libav().avcodec_find_encoder_by_name(name.c_str());
     if (encoder == nullptr) {
         fail(
             fmt::format("libavcodec has no encoder {} for {}; install Debian's libavcodec59 or an "
                         "FFmpeg built with it, or write no such movie",
                         name, coding.format.name));
     }
-    codec.reset(checked(avcodec_alloc_context3(encoder)));
+    codec.reset(checked(libav().avcodec_alloc_context3(encoder)));
     const bool even_sides = coding.format.even_sides;
     codec->width = even_sides ? even(width) : width;
     codec->height = even_sides ? even(height) : height;
     const std::string_view pixels = open() ? coding.format.open_pixels : coding.format.pixels;
-    codec->pix_fmt = av_get_pix_fmt(std::string(pixels).c_str());
+    codec->pix_fmt = libav().av_get_pix_fmt(std::string(pixels).c_str());
     codec->time_base = av_inv_q(rate);
     codec->framerate = rate;
     if (pixels.starts_with("yuv")) {
@@ -203,37 +195,38 @@ void Movie::Parts::open_codec(AVRational rate) {
             for (std::size_t i = value.size(); i-- > 0;)
                 codec->codec_tag = codec->codec_tag << 8U | static_cast<unsigned char>(value[i]);
         } else {
-            check(av_opt_set(codec.get(), option.c_str(), value.c_str(), AV_OPT_SEARCH_CHILDREN));
+            check(libav().av_opt_set(codec.get(), option.c_str(), value.c_str(),
+                                     AV_OPT_SEARCH_CHILDREN));
         }
     }
     ::setenv("SVT_LOG", "0", 0);  // SVT-AV1 else tells of itself on standard error
-    check(avcodec_open2(codec.get(), encoder, nullptr));
+    check(libav().avcodec_open2(codec.get(), encoder, nullptr));
 }
 
 void Movie::Parts::open_converter() {
-    rgb.reset(checked(av_frame_alloc()));
-    yuv.reset(checked(av_frame_alloc()));
-    packet.reset(checked(av_packet_alloc()));
+    rgb.reset(checked(libav().av_frame_alloc()));
+    yuv.reset(checked(libav().av_frame_alloc()));
+    packet.reset(checked(libav().av_packet_alloc()));
     const AVPixelFormat rgb_format = open() ? AV_PIX_FMT_RGBA : AV_PIX_FMT_RGB24;
     for (AVFrame* frame : {rgb.get(), yuv.get()}) {
         frame->width = codec->width;
         frame->height = codec->height;
         frame->format = frame == rgb.get() ? rgb_format : codec->pix_fmt;
-        check(av_frame_get_buffer(frame, 0));
+        check(libav().av_frame_get_buffer(frame, 0));
     }
     if (coding.colours != nullptr) return;
     constexpr int accurate = SWS_BILINEAR | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INP;
-    scaler.reset(
-        checked(sws_getContext(codec->width, codec->height, rgb_format, codec->width, codec->height,
-                               codec->pix_fmt, accurate, nullptr, nullptr, nullptr)));
+    scaler.reset(checked(libav().sws_getContext(codec->width, codec->height, rgb_format,
+                                                codec->width, codec->height, codec->pix_fmt,
+                                                accurate, nullptr, nullptr, nullptr)));
     const std::string_view into = open() ? coding.format.open_pixels : coding.format.pixels;
     if (!into.starts_with("yuv")) return;
-    const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
+    const int* bt709 = libav().sws_getCoefficients(SWS_CS_ITU709);
     constexpr int full_range = 1;
     constexpr int limited_range = 0;
     constexpr int unchanged = 1 << 16;  // contrast and saturation, 16.16 fixed point
-    if (sws_setColorspaceDetails(scaler.get(), bt709, full_range, bt709, limited_range, 0,
-                                 unchanged, unchanged) < 0)
+    if (libav().sws_setColorspaceDetails(scaler.get(), bt709, full_range, bt709, limited_range, 0,
+                                         unchanged, unchanged) < 0)
         fail("libswscale cannot convert to BT.709");
 }
 
@@ -245,23 +238,23 @@ void Movie::Parts::open_container(AVRational rate) {
     // "file:" keeps libavformat from reading a protocol out of a name with a colon.
     const std::string url = "file:" + temporary.string();
     const std::string muxer(coding.format.muxer);
-    check(avformat_alloc_output_context2(&made, nullptr, muxer.c_str(), url.c_str()));
+    check(libav().avformat_alloc_output_context2(&made, nullptr, muxer.c_str(), url.c_str()));
     container.reset(made);
     container->flags |= AVFMT_FLAG_BITEXACT;
-    stream = checked(avformat_new_stream(container.get(), nullptr));
-    check(avcodec_parameters_from_context(stream->codecpar, codec.get()));
+    stream = checked(libav().avformat_new_stream(container.get(), nullptr));
+    check(libav().avcodec_parameters_from_context(stream->codecpar, codec.get()));
     stream->time_base = codec->time_base;
     stream->avg_frame_rate = rate;
     stream->r_frame_rate = rate;
     ::unlink(temporary.c_str());  // what an interrupted run may have left
-    check(avio_open(&container->pb, url.c_str(), AVIO_FLAG_WRITE));
+    check(libav().avio_open(&container->pb, url.c_str(), AVIO_FLAG_WRITE));
     AVDictionary* options = nullptr;
     if (muxer == "mp4" || muxer == "mov")
-        av_dict_set(&options, "movflags", "+faststart+use_metadata_tags", 0);
-    if (muxer == "webp") av_dict_set(&options, "loop", "0", 0);
-    if (muxer == "apng") av_dict_set(&options, "plays", "0", 0);
-    const int written = avformat_write_header(container.get(), &options);
-    av_dict_free(&options);
+        libav().av_dict_set(&options, "movflags", "+faststart+use_metadata_tags", 0);
+    if (muxer == "webp") libav().av_dict_set(&options, "loop", "0", 0);
+    if (muxer == "apng") libav().av_dict_set(&options, "plays", "0", 0);
+    const int written = libav().avformat_write_header(container.get(), &options);
+    libav().av_dict_free(&options);
     check(written);
     check_file();
 }
@@ -273,33 +266,33 @@ void Movie::Parts::open_filter() {
     const char* filter = coding.format.name == "h264"   ? "filter_units=remove_types=6"
                          : coding.format.name == "hevc" ? "filter_units=remove_types=39|40"
                                                         : "null";
-    check(av_bsf_list_parse_str(filter, &made));
+    check(libav().av_bsf_list_parse_str(filter, &made));
     without_version.reset(made);
-    check(avcodec_parameters_copy(without_version->par_in, stream->codecpar));
+    check(libav().avcodec_parameters_copy(without_version->par_in, stream->codecpar));
     without_version->time_base_in = codec->time_base;
-    check(av_bsf_init(without_version.get()));
+    check(libav().av_bsf_init(without_version.get()));
 }
 
 void Movie::Parts::write_filtered(AVPacket* input) {
-    check(av_bsf_send_packet(without_version.get(), input));
+    check(libav().av_bsf_send_packet(without_version.get(), input));
     for (;;) {
-        const int code = av_bsf_receive_packet(without_version.get(), packet.get());
+        const int code = libav().av_bsf_receive_packet(without_version.get(), packet.get());
         if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
         check(code);
         add_to_so_far();
         packet->stream_index = stream->index;
         packet->duration = 1;  // frame; the last one would have none
-        av_packet_rescale_ts(packet.get(), codec->time_base, stream->time_base);
-        check(av_interleaved_write_frame(container.get(), packet.get()));
+        libav().av_packet_rescale_ts(packet.get(), codec->time_base, stream->time_base);
+        check(libav().av_interleaved_write_frame(container.get(), packet.get()));
         check_file();
     }
 }
 
 /// One frame, or nullptr to drain the encoder.
 void Movie::Parts::encode(const AVFrame* frame) {
-    check(avcodec_send_frame(codec.get(), frame));
+    check(libav().avcodec_send_frame(codec.get(), frame));
     for (;;) {
-        const int code = avcodec_receive_packet(codec.get(), packet.get());
+        const int code = libav().avcodec_receive_packet(codec.get(), packet.get());
         if (code == AVERROR(EAGAIN)) return;
         if (code == AVERROR_EOF) break;
         check(code);
@@ -316,7 +309,7 @@ Movie::Movie(const std::filesystem::path& file, int width, int height, double fr
 Movie::Movie(const std::filesystem::path& file, int width, int height, double frames_per_second,
              const MovieCoding& coding)
     : parts_(std::make_unique<Parts>(file, width, height, coding)) {
-    av_log_set_level(AV_LOG_QUIET);
+    libav().av_log_set_level(AV_LOG_QUIET);
     if (width < 1 || height < 1 || !(frames_per_second > 0.0) || !std::isfinite(frames_per_second))
         parts_->fail(fmt::format("a movie of {} × {} pixels at {} frames per second cannot be made",
                                  width, height, frames_per_second));
@@ -350,7 +343,7 @@ void Movie::add(const Image& image) {
     if (image.width != parts.width || image.height != parts.height)
         parts.fail(fmt::format("a frame has {} × {} pixels, the movie {} × {}", image.width,
                                image.height, parts.width, parts.height));
-    parts.check(av_frame_make_writable(parts.yuv.get()));
+    parts.check(libav().av_frame_make_writable(parts.yuv.get()));
     if (parts.coding.colours != nullptr) {
         copy_indexed(image, *parts.coding.colours, *parts.yuv);
     } else {
@@ -359,8 +352,9 @@ void Movie::add(const Image& image) {
         } else {
             copy_padded(image, *parts.rgb);
         }
-        const int lines = sws_scale(parts.scaler.get(), parts.rgb->data, parts.rgb->linesize, 0,
-                                    parts.rgb->height, parts.yuv->data, parts.yuv->linesize);
+        const int lines =
+            libav().sws_scale(parts.scaler.get(), parts.rgb->data, parts.rgb->linesize, 0,
+                              parts.rgb->height, parts.yuv->data, parts.yuv->linesize);
         if (lines != parts.yuv->height) parts.fail("libswscale did not convert a frame");
     }
     parts.yuv->pts = parts.frames++;
@@ -378,10 +372,11 @@ void Movie::finish(const PictureText& texts) {
     }
     parts.encode(nullptr);
     for (const auto& [keyword, text] : texts)
-        parts.check(av_dict_set(&parts.container->metadata, keyword.c_str(), text.c_str(), 0));
-    parts.check(av_write_trailer(parts.container.get()));
+        parts.check(
+            libav().av_dict_set(&parts.container->metadata, keyword.c_str(), text.c_str(), 0));
+    parts.check(libav().av_write_trailer(parts.container.get()));
     parts.check_file();
-    parts.check(avio_closep(&parts.container->pb));
+    parts.check(libav().avio_closep(&parts.container->pb));
     parts.so_far.reset();
     std::error_code error;
     std::filesystem::rename(parts.temporary, parts.file, error);
@@ -394,8 +389,9 @@ std::string movie_encoder() {
         return fmt::format("{}.{}.{}", AV_VERSION_MAJOR(number), AV_VERSION_MINOR(number),
                            AV_VERSION_MICRO(number));
     };
-    return fmt::format("libavcodec {}, libavformat {}, libswscale {}", version(avcodec_version()),
-                       version(avformat_version()), version(swscale_version()));
+    return fmt::format("libavcodec {}, libavformat {}, libswscale {}",
+                       version(libav().avcodec_version()), version(libav().avformat_version()),
+                       version(libav().swscale_version()));
 }
 
 }  // namespace fumon

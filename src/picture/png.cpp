@@ -104,15 +104,23 @@ void check_image(const Image& image) {
                                 image.height));
 }
 
+/// Bytes that all are written before they are read.
+struct Bytes {
+    explicit Bytes(std::size_t count_)
+        : memory(std::make_unique_for_overwrite<std::uint8_t[]>(count_)), count(count_) {}
+    std::unique_ptr<std::uint8_t[]> memory;
+    std::size_t count;
+};
+
 /// The rows as PNG's filter "sub" leaves them: each byte less the one a pixel before, and the
 /// filter's number first.
-std::vector<std::uint8_t> filtered_rows(const Image& image) {
+Bytes filtered_rows(const Image& image) {
     const std::size_t channels = image.transparent() ? 4 : 3;
     const auto width = static_cast<std::size_t>(image.width);
     const std::size_t length = channels * width;
-    std::vector<std::uint8_t> rows((length + 1) * static_cast<std::size_t>(image.height));
+    Bytes rows((length + 1) * static_cast<std::size_t>(image.height));
     std::vector<std::uint8_t> joined(image.transparent() ? length : 0);
-    std::uint8_t* out = rows.data();
+    std::uint8_t* out = rows.memory.get();
     for (int y = 0; y < image.height; ++y) {
         const std::uint8_t* row = image.row(y);
         if (image.transparent()) {
@@ -132,12 +140,12 @@ std::vector<std::uint8_t> filtered_rows(const Image& image) {
 }
 
 /// The same at 16 bits a channel, high bytes first.
-std::vector<std::uint8_t> filtered_deep_rows(const Image& image) {
+Bytes filtered_deep_rows(const Image& image) {
     const std::size_t channels = image.transparent() ? 4 : 3;
     const auto width = static_cast<std::size_t>(image.width);
     const std::size_t length = 2 * channels * width;
-    std::vector<std::uint8_t> rows;
-    rows.reserve((length + 1) * static_cast<std::size_t>(image.height));
+    Bytes rows((length + 1) * static_cast<std::size_t>(image.height));
+    std::uint8_t* out = rows.memory.get();
     std::vector<std::uint8_t> row(length);
     for (std::size_t first = 0; first < width * static_cast<std::size_t>(image.height);
          first += width) {
@@ -150,25 +158,24 @@ std::vector<std::uint8_t> filtered_deep_rows(const Image& image) {
             for (std::size_t c = 0; c < 3; ++c) put(image.rgb16[3 * x + c]);
             if (image.transparent()) put(257U * image.alpha[x]);
         }
-        rows.push_back(PNG_FILTER_VALUE_SUB);
+        *out++ = PNG_FILTER_VALUE_SUB;
         for (std::size_t i = 0; i < length; ++i) {
             const unsigned before = i < 2 * channels ? 0U : row[i - 2 * channels];
-            rows.push_back(static_cast<std::uint8_t>(row[i] - before));
+            *out++ = static_cast<std::uint8_t>(row[i] - before);
         }
     }
     return rows;
 }
 
 /// The pixels as the one zlib stream that IDAT chunks hold.
-std::vector<std::uint8_t> compressed(const Image& image) {
-    const std::vector<std::uint8_t> rows =
-        image.rgb16.empty() ? filtered_rows(image) : filtered_deep_rows(image);
+Bytes compressed(const Image& image) {
+    const Bytes rows = image.rgb16.empty() ? filtered_rows(image) : filtered_deep_rows(image);
     const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
         libdeflate_alloc_compressor(compression_level), libdeflate_free_compressor);
     if (!compressor) throw std::bad_alloc();
-    std::vector<std::uint8_t> stream(libdeflate_zlib_compress_bound(compressor.get(), rows.size()));
-    stream.resize(libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(),
-                                           stream.data(), stream.size()));
+    Bytes stream(libdeflate_zlib_compress_bound(compressor.get(), rows.count));
+    stream.count = libdeflate_zlib_compress(compressor.get(), rows.memory.get(), rows.count,
+                                            stream.memory.get(), stream.count);
     return stream;
 }
 
@@ -183,10 +190,10 @@ std::vector<std::uint8_t> encode_png(const Image& image, double dots_per_inch,
     check_image(image);
     std::vector<png_text> chunks = text_chunks(texts);
     const double dots_per_metre = std::round(dots_per_inch / metres_per_inch);
-    const std::vector<std::uint8_t> stream = compressed(image);
-    const std::span<const std::uint8_t> pixels = stream;
+    const Bytes stream = compressed(image);
+    const std::span<const std::uint8_t> pixels(stream.memory.get(), stream.count);
     std::vector<std::uint8_t> file;
-    file.reserve(stream.size() + 4096);
+    file.reserve(pixels.size() + 4096);
     Writer writer;
     const bool written = ends_without_png_error(writer.png, [&] {
         png_structp png = writer.png;
@@ -204,7 +211,7 @@ std::vector<std::uint8_t> encode_png(const Image& image, double dots_per_inch,
         if (!chunks.empty())
             png_set_text(png, writer.info, chunks.data(), static_cast<int>(chunks.size()));
         png_write_info(png, writer.info);
-        for (std::size_t at = 0; at < stream.size(); at += idat_size)
+        for (std::size_t at = 0; at < pixels.size(); at += idat_size)
             write_chunk(png, "IDAT", pixels.subspan(at, std::min(idat_size, pixels.size() - at)));
         write_chunk(png, "IEND", {});
     });

@@ -12,22 +12,29 @@ namespace {
 
 constexpr int samples_in_a_band = 1 << 18;  // read at once: 1 MiB
 constexpr int pixels_in_a_band = 1 << 17;   // the same
+constexpr int background_in_a_band = 1 << 18;
 
 }  // namespace
 
 void BytePicture::read_background(const Tile& tile, RowOrder order) {
     const auto width = static_cast<std::size_t>(tile.width);
-    std::vector<std::uint8_t> rgba(4 * width * static_cast<std::size_t>(tile.height));
-    gl::functions().ReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                               rgba.data());
+    const int band = std::max(1, background_in_a_band / tile.width);
+    std::vector<std::uint8_t> rgba(4 * width *
+                                   static_cast<std::size_t>(std::min(band, tile.height)));
     behind_.assign(static_cast<std::size_t>(tile.height), ColourPlanes(tile.width));
-    const std::uint8_t* pixel = rgba.data();
-    for (std::size_t y = 0; y < behind_.size(); ++y) {
-        ColourPlanes& row = behind_[order == RowOrder::downward ? y : behind_.size() - 1 - y];
-        for (std::size_t x = 0; x < width; ++x, pixel += 4) {
-            row.red[x] = pixel[0];
-            row.green[x] = pixel[1];
-            row.blue[x] = pixel[2];
+    for (int first = 0; first < tile.height; first += band) {
+        const int rows = std::min(band, tile.height - first);
+        gl::functions().ReadPixels(0, first, tile.width, rows, GL_RGBA, GL_UNSIGNED_BYTE,
+                                   rgba.data());
+        const std::uint8_t* pixel = rgba.data();
+        for (int y = first; y < first + rows; ++y) {
+            ColourPlanes& row = behind_[static_cast<std::size_t>(
+                order == RowOrder::downward ? y : tile.height - 1 - y)];
+            for (std::size_t x = 0; x < width; ++x, pixel += 4) {
+                row.red[x] = pixel[0];
+                row.green[x] = pixel[1];
+                row.blue[x] = pixel[2];
+            }
         }
     }
 }

@@ -403,10 +403,15 @@ SceneText read_scene_text(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) refuse_to_read(file, errno);
     constexpr std::size_t largest_scene = std::size_t{1} << 24;  // bytes; a device may have no end
-    std::string text(largest_scene + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    constexpr std::size_t piece = std::size_t{1} << 16;          // read at once
+    std::string text;
+    while (stream && text.size() <= largest_scene) {
+        const std::size_t before = text.size();
+        text.resize(before + piece);
+        stream.read(text.data() + before, static_cast<std::streamsize>(piece));
+        text.resize(before + static_cast<std::size_t>(stream.gcount()));
+    }
     if (stream.bad()) refuse_to_read(file, EIO);
-    text.resize(static_cast<std::size_t>(stream.gcount()));
     if (text.size() > largest_scene) {
         throw InputError(fmt::format("{}: has more than {} bytes; a scene is a TOML file",
                                      file.string(), largest_scene));

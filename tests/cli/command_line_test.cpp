@@ -134,6 +134,15 @@ TEST(CommandLine, VersionModelsAndDescribe) {
     }
 }
 
+/// Seventy libraries come with FFmpeg, a hundred with GDAL: each command would wait for them.
+TEST(CommandLine, LoadsNoLibrariesOfMoviesAndRasters) {
+    const ScratchFolder folder;
+    const Ended listed = fumon({"--version"}, folder.path(), {"LD_TRACE_LOADED_OBJECTS=1"});
+    EXPECT_NE(listed.output.find("libc.so"), std::string::npos) << listed.output;
+    for (const char* library : {"libavcodec", "libavformat", "libswscale", "libgdal"})
+        EXPECT_EQ(listed.output.find(library), std::string::npos) << library;
+}
+
 TEST(CommandLine, CheckNamesEveryFault) {
     const ScratchFolder folder;
     write_text(folder / "good.toml", small_scene());

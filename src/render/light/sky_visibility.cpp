@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -19,6 +20,12 @@ namespace {
 /// Lines swept together: their cells lie side by side in memory (one cache line of floats).
 constexpr int bundle = 16;
 
+/// Floats from one line of a bundle to the next: an odd number of cache lines, since caches have
+/// only few places for what lies powers of two apart.
+std::size_t line_stride(int length) {
+    return static_cast<std::size_t>(bundle) * static_cast<std::size_t>((length / bundle + 1) | 1);
+}
+
 /// A family of parallel lattice lines that cross every row: x = first + shear·y.
 struct Family {
     int shear;
@@ -32,43 +39,55 @@ struct HullPoint {
     float height;
 };
 
-/// For each cell of a line, taken in steps of `step`, the tangent of the horizon's elevation
-/// looking back to those before, never below the horizontal.
-template <std::ptrdiff_t step>
-void sweep_horizon(const float* z, int count, float* tangent, HullPoint* hull) {
-    HullPoint* top = hull;
-    *top = {0.0F, z[0]};
-    tangent[0] = 0.0F;
-    for (int i = 1; i < count; ++i) {
-        const float here = z[i * step];
-        const auto place = static_cast<float>(i);
-        float rise = top->height - here;
-        float run = place - top->place;
-        while (top != hull) {
-            const float next_rise = top[-1].height - here;
-            const float next_run = place - top[-1].place;
-            if (next_rise * run < rise * next_run) break;
-            --top;
-            rise = next_rise;
-            run = next_run;
-        }
-        tangent[i * step] = rise / run;
-        *++top = {place, here};
-    }
-}
+/// Points that a new one may hide and that are all looked at, whether it does or not: which of them
+/// it hides no processor foresees on rough ground.
+constexpr int looked_at = 3;
 
-/// What one thread needs for a line of up to `length` cells.
-struct Scratch {
-    explicit Scratch(int length)
-        : heights(static_cast<std::size_t>(length) + 2),
-          back(static_cast<std::size_t>(length)),
-          ahead(static_cast<std::size_t>(length)),
-          hull(static_cast<std::size_t>(length)) {}
-    std::vector<float> heights;  ///< with one place of padding at each end
-    std::vector<float> back;
-    std::vector<float> ahead;
-    std::vector<HullPoint> hull;
+/// A line on the way through its cells, and the hull of those behind. Below the hull lie as many
+/// points that hide nothing, so that of the last ones none is ever missing.
+struct Sweep {
+    const float* z;
+    float* tangent;
+    HullPoint* bottom;
+    HullPoint* top;
+
+    Sweep(const float* z_, float* tangent_, std::vector<HullPoint>& hull)
+        : z(z_), tangent(tangent_), bottom(hull.data() + looked_at), top(bottom) {
+        std::fill(hull.data(), bottom, HullPoint{-1.0F, -std::numeric_limits<float>::infinity()});
+        *bottom = {0.0F, z[0]};
+        tangent[0] = 0.0F;
+    }
 };
+
+/// Finds, for cell i of a line that is taken in steps of `step`, the tangent of the horizon's
+/// elevation looking back to those before, never below the horizontal.
+template <std::ptrdiff_t step>
+inline void sweep_cell(Sweep& sweep, int i) {
+    const float here = sweep.z[i * step];
+    const auto place = static_cast<float>(i);
+    std::array<float, looked_at + 1> rise{};
+    std::array<float, looked_at + 1> run{};
+    for (std::size_t k = 0; k <= looked_at; ++k) {
+        const HullPoint& point = *(sweep.top - k);
+        rise[k] = point.height - here;
+        run[k] = place - point.place;
+    }
+    unsigned all_hidden = 1;
+    std::ptrdiff_t hidden = 0;
+    for (std::size_t k = 0; k < looked_at; ++k) {
+        all_hidden &= static_cast<unsigned>(rise[k + 1] * run[k] >= rise[k] * run[k + 1]);
+        hidden += all_hidden;
+    }
+    HullPoint* top = std::max(sweep.top - hidden, sweep.bottom);
+    if (all_hidden != 0) [[unlikely]] {
+        while (top != sweep.bottom && (top[-1].height - here) * (place - top->place) >=
+                                          (top->height - here) * (place - top[-1].place))
+            --top;
+    }
+    sweep.tangent[i * step] = (top->height - here) / (place - top->place);
+    *++top = {place, here};
+    sweep.top = top;
+}
 
 bool is_flat(const float* z, int count) {
     return std::isfinite(z[0]) && std::all_of(z, z + count, [z](float at) { return at == z[0]; });
@@ -80,34 +99,112 @@ struct Stretch {
     int end = 0;
 };
 
-/// Sweeps the line in scratch.heights[1 … count] both ways and adds the sky of its cells within
-/// `wanted` to `sum`.
-void sweep_line(Scratch& scratch, int count, const Stretch& wanted, float spacing, float weight,
-                float* sum) {
-    float* z = scratch.heights.data() + 1;
-    if (is_flat(z, count)) {
-        const float whole = weight * 2.0F;  // what the sweeps would find, to the bit
-        for (int i = wanted.begin; i < wanted.end; ++i) sum[i] += whole;
-        return;
+/// Sweeps lines both ways and adds the sky that their cells see. Two lines are swept at once: each
+/// cell waits for the one before it, and meanwhile the processor is at another line.
+class LineSweeps {
+  public:
+    /// Of lines of up to `length` cells.
+    LineSweeps(int length, float spacing, float weight)
+        : lines_{Line(length), Line(length)}, spacing_(spacing), weight_(weight) {}
+
+    /// Where the heights of the line are to be written that is added next.
+    [[nodiscard]] float* heights() { return lines_[waiting_].heights.data() + 1; }
+
+    /// Adds a line; `sum` gets the sky of its cells within `wanted`, at the latest by finish().
+    void add(int count, const Stretch& wanted, float* sum) {
+        float* z = heights();
+        if (is_flat(z, count)) {
+            const float whole = weight_ * 2.0F;  // what the sweeps would find, to the bit
+            for (int i = wanted.begin; i < wanted.end; ++i) sum[i] += whole;
+            return;
+        }
+        // At the ends the slope is taken one-sided, by a padding that continues the line straight
+        // on.
+        z[-1] = count > 1 ? 2.0F * z[0] - z[1] : z[0];
+        z[count] = count > 1 ? 2.0F * z[count - 1] - z[count - 2] : z[0];
+        Line& line = lines_[waiting_];
+        line.count = count;
+        line.wanted = wanted;
+        line.sum = sum;
+        if (++waiting_ == lines_.size()) finish();
     }
-    // At the ends the slope is taken one-sided, by a padding that continues the line straight on.
-    z[-1] = count > 1 ? 2.0F * z[0] - z[1] : z[0];
-    z[count] = count > 1 ? 2.0F * z[count - 1] - z[count - 2] : z[0];
-    sweep_horizon<1>(z, count, scratch.back.data(), scratch.hull.data());
-    sweep_horizon<-1>(z + count - 1, count, scratch.ahead.data() + count - 1, scratch.hull.data());
-    const int first = wanted.begin;
-    light_vectors::add_sky(z + first, wanted.end - first, scratch.back.data() + first,
-                           scratch.ahead.data() + first, spacing, weight, sum + first);
-}
+
+    void finish() {
+        if (waiting_ == 0) return;
+        Line& one = lines_.front();
+        Line& other = lines_.back();
+        Sweep back = one.sweep_back();
+        Sweep ahead = one.sweep_ahead();
+        int swept = 1;
+        if (waiting_ == lines_.size()) {
+            Sweep other_back = other.sweep_back();
+            Sweep other_ahead = other.sweep_ahead();
+            for (; swept < std::min(one.count, other.count); ++swept) {
+                sweep_cell<1>(back, swept);
+                sweep_cell<-1>(ahead, swept);
+                sweep_cell<1>(other_back, swept);
+                sweep_cell<-1>(other_ahead, swept);
+            }
+            sweep_rest(other_back, other_ahead, swept, other.count);
+            add_sky(other);
+        }
+        sweep_rest(back, ahead, swept, one.count);
+        add_sky(one);
+        waiting_ = 0;
+    }
+
+  private:
+    struct Line {
+        explicit Line(int length)
+            : heights(static_cast<std::size_t>(length) + 2),
+              back(static_cast<std::size_t>(length)),
+              ahead(static_cast<std::size_t>(length)),
+              hull_behind(static_cast<std::size_t>(length + looked_at)),
+              hull_ahead(hull_behind.size()) {}
+        [[nodiscard]] Sweep sweep_back() { return {heights.data() + 1, back.data(), hull_behind}; }
+        [[nodiscard]] Sweep sweep_ahead() {
+            return {heights.data() + count, ahead.data() + count - 1, hull_ahead};
+        }
+
+        std::vector<float> heights;  ///< with one place of padding at each end
+        std::vector<float> back;
+        std::vector<float> ahead;
+        std::vector<HullPoint> hull_behind;
+        std::vector<HullPoint> hull_ahead;
+        int count = 0;
+        Stretch wanted;
+        float* sum = nullptr;
+    };
+
+    static void sweep_rest(Sweep& back, Sweep& ahead, int begin, int count) {
+        for (int i = begin; i < count; ++i) {
+            sweep_cell<1>(back, i);
+            sweep_cell<-1>(ahead, i);
+        }
+    }
+
+    void add_sky(const Line& line) const {
+        const int first = line.wanted.begin;
+        light_vectors::add_sky(line.heights.data() + 1 + first, line.wanted.end - first,
+                               line.back.data() + first, line.ahead.data() + first, spacing_,
+                               weight_, line.sum + first);
+    }
+
+    std::array<Line, 2> lines_;
+    std::size_t waiting_ = 0;
+    float spacing_;
+    float weight_;
+};
 
 void sweep_rows(const Field<float>& heights, int margin, float spacing, float weight,
                 Field<float>& sum, const Stretch& rows) {
     const int nx = heights.nx();
-    Scratch scratch(nx);
+    LineSweeps sweeps(nx, spacing, weight);
     for (int y = rows.begin; y < rows.end; ++y) {
-        std::copy_n(heights.row(y).data(), nx, scratch.heights.begin() + 1);
-        sweep_line(scratch, nx, {margin, nx - margin}, spacing, weight, sum.row(y).data());
+        std::copy_n(heights.row(y).data(), nx, sweeps.heights());
+        sweeps.add(nx, {margin, nx - margin}, sum.row(y).data());
     }
+    sweeps.finish();
 }
 
 /// The rows in which the line through column x of row 0 lies within a margin.
@@ -122,11 +219,11 @@ Stretch rows_within(const Field<float>& heights, int margin, int shear, int x) {
 
 /// Sweeps `bundle` neighbouring lines, the first through column `first` of row 0.
 void sweep_bundle(const Field<float>& heights, int margin, const Family& family, int first,
-                  Scratch& scratch, std::vector<float>& lines, std::vector<float>& sums,
+                  LineSweeps& sweeps, std::vector<float>& lines, std::vector<float>& sums,
                   Field<float>& sum) {
     const int nx = heights.nx();
     const int ny = heights.ny();
-    const auto length = static_cast<std::size_t>(ny);
+    const std::size_t stride = line_stride(ny);
     const auto columns = [&](int y) {
         const int x0 = first + family.shear * y;
         return std::array<int, 3>{x0, std::clamp(-x0, 0, bundle), std::clamp(nx - x0, 0, bundle)};
@@ -135,7 +232,7 @@ void sweep_bundle(const Field<float>& heights, int margin, const Family& family,
         const auto [x0, begin, end] = columns(y);
         const float* row = heights.row(y).data() + x0;
         for (int lane = begin; lane < end; ++lane)
-            lines[static_cast<std::size_t>(lane) * length + static_cast<std::size_t>(y)] =
+            lines[static_cast<std::size_t>(lane) * stride + static_cast<std::size_t>(y)] =
                 row[lane];
     }
     for (int lane = 0; lane < bundle; ++lane) {
@@ -143,19 +240,19 @@ void sweep_bundle(const Field<float>& heights, int margin, const Family& family,
         const auto [begin, end] = rows_within(heights, 0, family.shear, x);
         const Stretch wanted = rows_within(heights, margin, family.shear, x);
         if (wanted.begin >= wanted.end) continue;
-        const float* line = lines.data() + static_cast<std::size_t>(lane) * length;
-        float* line_sum = sums.data() + static_cast<std::size_t>(lane) * length;
+        const float* line = lines.data() + static_cast<std::size_t>(lane) * stride;
+        float* line_sum = sums.data() + static_cast<std::size_t>(lane) * stride;
         std::fill(line_sum + begin, line_sum + end, 0.0F);
-        std::copy(line + begin, line + end, scratch.heights.begin() + 1);
-        sweep_line(scratch, end - begin, {wanted.begin - begin, wanted.end - begin}, family.spacing,
-                   family.weight, line_sum + begin);
+        std::copy(line + begin, line + end, sweeps.heights());
+        sweeps.add(end - begin, {wanted.begin - begin, wanted.end - begin}, line_sum + begin);
     }
+    sweeps.finish();
     for (int y = margin; y < ny - margin; ++y) {
         const auto [x0, begin, end] = columns(y);
         float* row = sum.row(y).data() + x0;
         for (int lane = begin; lane < end; ++lane)
             row[lane] +=
-                sums[static_cast<std::size_t>(lane) * length + static_cast<std::size_t>(y)];
+                sums[static_cast<std::size_t>(lane) * stride + static_cast<std::size_t>(y)];
     }
 }
 
@@ -170,11 +267,11 @@ void sweep_family(const Field<float>& heights, int margin, const Family& family,
                                          : 0);
     const int bundles = (last - first + bundle) / bundle;
     pool.for_ranges(bundles, [&](int begin, int end) {
-        Scratch scratch(ny);
-        std::vector<float> lines(static_cast<std::size_t>(bundle) * static_cast<std::size_t>(ny));
+        LineSweeps sweeps(ny, family.spacing, family.weight);
+        std::vector<float> lines(static_cast<std::size_t>(bundle) * line_stride(ny));
         std::vector<float> sums(lines.size());
         for (int i = begin; i < end; ++i)
-            sweep_bundle(heights, margin, family, first + i * bundle, scratch, lines, sums, sum);
+            sweep_bundle(heights, margin, family, first + i * bundle, sweeps, lines, sums, sum);
     });
 }
 

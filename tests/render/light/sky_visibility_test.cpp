@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "base/worker_pool.h"
+#include "render/light/light_vectors.h"
 #include "render/view/repeated_bed.h"
 #include "support/view_beds.h"
 
@@ -59,6 +63,49 @@ TEST(SkyVisibility, ALongWall) {
         const double horizon = std::atan2(30.0, distance);
         EXPECT_NEAR(sky(59 + distance, ny / 2), 0.5 * (1.0 + std::cos(horizon)), 0.03) << distance;
     }
+}
+
+/// Each cell's horizon is the steepest of the lines from it to all others, on a hill of noise where
+/// a cell hides none or many of those before it.
+TEST(SkyVisibility, ARoughLineAgainstEveryPairOfItsCells) {
+    constexpr int n = 301;
+    constexpr float dx = 1.5F;
+    constexpr float dy = 1.0F;
+    Field<float> line(n, 1);
+    unsigned noise = 1;
+    for (int x = 0; x < n; ++x) {
+        noise = noise * 1664525U + 1013904223U;
+        line(x, 0) = 30.0F * std::sin(0.02F * static_cast<float>(x)) +
+                     3.0F * static_cast<float>(noise >> 8U) / 16777216.0F;
+    }
+    std::vector<float> padded(n + 2);
+    std::copy_n(line.row(0).data(), n, padded.begin() + 1);
+    padded.front() = 2.0F * padded[1] - padded[2];
+    padded.back() = 2.0F * padded[n] - padded[n - 1];
+    std::vector<float> back(n, -1e9F);
+    std::vector<float> ahead(n, -1e9F);
+    back.front() = ahead.back() = 0.0F;
+    for (int x = 0; x < n; ++x) {
+        for (int other = 0; other < n; ++other) {
+            if (other == x) continue;
+            float& tangent = (other < x ? back : ahead)[static_cast<std::size_t>(x)];
+            tangent = std::max(
+                tangent, (line(other, 0) - line(x, 0)) / static_cast<float>(std::abs(other - x)));
+        }
+    }
+    // The lines of the other directions are single cells, which see all of the sky.
+    const auto diagonal_angle = static_cast<float>(std::atan2(dy, dx));
+    const float weight = diagonal_angle / static_cast<float>(2.0 * M_PI);
+    std::vector<float> expected(n, 1.0F - 2.0F * weight);
+    light_vectors::add_sky(padded.data() + 1, n, back.data(), ahead.data(), dx, weight,
+                           expected.data());
+    light_vectors::multiply_by_normal(
+        {line.row(0).data(), padded.data(), line.row(0).data(), 0.5F / dx, 0.0F}, n,
+        expected.data());
+    WorkerPool pool(1);
+    const Field<float> sky = sky_visibility(line, dx, dy, pool);
+    for (int x = 0; x < n; ++x)
+        EXPECT_NEAR(sky(x, 0), expected[static_cast<std::size_t>(x)], 2e-6F) << x;
 }
 
 TEST(SkyVisibility, IsTheSameForAnyNumberOfThreads) {
