@@ -49,11 +49,13 @@ FilmPainter::~FilmPainter() {
 void FilmPainter::open() {
     if (context_) return;
     context_ = gl::Context::create(backend_);
+    RenderLimits limits;
+    limits.draft = film_.settings.draft;
     for (Pane& pane : panes_) {
         if (&pane == &panes_.front() || !differs())
             pane.renderer =
                 std::make_unique<Renderer>(*context_, pane.scene.view, pane.beds->first(),
-                                           pane.scene.run.steps, pool_);
+                                           pane.scene.run.steps, pool_, limits);
     }
 }
 

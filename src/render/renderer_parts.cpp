@@ -21,7 +21,8 @@ namespace {
 
 /// Cells along the bed's longer side from which on it is drawn as it is. On endless ground one may
 /// stand.
-int smooth_enough(Ground ground) {
+int smooth_enough(Ground ground, bool draft) {
+    if (draft) return 200;
     return ground == Ground::endless ? 1000 : 400;
 }
 
@@ -95,7 +96,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       water(draws_water(view.look, first)),
       refinement(refinement_of(first.bed.nx(), first.bed.ny(),
                                static_cast<int>(std::max(view.image.width, view.image.height)),
-                               smooth_enough(view.look.ground))),
+                               smooth_enough(view.look.ground, limits.draft))),
       plan(plan_of(view, limits)),
       light(light_of_view(view)),
       light_before(light),

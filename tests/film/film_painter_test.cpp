@@ -94,6 +94,37 @@ TEST(BedClock, KeepsItsPace) {
     EXPECT_NEAR(first_half, second_half, 1.01 * most);
 }
 
+TEST(BedClock, OfADraftLooksAtFewerBeds) {
+    Film film;
+    EXPECT_EQ(stride_over(400, film), 1U);
+    film.settings.draft = true;
+    EXPECT_EQ(stride_over(400, film), 10U);
+    EXPECT_EQ(stride_over(39, film), 1U);
+
+    const ScratchFolder folder;
+    test::write_text(folder / "scene.toml", test::small_scene());
+    ASSERT_EQ(fumon({"run", "scene.toml", "-o", "out", "--quiet", "--set", "run.steps=90", "--set",
+                     "output.fields_every=1", "--set", "output.frames=false", "--set",
+                     "output.movie=false"},
+                    folder.path())
+                  .status,
+              0);
+    const StoredBeds beds((folder / "out").string(), 1);
+    const auto clock = [&](const std::string& draft) {
+        return BedClock(parse_film("[[shot]]\npace = \"change\"\n[film]\ndraft = " + draft, "f"), 0,
+                        beds);
+    };
+    const BedClock whole = clock("false");
+    const BedClock quick = clock("true");
+    EXPECT_EQ(quick.bed_at(0.0), 0U);
+    EXPECT_EQ(quick.bed_at(1.0), 90U);
+    for (const double share : {0.2, 0.5, 0.8}) {
+        EXPECT_NEAR(static_cast<double>(quick.bed_at(share)),
+                    static_cast<double>(whole.bed_at(share)), 6.0)
+            << share;
+    }
+}
+
 TEST(FilmPainter, AFreezeWithAStillCameraDoesNotChange) {
     FilmAtWork at(
         "[[shot]]\nseconds = 1\nfrom = 12\nto = 12\n[[overlay]]\nkind = \"time\"\nfont_size = 6\n");
