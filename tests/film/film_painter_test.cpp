@@ -144,6 +144,18 @@ TEST(FilmPainter, FramesDoNotDependOnThoseDrawnBefore) {
     EXPECT_NE(frames[0], frames[2]);
 }
 
+TEST(FilmPainter, ThePlainLiesInTheLightOfTheShotsSun) {
+    FilmAtWork at(
+        "[[shot]]\nseconds = 1\nsun_elevation = 4\n[[shot]]\nseconds = 1\nsun_elevation = 60\n");
+    const auto redness = [&](std::int64_t frame) {
+        const Image image = at.painter.paint(frame);
+        return image.rgb[0] - image.rgb[2];  // in its upper left corner, beside the block
+    };
+    const int low_sun = redness(0);
+    EXPECT_GT(low_sun, redness(9) + 5);
+    EXPECT_EQ(redness(0), low_sun);
+}
+
 double film_brightness(const Image& image) {
     double sum = 0.0;
     for (const std::uint8_t value : image.rgb) sum += value;
