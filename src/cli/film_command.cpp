@@ -110,7 +110,7 @@ int perform(const FilmOptions& options) {
     const fs::path named = options.output.empty() ? usual : fs::path(options.output);
     std::vector<FilmOutput> outputs =
         options.draft
-            ? draft_outputs(film, named)
+            ? std::vector{draft_output(film, named)}
             : film_outputs(film, named, options.formats,
                            options.most_bytes.empty() ? 0 : bytes_of_size(options.most_bytes));
     for (FilmOutput& output : outputs) output.goes_on = options.resume;
@@ -125,14 +125,19 @@ int perform(const FilmOptions& options) {
         const MadeFilm made = make_film(output, runs, text.remake, options.work, status);
         if (made.signal != 0) return exit_status_of_signal(made.signal);
         const FilmSize size = film_size(output.film);
-        const bool padded = made.width > size.width || made.height > size.height;
-        status.note(fmt::format(
-            "{}: {} frames of {} x {} pixels{}, {:.4g} s, {} bytes", output.file.string(),
-            with_commas(made.frames), made.width, made.height,
-            padded ? fmt::format(" (padded from {} x {}: its format needs even sides)", size.width,
-                                 size.height)
-                   : "",
-            made.seconds, with_commas(static_cast<std::int64_t>(fs::file_size(output.file)))));
+        const auto say = [&](const fs::path& written, std::int64_t frames, std::int64_t width,
+                             std::int64_t height) {
+            const bool padded = width > size.width || height > size.height;
+            status.note(fmt::format(
+                "{}: {} frames of {} x {} pixels{}, {:.4g} s, {} bytes", written.string(),
+                with_commas(frames), width, height,
+                padded ? fmt::format(" (padded from {} x {}: its format needs even sides)",
+                                     size.width, size.height)
+                       : "",
+                made.seconds, with_commas(static_cast<std::int64_t>(fs::file_size(written)))));
+        };
+        say(output.file, made.frames, made.width, made.height);
+        if (!output.sheet.empty()) say(output.sheet, made.sheet_frames, size.width, size.height);
     }
     return 0;
 }

@@ -22,7 +22,8 @@ class FilmFrames {
     [[nodiscard]] virtual FilmSize size() const = 0;
     [[nodiscard]] virtual bool transparent() const = 0;  ///< whether frames have alpha
     virtual Image paint(std::int64_t frame) = 0;
-    [[nodiscard]] virtual DrawingRecord record() const = 0;
+    /// What draws them. Throws Error where OpenGL fails.
+    [[nodiscard]] virtual DrawingRecord record() = 0;
     /// Lines for the user: letters that no font has, shots that show few beds in many frames.
     [[nodiscard]] virtual const std::vector<std::string>& notes() const = 0;
 };

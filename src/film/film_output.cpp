@@ -145,7 +145,7 @@ std::vector<FilmOutput> film_outputs(const Film& film, const fs::path& file,
     return outputs;
 }
 
-std::vector<FilmOutput> draft_outputs(const Film& film, const fs::path& file) {
+FilmOutput draft_output(const Film& film, const fs::path& file) {
     constexpr std::int64_t part_of_side = 4;
     constexpr double part_of_frames = 10.0;
     Film draft = film;
@@ -155,13 +155,13 @@ std::vector<FilmOutput> draft_outputs(const Film& film, const fs::path& file) {
     draft.settings.supersampling = 1;
     draft.settings.rate = std::max(1.0, film.settings.rate / part_of_frames);
     draft.settings.format = "h264";
+    draft.settings.draft = true;
     fs::path base = without_ending(file);
     base += "-draft";
-    std::vector<FilmOutput> outputs{{base, draft, 0}, {base, draft, 0}};
-    outputs[0].file += ".mp4";
-    outputs[1].file += ".png";
-    outputs[1].film.settings.format = "sheet";
-    return outputs;
+    FilmOutput output{base, draft, 0};
+    output.file += ".mp4";
+    output.sheet = base += ".png";
+    return output;
 }
 
 std::int64_t bytes_of_size(const std::string& text) {
@@ -189,6 +189,7 @@ void claim_film(OutputClaims& claims, const FilmOutput& output) {
     const std::string& format = output.film.settings.format;
     const bool movie = format != "sheet" && format != "poster";
     claims.writes(output.file, is_own(output.file));
+    if (!output.sheet.empty()) claims.writes(output.sheet, is_own(output.sheet));
     if (!movie) return;
     if (!output.film.captions.empty()) {
         const fs::path captions = captions_of(output.file);

@@ -16,9 +16,10 @@ namespace fumon {
 /// One file to make of a film.
 struct FilmOutput {
     std::filesystem::path file;
-    Film film;                    ///< with the size, rate and format of this file
-    std::int64_t most_bytes = 0;  ///< 0: any
-    bool goes_on = false;         ///< it keeps its frames until it is whole, see KeptFrames
+    Film film;                      ///< with the size, rate and format of this file
+    std::int64_t most_bytes = 0;    ///< 0: any
+    bool goes_on = false;           ///< it keeps its frames until it is whole, see KeptFrames
+    std::filesystem::path sheet{};  ///< a contact sheet of the same frames beside a movie; or none
 };
 
 /// Claims a film's file and what is written beside it: captions and a sidecar. Throws as
@@ -35,9 +36,9 @@ std::vector<FilmOutput> film_outputs(const Film& film, const std::filesystem::pa
                                      const std::vector<std::string>& formats,
                                      std::int64_t most_bytes);
 
-/// The outputs of a draft: a small movie (a quarter of each side, a tenth of the frames) and a
-/// contact sheet, called NAME-draft.mp4 and NAME-draft.png.
-std::vector<FilmOutput> draft_outputs(const Film& film, const std::filesystem::path& file);
+/// A draft: a small movie (a quarter of each side, a tenth of the frames, film.draft) and a contact
+/// sheet of it, called NAME-draft.mp4 and NAME-draft.png.
+FilmOutput draft_output(const Film& film, const std::filesystem::path& file);
 
 /// "8MB", "500kB", "1.5MB" or bytes as a number of bytes. Throws InputError for another text.
 std::int64_t bytes_of_size(const std::string& text);

@@ -43,7 +43,33 @@ void located(const Film& film, const Work& work) {
 }  // namespace
 
 FilmPainter::~FilmPainter() {
-    if (context_) context_->make_current();  // other films may have drawn since
+    close();
+}
+
+void FilmPainter::open() {
+    if (context_) return;
+    context_ = gl::Context::create(backend_);
+    RenderLimits limits;
+    limits.draft = film_.settings.draft;
+    for (Pane& pane : panes_) {
+        if (&pane == &panes_.front() || !differs())
+            pane.renderer =
+                std::make_unique<Renderer>(*context_, pane.scene.view, pane.beds->first(),
+                                           pane.scene.run.steps, pool_, limits);
+    }
+}
+
+void FilmPainter::close() {
+    if (!context_) return;
+    ahead_.leave();
+    context_->make_current();  // other films may have drawn since
+    for (Pane& pane : panes_) {
+        pane.renderer.reset();
+        pane.lit.reset();
+        pane.seen.reset();
+        pane.image = {};
+    }
+    context_.reset();
 }
 
 bool FilmPainter::transparent() const {
@@ -58,6 +84,7 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
       timeline_(film),
       layout_(film, runs, size),
       stage_(make_stage(film, runs.first(), layout_.size())),
+      backend_(backend),
       pool_(pool),
       ahead_(pool.size()) {
     if (layout_.boxes().size() > 1) stage_.overrun = overrun_of_pane(stage_.aspect);
@@ -72,13 +99,7 @@ FilmPainter::FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize&
     }
     stage_panes();
     fix_ranges(shown_moments());
-    context_ = gl::Context::create(backend);
-    for (Pane& pane : panes_) {
-        pane.scene.view.look = stage_.scene.view.look;
-        if (&pane == &panes_.front() || !differs())
-            pane.renderer = std::make_unique<Renderer>(
-                *context_, pane.scene.view, pane.beds->first(), pane.scene.run.steps, pool);
-    }
+    for (Pane& pane : panes_) pane.scene.view.look = stage_.scene.view.look;
     place_overlays(size);
     std::vector<CanvasBox> taken;
     if (overlays_)
@@ -355,6 +376,7 @@ void FilmPainter::write_over(Image& image, const PartOfFrame& shown) {
 }
 
 Image FilmPainter::paint(std::int64_t frame) {
+    open();
     const std::vector<PartOfFrame> shown = timeline_.at(frame);
     coming_ = pictures_of(frame);
     if (frame == last_frame_ + 1 && frame + 1 < frames()) {
@@ -382,7 +404,8 @@ Image FilmPainter::paint(std::int64_t frame) {
     return image;
 }
 
-DrawingRecord FilmPainter::record() const {
+DrawingRecord FilmPainter::record() {
+    open();
     const std::string name = context_->renderer_name();
     const std::string obstacle = gl::rendering_is_pinned() ? text_is_not_pinned : "";
     DrawingRecord record{

@@ -31,8 +31,7 @@ namespace fumon {
 /// of overlays.
 class FilmPainter : public FilmFrames {
   public:
-    /// Film and runs outlive it. Throws InputError, located, where the film does not fit the runs,
-    /// Error where OpenGL fails.
+    /// Film and runs outlive it. Throws InputError, located, where the film does not fit the runs.
     FilmPainter(const Film& film, const FilmRuns& runs, const FilmSize& size,
                 const TitleFacts& facts, gl::Backend backend, WorkerPool& pool);
 
@@ -45,9 +44,12 @@ class FilmPainter : public FilmFrames {
     [[nodiscard]] const std::vector<StagedShot>& shots() const { return shots_; }
     [[nodiscard]] FilmSize size() const override { return size_; }
     [[nodiscard]] bool transparent() const override;
+    /// Throws Error where OpenGL fails.
     Image paint(std::int64_t frame) override;
+    /// Lets go of OpenGL, and of the memory that it takes, until the next frame.
+    void close();
 
-    [[nodiscard]] DrawingRecord record() const override;
+    [[nodiscard]] DrawingRecord record() override;
     [[nodiscard]] const std::vector<std::string>& notes() const override { return notes_; }
 
   private:
@@ -75,6 +77,7 @@ class FilmPainter : public FilmFrames {
         Image image{};                              ///< likewise, without overlays
     };
 
+    void open();
     [[nodiscard]] bool differs() const { return film_.panes.show == PanesShow::difference; }
     [[nodiscard]] std::size_t bed_of(std::size_t run, const Moment& moment) const;
     [[nodiscard]] std::set<Moment> shown_moments() const;
@@ -97,10 +100,11 @@ class FilmPainter : public FilmFrames {
     Timeline timeline_;
     Panes layout_;
     FilmStage stage_;
+    gl::Backend backend_;
     WorkerPool& pool_;
     std::vector<StagedShot> shots_;
     std::vector<std::string> notes_;
-    std::unique_ptr<gl::Context> context_;
+    std::unique_ptr<gl::Context> context_;     ///< while frames are drawn
     std::vector<Pane> panes_;                  ///< of every run
     Scene whole_;                              ///< as the stage's, of the film's size
     std::unique_ptr<FrameOverlays> overlays_;  ///< over the whole picture

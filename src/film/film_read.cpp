@@ -265,7 +265,7 @@ FilmText film_text(const std::filesystem::path& file) {
 
 std::string film_toml(const Film& film) {
     Film copy = film;  // the table binds to writable values
-    return to_toml(film_keys(copy));
+    return to_toml(film_keys(copy), film.settings.draft ? "" : "film.draft");
 }
 
 }  // namespace fumon

@@ -30,13 +30,11 @@ JoinedFilm::JoinedFilm(const Film& film, const FilmRuns& runs, const FilmSize& s
     titles_ = std::make_unique<Titles>(film, whole, runs.first().first(), facts, timeline_,
                                        std::vector<CanvasBox>{});
     if (!titles_->missing_letters().empty()) notes_.push_back(titles_->missing_letters());
-    // One after the other: what is wrong with any is said before the first frame is drawn.
     for (std::size_t i = 0; i < film.excerpts.size(); ++i) {
-        for (const std::string& note : piece(i).painter->notes())
+        place_piece(i);
+        for (const std::string& note : pieces_[piece_of_[i]]->painter.notes())
             notes_.push_back(fmt::format("excerpt {}: {}", i + 1, note));
     }
-    record_ = pieces_.begin()->second.painter->record();
-    pieces_.clear();
 }
 
 Film JoinedFilm::film_of(std::size_t number) const {
@@ -47,15 +45,36 @@ Film JoinedFilm::film_of(std::size_t number) const {
     return film;
 }
 
-JoinedFilm::Piece& JoinedFilm::piece(std::size_t number) {
-    if (const auto found = pieces_.find(number); found != pieces_.end()) return found->second;
-    std::erase_if(pieces_, [&](const auto& one) { return one.first + 1 != number; });
-    const auto run = static_cast<std::size_t>(film_.excerpts[number].run - 1);
-    Piece& made =
-        pieces_.emplace(number, Piece{film_of(number), runs_.only(run), nullptr}).first->second;
-    made.painter =
-        std::make_unique<FilmPainter>(made.film, made.runs, size_, facts_, backend_, pool_);
-    return made;
+/// Excerpts of one film and one run have the same piece.
+void JoinedFilm::place_piece(std::size_t number) {
+    const Excerpt& excerpt = film_.excerpts[number];
+    for (std::size_t before = 0; before < number; ++before) {
+        const Excerpt& other = film_.excerpts[before];
+        if (other.film != excerpt.film || other.run != excerpt.run) continue;
+        piece_of_.push_back(piece_of_[before]);
+        return;
+    }
+    piece_of_.push_back(pieces_.size());
+    pieces_.push_back(std::make_unique<Piece>(
+        film_of(number), runs_.only(static_cast<std::size_t>(excerpt.run - 1)), *this));
+}
+
+JoinedFilm::Piece::Piece(Film film_, FilmRuns runs_, const JoinedFilm& whole)
+    : film(std::move(film_)),
+      runs(std::move(runs_)),
+      painter(film, runs, whole.size_, whole.facts_, whole.backend_, whole.pool_) {}
+
+FilmPainter& JoinedFilm::painter(std::size_t number) {
+    const std::size_t wanted = piece_of_[number];
+    const std::size_t before = piece_of_[number == 0 ? 0 : number - 1];  // a cross-fade's
+    for (std::size_t piece = 0; piece < pieces_.size(); ++piece)
+        if (piece != wanted && piece != before) pieces_[piece]->painter.close();
+    return pieces_[wanted]->painter;
+}
+
+DrawingRecord JoinedFilm::record() {
+    if (!record_) record_ = painter(0).record();
+    return *record_;
 }
 
 bool JoinedFilm::transparent() const {
@@ -69,7 +88,10 @@ Image JoinedFilm::ground(const PartOfFrame& shown, std::int64_t frame) {
             return ground(timeline_.shot_at(beside), beside);
         });
     }
-    return piece(part.number).painter->paint(part.begin + frame - part.first);
+    FilmPainter& drawn = painter(part.number);
+    Image image = drawn.paint(part.begin + frame - part.first);
+    if (!record_ && piece_of_[part.number] == 0) record_ = drawn.record();
+    return image;
 }
 
 Image JoinedFilm::paint(std::int64_t frame) {

@@ -1,7 +1,11 @@
 #pragma once
 
-#include <map>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "base/worker_pool.h"
 #include "film/film_frames.h"
@@ -13,8 +17,7 @@
 namespace fumon {
 
 /// Draws a film of pieces of other films, each of a run of its own, with cards and captions over
-/// all. What draws a piece is made when it is reached and let go after it, so that no more than two
-/// are there at a time.
+/// all. No more than two of them hold OpenGL at a time.
 class JoinedFilm : public FilmFrames {
   public:
     /// Film, runs and pool outlive it. Throws InputError, located, where a piece asks for a run
@@ -26,19 +29,22 @@ class JoinedFilm : public FilmFrames {
     [[nodiscard]] FilmSize size() const override { return size_; }
     [[nodiscard]] bool transparent() const override;
     Image paint(std::int64_t frame) override;
-    [[nodiscard]] DrawingRecord record() const override { return record_; }
+    /// Of the first piece.
+    [[nodiscard]] DrawingRecord record() override;
     [[nodiscard]] const std::vector<std::string>& notes() const override { return notes_; }
 
   private:
-    /// What draws one piece.
+    /// A film of which excerpts show a part, and its run.
     struct Piece {
+        Piece(Film film_, FilmRuns runs_, const JoinedFilm& whole);
         Film film;
         FilmRuns runs;
-        std::unique_ptr<FilmPainter> painter;
+        FilmPainter painter;
     };
 
     [[nodiscard]] Film film_of(std::size_t number) const;
-    Piece& piece(std::size_t number);
+    void place_piece(std::size_t number);
+    FilmPainter& painter(std::size_t number);
     Image ground(const PartOfFrame& shown, std::int64_t frame);
 
     const Film& film_;
@@ -49,8 +55,9 @@ class JoinedFilm : public FilmFrames {
     WorkerPool& pool_;
     Timeline timeline_;
     std::unique_ptr<Titles> titles_;
-    std::map<std::size_t, Piece> pieces_;
-    DrawingRecord record_;
+    std::vector<std::unique_ptr<Piece>> pieces_;
+    std::vector<std::size_t> piece_of_;  ///< of each excerpt, in pieces_
+    std::optional<DrawingRecord> record_;
     std::vector<std::string> notes_;
 };
 

@@ -16,13 +16,13 @@
 #include "base/stopwatch.h"
 #include "files/atomic_file.h"
 #include "files/hash.h"
+#include "film/contact_sheet.h"
 #include "film/film_read.h"
 #include "film/film_texts.h"
 #include "film/frame_consumer.h"
 #include "film/frame_spool.h"
 #include "film/joined_film.h"
 #include "film/kept_frames.h"
-#include "film/panes.h"
 #include "picture/colour_table.h"
 #include "picture/movie.h"
 #include "run/picture_text.h"
@@ -36,11 +36,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int sheet_tile = 480;  // pixels across
-constexpr int sheet_columns = 5;
 constexpr int worst_quality = 44;  // before pictures become smaller instead
 constexpr int coarser = 4;         // rate factors from one try to the next
 constexpr int most_tries = 14;
+constexpr double sheet_resolution = 100.0;  // dots per inch
 
 /// Ends a film that was interrupted.
 struct Interrupted {
@@ -64,6 +63,11 @@ struct Fleeting {
 /// end where the frames are.
 bool plays_before_it_is_whole(const MovieFormat& format) {
     return format.muxer != "mp4" && format.muxer != "mov";
+}
+
+void add_to_hash(Sha256Stream& hash, const Image& image) {
+    const Sha256 pixels = pixel_hash(image);
+    hash.add(pixels.data(), pixels.size());
 }
 
 /// One film being made into one file.
@@ -93,7 +97,7 @@ class FilmMaker {
     MadeFilm make() {
         const FilmSize size = film_size(film_);
         made_ = {painter_->frames(), static_cast<double>(painter_->frames()) / film_.settings.rate,
-                 static_cast<int>(size.width), static_cast<int>(size.height), 0};
+                 static_cast<int>(size.width), static_cast<int>(size.height)};
         try {
             const std::string& format = film_.settings.format;
             if (format == "poster") {
@@ -132,15 +136,10 @@ class FilmMaker {
         return image;
     }
 
-    void add_to_hash(const Image& image) {
-        const Sha256 hash = pixel_hash(image);
-        pixels_.add(hash.data(), hash.size());
-    }
-
     /// Draws all frames and hands them on, each while the next one is drawn.
     void draw_all(const FrameConsumer::Use& use) {
         FrameConsumer consumer([&](const Image& image) {
-            add_to_hash(image);
+            add_to_hash(pixels_, image);
             use(image);
         });
         for (std::int64_t frame = 0; frame < painter_->frames(); ++frame)
@@ -148,21 +147,24 @@ class FilmMaker {
         consumer.finish();
     }
 
-    [[nodiscard]] PictureText texts() const {
+    /// Of a file of this film, with the hash of its pixels.
+    [[nodiscard]] PictureText texts_of(const Film& film, const Sha256Stream& pixels) const {
         PictureText texts;
         if (!facts_.title.empty()) texts.emplace_back("Title", facts_.title);
         texts.emplace_back("Software", "fumon " FUMON_VERSION);
         texts.emplace_back(version_keyword, FUMON_VERSION);
-        texts.emplace_back(film_keyword, film_toml(film_));
+        texts.emplace_back(film_keyword, film_toml(film));
         texts.emplace_back(remake_keyword, facts_.remake);
         texts.emplace_back("fumon:scene", resolved_scene(beds_.scene(), beds_.inputs()));
         texts.emplace_back(runs_keyword, filmed_runs_text(runs_));
         if (output_.most_bytes > 0)
             texts.emplace_back(most_bytes_keyword, fmt::format("{}", output_.most_bytes));
-        texts.emplace_back("fumon:pixels-sha256", hex(pixels_.so_far()));
+        texts.emplace_back("fumon:pixels-sha256", hex(pixels.so_far()));
         texts.emplace_back("fumon:environment", environment_text(painter_->record().environment));
         return texts;
     }
+
+    [[nodiscard]] PictureText texts() const { return texts_of(film_, pixels_); }
 
     void write_poster() {
         const double second = film_.settings.poster_second;
@@ -171,37 +173,35 @@ class FilmMaker {
                          : std::min<std::int64_t>(std::lround(second * film_.settings.rate),
                                                   painter_->frames() - 1);
         const Image image = draw(frame, 0, 1);
-        add_to_hash(image);
+        add_to_hash(pixels_, image);
         made_.frames = 1;
         write_file(output_.file,
                    encode_png(image, beds_.scene().view.image.dots_per_inch, texts()));
     }
 
-    /// A picture of every second, and of the last frame.
+    [[nodiscard]] ContactSheet sheet_of_frames() const {
+        return {painter_->frames(), film_.settings.rate, made_.width, made_.height};
+    }
+
     void write_sheet() {
-        std::vector<std::int64_t> frames;
-        const auto second = static_cast<std::int64_t>(std::max(1.0, film_.settings.rate));
-        for (std::int64_t frame = 0; frame < painter_->frames(); frame += second)
-            frames.push_back(frame);
-        if (frames.back() != painter_->frames() - 1) frames.push_back(painter_->frames() - 1);
-        const int width = std::min(made_.width, sheet_tile);
-        const int height = std::max(1, static_cast<int>(std::lround(static_cast<double>(width) *
-                                                                    made_.height / made_.width)));
-        const int columns = std::min(sheet_columns, static_cast<int>(frames.size()));
-        const int rows = (static_cast<int>(frames.size()) + columns - 1) / columns;
-        constexpr int gap = 4;
-        Image sheet(columns * (width + gap) - gap, rows * (height + gap) - gap);
-        for (std::size_t i = 0; i < frames.size(); ++i) {
-            const Image image = draw(frames[i], static_cast<std::int64_t>(i),
-                                     static_cast<std::int64_t>(frames.size()));
-            add_to_hash(image);
-            const Image tile = resized(image, width, height);
-            const int left = static_cast<int>(i) % columns * (width + gap);
-            const int top = static_cast<int>(i) / columns * (height + gap);
-            copy_into(sheet, tile, {left, top, width, height});
+        ContactSheet sheet = sheet_of_frames();
+        const auto count = static_cast<std::int64_t>(sheet.frames().size());
+        made_.frames = 0;
+        for (const std::int64_t frame : sheet.frames()) {
+            const Image image = draw(frame, made_.frames++, count);
+            add_to_hash(pixels_, image);
+            sheet.add(frame, image);
         }
-        made_.frames = static_cast<std::int64_t>(frames.size());
-        write_file(output_.file, encode_png(sheet, 100.0, texts()));
+        write_file(output_.file, encode_png(sheet.image(), sheet_resolution, texts()));
+    }
+
+    /// The sheet beside a movie, as one that is made alone.
+    void write_sheet_beside(const ContactSheet& sheet, const Sha256Stream& pixels) {
+        Film film = film_;
+        film.settings.format = "sheet";
+        write_file(output_.sheet,
+                   encode_png(sheet.image(), sheet_resolution, texts_of(film, pixels)));
+        made_.sheet_frames = static_cast<std::int64_t>(sheet.frames().size());
     }
 
     [[nodiscard]] const MovieFormat& format() const {
@@ -222,12 +222,23 @@ class FilmMaker {
         Movie movie(kept_ ? kept_->whole() : output_.file, made_.width, made_.height,
                     film_.settings.rate,
                     MovieCoding{format(), static_cast<int>(film_.settings.quality), nullptr, open_,
-                                kept_ ? kept_->so_far() : part.file});
-        draw_all([&](const Image& image) { movie.add(image); });
+                                kept_ ? kept_->so_far() : part.file, film_.settings.draft});
+        std::optional<ContactSheet> sheet;
+        if (!output_.sheet.empty()) sheet.emplace(sheet_of_frames());
+        Sha256Stream pixels_of_sheet;
+        draw_all([&, frame = std::int64_t{0}](const Image& image) mutable {
+            movie.add(image);
+            if (sheet && sheet->shows(frame)) {
+                add_to_hash(pixels_of_sheet, image);
+                sheet->add(frame, image);
+            }
+            ++frame;
+        });
         made_.width = movie.padded_width();
         made_.height = movie.padded_height();
         movie.finish(movie_texts());
         if (kept_) kept_->finish();
+        if (sheet) write_sheet_beside(*sheet, pixels_of_sheet);
     }
 
     /// All that decides the frames.

@@ -17,7 +17,8 @@ struct MadeFilm {
     double seconds = 0.0;  ///< its length
     int width = 0;         ///< of its pictures
     int height = 0;
-    int signal = 0;  ///< that stopped it: there is no file; or 0
+    int signal = 0;                 ///< that stopped it: there is no file; or 0
+    std::int64_t sheet_frames = 0;  ///< on the contact sheet beside it
 };
 
 /// Draws a film from the stored beds of its runs and writes it whole, or nothing. With captions a

@@ -22,9 +22,13 @@ void PictureAhead::begin(const WantedPicture& wanted, Find find) {
 std::optional<ReadyPicture> PictureAhead::take(const WantedPicture& wanted) {
     if (!found_.valid()) return std::nullopt;
     if (wanted_ == wanted) return found_.get();
-    found_.wait();
-    found_ = {};  // nobody asks for it any more, nor for what went wrong with it
+    leave();
     return std::nullopt;
+}
+
+void PictureAhead::leave() {
+    if (found_.valid()) found_.wait();
+    found_ = {};  // nor does anybody want what went wrong with it
 }
 
 }  // namespace fumon

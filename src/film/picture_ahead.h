@@ -33,6 +33,8 @@ class PictureAhead {
     /// The picture that begin() began with, if it is this one. Waits for it, and throws what
     /// finding it threw. None is under way then.
     std::optional<ReadyPicture> take(const WantedPicture& wanted);
+    /// Waits for the picture that is under way, if any, which nobody wants.
+    void leave();
 
   private:
     std::optional<WorkerPool> pool_;

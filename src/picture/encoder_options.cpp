@@ -16,12 +16,12 @@ int scaled(int quality, int highest) {
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> encoder_options(const MovieFormat& format,
-                                                                 int quality) {
+                                                                 int quality, bool quickly) {
     const std::string crf = fmt::format("{}", quality);
     if (format.name == "h264") {
         // The same choices whatever instructions the processor has; even parts get bits enough to
         // keep the dither of the sky, without which it shows bands.
-        return {{"preset", "veryfast"},
+        return {{"preset", quickly ? "ultrafast" : "veryfast"},
                 {"crf", crf},
                 {"x264-params",
                  "cpu-independent=1:aq-mode=3:aq-strength=1.7:deadzone-inter=4:deadzone-intra=4:"

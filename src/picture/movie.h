@@ -24,6 +24,7 @@ struct MovieCoding {
     /// ends the program; none where empty. It may be NAME.part, the usual temporary name: the movie
     /// is then written as NAME.whole.part meanwhile.
     std::filesystem::path so_far{};
+    bool quickly = false;  ///< with less work and more bytes, where the format can
 };
 
 /// A movie: MP4 (H.264, yuv420p, BT.709, faststart) or another format. A key frame comes at least

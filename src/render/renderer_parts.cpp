@@ -21,7 +21,8 @@ namespace {
 
 /// Cells along the bed's longer side from which on it is drawn as it is. On endless ground one may
 /// stand.
-int smooth_enough(Ground ground) {
+int smooth_enough(Ground ground, bool draft) {
+    if (draft) return 200;
     return ground == Ground::endless ? 1000 : 400;
 }
 
@@ -95,9 +96,11 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       water(draws_water(view.look, first)),
       refinement(refinement_of(first.bed.nx(), first.bed.ny(),
                                static_cast<int>(std::max(view.image.width, view.image.height)),
-                               smooth_enough(view.look.ground))),
+                               smooth_enough(view.look.ground, limits.draft))),
       plan(plan_of(view, limits)),
       light(light_of_view(view)),
+      light_before(light),
+      sun_before(view.sun),
       fixed(fixed_uniforms(view, light, block, kind)),
       sky(light.sky_columns, light.sky_rows, sky_layout, light.sky_texels.data()),
       shading(view, block, first, display_bed(first, block, refinement),
@@ -321,9 +324,13 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
 
 void Renderer::Parts::set_light(const FramePose& pose) {
     if (pose.sun.azimuth != view.sun.azimuth || pose.sun.elevation != view.sun.elevation) {
+        const bool again =
+            pose.sun.azimuth == sun_before.azimuth && pose.sun.elevation == sun_before.elevation;
+        std::swap(light, light_before);
+        sun_before = view.sun;
         view.sun.azimuth = pose.sun.azimuth;
         view.sun.elevation = pose.sun.elevation;
-        light = light_of_view(view);
+        if (!again) light = light_of_view(view);
         sky.upload(light.sky_texels.data());
         background.set_floor(floor_of(view, first, block, refinement, pool));
     }

@@ -96,6 +96,8 @@ struct Renderer::Parts {
     int refinement;
     TilePlan plan;
     Light light;
+    Light light_before;      // of the sun before this one, to which a cross-fade comes back
+    SunSettings sun_before;  // with it
     gl::Constants fixed;
     gl::Texture2D sky;
     BedShading shading;

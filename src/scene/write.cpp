@@ -28,10 +28,11 @@ std::string to_toml(const Scene& scene) {
     return to_toml(scene_keys(copy));
 }
 
-std::string to_toml(const KeyTable& table) {
+std::string to_toml(const KeyTable& table, std::string_view left_out) {
     std::vector<std::string> sections;
     std::unordered_map<std::string, std::size_t> places;
     for (const Key& key : table.keys()) {
+        if (key.path == left_out) continue;
         const std::size_t dot = key.path.rfind('.');
         const std::string owner = dot == std::string::npos ? "" : key.path.substr(0, dot);
         const auto [place, fresh] = places.emplace(owner, sections.size());

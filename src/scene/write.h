@@ -14,6 +14,6 @@ std::string to_toml(const Scene& scene);
 /// The keys of a table with their values. A section opens once, where its first key stands,
 /// whatever its other keys stand between: TOML refuses one that opens again behind a list of
 /// tables.
-std::string to_toml(const KeyTable& table);
+std::string to_toml(const KeyTable& table, std::string_view left_out = {});
 
 }  // namespace fumon

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <thread>
 
@@ -121,7 +122,30 @@ TEST_F(FilmCommandTest, ADraftIsSmallAndHasASheet) {
     ASSERT_EQ(ended.status, 0) << ended.errors;
     EXPECT_NE(ended.errors.find("f-draft.mp4: 2 frames of 64 x 48 pixels"), std::string::npos)
         << ended.errors;
-    EXPECT_TRUE(fs::exists(folder_ / "f-draft.png"));
+    EXPECT_NE(ended.errors.find("f-draft.png: 2 frames of 64 x 48 pixels"), std::string::npos)
+        << ended.errors;
+    const Image sheet = read_png(folder_ / "f-draft.png");
+    EXPECT_EQ(sheet.width, 2 * 64 + 4);
+    for (const std::string name : {"f-draft.mp4", "f-draft.png"}) {
+        const Ended again = fumon({"again", name}, folder_.path());
+        EXPECT_TRUE(again.errors.ends_with(": the same bytes as " + name + "\n")) << again.errors;
+    }
+}
+
+TEST_F(FilmCommandTest, ADraftHasLessOfItsGroundRefined) {
+    const auto still = [&](const std::string& draft) {
+        const Ended ended = film({"-o", draft + ".png", "--set", "film.width=320", "--set",
+                                  "film.height=240", "--set", "film.draft=" + draft});
+        EXPECT_EQ(ended.status, 0) << ended.errors;
+        return read_png(folder_ / (draft + ".png"));
+    };
+    const Image whole = still("false");
+    const Image draft = still("true");
+    double sum = 0.0;
+    for (std::size_t i = 0; i < whole.rgb.size(); ++i) sum += std::abs(whole.rgb[i] - draft.rgb[i]);
+    const double mean = sum / static_cast<double>(whole.rgb.size());
+    EXPECT_GT(mean, 0.0);
+    EXPECT_LT(mean, 2.0) << "of one framing, light and colours";
 }
 
 TEST_F(FilmCommandTest, SaysWhatIsMissingAndWritesNothing) {

@@ -94,6 +94,37 @@ TEST(BedClock, KeepsItsPace) {
     EXPECT_NEAR(first_half, second_half, 1.01 * most);
 }
 
+TEST(BedClock, OfADraftLooksAtFewerBeds) {
+    Film film;
+    EXPECT_EQ(stride_over(400, film), 1U);
+    film.settings.draft = true;
+    EXPECT_EQ(stride_over(400, film), 10U);
+    EXPECT_EQ(stride_over(39, film), 1U);
+
+    const ScratchFolder folder;
+    test::write_text(folder / "scene.toml", test::small_scene());
+    ASSERT_EQ(fumon({"run", "scene.toml", "-o", "out", "--quiet", "--set", "run.steps=90", "--set",
+                     "output.fields_every=1", "--set", "output.frames=false", "--set",
+                     "output.movie=false"},
+                    folder.path())
+                  .status,
+              0);
+    const StoredBeds beds((folder / "out").string(), 1);
+    const auto clock = [&](const std::string& draft) {
+        return BedClock(parse_film("[[shot]]\npace = \"change\"\n[film]\ndraft = " + draft, "f"), 0,
+                        beds);
+    };
+    const BedClock whole = clock("false");
+    const BedClock quick = clock("true");
+    EXPECT_EQ(quick.bed_at(0.0), 0U);
+    EXPECT_EQ(quick.bed_at(1.0), 90U);
+    for (const double share : {0.2, 0.5, 0.8}) {
+        EXPECT_NEAR(static_cast<double>(quick.bed_at(share)),
+                    static_cast<double>(whole.bed_at(share)), 6.0)
+            << share;
+    }
+}
+
 TEST(FilmPainter, AFreezeWithAStillCameraDoesNotChange) {
     FilmAtWork at(
         "[[shot]]\nseconds = 1\nfrom = 12\nto = 12\n[[overlay]]\nkind = \"time\"\nfont_size = 6\n");
@@ -111,6 +142,18 @@ TEST(FilmPainter, FramesDoNotDependOnThoseDrawnBefore) {
     for (std::int64_t i = at.painter.frames() - 1; i >= 0; --i)
         EXPECT_EQ(at.painter.paint(i), frames[static_cast<std::size_t>(i)]) << i;
     EXPECT_NE(frames[0], frames[2]);
+}
+
+TEST(FilmPainter, ThePlainLiesInTheLightOfTheShotsSun) {
+    FilmAtWork at(
+        "[[shot]]\nseconds = 1\nsun_elevation = 4\n[[shot]]\nseconds = 1\nsun_elevation = 60\n");
+    const auto redness = [&](std::int64_t frame) {
+        const Image image = at.painter.paint(frame);
+        return image.rgb[0] - image.rgb[2];  // in its upper left corner, beside the block
+    };
+    const int low_sun = redness(0);
+    EXPECT_GT(low_sun, redness(9) + 5);
+    EXPECT_EQ(redness(0), low_sun);
 }
 
 double film_brightness(const Image& image) {

@@ -73,9 +73,13 @@ TEST(FilmOutput, NamesAFileForEachPurpose) {
     EXPECT_THROW(film_outputs(film, "b.mp4", {"gift"}, 0), InputError);
     EXPECT_THROW(film_outputs(film, "b.avi", {}, 0), InputError);
     EXPECT_EQ(film_outputs(film, "b.WEBM", {}, 0).front().film.settings.format, "webm");
-    const auto draft = draft_outputs(film, "b.mp4");
-    EXPECT_EQ(film_size(draft[0].film).width, 480);
-    EXPECT_EQ(draft[0].film.settings.rate, 3.0);
+    const FilmOutput draft = draft_output(film, "b.mp4");
+    EXPECT_EQ(draft.file, "b-draft.mp4");
+    EXPECT_EQ(draft.sheet, "b-draft.png");
+    EXPECT_EQ(film_size(draft.film).width, 480);
+    EXPECT_EQ(draft.film.settings.rate, 3.0);
+    EXPECT_NE(film_toml(draft.film).find("draft = true"), std::string::npos);
+    EXPECT_EQ(film_toml(film).find("draft"), std::string::npos) << "other films keep their bytes";
     EXPECT_EQ(bytes_of_size("8MB"), 8'000'000);
     EXPECT_EQ(bytes_of_size("1.5kB"), 1500);
     EXPECT_THROW(bytes_of_size("8 MB"), InputError);

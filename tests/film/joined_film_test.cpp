@@ -86,6 +86,29 @@ TEST(JoinedFilm, ShowsPiecesOfOtherFilmsEachOfItsRun) {
     EXPECT_EQ(frames.paint(frames.frames() - 1), last);
 }
 
+TEST(JoinedFilm, ComesBackToAPieceThatItLetGo) {
+    const ScratchFolder& folder = joined_films();
+    const std::string other = "[[excerpt]]\nfilm = \"two.toml\"\nto = 0.4\n";
+    const Film film = parse_film(joined + other + other +
+                                     "[[excerpt]]\nfilm = \"one.toml\"\nrun = 2\nfrom = 1\n"
+                                     "[[excerpt]]\nfilm = \"one.toml\"\nrun = 1\nfrom = 1\n",
+                                 (folder / "joined.toml").string());
+    const FilmRuns runs({(folder / "a").string(), (folder / "b").string()}, 1, showing_of(film));
+    WorkerPool pool(1);
+    JoinedFilm frames(film, runs, film_size(film), {}, gl::Backend::automatic, pool);
+    std::vector<Image> shown;
+    for (std::int64_t i = 0; i < frames.frames(); ++i) shown.push_back(frames.paint(i));
+    Film one = *film.excerpts[0].read;
+    one.settings = film.settings;
+    const FilmRuns second = runs.only(1);
+    FilmPainter alone(one, second, film_size(film), {}, gl::Backend::automatic, pool);
+    EXPECT_EQ(shown.front(), alone.paint(2));
+    EXPECT_EQ(shown[shown.size() - 6], alone.paint(alone.frames() - 1));
+    const FilmRuns first = runs.only(0);
+    FilmPainter other_run(one, first, film_size(film), {}, gl::Backend::automatic, pool);
+    EXPECT_EQ(shown.back(), other_run.paint(other_run.frames() - 1)) << "its own run's";
+}
+
 TEST(JoinedFilm, ABlurredCardStandsOnTheLastPicture) {
     const ScratchFolder& folder = joined_films();
     const std::string place = (folder / "joined.toml").string();

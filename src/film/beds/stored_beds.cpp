@@ -266,13 +266,13 @@ std::shared_ptr<const Snapshot> StoredBeds::snapshot(std::size_t number) const {
 std::shared_ptr<const Snapshot> StoredBeds::heights(std::size_t number) const {
     const auto whole = std::ranges::find(kept_, number, &Kept::number);
     if (whole != kept_.end()) return whole->snapshot;
-    return kept_or(kept_heights_, number, [&] {
-        Snapshot outline = first_;
-        outline.fields.clear();
-        outline.numbers.clear();
-        outline.section.reset();
-        return read(number, outline);
-    });
+    if (!bare_) {
+        bare_ = first_;
+        bare_->fields.clear();
+        bare_->numbers.clear();
+        bare_->section.reset();
+    }
+    return kept_or(kept_heights_, number, [&] { return read(number, *bare_); });
 }
 
 std::vector<MeasuredRows> StoredBeds::measurements(const std::vector<std::string>& names) const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,7 @@ class StoredBeds {
     PreparedRun run_;
     Snapshot first_;
     std::vector<StoredBed> beds_;
+    mutable std::optional<Snapshot> bare_;  ///< the first one without what heights() leaves out
     mutable std::vector<Kept> kept_;
     mutable std::vector<Kept> kept_heights_;
 };

@@ -49,6 +49,11 @@ double place_of(double value, const std::vector<double>& values,
 
 }  // namespace
 
+std::size_t stride_over(std::size_t beds, const Film& film) {
+    constexpr std::size_t enough = 40;  // beds
+    return film.settings.draft ? std::max<std::size_t>(1, beds / enough) : 1;
+}
+
 double visible_change(const Snapshot& one, const Snapshot& other) {
     const int stride = std::max(1, std::max(one.bed.nx(), one.bed.ny()) / most_looked_at);
     double sum = 0.0;
@@ -86,10 +91,21 @@ BedClock::BedClock(const Film& film, std::size_t number, const StoredBeds& beds)
         const double high = std::max(from, to);
         double sum = 0.0;
         places_.front() = 0.0;
-        for (std::size_t i = 1; i < values.size(); ++i) {
-            if (values[i] >= low && values[i - 1] <= high)
-                sum += visible_change(*beds.heights(i - 1), *beds.heights(i));
-            places_[i] = sum + 1e-12 * static_cast<double>(i);  // beds that are alike come in turn
+        const auto shown = static_cast<std::size_t>(std::ranges::count_if(
+            values, [&](double value) { return value >= low && value <= high; }));
+        const std::size_t stride = stride_over(shown, film);
+        for (std::size_t i = 0; i + 1 < values.size();) {
+            const std::size_t next = std::min(i + stride, values.size() - 1);
+            const double before = sum;
+            if (values[next] >= low && values[i] <= high)
+                sum += visible_change(*beds.heights(i), *beds.heights(next));
+            for (const std::size_t first = i; i < next;) {
+                ++i;
+                const double share =
+                    static_cast<double>(i - first) / static_cast<double>(next - first);
+                places_[i] = before + share * (sum - before) +
+                             1e-12 * static_cast<double>(i);  // beds that are alike come in turn
+            }
         }
     }
     begin_ = place_of(from, values, places_);

@@ -347,9 +347,11 @@ CameraPath path_of(const Film& film, std::size_t number, const FilmStage& stage,
     if (!low) return CameraPath(poses, {}, timing);
     HighestGround ground(stage);
     for (std::size_t run = 0; run < runs.size(); ++run) {
+        const std::size_t first = runs.in_step(run, clock.earliest(), shot.clock);
         const std::size_t last = runs.in_step(run, clock.latest(), shot.clock);
-        for (std::size_t i = runs.in_step(run, clock.earliest(), shot.clock); i <= last; ++i)
-            ground.add(*runs.beds(run).heights(i));
+        const std::size_t stride = stride_over(last - first + 1, film);
+        for (std::size_t i = first; i < last; i += stride) ground.add(*runs.beds(run).heights(i));
+        ground.add(*runs.beds(run).heights(last));
     }
     return CameraPath(
         poses, [&](double x, double y) { return ground.at(x, y) + clearance; }, timing);

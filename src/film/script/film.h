@@ -69,6 +69,7 @@ struct FilmSettings {
     Plates plates = Plates::translucent;
     FilmGround background = FilmGround::scene;
     double poster_second = -1.0;  ///< below 0: the middle
+    bool draft = false;           ///< coarser ground, encoded quickly
 };
 
 /// A place of the camera on its way.

@@ -59,6 +59,9 @@ void list_film(FilmSettings& film, KeyTable& table) {
                {.unit = "s",
                 .range = {-1, 86400},
                 .help = "the picture of a poster; below 0: the film's middle"});
+    table.boolean("film.draft", film.draft,
+                  {.help = "quicker and coarser, as --draft asks for besides a smaller size: "
+                           "hardly any ground finer than the run's cells, a larger file"});
 }
 
 void list_panes(PaneSettings& panes, KeyTable& table) {
