@@ -1,15 +1,17 @@
 #include "models/avalanche/slope_relaxation.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "base/elementary.h"
 #include "base/elementary_angle.h"
 #include "base/give_up.h"
 #include "base/units.h"
 #include "base/worker_pool.h"
+#include "models/avalanche/pass_front.h"
 #include "models/avalanche/slope_vectors.h"
 
 namespace fumon {
@@ -19,6 +21,10 @@ namespace {
 /// Of the excess fall to the lower neighbour, what a pass moves: the diffusion number along each
 /// axis. Above ¼ the shortest diagonal waves grow.
 constexpr double share_of_fall = 0.25;
+
+/// Passes that go over the rows together: so many that what slides in them stays in a processor's
+/// own cache.
+constexpr int passes_at_once = 16;
 
 double tangent(double degrees) {
     return elementary::sin(degrees * degree) / elementary::cos(degrees * degree);
@@ -48,11 +54,10 @@ SlopeRelaxation::SlopeRelaxation(const AvalancheGround& ground, const ReposeAngl
       candidates_(ground.nx, ground.ny),
       sliding_(ground.nx, ground.ny),
       left_(ground.nx, ground.ny),
-      from_west_(ground.nx, ground.ny),
-      from_east_(ground.nx, ground.ny),
       slides_x_(ground.nx, ground.ny),
       slides_y_(ground.nx, ground.ny),
-      row_counts_(static_cast<std::size_t>(ground.ny)) {}
+      no_slides_(static_cast<std::size_t>(ground.nx)),
+      places_(ground.ny) {}
 
 void SlopeRelaxation::set_moving_angles(const Grid& degrees) {
     moving_tangents_ = Grid(nx(), ny());
@@ -104,40 +109,51 @@ void SlopeRelaxation::mark_row(const WholeGrid& surface, int y) {
     candidates_.set_any(y, true);
 }
 
-std::int64_t SlopeRelaxation::slide_row(const WholeGrid& surface, const WholeGrid& floor, int y,
-                                        double start_ratio) {
-    std::int64_t count = 0;
+std::int64_t SlopeRelaxation::slide_row(const WholeGrid& surface, const AvalancheFloor& floor,
+                                        int y, double start_ratio) {
     CellRows::Word* words = sliding_.row(y);
-    if (sliding_.any(y)) std::fill_n(words, sliding_.words(), CellRows::Word{0});
-    if (candidates_.any(y)) {
-        const std::int64_t* here = surface.row(y).data();
-        const std::int64_t* below = surface.row(south(y)).data();
-        const std::int64_t* above = surface.row(north(y)).data();
-        const std::int64_t* rock = floor.row(y).data();
-        const double least_start = least_tangent_ * start_ratio * least_tangent_ * start_ratio;
-        slope_vectors::slide({below, here, above, rock,
-                              moving_tangents_.empty() ? nullptr : moving_tangents_.row(y).data()},
+    if (!candidates_.any(y)) {
+        if (sliding_.any(y)) std::fill_n(words, sliding_.words(), CellRows::Word{0});
+        sliding_.set_any(y, false);
+        return 0;
+    }
+    const std::int64_t* here = surface.row(y).data();
+    const std::int64_t* below = surface.row(south(y)).data();
+    const std::int64_t* above = surface.row(north(y)).data();
+    const std::int64_t* rock = floor.cells.row(y).data();
+    double* slides_x = slides_x_.row(places_.of(y)).data();
+    double* slides_y = slides_y_.row(places_.of(y)).data();
+    const double least_start = least_tangent_ * start_ratio * least_tangent_ * start_ratio;
+    const FloorRange* range = floor.range;
+    const slope_vectors::SlideRows rows{
+        below,
+        here,
+        above,
+        rock,
+        range == nullptr ? nullptr : range->lowest.row(y).data(),
+        range == nullptr ? nullptr : range->highest.row(y).data(),
+        moving_tangents_.empty() ? nullptr : moving_tangents_.row(y).data()};
+    std::int64_t count =
+        slope_vectors::slide(rows,
                              {slope_of_unit_x_, slope_of_unit_y_, moving_tangent_, start_ratio,
                               least_start, share_of_fall},
-                             nx(), candidates_.row(y),
-                             {slides_x_.row(y).data(), slides_y_.row(y).data(), words},
-                             left_.row(y));
-        for_each_bit(left_, y, [&](int x) {
-            const Falls falls(here[x] - here[west(x)], here[x] - here[east(x)], here[x] - below[x],
-                              here[x] - above[x]);
-            const double a = falls.x * slope_of_unit_x_;
-            const double b = falls.y * slope_of_unit_y_;
-            if (!(a * a + b * b > least_start)) return;
-            const Slide slide = slide_of(falls, here[x] - rock[x], tangent_at(x, y), start_ratio);
-            if (!slide.any()) return;
-            slides_x_(x, y) = slide.x;
-            slides_y_(x, y) = slide.y;
-            words[x / CellRows::word_bits] |= CellRows::Word{1}
-                                              << static_cast<unsigned>(x % CellRows::word_bits);
-        });
-        for (int w = 0; w < sliding_.words(); ++w) count += std::popcount(words[w]);
-        for (int w = 0; w < slid_.words(); ++w) slid_.row(y)[w] |= words[w];
-    }
+                             nx(), candidates_.row(y), {slides_x, slides_y, words}, left_.row(y));
+    for_each_bit(left_, y, [&](int x) {
+        slides_x[x] = slides_y[x] = 0.0;
+        const Falls falls(here[x] - here[west(x)], here[x] - here[east(x)], here[x] - below[x],
+                          here[x] - above[x]);
+        const double a = falls.x * slope_of_unit_x_;
+        const double b = falls.y * slope_of_unit_y_;
+        if (!(a * a + b * b > least_start)) return;
+        const Slide slide = slide_of(falls, here[x] - rock[x], tangent_at(x, y), start_ratio);
+        if (!slide.any()) return;
+        slides_x[x] = static_cast<double>(slide.x);
+        slides_y[x] = static_cast<double>(slide.y);
+        words[x / CellRows::word_bits] |= CellRows::Word{1}
+                                          << static_cast<unsigned>(x % CellRows::word_bits);
+        ++count;
+    });
+    for (int w = 0; w < slid_.words(); ++w) slid_.row(y)[w] |= words[w];
     sliding_.set_any(y, count > 0);
     return count;
 }
@@ -151,72 +167,141 @@ void SlopeRelaxation::settle_row(WholeGrid& surface, int y) {
     if (sliding_.any(y) || sliding_.any(below) || sliding_.any(above)) {
         CellRows::Word* words = candidates_.row(y);
         for (int w = 0; w < candidates_.words(); ++w) {
-            from_west_.row(y)[w] = sliding_.from_west(y, w, periodic_x());
-            from_east_.row(y)[w] = sliding_.from_east(y, w, periodic_x());
-            words[w] = sliding_.row(y)[w] | from_west_.row(y)[w] | from_east_.row(y)[w] |
-                       sliding_.row(below)[w] | sliding_.row(above)[w];
+            words[w] = sliding_.row(y)[w] | sliding_.from_west(y, w, periodic_x()) |
+                       sliding_.from_east(y, w, periodic_x()) | sliding_.row(below)[w] |
+                       sliding_.row(above)[w];
             all |= words[w];
         }
     }
     candidates_.set_any(y, all != 0);
     if (all == 0) return;
-    if (below == y || above == y) {  // nothing slides over an edge, nor round a single row
-        std::copy_n(candidates_.row(y), candidates_.words(), left_.row(y));
-    } else {
-        slope_vectors::settle(
-            {slides_x_.row(y).data(), slides_y_.row(y).data(), slides_y_.row(below).data(),
-             slides_y_.row(above).data(), sliding_.row(y), from_west_.row(y), from_east_.row(y),
-             sliding_.row(below), sliding_.row(above)},
-            nx(), candidates_.row(y), surface.row(y).data(), left_.row(y));
-    }
+    const auto from = [&](int row) {
+        return row == y ? no_slides_.data() : slides_y_.row(places_.of(row)).data();
+    };
+    const double* slides_x = slides_x_.row(places_.of(y)).data();
+    const double* slides_y = slides_y_.row(places_.of(y)).data();
+    const double* from_below = from(below);
+    const double* from_above = from(above);
+    std::int64_t* heights = surface.row(y).data();
+    slope_vectors::settle({slides_x, slides_y, from_below, from_above}, nx(), candidates_.row(y),
+                          heights, left_.row(y));
     for_each_bit(left_, y, [&](int x) {
-        std::int64_t change = 0;
-        if (sliding_.contains(x, y))
-            change -= std::abs(slides_x_(x, y)) + std::abs(slides_y_(x, y));
+        double change = -(std::abs(slides_x[x]) + std::abs(slides_y[x]));
         const int w = west(x);
         const int e = east(x);
-        if (w != x && sliding_.contains(w, y)) change += std::max<std::int64_t>(slides_x_(w, y), 0);
-        if (e != x && sliding_.contains(e, y))
-            change += std::max<std::int64_t>(-slides_x_(e, y), 0);
-        if (below != y && sliding_.contains(x, below))
-            change += std::max<std::int64_t>(slides_y_(x, below), 0);
-        if (above != y && sliding_.contains(x, above))
-            change += std::max<std::int64_t>(-slides_y_(x, above), 0);
-        surface(x, y) += change;
+        if (w != x) change += std::max(slides_x[w], 0.0);
+        if (e != x) change += std::max(-slides_x[e], 0.0);
+        change += std::max(from_below[x], 0.0) + std::max(-from_above[x], 0.0);
+        heights[x] += static_cast<std::int64_t>(change);
     });
 }
 
-SlopeRelaxation::Outcome SlopeRelaxation::relax(WholeGrid& surface, const WholeGrid& floor,
-                                                int most_passes, Ending ending) {
-    constexpr std::int64_t worth_sharing = 2000;  // cells
-    std::int64_t count = worth_sharing;
-    const auto over_rows = [&](const auto& body) {
-        if (count < worth_sharing) {
-            body(0, ny());
+/// The first pass looks at all cells.
+std::int64_t SlopeRelaxation::slide_row_in_pass(const WholeGrid& surface,
+                                                const AvalancheFloor& floor, int y, int pass) {
+    if (pass > 0) return slide_row(surface, floor, y, sliding_ratio_);
+    if (clears_slides_ || places_.are_few()) {
+        std::ranges::fill(slides_x_.row(places_.of(y)), 0.0);
+        std::ranges::fill(slides_y_.row(places_.of(y)), 0.0);
+    }
+    mark_row(surface, y);
+    return slide_row(surface, floor, y, start_ratio_);
+}
+
+/// Goes on with at most so many passes from pass `done` on, all cells of one before those of the
+/// next as far as results tell, and returns how many cells slid in each.
+std::vector<std::int64_t> SlopeRelaxation::go_on(WholeGrid& surface, const AvalancheFloor& floor,
+                                                 const Plan& plan, int done, int most) {
+    const bool round = periodic_y() && ny() > 1;
+    const bool seams = round || plan.strips > 1;
+    const int margin = done == 0 && plan.prepare ? 1 : 0;
+    const int rows = ny() / plan.strips;
+    const int passes = seams ? std::min(most, PassFront::most_passes(rows, margin)) : most;
+    const auto size = static_cast<std::size_t>(passes);
+    std::vector<std::int64_t> counts(size);
+    std::vector<std::int64_t> counts_of_strips(size * static_cast<std::size_t>(plan.strips));
+    const auto go = [&](int n, const PassFront& front, const auto& before_first) {
+        std::int64_t* slid = counts_of_strips.data() + size * static_cast<std::size_t>(n);
+        front.go(
+            passes,
+            [&](int pass, int y) {
+                if (pass == 0) {
+                    give_up_if_asked();
+                    before_first(y);
+                }
+                slid[pass] += slide_row_in_pass(surface, floor, row_of(y), done + pass);
+            },
+            [&](int, int y) { settle_row(surface, row_of(y)); });
+    };
+    const auto over_strips = [&](const auto& body) {
+        const auto several = [&](int begin, int end) {
+            for (int n = begin; n < end; ++n) body(n);
+        };
+        if (plan.strips == 1) {
+            several(0, 1);
         } else {
-            pool_.for_ranges(ny(), body);
+            pool_.for_ranges(plan.strips, several);
         }
     };
-    for (int pass = 0;; ++pass) {
-        const bool first = pass == 0;
-        over_rows([&](int begin, int end) {
-            for (int y = begin; y < end; ++y) {
-                give_up_if_asked();
-                if (first) mark_row(surface, y);
-                row_counts_[static_cast<std::size_t>(y)] =
-                    slide_row(surface, floor, y, first ? start_ratio_ : sliding_ratio_);
-            }
-        });
-        count = std::accumulate(row_counts_.begin(), row_counts_.end(), std::int64_t{0});
-        if (count == 0) return {pass, true};
-        if (pass == most_passes) return {pass, false};
-        over_rows([&](int begin, int end) {
-            for (int y = begin; y < end; ++y) settle_row(surface, y);
-        });
-        // What would slide next has to be found where it is remembered as sliding.
-        if (ending == Ending::unseen && pass + 1 == most_passes && slid_.words() == 0)
-            return {most_passes, false};
+    over_strips([&](int n) {
+        const int begin = PassFront::strip_begin(ny(), n, plan.strips);
+        const int end = PassFront::strip_begin(ny(), n + 1, plan.strips);
+        int next = margin > 0 ? begin : end;
+        const auto prepare_to = [&](int last) {
+            for (; next < std::min(last, end); ++next) plan.prepare(next);
+        };
+        go(n, PassFront::of_strip(begin, end, n > 0 || round, n + 1 < plan.strips || round, margin),
+           [&](int y) { prepare_to(y + 2); });
+        prepare_to(end);
+    });
+    over_strips([&](int n) {
+        const int begin = PassFront::strip_begin(ny(), n, plan.strips);
+        if (n > 0 || round) go(n, PassFront::of_seam(begin, margin), [](int) {});
+    });
+    for (std::size_t n = 0; n < counts_of_strips.size(); ++n)
+        counts[n % size] += counts_of_strips[n];
+    return counts;
+}
+
+SlopeRelaxation::Outcome SlopeRelaxation::relax(WholeGrid& surface, const AvalancheFloor& floor,
+                                                int most_passes, Ending ending,
+                                                const std::function<void(int)>& prepare) {
+    constexpr std::int64_t worth_sharing = 500;  // cells
+    constexpr int least_rows = 16;
+    Plan plan{std::clamp(ny() / least_rows, 1, pool_.size()), prepare};
+    if (prepare && (ny() < least_rows || most_passes == 0)) {
+        for (int y = 0; y < ny(); ++y) prepare(y);
+        plan.prepare = nullptr;
     }
+    clears_slides_ = std::exchange(slides_left_, true);
+    if (most_passes == 1) {
+        places_.take_few(plan.strips);
+    } else {
+        places_.take_all();
+    }
+    for (int done = 0; done < most_passes;) {
+        const auto counts =
+            go_on(surface, floor, plan, done, std::min(passes_at_once, most_passes - done));
+        const auto rest = std::ranges::find(counts, std::int64_t{0});
+        done += static_cast<int>(rest - counts.begin());
+        if (rest != counts.end()) {
+            slides_left_ = places_.are_few();
+            return {done, true};
+        }
+        if (counts.back() < worth_sharing) plan.strips = 1;
+    }
+    // What would slide next has to be found where it is remembered as sliding.
+    if (ending == Ending::unseen && most_passes > 0 && slid_.words() == 0)
+        return {most_passes, false};
+    places_.take_all();
+    std::atomic<bool> at_rest = true;
+    pool_.for_ranges(ny(), [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            give_up_if_asked();
+            if (slide_row_in_pass(surface, floor, y, most_passes) > 0) at_rest = false;
+        }
+    });
+    return {most_passes, at_rest};
 }
 
 bool SlopeRelaxation::relax_near(WholeGrid& surface, const WholeGrid& floor,

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "base/grid.h"
+#include "models/avalanche/avalanche_floor.h"
 #include "models/avalanche/cell_rows.h"
+#include "models/avalanche/row_places.h"
 #include "models/shared/whole_lengths.h"
 
 namespace fumon {
@@ -83,9 +86,11 @@ class SlopeRelaxation {
     /// outcome may say that it is not.
     enum class Ending { seen, unseen };
 
-    /// Relaxes the whole surface. `floor` is what does not slide.
-    Outcome relax(WholeGrid& surface, const WholeGrid& floor, int most_passes,
-                  Ending ending = Ending::seen);
+    /// Relaxes the whole surface; many passes go over the rows together (see PassFront). Where
+    /// there is `prepare`, prepare(y) is called once for each row, by any thread, before it is
+    /// looked at: it may change that row.
+    Outcome relax(WholeGrid& surface, const AvalancheFloor& floor, int most_passes,
+                  Ending ending = Ending::seen, const std::function<void(int y)>& prepare = {});
 
     /// Relaxes what some cells, and what slides from them, make too steep: cell after cell, first
     /// in first out, on one thread. Cells are numbered y·nx + x. False where it gave up after
@@ -102,6 +107,12 @@ class SlopeRelaxation {
         std::int64_t x = 0;
         std::int64_t y = 0;
         [[nodiscard]] bool any() const { return x != 0 || y != 0; }
+    };
+
+    /// How the rows are gone through: shared out in strips, one a thread.
+    struct Plan {
+        int strips;
+        std::function<void(int y)> prepare;
     };
 
     /// The lower neighbours of a cell: falls in units, ways −1 or +1, 0 where none is lower.
@@ -127,6 +138,8 @@ class SlopeRelaxation {
     [[nodiscard]] int east(int x) const { return x < nx() - 1 ? x + 1 : periodic_x() ? 0 : x; }
     [[nodiscard]] int south(int y) const { return y > 0 ? y - 1 : periodic_y() ? ny() - 1 : 0; }
     [[nodiscard]] int north(int y) const { return y < ny() - 1 ? y + 1 : periodic_y() ? 0 : y; }
+    /// The row of a number that may have gone once round.
+    [[nodiscard]] int row_of(int y) const { return y < 0 ? y + ny() : y < ny() ? y : y - ny(); }
     [[nodiscard]] int nx() const { return ground_.nx; }
     [[nodiscard]] int ny() const { return ground_.ny; }
     [[nodiscard]] bool periodic_x() const { return ground_.periodic_x; }
@@ -141,9 +154,13 @@ class SlopeRelaxation {
         return moving_tangents_.empty() ? moving_tangent_ : moving_tangents_(x, y);
     }
     void mark_row(const WholeGrid& surface, int y);
-    std::int64_t slide_row(const WholeGrid& surface, const WholeGrid& floor, int y,
+    std::int64_t slide_row(const WholeGrid& surface, const AvalancheFloor& floor, int y,
                            double start_ratio);
+    std::int64_t slide_row_in_pass(const WholeGrid& surface, const AvalancheFloor& floor, int y,
+                                   int pass);
     void settle_row(WholeGrid& surface, int y);
+    std::vector<std::int64_t> go_on(WholeGrid& surface, const AvalancheFloor& floor,
+                                    const Plan& plan, int done, int most);
 
     AvalancheGround ground_;
     WorkerPool& pool_;
@@ -158,11 +175,12 @@ class SlopeRelaxation {
     CellRows sliding_;     ///< cells that give, this pass
     CellRows slid_;        ///< cells that have given, where they are remembered
     CellRows left_;        ///< of a row's cells those that vectors leave to a loop over cells
-    CellRows from_west_;   ///< cells whose western neighbour gives
-    CellRows from_east_;
-    WholeGrid slides_x_;  ///< of the sliding cells
-    WholeGrid slides_y_;
-    std::vector<std::int64_t> row_counts_;
+    Grid slides_x_;        ///< of the sliding cells, whole numbers; 0 of the others
+    Grid slides_y_;
+    std::vector<double> no_slides_;  ///< of a row beyond an edge
+    RowPlaces places_;               ///< of the rows of slides_x_ and slides_y_
+    bool clears_slides_ = false;     ///< in the first pass, since others were left
+    bool slides_left_ = false;       ///< by passes that did not come to rest
     std::vector<std::size_t> queue_;
     std::vector<std::uint8_t> queued_;
 };

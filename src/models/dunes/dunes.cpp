@@ -191,7 +191,7 @@ double step_length(const DunesParameters& parameters, const DuneGround& ground, 
 }
 
 /// What no bed of a checkpoint exceeds.
-constexpr double highest_bed = 1e6;  // m
+constexpr double highest_bed = 5e5;  // m: 2⁵¹ units and less, see whole_numbers-inl.h
 
 }  // namespace
 

@@ -6,8 +6,10 @@
 #include <cstddef>
 
 #include "models/dunes/shadow_vectors.h"
+#include "models/shared/whole_lengths.h"
 #include "vectors/functions-inl.h"
 #include "vectors/rows-inl.h"
+#include "vectors/whole_numbers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumon::shadow_vectors {
@@ -15,55 +17,65 @@ namespace HWY_NAMESPACE {
 
 using namespace vectors::HWY_NAMESPACE;
 
-void fall(const Lines& lines, const Fall& fall) {
-    const auto loop = [&](auto doubles, std::size_t i) HWY_ATTR {
-        const auto add = [&](double* line, double change) HWY_ATTR {
-            hn::StoreU(hn::Add(hn::LoadU(doubles, line + i), hn::Set(doubles, change)), doubles,
-                       line + i);
+template <bool with_shade, bool with_envelope>
+HWY_INLINE void go_on_with(const Lines& lines, const Fall& fall, const Between& between,
+                           double range, double* shade, double* envelope) {
+    const hn::ScalableTag<double> doubles;
+    const auto near = hn::Set(doubles, 1.0 - between.beyond);
+    const auto beyond = hn::Set(doubles, between.beyond);
+    const auto zero = hn::Zero(doubles);
+    const auto one = hn::Set(doubles, 1.0);
+    const auto room_of_range = hn::Set(doubles, range);
+    constexpr double thinnest = 1e-9;  // m: a hard edge
+    // A vector of lines stays as it was until the one before, which reads its first, is done.
+    for (std::size_t i = 0; i < static_cast<std::size_t>(lines.count); i += hn::Lanes(doubles)) {
+        const auto fallen = [&](const double* line, double change) HWY_ATTR {
+            return hn::Add(hn::LoadU(doubles, line), hn::Set(doubles, change));
         };
-        add(lines.soft, -fall.soft);
-        add(lines.full, -fall.full);
-        add(lines.since, fall.length);
-    };
-    for_each_vector(lines.count, loop);
-}
-
-void shade(const Lines& lines, const Between& between, double range, double* shade,
-           double* envelope) {
-    const double near = 1.0 - between.beyond;
-    const auto loop = [&](auto doubles, std::size_t i) HWY_ATTR {
-        const auto blend = [&](const double* line) HWY_ATTR {
-            return hn::Add(hn::Mul(hn::LoadU(doubles, line + i + 1), hn::Set(doubles, near)),
-                           hn::Mul(hn::LoadU(doubles, line + i), hn::Set(doubles, between.beyond)));
-        };
-        constexpr double thinnest = 1e-9;  // m: a hard edge
-        const auto ground = hn::LoadU(doubles, between.heights + i + 1);
-        const auto full = blend(lines.full);
-        const auto room = greater(hn::Mul(blend(lines.since), hn::Set(doubles, range)),
-                                  hn::Set(doubles, thinnest));
-        const auto below = hn::Div(hn::Sub(blend(lines.soft), ground), room);
-        const auto one = hn::Set(doubles, 1.0);
-        const auto partly = lesser(greater(below, hn::Zero(doubles)), one);
-        hn::StoreU(hn::IfThenElse(hn::Gt(full, ground), one, partly), doubles, shade + i);
-        hn::StoreU(greater(full, ground), doubles, envelope + i);
-    };
-    for_each_vector(lines.count - 1, loop);
-}
-
-void lift(const Lines& lines, const Between& between) {
-    const double near = 1.0 - between.beyond;
-    const auto loop = [&](auto doubles, std::size_t i) HWY_ATTR {
-        const auto ground = hn::Add(
-            hn::Mul(hn::LoadU(doubles, between.heights + i), hn::Set(doubles, near)),
-            hn::Mul(hn::LoadU(doubles, between.heights + i + 1), hn::Set(doubles, between.beyond)));
-        const auto soft = hn::LoadU(doubles, lines.soft + i);
-        const auto since = hn::LoadU(doubles, lines.since + i);
+        const auto soft = fallen(lines.soft + i, -fall.soft);
+        const auto full = fallen(lines.full + i, -fall.full);
+        const auto since = fallen(lines.since + i, fall.length);
+        const auto here = hn::LoadU(doubles, between.heights + i);
+        const auto next = hn::LoadU(doubles, between.heights + i + 1);
+        if (with_shade) {
+            const auto blend = [&](auto line, auto line_after) HWY_ATTR {
+                return hn::Add(hn::Mul(line_after, near), hn::Mul(line, beyond));
+            };
+            const auto full_between = blend(full, fallen(lines.full + i + 1, -fall.full));
+            const auto since_between = blend(since, fallen(lines.since + i + 1, fall.length));
+            const auto soft_between = blend(soft, fallen(lines.soft + i + 1, -fall.soft));
+            const auto room =
+                greater(hn::Mul(since_between, room_of_range), hn::Set(doubles, thinnest));
+            const auto below = hn::Div(hn::Sub(soft_between, next), room);
+            const auto partly = lesser(greater(below, zero), one);
+            hn::StoreU(hn::IfThenElse(hn::Gt(full_between, next), one, partly), doubles, shade + i);
+            if (with_envelope) hn::StoreU(greater(full_between, next), doubles, envelope + i);
+        }
+        const auto ground = hn::Add(hn::Mul(here, near), hn::Mul(next, beyond));
         const auto below = hn::Gt(soft, ground);
         hn::StoreU(hn::IfThenElseZero(below, since), doubles, lines.since + i);
         hn::StoreU(hn::IfThenElse(below, soft, ground), doubles, lines.soft + i);
-        hn::StoreU(greater(hn::LoadU(doubles, lines.full + i), ground), doubles, lines.full + i);
+        hn::StoreU(greater(full, ground), doubles, lines.full + i);
+    }
+}
+
+void go_on(const Lines& lines, const Fall& fall, const Between& between, double range,
+           double* shade, double* envelope) {
+    if (shade == nullptr) {
+        go_on_with<false, false>(lines, fall, between, range, shade, envelope);
+    } else if (envelope == nullptr) {
+        go_on_with<true, false>(lines, fall, between, range, shade, envelope);
+    } else {
+        go_on_with<true, true>(lines, fall, between, range, shade, envelope);
+    }
+}
+
+void to_metres(const std::int64_t* units, int count, double* metres) {
+    const auto loop = [&](auto doubles, std::size_t x) HWY_ATTR {
+        const auto number = hn::Sub(load_beside(doubles, units + x), hn::Set(doubles, beside));
+        hn::StoreU(hn::Mul(number, hn::Set(doubles, metres_per_unit)), doubles, metres + x);
     };
-    for_each_vector(lines.count, loop);
+    for_each_vector(count, loop);
 }
 
 void range_of_row(const std::int64_t* heights, int count, std::int64_t& lowest,
@@ -98,22 +110,17 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace fumon::shadow_vectors {
 
-HWY_EXPORT(fall);
-HWY_EXPORT(shade);
-HWY_EXPORT(lift);
+HWY_EXPORT(go_on);
+HWY_EXPORT(to_metres);
 HWY_EXPORT(range_of_row);
 
-void fall(const Lines& lines, const Fall& fall) {
-    HWY_DYNAMIC_DISPATCH(fall)(lines, fall);
+void go_on(const Lines& lines, const Fall& fall, const Between& between, double range,
+           double* shade, double* envelope) {
+    HWY_DYNAMIC_DISPATCH(go_on)(lines, fall, between, range, shade, envelope);
 }
 
-void shade(const Lines& lines, const Between& between, double range, double* shade,
-           double* envelope) {
-    HWY_DYNAMIC_DISPATCH(shade)(lines, between, range, shade, envelope);
-}
-
-void lift(const Lines& lines, const Between& between) {
-    HWY_DYNAMIC_DISPATCH(lift)(lines, between);
+void to_metres(const std::int64_t* units, int count, double* metres) {
+    HWY_DYNAMIC_DISPATCH(to_metres)(units, count, metres);
 }
 
 void range_of_row(const std::int64_t* heights, int count, std::int64_t& lowest,

@@ -26,16 +26,15 @@ struct Fall {
     double full;
 };
 
-/// Lets the surfaces fall.
-void fall(const Lines& lines, const Fall& fall);
+/// Goes on to the next row: lets the surfaces fall, finds what they do to its cells 1 … count − 1,
+/// which lie between two lines, and lifts them to the ground below the lines. `shade`: 0 … 1, may
+/// be `heights`; `envelope`: the higher of ground and full surface, m; each may be null. `range` is
+/// the difference of the angles' tangents. All rows have room for a whole number of vectors.
+void go_on(const Lines& lines, const Fall& fall, const Between& between, double range,
+           double* shade, double* envelope);
 
-/// What the surfaces do to the cells 1 … count − 1, which lie between two lines: shade 0 … 1, and
-/// the higher of ground and full surface, m. `range` is the difference of the angles' tangents.
-void shade(const Lines& lines, const Between& between, double range, double* shade,
-           double* envelope);
-
-/// Lifts the surfaces to the ground below the lines.
-void lift(const Lines& lines, const Between& between);
+/// Heights from −2⁵¹ to 2⁵¹ units in metres.
+void to_metres(const std::int64_t* units, int count, double* metres);
 
 /// The lowest and the highest of a row of at least one height.
 void range_of_row(const std::int64_t* heights, int count, std::int64_t& lowest,

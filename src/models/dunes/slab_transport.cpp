@@ -85,7 +85,8 @@ bool SlabTransport::hop(const DuneBed& bed, const BlowingWind& wind, const Shade
         place.x = cell_of(x, ground_.nx, ground_.periodic_x);
         place.y = cell_of(y, ground_.ny, ground_.periodic_y);
         if (place.x < 0 || place.y < 0) return false;
-        const bool on_sand = bed.surface(place.x, place.y) > bed.rock(place.x, place.y);
+        const bool on_sand =
+            bed.surface(place.x, place.y) > rock_range_.at(bed.rock, place.x, place.y);
         double of_ground = on_sand ? parameters_.deposit_on_sand : parameters_.deposit_on_rock;
         if (plants_ != nullptr) of_ground += plants_->cover()(place.x, place.y) * (1.0 - of_ground);
         if (stream.uniform() < std::max(of_ground, shade(place.x, place.y))) return true;
@@ -104,7 +105,7 @@ std::int64_t SlabTransport::pick_row(const DuneBed& bed, const BlowingWind& wind
         const int fetch = std::min(fetched + lines_a_pick * cells_of_line, ground_.nx);
         for (; fetched < fetch; fetched += cells_of_line) {
             __builtin_prefetch(&bed.surface(fetched, next));
-            __builtin_prefetch(&bed.rock(fetched, next));
+            if (!rock_range_.is_level(fetched, next)) __builtin_prefetch(&bed.rock(fetched, next));
             __builtin_prefetch(&shade(fetched, next));
             __builtin_prefetch(&change_(fetched, next), 1);
         }
@@ -112,7 +113,7 @@ std::int64_t SlabTransport::pick_row(const DuneBed& bed, const BlowingWind& wind
         const double shaded = shade(x, y);
         const double chance = stream.uniform();
         std::int64_t& taken = share.taken[static_cast<std::size_t>(x)];
-        const std::int64_t left = bed.surface(x, y) - bed.rock(x, y) - taken;
+        const std::int64_t left = bed.surface(x, y) - rock_range_.at(bed.rock, x, y) - taken;
         if (left <= 0 || chance < held(shaded, x, y)) continue;
         const std::int64_t slab = std::min(slab_, left);
         taken += slab;
@@ -176,6 +177,7 @@ void SlabTransport::step_in_parallel(DuneBed& bed, const BlowingWind& wind, std:
                                      WindShadow& shadow, Avalanches& avalanches) {
     const auto cells = static_cast<std::int64_t>(bed.surface.size());
     const std::int64_t substeps = parameters_.substeps;
+    rock_range_.find(bed.rock, pool_);
     for (std::int64_t k = 0; k < substeps; ++k) {
         const std::int64_t substep = step * substeps + k;
         shadow.cast(bed.surface, wind, shadow_, WindShadow::Find::shade);
@@ -201,20 +203,18 @@ void SlabTransport::step_in_parallel(DuneBed& bed, const BlowingWind& wind, std:
         for (const auto& [place, slab] : beyond) change_(place.x, place.y) += slab;
         bed.outflow += std::accumulate(lost_.begin(), lost_.end(), std::int64_t{0});
         if (parameters_.influx > 0.0) bed.inflow += blow_in(bed, wind, shadow.shade(), substep);
-        pool_.for_ranges(ground_.ny, [&](int begin, int end) {
-            for (int y = begin; y < end; ++y) {
-                const auto changes = change_.row(y);
-                std::ranges::transform(bed.surface.row(y), changes, bed.surface.row(y).begin(),
-                                       std::plus<>());
-                std::ranges::fill(changes, 0);
-            }
-        });
+        const auto land = [&](int y) {
+            const auto changes = change_.row(y);
+            std::ranges::transform(bed.surface.row(y), changes, bed.surface.row(y).begin(),
+                                   std::plus<>());
+            std::ranges::fill(changes, 0);
+        };
         const bool last = k + 1 == substeps;
         const int most =
             last ? avalanches.most_passes : std::min(passes_between, avalanches.most_passes);
         using Ending = SlopeRelaxation::Ending;
-        const auto outcome = avalanches.slopes.relax(bed.surface, bed.rock, most,
-                                                     last ? Ending::seen : Ending::unseen);
+        const auto outcome = avalanches.slopes.relax(bed.surface, {bed.rock, &rock_range_}, most,
+                                                     last ? Ending::seen : Ending::unseen, land);
         avalanches.passes = std::max(avalanches.passes, outcome.passes);
         if (last) avalanches.at_rest = outcome.at_rest;
     }
@@ -256,6 +256,7 @@ double SlabTransport::marched_shade(const DuneBed& bed, const BlowingWind& wind,
 
 void SlabTransport::step_in_sequence(DuneBed& bed, const BlowingWind& wind, std::int64_t step,
                                      Avalanches& avalanches) {
+    rock_range_.find(bed.rock, pool_);
     RandomStream stream(seed_, 0, step, Purpose::picks);
     const auto cells = static_cast<std::uint32_t>(bed.surface.size());
     const auto nx = static_cast<std::uint32_t>(ground_.nx);

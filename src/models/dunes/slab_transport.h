@@ -89,6 +89,7 @@ class SlabTransport {
     WorkerPool& pool_;
     const Plants* plants_ = nullptr;  ///< of the step
     double mean_ = 0.0;               ///< m, of the surface at the step's start
+    FloorRange rock_range_;
     WholeGrid change_;
     std::vector<std::int64_t> picks_;  ///< of each row
     std::vector<std::int64_t> lost_;   ///< by each row

@@ -22,6 +22,8 @@ constexpr int lines_at_once = 64;
 /// Rows along the wind whose cells are fetched and given back together, which lie side by side in
 /// memory where the wind blows along x.
 constexpr int rows_at_once = 32;
+/// Cells of a field in a line of the caches.
+constexpr int cells_of_line = 8;
 /// Room behind the lines, so that vectors end with them.
 constexpr int widest_vector = 8;
 
@@ -32,37 +34,38 @@ struct Stretch {
     double beyond;  ///< of a cell, by which they stand farther
 };
 
-/// Calls visit(k, i, row, cell) for the cell i of each stretch k, in the order in which they lie in
-/// memory, that of columns where the stretches are `turned`. `cell` goes on with the other side of
-/// a row that is `periodic`, else past its ends. Where they are turned it calls coming(row, cell)
-/// for cells that it comes to soon, one of each line of the caches.
-template <class Way, class Visit, class Coming>
-void for_each_cell(const Way& way, std::span<const Stretch> stretches, int count,
-                   const Visit& visit, const Coming& coming) {
-    std::array<std::int64_t, rows_at_once> cells{};
-    const std::int64_t size = way.across;
-    for (std::size_t k = 0; k < stretches.size(); ++k) {
-        const std::int64_t cell = stretches[k].cell;
-        cells[k] = way.periodic_across ? (cell % size + size) % size : cell;
-    }
-    const std::int64_t end = way.periodic_across ? size : std::numeric_limits<std::int64_t>::max();
-    const auto one = [&](std::size_t k, std::size_t i) {
-        visit(k, i, stretches[k].row, cells[k]);
-        if (++cells[k] == end) cells[k] = 0;
+/// Where stretches are columns of the grid, calls row(cell, y) for each cell across the wind at
+/// which one of their lines stands: y is its row of the grid, −1 past an open edge. And coming(y)
+/// for rows that it comes to soon.
+template <class Way, class Row, class Coming>
+void for_each_row_of_columns(const Way& way, std::span<const Stretch> stretches, int count,
+                             const Row& row, const Coming& coming) {
+    const auto [first, last] = std::ranges::minmax(stretches, {}, &Stretch::cell);
+    const auto y_of = [&](std::int64_t cell) {
+        if (way.periodic_across)
+            return static_cast<int>((cell % way.across + way.across) % way.across);
+        return cell < 0 || cell >= way.across ? -1 : static_cast<int>(cell);
     };
-    const auto size_of = static_cast<std::size_t>(count);
-    if (way.turned) {
-        constexpr std::int64_t soon = 4;
-        constexpr std::size_t cells_of_line = 8;
-        for (std::size_t i = 0; i < size_of; ++i) {
-            for (std::size_t k = 0; k < stretches.size(); k += cells_of_line)
-                coming(stretches[k].row, cells[k] + soon);
-            for (std::size_t k = 0; k < stretches.size(); ++k) one(k, i);
-        }
-    } else {
-        for (std::size_t k = 0; k < stretches.size(); ++k) {
-            for (std::size_t i = 0; i < size_of; ++i) one(k, i);
-        }
+    constexpr int soon = 4;
+    for (std::int64_t cell = first.cell; cell < last.cell + count; ++cell) {
+        if (const int y = y_of(cell + soon); y >= 0) coming(y);
+        row(cell, y_of(cell));
+    }
+}
+
+/// Calls piece(i, x, size) for the pieces of a stretch along a row of the grid, which goes on with
+/// the other side of a periodic one: its cells from i on stand at x, −1 past an open edge.
+template <class Way, class Piece>
+void for_each_piece(const Way& way, const Stretch& stretch, int count, const Piece& piece) {
+    const std::int64_t across = way.across;
+    for (int i = 0; i < count;) {
+        const std::int64_t cell = stretch.cell + i;
+        const std::int64_t at = way.periodic_across ? (cell % across + across) % across : cell;
+        const bool inside = at >= 0 && at < across;
+        const std::int64_t room = inside ? across - at : at < 0 ? -at : count;
+        const int size = static_cast<int>(std::min<std::int64_t>(room, count - i));
+        piece(i, inside ? static_cast<int>(at) : -1, size);
+        i += size;
     }
 }
 
@@ -70,45 +73,72 @@ void for_each_cell(const Way& way, std::span<const Stretch> stretches, int count
 template <class Way, class Heights>
 void fetch(const WholeGrid& surface, const Way& way, std::span<const Stretch> stretches, int count,
            Heights& heights) {
-    const auto within = [&](std::int64_t cell) {
-        return static_cast<int>(std::clamp<std::int64_t>(cell, 0, way.across - 1));
-    };
-    const auto from = [&](const auto& height_at) {
-        for_each_cell(
-            way, stretches, count,
-            [&](std::size_t k, std::size_t i, int row, std::int64_t cell) {
-                heights[k][i] = to_metres(height_at(row, within(cell)));
-            },
-            [&](int row, std::int64_t cell) { __builtin_prefetch(&height_at(row, within(cell))); });
-    };
-    if (way.turned) {
-        from([&](int row, int cell) -> const std::int64_t& { return surface(row, cell); });
-    } else {
-        from([&](int row, int cell) -> const std::int64_t& { return surface(cell, row); });
+    const auto edge_of = [&](std::int64_t cell) { return cell < 0 ? 0 : way.across - 1; };
+    if (!way.turned) {
+        for (std::size_t k = 0; k < stretches.size(); ++k) {
+            const int y = stretches[k].row;
+            for_each_piece(way, stretches[k], count, [&](int i, int x, int size) {
+                if (x >= 0) {
+                    shadow_vectors::to_metres(&surface(x, y), size,
+                                              &heights[k][static_cast<std::size_t>(i)]);
+                } else {
+                    std::fill_n(&heights[k][static_cast<std::size_t>(i)], size,
+                                to_metres(surface(edge_of(stretches[k].cell + i), y)));
+                }
+            });
+        }
+        return;
     }
+
+    std::array<double, rows_at_once> metres{};
+    const auto size = static_cast<int>(stretches.size());
+    const int x = std::ranges::min(stretches, {}, &Stretch::row).row;
+    for_each_row_of_columns(
+        way, stretches, count,
+        [&](std::int64_t cell, int y) {
+            shadow_vectors::to_metres(&surface(x, y >= 0 ? y : edge_of(cell)), size, metres.data());
+            for (std::size_t k = 0; k < stretches.size(); ++k) {
+                const auto i = static_cast<std::uint64_t>(cell - stretches[k].cell);
+                if (i < static_cast<std::uint64_t>(count))
+                    heights[k][i] = metres[static_cast<std::size_t>(stretches[k].row - x)];
+            }
+        },
+        [&](int y) {
+            for (int line = x; line < x + size; line += cells_of_line)
+                __builtin_prefetch(&surface(line, y));
+        });
 }
 
 /// Puts what was found between lines into their cells.
 template <class Way, class Found>
 void give_back(const Found& found, const Way& way, std::span<const Stretch> stretches, int count,
                Grid& grid) {
-    const auto to = [&](const auto& value_at) {
-        for_each_cell(
-            way, stretches, count,
-            [&](std::size_t k, std::size_t i, int row, std::int64_t cell) {
-                if (cell < 0 || cell >= way.across) return;
-                value_at(row, static_cast<int>(cell)) = found[k][i];
-            },
-            [&](int row, std::int64_t cell) {
-                if (cell < 0 || cell >= way.across) return;
-                __builtin_prefetch(&value_at(row, static_cast<int>(cell)), 1);
+    if (!way.turned) {
+        for (std::size_t k = 0; k < stretches.size(); ++k) {
+            for_each_piece(way, stretches[k], count, [&](int i, int x, int size) {
+                if (x >= 0)
+                    std::copy_n(&found[k][static_cast<std::size_t>(i)], size,
+                                &grid(x, stretches[k].row));
             });
-    };
-    if (way.turned) {
-        to([&](int row, int cell) -> double& { return grid(row, cell); });
-    } else {
-        to([&](int row, int cell) -> double& { return grid(cell, row); });
+        }
+        return;
     }
+    const int x = std::ranges::min(stretches, {}, &Stretch::row).row;
+    const auto size = static_cast<int>(stretches.size());
+    for_each_row_of_columns(
+        way, stretches, count,
+        [&](std::int64_t cell, int y) {
+            if (y < 0) return;
+            double* row = grid.row(y).data();
+            for (std::size_t k = 0; k < stretches.size(); ++k) {
+                const auto i = static_cast<std::uint64_t>(cell - stretches[k].cell);
+                if (i < static_cast<std::uint64_t>(count)) row[stretches[k].row] = found[k][i];
+            }
+        },
+        [&](int y) {
+            for (int line = x; line < x + size; line += cells_of_line)
+                __builtin_prefetch(&grid(line, y), 1);
+        });
 }
 
 }  // namespace
@@ -186,12 +216,10 @@ void WindShadow::follow_lines(const WholeGrid& surface, const Way& way,
     soft.fill(below_all_ground);
     full.fill(below_all_ground);
     const shadow_vectors::Lines lines{soft.data(), full.data(), since.data(), count};
-    shadow_vectors::Lines whole_vectors = lines;
-    whole_vectors.count = (count + widest_vector - 1) / widest_vector * widest_vector;
-    std::array<OfLines, rows_at_once> heights{};
-    std::array<OfLines, rows_at_once> shade{};
+    std::array<OfLines, rows_at_once> heights{};  // and then the shade
     std::array<OfLines, rows_at_once> envelope{};
     std::array<Stretch, rows_at_once> rows{};
+    const bool with_envelope = find == Find::shade_and_envelope;
     for (int begin = -rows_before_; begin < way.along;) {
         give_up_if_asked();
         const int end = std::min(begin + rows_at_once, begin < 0 ? 0 : way.along);
@@ -206,19 +234,15 @@ void WindShadow::follow_lines(const WholeGrid& surface, const Way& way,
         }
         fetch(surface, way, stretches, count + 1, heights);
         for (std::size_t k = 0; k < stretches.size(); ++k) {
-            const shadow_vectors::Between between{heights[k].data(), stretches[k].beyond};
-            shadow_vectors::fall(whole_vectors, fall);
-            if (begin >= 0) {
-                shadow_vectors::shade(lines, between, tangents.full - tangents.soft,
-                                      shade[k].data(), envelope[k].data());
-            }
-            shadow_vectors::lift(whole_vectors, between);
+            shadow_vectors::go_on(lines, fall, {heights[k].data(), stretches[k].beyond},
+                                  tangents.full - tangents.soft,
+                                  begin < 0 ? nullptr : heights[k].data(),
+                                  with_envelope ? envelope[k].data() : nullptr);
         }
         if (begin >= 0) {
             for (Stretch& stretch : stretches) ++stretch.cell;
-            give_back(shade, way, stretches, count - 1, shade_);
-            if (find == Find::shade_and_envelope)
-                give_back(envelope, way, stretches, count - 1, envelope_);
+            give_back(heights, way, stretches, count - 1, shade_);
+            if (with_envelope) give_back(envelope, way, stretches, count - 1, envelope_);
         }
         begin = end;
     }

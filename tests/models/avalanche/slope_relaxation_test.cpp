@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/random.h"
 #include "base/units.h"
 #include "base/worker_pool.h"
@@ -115,6 +117,106 @@ TEST(SlopeRelaxation, AnyNumberOfThreadsGivesTheSameUnits) {
         results.push_back(surface);
     }
     for (const WholeGrid& result : results) EXPECT_EQ(result, results.front());
+}
+
+/// The passes as they are defined, one after the other, cell after cell; returns how many moved
+/// anything.
+int plain_passes(WholeGrid& surface, const WholeGrid& floor, const AvalancheGround& ground,
+                 const ReposeAngles& angles, int most) {
+    const auto tangent = [](double degrees) {
+        return elementary::sin(degrees * degree) / elementary::cos(degrees * degree);
+    };
+    const int nx = ground.nx;
+    const int ny = ground.ny;
+    const auto beside = [](int at, int step, int count, bool periodic) {
+        const int to = at + step;
+        return to >= 0 && to < count ? to : periodic ? (to + count) % count : at;
+    };
+    const double rest = tangent(angles.moving);
+    WholeGrid before = surface;
+    WholeGrid slid(nx, ny, 1);
+    for (int pass = 0; pass < most; ++pass) {
+        const double start =
+            rest * (tangent((pass == 0 ? angles.resting : angles.moving) + 0.4) / rest);
+        WholeGrid slides(nx, ny);
+        for (int y = 0; y < ny; ++y) {
+            for (int x = 0; x < nx; ++x) {
+                const std::array xs{beside(x, -1, nx, ground.periodic_x),
+                                    beside(x, 1, nx, ground.periodic_x)};
+                const std::array ys{beside(y, -1, ny, ground.periodic_y),
+                                    beside(y, 1, ny, ground.periodic_y)};
+                if (slid(x, y) + slid(xs[0], y) + slid(xs[1], y) + slid(x, ys[0]) +
+                        slid(x, ys[1]) ==
+                    0)
+                    continue;
+                const int to_x = before(xs[1], y) > before(xs[0], y) ? xs[0] : xs[1];
+                const int to_y = before(x, ys[1]) > before(x, ys[0]) ? ys[0] : ys[1];
+                const auto fall_to = [&](std::int64_t there) {
+                    return static_cast<double>(std::max<std::int64_t>(before(x, y) - there, 0));
+                };
+                const double fall_x = fall_to(before(to_x, y));
+                const double fall_y = fall_to(before(x, to_y));
+                const double a = fall_x * (metres_per_unit / ground.dx);
+                const double b = fall_y * (metres_per_unit / ground.dy);
+                const double square = a * a + b * b;
+                const std::int64_t loose = before(x, y) - floor(x, y);
+                if (!(square > start * start) || loose <= 0) continue;
+                const double share = 0.25 * (1.0 - rest / std::sqrt(square));
+                auto along = static_cast<std::int64_t>(fall_x * share);
+                auto across = static_cast<std::int64_t>(fall_y * share);
+                if (along + across > loose) {
+                    along = static_cast<std::int64_t>(static_cast<double>(loose) *
+                                                      (fall_x / (fall_x + fall_y)));
+                    across = loose - along;
+                }
+                slides(x, y) = along + across;
+                surface(x, y) -= along + across;
+                surface(to_x, y) += along;
+                surface(x, to_y) += across;
+            }
+        }
+        if (total(slides) == 0) return pass;
+        slid = slides;
+        before = surface;
+    }
+    return most;
+}
+
+TEST(SlopeRelaxation, ManyPassesTogetherAreThoseOfOneAfterTheOther) {
+    const ReposeAngles angles{34.0, 31.0};
+    constexpr int nx = 75;
+    for (const int ny : {3, 20, 75}) {
+        WholeGrid floor = rough(nx, ny, 3.0);
+        for (int y = 0; y < ny; ++y) {
+            for (int x = 0; x < 64; ++x) floor(x, y) = to_units(1.0);
+        }
+        const WholeGrid sand = rough(nx, ny, 9.0);
+        for (const bool periodic : {true, false}) {
+            const AvalancheGround ground{nx, ny, 1.0, 1.5, periodic, periodic};
+            for (const int threads : {1, 3}) {
+                SCOPED_TRACE(testing::Message() << ny << " rows, periodic " << periodic << ", "
+                                                << threads << " threads");
+                WorkerPool pool(threads);
+                FloorRange range;
+                range.find(floor, pool);
+                SlopeRelaxation slopes(ground, angles, pool);
+                WholeGrid surface = floor;
+                WholeGrid plain = floor;
+                const auto fall = [&](WholeGrid& on, int y) {
+                    for (int x = 0; x < nx; ++x) on(x, y) += sand((x * 7 + y) % nx, y) / 8;
+                };
+                for (const int most : {1, 1, 1, 7, 1, 1, 200}) {
+                    for (int y = 0; y < ny; ++y) fall(plain, y);
+                    const int passes = plain_passes(plain, floor, ground, angles, most);
+                    const auto outcome = slopes.relax(surface, {floor, &range}, most,
+                                                      SlopeRelaxation::Ending::unseen,
+                                                      [&](int y) { fall(surface, y); });
+                    EXPECT_EQ(outcome.passes, passes);
+                    ASSERT_EQ(surface, plain) << "after " << most << " passes";
+                }
+            }
+        }
+    }
 }
 
 TEST(SlopeRelaxation, RockStaysSteepAndSandFillsItsFoot) {
