@@ -131,7 +131,8 @@ double finger_under(double ratio, double apart) {
 
 TEST(PublishedDunes, AFingerGrowsFromASourceWhereTheoryHasIt) {
     constexpr double flux_ratio = 1.35;  // of the model's ridges, see above
-    for (const auto& [strength, apart] : {std::pair{1.0, 120.0}, std::pair{2.0, 150.0}}) {
+    for (const auto& [strength, apart] : {std::pair{1.0, 120.0}, std::pair{1.0, 150.0},
+                                          std::pair{2.0, 120.0}, std::pair{2.0, 150.0}}) {
         const CrestDirections theory =
             crest_directions(std::vector<SandFlux>{{0.0, strength}, {apart, 1.0}}, flux_ratio);
         const double measured = finger_under(strength, apart);
