@@ -226,6 +226,7 @@ Case basin(const char* name, const char* title, bool square, double h0, double d
     one.exact = flow;
     one.start = [flow](double x, double y, double) { return flow(x, y, 0.0); };
     one.parameters.shore_velocity = ShoreVelocity::even;
+    one.parameters.shore_cells = ShoreCells::partly_wet;
     one.smooth = true;
     one.basin = true;
     return one;

@@ -122,6 +122,17 @@ ChannelNetwork channel_network(const FlowRouting& routing, const Grid& area, dou
     return network;
 }
 
+double weighted_mean_ratio(const std::vector<double>& values, const std::vector<double>& streams) {
+    double sum = 0.0;
+    double weights = 0.0;
+    for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+        const double weight = streams[i] + streams[i + 1];
+        sum += weight * (values[i] / values[i + 1]);
+        weights += weight;
+    }
+    return weights > 0.0 ? sum / weights : undefined;
+}
+
 NetworkShape network_shape(const FlowRouting& routing, double threshold, const Mask& nodata,
                            bool wraps_x) {
     const Grid area = drainage_area(routing);
@@ -138,6 +149,10 @@ NetworkShape network_shape(const FlowRouting& routing, double threshold, const M
         std::vector<double> means = network.lengths;
         for (std::size_t i = 0; i < means.size(); ++i) means[i] /= network.streams[i];
         shape.length_ratio = ratio_of_orders(means);
+        shape.weighted_bifurcation_ratio = weighted_mean_ratio(network.streams, network.streams);
+        // One over each mean, so that the ratio is that of the higher order over the lower.
+        for (double& mean : means) mean = 1.0 / mean;
+        shape.weighted_length_ratio = weighted_mean_ratio(means, network.streams);
     }
     shape.concavity = slope_area_exponent(routing, network, area, threshold);
     shape.hack_exponent = length_area_exponent(routing, network, area, ways);

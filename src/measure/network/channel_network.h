@@ -22,6 +22,12 @@ struct ChannelNetwork {
 /// Throws InputError where the threshold is not above 0.
 ChannelNetwork channel_network(const FlowRouting& routing, const Grid& area, double threshold);
 
+/// The weighted mean of the ratios values[i] / values[i + 1] of successive orders, each weighted by
+/// the number of streams that it rests on, streams[i] + streams[i + 1] (Strahler 1953, Eos Trans.
+/// AGU 34:345; Schumm 1956, GSA Bull. 67:603): the few streams of the highest orders weigh little.
+/// Not a number for fewer than two orders.
+double weighted_mean_ratio(const std::vector<double>& values, const std::vector<double>& streams);
+
 /// What a network looks like in numbers. Lengths in the unit of dx, areas in that of dx·dy.
 struct NetworkShape {
     double drainage_density = undefined;  ///< length of the channels over the area (Horton 1945)
@@ -31,6 +37,8 @@ struct NetworkShape {
     /// through log10 of their numbers over the order (Horton 1945).
     double bifurcation_ratio = undefined;
     double length_ratio = undefined;  ///< the same for how much longer streams of the next one are
+    double weighted_bifurcation_ratio = undefined;  ///< the weighted mean of the ratios of numbers
+    double weighted_length_ratio = undefined;  ///< … of mean lengths, of an order over the last
     /// θ of slope = k·area^−θ (Flint 1974): minus the slope of the line through the logarithms of
     /// mean slope and area of the channels' cells, in bins of five to the decade of area.
     double concavity = undefined;

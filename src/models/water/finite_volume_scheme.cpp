@@ -42,7 +42,8 @@ FiniteVolumeScheme::FiniteVolumeScheme(const GullyParameters& parameters, const 
               finite_volume::Strip(
                   parameters.stopping_steps,
                   {parameters.limiter_tolerance, parameters.gravity, parameters.limiter_steepness,
-                   parameters.shore_velocity == ShoreVelocity::even})) {}
+                   parameters.shore_velocity == ShoreVelocity::even},
+                  parameters.shore_cells)) {}
 
 double FiniteVolumeScheme::step_at_courant_one(const Water& water) const {
     const int nx = water.depth.nx();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "models/water/kernels/shore_vectors.h"
+
 namespace fumon::finite_volume {
 
 // In a padded row of w cells, slopes are known at 1 … w−2, the face east of cell k at 1 … w−3, and
@@ -37,21 +39,28 @@ Fluxes Strip::fluxes(Kind kind, int y, int from) {
             row(kind + 3, y) + from};
 }
 
+void Strip::take_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
+                        const HalfSlopes& out, int count) const {
+    limited_half_slopes(back, here, forward, limits_, out, count);
+    if (partly_wet_) shore_half_slopes(back, here, forward, limits_.gravity, out, count);
+}
+
 void Strip::take_x_fluxes(int y, double gravity) {
-    limited_half_slopes(across_x(y, 0), across_x(y, 1), across_x(y, 2), limits_,
-                        slopes(x_slopes, y, 1), padded() - 2);
+    take_slopes(across_x(y, 0), across_x(y, 1), across_x(y, 2), slopes(x_slopes, y, 1),
+                padded() - 2);
     face_fluxes(across_x(y, 1), slopes(x_slopes, y, 1), across_x(y, 2), slopes(x_slopes, y, 2),
-                gravity, fluxes(x_fluxes, y, 1), padded() - 3);
+                gravity, partly_wet_, fluxes(x_fluxes, y, 1), padded() - 3);
 }
 
 void Strip::take_y_slopes(int y) {
-    limited_half_slopes(across_y(y - 1, 2), across_y(y, 2), across_y(y + 1, 2), limits_,
-                        slopes(y_slopes, y, 2), padded() - 4);
+    take_slopes(across_y(y - 1, 2), across_y(y, 2), across_y(y + 1, 2), slopes(y_slopes, y, 2),
+                padded() - 4);
 }
 
 void Strip::take_y_fluxes(int y, double gravity) {
     face_fluxes(across_y(y, 2), slopes(y_slopes, y, 2), across_y(y + 1, 2),
-                slopes(y_slopes, y + 1, 2), gravity, fluxes(y_fluxes, y, 2), padded() - 4);
+                slopes(y_slopes, y + 1, 2), gravity, partly_wet_, fluxes(y_fluxes, y, 2),
+                padded() - 4);
 }
 
 void Strip::cut_fluxes(int y, double dt_dx, double dt_dy, bool beyond) {

@@ -22,9 +22,10 @@ class Strip {
     static constexpr int margin = 3;          ///< cells beyond the block that its update reads
     static constexpr int widest_block = 512;  ///< cells
 
-    Strip(StoppingSteps steps, const SlopeLimits& limits)
+    Strip(StoppingSteps steps, const SlopeLimits& limits, ShoreCells shores)
         : steps_(steps),
           limits_(limits),
+          partly_wet_(shores == ShoreCells::partly_wet),
           values_(static_cast<std::size_t>(fields) * kept * stride) {}
 
     /// Starts a block of `count` columns from column `first_x` on. Where `edge_west` or
@@ -79,6 +80,8 @@ class Strip {
     [[nodiscard]] const double* row(int field, int y) const {
         return values_.data() + place(field, y);
     }
+    void take_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
+                     const HalfSlopes& out, int count) const;
     [[nodiscard]] CellRow across_x(int y, int from);
     [[nodiscard]] CellRow across_y(int y, int from);
     [[nodiscard]] HalfSlopes slopes(Kind kind, int y, int from);
@@ -86,6 +89,7 @@ class Strip {
 
     StoppingSteps steps_;
     SlopeLimits limits_;
+    bool partly_wet_;
     std::vector<double> values_;
     std::array<bool, kept> short_of_water_{};
     int first_x_ = 0;

@@ -98,6 +98,12 @@ void list_flow_keys(GullyParameters& gully, KeyTable& table) {
                    "has no slope: a shore that moves over a smooth bed sends fewer waves"}},
                  {.help = "of finite volumes: the velocity within cells whose water is thinner "
                           "than twice the bed's steps"});
+    table.choice("model.shore_cells", gully.shore_cells,
+                 {{ShoreCells::whole, "whole", "is wet from side to side"},
+                  {ShoreCells::partly_wet, "partly-wet",
+                   "is wet up to a line within it, by its depth and that of the next: a shore "
+                   "that moves over a smooth bed stays as sharp as a cell"}},
+                 {.help = "of finite volumes: a cell beyond which the bed rises above its water"});
     table.real("model.time_step", gully.time_step,
                {.unit = "s", .range = {0, 1000, true}, .help = "of one step"});
     table.choice(

@@ -19,6 +19,7 @@ enum class InitialFlow { automatic, uniform, rest };
 enum class EdgeKind { automatic, periodic, open, wall };
 enum class StoppingSteps { bed, all };
 enum class ShoreVelocity { sloped, even };
+enum class ShoreCells { whole, partly_wet };
 enum class Substeps { adaptive, fixed };
 
 /// The parameters of the gully model (Saeki & Okamura 2007), in metres and seconds.
@@ -30,6 +31,7 @@ struct GullyParameters {
     double limiter_tolerance = 0.0;                     ///< of finite volumes: a share of the depth
     double limiter_steepness = 2.0;                     ///< of finite volumes: θ
     ShoreVelocity shore_velocity = ShoreVelocity::sloped;
+    ShoreCells shore_cells = ShoreCells::whole;
     Substeps substeps = Substeps::adaptive;
     double courant_number = 0.4;  ///< of the sub-steps
 

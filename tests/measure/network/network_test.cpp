@@ -149,6 +149,14 @@ TEST(ChannelNetwork, OrdersOfATreeDrawnByHandAreStrahlers) {
     EXPECT_NEAR(network.lengths[0], (4 * 2 + 6) * diagonal, 1.0);
 }
 
+TEST(ChannelNetwork, RatiosOfSuccessiveOrdersAreWeightedByTheirStreams) {
+    // 38 of order 1, 10 of order 2, 2 of order 3: (3.8 · 48 + 5 · 12) / 60.
+    EXPECT_NEAR(weighted_mean_ratio({38, 10, 2}, {38, 10, 2}), 4.04, 1e-12);
+    EXPECT_NEAR(weighted_mean_ratio({1.0, 0.5, 0.125}, {38, 10, 2}), (2.0 * 48 + 4.0 * 12) / 60,
+                1e-12);
+    EXPECT_TRUE(std::isnan(weighted_mean_ratio({7}, {7})));
+}
+
 TEST(ChannelNetwork, TheFitsFindTheLawsThatABedWasMadeWith) {
     // A river along x = 1 of a bed with three columns, its slope the −0.4th power of its area.
     const int ny = 400;
@@ -227,7 +235,7 @@ TEST(NetworkMeasures, StandInTheSuiteWhereTheyAreAskedFor) {
     land.scale = {10.0, 10.0, 1.0, true};
     const MeasureSuite usual(Landform::bed, land);
     MeasureSuite asked(Landform::bed, land, {5000.0});
-    ASSERT_EQ(asked.columns().size(), usual.columns().size() + 9);
+    ASSERT_EQ(asked.columns().size(), usual.columns().size() + 11);
     const std::vector<double> row = asked.row(land);
     for (std::size_t k = 0; k < row.size(); ++k) {
         if (asked.columns()[k].name == "stream_sources") {

@@ -31,8 +31,21 @@ struct LoadCells {
     }
 };
 
-/// Where `only_bed`, the bed's own steps alone stop water.
-template <bool only_bed>
+/// Takes from a face's level what a partly wet cell's lies over the water's plane
+/// (shore_vectors.h), and raises that of a dry cell to the cell's middle; both but for the velocity
+/// head.
+template <class V>
+HWY_INLINE V level_at_shore(V level, V half_slope, V depth, V surface, V head) {
+    const V zero = constant<V>(0.0);
+    const V over = larger(hn::Abs(half_slope) - depth, zero);
+    const V lift = over * over / larger(constant<V>(4.0) * depth, constant<V>(no_speed));
+    const auto is_wet = hn::Gt(depth, constant<V>(dry_depth));
+    return hn::IfThenElse(is_wet, level - smaller(lift, head), larger(level, surface - head));
+}
+
+/// Where `only_bed`, the bed's own steps alone stop water; where `partly_wet`, a shore lies within
+/// its cell.
+template <bool only_bed, bool partly_wet>
 struct FaceFluxes {
     CellRow l;
     HalfSlopes ls;
@@ -52,10 +65,24 @@ struct FaceFluxes {
         const V middle_r = hn::LoadU(d, r.depth + k);
         const V surface_at_l = hn::LoadU(d, l.surface + k);
         const V surface_at_r = hn::LoadU(d, r.surface + k);
-        const V depth_l = middle_l + hn::LoadU(d, ls.depth + k);
-        const V depth_r = middle_r - hn::LoadU(d, rs.depth + k);
-        const V level_l = surface_at_l + hn::LoadU(d, ls.surface + k);
-        const V level_r = surface_at_r - hn::LoadU(d, rs.surface + k);
+        V depth_l = middle_l + hn::LoadU(d, ls.depth + k);
+        V depth_r = middle_r - hn::LoadU(d, rs.depth + k);
+        V level_l = surface_at_l + hn::LoadU(d, ls.surface + k);
+        V level_r = surface_at_r - hn::LoadU(d, rs.surface + k);
+        if constexpr (partly_wet) {
+            const auto squared_speed = [&](const CellRow& cell) HWY_ATTR {
+                const V u = hn::LoadU(d, cell.normal + k);
+                const V v = hn::LoadU(d, cell.transverse + k);
+                return u * u + v * v;
+            };
+            const V head = larger(squared_speed(l), squared_speed(r)) * hn::Set(d, 0.5 / gravity);
+            level_l =
+                level_at_shore(level_l, hn::LoadU(d, ls.depth + k), middle_l, surface_at_l, head);
+            level_r =
+                level_at_shore(level_r, hn::LoadU(d, rs.depth + k), middle_r, surface_at_r, head);
+            depth_l = larger(depth_l, zero);
+            depth_r = larger(depth_r, zero);
+        }
         const V ground_l = level_l - depth_l;
         const V ground_r = level_r - depth_r;
         const auto outside_l = hn::Eq(hn::LoadU(d, l.inside + k), zero);
@@ -262,14 +289,26 @@ void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int c
     for_each_vector_anew(count, LoadCells{from, sign_y, to});
 }
 
-void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,
-                 const HalfSlopes& right_slopes, double gravity, const Fluxes& out, int count) {
+template <bool partly_wet>
+HWY_INLINE void take_fluxes(const CellRow& left, const HalfSlopes& left_slopes,
+                            const CellRow& right, const HalfSlopes& right_slopes, double gravity,
+                            const Fluxes& out, int count) {
     if (left_slopes.bed != nullptr) {
-        for_each_vector_anew(
-            count, FaceFluxes<true>{left, left_slopes, right, right_slopes, gravity, out});
+        for_each_vector_anew(count, FaceFluxes<true, partly_wet>{left, left_slopes, right,
+                                                                 right_slopes, gravity, out});
     } else {
-        for_each_vector_anew(
-            count, FaceFluxes<false>{left, left_slopes, right, right_slopes, gravity, out});
+        for_each_vector_anew(count, FaceFluxes<false, partly_wet>{left, left_slopes, right,
+                                                                  right_slopes, gravity, out});
+    }
+}
+
+void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,
+                 const HalfSlopes& right_slopes, double gravity, bool partly_wet, const Fluxes& out,
+                 int count) {
+    if (partly_wet) {
+        take_fluxes<true>(left, left_slopes, right, right_slopes, gravity, out, count);
+    } else {
+        take_fluxes<false>(left, left_slopes, right, right_slopes, gravity, out, count);
     }
 }
 
@@ -348,8 +387,10 @@ void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int c
 }
 
 void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,
-                 const HalfSlopes& right_slopes, double gravity, const Fluxes& out, int count) {
-    HWY_DYNAMIC_DISPATCH(face_fluxes)(left, left_slopes, right, right_slopes, gravity, out, count);
+                 const HalfSlopes& right_slopes, double gravity, bool partly_wet, const Fluxes& out,
+                 int count) {
+    HWY_DYNAMIC_DISPATCH(face_fluxes)
+    (left, left_slopes, right, right_slopes, gravity, partly_wet, out, count);
 }
 
 bool payable_shares(const double* depth, const double* mass_west, const double* mass_east,

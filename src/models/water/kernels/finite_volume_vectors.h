@@ -55,8 +55,11 @@ void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int c
 /// not pass: a step of the bed's own slopes, for the limited ones of depth and surface leave steps
 /// on a resolved slope too, which a shore climbs. (Without slopes of the bed: against any step.)
 /// Beyond a face to the outside is a dry step of equal height, over which water leaves.
+/// With cells that are `partly_wet` (shore_vectors.h) water climbs from a face into a dry cell as
+/// far as its velocity head reaches; otherwise to where its level stands over the cell's middle.
 void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,
-                 const HalfSlopes& right_slopes, double gravity, const Fluxes& out, int count);
+                 const HalfSlopes& right_slopes, double gravity, bool partly_wet, const Fluxes& out,
+                 int count);
 
 /// The share of its outward fluxes that each cell can pay for in one sub-step; 1 nearly everywhere.
 /// Returns whether any cell cannot pay in full; the shares are then written.
