@@ -33,6 +33,6 @@ vec3 octave(int features) {
 }
 
 void main() {
-    vec3 sum = octave(5) + octave(11) + octave(23) + octave(47) + 1.3 * octave(90) + 1.6 * octave(180);
+    vec3 sum = octave(5) + octave(11) + octave(23) + 1.1 * octave(47) + 1.25 * octave(90) + 1.5 * octave(180);
     relief = vec4(0.5 + 0.15 * sum, 1.0);
 }

@@ -77,7 +77,7 @@ vec2 bed_place(SeenPlace at) { return (eye.xy + at.offset.xy) / extent + 0.5; }
 // Unevenness of the sand, as fine as is seen at any distance: two octaves of noise in turn.
 float grain(SeenPlace at) {
     vec2 footprint = abs(at.along.xy) + abs(at.up.xy);
-    float octave = log2(max(3.0 * max(footprint.x, footprint.y), 1e-9));
+    float octave = log2(max(2.2 * max(footprint.x, footprint.y), 1e-9));
     float whole = floor(octave);
     vec2 place = (whole_eye + at.offset.xy) * exp2(-whole);
     return mix(value_noise(place), value_noise(0.5 * place + 31.7), octave - whole);
@@ -88,26 +88,36 @@ float coarseness(SeenPlace at, float texels) {
     return 0.5 * log2(max(max(dot(at.along.xy, at.along.xy), dot(at.up.xy, at.up.xy)) * (texels * texels), 1e-12));
 }
 
-// Slope of the sand's own unevenness between ripples and cells, east and north, and how much lighter it is.
+// Slope of the sand's own unevenness between ripples and cells, east and north, and how much lighter it is. What is seen
+// aslant is looked at twice, in both halves of its longer side, so that it stays as sharp as along the shorter one.
 vec3 relief(SeenPlace at) {
     const mat2 turned = mat2(0.8, 0.6, -0.6, 0.8);
+    const float wider = 1.0 / 22.6;  // about where the octaves of one texture end those of the other begin
+    const float weaker = 0.6;
     float scale = 1.0 / (70.0 * ripple_length);
     vec2 place = (whole_eye + at.offset.xy) * scale;
-    float level = coarseness(at, scale * float(textureSize(relief_map, 0).x));
-    vec3 fine = textureLod(relief_map, place, level).rgb;
-    const float wider = 1.0 / 11.3;
-    vec3 broad = textureLod(relief_map, wider * (turned * place) + 0.37, level - 3.5).rgb;
-    fine -= 0.5;
-    broad -= 0.5;
+    float along = dot(at.along.xy, at.along.xy);
+    float up = dot(at.up.xy, at.up.xy);
+    vec2 aside = 0.25 * scale * (along > up ? at.along.xy : at.up.xy);
+    float texels = scale * float(textureSize(relief_map, 0).x);
+    float extent_seen = max(min(along, up), 0.25 * max(along, up));
+    float level = 0.5 * log2(max(extent_seen * (texels * texels), 1e-12));
+    vec3 fine = vec3(-0.5);
+    vec3 broad = vec3(-0.5);
+    for (int i = 0; i < 2; ++i) {
+        vec2 half_seen = i == 0 ? place - aside : place + aside;
+        fine += 0.5 * textureLod(relief_map, half_seen, level).rgb;
+        broad += 0.5 * textureLod(relief_map, wider * (turned * half_seen) + 0.37, level + log2(wider)).rgb;
+    }
     broad.xy = broad.xy * turned;
-    return fine + broad;
+    return fine + weaker * broad;
 }
 
 vec4 sand_colour(SeenPlace at) { return textureLod(albedo_map, bed_place(at), coarseness(at, float(textureSize(albedo_map, 0).x) / extent.x)); }
 
 // Slope and brightness of the sand's unevenness, and how much grains differ: stones on bare floors the most.
-vec3 unevenness(float bare) { return vec3(vec2(0.21), 0.52) * sand_grain * (marks > 1.5 ? bare : 0.6 + 0.4 * bare); }
-float grains_of(float bare) { return sand_grain * (marks > 1.5 ? 0.18 : 0.48 - 0.30 * bare); }
+vec3 unevenness(float bare) { return vec3(vec2(0.25), 0.62) * sand_grain * (marks > 1.5 ? bare : 0.6 + 0.4 * bare); }
+float grains_of(float bare) { return sand_grain * (marks > 1.5 ? 0.18 : 0.38 - 0.20 * bare); }
 
 // How much of that there is where sand slid: it lies smooth.
 float uneven_share(float bare, float slid) { return 1.0 - 0.75 * bare * slid; }

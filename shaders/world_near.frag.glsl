@@ -52,13 +52,22 @@ vec2 wave_of(Wander wander, float phase) {
 // Slope of a ripple, of its phase's cosine: crests are sharper than troughs.
 float profile(float c) { return c * (0.7 + 0.4 * c * c) - 0.3 * (2.0 * c * c - 1.0); }
 
-// Tongues of sand that slid down a steep face: slope across it, and how much lighter it is. Stripes down the faces that
-// look east or west, and down those that look north or south.
+// Tongues of sand that slid down a steep face: slope across it, and how much lighter it is. Stripes straight down the faces
+// of eight directions; between two of these those of the nearer. Along a face that turns, stripes of its own direction
+// would slip.
 vec2 tongues(vec2 whole, float height, vec2 across) {
-    vec3 north_south = sloped_noise(vec2(whole.x / 3.0 + 0.4 * sin(height / 19.0), height / 40.0));
-    vec3 east_west = sloped_noise(vec2(whole.y / 3.0 + 3.1 + 0.4 * sin(height / 23.0), height / 40.0));
-    float share = smoothstep(0.3, 0.7, across.x * across.x);
-    return mix(vec2(east_west.y * sign(across.y), east_west.x), vec2(north_south.y * sign(across.x), north_south.x), share);
+    float eighths = atan(across.y, across.x) * (8.0 / 3.14159265);
+    float nearest = floor(eighths);
+    float share = smoothstep(0.35, 0.65, eighths - nearest);
+    vec2 sum = vec2(0.0);
+    for (int i = 0; i < 2; ++i) {
+        float number = nearest + float(i);
+        float turn = number * (3.14159265 / 8.0);
+        float along = dot(whole, vec2(cos(turn), sin(turn)));
+        vec3 noise = sloped_noise(vec2(along / 3.0 + 3.1 * mod(number, 8.0) + 0.4 * sin(height / 19.0), height / 40.0));
+        sum += (i == 0 ? 1.0 - share : share) * noise.yx;
+    }
+    return sum;
 }
 
 // Grains that mirror the sun to the eye, seldom ones: each in a cell of its own on the ground, a few pixels wide or more.

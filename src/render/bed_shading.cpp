@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/compensated_sum.h"
 #include "base/elementary.h"
 #include "numerics/resampling.h"
 #include "render/colour/colouring.h"
@@ -93,20 +94,20 @@ Field<std::uint8_t> uncoloured_texels(Colouring colour_by, const Snapshot& snaps
 
 /// The range of heights over which natural sand goes from trough to crest.
 std::pair<double, double> natural_range(const Snapshot& snapshot, const Block& block) {
-    double sum = 0.0;
-    double squares = 0.0;
+    CompensatedSum sum;
+    CompensatedSum squares;
     std::size_t count = 0;
     for (std::size_t i = 0; i < snapshot.bed.size(); ++i) {
         if (!snapshot.nodata.empty() && snapshot.nodata.values()[i] != 0) continue;
         const double height = snapshot.bed.values()[i] - block.reference;
-        sum += height;
-        squares += height * height;
+        sum.add(height);
+        squares.add(height * height);
         ++count;
     }
     if (count == 0) return {0.0, 1.0};
-    const double mean = sum / static_cast<double>(count);
+    const double mean = sum.value() / static_cast<double>(count);
     const double spread =
-        std::sqrt(std::max(squares / static_cast<double>(count) - mean * mean, 0.0));
+        std::sqrt(std::max(squares.value() / static_cast<double>(count) - mean * mean, 0.0));
     const double half =
         std::max(natural_spread * spread, 0.5 * least_natural_range / block.height_scale);
     return {block.reference + mean - half, block.reference + mean + half};
@@ -316,9 +317,12 @@ Field<float> BedShading::ranged_values(const Snapshot& snapshot, const Snapshot&
     return values;
 }
 
-void BedShading::upload_marks(const Snapshot& snapshot) {
-    marks_.upload(mark_texels(view_.look.mark, snapshot).data());
-    uncoloured_.upload(uncoloured_texels(view_.look.colour_by, snapshot).data());
+void BedShading::upload_marks(const Snapshot& snapshot, const DrawnOrigin& origin) {
+    const auto upload = [&](gl::Texture2D& texture, const Field<std::uint8_t>& texels) {
+        texture.upload(rolled(texels, origin.east, origin.north).data());
+    };
+    upload(marks_, mark_texels(view_.look.mark, snapshot));
+    upload(uncoloured_, uncoloured_texels(view_.look.colour_by, snapshot));
 }
 
 void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
@@ -326,12 +330,13 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
     lighting_.upload(lighting.data());
     const Field<float> values = ranged_values(snapshot, first);
     values_.upload(palette_places(refined(values, refinement_), range_).data());
-    upload_marks(snapshot);
+    upload_marks(snapshot, {});
     if (water_) water_->upload(snapshot, *water);
 }
 
-void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
-                        const RepeatedLight& light) {
+void BedShading::upload(const Snapshot& snapshot, const Snapshot& first, const RepeatedLight& light,
+                        const DrawnOrigin& origin) {
+    noise_origin_ = origin.share;
     // Means over several cells are of what each of them gets.
     lighting_.upload(light.clamped.data());
     lighting_.make_mipmaps();
@@ -339,10 +344,11 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
     constexpr int margin = 2;  // cells that the refinement looks at
     const Field<float> values = ranged_values(snapshot, first);
     floor_places_ = floor_places(values, range_);
-    const Field<float> wide = refined(with_margin(values, margin), refinement_);
+    const Field<float> drawn = rolled(values, origin.east, origin.north);
+    const Field<float> wide = refined(with_margin(drawn, margin), refinement_);
     values_.upload(palette_places(without_margin(wide, margin * refinement_), range_).data());
     values_.make_mipmaps();
-    upload_marks(snapshot);
+    upload_marks(snapshot, origin);
 }
 
 void BedShading::bind(const gl::Program& program) const {
@@ -359,6 +365,7 @@ void BedShading::bind(const gl::Program& program) const {
     if (noise_) {
         noise_->colour().bind(5);
         program.set("noise_map", 5);
+        program.set("noise_origin", noise_origin_);
     }
     const bool endless = view_.look.ground == Ground::endless;
     program.set("sun_span", endless ? sun_bounds.highest - sun_bounds.lowest : 1.0F);

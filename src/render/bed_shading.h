@@ -14,6 +14,7 @@
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/display_bed.h"
+#include "render/view/drawn_origin.h"
 #include "render/water_shading.h"
 #include "scene/scene.h"
 
@@ -52,7 +53,8 @@ class BedShading {
     void upload(const Snapshot& snapshot, const Snapshot& first,
                 const std::vector<std::uint16_t>& lighting, const DisplayWater* water);
     /// The same for endless ground.
-    void upload(const Snapshot& snapshot, const Snapshot& first, const RepeatedLight& light);
+    void upload(const Snapshot& snapshot, const Snapshot& first, const RepeatedLight& light,
+                const DrawnOrigin& origin);
 
     /// Shades what was uploaded.
     void shade(const Light& light, const Camera& camera);
@@ -70,13 +72,14 @@ class BedShading {
   private:
     void draw_noise();
     Field<float> ranged_values(const Snapshot& snapshot, const Snapshot& first);
-    void upload_marks(const Snapshot& snapshot);
+    void upload_marks(const Snapshot& snapshot, const DrawnOrigin& origin);
 
     View view_;
     Block block_;
     int refinement_;
     bool mipmaps_;
     std::pair<double, double> range_{0.0, 1.0};
+    glm::vec2 noise_origin_{0.0F};  ///< where the drawn bed begins
     glm::vec3 floor_places_{0.0F};  ///< of palette places, of endless ground
     gl::Program program_;
     gl::Texture2D palette_;

@@ -136,7 +136,8 @@ void PersonLayer::set_common(const gl::Program& program, const PlantGround& grou
 
 void PersonLayer::draw_one(const gl::Program& program, const PersonPlace& place,
                            const PlantGround& ground, const Camera& camera) const {
-    const glm::dvec2 share = place.at / glm::dvec2(block_.width_x, block_.width_y) + 0.5;
+    const glm::dvec2 share =
+        (place.at - ground.origin) / glm::dvec2(block_.width_x, block_.width_y) + 0.5;
     const auto height = static_cast<double>(drawn_height(z_, share, repeats_));
     glm::dvec3 root(place.at, height);
     if (ground.endless) {

@@ -133,8 +133,9 @@ void PlantLayer::set_bed(const Snapshot& snapshot, const Field<float>& z, bool r
 }
 
 /// From the bed's south-west corner.
-float PlantLayer::ground_at(const glm::dvec2& place) const {
-    return drawn_height(z_, place / glm::dvec2(block_.width_x, block_.width_y), repeats_);
+float PlantLayer::ground_at(const glm::dvec2& place, const PlantGround& ground) const {
+    return drawn_height(z_, (place - ground.origin) / glm::dvec2(block_.width_x, block_.width_y),
+                        repeats_);
 }
 
 /// Whether a ball may show in the picture.
@@ -153,7 +154,7 @@ void PlantLayer::choose_in(const std::vector<Plant>& plants, const glm::dvec2& o
     const double angle = pixel_angle(camera, view_);
     for (const Plant& plant : plants) {
         const glm::dvec2 place = origin + glm::dvec2(plant.place);
-        const double z = static_cast<double>(ground_at(glm::dvec2(plant.place)));
+        const double z = static_cast<double>(ground_at(glm::dvec2(plant.place), ground));
         glm::dvec3 offset(place - glm::dvec2(camera.eye), z - camera.eye.z);
         const double distance = glm::length(offset);
         const double pixels = plant.height / (distance * angle);
@@ -262,9 +263,10 @@ void PlantLayer::set_common(const gl::Program& program, const PlantGround& groun
     const auto reduced = [](double place, double extent) {
         return place - extent * std::floor(place / extent + 0.5);
     };
-    program.set("root_origin", ground.endless ? glm::vec2(reduced(camera.eye.x, block_.width_x),
-                                                          reduced(camera.eye.y, block_.width_y))
-                                              : glm::vec2(0.0F));
+    program.set("root_origin",
+                ground.endless ? glm::vec2(reduced(camera.eye.x - ground.origin.x, block_.width_x),
+                                           reduced(camera.eye.y - ground.origin.y, block_.width_y))
+                               : glm::vec2(0.0F));
     program.set("from_eye", ground.endless ? 1.0F : 0.0F);
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
 }

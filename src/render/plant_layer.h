@@ -27,6 +27,7 @@ struct PlantGround {
     glm::mat4 clip{1.0F};    ///< world to clip coordinates, or of offsets from the eye
     bool endless = false;    ///< repeated to the horizon, drawn by offsets from the eye
     float curvature = 0.0F;  ///< see WorldLayer::curvature()
+    glm::dvec2 origin{0.0};  ///< where the drawn bed begins, see DrawnOrigin
 };
 
 /// Plants, one by one, on a bed or on its repetitions: leaf by leaf near the camera; farther away
@@ -71,7 +72,7 @@ class PlantLayer {
     void choose_in(const std::vector<Plant>& plants, const glm::dvec2& origin,
                    const PlantGround& ground, const Camera& camera);
     static void upload(const Mesh& mesh);
-    [[nodiscard]] float ground_at(const glm::dvec2& place) const;
+    [[nodiscard]] float ground_at(const glm::dvec2& place, const PlantGround& ground) const;
     [[nodiscard]] bool in_sight(const Camera& camera, const glm::dvec3& offset,
                                 double radius) const;
     void draw_shadows(const PlantGround& ground, const BedShading& shading, const Light& light,

@@ -20,8 +20,8 @@ std::shared_ptr<const LitBed> Renderer::Parts::lit_bed(const ReadyPicture& pictu
     lit->snapshot = picture.snapshot;
     lit->sun = sun;
     if (world) {
-        lit->light =
-            repeated_light(shown, picture.framed, refinement, sun, prevailing_way(shown), with);
+        lit->light = repeated_light(shown, picture.framed, refinement, origin, sun,
+                                    prevailing_way(shown), with);
         lit->heights = std::make_shared<const HeightPyramid>(std::move(lit->light.z));
     } else {
         lit->bed = display_bed(shown, picture.framed, refinement);

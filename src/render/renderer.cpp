@@ -94,7 +94,7 @@ void Renderer::prepare(const ReadyPicture& picture) {
     gl::functions().BindVertexArray(p.no_attributes.name());
     if (p.world) {
         if (!uploaded) {
-            p.shading.upload(snapshot, reference, lit.light);
+            p.shading.upload(snapshot, reference, lit.light, p.origin);
             p.world->set_bed(snapshot, lit.light, lit.heights);
             if (p.plants) p.plants->set_bed(snapshot, lit.heights->finest(), true);
             if (p.persons) p.persons->set_bed(lit.heights->finest(), true);

@@ -13,6 +13,7 @@
 #include "render/view/chosen_ground.h"
 #include "render/view/display_bed.h"
 #include "render/view/framing.h"
+#include "render/view/repeated_bed.h"
 #include "render/view/shown_snapshot.h"
 
 namespace fumon {
@@ -97,6 +98,9 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       refinement(refinement_of(first.bed.nx(), first.bed.ny(),
                                static_cast<int>(std::max(view.image.width, view.image.height)),
                                smooth_enough(view.look.ground, limits.draft))),
+      origin(view.look.ground == Ground::endless
+                 ? origin_around(camera_at(0), block, first.bed.nx(), first.bed.ny())
+                 : DrawnOrigin{}),
       plan(plan_of(view, limits)),
       light(light_of_view(view)),
       light_before(light),
@@ -112,7 +116,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(kind),
                    pixel_depths ? &*pixel_depths : nullptr) {
     if (view.look.ground == Ground::endless) {
-        world.emplace(view, block, first, refinement, fixed);
+        world.emplace(view, block, first, refinement, origin, fixed);
         if (pixel_depths) {
             const Tile& tile = plan.tiles.front();
             pixels.emplace(tile.width, tile.height, plain_layout(kind), &*pixel_depths);
@@ -127,8 +131,8 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
 }
 
 PlantGround Renderer::Parts::plant_ground(const Camera& camera) const {
-    if (world) return {world->clip_from_eye(camera), true, world->curvature()};
-    return {glm::mat4(clip_matrix(camera)), false, 0.0F};
+    if (world) return {world->clip_from_eye(camera), true, world->curvature(), origin.place};
+    return {glm::mat4(clip_matrix(camera)), false, 0.0F, glm::dvec2(0.0)};
 }
 
 Camera Renderer::Parts::camera_at(std::int64_t step) const {
@@ -136,7 +140,9 @@ Camera Renderer::Parts::camera_at(std::int64_t step) const {
 }
 
 Field<float> Renderer::Parts::drawn_surface(const ReadyPicture& picture) const {
-    if (world) return picture.lit->heights->finest();
+    if (world)
+        return rolled(picture.lit->heights->finest(), -refinement * origin.east,
+                      -refinement * origin.north);
     Field<float> surface = picture.lit->bed.z;
     if (!water) return surface;
     const Snapshot& snapshot = picture.shown();

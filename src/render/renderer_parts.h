@@ -24,6 +24,7 @@
 #include "render/terrain_layer.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
+#include "render/view/drawn_origin.h"
 #include "render/view/tiles.h"
 #include "render/world_layer.h"
 
@@ -94,6 +95,7 @@ struct Renderer::Parts {
     Block block;
     bool water;  // whether it is drawn
     int refinement;
+    DrawnOrigin origin;  // of endless ground
     TilePlan plan;
     Light light;
     Light light_before;      // of the sun before this one, to which a cross-fade comes back

@@ -50,13 +50,14 @@ gl::Constants for_pixels(gl::Constants fixed, bool whole) {
 }  // namespace
 
 WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
-                       const gl::Constants& fixed)
+                       const DrawnOrigin& origin, const gl::Constants& fixed)
     : view_(view),
       block_(block),
       cell_(static_cast<float>(
           std::min(block.width_x / first.bed.nx(), block.width_y / first.bed.ny()) / refinement)),
       ripple_length_(first.scale.in_metres ? ripple_metres / block.side
                                            : ripple_cells * cell_ * refinement),
+      origin_(origin.place),
       seen_program_("world.vert.glsl", "world_seen.frag.glsl", {"offset"}),
       pixel_program_("screen.vert.glsl", "world_pixels.frag.glsl"),
       spread_program_("screen.vert.glsl", "world_spread.frag.glsl"),
@@ -115,7 +116,8 @@ void WorldLayer::set_bed(const Snapshot& snapshot, const RepeatedLight& light,
     way_ = prevailing_way(snapshot);
 }
 
-double WorldLayer::ground_under(const glm::dvec3& eye, const HeightPyramid& heights) const {
+double WorldLayer::ground_under(const Camera& camera, const HeightPyramid& heights) const {
+    const glm::dvec3 eye = reduced_eye(camera);
     return static_cast<double>(
         heights.at(0, eye.x / block_.width_x + 0.5, eye.y / block_.width_y + 0.5));
 }
@@ -141,7 +143,7 @@ GroundFan WorldLayer::fan_of(const Camera& camera, const HeightPyramid& heights)
     }
     fan.half_angle = fan.half_angle > 1.4 ? std::numbers::pi : fan.half_angle * 1.02 + 0.01;
     fan.nearest =
-        std::max(nearest_share * (camera.eye.z - ground_under(camera.eye, heights)), least_nearest);
+        std::max(nearest_share * (camera.eye.z - ground_under(camera, heights)), least_nearest);
     // Where the whole bed lies under the eye, nothing nearer than the steepest ray's foot is seen.
     const auto highest = static_cast<double>(heights.highest());
     if (fan.half_angle < std::numbers::pi)
@@ -165,8 +167,8 @@ glm::dvec3 WorldLayer::reduced_eye(const Camera& camera) const {
     const auto reduced = [](double place, double extent) {
         return place - extent * std::floor(place / extent + 0.5);
     };
-    return {reduced(camera.eye.x, block_.width_x), reduced(camera.eye.y, block_.width_y),
-            camera.eye.z};
+    return {reduced(camera.eye.x - origin_.x, block_.width_x),
+            reduced(camera.eye.y - origin_.y, block_.width_y), camera.eye.z};
 }
 
 void WorldLayer::set_eye(const gl::Program& program, const Camera& camera) const {

@@ -15,6 +15,7 @@
 #include "render/terrain_layer.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
+#include "render/view/drawn_origin.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -32,8 +33,9 @@ struct PixelSamples {
 /// drawn where they are seen.
 class WorldLayer {
   public:
+    /// Light, heights and shading are of the bed as it is drawn from `origin` on.
     WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
-               const gl::Constants& fixed);
+               const DrawnOrigin& origin, const gl::Constants& fixed);
 
     /// `heights`: of the bed, block lengths.
     void set_bed(const Snapshot& snapshot, const RepeatedLight& light,
@@ -69,9 +71,10 @@ class WorldLayer {
     void build();
     void draw_relief();
     void draw_wander();
-    [[nodiscard]] double ground_under(const glm::dvec3& eye, const HeightPyramid& heights) const;
+    [[nodiscard]] double ground_under(const Camera& camera, const HeightPyramid& heights) const;
     [[nodiscard]] GroundFan fan_of(const Camera& camera, const HeightPyramid& heights) const;
     [[nodiscard]] static glm::mat4 clip_from_eye(const Camera& camera, const GroundFan& fan);
+    /// From the middle of the drawn bed, at most half of it away along each side.
     [[nodiscard]] glm::dvec3 reduced_eye(const Camera& camera) const;
     void set_eye(const gl::Program& program, const Camera& camera) const;
     void set_detail(const gl::Program& program, const Camera& camera) const;
@@ -82,6 +85,7 @@ class WorldLayer {
     Block block_;
     float cell_;            ///< of the drawn bed, block lengths
     double ripple_length_;  ///< block lengths
+    glm::dvec2 origin_;     ///< where the drawn bed begins, likewise
     std::shared_ptr<const HeightPyramid> heights_;
     std::int64_t step_ = 0;
     Way way_;

@@ -121,8 +121,10 @@ std::uint8_t byte_of(float share) {
 }  // namespace
 
 RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int refinement,
-                             const SunDirection& sun, const Way& way, WorkerPool& pool) {
-    const DisplayBed coarse = display_bed(snapshot, block, 1);
+                             const DrawnOrigin& origin, const SunDirection& sun, const Way& way,
+                             WorkerPool& pool) {
+    DisplayBed coarse = display_bed(snapshot, block, 1);
+    coarse.z = rolled(coarse.z, origin.east, origin.north);
     DisplayBed wide;
     wide.z = without_margin(refined_with_brinks(with_margin(coarse.z, read_around), coarse.dx,
                                                 coarse.dy, refinement, pool),

@@ -7,6 +7,7 @@
 #include "base/snapshot_lookup.h"
 #include "render/light/sun_sweep.h"
 #include "render/view/block.h"
+#include "render/view/drawn_origin.h"
 
 namespace fumon {
 
@@ -25,10 +26,11 @@ struct RepeatedLight {
 /// Bounds of the sun's share in RepeatedLight::texels.
 inline constexpr ShareBounds sun_bounds{-15.0F, 16.0F};
 
-/// `refinement`: see refinement_of. `way`: where the wind blows to; its shadow falls at 10 to 15
-/// degrees behind crests. Independent of the pool's size, and the same for a bed shifted over its
-/// edges but for rounding.
+/// `refinement`: see refinement_of. Cells count from `origin`. `way`: where the wind blows to; its
+/// shadow falls at 10 to 15 degrees behind crests. Independent of the pool's size, and the same for
+/// a bed shifted over its edges but for rounding.
 RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int refinement,
-                             const SunDirection& sun, const Way& way, WorkerPool& pool);
+                             const DrawnOrigin& origin, const SunDirection& sun, const Way& way,
+                             WorkerPool& pool);
 
 }  // namespace fumon

@@ -42,6 +42,8 @@ struct RowShadow {
     std::vector<float> lower_width;
     std::vector<float> upper;
     std::vector<float> upper_width;
+
+    friend bool operator==(const RowShadow&, const RowShadow&) = default;
 };
 
 constexpr std::size_t padding = 2;
@@ -57,11 +59,13 @@ void close_ends(std::vector<float>& row, LatticeBorder border) {
     }
 }
 
+constexpr int most_periods = 4;  // that the sweep begins away
+constexpr int most_further_periods = 64;
+
 /// Rows before the first over which shadows may reach it.
 int rows_before(const Field<float>& heights, const light_vectors::ShadowStep& step,
                 LatticeBorder border) {
     if (border == LatticeBorder::open) return 0;
-    constexpr int most_periods = 4;
     const auto [low, high] = std::ranges::minmax(heights.values());
     const float most = static_cast<float>(most_periods) * static_cast<float>(heights.ny());
     const float relief = high - low;
@@ -96,13 +100,32 @@ Field<float> sweep_rows(const Field<float>& heights, float dx, float dy, const S
     };
     std::copy_n(heights.row(row_of(-before)).data(), nx, shadow.lower.begin() + padding);
     std::copy_n(heights.row(row_of(-before)).data(), nx, shadow.upper.begin() + padding);
-    for (int n = 1 - before; n < ny; ++n) {
+    const auto close = [&] {
         for (auto* row : {&shadow.lower, &shadow.lower_width, &shadow.upper, &shadow.upper_width})
             close_ends(*row, border);
-        const int y = row_of(n);
-        light_vectors::sweep_shadow(step, heights.row(y).data(), shadow.from(shifted),
-                                    next.from(padding), visibility.row(y).data());
-        std::swap(shadow, next);
+    };
+    const auto sweep = [&](int from, int to) {
+        for (int n = from; n < to; ++n) {
+            close();
+            const int y = row_of(n);
+            light_vectors::sweep_shadow(step, heights.row(y).data(), shadow.from(shifted),
+                                        next.from(padding), visibility.row(y).data());
+            std::swap(shadow, next);
+        }
+    };
+    if (border == LatticeBorder::open) {
+        sweep(1, ny);
+        return visibility;
+    }
+    sweep(1 - before, 0);
+    // Shadows that do not end would go on for ever.
+    const int most_further = step.lower_drop > 0.0F ? most_further_periods : 1;
+    for (int period = 0; period < most_further; ++period) {
+        close();
+        const RowShadow first = shadow;
+        sweep(0, ny);
+        close();
+        if (shadow == first) break;  // what comes in is what goes out
     }
     return visibility;
 }

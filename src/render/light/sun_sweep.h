@@ -34,7 +34,9 @@ enum class LatticeBorder { open, periodic };
 /// O(cells).
 ///
 /// `heights`, `dx` and `dy` are in one unit of length. Over a periodic lattice the sweep begins as
-/// far away as a shadow may reach, but at most four periods.
+/// far away as a shadow may reach, but at most four periods, and goes on until what comes in on one
+/// side is what goes out on the other, so that it does not depend on where the lattice begins; but
+/// not where the disc's lowest point is below the horizon, whose shadows do not end.
 Field<float> sun_visibility(const Field<float>& heights, float dx, float dy,
                             const SunDirection& sun, const ShareBounds& bounds = {},
                             LatticeBorder border = LatticeBorder::open);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "base/compensated_sum.h"
 #include "render/view/water.h"
 
 namespace fumon {
@@ -112,7 +113,7 @@ double steep_slope(const Snapshot& snapshot) {
 HeightStatistics height_statistics(const Grid& bed, const Mask& nodata) {
     HeightStatistics result{std::numeric_limits<double>::max(),
                             std::numeric_limits<double>::lowest(), 0.0, 0.0};
-    double sum = 0.0;
+    CompensatedSum sum;  // which is that of a periodic bed wherever it begins
     std::size_t count = 0;
     const auto inside = [&](int x, int y) { return nodata.empty() || nodata(x, y) == 0; };
     for (int y = 0; y < bed.ny(); ++y) {
@@ -120,12 +121,12 @@ HeightStatistics height_statistics(const Grid& bed, const Mask& nodata) {
             if (!inside(x, y)) continue;
             result.low = std::min(result.low, bed(x, y));
             result.high = std::max(result.high, bed(x, y));
-            sum += bed(x, y);
+            sum.add(bed(x, y));
             ++count;
         }
     }
     if (count == 0) return {};
-    result.mean = sum / static_cast<double>(count);
+    result.mean = sum.value() / static_cast<double>(count);
     double variance = 0.0;
     double covariance = 0.0;
     for (int y = 0; y < bed.ny(); ++y) {

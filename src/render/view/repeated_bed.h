@@ -26,6 +26,19 @@ Field<Number> with_margin(const Field<Number>& field, int margin) {
     return wide;
 }
 
+/// The same periodic field that begins so many cells farther east and north.
+template <class Number>
+Field<Number> rolled(const Field<Number>& field, int east, int north) {
+    const auto within = [](int place, int count) { return (place % count + count) % count; };
+    Field<Number> result(field.nx(), field.ny());
+    for (int y = 0; y < field.ny(); ++y) {
+        const auto from = field.row(within(y + north, field.ny()));
+        std::rotate_copy(from.begin(), from.begin() + within(east, field.nx()), from.end(),
+                         result.row(y).begin());
+    }
+    return result;
+}
+
 /// What lies inside a margin.
 template <class Number>
 Field<Number> without_margin(const Field<Number>& wide, int margin) {

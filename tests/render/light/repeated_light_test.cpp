@@ -33,7 +33,7 @@ TEST(RepeatedLight, SandLiesAsItSlidOnSlipFacesAndACellAroundThem) {
     const Snapshot bed = ridges();
     WorkerPool pool(1);
     constexpr int refinement = 3;
-    const RepeatedLight light = repeated_light(bed, framed_block(view, bed), refinement,
+    const RepeatedLight light = repeated_light(bed, framed_block(view, bed), refinement, {},
                                                sun_direction(view.sun), {1.0, 0.0}, pool);
     ASSERT_EQ(light.surface.size(), 2 * light.z.size());
     const auto slid = [&](int site) {

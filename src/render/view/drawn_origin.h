@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cmath>
+#include <glm/glm.hpp>
+
+#include "render/view/block.h"
+#include "render/view/camera.h"
+
+namespace fumon {
+
+/// The cell of a periodic bed that is the first one, the south-western, of the bed as it is drawn.
+/// Endless ground is drawn from the camera's cell: means over 2, 4, 8 … cells, and what rounding
+/// makes of places, then depend on where the ground lies from the camera, not on where the array
+/// begins.
+struct DrawnOrigin {
+    int east = 0;  ///< cells from the array's first one
+    int north = 0;
+    glm::dvec2 share{0.0};  ///< the same, of the bed's sides
+    glm::dvec2 place{0.0};  ///< the same, block lengths
+};
+
+/// The origin that puts the cell in which a camera stands into the middle of the drawn bed.
+inline DrawnOrigin origin_around(const Camera& camera, const Block& block, int nx, int ny) {
+    // Cameras stand at whole and half cells more often than anywhere else.
+    constexpr double begin_of_cells = 0.317;
+    const auto first_of = [&](double place, double extent, int count) {
+        const double share = place / extent + 0.5;
+        const double within = (share - std::floor(share)) * count;
+        const int cell = static_cast<int>(std::floor(within + begin_of_cells));
+        return ((cell - count / 2) % count + count) % count;
+    };
+    DrawnOrigin origin;
+    origin.east = first_of(camera.eye.x, block.width_x, nx);
+    origin.north = first_of(camera.eye.y, block.width_y, ny);
+    origin.share = {static_cast<double>(origin.east) / nx, static_cast<double>(origin.north) / ny};
+    origin.place = origin.share * glm::dvec2(block.width_x, block.width_y);
+    return origin;
+}
+
+}  // namespace fumon
