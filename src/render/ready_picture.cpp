@@ -21,7 +21,7 @@ std::shared_ptr<const LitBed> Renderer::Parts::lit_bed(const ReadyPicture& pictu
     lit->snapshot = picture.snapshot;
     lit->sun = sun;
     if (world) {
-        if (plain) lit->in_plain = plain->around(shown);
+        if (plain) lit->in_plain = PlainAround(shown, with).around(shown);
         const Block framed = plain ? plain->ground_of(picture.framed) : picture.framed;
         lit->light = repeated_light(plain ? *lit->in_plain : shown, framed, refinement, sun,
                                     prevailing_way(shown), with);

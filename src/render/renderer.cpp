@@ -89,7 +89,7 @@ void Renderer::prepare(const ReadyPicture& picture) {
     const Camera& camera = picture.pose.camera;
     std::optional<Snapshot> other;
     if (picture.pose.reference) other = Parts::shown_first(*picture.pose.reference, p.view);
-    if (other && p.plain) other = p.plain->around(*other);
+    if (other && p.plain) other = PlainAround(*other, p.pool).around(*other);
     const Snapshot& reference = other ? *other : p.first_ground();
     const bool uploaded = p.uploaded == picture.lit && !other;
     p.uploaded = other ? nullptr : picture.lit;

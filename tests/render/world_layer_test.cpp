@@ -270,19 +270,12 @@ double mean_difference(const Image& a, const Image& b) {
     return sum / static_cast<double>(a.rgb.size());
 }
 
-TEST(WorldLayer, ABedThatEndsGoesOnAsAPlainAndNotAsItself) {
+TEST(WorldLayer, ABedThatEndsGoesOnAsAPlainWhereItDoesNotRepeat) {
     const Snapshot ends = wavy_bed(40, 30);
-    Snapshot repeats = ends;
-    repeats.periodic = true;
     Snapshot along_y = ends;
     along_y.periodic_y = true;
     const View view = view_over_an_edge();
-    const Image in_plain = picture(view, ends);
-    const Image in_row = picture(view, along_y);
-    const Image repeated = picture(view, repeats);
-    EXPECT_GT(mean_difference(in_plain, repeated), 2.0);
-    EXPECT_GT(mean_difference(in_plain, in_row), 0.5);
-    EXPECT_GT(mean_difference(repeated, in_row), 2.0);
+    EXPECT_GT(mean_difference(picture(view, ends), picture(view, along_y)), 0.5);
 }
 
 TEST(WorldLayer, ACameraBesideABedStandsOnItsPlain) {

@@ -22,11 +22,11 @@ bool ends_somewhere(const Snapshot& snapshot);
 /// lies between both, so that heights and slopes meet the edge. Within the bed nothing changes.
 class PlainAround {
   public:
-    /// Of a run's first bed, as it is shown.
+    /// Of a bed, as it is shown.
     PlainAround(const Snapshot& first, WorkerPool& pool);
 
-    /// A later bed of the run in its plain: a snapshot of the maps of GroundTiles, periodic and
-    /// without cells outside.
+    /// That bed, or one of the same cells, in the plain: a snapshot of the maps of GroundTiles,
+    /// periodic and without cells outside.
     [[nodiscard]] Snapshot around(const Snapshot& snapshot) const;
 
     /// The bed's own tile of such maps, which is periodic too.
