@@ -6,6 +6,9 @@ uniform float rock;     // 0 sand … 1 mountains
 uniform sampler2D noise_map;  // of ground_noise.frag.glsl
 uniform vec2 noise_origin;    // the drawn bed's corner there
 
+// It is one tile's.
+vec2 noise_place(vec2 place) { return plain < 0.5 ? place + noise_origin : vec2(2.0, 1.0) * place; }
+
 uniform vec3 sand_crest;
 uniform vec3 sand_trough;
 
@@ -24,7 +27,7 @@ vec3 mountain(float broad, BedPoint point, float height) {
 
 vec3 ground_albedo(vec2 place, BedPoint point) {
     float value = texture(value_map, place).r;
-    vec3 noise = 2.0 * texture(noise_map, place + noise_origin).rgb - 1.0;
+    vec3 noise = 2.0 * texture(noise_map, noise_place(place)).rgb - 1.0;
     vec3 own = mix(sand(1.5 * noise.r, noise.g, point, value), mountain(1.5 * noise.b, point, value), rock);
     if (natural > 0.5) return marked(own, place);
     vec3 coloured = linear_from_display(texture(palette, vec2(value * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb);

@@ -28,7 +28,7 @@ void main() {
     vec2 place = (root_origin + spot) / extent + 0.5;
     float height = textureLod(height_map, place, 0.0).r - height_origin + 0.04 * root.w - dot(spot, spot) * curvature;
     vec3 at = vec3(spot, height);
-    BedPoint ground = bed_point(textureLod(lighting_map, (root_origin + root.xy) / extent + 0.5, 0.0));
+    BedPoint ground = bed_point(textureLod(lighting_map, map_place(root_origin + root.xy), 0.0));
     vec3 albedo = vec3(0.40, 0.29, 0.18);
     float direct = max(dot(ground.normal, to_sun), 0.0);
     vec3 lit = albedo * (sun_light * direct + sky_light);

@@ -31,8 +31,8 @@ vec3 floor_albedo(vec3 noise) {
 
 void main() {
     BedPoint point = bed_point(place);
-    vec3 noise = 2.0 * texture(noise_map, place + noise_origin).rgb - 1.0;
-    float bare = bare_sand(place);
+    vec3 noise = 2.0 * texture(noise_map, noise_place(place)).rgb - 1.0;
+    float bare = bare_sand(place) * (1.0 - plain * rock);
     float between = 0.85 * bare * floor_share(point, noise);
     vec3 albedo = mix(ground_albedo(place, point), floor_albedo(noise), between);
     colour = vec4(sqrt(albedo), bare * (1.0 - 0.85 * between));

@@ -72,7 +72,10 @@ SeenPlace near_place() {
     return place;
 }
 
-vec2 bed_place(SeenPlace at) { return (eye.xy + at.offset.xy) / extent + 0.5; }
+vec2 bed_place(SeenPlace at) { return map_place(eye.xy + at.offset.xy); }
+
+// Texels to a block length, of a map of so many along its side.
+float texels_of(int count) { return float(count) / (plain < 0.5 ? extent.x : 2.0 * extent.x); }
 
 // Unevenness of the sand, as fine as is seen at any distance: two octaves of noise in turn.
 float grain(SeenPlace at) {
@@ -113,7 +116,7 @@ vec3 relief(SeenPlace at) {
     return fine + weaker * broad;
 }
 
-vec4 sand_colour(SeenPlace at) { return textureLod(albedo_map, bed_place(at), coarseness(at, float(textureSize(albedo_map, 0).x) / extent.x)); }
+vec4 sand_colour(SeenPlace at) { return textureLod(albedo_map, bed_place(at), coarseness(at, texels_of(textureSize(albedo_map, 0).x))); }
 
 // Slope and brightness of the sand's unevenness, and how much grains differ: stones on bare floors the most.
 vec3 unevenness(float bare) { return vec3(vec2(0.25), 0.62) * sand_grain * (marks > 1.5 ? bare : 0.6 + 0.4 * bare); }
@@ -123,6 +126,9 @@ float grains_of(float bare) { return sand_grain * (marks > 1.5 ? 0.18 : 0.38 - 0
 float uneven_share(float bare, float slid) { return 1.0 - 0.75 * bare * slid; }
 
 vec3 albedo_of(vec4 sand, float brighter) { return sand.rgb * sand.rgb * (1.0 + brighter); }
+
+// How far a place is rock that weathers: as marked, or mountains of a bed that ends in a plain.
+float weathered(vec2 place) { return marks > 1.5 ? rock_share(place) : plain * rock; }
 
 // How far ripples stand on bare sand of a steepness that the wind reaches.
 float rippled(float bare, float open, float steep) { return bare * smoothstep(0.15, 0.6, open) * (1.0 - smoothstep(0.488, 0.601, steep)); }

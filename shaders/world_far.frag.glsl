@@ -12,8 +12,8 @@
 
 vec4 far_colour(SeenPlace at) {
     vec2 place = bed_place(at);
-    vec2 along = at.along.xy / extent;
-    vec2 up = at.up.xy / extent;
+    vec2 along = map_way(at.along.xy);
+    vec2 up = map_way(at.up.xy);
     vec3 to_eye = -normalize(at.offset);
     vec4 sand = sand_colour(at);
     vec2 surface = textureGrad(surface_map, place, along, up).rg;
@@ -24,7 +24,7 @@ vec4 far_colour(SeenPlace at) {
     vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);
     float standing = rippled(sand.a, surface.r, length(slope));
     point.normal = normalize(vec3(point.normal.xy - uneven.xy * point.normal.z, point.normal.z));
-    if (marks > 1.5) weather(point.normal, albedo, in_metres(at.offset), metres(length(at.along) + length(at.up)), rock_share(place));
+    if (marks > 1.5 || plain * rock > 0.0) weather(point.normal, albedo, in_metres(at.offset), metres(length(at.along) + length(at.up)), weathered(place));
     float spread = 0.7 * ripple_slope * standing * dot(facing_of(slope), to_sun.xy);
     float n_dot_l = mean_facing(dot(point.normal, to_sun), spread);
     float direct = roughened(point.sun * n_dot_l, point.normal, to_eye);

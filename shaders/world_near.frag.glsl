@@ -94,11 +94,11 @@ float glints(SeenPlace at, vec3 to_eye) {
 vec4 near_colour(SeenPlace at) {
     vec3 offset = at.offset;
     vec2 place = bed_place(at);
-    vec2 place_along = at.along.xy / extent;
-    vec2 place_up = at.up.xy / extent;
+    vec2 place_along = map_way(at.along.xy);
+    vec2 place_up = map_way(at.up.xy);
     vec3 to_eye = -normalize(offset);
     vec4 sand = sand_colour(at);
-    vec2 surface = textureLod(surface_map, place, coarseness(at, float(textureSize(surface_map, 0).x) / extent.x)).rg;
+    vec2 surface = textureLod(surface_map, place, coarseness(at, texels_of(textureSize(surface_map, 0).x))).rg;
     float open = surface.r;
     float share = uneven_share(sand.a, surface.g);
     vec3 uneven = share * unevenness(sand.a) * relief(at);
@@ -126,7 +126,7 @@ vec4 near_colour(SeenPlace at) {
     for (int i = 0; i < parts; ++i) {
         vec2 aside = whole_pixels > 0.5 ? vec2(float(i) - 0.5, 0.5 - float(i)) * (0.5 / crisp) : vec2(0.0);
         vec3 to_part = aside.x * at.along + aside.y * at.up;
-        BedPoint point = bed_point(textureLod(lighting_map, place + to_part.xy / extent, level));
+        BedPoint point = bed_point(textureLod(lighting_map, place + map_way(to_part.xy), level));
         slope = -point.normal.xy / max(point.normal.z, 0.1);
         float steep = length(slope);
         if (i == 0) {
@@ -147,9 +147,9 @@ vec4 near_colour(SeenPlace at) {
         trough += part * wave.y;
     }
     vec3 albedo = albedo_of(sand, share * grains_of(sand.a) * grain(at) + 0.1 * uneven.z + 0.06 * tongue.y);
-    if (marks > 1.5) {
-        weather(mean.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), rock_share(place));
-        direct = mix(direct, mean.sun * max(dot(mean.normal, to_sun), 0.0), rock_share(place));
+    if (marks > 1.5 || plain * rock > 0.0) {
+        weather(mean.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), weathered(place));
+        direct = mix(direct, mean.sun * max(dot(mean.normal, to_sun), 0.0), weathered(place));
     }
     direct = roughened(direct, mean.normal, to_eye);
     // Troughs see less of the sky.

@@ -20,7 +20,8 @@ enum class Purpose : std::uint32_t {
     influx = 7,
     gusts = 8,
     first_plants = 9,
-    plants = 10
+    plants = 10,
+    plain = 11
 };
 
 /// Philox4x32-10 (Salmon, Moraes, Dror & Shaw 2011): ten rounds on a 128-bit counter under a 64-bit

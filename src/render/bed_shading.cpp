@@ -175,7 +175,8 @@ float switched(bool on) {
 /// Of the air, per block length (Koschmieder 1924: contrast falls to 2 % within the visibility);
 /// below 0 where the haze does not follow distance.
 float extinction(const View& view, const Camera& camera, const Block& block) {
-    constexpr double usual = 40.0;  // km
+    // km; landscapes of many kilometres are looked at on clear days
+    const double usual = block.tiles.plain ? std::max(40.0, 8.0 * block.kilometres) : 40.0;
     constexpr double contrast_log = 3.912;
     const bool known = !view.air.visibility.is_word();
     if (!known && view.look.ground != Ground::endless) return -1.0F;
@@ -213,6 +214,9 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
             {"tinted", switched(!colours_water(view.look.colour_by))},
             {"figure", switched(view.look.mode == ViewMode::figure)},
             {"soil", switched(view.look.sides == BlockSides::soil && scenic)},
+            {"plain", switched(block.tiles.plain)},
+            {"repeats_x", switched(block.tiles.repeats_x)},
+            {"repeats_y", switched(block.tiles.repeats_y)},
             {"rock", static_cast<float>(block.rock)}};
 }
 

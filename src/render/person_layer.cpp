@@ -113,8 +113,10 @@ PersonLayer::PersonLayer(const View& view, const Block& block, const Snapshot& f
     gl.BindVertexArray(0);
 }
 
-void PersonLayer::set_bed(const Field<float>& z, bool repeats) {
+void PersonLayer::set_bed(const Field<float>& z, const Block& ground, bool repeats) {
     z_ = z;
+    extent_ = glm::dvec2(ground.width_x, ground.width_y);
+    tiles_ = ground.tiles;
     repeats_ = repeats;
     if (!heights_) {
         heights_.emplace(z.nx(), z.ny(),
@@ -136,8 +138,7 @@ void PersonLayer::set_common(const gl::Program& program, const PlantGround& grou
 
 void PersonLayer::draw_one(const gl::Program& program, const PersonPlace& place,
                            const PlantGround& ground, const Camera& camera) const {
-    const glm::dvec2 share =
-        (place.at - ground.origin) / glm::dvec2(block_.width_x, block_.width_y) + 0.5;
+    const glm::dvec2 share = tiles_.in_maps((place.at - ground.origin) / extent_ + 0.5);
     const auto height = static_cast<double>(drawn_height(z_, share, repeats_));
     glm::dvec3 root(place.at, height);
     if (ground.endless) {

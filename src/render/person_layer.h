@@ -34,8 +34,8 @@ class PersonLayer {
     PersonLayer(const View& view, const Block& block, const Snapshot& first,
                 const gl::Constants& fixed);
 
-    /// `z`: the ground of a frame as it is drawn, block lengths.
-    void set_bed(const Field<float>& z, bool repeats);
+    /// `z`: the ground of a frame as it is drawn, block lengths, by the block of its maps.
+    void set_bed(const Field<float>& z, const Block& ground, bool repeats);
     void draw(const PlantGround& ground, const BedShading& shading, const Light& light,
               const Camera& camera, const TileSamples& tile) const;
     /// As TerrainLayer::draw_places(), by the program of person_place.vert.glsl.
@@ -60,6 +60,8 @@ class PersonLayer {
     int count_ = 0;
     std::optional<gl::Texture2D> heights_;
     Field<float> z_;
+    glm::dvec2 extent_{1.0};  ///< of the ground's tile
+    GroundTiles tiles_;
     bool repeats_ = false;
 };
 

@@ -78,8 +78,9 @@ glm::dvec3 PlaceLayers::surface_normal(const glm::dvec2& share) const {
             const int cells = ground_.endless ? 2 : number(to, count) - number(from, count);
             return cells > 0 ? 1.0 / (cells * cell) : 0.0;
         };
-        const double dx = over(a - 1, a + 1, z.nx(), ground_.block.width_x / z.nx());
-        const double dy = over(b - 1, b + 1, z.ny(), ground_.block.width_y / z.ny());
+        const double dx = over(a - 1, a + 1, z.nx(),
+                               ground_.ground.width_x * ground_.ground.tiles.count() / z.nx());
+        const double dy = over(b - 1, b + 1, z.ny(), ground_.ground.width_y / z.ny());
         return glm::dvec2((height(a + 1, b) - height(a - 1, b)) * dx,
                           (height(a, b + 1) - height(a, b - 1)) * dy);
     };
@@ -101,8 +102,9 @@ PlaceLayers::Seen PlaceLayers::seen_at(int x, int y, const float* texel) const {
             seen.normal = unfolded(-static_cast<double>(texel[3]) - 1.0);
             return seen;
         }
-        seen.normal = surface_normal(
-            {seen.point.x / block.width_x + 0.5, seen.point.y / block.width_y + 0.5});
+        const Block& ground = ground_.ground;
+        seen.normal = surface_normal(ground.tiles.in_maps(
+            {seen.point.x / ground.width_x + 0.5, seen.point.y / ground.width_y + 0.5}));
         return seen;
     }
     if (!ground_.plain) return seen;
@@ -116,6 +118,14 @@ PlaceLayers::Seen PlaceLayers::seen_at(int x, int y, const float* texel) const {
     seen.point = from + view * ((block.base - from.z) / view.z);
     seen.normal = {0.0, 0.0, 1.0};
     return seen;
+}
+
+/// Where the bed has ended; `east` and `north` are shares of its sides.
+bool PlaceLayers::beside_bed(double east, double north) const {
+    if (east < 0.0 || east >= 1.0 || north < 0.0 || north >= 1.0) return true;
+    const Mask& nodata = ground_.snapshot.nodata;
+    return !nodata.empty() &&
+           nodata(static_cast<int>(east * nodata.nx()), static_cast<int>(north * nodata.ny())) != 0;
 }
 
 void PlaceLayers::put(std::size_t pixel, const Seen& seen) {
@@ -147,10 +157,10 @@ void PlaceLayers::put(std::size_t pixel, const Seen& seen) {
         if (!seen.bed) continue;
         double east = position.x / block.width_x;
         double north = position.y / block.width_y;
-        if (ground_.endless) {
-            east = within_one(east);
-            north = within_one(north);
-        }
+        const GroundTiles& tiles = ground_.ground.tiles;
+        if (ground_.endless && tiles.repeats_x) east = within_one(east);
+        if (ground_.endless && tiles.repeats_y) north = within_one(north);
+        if (tiles.plain && beside_bed(east, north)) continue;
         const Grid& field = *fields_[k];
         value =
             static_cast<float>(scales_[k] * field(cell(east, field.nx()), cell(north, field.ny())));

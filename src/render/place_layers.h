@@ -19,6 +19,7 @@ class WorkerPool;
 struct DrawnGround {
     const Snapshot& snapshot;
     const Block& block;
+    Block ground;  ///< of endless ground's maps, else the same
     const Camera& camera;
     Field<float> surface;  ///< as it is drawn, water included, block lengths
     bool endless = false;  ///< repeated to the horizon; points are then offsets from the eye
@@ -51,6 +52,7 @@ class PlaceLayers {
     };
     [[nodiscard]] Seen seen_at(int x, int y, const float* texel) const;
     [[nodiscard]] glm::dvec3 surface_normal(const glm::dvec2& share) const;
+    [[nodiscard]] bool beside_bed(double east, double north) const;
     void put(std::size_t pixel, const Seen& seen);
 
     int width_;

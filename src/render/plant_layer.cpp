@@ -260,7 +260,8 @@ void PlantLayer::set_common(const gl::Program& program, const PlantGround& groun
     shading.bind(program);
     set_light(program, view_, light, camera, block_);
     // Reduced to one period, for the sake of precision.
-    const auto reduced = [](double place, double extent) {
+    const auto reduced = [&](double place, double extent) {
+        if (block_.tiles.plain) return place;
         return place - extent * std::floor(place / extent + 0.5);
     };
     program.set("root_origin",

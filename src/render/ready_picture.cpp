@@ -1,5 +1,6 @@
 #include "render/ready_picture.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/error.h"
@@ -20,9 +21,11 @@ std::shared_ptr<const LitBed> Renderer::Parts::lit_bed(const ReadyPicture& pictu
     lit->snapshot = picture.snapshot;
     lit->sun = sun;
     if (world) {
-        lit->light = repeated_light(shown, picture.framed, refinement, origin, sun,
+        if (plain) lit->in_plain = PlainAround(shown, with).around(shown);
+        const Block framed = plain ? plain->ground_of(picture.framed) : picture.framed;
+        lit->light = repeated_light(plain ? *lit->in_plain : shown, framed, refinement, origin, sun,
                                     prevailing_way(shown), with);
-        lit->heights = std::make_shared<const HeightPyramid>(std::move(lit->light.z));
+        lit->heights = std::make_shared<const HeightPyramid>(std::move(lit->light.z), framed.tiles);
     } else {
         lit->bed = display_bed(shown, picture.framed, refinement);
         lit->texels = lighting_texels(lit->bed, sun, with);
@@ -45,10 +48,18 @@ ReadyPicture Renderer::Parts::ready(std::shared_ptr<const Snapshot> snapshot,
     if (pose) {
         picture.pose = *pose;
     } else {
-        picture.pose.camera = above_ground(camera_at(shown.step), picture.framed, shown);
+        picture.pose.camera = camera_at(shown.step);
+        if (!plain) picture.pose.camera = above_ground(picture.pose.camera, picture.framed, shown);
     }
+    const bool raised = !pose && plain && picture.framed.eye;
     const bool same = before && before->snapshot == picture.snapshot && before->sun == sun;
     picture.lit = same ? before : lit_bed(picture, sun, with);
+    if (raised) {
+        glm::dvec3& eye = picture.pose.camera.eye;
+        const auto under = static_cast<double>(picture.lit->heights->at(
+            0, eye.x / ground.width_x + 0.5, eye.y / ground.width_y + 0.5));
+        eye.z = std::max(eye.z, under + picture.framed.eye_above);
+    }
     if (world) {
         const double samples_high = static_cast<double>(view.image.height) * plan.factor;
         picture.ground =

@@ -23,6 +23,7 @@ struct LitBed {
     DisplayBed bed;                     ///< of a block
     std::vector<std::uint16_t> texels;  ///< likewise, see lighting_texels()
     RepeatedLight light;                ///< of endless ground, without its heights
+    std::optional<Snapshot> in_plain;   ///< the bed as the ground's maps hold it, where it ends
     std::shared_ptr<const HeightPyramid> heights;
 };
 
@@ -36,6 +37,10 @@ struct ReadyPicture {
     SeenGround ground;  ///< of endless ground
 
     [[nodiscard]] const Snapshot& shown() const { return reshaped ? *reshaped : *snapshot; }
+    /// What the ground's maps hold.
+    [[nodiscard]] const Snapshot& ground_shown() const {
+        return lit->in_plain ? *lit->in_plain : shown();
+    }
 };
 
 }  // namespace fumon

@@ -1,5 +1,6 @@
 #include "render/renderer.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -61,8 +62,9 @@ LayeredImage Renderer::render_layers(const Snapshot& whole, bool places) {
     if (places) {
         const bool plain = !p.world && !p.open() && p.view.look.mode == ViewMode::scenic;
         PlaceLayers layers(image.width, image.height,
-                           {picture.shown(), picture.framed, camera, p.drawn_surface(picture),
-                            p.world.has_value(), plain});
+                           {picture.shown(), picture.framed,
+                            p.plain ? p.plain->ground_of(picture.framed) : picture.framed, camera,
+                            p.drawn_surface(picture), p.world.has_value(), plain});
         for (const Tile& tile : p.plan.tiles) p.draw_places(tile, camera, layers);
         for (ImageLayer& layer : layers.take()) image.layers.push_back(std::move(layer));
     }
@@ -87,17 +89,27 @@ void Renderer::prepare(const ReadyPicture& picture) {
     const Camera& camera = picture.pose.camera;
     std::optional<Snapshot> other;
     if (picture.pose.reference) other = Parts::shown_first(*picture.pose.reference, p.view);
-    const Snapshot& reference = other ? *other : p.first;
+    if (other && p.plain) other = PlainAround(*other, p.pool).around(*other);
+    const Snapshot& reference = other ? *other : p.first_ground();
     const bool uploaded = p.uploaded == picture.lit && !other;
     p.uploaded = other ? nullptr : picture.lit;
 
     gl::functions().BindVertexArray(p.no_attributes.name());
     if (p.world) {
         if (!uploaded) {
-            p.shading.upload(snapshot, reference, lit.light, p.origin);
+            p.shading.upload(picture.ground_shown(), reference, lit.light, p.origin);
             p.world->set_bed(snapshot, lit.light, lit.heights);
-            if (p.plants) p.plants->set_bed(snapshot, lit.heights->finest(), true);
-            if (p.persons) p.persons->set_bed(lit.heights->finest(), true);
+            if (p.plants && p.plain) {
+                // Those of the plain beyond the bed's tile are its tint alone.
+                const Field<float>& maps = lit.heights->finest();
+                Field<float> tile(maps.nx() / 2, maps.ny());
+                for (int y = 0; y < tile.ny(); ++y)
+                    std::copy_n(maps.row(y).begin(), tile.nx(), tile.row(y).begin());
+                p.plants->set_bed(p.plain->own_tile(*lit.in_plain), tile, false);
+            } else if (p.plants) {
+                p.plants->set_bed(snapshot, lit.heights->finest(), true);
+            }
+            if (p.persons) p.persons->set_bed(lit.heights->finest(), p.ground, true);
         }
         p.sky.bind(sky_unit);
         if (!uploaded) p.shading.shade(p.light, camera);
@@ -114,7 +126,7 @@ void Renderer::prepare(const ReadyPicture& picture) {
         }
         p.terrain.set_bed(lit.bed, water ? &water->depth : nullptr, camera);
         if (p.plants) p.plants->set_bed(snapshot, lit.bed.z, false);
-        if (p.persons) p.persons->set_bed(lit.bed.z, false);
+        if (p.persons) p.persons->set_bed(lit.bed.z, p.block, false);
         p.terrain.set_clarity(rise * static_cast<float>(p.shading.clarity()));
     }
     if (p.air && snapshot.section) p.air->set_air(snapshot, picture.framed, camera, p.pool);

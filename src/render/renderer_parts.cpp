@@ -27,6 +27,24 @@ int smooth_enough(Ground ground, bool draft) {
     return ground == Ground::endless ? 1000 : 400;
 }
 
+/// Cells of the maps of a bed in its plain, at most.
+constexpr double most_cells_in_plain = 8.6e6;
+
+int chosen_refinement(const View& view, const Snapshot& first, const Snapshot& ground, bool draft) {
+    const int wanted =
+        refinement_of(first.bed.nx(), first.bed.ny(),
+                      static_cast<int>(std::max(view.image.width, view.image.height)),
+                      smooth_enough(view.look.ground, draft));
+    if (&first == &ground) return wanted;
+    const double most = std::sqrt(most_cells_in_plain / static_cast<double>(ground.bed.size()));
+    return std::clamp(static_cast<int>(most), 1, wanted);
+}
+
+std::optional<PlainAround> plain_of(const View& view, const Snapshot& first, WorkerPool& pool) {
+    if (view.look.ground != Ground::endless || !ends_somewhere(first)) return std::nullopt;
+    return PlainAround(first, pool);
+}
+
 TilePlan plan_of(const View& view, const RenderLimits& limits) {
     GLint largest = 0;
     gl::functions().GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
@@ -94,20 +112,21 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       pool(pool_),
       kind(kind_),
       block(framed_block(view, first)),
+      plain(plain_of(view, first, pool)),
+      first_in_plain(plain ? std::optional(plain->around(first)) : std::nullopt),
+      ground(plain ? plain->ground_of(block) : block),
       water(draws_water(view.look, first)),
-      refinement(refinement_of(first.bed.nx(), first.bed.ny(),
-                               static_cast<int>(std::max(view.image.width, view.image.height)),
-                               smooth_enough(view.look.ground, limits.draft))),
-      origin(view.look.ground == Ground::endless
+      refinement(chosen_refinement(view, first, first_ground(), limits.draft)),
+      origin(view.look.ground == Ground::endless && !plain
                  ? origin_around(camera_at(0), block, first.bed.nx(), first.bed.ny())
                  : DrawnOrigin{}),
       plan(plan_of(view, limits)),
       light(light_of_view(view)),
       light_before(light),
       sun_before(view.sun),
-      fixed(fixed_uniforms(view, light, block, kind)),
+      fixed(fixed_uniforms(view, light, ground, kind)),
       sky(light.sky_columns, light.sky_rows, sky_layout, light.sky_texels.data()),
-      shading(view, block, first, display_bed(first, block, refinement),
+      shading(view, ground, first_ground(), display_bed(first_ground(), ground, refinement),
               static_cast<int>(std::max(view.image.width, view.image.height)) * plan.factor, fixed,
               kind),
       terrain(view, block, fixed),
@@ -115,8 +134,9 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       pixel_depths(depths_of_pixels(view, plan)),
       surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(kind),
                    pixel_depths ? &*pixel_depths : nullptr) {
+    if (plain) plain->stand_in(view.camera, *first_in_plain, block);
     if (view.look.ground == Ground::endless) {
-        world.emplace(view, block, first, refinement, origin, fixed);
+        world.emplace(view, ground, first_ground(), refinement, origin, fixed);
         if (pixel_depths) {
             const Tile& tile = plan.tiles.front();
             pixels.emplace(tile.width, tile.height, plain_layout(kind), &*pixel_depths);
@@ -125,7 +145,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
     if (first.section)
         air.emplace(block, camera_at(0),
                     static_cast<int>(std::max(view.image.width, view.image.height)), fixed);
-    if (draws_plants(view, first)) plants.emplace(view, block, fixed);
+    if (draws_plants(view, first)) plants.emplace(view, ground, fixed);
     if (!view.persons.empty()) persons.emplace(view, block, first, fixed);
     gl::check_errors("the renderer's setup");
 }

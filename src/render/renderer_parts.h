@@ -25,6 +25,7 @@
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/drawn_origin.h"
+#include "render/view/plain_around.h"
 #include "render/view/tiles.h"
 #include "render/world_layer.h"
 
@@ -57,6 +58,10 @@ struct Renderer::Parts {
 
     /// The first snapshot as it is shown.
     [[nodiscard]] static Snapshot shown_first(const Snapshot& first, const View& view);
+    /// The first snapshot as the ground's maps hold it.
+    [[nodiscard]] const Snapshot& first_ground() const {
+        return first_in_plain ? *first_in_plain : first;
+    }
     [[nodiscard]] Camera camera_at(std::int64_t step) const;
     /// A tile's first sample, and the sample its target begins at; from the picture's lower left.
     [[nodiscard]] glm::ivec2 first_sample(const Tile& tile) const;
@@ -93,7 +98,10 @@ struct Renderer::Parts {
     WorkerPool& pool;
     PixelKind kind;
     Block block;
-    bool water;  // whether it is drawn
+    std::optional<PlainAround> plain;  // of endless ground that is not the bed's own repetition
+    std::optional<Snapshot> first_in_plain;
+    Block ground;  // the block of its maps
+    bool water;    // whether it is drawn
     int refinement;
     DrawnOrigin origin;  // of endless ground
     TilePlan plan;

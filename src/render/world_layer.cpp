@@ -53,8 +53,9 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
                        const DrawnOrigin& origin, const gl::Constants& fixed)
     : view_(view),
       block_(block),
-      cell_(static_cast<float>(
-          std::min(block.width_x / first.bed.nx(), block.width_y / first.bed.ny()) / refinement)),
+      cell_(static_cast<float>(std::min(block.width_x * block.tiles.count() / first.bed.nx(),
+                                        block.width_y / first.bed.ny()) /
+                               refinement)),
       ripple_length_(first.scale.in_metres ? ripple_metres / block.side
                                            : ripple_cells * cell_ * refinement),
       origin_(origin.place),
@@ -164,6 +165,7 @@ GroundFan WorldLayer::fan_of(const Camera& camera, const HeightPyramid& heights)
 }
 
 glm::dvec3 WorldLayer::reduced_eye(const Camera& camera) const {
+    if (block_.tiles.plain) return camera.eye;
     const auto reduced = [](double place, double extent) {
         return place - extent * std::floor(place / extent + 0.5);
     };

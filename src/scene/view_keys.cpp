@@ -108,7 +108,8 @@ void list_view_keys(View& view, KeyTable& table) {
     table.word_or_real(
         "air.visibility", view.air.visibility,
         {{"auto",
-          "40 km over endless ground, 80 km over sun.dust where that is less; around a block on a "
+          "40 km over endless ground, or, where the bed ends in a plain, eight times its longer "
+          "side if that is more; 80 km over sun.dust where that is less; around a block on a "
           "table as sun.haze says"}},
         {.unit = "km",
          .range = {1e-4, 1e5},
@@ -163,7 +164,8 @@ void list_view_keys(View& view, KeyTable& table) {
           "have; else table"},
          {Ground::table, "table", "the bed is a block on a pale table"},
          {Ground::endless, "endless",
-          "a periodic bed of sand goes on to the horizon, with wind ripples below its grid"}},
+          "the ground goes on to the horizon, with wind ripples below the grid: a periodic bed "
+          "repeats, and where a bed ends it runs out into a plain with relief of its own kind"}},
         {.help = "what lies around the bed", .earlier = {"0.2.0", "\"table\""}});
     table.choice("look.background", look.background,
                  {{Background::surroundings, "surroundings", "table, sky or the figure's paper"},

@@ -265,8 +265,8 @@ std::string refusal(const View& view, const Snapshot& bed) {
 
 TEST(WorldLayer, RefusesWhatCannotGoOn) {
     const View view = standing_view(0, 0);
-    EXPECT_EQ(refusal(view, wavy_bed(40, 30)),
-              "look.ground = \"endless\" needs a whole periodic bed, as the sand models have; "
+    EXPECT_EQ(refusal(view, wavy_bed(40, 1)),
+              "look.ground = \"endless\" is for beds of more than one row; "
               "\"table\" draws this one");
     const Snapshot dunes = repeated_dunes(40, 30);
     View from_above = view;
@@ -275,9 +275,46 @@ TEST(WorldLayer, RefusesWhatCannotGoOn) {
     View figure = view;
     figure.look.mode = ViewMode::figure;
     EXPECT_NE(refusal(figure, dunes).find("scenic"), std::string::npos);
+}
+
+/// Two cells from the western edge of a bed that ends there.
+View view_over_an_edge() {
+    View view = small_view();
+    view.look.ground = Ground::endless;
+    view.look.exaggeration = {"", 1.0};
+    view.camera.at = {30.0, 15.0, 8.0};
+    view.camera.look_at = {0.0, 18.0, 2.0};
+    return view;
+}
+
+double mean_difference(const Image& a, const Image& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(int{a.rgb[i]} - int{b.rgb[i]});
+    return sum / static_cast<double>(a.rgb.size());
+}
+
+TEST(WorldLayer, ABedThatEndsGoesOnAsAPlainWhereItDoesNotRepeat) {
+    const Snapshot ends = wavy_bed(40, 30);
+    Snapshot along_y = ends;
+    along_y.periodic_y = true;
+    const View view = view_over_an_edge();
+    EXPECT_GT(mean_difference(picture(view, ends), picture(view, along_y)), 0.5);
+}
+
+TEST(WorldLayer, ACameraBesideABedStandsOnItsPlain) {
+    View view = view_over_an_edge();
     Snapshot masked = masked_bed(40, 30);
-    masked.periodic = true;
-    EXPECT_NE(refusal(view, masked).find("whole periodic bed"), std::string::npos);
+    view.camera.at = {1.0, 1.0, 3.0};  // where no cell is, at a height of -9999
+    view.camera.look_at = {20.0, 15.0, 2.0};
+    const Image image = picture(view, masked);
+    // The sky is above, and ground below.
+    const auto pixel = [&](int row) {
+        return image.rgb.data() +
+               3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+                    static_cast<std::size_t>(image.width) / 2);
+    };
+    EXPECT_GT(int{pixel(2)[2]}, int{pixel(2)[0]}) << "blue";
+    EXPECT_LT(int{pixel(image.height - 3)[2]}, int{pixel(image.height - 3)[0]}) << "sand";
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ class InsetMapOverlay : public Overlay {
         : view_(with_chosen_ground(on.scene.view, on.shown)),
           last_step_(on.scene.run.steps),
           block_(framed_block(view_, on.shown)),
-          goes_on_(view_.look.ground == Ground::endless),
+          goes_on_(view_.look.ground == Ground::endless && on.shown.periodic),
           length_(settings.size *
                   static_cast<double>(std::min(view_.image.width, view_.image.height))) {}
 

@@ -143,7 +143,7 @@ FollowedDune followed_dune(const Film& film, std::size_t shot, const FilmStage& 
                            first->step, dunes.size()));
     }
     const Dune& dune = dunes[number - 1];
-    const bool goes_on = stage.scene.view.look.ground == Ground::endless;
+    const bool goes_on = stage.repeats;
     const auto on_stage = [&](const glm::dvec2& sites, double height) {
         const Block& block = stage.block;
         return glm::dvec3(((sites.x + 0.5) / first->bed.nx() - 0.5) * block.width_x,

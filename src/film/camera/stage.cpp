@@ -28,7 +28,7 @@ double ground_at(const FilmStage& stage, const Snapshot& bed, double x, double y
 }  // namespace
 
 FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& size) {
-    FilmStage stage{beds.scene(), {}, 1.0};
+    FilmStage stage{beds.scene(), {}};
     View& view = stage.scene.view;
     if (view.look.mode == ViewMode::figure && beds.first().section) {
         throw InputError(
@@ -58,6 +58,7 @@ FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& s
     view = with_chosen_ground(view, beds.first());
     const std::optional<Snapshot> shown = shown_snapshot(beds.first(), view);
     stage.block = framed_block(view, shown ? *shown : beds.first());
+    stage.repeats = view.look.ground == Ground::endless && beds.first().periodic;
     stage.aspect = static_cast<double>(size.width) / static_cast<double>(size.height);
     return stage;
 }
@@ -79,8 +80,7 @@ glm::dvec3 place_on_stage(const FilmStage& stage, const std::vector<double>& pla
     return {x, y, block.z(ground_at(stage, bed, x, y) + place[2] / bed.scale.height_unit)};
 }
 
-HighestGround::HighestGround(const FilmStage& stage)
-    : stage_(stage), goes_on_(stage.scene.view.look.ground == Ground::endless) {}
+HighestGround::HighestGround(const FilmStage& stage) : stage_(stage), goes_on_(stage.repeats) {}
 
 void HighestGround::add(const Snapshot& bed) {
     if (highest_.size() == 0)

@@ -16,6 +16,7 @@ struct FilmStage {
     Block block;  ///< of the run's first bed
     double aspect = 1.0;
     double overrun = 0.0;  ///< of its width, by which a bed that "fits" is wider than the picture
+    bool repeats = false;  ///< whether its bed is seen to go on past its edges with its other side
 };
 
 /// The stage of a film of a run at a size. Throws InputError where the run's scene has no view in

@@ -91,7 +91,7 @@ void place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::vector
         const std::size_t from = hidden ? count / 2 : 0;
         const std::size_t to = hidden ? from + 1 : count;
         const Field<float>& means = bed.level(around.level);
-        ground_vectors::look_along({means.data(), means.nx(), means.ny()}, over_bed,
+        ground_vectors::look_along({means.data(), means.nx(), means.ny(), bed.tiles()}, over_bed,
                                    around.radii.data() + from, static_cast<int>(to - from),
                                    over.data(), rises.data());
         std::size_t highest = 0;

@@ -1,17 +1,20 @@
 #pragma once
 
+#include "render/view/ground_tiles.h"
+
 /// The loop over the places along a ray that a mesh of the ground takes, see vectors/target.h: the
 /// same bits on every target.
 namespace fumon::ground_vectors {
 
-/// Heights of a periodic bed, or means of them, x fastest.
+/// Heights of a periodic bed, or means of them, x fastest; or of the maps of a bed in its plain.
 struct Heights {
     const float* values;
     int nx;
     int ny;
+    GroundTiles tiles{};
 };
 
-/// A ray over it. Places count periods of the bed, 0 and 1 its two ends.
+/// A ray over it. Places count periods of the bed, or its tiles, 0 and 1 its two ends.
 struct Ray {
     double east;  ///< under the eye
     double north;

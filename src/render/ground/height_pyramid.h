@@ -6,25 +6,29 @@
 #include <vector>
 
 #include "base/grid.h"
+#include "render/view/ground_tiles.h"
 
 namespace fumon {
 
-/// Heights of a periodic bed, and their means over squares of 2, 4, 8 … cells.
+/// Heights of a periodic bed, or of the maps of a bed in its plain, and their means over squares of
+/// 2, 4, 8 … cells.
 class HeightPyramid {
   public:
-    explicit HeightPyramid(Field<float> heights);
+    explicit HeightPyramid(Field<float> heights, const GroundTiles& tiles = {});
 
     [[nodiscard]] const Field<float>& finest() const { return levels_.front(); }
     [[nodiscard]] int levels() const { return static_cast<int>(levels_.size()); }
     [[nodiscard]] const Field<float>& level(int number) const {
         return levels_[static_cast<std::size_t>(number)];
     }
+    [[nodiscard]] const GroundTiles& tiles() const { return tiles_; }
     /// Between the four nearest means of a level. `east` and `north` count periods: 0 and 1 are the
-    /// bed's two ends.
+    /// two ends of the bed, or of its tile.
     [[nodiscard]] float at(int level, double east, double north) const {
         const Field<float>& field = levels_[static_cast<std::size_t>(level)];
-        const Between x = between(east, field.nx());
-        const Between y = between(north, field.ny());
+        const glm::dvec2 place = tiles_.in_maps({east, north});
+        const Between x = between(place.x, field.nx());
+        const Between y = between(place.y, field.ny());
         const float* below = field.row(y.first).data();
         const float* above = field.row(y.second).data();
         const float south = below[x.first] + x.share * (below[x.second] - below[x.first]);
@@ -47,6 +51,7 @@ class HeightPyramid {
         return {first, first + 1 == count ? 0 : first + 1, static_cast<float>(place - first)};
     }
 
+    GroundTiles tiles_;
     std::vector<Field<float>> levels_;
     float highest_ = 0.0F;
 };

@@ -8,6 +8,7 @@
 #include "numerics/resampling.h"
 #include "render/light/lighting.h"
 #include "render/light/sky_visibility.h"
+#include "render/light/tiled_light.h"
 #include "render/view/display_bed.h"
 #include "render/view/repeated_bed.h"
 #include "render/view/sharp_brinks.h"
@@ -60,6 +61,29 @@ class Beside {
     float right_;
     float upper_;
 };
+
+/// The sun's share of each cell of the maps.
+Field<float> sun_over_tiles(const Field<float>& z, const DisplayBed& scale,
+                            const GroundTiles& tiles, const SunDirection& sun,
+                            const ShareBounds& bounds) {
+    const auto repeated = [&](const Field<float>& heights) {
+        return sun_visibility(heights, scale.dx, scale.dy, sun, bounds, LatticeBorder::periodic);
+    };
+    const auto open = [&](const Field<float>& heights, int margin) {
+        return without_margin(sun_visibility(heights, scale.dx, scale.dy, sun, bounds), margin);
+    };
+    return shares_over_tiles(z, tiles, repeated, open);
+}
+
+Field<float> sky_over_tiles(const DisplayBed& bed, const GroundTiles& tiles, WorkerPool& pool) {
+    const auto repeated = [&](const Field<float>& heights) {
+        return repeated_sky(heights, bed.dx, bed.dy, pool);
+    };
+    const auto open = [&](const Field<float>& heights, int margin) {
+        return sky_visibility(heights, bed.dx, bed.dy, pool, margin);
+    };
+    return shares_over_tiles(bed.z, tiles, repeated, open);
+}
 
 /// Shares of the sun whose shadows begin a cell later where the ground turns away from it: its
 /// slope shows the edge between cells, and a share does not.
@@ -135,12 +159,10 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
     light.z = without_margin(wide.z, 1);
 
     LightShares shares{
-        with_margin(with_later_shadows(sun_visibility(light.z, wide.dx, wide.dy, sun, sun_bounds,
-                                                      LatticeBorder::periodic),
+        with_margin(with_later_shadows(sun_over_tiles(light.z, wide, block.tiles, sun, sun_bounds),
                                        light.z, wide.dx, wide.dy, sun, pool),
                     1),
-        refined_around(repeated_sky(coarse.z, coarse.dx, coarse.dy, pool), refinement, 1),
-        sun_bounds};
+        refined_around(sky_over_tiles(coarse, block.tiles, pool), refinement, 1), sun_bounds};
     for (float& share : shares.sky.values()) share = std::clamp(share, 0.0F, 1.0F);
     light.texels = lighting_texels(wide, shares, 1, pool);
 
@@ -155,8 +177,7 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
     constexpr float no_shadow = 0.2679F;    // tan 15°
     const SunDirection upwind{static_cast<float>(-way.x), static_cast<float>(-way.y), full_shadow,
                               no_shadow};
-    const Field<float> wind =
-        sun_visibility(light.z, wide.dx, wide.dy, upwind, {}, LatticeBorder::periodic);
+    const Field<float> wind = sun_over_tiles(light.z, wide, block.tiles, upwind, {});
     const Field<float> slid = refined_around(slid_sand(coarse), refinement, 0);
     light.surface.reserve(2 * wind.size());
     for (std::size_t i = 0; i < wind.size(); ++i) {

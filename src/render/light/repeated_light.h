@@ -13,7 +13,8 @@ namespace fumon {
 
 class WorkerPool;
 
-/// A periodic bed and what light and wind do to it, among its own repetitions.
+/// A periodic bed and what light and wind do to it, among its own repetitions; or a bed in its
+/// plain.
 struct RepeatedLight {
     Field<float> z;                      ///< as the display bed's
     std::vector<std::uint16_t> texels;   ///< as lighting_texels; the sun's within `sun_bounds`

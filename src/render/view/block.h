@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/snapshot.h"
+#include "render/view/ground_tiles.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -30,6 +31,7 @@ struct Block {
     double eye_above = 0.0;             ///< the ground there, at least
     std::optional<glm::dvec3> look_at;  ///< what it looks at, if that is a place
     double rock = 0.0;                  ///< 0 sand … 1 mountains, for the natural colouring
+    GroundTiles tiles;                  ///< of endless ground, whose block is one of them wide
 
     [[nodiscard]] double z(double height) const { return (height - reference) * height_scale; }
 };

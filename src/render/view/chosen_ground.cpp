@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "render/view/plain_around.h"
 #include "render/view/water.h"
 
 namespace fumon {
@@ -11,8 +12,7 @@ const char* why_not_endless(const View& view, const Snapshot& first) {
     if (view.look.mode != ViewMode::scenic) return "is for scenic views (look.mode)";
     if (view.camera.projection != Projection::perspective)
         return "is for the perspective camera (camera.projection)";
-    if (!first.periodic || first.bed.ny() < 2 || !first.nodata.empty() || first.section)
-        return "needs a whole periodic bed, as the sand models have";
+    if (first.bed.ny() < 2 || first.section) return "is for beds of more than one row";
     if (draws_water(view.look, first)) return "is for beds without water";
     if (view.look.draws_contours()) return "shows no contours (look.contours)";
     if (view.look.background == Background::transparent)
@@ -21,7 +21,8 @@ const char* why_not_endless(const View& view, const Snapshot& first) {
 }
 
 bool goes_on_endlessly(const View& view, const Snapshot& first) {
-    if (view.look.ground == Ground::automatic) return why_not_endless(view, first) == nullptr;
+    if (view.look.ground == Ground::automatic)
+        return !ends_somewhere(first) && why_not_endless(view, first) == nullptr;
     return view.look.ground == Ground::endless;
 }
 

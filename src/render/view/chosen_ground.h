@@ -9,7 +9,8 @@ namespace fumon {
 /// scenic views (look.mode)"; null where it can.
 const char* why_not_endless(const View& view, const Snapshot& first);
 
-/// Whether it goes on: where look.ground says so, and where it is "auto" for what can.
+/// Whether it goes on: where look.ground says so, and where it is "auto" for what can and has no
+/// end.
 bool goes_on_endlessly(const View& view, const Snapshot& first);
 
 /// Throws InputError where a look whose background is transparent has one that cannot be.

@@ -23,7 +23,7 @@ DisplayBed display_bed(const Snapshot& snapshot, const Block& block, int refinem
         shown.nodata = refined(snapshot.nodata, refinement);
     }
     shown.z = refined(z, refinement);
-    shown.dx = static_cast<float>(block.width_x / shown.z.nx());
+    shown.dx = static_cast<float>(block.width_x * block.tiles.count() / shown.z.nx());
     shown.dy = static_cast<float>(block.width_y / shown.z.ny());
     return shown;
 }

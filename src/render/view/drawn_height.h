@@ -10,11 +10,12 @@ namespace fumon {
 
 /// The height of a drawn bed at a place, as shares of its sides from the south-west corner; linear
 /// between cells. `repeats`: beyond its edges it goes on with its other side.
-inline float drawn_height(const Field<float>& z, const glm::dvec2& share, bool repeats) {
+template <class Number>
+Number drawn_height(const Field<Number>& z, const glm::dvec2& share, bool repeats) {
     struct Split {
         int low;
         int high;
-        float weight;
+        Number weight;
     };
     const auto split = [&](double at, int count) {
         const double cell = at * count - 0.5;
@@ -23,7 +24,7 @@ inline float drawn_height(const Field<float>& z, const glm::dvec2& share, bool r
             const int whole = static_cast<int>(value);
             return repeats ? (whole % count + count) % count : std::clamp(whole, 0, count - 1);
         };
-        return Split{number(low), number(low + 1.0), static_cast<float>(cell - low)};
+        return Split{number(low), number(low + 1.0), static_cast<Number>(cell - low)};
     };
     const Split x = split(share.x, z.nx());
     const Split y = split(share.y, z.ny());

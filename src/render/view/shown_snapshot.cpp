@@ -5,13 +5,15 @@
 #include <vector>
 
 #include "render/view/chosen_ground.h"
+#include "render/view/plain_around.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr int longest_drawn = 8192;        // cells on a side
-constexpr int least_drawn = 1024;          // that small pictures keep
+constexpr int longest_drawn = 8192;     // cells on a side
+constexpr int longest_in_plain = 1024;  // of a bed in a plain, whose maps are eight times its size
+constexpr int least_drawn = 1024;       // that small pictures keep
 constexpr std::int64_t usual_strip = 900;  // sites: a dozen wavelengths of the published profiles
 constexpr int strip_proportion = 4;        // length to depth
 constexpr int strip_proportion_under_air = 3;
@@ -104,6 +106,8 @@ Snapshot coarser(const Snapshot& snapshot, int k) {
     shown.scale.dy *= k;
     shown.highest_expected = snapshot.highest_expected;
     shown.periodic = snapshot.periodic;
+    shown.periodic_x = snapshot.periodic_x;
+    shown.periodic_y = snapshot.periodic_y;
     for (const SnapshotField& field : snapshot.fields) {
         shown.fields.push_back(
             {field.name, field.long_name, field.unit, averaged(field.values, snapshot.nodata, k)});
@@ -118,11 +122,13 @@ Snapshot coarser(const Snapshot& snapshot, int k) {
 /// How many cells along each side become one.
 int cells_averaged(const Snapshot& snapshot, const View& view) {
     const int longer = std::max(snapshot.bed.nx(), snapshot.bed.ny());
-    const int needed = (longer + longest_drawn - 1) / longest_drawn;
+    const bool endless = goes_on_endlessly(view, snapshot);
+    const int longest = endless && ends_somewhere(snapshot) ? longest_in_plain : longest_drawn;
+    const int needed = (longer + longest - 1) / longest;
     const CameraSettings& camera = view.camera;
-    const bool whole_block_seen = !goes_on_endlessly(view, snapshot) &&
-                                  camera.framing == Framing::block && camera.distance.is_word() &&
-                                  camera.at.empty() && camera.look_at.empty();
+    const bool whole_block_seen = !endless && camera.framing == Framing::block &&
+                                  camera.distance.is_word() && camera.at.empty() &&
+                                  camera.look_at.empty();
     if (!whole_block_seen) return needed;
     const auto pixels = static_cast<int>(std::max(view.image.width, view.image.height));
     return std::max(needed, longer / std::max(pixels, least_drawn));

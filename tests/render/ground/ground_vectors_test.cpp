@@ -13,19 +13,19 @@
 namespace fumon {
 namespace {
 
-HeightPyramid rough_heights() {
-    Field<float> heights(37, 21);
+HeightPyramid rough_heights(const GroundTiles& tiles) {
+    Field<float> heights(38, 21);
     std::uint32_t state = 4711;
     for (float& height : heights.values()) {
         state = state * 1664525U + 1013904223U;
         height = static_cast<float>(state >> 8U) * 0x1p-24F;
     }
-    return HeightPyramid(heights);
+    return HeightPyramid(heights, tiles);
 }
 
-TEST(GroundVectors, EveryTargetSeesWhatIsLookedUpPlaceByPlace) {
+void expect_looked_up(const GroundTiles& tiles) {
     const std::string before = vectors::target();
-    const HeightPyramid bed = rough_heights();
+    const HeightPyramid bed = rough_heights(tiles);
     constexpr int count = 11;
     std::array<double, ground_vectors::places_at_once> radii{};
     for (const int level : {0, 2}) {
@@ -38,7 +38,7 @@ TEST(GroundVectors, EveryTargetSeesWhatIsLookedUpPlaceByPlace) {
                 vectors::use_target(target);
                 std::array<double, ground_vectors::places_at_once> over{};
                 std::array<double, ground_vectors::places_at_once> tangents{};
-                ground_vectors::look_along({means.data(), means.nx(), means.ny()}, ray,
+                ground_vectors::look_along({means.data(), means.nx(), means.ny(), tiles}, ray,
                                            radii.data(), count, over.data(), tangents.data());
                 for (std::size_t k = 0; k < count; ++k) {
                     const double radius = radii[k];
@@ -54,6 +54,15 @@ TEST(GroundVectors, EveryTargetSeesWhatIsLookedUpPlaceByPlace) {
         }
     }
     vectors::use_target(before);
+}
+
+TEST(GroundVectors, EveryTargetSeesWhatIsLookedUpPlaceByPlace) {
+    expect_looked_up({});
+}
+
+TEST(GroundVectors, SeesABedInItsPlainAsItIsLookedUp) {
+    for (const bool repeats_x : {false, true})
+        for (const bool repeats_y : {false, true}) expect_looked_up({true, repeats_x, repeats_y});
 }
 
 }  // namespace

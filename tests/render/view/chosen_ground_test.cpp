@@ -42,7 +42,10 @@ TEST(ChosenGround, IsWhatASceneAsksFor) {
     EXPECT_EQ(chosen(view, periodic_bed()), Ground::endless);
     Snapshot land = periodic_bed();
     land.periodic = false;
-    EXPECT_THROW(chosen(view, land), InputError);
+    EXPECT_EQ(chosen(view, land), Ground::endless) << "in a plain";
+    Snapshot profile = periodic_bed();
+    profile.bed = Grid(8, 1, 1.0);
+    EXPECT_THROW(chosen(view, profile), InputError);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(ShownSnapshot, AHugeBedIsAveraged) {
 }
 
 TEST(ShownSnapshot, ABedOfMoreCellsThanPixelsIsAveragedWhereAllOfItIsSeen) {
-    const Snapshot bed = of(Grid(4100, 3));
+    Snapshot bed = of(Grid(4100, 3));
     View view;
     const auto columns = [&] {
         const auto shown = shown_snapshot(bed, view);
@@ -88,6 +88,8 @@ TEST(ShownSnapshot, ABedOfMoreCellsThanPixelsIsAveragedWhereAllOfItIsSeen) {
     EXPECT_EQ(columns(), 4100);
     view = small;
     view.look.ground = Ground::endless;
+    EXPECT_EQ(columns(), 820) << "in a plain";
+    bed.periodic = true;
     EXPECT_EQ(columns(), 4100);
 }
 
