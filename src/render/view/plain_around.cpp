@@ -27,7 +27,7 @@ constexpr double relief_share = 1.0 / 6.0;  // of the bed's shorter side: its la
 constexpr double taper_share =
     1.0 / 10.0;                           // over which the bed's edge is faded out of its spectrum
 constexpr double edge_share = 1.0 / 4.0;  // depth into the bed to which its relief counts most
-constexpr double quiet_share = 0.25;      // of the edges, which are quieter than the plain
+constexpr double quiet_share = 0.25;      // the share of the edges that are quieter than the plain
 constexpr double most_rough = 1.6;        // logarithm: an edge against the plain
 constexpr std::uint64_t seed = 15;
 
