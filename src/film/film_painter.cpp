@@ -9,7 +9,6 @@
 #include "base/error.h"
 #include "figure/canvas/canvas.h"
 #include "figure/overlays/overlay_plot.h"
-#include "gl/pinned.h"
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
 #include "render/view/water.h"
@@ -44,32 +43,6 @@ void located(const Film& film, const Work& work) {
 
 FilmPainter::~FilmPainter() {
     close();
-}
-
-void FilmPainter::open() {
-    if (context_) return;
-    context_ = gl::Context::create(backend_);
-    RenderLimits limits;
-    limits.draft = film_.settings.draft;
-    for (Pane& pane : panes_) {
-        if (&pane == &panes_.front() || !differs())
-            pane.renderer =
-                std::make_unique<Renderer>(*context_, pane.scene.view, pane.beds->first(),
-                                           pane.scene.run.steps, pool_, limits);
-    }
-}
-
-void FilmPainter::close() {
-    if (!context_) return;
-    ahead_.leave();
-    context_->make_current();  // other films may have drawn since
-    for (Pane& pane : panes_) {
-        pane.renderer.reset();
-        pane.lit.reset();
-        pane.seen.reset();
-        pane.image = {};
-    }
-    context_.reset();
 }
 
 bool FilmPainter::transparent() const {
@@ -402,16 +375,6 @@ Image FilmPainter::paint(std::int64_t frame) {
     }
     titles_->draw(image, frame);
     return image;
-}
-
-DrawingRecord FilmPainter::record() {
-    open();
-    const std::string name = context_->renderer_name();
-    const std::string obstacle = gl::rendering_is_pinned() ? text_is_not_pinned : "";
-    DrawingRecord record{
-        opengl_environment(context_->backend_name(), name, context_->version(), false), obstacle,
-        panes_.front().renderer->exaggeration(), figure_library()};
-    return record;
 }
 
 }  // namespace fumon

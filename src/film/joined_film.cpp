@@ -30,6 +30,7 @@ JoinedFilm::JoinedFilm(const Film& film, const FilmRuns& runs, const FilmSize& s
     titles_ = std::make_unique<Titles>(film, whole, runs.first().first(), facts, timeline_,
                                        std::vector<CanvasBox>{});
     if (!titles_->missing_letters().empty()) notes_.push_back(titles_->missing_letters());
+    // What is wrong with any is said before the first frame is drawn.
     for (std::size_t i = 0; i < film.excerpts.size(); ++i) {
         place_piece(i);
         for (const std::string& note : pieces_[piece_of_[i]]->painter.notes())

@@ -12,8 +12,8 @@ namespace fumon {
 /// at 45° over the north-west and of 1 at most.
 double visible_change(const Snapshot& one, const Snapshot& other);
 
-/// Of so many beds in a row every which one is read to place the camera and the clock: each, or for
-/// a draft some dozens.
+/// How far apart, of so many beds in a row, those are that are read to place the camera and the
+/// clock: 1, or for a draft so far that some dozens are read.
 std::size_t stride_over(std::size_t beds, const Film& film);
 
 /// Which stored bed is drawn when in a shot.
