@@ -33,7 +33,7 @@ static int ended_with(int status) {
 /// a fifteenth of the time.
 static void give_memory_back() {
 #ifdef __GLIBC__
-    constexpr int large = 10 << 20;
+    constexpr int large = 6 << 20;
     mallopt(M_MMAP_THRESHOLD, large);
     mallopt(M_TRIM_THRESHOLD, 64 << 20);
 #endif
