@@ -11,6 +11,12 @@ void list_keys(LoadParameters& loads, KeyTable& table) {
                {.range = {0, 1e6},
                 .help = "of transport \"loads\": the bed changes so many times as fast as the "
                         "water says, so that a storm stands for many"});
+    table.real("model.bed_start", loads.bed_start,
+               {.unit = "s",
+                .range = {0, 1e9},
+                .help = "of transport \"loads\": time of the water, to the next whole step, before "
+                        "which it runs over a bed that stays and carries nothing, so that the bed "
+                        "begins under water that has found its way"});
     table.real("model.grain_size", loads.grain_size,
                {.unit = "mm", .range = {1e-3, 1000}, .help = "d of the bed's grains"});
     table.real("model.grain_density", loads.grain_density,

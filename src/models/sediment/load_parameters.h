@@ -11,6 +11,7 @@ enum class BankFailure { none, avalanche };
 /// What water carries along its bed and in itself, and what the bed is made of.
 struct LoadParameters {
     double morphological_factor = 1.0;
+    double bed_start = 0.0;         ///< s: before it the bed stays, and nothing is carried
     double grain_size = 0.5;        ///< d, mm
     double grain_density = 2650.0;  ///< kg/m³
     double porosity = 0.4;          ///< φ of the bed

@@ -165,10 +165,17 @@ void Gully::step() {
                          fmt::format("a step takes more than {} sub-steps", most_substeps));
         }
     }
-    if (loads_) loads_->fail_banks(bed_);
+    if (carries()) loads_->fail_banks(bed_);
     ++steps_;
     check_water(water_, bed_, time(), pool_);
     counters_ = {fallen_.value(), scheme_->left(), sediment_removed()};
+}
+
+std::int64_t Gully::resting_steps() const {
+    constexpr double rounding = 1e-9;
+    constexpr double most = 1e15;
+    const double steps = parameters_.loads.bed_start / parameters_.time_step;
+    return static_cast<std::int64_t>(std::ceil(std::min(steps, most) - rounding));
 }
 
 /// An equal share of what remains of the step, as large as the Courant number allows.
@@ -178,7 +185,7 @@ double Gully::sub_step_size(double remaining, double elapsed) const {
         std::min(step_at_courant_one_, scheme_->edge_step_at_courant_one(elapsed, bed_));
     const double limit = parameters_.courant_number * step_at_one;
     constexpr double bed_courant_number = 0.5;
-    const double of_bed = loads_ ? remaining * loads_->pace() / bed_courant_number : 0.0;
+    const double of_bed = carries() ? remaining * loads_->pace() / bed_courant_number : 0.0;
     const double pieces = std::ceil(std::max(remaining / limit, of_bed) * (1.0 - 1e-12));
     if (pieces <= 1.0) return remaining;
     if (!(pieces <= most_substeps)) {
@@ -200,11 +207,13 @@ void Gully::sub_step(double dt, double& elapsed) {
     scheme_->set_rain(rain.by_cell);
     scheme_->set_time(elapsed + 0.5 * dt);
     infiltration_.advance(water_.depth, elapsed, dt);
-    if (loads_) loads_->begin(water_.depth);
+    const bool carrying = carries();
+    if (carrying) loads_->begin(water_.depth);
     step_at_courant_one_ = scheme_->advance(water_, bed_, dt, rain.even);
     fallen_.add(rain.by_cell == nullptr ? rain.even * dt * wet_area_ : rain.volume);
-    sediment_.advance(bed_, water_, loads_ ? dt * parameters_.loads.morphological_factor : dt);
-    if (loads_)
+    if (carrying || !loads_)
+        sediment_.advance(bed_, water_, loads_ ? dt * parameters_.loads.morphological_factor : dt);
+    if (carrying)
         loads_->advance(bed_, {water_.depth, water_.velocity_x, water_.velocity_y}, flows_, dt);
     elapsed += dt;
 }
@@ -270,13 +279,14 @@ void Gully::add_loads(Snapshot& snapshot) const {
                                loads_->concentration(water_.depth)});
     snapshot.fields.push_back({"bed_change", "bed less the bed at the start", "m", change});
     const double factor = parameters_.loads.morphological_factor;
+    const double moving = static_cast<double>(steps_ - std::min(steps_, resting_steps()));
     const std::vector<SnapshotNumber> numbers{
         {"eroded_volume", "m3", cell_area_ * eroded.value()},
         {"deposited_volume", "m3", cell_area_ * deposited.value()},
         {"suspended_volume", "m3", loads_->suspended()},
         {"grains_left_volume", "m3", loads_->left()},
         {"grains_entered_volume", "m3", loads_->entered()},
-        {"bed_time", "s", factor * time()}};
+        {"bed_time", "s", factor * (moving * parameters_.time_step)}};
     snapshot.numbers.insert(snapshot.numbers.end(), numbers.begin(), numbers.end());
 }
 

@@ -62,6 +62,9 @@ class Gully : public Model {
     [[nodiscard]] double sediment_removed() const;
     [[nodiscard]] std::vector<SnapshotNumber> budgets() const;
     void add_loads(Snapshot& snapshot) const;
+    /// Steps before the bed moves.
+    [[nodiscard]] std::int64_t resting_steps() const;
+    [[nodiscard]] bool carries() const { return loads_ && steps_ >= resting_steps(); }
 
     GullyParameters parameters_;
     WaterDomain domain_;

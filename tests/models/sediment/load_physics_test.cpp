@@ -123,6 +123,36 @@ TEST(LoadPhysics, AHumpMovesAtTheCelerityOfExner) {
     EXPECT_LT(std::fabs(run.number("sediment_volume")), 1e-12 * run.number("eroded_volume"));
 }
 
+TEST(LoadPhysics, TheBedWaitsUntilItsStart) {
+    constexpr double factor = 5.0;
+    GullyParameters gully = even_stream();
+    gully.loads.bed_load = BedLoadLaw::meyer_peter_mueller;
+    gully.loads.entrainment = EntrainmentLaw::excess_shear;
+    gully.loads.entrainment_stress = 0.5;
+    gully.loads.morphological_factor = factor;
+    gully.bed_diffusion = 1e-3;
+    gully.time_step = 0.5;
+    gully.loads.bed_start = 9.7;  // in the twentieth step, so after it
+    Grid bed(40, 2);
+    for (int x = 0; x < 40; ++x) bed(x, 0) = bed(x, 1) = x == 20 ? 0.05 : 0.0;
+    GullyRun run(gully, bed, 1, 1.0, 10.0);
+    GullyParameters rigid = gully;
+    rigid.transport = SedimentTransport::none;
+    rigid.bed_diffusion = 0.0;
+    GullyRun over_rigid(rigid, bed, 1, 1.0, 10.0);
+    run.to(10.0);
+    over_rigid.to(10.0);
+    const Snapshot waiting = run.gully.snapshot();
+    EXPECT_EQ(waiting.bed(20, 1), 0.05);
+    EXPECT_EQ(run.number("eroded_volume"), 0.0);
+    EXPECT_EQ(run.number("bed_time"), 0.0);
+    EXPECT_EQ(run.number("water_volume"), over_rigid.number("water_volume"));
+    run.to(20.0);
+    EXPECT_GT(run.number("eroded_volume"), 0.0);
+    EXPECT_DOUBLE_EQ(run.number("bed_time"), factor * 10.0);
+    EXPECT_LT(std::fabs(run.number("sediment_budget_error")), 1e-12);
+}
+
 TEST(LoadPhysics, GrainsThatComeIntoALakeMakeADelta) {
     GullyParameters gully = WaterParameters();
     gully.transport = SedimentTransport::loads;
