@@ -22,6 +22,7 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdarg>
 #include <cstdint>
@@ -93,9 +94,32 @@ State& state() {
     return *made;
 }
 
+/// What the library stands in front of.
+struct NextFunction {
+    const char* name;
+    void* address = nullptr;
+};
+constinit std::array next_functions{std::to_array<NextFunction>(
+    {{"__open64_2"},  {"__open_2"},    {"close"},     {"creat"},    {"creat64"}, {"fallocate"},
+     {"fallocate64"}, {"fclose"},      {"fdatasync"}, {"fopen"},    {"fopen64"}, {"fsync"},
+     {"ftruncate"},   {"ftruncate64"}, {"fwrite"},    {"link"},     {"mkdir"},   {"mkstemp"},
+     {"open"},        {"open64"},      {"openat"},    {"openat64"}, {"opendir"}, {"pread"},
+     {"pwrite"},      {"pwrite64"},    {"read"},      {"remove"},   {"rename"},  {"renameat"},
+     {"renameat2"},   {"rmdir"},       {"unlink"},    {"unlinkat"}, {"write"},   {"writev"}})};
+
+/// Before any operation: whoever loads a library calls some of them with the loader's lock, for
+/// which dlsym() would wait with this library's.
+__attribute__((constructor)) void find_next_functions() {
+    for (NextFunction& function : next_functions)
+        function.address = ::dlsym(RTLD_NEXT, function.name);
+}
+
 template <class Function>
 Function* next(Function* /*own*/, const char* name) {
-    return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
+    void* address = nullptr;
+    for (const NextFunction& function : next_functions)
+        if (std::strcmp(function.name, name) == 0) address = function.address;
+    return reinterpret_cast<Function*>(address != nullptr ? address : ::dlsym(RTLD_NEXT, name));
 }
 #define NEXT(name) (next(&::name, #name))
 
