@@ -119,10 +119,7 @@ bool ends_somewhere(const Snapshot& snapshot) {
 }
 
 PlainAround::PlainAround(const Snapshot& first, WorkerPool& pool)
-    : repeats_x_(first.periodic || first.periodic_x),
-      repeats_y_(first.periodic || first.periodic_y),
-      bed_nx_(first.bed.nx()),
-      bed_ny_(first.bed.ny()) {
+    : bed_nx_(first.bed.nx()), bed_ny_(first.bed.ny()) {
     const int margin =
         std::max(static_cast<int>(margin_share * std::max(bed_nx_, bed_ny_)), least_margin);
     nx_ = repeats_x_ ? bed_nx_ : tile_side(bed_nx_, margin);

@@ -19,7 +19,8 @@ bool ends_somewhere(const Snapshot& snapshot);
 /// bed has of features up to a sixth of its shorter side, weighted towards its edges, with the
 /// phases of its Fourier transform drawn anew (random-phase texture, Galerne, Gousseau & Morel
 /// 2011). Near the bed the relief is as rough as the edge is there, and a thin plate in tension
-/// lies between both, so that heights and slopes meet the edge. Within the bed nothing changes.
+/// lies between both, so that heights and slopes meet the edge. Within the bed nothing changes. A
+/// bed that ends somewhere is there once, also where it would repeat along one axis.
 class PlainAround {
   public:
     /// Of a bed, as it is shown.
@@ -49,8 +50,9 @@ class PlainAround {
     void make_relief(const Grid& heights, const Mask& outside, const Field<float>& depth,
                      WorkerPool& pool);
 
-    bool repeats_x_;
-    bool repeats_y_;
+    // Tiles that repeat along one axis would need maps whose tiles lie along the other.
+    static constexpr bool repeats_x_ = false;
+    static constexpr bool repeats_y_ = false;
     int bed_nx_;
     int bed_ny_;
     int nx_;  ///< of a tile
