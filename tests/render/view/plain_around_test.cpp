@@ -92,17 +92,15 @@ TEST(PlainAround, LiesAtTheEdgesLevel) {
     EXPECT_NEAR(sum / in.ny, 2.0, 0.5);
 }
 
-TEST(PlainAround, GoesOnWhereABedRepeatsAlongOneAxis) {
+TEST(PlainAround, HoldsABedThatRepeatsAlongOneAxisOnce) {
     Snapshot bed = wavy_bed(bed_nx, bed_ny);
     bed.periodic_x = true;
     const Maps in(bed);
-    EXPECT_EQ(in.nx, bed_nx);
-    EXPECT_EQ(in.west, 0);
+    EXPECT_GT(in.nx, bed_nx + 40);
     EXPECT_GT(in.ny, bed_ny + 40);
     const Block ground = in.plain.ground_of({});
-    EXPECT_TRUE(ground.tiles.repeats_x);
+    EXPECT_FALSE(ground.tiles.repeats_x);
     EXPECT_FALSE(ground.tiles.repeats_y);
-    EXPECT_EQ(ground.width_x, 1.0);
 }
 
 TEST(PlainAround, CoversCellsOutsideTheBed) {
