@@ -120,12 +120,13 @@ Field<float> sweep_rows(const Field<float>& heights, float dx, float dy, const S
     sweep(1 - before, 0);
     // Shadows that do not end would go on for ever.
     const int most_further = step.lower_drop > 0.0F ? most_further_periods : 1;
+    RowShadow coming_in = shadow;
     for (int period = 0; period < most_further; ++period) {
         close();
-        const RowShadow first = shadow;
+        coming_in = shadow;
         sweep(0, ny);
         close();
-        if (shadow == first) break;  // what comes in is what goes out
+        if (shadow == coming_in) break;
     }
     return visibility;
 }
