@@ -191,7 +191,6 @@ void PlainAround::make_relief(const Grid& heights, const Mask& outside, const Fi
     const Grid broad = smoothed(extended, Grid(nx_, ny_, 1.0), largest);
     relief_ = Grid(nx_, ny_);
     Grid squares(nx_, ny_);
-    double weights = 0.0;
     for (std::size_t i = 0; i < relief_.size(); ++i) {
         if (outside.values()[i] != 0) continue;
         const auto deep = static_cast<double>(depth.values()[i]);
@@ -199,7 +198,6 @@ void PlainAround::make_relief(const Grid& heights, const Mask& outside, const Fi
         const double weight = smooth_step(0.0, taper, deep) / (1.0 + (deep / edge) * (deep / edge));
         relief_.values()[i] = weight * detail;
         squares.values()[i] = detail * detail;
-        weights += weight * weight;
     }
     // How rough the bed is, as a logarithm. The plain is as rough as the quieter edges are.
     squares = smoothed(squares, known, std::max(2, largest / 2));
