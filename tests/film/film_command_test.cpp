@@ -185,7 +185,7 @@ TEST_F(FilmCommandTest, OneThatIsKilledLeavesNoHalfFile) {
             {"film", "out", "film.toml", "-o", "f.mp4", "--set", "shot.0.seconds=3000"},
             folder_.path());
         const fs::path part = folder_ / "f.mp4.part";
-        for (int i = 0; i < 2000 && !(fs::exists(part) && fragments_of(part) >= 2); ++i)
+        for (int i = 0; i < 12000 && !(fs::exists(part) && fragments_of(part) >= 2); ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         ASSERT_TRUE(fs::exists(part));
         EXPECT_GE(fragments_of(part), 2) << "what a killed film leaves plays";
@@ -213,7 +213,7 @@ TEST_F(FilmCommandTest, OneThatWasStoppedGoesOnAndHasTheSameBytes) {
     for (const int signal : {SIGKILL, SIGINT}) {
         Program stopped(arguments("f.mp4", "--resume"), folder_.path());
         const fs::path drawn = kept / ("frame_0000" + std::to_string(frame) + ".png");
-        for (int i = 0; i < 2000 && !fs::exists(drawn); ++i)
+        for (int i = 0; i < 12000 && !fs::exists(drawn); ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         ASSERT_TRUE(fs::exists(drawn));
         stopped.send(signal);
@@ -227,7 +227,7 @@ TEST_F(FilmCommandTest, OneThatWasStoppedGoesOnAndHasTheSameBytes) {
     EXPECT_NE(read_text(folder_ / "f.mp4"), read_text(folder_ / "whole.mp4")) << "none was kept";
     EXPECT_FALSE(fs::exists(kept));
     Program again(arguments("f.mp4", "--resume"), folder_.path());
-    for (int i = 0; i < 2000 && !fs::exists(kept / "frame_000009.png"); ++i)
+    for (int i = 0; i < 12000 && !fs::exists(kept / "frame_000009.png"); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     again.send(SIGKILL);
     again.wait();

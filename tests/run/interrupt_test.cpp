@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Waits until something holds, at most ten seconds.
+/// Waits until something holds, at most a minute.
 bool comes_true(const std::function<bool()>& holds) {
-    for (const Stopwatch watch; watch.seconds() < 10.0;) {
+    for (const Stopwatch watch; watch.seconds() < 60.0;) {
         if (holds()) return true;
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
