@@ -14,15 +14,13 @@ uniform float parallel;  // 1: without perspective
 
 // Endless ground of a bed that ends in a plain; see GroundTiles. `extent` is then that of its tile.
 uniform float plain;
-uniform float repeats_x;
-uniform float repeats_y;
 
 // In the maps, of a place from the bed's middle; and of a way from one place to another.
 vec2 map_place(vec2 at) {
     vec2 tiles = at / extent + 0.5;
     if (plain < 0.5) return tiles;
     vec2 whole = floor(tiles);
-    bool own = (repeats_x > 0.5 || whole.x == 0.0) && (repeats_y > 0.5 || whole.y == 0.0);
+    bool own = whole.x == 0.0 && whole.y == 0.0;
     return vec2(0.5 * (tiles.x - whole.x + (own ? 0.0 : 1.0)), tiles.y - whole.y);
 }
 vec2 map_way(vec2 way) { return plain < 0.5 ? way / extent : way / (vec2(2.0, 1.0) * extent); }

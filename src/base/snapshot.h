@@ -73,9 +73,7 @@ struct Snapshot {
     WorldScale scale;
     /// Up to where the model's landforms grow, model heights; 0 where it does not know.
     double highest_expected = 0.0;
-    bool periodic = false;    ///< whether the bed goes on past its edges with its other side
-    bool periodic_x = false;  ///< the same past its eastern and western edges alone
-    bool periodic_y = false;
+    bool periodic = false;  ///< whether the bed goes on past its edges with its other side
     std::vector<SnapshotField> fields{};
     std::vector<SnapshotNumber> numbers{};
     /// What is above a bed of a single row, where the model knows; shared, since it is large.

@@ -59,8 +59,6 @@ nlohmann::ordered_json outline_json(const Snapshot& snapshot) {
     json["scale"] = scale_json(snapshot.scale);
     json["highest_expected"] = snapshot.highest_expected;
     json["periodic"] = snapshot.periodic;
-    if (!snapshot.periodic && snapshot.periodic_x) json["periodic_x"] = true;
-    if (!snapshot.periodic && snapshot.periodic_y) json["periodic_y"] = true;
     json["fields"] = names_json(snapshot.fields);
     json["numbers"] = nlohmann::ordered_json::array();
     for (const SnapshotNumber& number : snapshot.numbers)
@@ -88,8 +86,6 @@ Snapshot read_outline(const nlohmann::ordered_json& json) {
     snapshot.scale = read_scale(json.at("scale"));
     snapshot.highest_expected = json.at("highest_expected");
     snapshot.periodic = json.at("periodic");
-    snapshot.periodic_x = json.value("periodic_x", snapshot.periodic);
-    snapshot.periodic_y = json.value("periodic_y", snapshot.periodic);
     snapshot.fields = read_names<SnapshotField>(json.at("fields"));
     for (const auto& number : json.at("numbers"))
         snapshot.numbers.push_back({number.at("name"), number.at("unit"), 0.0});

@@ -215,8 +215,6 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
             {"figure", switched(view.look.mode == ViewMode::figure)},
             {"soil", switched(view.look.sides == BlockSides::soil && scenic)},
             {"plain", switched(block.tiles.plain)},
-            {"repeats_x", switched(block.tiles.repeats_x)},
-            {"repeats_y", switched(block.tiles.repeats_y)},
             {"rock", static_cast<float>(block.rock)}};
 }
 

@@ -157,10 +157,12 @@ void PlaceLayers::put(std::size_t pixel, const Seen& seen) {
         if (!seen.bed) continue;
         double east = position.x / block.width_x;
         double north = position.y / block.width_y;
-        const GroundTiles& tiles = ground_.ground.tiles;
-        if (ground_.endless && tiles.repeats_x) east = within_one(east);
-        if (ground_.endless && tiles.repeats_y) north = within_one(north);
-        if (tiles.plain && beside_bed(east, north)) continue;
+        const bool plain = ground_.ground.tiles.plain;
+        if (ground_.endless && !plain) {
+            east = within_one(east);
+            north = within_one(north);
+        }
+        if (plain && beside_bed(east, north)) continue;
         const Grid& field = *fields_[k];
         value =
             static_cast<float>(scales_[k] * field(cell(east, field.nx()), cell(north, field.ny())));

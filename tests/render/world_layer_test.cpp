@@ -297,11 +297,8 @@ TEST(WorldLayer, ABedThatEndsGoesOnAsAPlain) {
     const Snapshot ends = wavy_bed(40, 30);
     Snapshot repeats = ends;
     repeats.periodic = true;
-    Snapshot along_y = ends;
-    along_y.periodic_y = true;
     const View view = view_over_an_edge();
     EXPECT_GT(mean_difference(picture(view, ends), picture(view, repeats)), 0.5);
-    EXPECT_EQ(mean_difference(picture(view, ends), picture(view, along_y)), 0.0);
 }
 
 TEST(WorldLayer, ACameraBesideABedStandsOnItsPlain) {

@@ -114,8 +114,6 @@ Snapshot outline_of(const Snapshot& snapshot) {
     outline.bed = snapshot.bed;
     outline.scale = snapshot.scale;
     outline.periodic = snapshot.periodic;
-    outline.periodic_x = snapshot.periodic_x;
-    outline.periodic_y = snapshot.periodic_y;
     outline.section = snapshot.section;
     for (const SnapshotField& field : snapshot.fields)
         outline.fields.push_back({field.name, field.long_name, field.unit, {}});

@@ -65,8 +65,6 @@ Snapshot Dunes::snapshot() const {
                       {},     scale_};
     snapshot.landform = landform;
     snapshot.periodic = ground_.periodic_x && ground_.periodic_y;
-    snapshot.periodic_x = ground_.periodic_x;
-    snapshot.periodic_y = ground_.periodic_y;
     snapshot.winds = turns_.drifts(parameters_.flux);
     Grid sand = snapshot.bed;
     const Grid rock = in_metres(bed_.rock);

@@ -41,17 +41,12 @@ HWY_INLINE Between between(hn::Vec<Doubles> periods, int count) {
 }
 
 /// Places in the maps of a bed in its plain, as GroundTiles::in_maps().
-HWY_INLINE void find_in_maps(const GroundTiles& tiles, hn::Vec<Doubles>& east,
-                             hn::Vec<Doubles>& north) {
+HWY_INLINE void find_in_maps(hn::Vec<Doubles>& east, hn::Vec<Doubles>& north) {
     const Doubles d;
     const auto whole_east = hn::Floor(east);
     const auto whole_north = hn::Floor(north);
-    const auto beside = [&](hn::Vec<Doubles> whole, bool repeats) HWY_ATTR {
-        if (repeats) return hn::Zero(d);
-        return hn::IfThenZeroElse(hn::Eq(whole, hn::Zero(d)), hn::Set(d, 1.0));
-    };
-    const auto aside =
-        hn::Max(beside(whole_east, tiles.repeats_x), beside(whole_north, tiles.repeats_y));
+    const auto is_own = hn::And(hn::Eq(whole_east, hn::Zero(d)), hn::Eq(whole_north, hn::Zero(d)));
+    const auto aside = hn::IfThenZeroElse(is_own, hn::Set(d, 1.0));
     east = hn::Set(d, 0.5) * (east - whole_east + aside);
     north = north - whole_north;
 }
@@ -65,7 +60,7 @@ void look_along(const Heights& bed, const Ray& ray, const double* radii, int cou
         const auto radius = hn::LoadU(d, radii + i);
         auto eastward = hn::Set(d, ray.east) + radius * hn::Set(d, ray.east_per_length);
         auto northward = hn::Set(d, ray.north) + radius * hn::Set(d, ray.north_per_length);
-        if (bed.tiles.plain) find_in_maps(bed.tiles, eastward, northward);
+        if (bed.tiles.plain) find_in_maps(eastward, northward);
         const Between x = between(eastward, bed.nx);
         const Between y = between(northward, bed.ny);
         const auto height = [&](hn::Vec<Integers> column, hn::Vec<Integers> row) HWY_ATTR {

@@ -20,17 +20,17 @@ Field<float> tile_of(const Field<float>& maps, int first) {
 }
 
 /// The bed's tile among its neighbours.
-Field<float> with_neighbours(const Field<float>& maps, const GroundTiles& tiles, int margin) {
+Field<float> with_neighbours(const Field<float>& maps, int margin) {
     const int nx = maps.nx() / 2;
     const int ny = maps.ny();
     Field<float> wide(nx + 2 * margin, ny + 2 * margin);
     for (int v = 0; v < wide.ny(); ++v) {
         const int y = v - margin;
-        const bool own_y = tiles.repeats_y || (y >= 0 && y < ny);
+        const bool own_y = y >= 0 && y < ny;
         const auto from = maps.row((y % ny + ny) % ny);
         for (int u = 0; u < wide.nx(); ++u) {
             const int x = u - margin;
-            const bool own = own_y && (tiles.repeats_x || (x >= 0 && x < nx));
+            const bool own = own_y && x >= 0 && x < nx;
             wide(u, v) = from[static_cast<std::size_t>((x % nx + nx) % nx + (own ? 0 : nx))];
         }
     }
@@ -55,12 +55,12 @@ Field<float> shares_over_tiles(
     const int ny = heights.ny();
     const Field<float> plain = repeated(tile_of(heights, nx));
     const int margin = static_cast<int>(margin_share * std::max(nx, ny));
-    const Field<float> own = open(with_neighbours(heights, tiles, margin), margin);
+    const Field<float> own = open(with_neighbours(heights, margin), margin);
     Field<float> maps(2 * nx, ny);
     for (int y = 0; y < ny; ++y) {
-        const float across = tiles.repeats_y ? 0.0F : plain_share(y, ny);
+        const float across = plain_share(y, ny);
         for (int x = 0; x < nx; ++x) {
-            const float along = tiles.repeats_x ? 0.0F : plain_share(x, nx);
+            const float along = plain_share(x, nx);
             maps(x, y) = std::lerp(own(x, y), plain(x, y), std::max(along, across));
             maps(nx + x, y) = plain(x, y);
         }

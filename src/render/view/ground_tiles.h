@@ -10,8 +10,6 @@ namespace fumon {
 /// east of it, one of the plain alone, whose edges are the same.
 struct GroundTiles {
     bool plain = false;  ///< whether there is one
-    bool repeats_x = true;
-    bool repeats_y = true;
 
     [[nodiscard]] int count() const { return plain ? 2 : 1; }
 
@@ -20,7 +18,7 @@ struct GroundTiles {
     [[nodiscard]] glm::dvec2 in_maps(const glm::dvec2& tiles) const {
         if (!plain) return tiles;
         const glm::dvec2 whole = glm::floor(tiles);
-        const bool own = (repeats_x || whole.x == 0.0) && (repeats_y || whole.y == 0.0);
+        const bool own = whole.x == 0.0 && whole.y == 0.0;
         return {0.5 * (tiles.x - whole.x + (own ? 0.0 : 1.0)), tiles.y - whole.y};
     }
 };

@@ -122,8 +122,8 @@ PlainAround::PlainAround(const Snapshot& first, WorkerPool& pool)
     : bed_nx_(first.bed.nx()), bed_ny_(first.bed.ny()) {
     const int margin =
         std::max(static_cast<int>(margin_share * std::max(bed_nx_, bed_ny_)), least_margin);
-    nx_ = repeats_x_ ? bed_nx_ : tile_side(bed_nx_, margin);
-    ny_ = repeats_y_ ? bed_ny_ : tile_side(bed_ny_, margin);
+    nx_ = tile_side(bed_nx_, margin);
+    ny_ = tile_side(bed_ny_, margin);
     west_ = (nx_ - bed_nx_) / 2;
     south_ = (ny_ - bed_ny_) / 2;
     const Mask outside = outside_of(first.nodata);
@@ -151,15 +151,14 @@ Grid PlainAround::in_tile(const Grid& field) const {
 
 /// Cells of the tile that are neither of the bed nor so far from it that the plain is all there is.
 Mask PlainAround::between_bed_and_plain(const Mask& outside) const {
-    const auto far = [](int cell, int count, int margin, bool repeats) {
+    const auto far = [](int cell, int count, int margin) {
         const int from_edge = std::min(cell, count - 1 - cell);
-        return !repeats && from_edge < (1.0 - plain_from) * margin;
+        return from_edge < (1.0 - plain_from) * margin;
     };
     Mask between = outside;
     for (int y = 0; y < ny_; ++y)
         for (int x = 0; x < nx_; ++x)
-            if (far(x, nx_, west_, repeats_x_) || far(y, ny_, south_, repeats_y_))
-                between(x, y) = 0;
+            if (far(x, nx_, west_) || far(y, ny_, south_)) between(x, y) = 0;
     return between;
 }
 
@@ -332,7 +331,7 @@ Block PlainAround::ground_of(const Block& bed) const {
     Block ground = bed;
     ground.width_x *= static_cast<double>(nx_) / bed_nx_;
     ground.width_y *= static_cast<double>(ny_) / bed_ny_;
-    ground.tiles = {true, repeats_x_, repeats_y_};
+    ground.tiles = {true};
     return ground;
 }
 

@@ -50,9 +50,6 @@ class PlainAround {
     void make_relief(const Grid& heights, const Mask& outside, const Field<float>& depth,
                      WorkerPool& pool);
 
-    // Tiles that repeat along one axis would need maps whose tiles lie along the other.
-    static constexpr bool repeats_x_ = false;
-    static constexpr bool repeats_y_ = false;
     int bed_nx_;
     int bed_ny_;
     int nx_;  ///< of a tile

@@ -106,8 +106,6 @@ Snapshot coarser(const Snapshot& snapshot, int k) {
     shown.scale.dy *= k;
     shown.highest_expected = snapshot.highest_expected;
     shown.periodic = snapshot.periodic;
-    shown.periodic_x = snapshot.periodic_x;
-    shown.periodic_y = snapshot.periodic_y;
     for (const SnapshotField& field : snapshot.fields) {
         shown.fields.push_back(
             {field.name, field.long_name, field.unit, averaged(field.values, snapshot.nodata, k)});

@@ -92,17 +92,6 @@ TEST(PlainAround, LiesAtTheEdgesLevel) {
     EXPECT_NEAR(sum / in.ny, 2.0, 0.5);
 }
 
-TEST(PlainAround, HoldsABedThatRepeatsAlongOneAxisOnce) {
-    Snapshot bed = wavy_bed(bed_nx, bed_ny);
-    bed.periodic_x = true;
-    const Maps in(bed);
-    EXPECT_GT(in.nx, bed_nx + 40);
-    EXPECT_GT(in.ny, bed_ny + 40);
-    const Block ground = in.plain.ground_of({});
-    EXPECT_FALSE(ground.tiles.repeats_x);
-    EXPECT_FALSE(ground.tiles.repeats_y);
-}
-
 TEST(PlainAround, CoversCellsOutsideTheBed) {
     const Snapshot bed = masked_bed(bed_nx, bed_ny);
     EXPECT_TRUE(ends_somewhere(bed));
@@ -120,13 +109,10 @@ TEST(PlainAround, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(GroundTiles, TellsTheBedsTileFromThePlains) {
-    const GroundTiles both{true, false, false};
+    const GroundTiles both{true};
     EXPECT_EQ(both.in_maps({0.25, 0.5}), glm::dvec2(0.125, 0.5));
     EXPECT_EQ(both.in_maps({1.25, 0.5}), glm::dvec2(0.625, 0.5));
     EXPECT_EQ(both.in_maps({0.25, -0.25}), glm::dvec2(0.625, 0.75));
-    const GroundTiles along_x{true, true, false};
-    EXPECT_EQ(along_x.in_maps({7.25, 0.5}), glm::dvec2(0.125, 0.5));
-    EXPECT_EQ(along_x.in_maps({7.25, 1.5}), glm::dvec2(0.625, 0.5));
     EXPECT_EQ(GroundTiles{}.in_maps({7.25, -1.5}), glm::dvec2(7.25, -1.5));
 }
 
