@@ -10,7 +10,7 @@ namespace fumon {
 /// after $FUMON_DATA_DIR. Call it before other threads start.
 void add_data_folder(std::filesystem::path folder);
 
-/// The path of a file that fumon ships ("shaders/terrain.frag.glsl",
+/// The path of a file that fumon ships ("shaders/block/terrain.frag.glsl",
 /// "assets/palettes/viridis.txt"). Looked for in $FUMON_DATA_DIR, then in folders that were added,
 /// beside the installed program
 /// (../share/fumon), then in the source tree it was built from. Throws Error naming every place

@@ -38,9 +38,9 @@ AirLayer::AirLayer(const Block& block, const Camera& camera, int picture_side,
     : far_edge_((camera.forward.y >= 0.0 ? 1.0 : -1.0) * (0.5 * block.width_y - inside_edge)),
       texture_width_(std::min(picture_side, finest_sheet)),
       palette_(read_palette(air_palette)),
-      behind_program_("screen.vert.glsl", "behind.frag.glsl"),
-      sheet_program_("air.vert.glsl", "air_sheet.frag.glsl", {"point", "paint"}, fixed),
-      path_program_("air.vert.glsl", "air_paths.frag.glsl", {"point", "paint"}, fixed) {}
+      behind_program_("common/screen.vert.glsl", "air/behind.frag.glsl"),
+      sheet_program_("air/air.vert.glsl", "air/air_sheet.frag.glsl", {"point", "paint"}, fixed),
+      path_program_("air/air.vert.glsl", "air/air_paths.frag.glsl", {"point", "paint"}, fixed) {}
 
 void AirLayer::set_air(const Snapshot& strip, const Block& block, const Camera& camera,
                        WorkerPool& pool) {

@@ -15,7 +15,7 @@ BackgroundLayer::BackgroundLayer(const View& view, const Block& block, const Flo
                                  const gl::Constants& fixed)
     : view_(view),
       block_(block),
-      program_("screen.vert.glsl", "background.frag.glsl", {}, fixed),
+      program_("common/screen.vert.glsl", "sky/background.frag.glsl", {}, fixed),
       floor_(FloorMap::cells, FloorMap::cells, floor_layout, floor.sun_and_sky.data()) {}
 
 void BackgroundLayer::set_floor(const FloorMap& floor) const {

@@ -79,9 +79,9 @@ int shaded_size(int count, const DisplayBed& bed, int samples_across) {
 }
 
 const char* shader_of(const LookSettings& look, const Snapshot& first) {
-    if (look.ground == Ground::endless) return "shade_albedo.frag.glsl";
-    if (look.mode == ViewMode::figure) return "shade_figure.frag.glsl";
-    return draws_water(look, first) ? "shade_water.frag.glsl" : "shade_scenic.frag.glsl";
+    if (look.ground == Ground::endless) return "bed/shade_albedo.frag.glsl";
+    if (look.mode == ViewMode::figure) return "bed/shade_figure.frag.glsl";
+    return draws_water(look, first) ? "bed/shade_water.frag.glsl" : "bed/shade_scenic.frag.glsl";
 }
 
 /// 255 in the cells that get no palette place, 1 × 1 where all do.
@@ -164,7 +164,7 @@ Rendering chosen_rendering(const View& view, const Light& light) {
     return {1.35 + 0.45 * share, look.exposure - 0.5 * share};
 }
 
-float tone_number(Tone tone) {  // of colour.glsl
+float tone_number(Tone tone) {  // of common/colour.glsl
     return tone == Tone::filmic ? 0.0F : tone == Tone::neutral ? 2.0F : 1.0F;
 }
 
@@ -199,7 +199,7 @@ gl::TextureLayout colour_layout(PixelKind kind) {
 
 gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& block,
                              PixelKind kind) {
-    constexpr float no_curve = 3.0F;  // of colour.glsl
+    constexpr float no_curve = 3.0F;  // of common/colour.glsl
     const bool linear = kind == PixelKind::radiance;
     const Tone tone = chosen_tone(view.look);
     const bool scenic = view.look.mode == ViewMode::scenic;
@@ -273,7 +273,7 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
       refinement_(first_bed.z.nx() / first.bed.nx()),
       mipmaps_(view.look.ground == Ground::endless ||
                longer_shaded_side(first_bed, samples_across) > texels_per_sample * samples_across),
-      program_("screen.vert.glsl", shader_of(view.look, first), {}, fixed),
+      program_("common/screen.vert.glsl", shader_of(view.look, first), {}, fixed),
       palette_(256, 1, palette_layout, chosen_palette(view.look).data()),
       lighting_(first_bed.z.nx(), first_bed.z.ny(), repeated(lighting_layout, view.look.ground)),
       values_(first_bed.z.nx(), first_bed.z.ny(), repeated(value_layout, view.look.ground)),
@@ -295,7 +295,7 @@ void BedShading::draw_noise() {
     };
     noise_.emplace(texels(block_.width_x), texels(block_.width_y),
                    repeated(noise_layout, view_.look.ground));
-    const gl::Program program("screen.vert.glsl", "ground_noise.frag.glsl");
+    const gl::Program program("common/screen.vert.glsl", "bed/ground_noise.frag.glsl");
     const gl::VertexArray none;
     gl::functions().BindVertexArray(none.name());
     noise_->bind();

@@ -23,19 +23,20 @@ namespace fumon {
 /// The texture unit of the sky's radiances, bound while a frame is drawn.
 inline constexpr int sky_unit = 15;
 
-/// What never changes while a view is drawn, of the uniforms of light.glsl, colour.glsl, bed.glsl,
-/// ground.glsl and side.frag.glsl.
+/// What never changes while a view is drawn, of the uniforms of common/light.glsl,
+/// common/colour.glsl, bed/bed.glsl, bed/ground.glsl and block/side.frag.glsl.
 gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& block,
                              PixelKind kind = PixelKind::display_8);
 
 /// How colours of that kind are stored.
 gl::TextureLayout colour_layout(PixelKind kind);
 
-/// Sets the uniforms of shaders/light.glsl and shaders/colour.glsl and the eye of shaders/bed.glsl.
+/// Sets the uniforms of shaders/common/light.glsl and shaders/common/colour.glsl and the eye of
+/// shaders/bed/bed.glsl.
 void set_light(const gl::Program& program, const View& view, const Light& light,
                const Camera& camera, const Block& block);
 
-/// Sets sand_crest and sand_trough of shaders/ground.glsl and shaders/spade_cut.glsl.
+/// Sets sand_crest and sand_trough of shaders/bed/ground.glsl and shaders/block/spade_cut.glsl.
 void set_sand(const gl::Program& program, const LookSettings& look);
 
 /// The bed's colour as the eye sees it, as a texture over the bed: each place is shaded once, and
@@ -59,8 +60,8 @@ class BedShading {
     /// Shades what was uploaded.
     void shade(const Light& light, const Camera& camera);
 
-    /// Binds what was uploaded to the units 0 to 4 and sets the uniforms of shaders/bed.glsl and
-    /// shaders/ground.glsl, of the program in use.
+    /// Binds what was uploaded to the units 0 to 4 and sets the uniforms of shaders/bed/bed.glsl
+    /// and shaders/bed/ground.glsl, of the program in use.
     void bind(const gl::Program& program) const;
 
     /// The values at the palette's ends in what was shaded last.

@@ -91,9 +91,9 @@ PersonLayer::PersonLayer(const View& view, const Block& block, const Snapshot& f
     : view_(view),
       block_(block),
       places_(person_places(view, block, first)),
-      program_("person.vert.glsl", "plant.frag.glsl", {"part", "part_normal", "part_colour"},
-               fixed),
-      shadow_program_("person_shadow.vert.glsl", "plant.frag.glsl",
+      program_("life/person.vert.glsl", "life/plant.frag.glsl",
+               {"part", "part_normal", "part_colour"}, fixed),
+      shadow_program_("life/person_shadow.vert.glsl", "life/plant.frag.glsl",
                       {"part", "part_normal", "part_colour"}, fixed) {
     const std::vector<PersonCorner> mesh = person_mesh();
     count_ = static_cast<int>(mesh.size());

@@ -38,7 +38,7 @@ class PersonLayer {
     void set_bed(const Field<float>& z, const Block& ground, bool repeats);
     void draw(const PlantGround& ground, const BedShading& shading, const Light& light,
               const Camera& camera, const TileSamples& tile) const;
-    /// As TerrainLayer::draw_places(), by the program of person_place.vert.glsl.
+    /// As TerrainLayer::draw_places(), by the program of places/person_place.vert.glsl.
     void draw_places(const gl::Program& program, const PlantGround& ground, const Camera& camera,
                      const TileSamples& tile) const;
 

@@ -38,7 +38,8 @@ class PlaceLayers {
   public:
     PlaceLayers(int width, int height, DrawnGround ground);
 
-    /// `seen`: what place.frag.glsl or world_seen.frag.glsl wrote of a tile, the lowest row first.
+    /// `seen`: what places/place.frag.glsl or world/world_seen.frag.glsl wrote of a tile, the
+    /// lowest row first.
     void add(const Tile& tile, const std::vector<float>& seen, WorkerPool& pool);
 
     [[nodiscard]] std::vector<ImageLayer> take() { return std::move(layers_); }

@@ -55,10 +55,10 @@ bool draws_plants(const View& view, const Snapshot& first) {
 PlantLayer::PlantLayer(const View& view, const Block& block, const gl::Constants& fixed)
     : view_(view),
       block_(block),
-      leaf_program_("plant.vert.glsl", "plant.frag.glsl", {"leaf", "leaf_normal", "root", "form"},
-                    fixed),
-      shadow_program_("plant_shadow.vert.glsl", "plant_shadow.frag.glsl", {"strip", "root"},
-                      fixed) {
+      leaf_program_("life/plant.vert.glsl", "life/plant.frag.glsl",
+                    {"leaf", "leaf_normal", "root", "form"}, fixed),
+      shadow_program_("life/plant_shadow.vert.glsl", "life/plant_shadow.frag.glsl",
+                      {"strip", "root"}, fixed) {
     for (std::size_t kind = 0; kind < kinds; ++kind) {
         for (int detail = 0; detail < plant_details; ++detail) {
             build(meshes_.at(kind).at(static_cast<std::size_t>(detail)),

@@ -45,7 +45,7 @@ class PlantLayer {
     void choose(const PlantGround& ground, const Camera& camera);
     void draw(const PlantGround& ground, const BedShading& shading, const Light& light,
               const Camera& camera, const TileSamples& tile) const;
-    /// As TerrainLayer::draw_places(), by the program of plant_place.vert.glsl.
+    /// As TerrainLayer::draw_places(), by the program of places/plant_place.vert.glsl.
     void draw_places(const gl::Program& leaves, const PlantGround& ground, const Camera& camera,
                      const TileSamples& tile) const;
 

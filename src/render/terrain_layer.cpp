@@ -20,7 +20,7 @@ constexpr double strongest_grain = 0.30;  // of the colour, from darkest to ligh
 const gl::TextureLayout grain_layout{
     GL_R8, GL_RED, GL_UNSIGNED_BYTE, GL_LINEAR, GL_LINEAR_MIPMAP_NEAREST, GL_REPEAT, 3};
 
-/// A corner of a side face as side.vert.glsl takes it.
+/// A corner of a side face as block/side.vert.glsl takes it.
 struct SideCorner {
     MeshPlace at;
     MeshPlace normal;
@@ -90,13 +90,16 @@ TerrainLayer::TerrainLayer(const View& view, const Block& block, const gl::Const
 const TerrainLayer::SamplePrograms& TerrainLayer::by_sample() {
     if (!by_sample_)
         by_sample_.emplace(SamplePrograms{
-            {"terrain.vert.glsl", "seen.frag.glsl", {"east_north", "height"}},
-            {"side.vert.glsl", "seen.frag.glsl", {"east_north", "normal", "heights"}},
-            {"screen.vert.glsl",
-             grainy_ ? "terrain.frag.glsl" : "terrain_plain.frag.glsl",
+            {"block/terrain.vert.glsl", "block/seen.frag.glsl", {"east_north", "height"}},
+            {"block/side.vert.glsl", "block/seen.frag.glsl", {"east_north", "normal", "heights"}},
+            {"common/screen.vert.glsl",
+             grainy_ ? "block/terrain.frag.glsl" : "block/terrain_plain.frag.glsl",
              {},
              fixed_},
-            {"side.vert.glsl", "side.frag.glsl", {"east_north", "normal", "heights"}, fixed_}});
+            {"block/side.vert.glsl",
+             "block/side.frag.glsl",
+             {"east_north", "normal", "heights"},
+             fixed_}});
     return *by_sample_;
 }
 

@@ -44,7 +44,7 @@ class TerrainLayer {
 
     /// Draws what each sample sees into the bound target of two numbers 0 … 1 and its cleared
     /// stencils: of the surface the place east and north, of the sides the ground and the surface
-    /// over it, see side.vert.glsl. The stencil says which of them it is.
+    /// over it, see block/side.vert.glsl. The stencil says which of them it is.
     void draw_seen(const Camera& camera, const TileSamples& tile);
 
     /// Colours, in the bound target, the samples whose stencils that has set: each sample once,
@@ -53,7 +53,7 @@ class TerrainLayer {
                      const Camera& camera, const TileSamples& tile);
 
     /// The same, of 2 × 2 samples a pixel, for colour_pixels(): into a target of one whole number,
-    /// see seen_kind.frag.glsl.
+    /// see block/seen_kind.frag.glsl.
     void draw_kinds(const Camera& camera, const TileSamples& tile);
 
     /// Colours pixels, in the bound target, cleared to 0, and its cleared depths: one look at the
@@ -63,8 +63,9 @@ class TerrainLayer {
     void colour_pixels(const gl::Texture2D& seen, const gl::Texture2D& colours, const Light& light,
                        const Camera& camera, const TileSamples& tile);
 
-    /// Draws into the bound target, cleared to 0, which point each pixel sees, see place.frag.glsl;
-    /// by the programs of bed_place.vert.glsl and side_place.vert.glsl.
+    /// Draws into the bound target, cleared to 0, which point each pixel sees, see
+    /// places/place.frag.glsl; by the programs of places/bed_place.vert.glsl and
+    /// places/side_place.vert.glsl.
     void draw_places(const gl::Program& surface, const gl::Program& sides, const Camera& camera,
                      const TileSamples& tile) const;
 

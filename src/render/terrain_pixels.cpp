@@ -7,10 +7,10 @@ namespace fumon {
 
 namespace {
 
-constexpr int surface_kind = 1;  // of block_samples.glsl; sides are the next ones
+constexpr int surface_kind = 1;  // of block/block_samples.glsl; sides are the next ones
 constexpr int block_unit = 2;
 constexpr double around_box = 0.01;  // block lengths: more than a pixel
-// Between the depths that block_pixels.frag.glsl gives: what lies behind is done.
+// Between the depths that block/block_pixels.frag.glsl gives: what lies behind is done.
 constexpr double behind_edges = 0.5;
 constexpr double behind_sides = 0.75;
 
@@ -19,12 +19,14 @@ constexpr double behind_sides = 0.75;
 const TerrainLayer::PixelPrograms& TerrainLayer::by_pixel() {
     if (!by_pixel_)
         by_pixel_.emplace(PixelPrograms{
-            {"terrain.vert.glsl", "seen_kind.frag.glsl", {"east_north", "height"}},
-            {"side.vert.glsl", "seen_kind.frag.glsl", {"east_north", "normal", "heights"}},
-            {"block_cover.vert.glsl", "block_pixels.frag.glsl", {}, fixed_},
-            {"block_cover.vert.glsl", "block_edges.frag.glsl", {}, fixed_},
-            {"side.vert.glsl",
-             "side_pixels.frag.glsl",
+            {"block/terrain.vert.glsl", "block/seen_kind.frag.glsl", {"east_north", "height"}},
+            {"block/side.vert.glsl",
+             "block/seen_kind.frag.glsl",
+             {"east_north", "normal", "heights"}},
+            {"block/block_cover.vert.glsl", "block/block_pixels.frag.glsl", {}, fixed_},
+            {"block/block_cover.vert.glsl", "block/block_edges.frag.glsl", {}, fixed_},
+            {"block/side.vert.glsl",
+             "block/side_pixels.frag.glsl",
              {"east_north", "normal", "heights"},
              fixed_}});
     return *by_pixel_;

@@ -8,7 +8,7 @@
 
 namespace fumon {
 
-/// What shaders/water.glsl needs to know of a snapshot's water.
+/// What shaders/bed/water.glsl needs to know of a snapshot's water.
 class WaterShading {
   public:
     /// For a display bed of nx × ny cells.

@@ -59,13 +59,17 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
       ripple_length_(first.scale.in_metres ? ripple_metres / block.side
                                            : ripple_cells * cell_ * refinement),
       origin_(origin.place),
-      seen_program_("world.vert.glsl", "world_seen.frag.glsl", {"offset"}),
-      pixel_program_("screen.vert.glsl", "world_pixels.frag.glsl"),
-      spread_program_("screen.vert.glsl", "world_spread.frag.glsl"),
-      near_pixels_("screen.vert.glsl", "world_near.frag.glsl", {}, for_pixels(fixed, true)),
-      far_pixels_("screen.vert.glsl", "world_far.frag.glsl", {}, for_pixels(fixed, true)),
-      near_colours_("screen.vert.glsl", "world_near.frag.glsl", {}, for_pixels(fixed, false)),
-      far_colours_("screen.vert.glsl", "world_far.frag.glsl", {}, for_pixels(fixed, false)),
+      seen_program_("world/world.vert.glsl", "world/world_seen.frag.glsl", {"offset"}),
+      pixel_program_("common/screen.vert.glsl", "world/world_pixels.frag.glsl"),
+      spread_program_("common/screen.vert.glsl", "world/world_spread.frag.glsl"),
+      near_pixels_("common/screen.vert.glsl", "world/world_near.frag.glsl", {},
+                   for_pixels(fixed, true)),
+      far_pixels_("common/screen.vert.glsl", "world/world_far.frag.glsl", {},
+                  for_pixels(fixed, true)),
+      near_colours_("common/screen.vert.glsl", "world/world_near.frag.glsl", {},
+                    for_pixels(fixed, false)),
+      far_colours_("common/screen.vert.glsl", "world/world_far.frag.glsl", {},
+                   for_pixels(fixed, false)),
       surface_(first.bed.nx() * refinement, first.bed.ny() * refinement, surface_layout),
       relief_(relief_texels, relief_texels, relief_layout),
       wander_(wander_texels, wander_texels, wander_layout) {
@@ -86,7 +90,7 @@ void WorldLayer::build() {
 
 void WorldLayer::draw_relief() {
     const gl::Functions& gl = gl::functions();
-    const gl::Program program("screen.vert.glsl", "relief.frag.glsl");
+    const gl::Program program("common/screen.vert.glsl", "world/relief.frag.glsl");
     relief_.bind();
     gl.BindVertexArray(no_attributes_.name());
     gl.Disable(GL_DEPTH_TEST);
@@ -98,7 +102,7 @@ void WorldLayer::draw_relief() {
 
 void WorldLayer::draw_wander() {
     const gl::Functions& gl = gl::functions();
-    const gl::Program program("screen.vert.glsl", "ripple_wander.frag.glsl");
+    const gl::Program program("common/screen.vert.glsl", "world/ripple_wander.frag.glsl");
     wander_.bind();
     gl.BindVertexArray(no_attributes_.name());
     gl.Disable(GL_DEPTH_TEST);

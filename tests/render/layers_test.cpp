@@ -142,7 +142,7 @@ TEST(Layers, EndlessGroundLiesWhereTheyTell) {
     expect_consistent(layers_of(view, bed), bed, false);
 }
 
-/// Of neutral tone, as colour.glsl has it, on grey and coloured light of a contrast of 1.
+/// Of neutral tone, as common/colour.glsl has it, on grey and coloured light of a contrast of 1.
 std::array<double, 3> neutral_display(std::array<double, 3> c) {
     const double least = std::min({c[0], c[1], c[2]});
     for (double& v : c) v -= least < 0.08 ? least - 6.25 * least * least : 0.04;

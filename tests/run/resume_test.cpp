@@ -220,17 +220,17 @@ TEST_F(ResumeTest, TheSameSourcesHaveOneIdentityWhereverTheyLie) {
         return read_text(folder_ / "identity.cpp");
     };
     for (const char* root : {"one", "two"}) {
-        for (const char* folder : {"src/base", "shaders", "assets/palettes"})
+        for (const char* folder : {"src/base", "shaders/sky", "assets/palettes"})
             fs::create_directories(folder_ / root / folder);
         for (const char* file : {"CMakeLists.txt", "src/CMakeLists.txt", "src/base/a.cpp",
-                                 "src/base/a.h", "shaders/a.glsl", "assets/palettes/a.txt"})
+                                 "src/base/a.h", "shaders/sky/a.glsl", "assets/palettes/a.txt"})
             write_text(folder_ / root / file, file);
     }
     const std::string one = identity("one");
     EXPECT_NE(one.find("R\"(a b)\""), std::string::npos) << one;
     write_text(folder_ / "two/src/base/a.cpp~", "an editor's");
     EXPECT_EQ(identity("two"), one);
-    for (const char* file : {"src/base/a.h", "shaders/a.glsl", "assets/palettes/a.txt"}) {
+    for (const char* file : {"src/base/a.h", "shaders/sky/a.glsl", "assets/palettes/a.txt"}) {
         write_text(folder_ / "two" / file, "changed");
         EXPECT_TRUE(written.insert(identity("two")).second) << file;
     }

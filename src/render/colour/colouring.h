@@ -41,7 +41,7 @@ Field<std::uint16_t> palette_places(const Field<float>& values, std::pair<double
 /// The field of a snapshot that a marking shows, or nullptr where the model has none.
 const SnapshotField* marked_field(Marking mark, const Snapshot& snapshot);
 
-/// A marking's number in shaders/bed.glsl.
+/// A marking's number in shaders/bed/bed.glsl.
 float mark_number(Marking mark);
 
 /// How much each cell stands out, 0 … 255: for the last avalanche, cells that toppled fully and

@@ -10,13 +10,13 @@
 namespace fumon {
 namespace {
 
-/// What the tone curves of shaders/colour.glsl make of a linear colour.
+/// What the tone curves of shaders/common/colour.glsl make of a linear colour.
 std::array<float, 3> toned(int tone, glm::vec3 colour) {
     gl::TextureLayout layout;
     layout.internal_format = GL_RGBA32F;
     layout.type = GL_FLOAT;
     const gl::RenderTarget target(1, 1, layout);
-    const gl::Program program("screen.vert.glsl", "../tests/render/light/toned.frag.glsl");
+    const gl::Program program("common/screen.vert.glsl", "../tests/render/light/toned.frag.glsl");
     const gl::VertexArray none;
     const gl::Functions& gl = gl::functions();
     gl.BindVertexArray(none.name());

@@ -1,5 +1,5 @@
 #version 330 core
-#include "colour.glsl"
+#include "common/colour.glsl"
 
 uniform vec3 given;
 out vec4 colour;

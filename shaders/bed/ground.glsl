@@ -1,0 +1,64 @@
+// The ground's own colour, and the light it sends to the eye. Needs common/light.glsl,
+// common/oren_nayar.glsl and bed/bed.glsl before it.
+uniform sampler2D palette;
+uniform float natural;  // 1: sand and rock by themselves, 0: the palette
+uniform float rock;     // 0 sand … 1 mountains
+uniform sampler2D noise_map;  // of bed/ground_noise.frag.glsl
+uniform vec2 noise_origin;    // the drawn bed's corner there
+
+// It is one tile's.
+vec2 noise_place(vec2 place) { return plain < 0.5 ? place + noise_origin : vec2(2.0, 1.0) * place; }
+
+uniform vec3 sand_crest;
+uniform vec3 sand_trough;
+
+vec3 sand(float broad, float fine, BedPoint point, float height) {
+    float open = clamp(0.35 + 0.45 * height + 0.9 * (point.sky - 0.85), 0.0, 1.0);
+    open = clamp(open + 0.10 * broad + 0.04 * fine, 0.0, 1.0);
+    return mix(sand_trough, sand_crest, open) * (1.0 + 0.035 * broad + 0.02 * fine);
+}
+
+vec3 mountain(float broad, BedPoint point, float height) {
+    float steep = smoothstep(0.10, 0.36, 1.0 - point.normal.z + 0.03 * broad);
+    vec3 low_ground = mix(vec3(0.50, 0.315, 0.165), vec3(0.68, 0.48, 0.295), clamp(height + 0.12 * broad, 0.0, 1.0));
+    vec3 cliff = mix(vec3(0.38, 0.195, 0.110), vec3(0.54, 0.36, 0.245), clamp(height + 0.2 * broad, 0.0, 1.0));
+    return mix(low_ground, cliff, steep);
+}
+
+vec3 ground_albedo(vec2 place, BedPoint point) {
+    float value = texture(value_map, place).r;
+    vec3 noise = 2.0 * texture(noise_map, noise_place(place)).rgb - 1.0;
+    vec3 own = mix(sand(1.5 * noise.r, noise.g, point, value), mountain(1.5 * noise.b, point, value), rock);
+    if (natural > 0.5) return marked(own, place);
+    vec3 coloured = linear_from_display(texture(palette, vec2(value * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb);
+    return marked(mix(coloured, own, texture(uncoloured_map, place).r), place);
+}
+
+// From the sun's share that leaves it, `direct`. `gloss` is 1 for dry ground.
+vec3 ground_light_of(vec3 albedo, float direct, BedPoint point, vec3 to_eye, float gloss) {
+    // The sky is brighter on the sun's side.
+    vec3 sky = sky_light * point.sky * (1.0 + 0.25 * dot(point.normal.xy, to_sun.xy));
+    // One bounce: what the sky does not fill, sunlit sand around does.
+    vec3 bounce = albedo * (sun_light * max(to_sun.z, 0.15) + 0.5 * sky_light) * (1.0 - point.sky) * 1.7;
+    if (atmosphere > 0.5) {
+        float x = dot(point.normal.xy, normalize(to_sun.xy + vec2(1e-6, 0.0)));
+        float t = 1.0 - point.normal.z;
+        vec3 lean = x * (sky_lean_x + x * sky_lean_xx + t * sky_lean_tx) + t * sky_lean_t;
+        sky = sky_light * point.sky * max(1.0 + lean, 0.1);
+        // A slope sees level ground, half of it in the sun, where it does not see the sky.
+        float ground_seen = clamp(1.0 - point.sky, 0.0, 1.0);
+        bounce = albedo * (0.5 * sun_light * to_sun.z + sky_light) * ground_seen;
+    }
+    float n_dot_l = max(dot(point.normal, to_sun), 0.0);
+    vec3 halfway = normalize(to_sun + to_eye);
+    float shine = max(dot(point.normal, halfway), 0.0);
+    shine *= shine; shine *= shine; shine *= shine;
+    return albedo * (sun_light * direct + sky + bounce) + sun_light * (0.035 * gloss * shine * point.sun * n_dot_l);
+}
+
+vec3 ground_light(vec3 albedo, BedPoint point, vec3 to_eye, float gloss) {
+    float n_dot_l = max(dot(point.normal, to_sun), 0.0);
+    float n_dot_v = max(dot(point.normal, to_eye), 0.0);
+    float direct = point.sun * oren_nayar(n_dot_l, n_dot_v, dot(to_sun, to_eye));
+    return ground_light_of(albedo, direct, point, to_eye, gloss);
+}

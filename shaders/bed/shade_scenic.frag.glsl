@@ -1,0 +1,20 @@
+#version 330 core
+// The display colour of the bed as seen by the eye, one texel a place: shaded here once, then only
+// looked up by the samples of the picture.
+#include "common/colour.glsl"
+#include "common/light.glsl"
+#include "common/oren_nayar.glsl"
+#include "bed/bed.glsl"
+#include "bed/ground.glsl"
+
+in vec2 place;
+out vec4 colour;
+
+void main() {
+    BedPoint point = bed_point(place);
+    vec2 world = (place - 0.5) * extent;
+    vec3 world_point = vec3(world, 0.0);
+    vec3 to_eye = direction_to_eye(world_point);
+    vec3 light = ground_light(ground_albedo(place, point), point, to_eye, 1.0);
+    colour = vec4(display_from_linear(tone_curve(with_haze(light, world_point, -to_eye))), 1.0);
+}

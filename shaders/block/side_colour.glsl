@@ -1,0 +1,116 @@
+// The colour of the block's cut sides: soil, or layers of sand as in a dune's trench.
+#include "common/colour.glsl"
+#include "common/light.glsl"
+#include "common/noise.glsl"
+#include "bed/bed.glsl"
+#include "sky/sky.glsl"
+#include "bed/water_body.glsl"
+#include "block/spade_cut.glsl"
+
+uniform float base;
+uniform float figure;  // 1: plain and grey
+uniform float rock;
+uniform float soil;  // 1: cut by a spade
+uniform float clarity;  // depth of water at which the bed is half hidden, block lengths
+uniform vec2 height_range;  // of all grounds and surfaces
+
+in vec2 outward;
+vec3 cut_point;
+
+// Sets of cross-beds: thick layers that undulate, each filled with thin laminae of its own dip.
+struct Layers {
+    vec3 albedo;
+    float lamina;  // −1 … 1
+};
+
+Layers layers_at(float along) {
+    float undulation = 0.55 * value_noise(vec2(along * 2.3, 4.5)) + 0.22 * value_noise(vec2(along * 7.1, 8.5));
+    float sets = cut_point.z * 52.0 + undulation;
+    float set_number = floor(sets);
+    float within = sets - set_number;
+    ivec2 set_key = ivec2(int(set_number), 17);
+    float dip = 0.35 * (hash(set_key) - 0.5);
+    float laminae = (cut_point.z + dip * along) * 260.0 + 0.7 * value_noise(vec2(along * 9.0, set_number));
+    float lamina = value_noise(vec2(laminae, set_number * 7.0));
+    float set_tone = mix(hash(set_key + ivec2(1, 5)), hash(set_key + ivec2(0, 5)), smoothstep(0.0, 0.10, 1.0 - within));
+    float speck = value_noise(vec2(along, cut_point.z) * 700.0);
+    float tone = 0.26 + 0.34 * set_tone + 0.09 * lamina + 0.20 * (speck - 0.5) - 0.10 * smoothstep(0.90, 1.0, within);
+    vec3 albedo = mix(vec3(0.54, 0.335, 0.175), vec3(0.74, 0.515, 0.30), clamp(tone, 0.0, 1.0));
+    albedo = mix(albedo, mix(vec3(0.36, 0.215, 0.135), vec3(0.60, 0.43, 0.295), clamp(tone, 0.0, 1.0)), rock);
+    return Layers(albedo, lamina);
+}
+
+// Across the nearest of eight directions to the face's, so that steps along a rim do not fold what is drawn on them.
+vec2 along_face() {
+    vec2 size = abs(outward);
+    const float steep = 2.414;  // tangent of 67.5 degrees
+    if (size.x > steep * size.y) return vec2(0.0, sign(outward.x));
+    if (size.y > steep * size.x) return vec2(-sign(outward.y), 0.0);
+    return 0.7071 * vec2(-sign(outward.y), sign(outward.x));
+}
+
+// Water, cut through: lit from above through what stands over the point.
+vec3 water_cut(vec3 to_eye, float sun, float below_surface, float above_bed) {
+    vec3 down = sun_light * max(to_sun.z, 0.15) + sky_light;
+    vec3 body = water_body_colour() * (1.4 * down * transmitted(0.6 * below_surface / clarity) + 0.3 * sun_light * sun);
+    // A little of the bed's own light, near it.
+    vec3 bed = mix(sand_trough, sand_crest, 0.5) * 0.35 * down * transmitted(0.5 * (below_surface + 2.0 * above_bed) / clarity + 0.4);
+    float facing = max(dot(vec3(outward, 0.0), to_eye), 0.0);
+    float grazing = (1.0 - facing) * (1.0 - facing);
+    float fresnel = 0.03 + 0.97 * grazing * grazing * (1.0 - facing);
+    vec3 mirrored = reflect(-to_eye, vec3(outward, 0.0));
+    vec3 around = mirrored.z < 0.0 ? vec3(0.45, 0.38, 0.29) * down : sky(mirrored);
+    vec3 light = mix(body + bed, around, fresnel);
+    float brim = exp(-below_surface * pixels * 0.9);  // the surface from below mirrors and breaks the light
+    return mix(light, 0.5 * sky_light + 0.35 * sun_light, 0.28 * brim);
+}
+
+// Display values at a point. `heights`: of the ground and of the surface over it, 0 … 1 over their range.
+vec3 side_colour(vec3 point, vec2 heights) {
+    cut_point = point;
+    vec2 levels = mix(height_range.xx, height_range.yy, heights);
+    float ground = levels.x;
+    float surface = levels.y;  // above the ground where water stands on it
+    float depth = ground - cut_point.z;
+    vec3 normal = vec3(outward, 0.0);
+    vec3 to_eye = direction_to_eye(cut_point);
+    float level_sun = max(dot(normal, to_sun), 0.0);
+    vec3 albedo;
+    float lamina = 0.0;
+    float rim;
+    if (soil > 0.5) {
+        vec2 along = along_face();
+        vec2 at = vec2(dot(cut_point.xy, along), cut_point.z);
+        Cut cut = sand_cut(at, depth);
+        if (rock > 0.0) {
+            Cut earth = earth_cut(at, depth);
+            cut = Cut(mix(cut.albedo, earth.albedo, rock), mix(cut.slope, earth.slope, rock));
+        }
+        albedo = cut.albedo;
+        normal = normalize(normal - vec3(cut.slope.x * along, cut.slope.y));
+        rim = 1.0;
+    } else {
+        Layers layers = layers_at(cut_point.x + cut_point.y);
+        albedo = layers.albedo;
+        lamina = layers.lamina;
+        rim = 1.0 - 0.22 * exp(-depth * 160.0);  // the damp edge under the surface
+    }
+    float sun = max(dot(normal, to_sun), 0.0);
+    float above_ground = clamp((cut_point.z - base) / 0.10, 0.0, 1.0);
+    float open = 0.34 + 0.24 * above_ground;  // half the sky, less near the ground
+    vec3 bounce = 0.42 * (sun_light * max(to_sun.z, 0.15) + 0.5 * sky_light) * vec3(0.78, 0.62, 0.44) *
+                  (0.35 + 0.65 * max(0.5 + 0.5 * dot(normalize(to_sun.xy), outward), sun));
+    vec3 light = albedo * rim * (sun_light * 0.85 * sun + sky_light * open * (1.0 + 0.7 * normal.z) + bounce * (1.0 - 0.7 * normal.z));
+    if (cut_point.z > ground && surface > ground) {  // water, cut through
+        float below = surface - cut_point.z;
+        if (soil > 0.5) {
+            light = water_cut(to_eye, level_sun, below, cut_point.z - ground);
+        } else {
+            float up = below / (surface - ground);
+            light = mix(water_body_colour() * 1.6, vec3(0.10, 0.20, 0.22), 0.5 - 0.4 * up) * (sun_light * (0.35 + 0.5 * sun) + sky_light);
+        }
+    }
+    vec3 scenic = tone_curve(with_haze(light, cut_point, -to_eye));
+    float grey = 0.42 + 0.25 * sun + 0.05 * lamina;
+    return display_from_linear(mix(scenic, vec3(grey) * vec3(1.0, 0.97, 0.93), figure));
+}

@@ -1,0 +1,58 @@
+#version 330 core
+// What surrounds the block: a pale plain under it, darkened where the block stands and shades it,
+// fading into the haze, and the sky above. Written at the picture's own resolution, in 8 bits with one
+// step of dither, so that its slow gradients do not band.
+#include "common/colour.glsl"
+#include "common/light.glsl"
+#include "common/noise.glsl"
+#include "sky/sky.glsl"
+#include "sky/stars.glsl"
+
+uniform vec3 ray_origin;
+uniform vec3 ray_right;    // origin or direction moves by these over the picture
+uniform vec3 ray_up;
+uniform vec3 ray_forward;
+uniform float parallel;
+uniform float base;        // height of the plain
+uniform float endless;     // 1: no plain, as the ground reaches the horizon
+uniform sampler2D floor_map;  // shares of sun and sky; see render/floor_map.h
+uniform float floor_half_width;
+uniform vec2 picture_pixels;
+uniform float dithered;    // 1: for 8 bits
+uniform vec2 tile_pixel;   // first pixel of this tile
+uniform vec2 row_of;       // rows run downward: the first one's number, and 1 or, from the lowest on, −1
+
+in vec2 place;
+out vec4 colour;
+
+vec3 plain(vec3 point, vec3 view) {
+    vec2 at = point.xy / floor_half_width;
+    vec2 light_shares = texture(floor_map, 0.5 * at + 0.5).rg;
+    float beyond = smoothstep(0.8, 1.0, max(abs(at.x), abs(at.y)));
+    light_shares = mix(light_shares, vec2(1.0), beyond);
+    vec3 albedo = vec3(0.80, 0.675, 0.515) * (1.0 + 0.025 * value_noise(point.xy * 2.1));
+    vec3 light = albedo * (sun_light * max(to_sun.z, 0.0) * light_shares.x + sky_light * light_shares.y);
+    // What the sky does not light near the block, the block's sunlit side does a little.
+    light += albedo * albedo * 0.08 * sun_light * (1.0 - light_shares.y);
+    return with_haze(light, point, view);
+}
+
+void main() {
+    vec2 place_in_tile = vec2(gl_FragCoord.x, row_of.x + row_of.y * gl_FragCoord.y);
+    vec2 at = (place_in_tile + tile_pixel) / picture_pixels;
+    vec2 across = vec2(2.0, -2.0) * at + vec2(-1.0, 1.0);  // rows run downward
+    vec3 offset = across.x * ray_right + across.y * ray_up;
+    vec3 origin = ray_origin + parallel * offset;
+    vec3 view = normalize(ray_forward + (1.0 - parallel) * offset);
+    vec3 light;
+    if (view.z < -1e-4 && endless < 0.5) {
+        vec3 point = origin + view * ((base - origin.z) / view.z);
+        light = plain(point, view);
+    } else {
+        light = sky(view);
+        if (stars > 0.5) light += starlight(view);
+    }
+    ivec2 pixel = ivec2(place_in_tile + tile_pixel);
+    float dither = hash(pixel) + hash(pixel + ivec2(7919, 104729)) - 1.0;
+    colour = vec4(display_from_linear(tone_curve(light)) + dithered * dither / 255.0, 1.0);
+}

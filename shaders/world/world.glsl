@@ -1,0 +1,162 @@
+// Sand to the horizon, shaded where the triangles said that it is: once a pixel where all its samples see the same
+// ground, else once a sample. Needs common/colour.glsl, common/light.glsl, common/noise.glsl, common/oren_nayar.glsl, bed/bed.glsl, bed/ground.glsl
+// and world/world_place.glsl before it.
+uniform vec2 whole_eye;       // the eye's place, not reduced to one period
+uniform float sand_grain;     // how much of it is seen
+uniform float ripple_length;  // block lengths
+uniform float ripple_slope;   // steepest
+uniform vec2 wind;            // where it blows to, unit vector
+
+uniform float sample_angle;    // between two samples
+uniform float whole_pixels;    // 1: colours pixels of one ground, 0: samples of the others
+
+uniform sampler2D albedo_map;  // roots and bare sand, of bed/shade_albedo.frag.glsl
+uniform sampler2D surface_map; // how far ground upwind leaves the wind to the bed; how far sand lies as it slid
+uniform sampler2D relief_map;  // of world/relief.frag.glsl
+out vec4 colour;
+
+// Of a pixel's extent, over which textures are averaged; samples of its own would be averaged over half of it each.
+const float crisp = 0.7;
+
+// The difference to the nearer of two neighbours: across an edge there is other ground.
+vec3 nearer(vec3 one, vec3 other) { return dot(one, one) < dot(other, other) ? one : other; }
+
+// Of the places of three samples in a row; one that sees the sky has none.
+vec3 change(vec3 before, vec3 at, vec3 after) {
+    bool none_before = before == vec3(0.0);
+    bool none_after = after == vec3(0.0);
+    return none_before && none_after ? vec3(0.0) : none_before ? after - at : none_after ? at - before : nearer(at - before, after - at);
+}
+
+// The same of far ground, which is seen so aslant that its neighbours may be on other crests: from what the sample sees.
+SeenPlace far_place() {
+    SeenPlace place;
+    float spread = sample_angle;
+    float slant;
+    if (whole_pixels > 0.5) {
+        bool whole;
+        place = pixel_place(slant, whole);
+        slant *= crisp;
+        spread *= crisp * float(factor);
+    } else {
+        ivec2 at = ivec2(gl_FragCoord.xy);
+        vec4 seen = seen_at(at);
+        place.offset = seen.xyz;
+        slant = seen.w;
+    }
+    vec2 view = normalize(place.offset.xy + 1e-9);
+    place.along = vec3(-view.y, view.x, 0.0) * (spread * length(place.offset));
+    place.up = vec3(view * slant, 0.0);
+    return place;
+}
+
+SeenPlace near_place() {
+    if (whole_pixels > 0.5) {
+        float slant;
+        bool whole;
+        SeenPlace pixel = pixel_place(slant, whole);
+        pixel.along *= crisp;
+        pixel.up *= crisp;
+        return pixel;
+    }
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 last = textureSize(offsets, 0) - 1;
+    SeenPlace place;
+    place.offset = seen_at(at).xyz;
+    vec3 west = at.x == 0 ? vec3(0.0) : seen_at(at - ivec2(1, 0)).xyz;
+    vec3 east = at.x == last.x ? vec3(0.0) : seen_at(at + ivec2(1, 0)).xyz;
+    vec3 south = at.y == 0 ? vec3(0.0) : seen_at(at - ivec2(0, 1)).xyz;
+    vec3 north = at.y == last.y ? vec3(0.0) : seen_at(at + ivec2(0, 1)).xyz;
+    place.along = change(west, place.offset, east);
+    place.up = change(south, place.offset, north);
+    return place;
+}
+
+vec2 bed_place(SeenPlace at) { return map_place(eye.xy + at.offset.xy); }
+
+// Texels to a block length, of a map of so many along its side.
+float texels_of(int count) { return float(count) / (plain < 0.5 ? extent.x : 2.0 * extent.x); }
+
+// Unevenness of the sand, as fine as is seen at any distance: two octaves of noise in turn.
+float grain(SeenPlace at) {
+    vec2 footprint = abs(at.along.xy) + abs(at.up.xy);
+    float octave = log2(max(2.2 * max(footprint.x, footprint.y), 1e-9));
+    float whole = floor(octave);
+    vec2 place = (whole_eye + at.offset.xy) * exp2(-whole);
+    return mix(value_noise(place), value_noise(0.5 * place + 31.7), octave - whole);
+}
+
+// The level of a texture's means over what is seen, with so many texels to a block length.
+float coarseness(SeenPlace at, float texels) {
+    return 0.5 * log2(max(max(dot(at.along.xy, at.along.xy), dot(at.up.xy, at.up.xy)) * (texels * texels), 1e-12));
+}
+
+// Slope of the sand's own unevenness between ripples and cells, east and north, and how much lighter it is. What is seen
+// aslant is looked at twice, in both halves of its longer side, so that it stays as sharp as along the shorter one.
+vec3 relief(SeenPlace at) {
+    const mat2 turned = mat2(0.8, 0.6, -0.6, 0.8);
+    const float wider = 1.0 / 22.6;  // about where the octaves of one texture end those of the other begin
+    const float weaker = 0.6;
+    float scale = 1.0 / (70.0 * ripple_length);
+    vec2 place = (whole_eye + at.offset.xy) * scale;
+    float along = dot(at.along.xy, at.along.xy);
+    float up = dot(at.up.xy, at.up.xy);
+    vec2 aside = 0.25 * scale * (along > up ? at.along.xy : at.up.xy);
+    float texels = scale * float(textureSize(relief_map, 0).x);
+    float extent_seen = max(min(along, up), 0.25 * max(along, up));
+    float level = 0.5 * log2(max(extent_seen * (texels * texels), 1e-12));
+    vec3 fine = vec3(-0.5);
+    vec3 broad = vec3(-0.5);
+    for (int i = 0; i < 2; ++i) {
+        vec2 half_seen = i == 0 ? place - aside : place + aside;
+        fine += 0.5 * textureLod(relief_map, half_seen, level).rgb;
+        broad += 0.5 * textureLod(relief_map, wider * (turned * half_seen) + 0.37, level + log2(wider)).rgb;
+    }
+    broad.xy = broad.xy * turned;
+    return fine + weaker * broad;
+}
+
+vec4 sand_colour(SeenPlace at) { return textureLod(albedo_map, bed_place(at), coarseness(at, texels_of(textureSize(albedo_map, 0).x))); }
+
+// Slope and brightness of the sand's unevenness, and how much grains differ: stones on bare floors the most.
+vec3 unevenness(float bare) { return vec3(vec2(0.25), 0.62) * sand_grain * (marks > 1.5 ? bare : 0.6 + 0.4 * bare); }
+float grains_of(float bare) { return sand_grain * (marks > 1.5 ? 0.18 : 0.38 - 0.20 * bare); }
+
+// How much of that there is where sand slid: it lies smooth.
+float uneven_share(float bare, float slid) { return 1.0 - 0.75 * bare * slid; }
+
+vec3 albedo_of(vec4 sand, float brighter) { return sand.rgb * sand.rgb * (1.0 + brighter); }
+
+// How far a place is rock that weathers: as marked, or mountains of a bed that ends in a plain.
+float weathered(vec2 place) { return marks > 1.5 ? rock_share(place) : plain * rock; }
+
+// How far ripples stand on bare sand of a steepness that the wind reaches.
+float rippled(float bare, float open, float steep) { return bare * smoothstep(0.15, 0.6, open) * (1.0 - smoothstep(0.488, 0.601, steep)); }
+
+// The way that ripples face on a slope: sand that rolls downslope turns their crests.
+vec2 facing_of(vec2 slope) {
+    vec2 turned = wind - 0.8 * slope;
+    return turned / max(length(turned), 0.2);
+}
+
+// Mean of what a surface gets of the sun whose slope varies by `spread` about the mean in the sun's direction.
+float mean_facing(float n_dot_l, float spread) { return 0.5 * (n_dot_l + sqrt(n_dot_l * n_dot_l + 0.7 * spread * spread)); }
+
+// What a rough surface throws to the eye of the sun's light that it gets.
+float roughened(float direct, vec3 normal, vec3 to_eye) {
+    float n_dot_l = max(dot(normal, to_sun), 0.02);
+    return direct / n_dot_l * oren_nayar(n_dot_l, max(dot(normal, to_eye), 0.0), dot(to_sun, to_eye));
+}
+
+// Lengths and places in metres, or, without metres, in units to which a cell is 0.4.
+float metres(float block_lengths) { return block_lengths * (0.12 / ripple_length); }
+vec3 in_metres(vec3 offset) { return vec3(whole_eye + offset.xy, offset.z + eye.z) * (0.12 / ripple_length); }
+
+// What the eye gets of light that leaves the ground.
+vec4 seen(vec3 light, SeenPlace at, vec3 to_eye) {
+    float through = exp(-extinction * length(at.offset));
+    vec2 level = at.offset.xy + 1e-6 * to_sun.xy;
+    vec3 haze = haze_towards(vec3(normalize(level), 0.0));
+    light = mix(haze, light, through) + glare(-to_eye);
+    return vec4(display_from_linear(tone_curve(light)), 1.0);
+}

@@ -1,0 +1,34 @@
+#version 330 core
+// Sand so far that a ripple is finer than a sample.
+#include "common/colour.glsl"
+#include "common/light.glsl"
+#include "common/noise.glsl"
+#include "common/oren_nayar.glsl"
+#include "bed/bed.glsl"
+#include "bed/ground.glsl"
+#include "world/rock.glsl"
+#include "world/world_place.glsl"
+#include "world/world.glsl"
+
+vec4 far_colour(SeenPlace at) {
+    vec2 place = bed_place(at);
+    vec2 along = map_way(at.along.xy);
+    vec2 up = map_way(at.up.xy);
+    vec3 to_eye = -normalize(at.offset);
+    vec4 sand = sand_colour(at);
+    vec2 surface = textureGrad(surface_map, place, along, up).rg;
+    float share = uneven_share(sand.a, surface.g);
+    vec3 uneven = share * unevenness(sand.a) * relief(at);
+    vec3 albedo = albedo_of(sand, share * grains_of(sand.a) * grain(at) + 0.1 * uneven.z);
+    BedPoint point = slanting_bed_point(place, along, up);
+    vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);
+    float standing = rippled(sand.a, surface.r, length(slope));
+    point.normal = normalize(vec3(point.normal.xy - uneven.xy * point.normal.z, point.normal.z));
+    if (marks > 1.5 || plain * rock > 0.0) weather(point.normal, albedo, in_metres(at.offset), metres(length(at.along) + length(at.up)), weathered(place));
+    float spread = 0.7 * ripple_slope * standing * dot(facing_of(slope), to_sun.xy);
+    float n_dot_l = mean_facing(dot(point.normal, to_sun), spread);
+    float direct = roughened(point.sun * n_dot_l, point.normal, to_eye);
+    return seen(ground_light_of(albedo, direct, point, to_eye, 1.0), at, to_eye);
+}
+
+void main() { colour = far_colour(far_place()); }

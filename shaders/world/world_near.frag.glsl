@@ -1,0 +1,162 @@
+#version 330 core
+// Sand so near that its wind ripples are seen, and the tongues of its avalanches.
+#include "common/colour.glsl"
+#include "common/light.glsl"
+#include "common/noise.glsl"
+#include "common/oren_nayar.glsl"
+#include "bed/bed.glsl"
+#include "bed/ground.glsl"
+#include "world/rock.glsl"
+#include "world/world_place.glsl"
+#include "world/world.glsl"
+
+uniform sampler2D wander_map;  // of world/ripple_wander.frag.glsl
+uniform float wander_scale;    // of its side, a ripple's length
+uniform float ripple_phase;  // of the eye's place, in turns
+
+const float tau = 6.2831853;
+
+// Turns of a train of ripples from one place to another. Sand that rolls downslope turns crests: they run on around a
+// dune as if each began that much later.
+float turns(vec3 way) { return (dot(way.xy, wind) - 0.8 * way.z) / ripple_length; }
+
+// How ripples wander: what is added to their phase, how high they stand, and a second train of waves, whose strength and
+// phase wander. It cancels the first in places: there crests end or fork.
+struct Wander {
+    float turns;
+    vec2 second;
+    float height;
+    float patches;  // 0 … 1, wide ones
+};
+
+Wander wander_at(vec2 place) {
+    vec4 texel = texture(wander_map, place);
+    Wander wander;
+    wander.turns = 10.0 * texel.x - 5.0;
+    wander.second = 4.0 * texel.yz - 2.0;
+    float strength = length(wander.second);
+    wander.second /= max(strength, 1e-3);
+    wander.patches = texel.w;
+    wander.height = 1.15 * texel.w * min(2.5 * strength, 1.0);
+    return wander;
+}
+
+// Cosine and sine of the ripples' phase.
+vec2 wave_of(Wander wander, float phase) {
+    float turn = tau * fract(phase);
+    float c = cos(turn);
+    float s = sin(turn);
+    return vec2(c * wander.second.x - s * wander.second.y, s * wander.second.x + c * wander.second.y);
+}
+
+// Slope of a ripple, of its phase's cosine: crests are sharper than troughs.
+float profile(float c) { return c * (0.7 + 0.4 * c * c) - 0.3 * (2.0 * c * c - 1.0); }
+
+// Tongues of sand that slid down a steep face: slope across it, and how much lighter it is. Stripes straight down the faces
+// of eight directions; between two of these those of the nearer. Along a face that turns, stripes of its own direction
+// would slip.
+vec2 tongues(vec2 whole, float height, vec2 across) {
+    float eighths = atan(across.y, across.x) * (8.0 / 3.14159265);
+    float nearest = floor(eighths);
+    float share = smoothstep(0.35, 0.65, eighths - nearest);
+    vec2 sum = vec2(0.0);
+    for (int i = 0; i < 2; ++i) {
+        float number = nearest + float(i);
+        float turn = number * (3.14159265 / 8.0);
+        float along = dot(whole, vec2(cos(turn), sin(turn)));
+        vec3 noise = sloped_noise(vec2(along / 3.0 + 3.1 * mod(number, 8.0) + 0.4 * sin(height / 19.0), height / 40.0));
+        sum += (i == 0 ? 1.0 - share : share) * noise.yx;
+    }
+    return sum;
+}
+
+// Grains that mirror the sun to the eye, seldom ones: each in a cell of its own on the ground, a few pixels wide or more.
+float glints(SeenPlace at, vec3 to_eye) {
+    vec2 reach = abs(at.along.xy) + abs(at.up.xy);
+    float size = log2(max(2.5 * metres(max(reach.x, reach.y)), 0.004));
+    vec3 halfway = normalize(to_sun + to_eye);
+    vec2 wanted = halfway.xy / max(halfway.z, 0.2);
+    vec2 ground = in_metres(at.offset).xy;
+    float sum = 0.0;
+    for (int i = 0; i < 2; ++i) {
+        float octave = floor(size) + float(i);
+        vec2 place = ground * exp2(-octave);
+        ivec2 cell = ivec2(floor(place));
+        vec2 from_middle = place - floor(place) - 0.5;
+        vec2 facet = vec2(hash(cell + ivec2(911, 37)), hash(cell + ivec2(13, 709)));
+        float aligned = 1.0 - smoothstep(0.02, 0.08, distance(1.6 * facet - 0.8, wanted));
+        float spot = 1.0 - smoothstep(0.10, 0.40, length(from_middle - 0.4 * (fract(7.0 * facet) - 0.5)));
+        sum += aligned * spot * max(1.0 - abs(octave - size), 0.0);
+    }
+    return sum * (1.0 - smoothstep(-6.0, -4.0, size));
+}
+
+vec4 near_colour(SeenPlace at) {
+    vec3 offset = at.offset;
+    vec2 place = bed_place(at);
+    vec2 place_along = map_way(at.along.xy);
+    vec2 place_up = map_way(at.up.xy);
+    vec3 to_eye = -normalize(offset);
+    vec4 sand = sand_colour(at);
+    vec2 surface = textureLod(surface_map, place, coarseness(at, texels_of(textureSize(surface_map, 0).x))).rg;
+    float open = surface.r;
+    float share = uneven_share(sand.a, surface.g);
+    vec3 uneven = share * unevenness(sand.a) * relief(at);
+
+    vec2 lee = vec2(-wind.y, wind.x);  // along the crests
+    vec2 whole = (whole_eye + offset.xy) / ripple_length;
+    Wander wander = wander_at(wander_scale * vec2(dot(whole, wind), 0.75 * dot(whole, lee)));
+    float phase = turns(offset) + ripple_phase + wander.turns;
+    float footprint = abs(turns(at.along)) + abs(turns(at.up));
+    if (whole_pixels > 0.5) footprint *= 0.5 / crisp;
+    float resolved = 1.0 - smoothstep(0.05, 0.3, footprint);
+
+    // The sun's share, a mean over the pixel.
+    int parts = whole_pixels > 0.5 ? 2 : 1;
+    float part = 1.0 / float(parts);
+    BedPoint mean = BedPoint(vec3(0.0), 0.0, 0.0);
+    float direct = 0.0;
+    float trough = 0.0;
+    vec2 slope = vec2(0.0);
+    float standing = 0.0;
+    vec2 texels = vec2(textureSize(lighting_map, 0));
+    float level = log2(max(max(length(place_along * texels), length(place_up * texels)) * (whole_pixels > 0.5 ? 0.5 / crisp : 1.0), 1.0));
+    float slid = 0.0;
+    vec2 tongue = vec2(0.0);
+    for (int i = 0; i < parts; ++i) {
+        vec2 aside = whole_pixels > 0.5 ? vec2(float(i) - 0.5, 0.5 - float(i)) * (0.5 / crisp) : vec2(0.0);
+        vec3 to_part = aside.x * at.along + aside.y * at.up;
+        BedPoint point = bed_point(textureLod(lighting_map, place + map_way(to_part.xy), level));
+        slope = -point.normal.xy / max(point.normal.z, 0.1);
+        float steep = length(slope);
+        if (i == 0) {
+            slid = smoothstep(0.46, 0.58, steep) * sand.a * smoothstep(0.2, 0.7, wander.patches) * (1.0 - 0.85 * smoothstep(0.0, 0.3, open)) * (1.0 - smoothstep(0.3, 0.8, footprint / 4.0));
+            tongue = slid * tongues(whole, (offset.z + eye.z) / ripple_length, vec2(-slope.y, slope.x) / max(steep, 0.1));
+        }
+        standing = wander.height * rippled(sand.a, open, steep);
+        vec2 wave = wave_of(wander, phase + turns(to_part));
+        vec2 facing = facing_of(slope);
+        vec2 tilt = facing * (ripple_slope * standing * resolved * profile(wave.x));
+        tilt += vec2(-slope.y, slope.x) / max(steep, 0.1) * (0.09 * tongue.x) + uneven.xy;
+        point.normal = normalize(vec3(-slope - tilt, 1.0));
+        float spread = 0.7 * ripple_slope * standing * (1.0 - resolved) * dot(facing, to_sun.xy);
+        direct += part * point.sun * mean_facing(dot(point.normal, to_sun), spread);
+        mean.normal += part * point.normal;
+        mean.sun += part * point.sun;
+        mean.sky += part * point.sky;
+        trough += part * wave.y;
+    }
+    vec3 albedo = albedo_of(sand, share * grains_of(sand.a) * grain(at) + 0.1 * uneven.z + 0.06 * tongue.y);
+    if (marks > 1.5 || plain * rock > 0.0) {
+        weather(mean.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), weathered(place));
+        direct = mix(direct, mean.sun * max(dot(mean.normal, to_sun), 0.0), weathered(place));
+    }
+    direct = roughened(direct, mean.normal, to_eye);
+    // Troughs see less of the sky.
+    mean.sky *= 1.0 + 0.4 * ripple_slope * standing * resolved * (trough - 1.0);
+    vec3 light = ground_light_of(albedo, direct, mean, to_eye, 1.0);
+    light += sun_light * (0.4 * sand_grain * sand.a * mean.sun * glints(at, to_eye));
+    return seen(light, at, to_eye);
+}
+
+void main() { colour = near_colour(near_place()); }
