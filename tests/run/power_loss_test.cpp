@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-constexpr const char* scene =
+constexpr const char* pile_scene =
     "title = \"small\"\nseed = 5\n[model]\nname = \"sandpile\"\ngrains_per_step = 20\n"
     "[grid]\nnx = 12\nny = 10\n[run]\nsteps = 24\n[image]\nwidth = 32\nheight = 24\n"
     "[frames]\nevery = 8\n[output]\navalanches = true\nmeasure_every = 2\n"
@@ -44,7 +44,7 @@ TEST_P(PowerLoss, ARunGoesOnOrIsRefused) {
     const Words words{"run", "scene.toml", "-o", "out", "-q", "--checkpoint-every", "0.00001"};
     for (const char* name : {"before", "whole"}) {
         fs::create_directory(folder / name);
-        write_text(folder / name / "scene.toml", std::string(scene) + GetParam().output);
+        write_text(folder / name / "scene.toml", std::string(pile_scene) + GetParam().output);
     }
     fs::copy(folder / "before", folder / "run", fs::copy_options::recursive);
     ASSERT_EQ(fumon(words, folder / "whole").status, 0);

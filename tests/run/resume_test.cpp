@@ -21,11 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* no_pictures = "[output]\nframes = false\nmovie = false\n";
+constexpr const char* output_without_pictures = "[output]\nframes = false\nmovie = false\n";
 
 /// A run that goes on for a second or so, without pictures unless asked for.
 std::string scene_of(const std::string& model, int nx, int ny, int steps,
-                     const std::string& output = no_pictures) {
+                     const std::string& output = output_without_pictures) {
     return "title = \"resumed\"\nseed = 3\n[model]\n" + model +
            "[grid]\nnx = " + std::to_string(nx) + "\nny = " + std::to_string(ny) +
            "\n[run]\nsteps = " + std::to_string(steps) + "\n[image]\nwidth = 64\nheight = 48\n" +
@@ -34,7 +34,7 @@ std::string scene_of(const std::string& model, int nx, int ny, int steps,
 
 std::string sand_scene(int steps) {
     return scene_of("name = \"sand\"\n", 120, 100, steps,
-                    std::string(no_pictures) + "fields_every = 40\nbed_every = 400\n");
+                    std::string(output_without_pictures) + "fields_every = 40\nbed_every = 400\n");
 }
 
 void wait_for(const std::function<bool()>& condition) {
@@ -125,7 +125,8 @@ TEST_F(ResumeTest, AMovieWithoutFramesIsMadeFromFramesThatAreKeptUntilThen) {
 class ResumedModel : public ResumeTest, public ::testing::WithParamInterface<int> {};
 
 TEST_P(ResumedModel, KilledAndStoppedItEndsAsIfItHadNotBeen) {
-    const std::string output = std::string(no_pictures) + "fields_every = 30\nbed_every = 90\n";
+    const std::string output =
+        std::string(output_without_pictures) + "fields_every = 30\nbed_every = 90\n";
     const std::string scenes[] = {
         sand_scene(4000),
         scene_of("name = \"sand\"\norder = \"random-sequential\"\ncreep = \"profile\"\n", 9000, 1,
@@ -295,7 +296,7 @@ TEST_F(ResumeTest, FromAnotherFolderTheTerrainIsFoundAndAChangeNoticed) {
     scene(
         "[model]\nname = \"sand\"\n[bed]\nkind = \"file\"\nfile = \"data/bed.asc\"\n[run]\nsteps "
         "= 10000\n" +
-        std::string(no_pictures));
+        std::string(output_without_pictures));
     uninterrupted();
     ASSERT_EQ(stop({"run", "scene.toml", "-o", "out"}, SIGINT).status, 130);
     write_text(folder_ / "data/bed.asc", grid + "\n");

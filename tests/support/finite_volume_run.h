@@ -46,12 +46,6 @@ inline Water lake(const Grid& bed, double level) {
                          [&](int x, int y) { return std::max(0.0, level - bed(x, y)); }));
 }
 
-inline double sum(const Grid& grid) {
-    long double total = 0.0;
-    for (const double value : grid.values()) total += value;
-    return static_cast<double>(total);
-}
-
 inline double lowest(const Grid& grid) {
     return *std::min_element(grid.values().begin(), grid.values().end());
 }

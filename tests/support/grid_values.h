@@ -11,4 +11,10 @@ inline std::vector<double> values_of(const Grid& grid) {
     return {grid.values().begin(), grid.values().end()};
 }
 
+inline double sum(const Grid& grid) {
+    long double total = 0.0;
+    for (const double value : grid.values()) total += value;
+    return static_cast<double>(total);
+}
+
 }  // namespace fumon::test

@@ -2,18 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
 #include "files/terrain/terrain_file.h"
+#include "support/grid_values.h"
 #include "support/temporary_folder.h"
 
 namespace fumon {
 namespace {
 
 using test::message_of;
+using test::sum;
 
 /// z = 3x + 5y at the centres of cells of `dx` × `dy`, which lie from (100, 200) on.
 Terrain plane(int nx, int ny, double dx, double dy) {
@@ -31,10 +32,6 @@ Terrain plane(int nx, int ny, double dx, double dy) {
 
 Terrain onto(const Terrain& terrain, double size, Resampling method) {
     return resampled(terrain, terrain.dx, terrain.dy, size, method, "bed.resample");
-}
-
-double sum_of(const Grid& grid) {
-    return std::accumulate(grid.values().begin(), grid.values().end(), 0.0);
 }
 
 TEST(ResampledTerrain, APlaneStaysAPlane) {
@@ -62,9 +59,9 @@ TEST(ResampledTerrain, AnAverageKeepsTheVolume) {
     const Terrain made = onto(terrain, 2.5, Resampling::average);
     ASSERT_EQ(made.heights.nx(), 6);
     ASSERT_EQ(made.heights.ny(), 4);
-    EXPECT_NEAR(sum_of(made.heights) * 2.5 * 2.5, sum_of(terrain.heights), 1e-9);
-    EXPECT_GT(std::abs(sum_of(onto(terrain, 2.5, Resampling::nearest).heights) * 6.25 -
-                       sum_of(terrain.heights)),
+    EXPECT_NEAR(sum(made.heights) * 2.5 * 2.5, sum(terrain.heights), 1e-9);
+    EXPECT_GT(std::abs(sum(onto(terrain, 2.5, Resampling::nearest).heights) * 6.25 -
+                       sum(terrain.heights)),
               1.0)
         << "which single cells do not";
 }

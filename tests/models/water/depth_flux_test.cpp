@@ -9,6 +9,7 @@
 
 #include "models/shared/padded_grid.h"
 #include "models/water/kernels/depth_vectors.h"
+#include "support/grid_values.h"
 #include "support/gully_run.h"
 
 namespace fumon::test {
@@ -50,12 +51,6 @@ Grid carried(const Grid& depth, const Grid& u, const Grid& v, double dt) {
     return after;
 }
 
-double sum_of(const Grid& grid) {
-    double total = 0.0;
-    for (const double value : grid.values()) total += value;
-    return total;
-}
-
 TEST(DepthFlux, FlowThatTearsWaterApartTakesNoMoreThanThereIs) {
     const int side = 17;
     const Grid depth = noise(side, side, 1.0);
@@ -65,7 +60,7 @@ TEST(DepthFlux, FlowThatTearsWaterApartTakesNoMoreThanThereIs) {
     for (double& speed : v.values()) speed -= 0.8;
     const Grid after = carried(depth, u, v, 0.9);
     EXPECT_GE(*std::min_element(after.values().begin(), after.values().end()), 0.0);
-    EXPECT_NEAR(sum_of(after), sum_of(depth), 1e-12 * sum_of(depth));
+    EXPECT_NEAR(sum(after), sum(depth), 1e-12 * sum(depth));
 }
 
 TEST(DepthFlux, AWaveComesRoundWithLittleLoss) {

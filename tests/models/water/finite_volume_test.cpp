@@ -7,9 +7,12 @@
 
 #include "files/terrain/terrain_file.h"
 #include "support/finite_volume_run.h"
+#include "support/grid_values.h"
 
 namespace fumon {
 namespace {
+
+using test::sum;
 
 WaterDomain domain_with(EdgeKind edges_x, EdgeKind edges_y, double slope = 0.0) {
     WaterDomain domain;

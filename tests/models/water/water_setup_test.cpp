@@ -10,16 +10,11 @@
 #include <vector>
 
 #include "base/error.h"
+#include "support/grid_values.h"
 #include "support/gully_run.h"
 
 namespace fumon::test {
 namespace {
-
-double sum_of(const Grid& grid) {
-    double sum = 0.0;
-    for (const double value : grid.values()) sum += value;
-    return sum;
-}
 
 TEST(WaterSetup, RegionsLieOverEachOther) {
     WaterParameters water;
@@ -105,7 +100,7 @@ TEST(WaterSetup, EdgesGiveTheSameBytesForAnyNumberOfThreadsAndOnExchangedAxes) {
         return run.field("water_depth");
     };
     const Grid one = flow(1, false);
-    EXPECT_GT(sum_of(one), 10.0);
+    EXPECT_GT(sum(one), 10.0);
     EXPECT_EQ(one, flow(3, false));
     const Grid other = flow(2, true);
     for (int y = 0; y < 30; ++y) {

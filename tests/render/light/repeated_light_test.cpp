@@ -14,7 +14,7 @@ namespace fumon {
 namespace {
 
 /// Ridges of sites 24 apart that rise by a tenth over 20 of them and fall over three.
-Snapshot ridges() {
+Snapshot ridges_with_slip_faces() {
     Snapshot snapshot;
     snapshot.bed = Grid(48, 16);
     for (int y = 0; y < 16; ++y) {
@@ -30,7 +30,7 @@ TEST(RepeatedLight, SandLiesAsItSlidOnSlipFacesAndACellAroundThem) {
     View view = small_view();
     view.look.ground = Ground::endless;
     view.look.exaggeration = {"", 1.0};
-    const Snapshot bed = ridges();
+    const Snapshot bed = ridges_with_slip_faces();
     WorkerPool pool(1);
     constexpr int refinement = 3;
     const RepeatedLight light = repeated_light(bed, framed_block(view, bed), refinement, {},
