@@ -19,10 +19,6 @@ namespace {
 /// one to the next is less than what the next one's slabs bring.
 constexpr int passes_between = 1;
 
-/// Cells of a field in a line of the caches. Those of the next row are fetched while a row's cells
-/// are picked, which come in no order that the processor would foresee.
-constexpr int cells_of_line = 8;
-
 /// Where a place along an axis lies in the grid; −1 beyond an open edge.
 int cell_of(double place, int count, bool periodic) {
     const double cell = std::floor(place);
@@ -98,12 +94,14 @@ std::int64_t SlabTransport::pick_row(const DuneBed& bed, const BlowingWind& wind
     const auto shade_at = [&](int x, int row) { return shade(x, row); };
     const std::int64_t picks = picks_[static_cast<std::size_t>(y)];
     const int next = y + 1 < share.end ? y + 1 : y;
-    const int lines_a_pick = static_cast<int>(ground_.nx / cells_of_line / (picks + 1)) + 1;
+    const int lines_a_pick = static_cast<int>(ground_.nx / cells_of_cache_line / (picks + 1)) + 1;
+    // Cells of the next row are fetched while a row's cells are picked, which come in no order that
+    // the processor would foresee.
     int fetched = 0;
     std::int64_t lost = 0;
     for (std::int64_t pick = 0; pick < picks; ++pick) {
-        const int fetch = std::min(fetched + lines_a_pick * cells_of_line, ground_.nx);
-        for (; fetched < fetch; fetched += cells_of_line) {
+        const int fetch = std::min(fetched + lines_a_pick * cells_of_cache_line, ground_.nx);
+        for (; fetched < fetch; fetched += cells_of_cache_line) {
             __builtin_prefetch(&bed.surface(fetched, next));
             if (!rock_range_.is_level(fetched, next)) __builtin_prefetch(&bed.rock(fetched, next));
             __builtin_prefetch(&shade(fetched, next));

@@ -22,8 +22,6 @@ constexpr int lines_at_once = 64;
 /// Rows along the wind whose cells are fetched and given back together, which lie side by side in
 /// memory where the wind blows along x.
 constexpr int rows_at_once = 32;
-/// Cells of a field in a line of the caches.
-constexpr int cells_of_line = 8;
 /// Room behind the lines, so that vectors end with them.
 constexpr int widest_vector = 8;
 
@@ -104,7 +102,7 @@ void fetch(const WholeGrid& surface, const Way& way, std::span<const Stretch> st
             }
         },
         [&](int y) {
-            for (int line = x; line < x + size; line += cells_of_line)
+            for (int line = x; line < x + size; line += cells_of_cache_line)
                 __builtin_prefetch(&surface(line, y));
         });
 }
@@ -136,7 +134,7 @@ void give_back(const Found& found, const Way& way, std::span<const Stretch> stre
             }
         },
         [&](int y) {
-            for (int line = x; line < x + size; line += cells_of_line)
+            for (int line = x; line < x + size; line += cells_of_cache_line)
                 __builtin_prefetch(&grid(line, y), 1);
         });
 }

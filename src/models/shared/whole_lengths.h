@@ -12,6 +12,9 @@ namespace fumon {
 /// doubles they are exact below 2²¹ m.
 using WholeGrid = Field<std::int64_t>;
 
+/// Of such a grid, or one of doubles, in a line of the processor's caches.
+inline constexpr int cells_of_cache_line = 8;
+
 inline constexpr double units_per_metre = 0x1p32;
 inline constexpr double metres_per_unit = 0x1p-32;
 
