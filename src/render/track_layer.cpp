@@ -35,17 +35,25 @@ void check_line(const TrackSettings& track, const std::string& key, const View& 
                                        key, fmt::format("{}, point {}", key, i / 2 + 1)));
     }
     const double length = track_length(track);
-    if (length < step_length || length > longest_track) {
-        throw KeyError(key, fmt::format("{} is {:g} m long; a track is {:g} m, a step, to {:g} m",
-                                        key, length, step_length, longest_track));
+    if (length < step_length) {
+        throw KeyError(key, fmt::format("{} is {:g} m long; a track is at least a step, {:g} m",
+                                        key, length, step_length));
     }
 }
 
 std::vector<Footprint> prints_of(const View& view, const Block& block, const Snapshot& first) {
     check_shows_scale(view, block, first, "track.0.along", "a track");
     std::vector<Footprint> prints;
+    double together = 0.0;
     for (std::size_t i = 0; i < view.tracks.size(); ++i) {
-        check_line(view.tracks[i], fmt::format("track.{}.along", i), view, block, first);
+        const std::string key = fmt::format("track.{}.along", i);
+        check_line(view.tracks[i], key, view, block, first);
+        together += track_length(view.tracks[i]);
+        if (together > longest_tracks) {
+            throw KeyError(key, fmt::format("{} makes tracks of {:g} m; all of them together have "
+                                            "at most {:g} m",
+                                            key, together, longest_tracks));
+        }
         const std::vector<Footprint> added =
             footprints(view.tracks[i], static_cast<std::uint32_t>(i));
         prints.insert(prints.end(), added.begin(), added.end());

@@ -20,7 +20,7 @@
 namespace fumon {
 
 /// Throws KeyError where tracks cannot be shown: as check_shows_scale() says, where a track is not
-/// a line of points on the bed, is shorter than a step or longer than longest_track.
+/// a line of points on the bed or is shorter than a step, or where all together are too long.
 void check_tracks(const View& view, const Snapshot& first);
 
 /// Prints in the sand: relief too fine for the bed's cells, which the sun and the sky light. Only

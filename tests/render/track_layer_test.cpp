@@ -231,7 +231,12 @@ TEST(TrackLayer, IsRefusedWhereItShowsNoScale) {
     along = {1.0, 2.0, 90.0, 4.0};
     expect_fault("track.1.along, point 2 = [90, 4] is beside the bed, which is 80 x 60 m");
     along = {1.0, 2.0, 1.5, 2.0};
-    expect_fault("track.1.along is 0.5 m long; a track is 0.75 m, a step, to 20000 m");
+    expect_fault("track.1.along is 0.5 m long; a track is at least a step, 0.75 m");
+    along.clear();
+    for (int i = 0; i < 200; ++i) along.insert(along.end(), {1.0, 2.0, 79.0, 2.0});
+    expect_fault(
+        "track.1.along makes tracks of 31136.1 m; all of them together have at most "
+        "20000 m");
     along = {1.0, 2.0, 3.0, 2.0};
     view.look.exaggeration = {"", 2.0};
     expect_fault(

@@ -10,7 +10,7 @@ namespace fumon {
 
 inline constexpr double step_length = 0.75;      // metres, from a footprint to the next
 inline constexpr double half_step_width = 0.09;  // of footprints from the line that is walked
-inline constexpr double longest_track = 2e4;     // metres
+inline constexpr double longest_tracks = 2e4;    // metres, of all
 
 /// A footprint in the sand.
 struct Footprint {
