@@ -28,7 +28,7 @@ void main() {
     at.z -= dot(at.xy - eye_place.xy, at.xy - eye_place.xy) * curvature;
     print_root = at;
     print_form = form;
-    // Sand begins to slide from under a foot on slopes of 24 degrees, and everywhere does at the angle of repose.
+    // Sand begins to slide from under a foot on slopes of 24 degrees; on those of 30 it does everywhere.
     float slid = smoothstep(0.44, 0.58, length(slope.xy));
     print_ground = vec4(slope.xy, slid, root.w);
 

@@ -100,8 +100,9 @@ TrackLayer::TrackLayer(const View& view, const Block& block, const Snapshot& fir
 void TrackLayer::set_bed(const Field<float>& z, const Block& ground, bool repeats,
                          const glm::dvec2& origin, const Field<float>* water) {
     const auto share = [&](const glm::dvec2& at) {
-        return ground.tiles.in_maps((at - origin) / glm::dvec2(ground.width_x, ground.width_y) +
-                                    0.5);
+        const glm::dvec2 in_maps =
+            ground.tiles.in_maps((at - origin) / glm::dvec2(ground.width_x, ground.width_y) + 0.5);
+        return repeats ? in_maps - glm::floor(in_maps) : in_maps;
     };
     const auto height = [&](const glm::dvec2& at) {
         return static_cast<double>(drawn_height(z, share(at), repeats));
