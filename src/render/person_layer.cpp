@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <string>
 
 #include "base/elementary.h"
 #include "base/error.h"
@@ -13,6 +14,7 @@
 #include "render/view/chosen_ground.h"
 #include "render/view/drawn_height.h"
 #include "render/view/framing.h"
+#include "render/view/places_on_bed.h"
 
 namespace fumon {
 
@@ -25,23 +27,12 @@ constexpr GLuint shadow_bits = 0xE0;
 constexpr GLint first_shadow_bit = 0x20;
 
 void check_view(const View& view, const Block& block, const Snapshot& first) {
-    const auto refuse = [](const std::string& why) {
-        throw KeyError("person.0.at", "a person on the bed " + why);
-    };
-    if (!first.scale.in_metres)
-        refuse("shows a scale, and this bed has no metres; give grid.cell_size, or leave it out");
-    if (view.look.mode != ViewMode::scenic) refuse("is for scenic views (look.mode)");
-    if (view.camera.projection != Projection::perspective)
-        refuse("is for the perspective camera (camera.projection)");
-    if (first.bed.ny() < 2) refuse("is for beds of more than one row");
-    if (block.exaggeration != 1.0) {
-        refuse(
-            fmt::format("shows how large things are, and heights are drawn {:g} times as high; "
-                        "look.exaggeration = 1 draws them as they are",
-                        block.exaggeration));
-    }
+    const char* key = "person.0.at";
+    const std::string what = "a person on the bed";
+    check_shows_scale(view, block, first, key, what);
     if (block.side < 2.0 * person_height) {
-        refuse(fmt::format("is {} m tall, and this bed is {:g} m long", person_height, block.side));
+        throw KeyError(key, fmt::format("{} is {} m tall, and this bed is {:g} m long", what,
+                                        person_height, block.side));
     }
 }
 
@@ -57,23 +48,10 @@ std::vector<PersonPlace> person_places(const View& view, const Block& block,
                                     " is two numbers: metres east and north of the bed's "
                                     "south-western corner");
         }
-        const double x = person.at[0] / block.side;
-        const double y = person.at[1] / block.side;
-        const bool beside = x < 0.0 || y < 0.0 || x >= block.width_x || y >= block.width_y;
-        const auto lies_outside = [&] {
-            return first.nodata(static_cast<int>(x / block.width_x * first.bed.nx()),
-                                static_cast<int>(y / block.width_y * first.bed.ny())) != 0;
-        };
-        if (view.look.ground != Ground::endless &&
-            (beside || (!first.nodata.empty() && lies_outside()))) {
-            throw KeyError(
-                key, fmt::format("{} = [{:g}, {:g}] is beside the bed, which is {:g} x {:g} m", key,
-                                 person.at[0], person.at[1], block.width_x * block.side,
-                                 block.width_y * block.side));
-        }
+        const glm::dvec2 at =
+            place_on_bed({person.at[0], person.at[1]}, view, block, first, key, key);
         const double angle = -person.facing * degree;
-        places.push_back({glm::dvec2(x - 0.5 * block.width_x, y - 0.5 * block.width_y),
-                          glm::vec2(elementary::cos(angle), elementary::sin(angle))});
+        places.push_back({at, glm::vec2(elementary::cos(angle), elementary::sin(angle))});
     }
     return places;
 }

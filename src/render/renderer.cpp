@@ -110,6 +110,8 @@ void Renderer::prepare(const ReadyPicture& picture) {
                 p.plants->set_bed(snapshot, lit.heights->finest(), true);
             }
             if (p.persons) p.persons->set_bed(lit.heights->finest(), p.ground, true);
+            if (p.tracks)
+                p.tracks->set_bed(lit.heights->finest(), p.ground, true, p.origin.place, nullptr);
         }
         p.sky.bind(sky_unit);
         if (!uploaded) p.shading.shade(p.light, camera);
@@ -127,6 +129,9 @@ void Renderer::prepare(const ReadyPicture& picture) {
         p.terrain.set_bed(lit.bed, water ? &water->depth : nullptr, camera);
         if (p.plants) p.plants->set_bed(snapshot, lit.bed.z, false);
         if (p.persons) p.persons->set_bed(lit.bed.z, p.block, false);
+        if (p.tracks)
+            p.tracks->set_bed(lit.bed.z, p.block, false, glm::dvec2(0.0),
+                              water ? &water->depth : nullptr);
         p.terrain.set_clarity(rise * static_cast<float>(p.shading.clarity()));
     }
     if (p.air && snapshot.section) p.air->set_air(snapshot, picture.framed, camera, p.pool);

@@ -147,6 +147,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
                     static_cast<int>(std::max(view.image.width, view.image.height)), fixed);
     if (draws_plants(view, first)) plants.emplace(view, ground, fixed);
     if (!view.persons.empty()) persons.emplace(view, block, first, fixed);
+    if (!view.tracks.empty()) tracks.emplace(view, block, first, fixed);
     gl::check_errors("the renderer's setup");
 }
 
@@ -285,7 +286,8 @@ TileSamples Renderer::Parts::placed_samples(const Tile& tile) const {
 
 bool Renderer::Parts::coloured_by_pixels() const {
     const gl::Texture2D& colours = shading.colours();
-    const bool alone = !world && !air && !plants && !persons && !water && !terrain.has_rim();
+    const bool alone =
+        !world && !air && !plants && !persons && !tracks && !water && !terrain.has_rim();
     return kind == PixelKind::display_8 && view.look.mode == ViewMode::scenic &&
            view.camera.projection != Projection::map && plan.factor == 2 && alone &&
            std::max(colours.width(), colours.height()) <= most_texels_of_pixels;
@@ -343,6 +345,9 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
     } else {
         terrain.colour_seen(seen.colour(), shading.colours(), light, camera, placed);
     }
+    if (tracks)
+        tracks->draw(seen.colour(), world ? &*world : nullptr, plant_ground(camera), shading, light,
+                     camera, placed);
     if (plants) plants->draw(plant_ground(camera), shading, light, camera, placed);
     if (persons) persons->draw(plant_ground(camera), shading, light, camera, placed);
     if (air) air->draw(camera, placed);

@@ -22,6 +22,7 @@
 #include "render/ready_picture.h"
 #include "render/renderer.h"
 #include "render/terrain_layer.h"
+#include "render/track_layer.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/drawn_origin.h"
@@ -118,6 +119,7 @@ struct Renderer::Parts {
     std::optional<WorldLayer> world;  // where the bed is endless
     std::optional<PlantLayer> plants;
     std::optional<PersonLayer> persons;
+    std::optional<TrackLayer> tracks;
     std::optional<PlacePass> places;
     std::optional<SampleTargets> sampled;
     std::optional<BlockTargets> block_targets;

@@ -62,6 +62,10 @@ class WorldLayer {
     void colour_seen(const gl::Texture2D& seen, const BedShading& shading, const Light& light,
                      const Camera& camera) const;
 
+    /// Sets what a program that includes world/world.glsl needs to colour samples, but not pixels.
+    void bind(const gl::Program& program, const gl::Texture2D& seen, const BedShading& shading,
+              const Light& light, const Camera& camera) const;
+
     /// World to clip coordinates of places as offsets from the eye, as draw_seen() draws.
     [[nodiscard]] glm::mat4 clip_from_eye(const Camera& camera) const;
     /// By how much the planet sinks at a distance of 1, block lengths.
@@ -78,8 +82,6 @@ class WorldLayer {
     [[nodiscard]] glm::dvec3 reduced_eye(const Camera& camera) const;
     void set_eye(const gl::Program& program, const Camera& camera) const;
     void set_detail(const gl::Program& program, const Camera& camera) const;
-    void bind(const gl::Program& program, const gl::Texture2D& seen, const BedShading& shading,
-              const Light& light, const Camera& camera) const;
 
     View view_;
     Block block_;

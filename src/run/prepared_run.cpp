@@ -16,6 +16,7 @@
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
 #include "render/person_layer.h"
+#include "render/track_layer.h"
 #include "render/view/water.h"
 #include "run/output_files.h"
 #include "scene/faults.h"
@@ -100,11 +101,12 @@ void check_overlays(const Scene& scene, const Snapshot& first) {
     }
 }
 
-/// Who stands on the bed, and files beside frames: those for GIS need a map, and a bed that lies on
-/// one.
+/// Who stands or walked on the bed, and files beside frames: those for GIS need a map, and a bed
+/// that lies on one.
 void check_persons_and_files(const Scene& scene, const Snapshot& first) {
     try {
         check_persons(scene.view, first);
+        check_tracks(scene.view, first);
         check_map_files(scene, first);
     } catch (const KeyError& refusal) {
         throw InputError(scene.at(refusal.key()) + refusal.what());
@@ -170,7 +172,7 @@ bool asks_for_more(const Scene& scene) {
     return look.mark != Marking::none || colours_water(look.colour_by) ||
            look.mode == ViewMode::figure || scene.view.section != SectionSettings{} ||
            has_overlays(scene) || scene.output.world_files || scene.output.geotiff_frames ||
-           scene.output.exr_frames || !scene.view.persons.empty();
+           scene.output.exr_frames || !scene.view.persons.empty() || !scene.view.tracks.empty();
 }
 
 /// Checks the scene's palette, and puts names and tables that it refers to in their place.

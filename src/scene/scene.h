@@ -174,6 +174,16 @@ struct PersonSettings {
     double facing = 180.0;   ///< degrees clockwise from north
 };
 
+enum class TrackKind { foot };
+
+/// Prints in the sand along a line.
+struct TrackSettings {
+    TrackKind kind = TrackKind::foot;
+    std::vector<double>
+        along;              ///< metres east and north of the bed's south-western corner, in turn
+    std::int64_t seed = 1;  ///< by which prints differ
+};
+
 /// All that decides how a snapshot looks.
 struct View {
     CameraSettings camera;
@@ -184,6 +194,7 @@ struct View {
     ImageSettings image;
     std::vector<OverlaySettings> overlays;
     std::vector<PersonSettings> persons;
+    std::vector<TrackSettings> tracks;
 };
 
 enum class ExrLayers { all, colour };

@@ -17,6 +17,19 @@ void list_person_keys(PersonSettings& person, const std::string& path, KeyTable&
                 .help = "which way they look, clockwise from north"});
 }
 
+void list_track_keys(TrackSettings& track, const std::string& path, KeyTable& table) {
+    table.choice(path + ".kind", track.kind,
+                 {{TrackKind::foot, "foot", "footprints of a walker, a step of 0.75 m apart"}},
+                 {.help = "what left it"});
+    table.real_list(path + ".along", track.along, 0, 2000,
+                    {.unit = "m",
+                     .range = {-1e9, 1e9},
+                     .help = "the points of its line, first to last: east and north of the bed's "
+                             "south-western corner, in turn"});
+    table.integer(path + ".seed", track.seed,
+                  {.range = {0, 1e9}, .help = "by which its prints differ from each other"});
+}
+
 }  // namespace
 
 void list_view_keys(View& view, KeyTable& table) {
@@ -290,6 +303,8 @@ void list_view_keys(View& view, KeyTable& table) {
     table.tables("person", view.persons,
                  "a person of 1.75 m who stands on the bed as a scale (scenic, perspective)",
                  list_person_keys);
+    table.tables("track", view.tracks, "prints in the sand along a line (scenic, perspective)",
+                 list_track_keys);
 }
 
 }  // namespace fumon
