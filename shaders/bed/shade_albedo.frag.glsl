@@ -23,8 +23,8 @@ float floor_share(BedPoint point, vec3 noise) {
 
 // Gravel, greyer and darker than sand, and pale crusts of clay in patches.
 vec3 floor_albedo(vec3 noise) {
-    vec3 gravel = mix(vec3(luminance(sand_trough)), sand_trough, 0.66) * 0.82;
-    vec3 crust = mix(vec3(luminance(sand_crest)), sand_crest, 0.65) * 0.95;
+    vec3 gravel = mix(vec3(luminance(sand_trough)), sand_trough, 0.69) * 0.76;
+    vec3 crust = mix(vec3(luminance(sand_crest)), sand_crest, 0.66) * 0.93;
     float dried = smoothstep(0.15, 0.55, noise.b + 0.35 * noise.g - 0.1);
     return mix(gravel, crust, 0.7 * dried) * (1.0 + 0.06 * noise.g);
 }
@@ -33,7 +33,7 @@ void main() {
     BedPoint point = bed_point(place);
     vec3 noise = 2.0 * texture(noise_map, noise_place(place)).rgb - 1.0;
     float bare = bare_sand(place) * (1.0 - plain * rock);
-    float between = 0.85 * bare * floor_share(point, noise);
+    float between = bare * floor_share(point, noise);
     vec3 albedo = mix(ground_albedo(place, point), floor_albedo(noise), between);
     colour = vec4(sqrt(albedo), bare * (1.0 - 0.85 * between));
 }

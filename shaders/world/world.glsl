@@ -119,8 +119,8 @@ vec3 relief(SeenPlace at) {
 vec4 sand_colour(SeenPlace at) { return textureLod(albedo_map, bed_place(at), coarseness(at, texels_of(textureSize(albedo_map, 0).x))); }
 
 // Slope and brightness of the sand's unevenness, and how much grains differ: stones on bare floors the most.
-vec3 unevenness(float bare) { return vec3(vec2(0.25), 0.62) * sand_grain * (marks > 1.5 ? bare : 0.6 + 0.4 * bare); }
-float grains_of(float bare) { return sand_grain * (marks > 1.5 ? 0.18 : 0.38 - 0.20 * bare); }
+vec3 unevenness(float bare) { return vec3(vec2(0.25), 0.62) * sand_grain * (marks > 1.5 ? bare : 0.35 + 0.65 * bare); }
+float grains_of(float bare) { return sand_grain * (marks > 1.5 ? 0.18 : 0.48 - 0.30 * bare); }
 
 // How much of that there is where sand slid: it lies smooth.
 float uneven_share(float bare, float slid) { return 1.0 - 0.75 * bare * slid; }
