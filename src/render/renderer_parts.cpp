@@ -53,7 +53,8 @@ TilePlan plan_of(const View& view, const RenderLimits& limits) {
                       std::min(limits.tile_samples, static_cast<int>(largest)));
 }
 
-const gl::TextureLayout sky_layout{GL_RGB32F, GL_RGB, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
+/// Of four numbers a texel, though three are set: llvmpipe reads these faster.
+const gl::TextureLayout sky_layout{GL_RGBA32F, GL_RGB, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
 
 /// What lies dark on the plain around the block; nothing where no plain is drawn.
 FloorMap floor_of(const View& view, const Snapshot& first, const Block& block, int refinement,
