@@ -53,8 +53,7 @@ TilePlan plan_of(const View& view, const RenderLimits& limits) {
                       std::min(limits.tile_samples, static_cast<int>(largest)));
 }
 
-/// Of four numbers a texel, though three are set: llvmpipe reads these faster.
-const gl::TextureLayout sky_layout{GL_RGBA32F, GL_RGB, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
+const gl::TextureLayout sky_layout{GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
 
 /// What lies dark on the plain around the block; nothing where no plain is drawn.
 FloorMap floor_of(const View& view, const Snapshot& first, const Block& block, int refinement,
@@ -129,7 +128,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       sky(light.sky_columns, light.sky_rows, sky_layout, light.sky_texels.data()),
       shading(view, ground, first_ground(), display_bed(first_ground(), ground, refinement),
               static_cast<int>(std::max(view.image.width, view.image.height)) * plan.factor, fixed,
-              kind),
+              mipmaps, kind),
       terrain(view, block, fixed),
       background(view, block, floor_of(view, first, block, refinement, pool), fixed),
       pixel_depths(depths_of_pixels(view, plan)),
@@ -137,7 +136,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
                    pixel_depths ? &*pixel_depths : nullptr) {
     if (plain) plain->stand_in(view.camera, *first_in_plain, block);
     if (view.look.ground == Ground::endless) {
-        world.emplace(view, ground, first_ground(), refinement, origin, fixed);
+        world.emplace(view, ground, first_ground(), refinement, origin, fixed, mipmaps);
         if (pixel_depths) {
             const Tile& tile = plan.tiles.front();
             pixels.emplace(tile.width, tile.height, plain_layout(kind), &*pixel_depths);
@@ -145,7 +144,8 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
     }
     if (first.section)
         air.emplace(block, camera_at(0),
-                    static_cast<int>(std::max(view.image.width, view.image.height)), fixed);
+                    static_cast<int>(std::max(view.image.width, view.image.height)), fixed,
+                    mipmaps);
     if (draws_plants(view, first)) plants.emplace(view, ground, fixed);
     if (!view.persons.empty()) persons.emplace(view, block, first, fixed);
     gl::check_errors("the renderer's setup");

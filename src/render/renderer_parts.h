@@ -7,6 +7,7 @@
 
 #include "base/worker_pool.h"
 #include "gl/context.h"
+#include "gl/mipmaps.h"
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/air_layer.h"
@@ -110,6 +111,7 @@ struct Renderer::Parts {
     SunSettings sun_before;  // with it
     gl::Constants fixed;
     gl::Texture2D sky;
+    gl::MipmapMaker mipmaps;
     BedShading shading;
     std::shared_ptr<const LitBed> uploaded;  // which the textures hold
     TerrainLayer terrain;
