@@ -176,8 +176,9 @@ Field<float> Renderer::Parts::drawn_surface(const ReadyPicture& picture) const {
 
 void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera, DeepPicture* deep) {
     // Nothing in it changes while the camera stands still.
-    const bool still = deep == nullptr && view.camera.turn == 0.0 && plan.tiles.size() == 1;
-    if (still && surroundings_drawn) return;
+    const bool kept = deep == nullptr && plan.tiles.size() == 1;
+    if (kept && surroundings_whole && surroundings_from == camera) return;
+    gl::functions().BindVertexArray(no_attributes.name());
     surroundings.bind();
     background.draw(light, camera, tile, RowOrder::downward);
     if (deep != nullptr) {
@@ -185,11 +186,16 @@ void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera, De
     } else {
         bytes.read_background(tile, RowOrder::downward);
     }
-    surroundings_drawn = true;
+    surroundings_whole = true;
+    if (kept) surroundings_from = camera;
 }
 
 /// Where pixels see the ground alone nothing behind it counts.
 void Renderer::Parts::draw_uncovered_background(const Tile& tile, const Camera& camera) {
+    if (plan.tiles.size() == 1 && surroundings_from == camera) {
+        draw_background(tile, camera, nullptr);
+        return;
+    }
     const gl::Functions& gl = gl::functions();
     gl.BindVertexArray(no_attributes.name());
     surroundings.bind();
@@ -199,6 +205,8 @@ void Renderer::Parts::draw_uncovered_background(const Tile& tile, const Camera& 
     background.draw(light, camera, tile, RowOrder::upward);
     gl.Disable(GL_STENCIL_TEST);
     bytes.read_background(tile, RowOrder::upward);
+    surroundings_whole = false;
+    surroundings_from = camera;
 }
 
 glm::ivec2 Renderer::Parts::first_sample(const Tile& tile) const {

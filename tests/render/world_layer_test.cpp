@@ -260,6 +260,25 @@ TEST(WorldLayer, IsTheSameForAnyNumberOfThreads) {
     unsetenv("LP_NUM_THREADS");
 }
 
+/// What is behind the ground is kept while the camera stands still.
+TEST(WorldLayer, TheSkyIsSeenWhereDunesWere) {
+    View view = standing_view(0, 0);
+    view.image.width = 160;
+    view.image.height = 90;
+    view.camera.at.clear();  // whose camera would rise and sink with the bed
+    view.camera.look_at.clear();
+    view.camera.elevation = 1.0;
+    const Snapshot bed = repeated_dunes(60, 50);
+    const Snapshot moved = repeated_dunes(60, 50, 6, 0);
+    const std::vector<Image> drawn = pictures(view, {bed, bed, moved, bed});
+    EXPECT_EQ(drawn[1], drawn[0]);
+    const auto context = gl::Context::create(gl::Backend::automatic);
+    WorkerPool pool(2);
+    Renderer fresh(*context, view, bed, 100, pool);
+    EXPECT_EQ(drawn[2], fresh.render(moved));
+    EXPECT_EQ(drawn[3], drawn[0]);
+}
+
 std::string refusal(const View& view, const Snapshot& bed) {
     try {
         picture(view, bed);
