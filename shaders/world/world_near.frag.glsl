@@ -91,6 +91,65 @@ float glints(SeenPlace at, vec3 to_eye) {
     return sum * (1.0 - smoothstep(-6.0, -4.0, size));
 }
 
+// The bed's slope at a place, without ripples.
+struct Slope {
+    BedPoint point;
+    vec2 rise;
+    float steep;
+    vec2 across;
+};
+
+Slope slope_at(vec2 place, float level) {
+    Slope slope;
+    slope.point = bed_point(textureLod(lighting_map, place, level));
+    slope.rise = -slope.point.normal.xy / max(slope.point.normal.z, 0.1);
+    slope.steep = length(slope.rise);
+    slope.across = vec2(-slope.rise.y, slope.rise.x) / max(slope.steep, 0.1);
+    return slope;
+}
+
+// What ripples need to know of a pixel.
+struct Sand {
+    float height;  // of ripples
+    float phase;
+    float resolved;
+    float bare;
+    float open;
+    float tongue;  // slope across the face
+    vec2 uneven;
+};
+
+// What a part of a pixel gets of the light.
+struct Lit {
+    BedPoint point;
+    float direct;
+    float trough;
+    float standing;
+};
+
+Lit lit_part(Slope slope, vec3 to_part, Sand sand, Wander wander) {
+    Lit lit;
+    lit.point = slope.point;
+    lit.standing = sand.height * rippled(sand.bare, sand.open, slope.steep);
+    vec2 wave = wave_of(wander, sand.phase + turns(to_part));
+    vec2 facing = facing_of(slope.rise);
+    vec2 tilt = facing * (ripple_slope * lit.standing * sand.resolved * profile(wave.x)) + slope.across * sand.tongue + sand.uneven;
+    lit.point.normal = normalize(vec3(-slope.rise - tilt, 1.0));
+    float spread = 0.7 * ripple_slope * lit.standing * (1.0 - sand.resolved) * dot(facing, to_sun.xy);
+    lit.direct = lit.point.sun * mean_facing(dot(lit.point.normal, to_sun), spread);
+    lit.trough = wave.y;
+    return lit;
+}
+
+Lit mean_of(Lit one, Lit other) {
+    Lit mean;
+    mean.point = BedPoint(0.5 * (one.point.normal + other.point.normal), 0.5 * (one.point.sun + other.point.sun), 0.5 * (one.point.sky + other.point.sky));
+    mean.direct = 0.5 * (one.direct + other.direct);
+    mean.trough = 0.5 * (one.trough + other.trough);
+    mean.standing = other.standing;
+    return mean;
+}
+
 vec4 near_colour(SeenPlace at) {
     vec3 offset = at.offset;
     vec2 place = bed_place(at);
@@ -111,41 +170,18 @@ vec4 near_colour(SeenPlace at) {
     if (whole_pixels > 0.5) footprint *= 0.5 / crisp;
     float resolved = 1.0 - smoothstep(0.05, 0.3, footprint);
 
-    // The sun's share, a mean over the pixel.
-    int parts = whole_pixels > 0.5 ? 2 : 1;
-    float part = 1.0 / float(parts);
-    BedPoint mean = BedPoint(vec3(0.0), 0.0, 0.0);
-    float direct = 0.0;
-    float trough = 0.0;
-    vec2 slope = vec2(0.0);
-    float standing = 0.0;
+    // The sun's share, a mean over both halves of the pixel: no loop, of whose body llvmpipe does all each time.
     vec2 texels = vec2(textureSize(lighting_map, 0));
     float level = log2(max(max(length(place_along * texels), length(place_up * texels)) * (whole_pixels > 0.5 ? 0.5 / crisp : 1.0), 1.0));
-    float slid = 0.0;
-    vec2 tongue = vec2(0.0);
-    for (int i = 0; i < parts; ++i) {
-        vec2 aside = whole_pixels > 0.5 ? vec2(float(i) - 0.5, 0.5 - float(i)) * (0.5 / crisp) : vec2(0.0);
-        vec3 to_part = aside.x * at.along + aside.y * at.up;
-        BedPoint point = bed_point(textureLod(lighting_map, place + map_way(to_part.xy), level));
-        slope = -point.normal.xy / max(point.normal.z, 0.1);
-        float steep = length(slope);
-        if (i == 0) {
-            slid = smoothstep(0.46, 0.58, steep) * sand.a * smoothstep(0.2, 0.7, wander.patches) * (1.0 - 0.85 * smoothstep(0.0, 0.3, open)) * (1.0 - smoothstep(0.3, 0.8, footprint / 4.0));
-            tongue = slid * tongues(whole, (offset.z + eye.z) / ripple_length, vec2(-slope.y, slope.x) / max(steep, 0.1));
-        }
-        standing = wander.height * rippled(sand.a, open, steep);
-        vec2 wave = wave_of(wander, phase + turns(to_part));
-        vec2 facing = facing_of(slope);
-        vec2 tilt = facing * (ripple_slope * standing * resolved * profile(wave.x));
-        tilt += vec2(-slope.y, slope.x) / max(steep, 0.1) * (0.09 * tongue.x) + uneven.xy;
-        point.normal = normalize(vec3(-slope - tilt, 1.0));
-        float spread = 0.7 * ripple_slope * standing * (1.0 - resolved) * dot(facing, to_sun.xy);
-        direct += part * point.sun * mean_facing(dot(point.normal, to_sun), spread);
-        mean.normal += part * point.normal;
-        mean.sun += part * point.sun;
-        mean.sky += part * point.sky;
-        trough += part * wave.y;
-    }
+    vec3 to_half = whole_pixels > 0.5 ? (0.25 / crisp) * (at.up - at.along) : vec3(0.0);
+    Slope slope = slope_at(place + map_way(to_half.xy), level);
+    float slid = smoothstep(0.46, 0.58, slope.steep) * sand.a * smoothstep(0.2, 0.7, wander.patches) * (1.0 - 0.85 * smoothstep(0.0, 0.3, open)) * (1.0 - smoothstep(0.3, 0.8, footprint / 4.0));
+    vec2 tongue = slid * tongues(whole, (offset.z + eye.z) / ripple_length, slope.across);
+    Sand here = Sand(wander.height, phase, resolved, sand.a, open, 0.09 * tongue.x, uneven.xy);
+    Lit lit = lit_part(slope, to_half, here, wander);
+    if (whole_pixels > 0.5) lit = mean_of(lit, lit_part(slope_at(place + map_way(-to_half.xy), level), -to_half, here, wander));
+    BedPoint mean = lit.point;
+    float direct = lit.direct;
     vec3 albedo = albedo_of(sand, share * grains_of(sand.a) * grain(at) + 0.1 * uneven.z + 0.06 * tongue.y);
     if (marks > 1.5 || plain * rock > 0.0) {
         weather(mean.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), weathered(place));
@@ -153,7 +189,7 @@ vec4 near_colour(SeenPlace at) {
     }
     direct = roughened(direct, mean.normal, to_eye);
     // Troughs see less of the sky.
-    mean.sky *= 1.0 + 0.4 * ripple_slope * standing * resolved * (trough - 1.0);
+    mean.sky *= 1.0 + 0.4 * ripple_slope * lit.standing * resolved * (lit.trough - 1.0);
     vec3 light = ground_light_of(albedo, direct, mean, to_eye, 1.0);
     light += sun_light * (0.4 * sand_grain * sand.a * mean.sun * glints(at, to_eye));
     return seen(light, at, to_eye);

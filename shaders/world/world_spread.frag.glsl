@@ -7,7 +7,7 @@ uniform sampler2D pixels;   // alpha 0: not coloured
 out vec4 colour;
 
 void main() {
-    ivec2 pixel = (ivec2(gl_FragCoord.xy) - ivec2(first_sample)) / factor;
+    ivec2 pixel = ivec2(floor((gl_FragCoord.xy - first_sample) / float(factor)));
     colour = texelFetch(pixels, clamp(pixel, ivec2(0), textureSize(pixels, 0) - 1), 0);
     if (colour.a < 0.5) discard;
 }

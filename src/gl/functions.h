@@ -41,7 +41,6 @@
     X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC) \
     X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)       \
     X(GenBuffers, PFNGLGENBUFFERSPROC)                           \
-    X(GenerateMipmap, PFNGLGENERATEMIPMAPPROC)                   \
     X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)                 \
     X(GenTextures, PFNGLGENTEXTURESPROC)                         \
     X(GenVertexArrays, PFNGLGENVERTEXARRAYSPROC)                 \

@@ -41,13 +41,36 @@ void Texture2D::set_mipmap(int level, const void* pixels) const {
     const Functions& gl = functions();
     gl.BindTexture(GL_TEXTURE_2D, texture_.name());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl.TexImage2D(GL_TEXTURE_2D, level, layout_.internal_format, std::max(width_ >> level, 1),
-                  std::max(height_ >> level, 1), 0, layout_.format, layout_.type, pixels);
+    gl.TexImage2D(GL_TEXTURE_2D, level, layout_.internal_format, size(level).x, size(level).y, 0,
+                  layout_.format, layout_.type, pixels);
 }
 
-void Texture2D::make_mipmaps() const {
-    functions().BindTexture(GL_TEXTURE_2D, texture_.name());
-    functions().GenerateMipmap(GL_TEXTURE_2D);
+int Texture2D::coarsest() const {
+    int level = 0;
+    while (level < layout_.coarsest && std::max(width_, height_) >> (level + 1) > 0) ++level;
+    return level;
+}
+
+glm::ivec2 Texture2D::size(int level) const {
+    return {std::max(width_ >> level, 1), std::max(height_ >> level, 1)};
+}
+
+void Texture2D::make_room_for_mipmaps() const {
+    if (has_mipmaps_) return;
+    has_mipmaps_ = true;
+    for (int level = 1; level <= coarsest(); ++level) set_mipmap(level, nullptr);
+}
+
+void Texture2D::bind_level(int level, int unit) const {
+    bind(unit);
+    functions().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, level);
+    functions().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, level);
+}
+
+void Texture2D::bind_all_levels(int unit) const {
+    bind(unit);
+    functions().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
+    functions().TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, layout_.coarsest);
 }
 
 void Texture2D::bind(int unit) const {

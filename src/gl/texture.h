@@ -1,5 +1,7 @@
 #pragma once
 
+#include <glm/glm.hpp>
+
 #include "gl/handles.h"
 
 namespace fumon::gl {
@@ -23,8 +25,15 @@ class Texture2D {
 
     void upload(const void* pixels) const;  ///< replaces all of it
     void set_mipmap(int level, const void* pixels) const;
-    void make_mipmaps() const;
     void bind(int unit) const;  ///< to texture unit `unit`
+
+    /// The mipmaps that there may be, down to one texel or the layout's coarsest.
+    [[nodiscard]] int coarsest() const;
+    [[nodiscard]] glm::ivec2 size(int level) const;
+    /// Gives them storage, once; MipmapMaker fills it.
+    void make_room_for_mipmaps() const;
+    void bind_level(int level, int unit) const;  ///< that one alone is looked up
+    void bind_all_levels(int unit) const;
 
     [[nodiscard]] GLuint name() const { return texture_.name(); }
     [[nodiscard]] int width() const { return width_; }
@@ -35,6 +44,7 @@ class Texture2D {
     int width_;
     int height_;
     TextureLayout layout_;
+    mutable bool has_mipmaps_ = false;
 };
 
 /// Depths (24 bits) and stencils (8 bits) of samples, for one render target or several of a size.

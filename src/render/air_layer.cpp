@@ -34,8 +34,9 @@ void fill(const gl::VertexArray& array, const gl::Buffer& buffer, const AirVerte
 }  // namespace
 
 AirLayer::AirLayer(const Block& block, const Camera& camera, int picture_side,
-                   const gl::Constants& fixed)
-    : far_edge_((camera.forward.y >= 0.0 ? 1.0 : -1.0) * (0.5 * block.width_y - inside_edge)),
+                   const gl::Constants& fixed, const gl::MipmapMaker& mipmaps)
+    : mipmaps_(mipmaps),
+      far_edge_((camera.forward.y >= 0.0 ? 1.0 : -1.0) * (0.5 * block.width_y - inside_edge)),
       texture_width_(std::min(picture_side, finest_sheet)),
       palette_(read_palette(air_palette)),
       behind_program_("common/screen.vert.glsl", "air/behind.frag.glsl"),
@@ -51,7 +52,7 @@ void AirLayer::set_air(const Snapshot& strip, const Block& block, const Camera& 
     if (!texture_ || texture_->width() != sheet_.width || texture_->height() != sheet_.height)
         texture_.emplace(sheet_.width, sheet_.height, sheet_layout);
     texture_->upload(sheet_.rgba.data());
-    texture_->make_mipmaps();
+    mipmaps_.make(*texture_);
 
     const auto corner = [&](double east, double up) {
         const double z = block.z((up > 0.5 ? sheet_.high : sheet_.low) / unit);

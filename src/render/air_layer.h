@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "gl/mipmaps.h"
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/air/air_sheet.h"
@@ -26,8 +27,9 @@ std::vector<AirVertex> grain_paths(const Snapshot& strip, const Block& block, co
 class AirLayer {
   public:
     /// `camera` says which edge is the far one, `picture_side` how fine the sheet is painted.
-    AirLayer(const Block& block, const Camera& camera, int picture_side,
-             const gl::Constants& fixed);
+    /// `mipmaps` outlives it.
+    AirLayer(const Block& block, const Camera& camera, int picture_side, const gl::Constants& fixed,
+             const gl::MipmapMaker& mipmaps);
 
     /// Takes the air of a snapshot as it is shown, which has a section.
     void set_air(const Snapshot& strip, const Block& block, const Camera& camera, WorkerPool& pool);
@@ -41,6 +43,7 @@ class AirLayer {
     void draw(const Camera& camera, const TileSamples& tile) const;
 
   private:
+    const gl::MipmapMaker& mipmaps_;
     double far_edge_;  // y of the sheet
     int texture_width_;
     Palette palette_;

@@ -267,12 +267,14 @@ void set_sand(const gl::Program& program, const LookSettings& look) {
 
 BedShading::BedShading(const View& view, const Block& block, const Snapshot& first,
                        const DisplayBed& first_bed, int samples_across, const gl::Constants& fixed,
-                       PixelKind kind)
+                       const gl::MipmapMaker& mipmaps, PixelKind kind)
     : view_(view),
       block_(block),
       refinement_(first_bed.z.nx() / first.bed.nx()),
-      mipmaps_(view.look.ground == Ground::endless ||
-               longer_shaded_side(first_bed, samples_across) > texels_per_sample * samples_across),
+      mipmaps_(mipmaps),
+      shaded_mipmaps_(view.look.ground == Ground::endless ||
+                      longer_shaded_side(first_bed, samples_across) >
+                          texels_per_sample * samples_across),
       program_("common/screen.vert.glsl", shader_of(view.look, first), {}, fixed),
       palette_(256, 1, palette_layout, chosen_palette(view.look).data()),
       lighting_(first_bed.z.nx(), first_bed.z.ny(), repeated(lighting_layout, view.look.ground)),
@@ -283,7 +285,7 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
                   colours_water(view.look.colour_by) ? first.bed.ny() : 1, mark_layout),
       target_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
               shaded_size(first_bed.z.ny(), first_bed, samples_across),
-              repeated(shaded_layout(view.look.ground, mipmaps_, kind), view.look.ground)) {
+              repeated(shaded_layout(view.look.ground, shaded_mipmaps_, kind), view.look.ground)) {
     if (view.look.mode == ViewMode::scenic) draw_noise();
     if (draws_water(view.look, first))
         water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny());
@@ -305,7 +307,7 @@ void BedShading::draw_noise() {
     const bool endless = view_.look.ground == Ground::endless;
     program.set("periodic", !endless ? 0 : view_.look.grain > 0.0 ? 1 : 2);
     gl::functions().DrawArrays(GL_TRIANGLES, 0, 3);
-    if (endless) noise_->colour().make_mipmaps();
+    if (endless) mipmaps_.make(noise_->colour());
     gl::functions().BindVertexArray(0);
 }
 
@@ -341,7 +343,7 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first, const R
     noise_origin_ = origin.share;
     // Means over several cells are of what each of them gets.
     lighting_.upload(light.clamped.data());
-    lighting_.make_mipmaps();
+    mipmaps_.make(lighting_);
     lighting_.upload(light.texels.data());
     constexpr int margin = 2;  // cells that the refinement looks at
     const Field<float> values = ranged_values(snapshot, first);
@@ -349,7 +351,7 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first, const R
     const Field<float> drawn = rolled(values, origin.east, origin.north);
     const Field<float> wide = refined(with_margin(drawn, margin), refinement_);
     values_.upload(palette_places(without_margin(wide, margin * refinement_), range_).data());
-    values_.make_mipmaps();
+    mipmaps_.make(values_);
     upload_marks(snapshot, origin);
 }
 
@@ -390,7 +392,7 @@ void BedShading::shade(const Light& light, const Camera& camera) {
     if (water_) water_->set_uniforms(program_, 6);
     set_light(program_, view_, light, camera, block_);
     gl::functions().DrawArrays(GL_TRIANGLES, 0, 3);
-    if (mipmaps_) target_.colour().make_mipmaps();
+    if (shaded_mipmaps_) mipmaps_.make(target_.colour());
 }
 
 }  // namespace fumon

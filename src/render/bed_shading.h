@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/snapshot.h"
+#include "gl/mipmaps.h"
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/colour/pixel_kind.h"
@@ -43,11 +44,11 @@ void set_sand(const gl::Program& program, const LookSettings& look);
 /// the many samples of a picture only look it up.
 class BedShading {
   public:
-    /// `samples_across` is the length of the picture's longer side in samples. Throws InputError
-    /// for an unknown palette.
+    /// `samples_across` is the length of the picture's longer side in samples. `mipmaps` outlives
+    /// it. Throws InputError for an unknown palette.
     BedShading(const View& view, const Block& block, const Snapshot& first,
                const DisplayBed& first_bed, int samples_across, const gl::Constants& fixed,
-               PixelKind kind = PixelKind::display_8);
+               const gl::MipmapMaker& mipmaps, PixelKind kind = PixelKind::display_8);
 
     /// Uploads what light (see lighting_texels) and colouring make of a snapshot. `water` is given
     /// where draws_water says so.
@@ -78,7 +79,8 @@ class BedShading {
     View view_;
     Block block_;
     int refinement_;
-    bool mipmaps_;
+    const gl::MipmapMaker& mipmaps_;
+    bool shaded_mipmaps_;
     std::pair<double, double> range_{0.0, 1.0};
     glm::vec2 noise_origin_{0.0F};  ///< where the drawn bed begins
     glm::vec3 floor_places_{0.0F};  ///< of palette places, of endless ground

@@ -76,7 +76,7 @@ Image Renderer::render(const ReadyPicture& picture) {
     Parts& p = *parts_;
     p.context.make_current();
     p.set_light(picture.pose);
-    p.surroundings_drawn = false;
+    p.surroundings_from.reset();
     prepare(picture);
     return draw(picture.pose.camera);
 }

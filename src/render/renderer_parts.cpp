@@ -53,7 +53,7 @@ TilePlan plan_of(const View& view, const RenderLimits& limits) {
                       std::min(limits.tile_samples, static_cast<int>(largest)));
 }
 
-const gl::TextureLayout sky_layout{GL_RGB32F, GL_RGB, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
+const gl::TextureLayout sky_layout{GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
 
 /// What lies dark on the plain around the block; nothing where no plain is drawn.
 FloorMap floor_of(const View& view, const Snapshot& first, const Block& block, int refinement,
@@ -128,7 +128,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       sky(light.sky_columns, light.sky_rows, sky_layout, light.sky_texels.data()),
       shading(view, ground, first_ground(), display_bed(first_ground(), ground, refinement),
               static_cast<int>(std::max(view.image.width, view.image.height)) * plan.factor, fixed,
-              kind),
+              mipmaps, kind),
       terrain(view, block, fixed),
       background(view, block, floor_of(view, first, block, refinement, pool), fixed),
       pixel_depths(depths_of_pixels(view, plan)),
@@ -136,7 +136,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
                    pixel_depths ? &*pixel_depths : nullptr) {
     if (plain) plain->stand_in(view.camera, *first_in_plain, block);
     if (view.look.ground == Ground::endless) {
-        world.emplace(view, ground, first_ground(), refinement, origin, fixed);
+        world.emplace(view, ground, first_ground(), refinement, origin, fixed, mipmaps);
         if (pixel_depths) {
             const Tile& tile = plan.tiles.front();
             pixels.emplace(tile.width, tile.height, plain_layout(kind), &*pixel_depths);
@@ -144,7 +144,8 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
     }
     if (first.section)
         air.emplace(block, camera_at(0),
-                    static_cast<int>(std::max(view.image.width, view.image.height)), fixed);
+                    static_cast<int>(std::max(view.image.width, view.image.height)), fixed,
+                    mipmaps);
     if (draws_plants(view, first)) plants.emplace(view, ground, fixed);
     if (!view.persons.empty()) persons.emplace(view, block, first, fixed);
     if (!view.tracks.empty()) tracks.emplace(view, block, first, fixed);
@@ -176,8 +177,9 @@ Field<float> Renderer::Parts::drawn_surface(const ReadyPicture& picture) const {
 
 void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera, DeepPicture* deep) {
     // Nothing in it changes while the camera stands still.
-    const bool still = deep == nullptr && view.camera.turn == 0.0 && plan.tiles.size() == 1;
-    if (still && surroundings_drawn) return;
+    const bool kept = deep == nullptr && plan.tiles.size() == 1;
+    if (kept && surroundings_whole && surroundings_from == camera) return;
+    gl::functions().BindVertexArray(no_attributes.name());
     surroundings.bind();
     background.draw(light, camera, tile, RowOrder::downward);
     if (deep != nullptr) {
@@ -185,11 +187,16 @@ void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera, De
     } else {
         bytes.read_background(tile, RowOrder::downward);
     }
-    surroundings_drawn = true;
+    surroundings_whole = true;
+    if (kept) surroundings_from = camera;
 }
 
 /// Where pixels see the ground alone nothing behind it counts.
 void Renderer::Parts::draw_uncovered_background(const Tile& tile, const Camera& camera) {
+    if (plan.tiles.size() == 1 && surroundings_from == camera) {
+        draw_background(tile, camera, nullptr);
+        return;
+    }
     const gl::Functions& gl = gl::functions();
     gl.BindVertexArray(no_attributes.name());
     surroundings.bind();
@@ -199,6 +206,8 @@ void Renderer::Parts::draw_uncovered_background(const Tile& tile, const Camera& 
     background.draw(light, camera, tile, RowOrder::upward);
     gl.Disable(GL_STENCIL_TEST);
     bytes.read_background(tile, RowOrder::upward);
+    surroundings_whole = false;
+    surroundings_from = camera;
 }
 
 glm::ivec2 Renderer::Parts::first_sample(const Tile& tile) const {

@@ -7,6 +7,7 @@
 
 #include "base/worker_pool.h"
 #include "gl/context.h"
+#include "gl/mipmaps.h"
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/air_layer.h"
@@ -87,7 +88,8 @@ struct Renderer::Parts {
     void draw_places(const Tile& tile, const Camera& camera, PlaceLayers& layers);
     [[nodiscard]] DeepPicture deep_picture(const Camera& camera);
     void draw_background(const Tile& tile, const Camera& camera, DeepPicture* deep);
-    /// After draw_samples(), by the stencils of its pixels.
+    /// After draw_samples(), by the stencils of its pixels; the whole of it where the camera is the
+    /// last picture's, for the next ones.
     void draw_uncovered_background(const Tile& tile, const Camera& camera);
     [[nodiscard]] PlantGround plant_ground(const Camera& camera) const;
     [[nodiscard]] Field<float> drawn_surface(const ReadyPicture& picture) const;
@@ -111,6 +113,7 @@ struct Renderer::Parts {
     SunSettings sun_before;  // with it
     gl::Constants fixed;
     gl::Texture2D sky;
+    gl::MipmapMaker mipmaps;
     BedShading shading;
     std::shared_ptr<const LitBed> uploaded;  // which the textures hold
     TerrainLayer terrain;
@@ -127,7 +130,8 @@ struct Renderer::Parts {
     std::optional<gl::RenderTarget> pixels;  // of endless ground, those that see one place each
     gl::RenderTarget surroundings;
     gl::VertexArray no_attributes;
-    bool surroundings_drawn = false;
+    std::optional<Camera> surroundings_from;  // of the light of now, for the one tile
+    bool surroundings_whole = false;          // also where the ground covers them
     BytePicture bytes;
 };
 

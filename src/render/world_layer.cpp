@@ -50,8 +50,10 @@ gl::Constants for_pixels(gl::Constants fixed, bool whole) {
 }  // namespace
 
 WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
-                       const DrawnOrigin& origin, const gl::Constants& fixed)
-    : view_(view),
+                       const DrawnOrigin& origin, const gl::Constants& fixed,
+                       const gl::MipmapMaker& mipmaps)
+    : mipmaps_(mipmaps),
+      view_(view),
       block_(block),
       cell_(static_cast<float>(std::min(block.width_x * block.tiles.count() / first.bed.nx(),
                                         block.width_y / first.bed.ny()) /
@@ -96,7 +98,7 @@ void WorldLayer::draw_relief() {
     gl.Disable(GL_DEPTH_TEST);
     program.use();
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    relief_.colour().make_mipmaps();
+    mipmaps_.make(relief_.colour());
     gl.BindVertexArray(0);
 }
 
@@ -115,7 +117,7 @@ void WorldLayer::draw_wander() {
 void WorldLayer::set_bed(const Snapshot& snapshot, const RepeatedLight& light,
                          std::shared_ptr<const HeightPyramid> heights) {
     surface_.upload(light.surface.data());
-    surface_.make_mipmaps();
+    mipmaps_.make(surface_);
     heights_ = std::move(heights);
     step_ = snapshot.step;
     way_ = prevailing_way(snapshot);

@@ -5,6 +5,7 @@
 
 #include "base/snapshot_lookup.h"
 #include "gl/dynamic_buffer.h"
+#include "gl/mipmaps.h"
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/bed_shading.h"
@@ -33,9 +34,11 @@ struct PixelSamples {
 /// drawn where they are seen.
 class WorldLayer {
   public:
-    /// Light, heights and shading are of the bed as it is drawn from `origin` on.
+    /// Light, heights and shading are of the bed as it is drawn from `origin` on. `mipmaps`
+    /// outlives it.
     WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
-               const DrawnOrigin& origin, const gl::Constants& fixed);
+               const DrawnOrigin& origin, const gl::Constants& fixed,
+               const gl::MipmapMaker& mipmaps);
 
     /// `heights`: of the bed, block lengths.
     void set_bed(const Snapshot& snapshot, const RepeatedLight& light,
@@ -83,6 +86,7 @@ class WorldLayer {
     void set_eye(const gl::Program& program, const Camera& camera) const;
     void set_detail(const gl::Program& program, const Camera& camera) const;
 
+    const gl::MipmapMaker& mipmaps_;
     View view_;
     Block block_;
     float cell_;            ///< of the drawn bed, block lengths

@@ -53,14 +53,20 @@ void draw(benchmark::State& state, const View& view) {
         (cpu_milliseconds() - before) / static_cast<double>(state.iterations());
 }
 
+View view_of(Ground ground) {
+    View view;
+    view.look.ground = ground;
+    return view;
+}
+
+/// A block on a table.
 void picture(benchmark::State& state) {
-    draw(state, View{});
+    draw(state, view_of(Ground::table));
 }
 
 /// Endless ground from a little above it; its parts are switched off by arguments.
 void world(benchmark::State& state) {
-    View view;
-    view.look.ground = Ground::endless;
+    View view = view_of(Ground::endless);
     view.camera.framing = Framing::low;
     if (state.range(1) == 0) {
         view.look.ripples = 0.0;

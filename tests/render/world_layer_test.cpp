@@ -29,12 +29,17 @@ View standing_view(double east, double north) {
     return view;
 }
 
-/// Values of a picture that are not as before where a bed is shifted with the camera, and by how
-/// many levels the most.
-std::pair<std::size_t, int> changed_by_shift(View view, const Snapshot& bed, int east, int north) {
-    view.look.grain = 0.0;  // which stays where it is
+/// Without what stays where it is where a bed is shifted.
+View bare(View view) {
+    view.look.grain = 0.0;
     view.look.ripples = 0.0;
-    const Image expected = picture(view, bed);
+    return view;
+}
+
+/// Values of a picture that are not as expected where a bed is shifted with the camera, and by how
+/// many levels the most.
+std::pair<std::size_t, int> changed_by_shift(const Image& expected, View view, const Snapshot& bed,
+                                             int east, int north) {
     Snapshot moved = bed;
     moved.bed = rolled(bed.bed, -east, -north);
     for (std::vector<double>* place : {&view.camera.at, &view.camera.look_at}) {
@@ -54,9 +59,9 @@ std::pair<std::size_t, int> changed_by_shift(View view, const Snapshot& bed, int
 
 TEST(WorldLayer, ABedShiftedWithTheCameraLooksTheSame) {
     const std::pair<std::size_t, int> none{0, 0};
-    const View high = standing_view(0, 0);
+    const View high = bare(standing_view(0, 0));
     const Snapshot wide = repeated_dunes(420, 400);
-    EXPECT_EQ(changed_by_shift(high, wide, 37, 290), none);
+    EXPECT_EQ(changed_by_shift(picture(high, wide), high, wide, 37, 290), none);
     View low = high;
     low.image.width = 160;
     low.image.height = 90;
@@ -66,8 +71,10 @@ TEST(WorldLayer, ABedShiftedWithTheCameraLooksTheSame) {
     narrow.winds = {{0.6, 0.8, 1.0}};
     narrow.scale.dx = 0.7;
     narrow.scale.height_unit = 0.3;  // no slip faces, whose tongues stay where they are
+    const Image expected = picture(low, narrow);
     for (const auto& [east, north] : {std::pair(1, 0), {0, 17}, {-33, 250}})
-        EXPECT_EQ(changed_by_shift(low, narrow, east, north), none) << east << ' ' << north;
+        EXPECT_EQ(changed_by_shift(expected, low, narrow, east, north), none)
+            << east << ' ' << north;
 }
 
 /// Across the crests, the sun low at one side.
@@ -170,32 +177,31 @@ TEST(WorldLayer, DetailDoesNotFlickerInASlowDolly) {
 }
 
 TEST(WorldLayer, RipplesMoveWithTheRun) {
-    Snapshot bed = repeated_dunes(420, 400);
+    const Snapshot bed = repeated_dunes(420, 400);
+    Snapshot later = bed;
+    later.step = 25;
     View view = golden_hour();
     view.camera.at = {200.0, 150.0, 2.0};
-    const Image before = picture(view, bed);
-    bed.step = 25;
-    EXPECT_NE(picture(view, bed), before);
+    const std::vector<Image> rippled = pictures(view, {bed, later});
+    EXPECT_NE(rippled[0], rippled[1]);
     view.look.ripples = 0.0;
-    const Image bare = picture(view, bed);
-    bed.step = 0;
-    EXPECT_EQ(picture(view, bed), bare);
+    const std::vector<Image> smooth = pictures(view, {bed, later});
+    EXPECT_EQ(smooth[0], smooth[1]);
 }
 
 TEST(WorldLayer, RipplesStandInBareSandAlone) {
-    Snapshot bed = repeated_dunes(420, 400);
+    Snapshot sand = repeated_dunes(420, 400);
+    sand.fields = {{"sand", "", "m", Grid(sand.bed.nx(), sand.bed.ny(), 1.0)}};
+    Snapshot rock = sand;
+    rock.fields = {{"sand", "", "m", Grid(sand.bed.nx(), sand.bed.ny(), 0.0)}};
     View view = golden_hour();
     view.camera.at = {200.0, 150.0, 2.0};
     view.look.mark = Marking::ground;
-    const auto ripples_seen = [&](double sand) {
-        bed.fields = {{"sand", "", "m", Grid(bed.bed.nx(), bed.bed.ny(), sand)}};
-        view.look.ripples = 1.0;
-        const Image with = picture(view, bed);
-        view.look.ripples = 0.0;
-        return with != picture(view, bed);
-    };
-    EXPECT_TRUE(ripples_seen(1.0));
-    EXPECT_FALSE(ripples_seen(0.0)) << "rock";
+    const std::vector<Image> rippled = pictures(view, {sand, rock});
+    view.look.ripples = 0.0;
+    const std::vector<Image> smooth = pictures(view, {sand, rock});
+    EXPECT_NE(rippled[0], smooth[0]) << "sand";
+    EXPECT_EQ(rippled[1], smooth[1]) << "rock";
 }
 
 /// Known visibility takes the place of sun.haze around a block on a table.
@@ -252,6 +258,25 @@ TEST(WorldLayer, IsTheSameForAnyNumberOfThreads) {
         EXPECT_EQ(picture(standing_view(0, 0), bed), expected) << raster_threads;
     }
     unsetenv("LP_NUM_THREADS");
+}
+
+/// What is behind the ground is kept while the camera stands still.
+TEST(WorldLayer, TheSkyIsSeenWhereDunesWere) {
+    View view = standing_view(0, 0);
+    view.image.width = 160;
+    view.image.height = 90;
+    view.camera.at.clear();  // whose camera would rise and sink with the bed
+    view.camera.look_at.clear();
+    view.camera.elevation = 1.0;
+    const Snapshot bed = repeated_dunes(60, 50);
+    const Snapshot moved = repeated_dunes(60, 50, 6, 0);
+    const std::vector<Image> drawn = pictures(view, {bed, bed, moved, bed});
+    EXPECT_EQ(drawn[1], drawn[0]);
+    const auto context = gl::Context::create(gl::Backend::automatic);
+    WorkerPool pool(2);
+    Renderer fresh(*context, view, bed, 100, pool);
+    EXPECT_EQ(drawn[2], fresh.render(moved));
+    EXPECT_EQ(drawn[3], drawn[0]);
 }
 
 std::string refusal(const View& view, const Snapshot& bed) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "base/worker_pool.h"
 #include "gl/context.h"
@@ -14,6 +15,16 @@ inline View small_view(int width = 320, int height = 180) {
     view.image.width = width;
     view.image.height = height;
     return view;
+}
+
+/// Frames of a run, drawn one after the other in a context of their own.
+inline std::vector<Image> pictures(const View& view, const std::vector<Snapshot>& snapshots) {
+    const auto context = gl::Context::create(gl::Backend::automatic);
+    WorkerPool pool(2);
+    Renderer renderer(*context, view, snapshots.front(), 100, pool);
+    std::vector<Image> drawn;
+    for (const Snapshot& snapshot : snapshots) drawn.push_back(renderer.render(snapshot));
+    return drawn;
 }
 
 /// A run's first frame, drawn in a context of its own.

@@ -141,13 +141,8 @@ void turn_to_night(Light& light) {
     light.stars = true;
     light.sun = by_night(light.sun);
     light.sky = by_night(light.sky);
-    for (std::size_t i = 0; i + 2 < light.sky_texels.size(); i += 3) {
-        const glm::vec3 texel =
-            sky_share_seen *
-            by_night({light.sky_texels[i], light.sky_texels[i + 1], light.sky_texels[i + 2]});
-        for (int band = 0; band < 3; ++band)
-            light.sky_texels[i + static_cast<std::size_t>(band)] = texel[band];
-    }
+    for (glm::vec4& texel : light.sky_texels)
+        texel = glm::vec4(sky_share_seen * by_night(glm::vec3(texel)), 0.0F);
 }
 
 /// A unit vector: x east, y north, z up.
@@ -208,8 +203,7 @@ Light make_atmospheric_light(const SunSettings& settings, Planet planet) {
         for (int column = 0; column < light.sky_columns; ++column) {
             const glm::dvec3 texel = srgb_of_wavelengths(view.table().at(column, row)) * white *
                                      (exposure * settings.sky_strength * std::numbers::pi);
-            for (int band = 0; band < 3; ++band)
-                light.sky_texels.push_back(static_cast<float>(texel[band]));
+            light.sky_texels.emplace_back(glm::vec3(texel), 0.0F);
         }
     }
     if (settings.source == LightSource::moon) turn_to_night(light);

@@ -23,9 +23,10 @@ struct Light {
     /// How much more of the sky's light than of a uniform sky's a slope gets: with a normal whose
     /// part along the sun's azimuth is x and upward 1 − t, its products with x, x², t and t·x.
     std::array<glm::vec3, 4> sky_lean{};
-    /// Radiances of the sky times π, RGB: the square root of the azimuth from the sun along the
-    /// columns (0 … √π), that of the elevation along the rows (0 … √(π/2)).
-    std::vector<float> sky_texels = std::vector<float>(3);
+    /// Radiances of the sky times π, RGB and a fourth number without meaning, since llvmpipe reads
+    /// texels of four faster: the square root of the azimuth from the sun along the columns (0 …
+    /// √π), that of the elevation along the rows (0 … √(π/2)).
+    std::vector<glm::vec4> sky_texels = std::vector<glm::vec4>(1);
     int sky_columns = 1;
     int sky_rows = 1;
 };

@@ -20,6 +20,8 @@ struct Camera {
     double focus = 1.0;       ///< depth of what it looks at, seen from a perspective eye
     double near_depth = 0.1;  ///< along `forward` from the eye; the block lies within
     double far_depth = 10.0;
+
+    bool operator==(const Camera&) const = default;
 };
 
 /// The camera of a view, fixed by the block. `distance = fit` moves it as near as the border
