@@ -33,6 +33,7 @@ TEST(MipmapMaker, EachLevelIsTheMeanOfFourTexels) {
     constexpr int width = 8;
     constexpr int height = 4;
     std::vector<std::uint16_t> texels;
+    texels.reserve(std::size_t{width} * std::size_t{height});
     for (int i = 0; i < width * height; ++i)
         texels.push_back(static_cast<std::uint16_t>(1000 * (i * 37 % 61)));
     const gl::Texture2D texture(width, height, layout, texels.data());

@@ -23,6 +23,7 @@ inline std::vector<Image> pictures(const View& view, const std::vector<Snapshot>
     WorkerPool pool(2);
     Renderer renderer(*context, view, snapshots.front(), 100, pool);
     std::vector<Image> drawn;
+    drawn.reserve(snapshots.size());
     for (const Snapshot& snapshot : snapshots) drawn.push_back(renderer.render(snapshot));
     return drawn;
 }
