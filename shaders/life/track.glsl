@@ -6,9 +6,9 @@ flat in vec4 print_form;    // heading, 1 for the right foot or -1, depth
 flat in vec4 print_ground;  // slope of the ground, how far the print has slid, and unevenness
 uniform float metre;        // block lengths
 uniform float angle;        // between two samples
+uniform float step_length;  // of the walker
+uniform float half_step_width;
 
-const float step_length = 0.75;  // of the walker, as in render/view/footprints.h
-const float half_step_width = 0.09;
 const float rim_height = 0.014;  // highest
 const float marked_share = 0.24; // of a strip 0.4 m wide along the track, what prints cover
 

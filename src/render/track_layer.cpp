@@ -157,6 +157,8 @@ void TrackLayer::draw(const gl::Texture2D& seen, const WorldLayer* world, const 
     program_.set("eye_place", world != nullptr ? glm::vec3(0.0F) : glm::vec3(camera.eye));
     program_.set("curvature", ground.curvature);
     program_.set("metre", static_cast<float>(1.0 / block_.side));
+    program_.set("step_length", static_cast<float>(step_length));
+    program_.set("half_step_width", static_cast<float>(half_step_width));
     program_.set("angle", 2.0F * static_cast<float>(camera.half.y) / tile.picture_size.y);
     gl.Disable(GL_DEPTH_TEST);
     gl.Enable(GL_CULL_FACE);

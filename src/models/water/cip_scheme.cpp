@@ -7,6 +7,7 @@
 #include "base/give_up.h"
 #include "base/state_carrier.h"
 #include "base/worker_pool.h"
+#include "models/water/kernels/cip_advection_vectors.h"
 #include "models/water/kernels/depth_vectors.h"
 #include "models/water/shallow_water.h"
 

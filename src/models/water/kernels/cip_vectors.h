@@ -9,19 +9,6 @@ struct Stencil {
     const double* north;
 };
 
-/// A quantity with its gradient, which is kept per cell: ∂f/∂x·dx and ∂f/∂y·dy.
-struct CarriedStencil {
-    Stencil value;
-    Stencil gradient_x;
-    Stencil gradient_y;
-};
-
-struct CarriedRow {
-    double* value;
-    double* gradient_x;
-    double* gradient_y;
-};
-
 /// What all rows of a sub-step share.
 struct SubStep {
     double dt;        ///< s
@@ -45,17 +32,6 @@ struct Accelerated {
     double* gained_u;
     double* gained_v;
 };
-
-/// Advects a quantity with the velocity: the value and the gradient of its cubic interpolation at
-/// the place the water came from, in the cell upwind (CIP, type A: Yabe, Ishikawa, Wang, Aoki,
-/// Kadota & Ikeda 1991, Comput. Phys. Commun. 66).
-void advect_row(const CarriedStencil& before, const Velocity& by, const SubStep& step, int count,
-                const CarriedRow& after);
-
-/// The same of the velocities themselves. Where `held`, a value stays between the four that it
-/// comes from: no extremum of its own.
-void advect_velocities(const CarriedStencil& u, const CarriedStencil& v, const SubStep& step,
-                       bool held, int count, const CarriedRow& u_after, const CarriedRow& v_after);
 
 /// Pressure, the plane's pull and friction after the advection (Saeki & Okamura 2007, eq. 10):
 /// velocities and what they gained. Friction is taken half implicitly, at the advected speed, so

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "models/water/kernels/cip_vectors.h"
+
+namespace fumon::cip {
+
+/// A quantity with its gradient, which is kept per cell: ∂f/∂x·dx and ∂f/∂y·dy.
+struct CarriedStencil {
+    Stencil value;
+    Stencil gradient_x;
+    Stencil gradient_y;
+};
+
+struct CarriedRow {
+    double* value;
+    double* gradient_x;
+    double* gradient_y;
+};
+
+/// Advects a quantity with the velocity: the value and the gradient of its cubic interpolation at
+/// the place the water came from, in the cell upwind (CIP, type A: Yabe, Ishikawa, Wang, Aoki,
+/// Kadota & Ikeda 1991, Comput. Phys. Commun. 66).
+void advect_row(const CarriedStencil& before, const Velocity& by, const SubStep& step, int count,
+                const CarriedRow& after);
+
+/// The same of the velocities themselves. Where `held`, a value stays between the four that it
+/// comes from: no extremum of its own.
+void advect_velocities(const CarriedStencil& u, const CarriedStencil& v, const SubStep& step,
+                       bool held, int count, const CarriedRow& u_after, const CarriedRow& v_after);
+
+}  // namespace fumon::cip
