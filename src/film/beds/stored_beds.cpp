@@ -13,6 +13,7 @@
 #include "files/input_file.h"
 #include "files/json_text.h"
 #include "files/netcdf/netcdf_record.h"
+#include "film/beds/bed_alone.h"
 #include "measure/suite.h"
 #include "run/inputs/find_input.h"
 #include "run/run_identity.h"
@@ -108,8 +109,17 @@ Scene scene_of(const Json& manifest, const fs::path& folder,
     return scene;
 }
 
-std::vector<StoredBed> beds_of(const Json& manifest, const fs::path& folder,
-                               const Snapshot& first) {
+void check_beds_suffice(const std::string& name, const Snapshot& first, const View& view) {
+    const std::string_view missing = missing_beside_beds(first, view);
+    if (missing.empty()) return;
+    throw InputError(
+        fmt::format("{}: its run stored beds without {}; run the scene again with "
+                    "--set output.fields_every=N",
+                    name, missing));
+}
+
+std::vector<StoredBed> beds_of(const Json& manifest, const fs::path& folder, const Snapshot& first,
+                               const View& view) {
     std::vector<StoredBed> beds;
     if (manifest.contains("fields")) {
         for (const FieldsMoment& moment :
@@ -131,12 +141,7 @@ std::vector<StoredBed> beds_of(const Json& manifest, const fs::path& folder,
             "output.fields_every=N (all fields) or output.bed_every=N (beds alone), every N steps",
             folder.string()));
     }
-    if (first.section || first.landform == Landform::water) {
-        throw InputError(
-            fmt::format("{}: its run stored beds without {}; run the scene again with --set "
-                        "output.fields_every=N",
-                        folder.string(), first.section ? "their air" : "their water"));
-    }
+    check_beds_suffice(folder.string(), first, view);
     return beds;
 }
 
@@ -174,7 +179,7 @@ StoredBeds::StoredBeds(fs::path folder, int threads, const std::vector<std::stri
     try {
         run_ = prepare_run(scene_of(manifest, folder_, settings), threads);
         first_ = run_.model->snapshot();
-        beds_ = beds_of(manifest, folder_, first_);
+        beds_ = beds_of(manifest, folder_, first_, run_.scene.view);
     } catch (const nlohmann::json::exception&) {
         throw InputError(
             fmt::format("{}: is damaged; run the scene again", (folder_ / "run.json").string()));
@@ -234,6 +239,7 @@ StoredBeds StoredBeds::recorded(std::string name, fs::path folder, PreparedRun r
     stored.first_ = std::move(first);
     std::error_code fault;
     if (!fs::exists(stored.folder_ / stored.fields_, fault)) {
+        check_beds_suffice(stored.name_, stored.first_, stored.run_.scene.view);
         stored.beds_ = std::move(written);
         for (StoredBed& bed : stored.beds_) bed.time = time_of_step * static_cast<double>(bed.step);
         return stored;
@@ -256,6 +262,7 @@ Snapshot StoredBeds::read(std::size_t number, const Snapshot& outline) const {
     if (!snapshot.nodata.empty() && !read.nodata.empty()) snapshot.nodata = std::move(read.nodata);
     snapshot.step = bed.step;
     snapshot.time = bed.time;
+    leave_what_bed_tells(snapshot);
     return snapshot;
 }
 

@@ -121,6 +121,15 @@ void check_heights(const ModelSetup& setup) {
     }
 }
 
+void check_ravines(const DunesParameters& parameters) {
+    for (std::size_t n = 0; n < parameters.features.size(); ++n) {
+        const DuneFeature& feature = parameters.features[n];
+        if (feature.ravines > 0.0 && feature.kind != FeatureKind::rock)
+            throw KeyError(fmt::format("feature.{}.ravines", n),
+                           "only rock has ravines; leave it out, or write kind = \"rock\"");
+    }
+}
+
 void check_plants(const DunesParameters& parameters) {
     if (parameters.plants != DunePlants::none) return;
     for (std::size_t n = 0; n < parameters.features.size(); ++n) {
@@ -157,7 +166,7 @@ DuneBed first_bed(const DunesParameters& parameters, const ModelSetup& setup) {
                                        setup.bed.values()[cell], parameters.rock_level));
         }
     }
-    set_features(parameters.features, ground_of(parameters, setup), bed);
+    set_features(parameters.features, ground_of(parameters, setup), setup.seed, bed);
     for (std::size_t cell = 0; cell < bed.surface.size(); ++cell)
         sand += to_metres(bed.surface.values()[cell] - bed.rock.values()[cell]);
     constexpr double most_sand = 0x1p29;  // m: a quarter of what 64 bits hold
@@ -216,6 +225,7 @@ Dunes::Dunes(const DunesParameters& parameters, const ModelSetup& setup)
     check_angles(parameters);
     check_transport(parameters, setup);
     check_plants(parameters);
+    check_ravines(parameters);
     sources_ = sources_of(parameters.features, ground_);
     if (parameters.plants != DunePlants::none) {
         plants_.emplace(parameters, ground_, bed_, setup.seed, pool_);

@@ -71,6 +71,10 @@ void list_feature(DuneFeature& feature, const std::string& path, KeyTable& table
                {.unit = "degrees",
                 .range = {-360, 360},
                 .help = "of its length, clockwise from north; 90 lies along x"});
+    table.real(path + ".ravines", feature.ravines,
+               {.range = {0, 1},
+                .help = "of rock: how deep ravines cut it at most, in parts of its height there; "
+                        "drawn by the seed"});
 }
 
 void list_species(DuneSpecies& species, const std::string& name, const std::string& plural,

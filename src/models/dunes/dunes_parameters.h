@@ -42,6 +42,7 @@ struct DuneFeature {
     double width = 0.0;    ///< m across it; 0: as its length
     double height = 2.0;   ///< m, of rock, sand and sources
     double axis = 90.0;    ///< degrees clockwise from north
+    double ravines = 0.0;  ///< of rock: how deep at most, in parts of its height there
 
     friend bool operator==(const DuneFeature&, const DuneFeature&) = default;
 };

@@ -6,6 +6,7 @@
 
 #include "base/elementary.h"
 #include "base/units.h"
+#include "models/dunes/ravines.h"
 
 namespace fumon {
 
@@ -26,34 +27,61 @@ double shape_at(FeatureShape shape, double u, double v) {
     return cosine * cosine;
 }
 
+double width_of(const DuneFeature& feature) {
+    return feature.width > 0.0 ? feature.width : feature.length;
+}
+
+/// Of each cell's middle, how many metres along and across the feature's axis it lies.
+template <typename Do>
+void for_each_place(const DuneFeature& feature, const DuneGround& ground, Do&& act) {
+    const double east = elementary::sin(feature.axis * degree);
+    const double north = elementary::cos(feature.axis * degree);
+    for (int y = 0; y < ground.ny; ++y) {
+        const double up =
+            way_between(feature.y, (y + 0.5) * ground.dy, ground.ny * ground.dy, ground.periodic_y);
+        for (int x = 0; x < ground.nx; ++x) {
+            const double right = way_between(feature.x, (x + 0.5) * ground.dx,
+                                             ground.nx * ground.dx, ground.periodic_x);
+            act(x, y, right * east + up * north, right * north - up * east);
+        }
+    }
+}
+
 }  // namespace
 
 Grid feature_shape(const DuneFeature& feature, const DuneGround& ground) {
     Grid shape(ground.nx, ground.ny);
-    const double east = elementary::sin(feature.axis * degree);
-    const double north = elementary::cos(feature.axis * degree);
     const double half_length = 0.5 * feature.length;
-    const double half_width = feature.width > 0.0 ? 0.5 * feature.width : half_length;
-    for (int y = 0; y < ground.ny; ++y) {
-        const double across =
-            way_between(feature.y, (y + 0.5) * ground.dy, ground.ny * ground.dy, ground.periodic_y);
-        for (int x = 0; x < ground.nx; ++x) {
-            const double along = way_between(feature.x, (x + 0.5) * ground.dx,
-                                             ground.nx * ground.dx, ground.periodic_x);
-            shape(x, y) = shape_at(feature.shape, (along * east + across * north) / half_length,
-                                   (along * north - across * east) / half_width);
-        }
-    }
+    const double half_width = 0.5 * width_of(feature);
+    for_each_place(feature, ground, [&](int x, int y, double along, double across) {
+        shape(x, y) = shape_at(feature.shape, along / half_length, across / half_width);
+    });
     return shape;
 }
 
+void cut_ravines(Grid& shape, const DuneFeature& feature, const DuneGround& ground,
+                 std::uint64_t seed, std::uint32_t rock) {
+    if (feature.ravines <= 0.0) return;
+    constexpr double apart = 0.3;   // of the shorter side
+    constexpr double finest = 3.0;  // cells
+    const Ravines ravines(seed, rock, apart * std::min(feature.length, width_of(feature)),
+                          finest * std::max(ground.dx, ground.dy));
+    for_each_place(feature, ground, [&](int x, int y, double along, double across) {
+        if (shape(x, y) > 0.0)
+            shape(x, y) *= 1.0 - feature.ravines * ravines.depth_at(along, across);
+    });
+}
+
 void set_features(const std::vector<DuneFeature>& features, const DuneGround& ground,
-                  DuneBed& bed) {
+                  std::uint64_t seed, DuneBed& bed) {
+    std::uint32_t number = 0;
     for (const DuneFeature& feature : features) {
+        ++number;
         if (feature.kind != FeatureKind::rock && feature.kind != FeatureKind::sand &&
             feature.kind != FeatureKind::source)
             continue;
-        const Grid shape = feature_shape(feature, ground);
+        Grid shape = feature_shape(feature, ground);
+        cut_ravines(shape, feature, ground, seed, number);
         for (std::size_t cell = 0; cell < shape.size(); ++cell) {
             const std::int64_t height = to_units(feature.height * shape.values()[cell]);
             std::int64_t& surface = bed.surface.values()[cell];

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "base/grid.h"
 #include "models/dunes/dune_bed.h"
 #include "models/dunes/dunes_parameters.h"
@@ -18,9 +20,15 @@ namespace fumon {
 /// In a periodic bed distances go the shorter way round.
 Grid feature_shape(const DuneFeature& feature, const DuneGround& ground);
 
-/// Sets rock and sand on a bed, one after the other: rock raises the floor, and the surface where
-/// the sand there was no thicker; sand and sources raise the surface.
-void set_features(const std::vector<DuneFeature>& features, const DuneGround& ground, DuneBed& bed);
+/// Cuts ravines into such a shape: what is left of it is 1 − feature.ravines · depth, with depths
+/// of Ravines whose longest are .3 of the shorter side apart. `rock` numbers the features of a bed.
+void cut_ravines(Grid& shape, const DuneFeature& feature, const DuneGround& ground,
+                 std::uint64_t seed, std::uint32_t rock);
+
+/// Sets rock and sand on a bed, one after the other: rock, with its ravines, raises the floor, and
+/// the surface where the sand there was no thicker; sand and sources raise the surface.
+void set_features(const std::vector<DuneFeature>& features, const DuneGround& ground,
+                  std::uint64_t seed, DuneBed& bed);
 
 /// The thickness of sand that sources keep, 0 where there are none; empty where no feature is one.
 WholeGrid sources_of(const std::vector<DuneFeature>& features, const DuneGround& ground);

@@ -1,0 +1,45 @@
+#include "film/beds/bed_alone.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "base/snapshot_lookup.h"
+#include "render/plant_layer.h"
+
+namespace fumon {
+
+namespace {
+
+bool rock_wears(const Snapshot& snapshot) {
+    return number_of(snapshot, "rock_worn").has_value();
+}
+
+}  // namespace
+
+std::string_view missing_beside_beds(const Snapshot& first, const View& view) {
+    if (first.section) return "their air";
+    if (first.landform == Landform::water) return "their water";
+    const Marking mark = view.look.mark;
+    if (mark == Marking::last_avalanche) return "their avalanches";
+    const bool marked_plants =
+        mark == Marking::ground && find_named(first.fields, "cover") != nullptr;
+    if (marked_plants || draws_plants(view, first)) return "their plants";
+    return mark == Marking::ground && rock_wears(first) ? "their worn rock" : "";
+}
+
+void leave_what_bed_tells(Snapshot& snapshot) {
+    std::vector<SnapshotField> told;
+    const SnapshotField* rock = find_named(snapshot.fields, "rock");
+    const SnapshotField* sand = find_named(snapshot.fields, "sand");
+    if (rock != nullptr && sand != nullptr && !rock_wears(snapshot)) {
+        told = {*sand, *rock};
+        std::ranges::transform(snapshot.bed.values(), rock->values.values(),
+                               told.front().values.values().begin(), std::minus<>());
+    }
+    snapshot.fields = std::move(told);
+    snapshot.numbers.clear();
+    snapshot.section.reset();
+}
+
+}  // namespace fumon

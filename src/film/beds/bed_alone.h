@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+#include "base/snapshot.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// What a picture of a run needs beside its beds and these alone do not tell ("their water"), or
+/// nothing. `first`: the run's snapshot before its first step.
+std::string_view missing_beside_beds(const Snapshot& first, const View& view);
+
+/// Leaves a snapshot, whose bed is another than that of its fields and numbers, what its bed tells:
+/// the sand that lies on rock, where rock does not wear. The rest goes.
+void leave_what_bed_tells(Snapshot& snapshot);
+
+}  // namespace fumon
