@@ -9,6 +9,7 @@
 #include "base/elementary_angle.h"
 #include "base/worker_pool.h"
 #include "render/ground/ground_vectors.h"
+#include "render/view/far_copies_waves.h"
 
 namespace fumon {
 
@@ -77,10 +78,20 @@ void place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::vector
                            fan.heading.x * s + fan.heading.y * c);
     const glm::dvec2 per_length = along / fan.extent;
     const glm::dvec2 origin = glm::dvec2(fan.eye) / fan.extent + 0.5;
-    const ground_vectors::Ray over_bed{origin.x,     origin.y,  per_length.x,
-                                       per_length.y, fan.eye.z, fan.curvature};
+    const ground_vectors::Ray over_bed{origin.x,
+                                       origin.y,
+                                       per_length.x,
+                                       per_length.y,
+                                       fan.eye.z,
+                                       fan.curvature,
+                                       fan.eye_from_middle.x,
+                                       fan.eye_from_middle.y,
+                                       fan.mean,
+                                       0.0};
     std::array<double, ground_vectors::places_at_once> over{};
     std::array<double, ground_vectors::places_at_once> rises{};
+    const double as_it_is_to =
+        (far_copies::as_it_is - glm::length(fan.eye_from_middle)) / glm::length(per_length);
     double highest_before = -1e30;
     for (std::size_t ring = 0; ring < all.size(); ++ring) {
         const Ring& around = all[ring];
@@ -91,7 +102,9 @@ void place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::vector
         const std::size_t from = hidden ? count / 2 : 0;
         const std::size_t to = hidden ? from + 1 : count;
         const Field<float>& means = bed.level(around.level);
-        ground_vectors::look_along({means.data(), means.nx(), means.ny(), bed.tiles()}, over_bed,
+        ground_vectors::Ray ray_over = over_bed;
+        if (around.radii[to - 1] > as_it_is_to) ray_over.strength = fan.strength;
+        ground_vectors::look_along({means.data(), means.nx(), means.ny(), bed.tiles()}, ray_over,
                                    around.radii.data() + from, static_cast<int>(to - from),
                                    over.data(), rises.data());
         std::size_t highest = 0;

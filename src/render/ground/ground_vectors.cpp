@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "render/ground/ground_vectors.h"
+#include "render/view/far_copies-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumon::ground_vectors {
@@ -60,6 +61,16 @@ void look_along(const Heights& bed, const Ray& ray, const double* radii, int cou
         const auto radius = hn::LoadU(d, radii + i);
         auto eastward = hn::Set(d, ray.east) + radius * hn::Set(d, ray.east_per_length);
         auto northward = hn::Set(d, ray.north) + radius * hn::Set(d, ray.north_per_length);
+        auto high = hn::Set(d, 1.0);
+        if (ray.strength > 0.0) {
+            const auto copies = far_copies::HWY_NAMESPACE::copies_at(
+                d, hn::Set(d, ray.from_middle_east) + radius * hn::Set(d, ray.east_per_length),
+                hn::Set(d, ray.from_middle_north) + radius * hn::Set(d, ray.north_per_length),
+                hn::Set(d, ray.strength));
+            eastward = eastward + copies.aside_east.value;
+            northward = northward + copies.aside_north.value;
+            high = copies.height.value;
+        }
         if (bed.tiles.plain) find_in_maps(eastward, northward);
         const Between x = between(eastward, bed.nx);
         const Between y = between(northward, bed.ny);
@@ -70,7 +81,11 @@ void look_along(const Heights& bed, const Ray& ray, const double* radii, int cou
         const auto above = height(x.first, y.second);
         const auto south = below + x.share * (height(x.second, y.first) - below);
         const auto north = above + x.share * (height(x.second, y.second) - above);
-        const auto z = hn::PromoteTo(d, south + y.share * (north - south));
+        auto z = hn::PromoteTo(d, south + y.share * (north - south));
+        if (ray.strength > 0.0) {
+            const auto mean = hn::Set(d, ray.mean);
+            z = mean + high * (z - mean);
+        }
         const auto seen =
             z - radius * radius * hn::Set(d, ray.curvature) - hn::Set(d, ray.eye_height);
         hn::StoreU(seen, d, over + i);

@@ -22,6 +22,12 @@ struct Ray {
     double north_per_length;
     double eye_height;
     double curvature;  ///< by which the planet sinks at a distance of 1
+    /// Where the bed's far copies are made unlike each other, see FarCopies: the eye's place from
+    /// the middle of what is as it is, periods; z of the bed's mean.
+    double from_middle_east = 0.0;
+    double from_middle_north = 0.0;
+    double mean = 0.0;
+    double strength = 0.0;  ///< 0: all alike
 };
 
 /// Places are looked at so many at once at most: as many radii are read, and heights and tangents
