@@ -18,8 +18,8 @@ struct GroundCopy {
 
 /// Endless ground of a bed that repeats, whose copies far away are made unlike each other: each
 /// takes its ground from a place somewhat aside, so that it is wider or narrower than the bed, and
-/// stands lower, so that its slopes do not grow. Two sets of waves that fit no period
-/// tell where: short ones, by which neighbours differ, and long ones, by which rows wander.
+/// stands lower, so that no slope grows by more than a twentieth. Two sets of waves that fit no
+/// period tell where: short ones, by which neighbours differ, and long ones, by which rows wander.
 /// It is fixed to the ground, not to a camera that moves over it.
 class FarCopies {
   public:
