@@ -5,6 +5,7 @@
 #include "common/colour.glsl"
 #include "common/light.glsl"
 #include "bed/bed.glsl"
+#include "world/far_copies.glsl"
 
 uniform mat4 clip;
 uniform float from_eye;
@@ -22,9 +23,10 @@ in vec3 part_normal;
 in vec3 part_colour;
 out vec4 leaf_colour;
 
+vec2 place_of(vec2 spot) { return root_place + map_way(spot - root.xy) + ground_copy(spot).aside - ground_copy(root.xy).aside; }
+
 float ground_height(vec2 spot) {
-    return textureLod(height_map, root_place + map_way(spot - root.xy), 0.0).r - height_origin -
-           from_eye * dot(spot, spot) * curvature;
+    return ground_copy(spot).height * textureLod(height_map, place_of(spot), 0.0).r - height_origin - from_eye * dot(spot, spot) * curvature;
 }
 
 void main() {
@@ -36,7 +38,7 @@ void main() {
         spot = top.xy - from_point.xy * (slant * max(top.z - height, 0.0));
         height = mix(height, ground_height(spot), 0.8);
     }
-    BedPoint ground = bed_point(textureLod(lighting_map, root_place + map_way(spot - root.xy), 0.0));
+    BedPoint ground = bed_point(textureLod(lighting_map, place_of(spot), 0.0));
     const vec3 albedo = vec3(0.40, 0.29, 0.18);
     vec3 lit = albedo * (sun_light * max(dot(ground.normal, to_sun), 0.0) + sky_light);
     vec3 left = display_from_linear(tone_curve(albedo * sky_light * 0.85)) / max(display_from_linear(tone_curve(lit)), vec3(1e-3));

@@ -4,6 +4,7 @@
 #include "common/colour.glsl"
 #include "common/light.glsl"
 #include "bed/bed.glsl"
+#include "world/far_copies.glsl"
 
 uniform mat4 clip;         // of places as `root` counts them
 uniform vec2 root_origin;  // where that counting begins, from the bed's middle, block lengths
@@ -22,7 +23,7 @@ vec2 turned(vec2 p) { return vec2(form.x * p.x - form.y * p.y, form.y * p.x + fo
 void main() {
     vec3 place = root.xyz + root.w * vec3(turned(leaf.xy), leaf.z);
     vec3 normal = vec3(turned(leaf_normal.xy), leaf_normal.z);
-    BedPoint ground = bed_point(textureLod(lighting_map, map_place(root_origin + root.xy), 0.0));
+    BedPoint ground = bed_point(textureLod(lighting_map, map_place(root_origin + root.xy) + ground_copy(root.xy).aside, 0.0));
     vec3 to_eye = from_eye > 0.5 ? -normalize(place) : direction_to_eye(place);
     // Leaves let light through, and their crown shades its own inside and foot.
     float facing = dot(normal, to_sun);

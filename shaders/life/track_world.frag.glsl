@@ -13,11 +13,12 @@
 void main() {
     SeenPlace at = far_place();
     if (dot(at.offset, at.offset) == 0.0) discard;  // the sky
-    vec2 place = bed_place(at);
+    GroundCopy copy = copy_at(at);
+    vec2 place = bed_place(at, copy);
     vec3 to_eye = -normalize(at.offset);
-    vec4 sand = sand_colour(at);
+    vec4 sand = sand_colour(at, place);
     vec3 uneven = unevenness(sand.a) * relief(at);
-    BedPoint point = slanting_bed_point(place, map_way(at.along.xy), map_way(at.up.xy));
+    BedPoint point = copied(slanting_bed_point(place, map_way(at.along.xy), map_way(at.up.xy)), at, copy);
     float span = 1.0 / metre;
     Trodden print = trodden(span * (at.offset.xy - print_root.xy), point.normal, uneven.xy, to_eye, span * length(at.along), span * at.up.xy);
     // Coarse grains and crusts give way less.

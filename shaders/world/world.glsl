@@ -1,6 +1,8 @@
 // Sand to the horizon, shaded where the triangles said that it is: once a pixel where all its samples see the same
 // ground, else once a sample. Needs common/colour.glsl, common/light.glsl, common/noise.glsl, common/oren_nayar.glsl, bed/bed.glsl, bed/ground.glsl
 // and world/world_place.glsl before it.
+#include "world/far_copies.glsl"
+uniform float curvature;      // of the planet, 1 / (2 R)
 uniform vec2 whole_eye;       // the eye's place, not reduced to one period
 uniform float sand_grain;     // how much of it is seen
 uniform float ripple_length;  // block lengths
@@ -72,7 +74,17 @@ SeenPlace near_place() {
     return place;
 }
 
-vec2 bed_place(SeenPlace at) { return map_place(eye.xy + at.offset.xy); }
+GroundCopy copy_at(SeenPlace at) { return ground_copy(at.offset.xy); }
+vec2 bed_place(SeenPlace at, GroundCopy copy) { return map_place(eye.xy + at.offset.xy) + copy.aside; }
+
+// The bed's point as its copy stands.
+BedPoint copied(BedPoint point, SeenPlace at, GroundCopy copy) {
+    if (varied < 0.5) return point;
+    float z = eye.z + at.offset.z + curvature * dot(at.offset.xy, at.offset.xy);
+    vec2 slope = copy_slope(copy, -point.normal.xy / max(point.normal.z, 0.1), z);
+    point.normal = vec3(-slope, 1.0) * (length(point.normal) * inversesqrt(1.0 + dot(slope, slope)));
+    return point;
+}
 
 // Texels to a block length, of a map of so many along its side.
 float texels_of(int count) { return float(count) / (plain < 0.5 ? extent.x : 2.0 * extent.x); }
@@ -116,7 +128,7 @@ vec3 relief(SeenPlace at) {
     return fine + weaker * broad;
 }
 
-vec4 sand_colour(SeenPlace at) { return textureLod(albedo_map, bed_place(at), coarseness(at, texels_of(textureSize(albedo_map, 0).x))); }
+vec4 sand_colour(SeenPlace at, vec2 place) { return textureLod(albedo_map, place, coarseness(at, texels_of(textureSize(albedo_map, 0).x))); }
 
 // Slope and brightness of the sand's unevenness, and how much grains differ: stones on bare floors the most.
 vec3 unevenness(float bare) { return vec3(vec2(0.25), 0.62) * sand_grain * (marks > 1.5 ? bare : 0.35 + 0.65 * bare); }

@@ -11,16 +11,17 @@
 #include "world/world.glsl"
 
 vec4 far_colour(SeenPlace at) {
-    vec2 place = bed_place(at);
+    GroundCopy copy = copy_at(at);
+    vec2 place = bed_place(at, copy);
     vec2 along = map_way(at.along.xy);
     vec2 up = map_way(at.up.xy);
     vec3 to_eye = -normalize(at.offset);
-    vec4 sand = sand_colour(at);
+    vec4 sand = sand_colour(at, place);
     vec2 surface = textureGrad(surface_map, place, along, up).rg;
     float share = uneven_share(sand.a, surface.g);
     vec3 uneven = share * unevenness(sand.a) * relief(at);
     vec3 albedo = albedo_of(sand, share * grains_of(sand.a) * grain(at) + 0.1 * uneven.z);
-    BedPoint point = slanting_bed_point(place, along, up);
+    BedPoint point = copied(slanting_bed_point(place, along, up), at, copy);
     vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);
     float standing = rippled(sand.a, surface.r, length(slope));
     point.normal = normalize(vec3(point.normal.xy - uneven.xy * point.normal.z, point.normal.z));

@@ -99,9 +99,9 @@ struct Slope {
     vec2 across;
 };
 
-Slope slope_at(vec2 place, float level) {
+Slope slope_at(vec2 place, float level, SeenPlace at, GroundCopy copy) {
     Slope slope;
-    slope.point = bed_point(textureLod(lighting_map, place, level));
+    slope.point = copied(bed_point(textureLod(lighting_map, place, level)), at, copy);
     slope.rise = -slope.point.normal.xy / max(slope.point.normal.z, 0.1);
     slope.steep = length(slope.rise);
     slope.across = vec2(-slope.rise.y, slope.rise.x) / max(slope.steep, 0.1);
@@ -152,11 +152,12 @@ Lit mean_of(Lit one, Lit other) {
 
 vec4 near_colour(SeenPlace at) {
     vec3 offset = at.offset;
-    vec2 place = bed_place(at);
+    GroundCopy copy = copy_at(at);
+    vec2 place = bed_place(at, copy);
     vec2 place_along = map_way(at.along.xy);
     vec2 place_up = map_way(at.up.xy);
     vec3 to_eye = -normalize(offset);
-    vec4 sand = sand_colour(at);
+    vec4 sand = sand_colour(at, place);
     vec2 surface = textureLod(surface_map, place, coarseness(at, texels_of(textureSize(surface_map, 0).x))).rg;
     float open = surface.r;
     float share = uneven_share(sand.a, surface.g);
@@ -174,12 +175,12 @@ vec4 near_colour(SeenPlace at) {
     vec2 texels = vec2(textureSize(lighting_map, 0));
     float level = log2(max(max(length(place_along * texels), length(place_up * texels)) * (whole_pixels > 0.5 ? 0.5 / crisp : 1.0), 1.0));
     vec3 to_half = whole_pixels > 0.5 ? (0.25 / crisp) * (at.up - at.along) : vec3(0.0);
-    Slope slope = slope_at(place + map_way(to_half.xy), level);
+    Slope slope = slope_at(place + map_way(to_half.xy), level, at, copy);
     float slid = smoothstep(0.46, 0.58, slope.steep) * sand.a * smoothstep(0.2, 0.7, wander.patches) * (1.0 - 0.85 * smoothstep(0.0, 0.3, open)) * (1.0 - smoothstep(0.3, 0.8, footprint / 4.0));
     vec2 tongue = slid * tongues(whole, (offset.z + eye.z) / ripple_length, slope.across);
     Sand here = Sand(wander.height, phase, resolved, sand.a, open, 0.09 * tongue.x, uneven.xy);
     Lit lit = lit_part(slope, to_half, here, wander);
-    if (whole_pixels > 0.5) lit = mean_of(lit, lit_part(slope_at(place + map_way(-to_half.xy), level), -to_half, here, wander));
+    if (whole_pixels > 0.5) lit = mean_of(lit, lit_part(slope_at(place + map_way(-to_half.xy), level, at, copy), -to_half, here, wander));
     BedPoint mean = lit.point;
     float direct = lit.direct;
     vec3 albedo = albedo_of(sand, share * grains_of(sand.a) * grain(at) + 0.1 * uneven.z + 0.06 * tongue.y);

@@ -11,6 +11,7 @@
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
 #include "render/colour/sand_colours.h"
+#include "render/view/far_copies.h"
 #include "render/view/repeated_bed.h"
 
 namespace fumon {
@@ -215,6 +216,7 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
             {"figure", switched(view.look.mode == ViewMode::figure)},
             {"soil", switched(view.look.sides == BlockSides::soil && scenic)},
             {"plain", switched(block.tiles.plain)},
+            {"varied", switched(far_copies_vary(view, !block.tiles.plain))},
             {"rock", static_cast<float>(block.rock)}};
 }
 

@@ -112,12 +112,17 @@ void PersonLayer::set_common(const gl::Program& program, const PlantGround& grou
     program.set("tile_corner", tile.corner);
     program.set("tile_size", tile.size);
     program.set("from_eye", ground.endless ? 1.0F : 0.0F);
+    program.set("eye_from_middle", glm::vec2(ground.eye_from_middle));
+    program.set("copy_strength", static_cast<float>(ground.copies.strength()));
 }
 
 void PersonLayer::draw_one(const gl::Program& program, const PersonPlace& place,
                            const PlantGround& ground, const Camera& camera) const {
-    const glm::dvec2 share = tiles_.in_maps((place.at - ground.origin) / extent_ + 0.5);
-    const auto height = static_cast<double>(drawn_height(z_, share, repeats_));
+    const GroundCopy copy = ground.copies.at(place.at);
+    const glm::dvec2 share =
+        tiles_.in_maps((place.at - ground.origin) / extent_ + 0.5 + copy.aside);
+    const double height =
+        ground.copies.raised(copy, static_cast<double>(drawn_height(z_, share, repeats_)));
     glm::dvec3 root(place.at, height);
     if (ground.endless) {
         root -= camera.eye;

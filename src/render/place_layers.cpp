@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/worker_pool.h"
+#include "render/view/drawn_height.h"
 
 namespace fumon {
 
@@ -89,6 +90,17 @@ glm::dvec3 PlaceLayers::surface_normal(const glm::dvec2& share) const {
     return glm::normalize(glm::dvec3(-mean, 1.0));
 }
 
+glm::dvec3 PlaceLayers::copy_normal(const glm::dvec2& place) const {
+    const glm::dvec2 extent(ground_.ground.width_x, ground_.ground.width_y);
+    const glm::dvec2 share = ground_.copies.shown_at(place) / extent + 0.5;
+    const glm::dvec2 on_bed = share - glm::floor(share);
+    const glm::dvec3 normal = surface_normal(on_bed);
+    const auto z = static_cast<double>(drawn_height(ground_.surface, on_bed, true));
+    const glm::dvec2 slope =
+        ground_.copies.slope(ground_.copies.at(place), -glm::dvec2(normal) / normal.z, z);
+    return glm::normalize(glm::dvec3(-slope, 1.0));
+}
+
 PlaceLayers::Seen PlaceLayers::seen_at(int x, int y, const float* texel) const {
     const Camera& camera = ground_.camera;
     const Block& block = ground_.block;
@@ -100,6 +112,10 @@ PlaceLayers::Seen PlaceLayers::seen_at(int x, int y, const float* texel) const {
         seen.bed = texel[3] >= 0.0F;
         if (!seen.bed) {
             seen.normal = unfolded(-static_cast<double>(texel[3]) - 1.0);
+            return seen;
+        }
+        if (ground_.copies.varies_at(glm::dvec2(seen.point))) {
+            seen.normal = copy_normal(glm::dvec2(seen.point));
             return seen;
         }
         const Block& ground = ground_.ground;
@@ -155,8 +171,9 @@ void PlaceLayers::put(std::size_t pixel, const Seen& seen) {
         float& value = layers_[first_field + k].values[pixel];
         value = none;
         if (!seen.bed) continue;
-        double east = position.x / block.width_x;
-        double north = position.y / block.width_y;
+        const GroundCopy copy = ground_.copies.at(glm::dvec2(seen.point));
+        double east = position.x / block.width_x + copy.aside.x;
+        double north = position.y / block.width_y + copy.aside.y;
         const bool plain = ground_.ground.tiles.plain;
         if (ground_.endless && !plain) {
             east = within_one(east);

@@ -9,6 +9,7 @@
 #include "base/snapshot.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
+#include "render/view/far_copies.h"
 #include "render/view/tiles.h"
 
 namespace fumon {
@@ -22,6 +23,7 @@ struct DrawnGround {
     Block ground;  ///< of endless ground's maps, else the same
     const Camera& camera;
     Field<float> surface;  ///< as it is drawn, water included, block lengths
+    FarCopies copies;      ///< of endless ground
     bool endless = false;  ///< repeated to the horizon; points are then offsets from the eye
     bool plain = false;    ///< whether a plain lies around the block's foot
 };
@@ -53,6 +55,8 @@ class PlaceLayers {
     };
     [[nodiscard]] Seen seen_at(int x, int y, const float* texel) const;
     [[nodiscard]] glm::dvec3 surface_normal(const glm::dvec2& share) const;
+    /// The same of a far copy at a place from the bed's middle.
+    [[nodiscard]] glm::dvec3 copy_normal(const glm::dvec2& place) const;
     [[nodiscard]] bool beside_bed(double east, double north) const;
     void put(std::size_t pixel, const Seen& seen);
 

@@ -9,6 +9,7 @@
 #include "base/elementary_power.h"
 #include "base/snapshot_lookup.h"
 #include "render/view/drawn_height.h"
+#include "render/view/far_copies_waves.h"
 
 namespace fumon {
 
@@ -153,8 +154,10 @@ void PlantLayer::choose_in(const std::vector<Plant>& plants, const glm::dvec2& o
                            const PlantGround& ground, const Camera& camera) {
     const double angle = pixel_angle(camera, view_);
     for (const Plant& plant : plants) {
-        const glm::dvec2 place = origin + glm::dvec2(plant.place);
-        const double z = static_cast<double>(ground_at(glm::dvec2(plant.place), ground));
+        const glm::dvec2 place = ground.copies.place_of(origin + glm::dvec2(plant.place));
+        const double z =
+            ground.copies.raised(ground.copies.at(place),
+                                 static_cast<double>(ground_at(glm::dvec2(plant.place), ground)));
         glm::dvec3 offset(place - glm::dvec2(camera.eye), z - camera.eye.z);
         const double distance = glm::length(offset);
         const double pixels = plant.height / (distance * angle);
@@ -196,6 +199,9 @@ void PlantLayer::choose(const PlantGround& ground, const Camera& camera) {
     const double all_within = tallest_ / (all_are_seen * angle);
     const double none_beyond = tallest_ / (least_pixels * angle);
     const double middle_z = block_.surface;
+    const bool varied = ground.copies.varied();
+    const double widest = varied ? far_copies::widest : 1.0;
+    const double aside = varied ? far_copies::farthest_aside * squares_a_side : 0.0;
     for (std::size_t level = 0; level < levels_.size(); ++level) {
         const double lowest_rank =
             level + 1 < levels_.size() ? std::ldexp(0.5, -static_cast<int>(level)) : 0.0;
@@ -204,8 +210,8 @@ void PlantLayer::choose(const PlantGround& ground, const Camera& camera) {
                                  : none_beyond;
         // Squares, counted on over the bed's repetitions.
         const auto range = [&](double at, double from, double size) {
-            const double low = (at - reach - from) / size;
-            const double high = (at + reach - from) / size;
+            const double low = (at - reach - from) / size - aside;
+            const double high = (at + reach - from) / size + aside;
             const double last = squares_a_side - 1;
             return repeats_ ? std::pair(std::floor(low), std::floor(high))
                             : std::pair(std::clamp(std::floor(low), 0.0, last),
@@ -215,9 +221,11 @@ void PlantLayer::choose(const PlantGround& ground, const Camera& camera) {
         const auto [south, north] = range(camera.eye.y, corner.y, square.y);
         for (double y = south; y <= north; y += 1.0) {
             for (double x = west; x <= east; x += 1.0) {
-                const glm::dvec2 middle = corner + square * glm::dvec2(x + 0.5, y + 0.5);
+                const glm::dvec2 middle =
+                    ground.copies.place_of(corner + square * glm::dvec2(x + 0.5, y + 0.5));
                 const glm::dvec3 offset(middle - glm::dvec2(camera.eye), middle_z - camera.eye.z);
-                const double radius = 0.5 * glm::length(square) + (block_.top - block_.base);
+                const double radius =
+                    widest * 0.5 * glm::length(square) + (block_.top - block_.base);
                 if (glm::length(glm::dvec2(offset)) > reach + radius) continue;
                 if (!in_sight(camera, offset, radius)) continue;
                 const double repeat_x = std::floor(x / squares_a_side);
@@ -269,6 +277,8 @@ void PlantLayer::set_common(const gl::Program& program, const PlantGround& groun
                                            reduced(camera.eye.y - ground.origin.y, block_.width_y))
                                : glm::vec2(0.0F));
     program.set("from_eye", ground.endless ? 1.0F : 0.0F);
+    program.set("eye_from_middle", glm::vec2(ground.eye_from_middle));
+    program.set("copy_strength", static_cast<float>(ground.copies.strength()));
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
 }
 

@@ -15,6 +15,7 @@
 #include "render/terrain_layer.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
+#include "render/view/far_copies.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -28,6 +29,8 @@ struct PlantGround {
     bool endless = false;    ///< repeated to the horizon, drawn by offsets from the eye
     float curvature = 0.0F;  ///< see WorldLayer::curvature()
     glm::dvec2 origin{0.0};  ///< where the drawn bed begins, see DrawnOrigin
+    FarCopies copies{};
+    glm::dvec2 eye_from_middle{0.0};  ///< see WorldLayer
 };
 
 /// Plants, one by one, on a bed or on its repetitions: leaf by leaf near the camera; farther away
@@ -69,6 +72,7 @@ class PlantLayer {
     };
 
     void build(Mesh& mesh, const std::vector<LeafCorner>& corners) const;
+    /// `origin`: the south-western corner of their repetition of the bed.
     void choose_in(const std::vector<Plant>& plants, const glm::dvec2& origin,
                    const PlantGround& ground, const Camera& camera);
     static void upload(const Mesh& mesh);

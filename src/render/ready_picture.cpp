@@ -49,7 +49,8 @@ ReadyPicture Renderer::Parts::ready(std::shared_ptr<const Snapshot> snapshot,
         picture.pose = *pose;
     } else {
         picture.pose.camera = camera_at(shown.step);
-        if (!plain) picture.pose.camera = above_ground(picture.pose.camera, picture.framed, shown);
+        if (!plain)
+            picture.pose.camera = above_ground(picture.pose.camera, picture.framed, shown, copies);
     }
     const bool raised = !pose && plain && picture.framed.eye;
     const bool same = before && before->snapshot == picture.snapshot && before->sun == sun;

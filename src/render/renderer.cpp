@@ -64,7 +64,7 @@ LayeredImage Renderer::render_layers(const Snapshot& whole, bool places) {
         PlaceLayers layers(image.width, image.height,
                            {picture.shown(), picture.framed,
                             p.plain ? p.plain->ground_of(picture.framed) : picture.framed, camera,
-                            p.drawn_surface(picture), p.world.has_value(), plain});
+                            p.drawn_surface(picture), p.copies, p.world.has_value(), plain});
         for (const Tile& tile : p.plan.tiles) p.draw_places(tile, camera, layers);
         for (ImageLayer& layer : layers.take()) image.layers.push_back(std::move(layer));
     }
@@ -111,7 +111,8 @@ void Renderer::prepare(const ReadyPicture& picture) {
             }
             if (p.persons) p.persons->set_bed(lit.heights->finest(), p.ground, true);
             if (p.tracks)
-                p.tracks->set_bed(lit.heights->finest(), p.ground, true, p.origin.place, nullptr);
+                p.tracks->set_bed(lit.heights->finest(), p.ground, true, p.plant_ground(camera),
+                                  nullptr);
         }
         p.sky.bind(sky_unit);
         if (!uploaded) p.shading.shade(p.light, camera);
@@ -130,8 +131,7 @@ void Renderer::prepare(const ReadyPicture& picture) {
         if (p.plants) p.plants->set_bed(snapshot, lit.bed.z, false);
         if (p.persons) p.persons->set_bed(lit.bed.z, p.block, false);
         if (p.tracks)
-            p.tracks->set_bed(lit.bed.z, p.block, false, glm::dvec2(0.0),
-                              water ? &water->depth : nullptr);
+            p.tracks->set_bed(lit.bed.z, p.block, false, {}, water ? &water->depth : nullptr);
         p.terrain.set_clarity(rise * static_cast<float>(p.shading.clarity()));
     }
     if (p.air && snapshot.section) p.air->set_air(snapshot, picture.framed, camera, p.pool);

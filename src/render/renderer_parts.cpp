@@ -120,6 +120,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       origin(view.look.ground == Ground::endless && !plain
                  ? origin_around(camera_at(0), block, first.bed.nx(), first.bed.ny())
                  : DrawnOrigin{}),
+      copies(far_copies_of(view, block, first)),
       plan(plan_of(view, limits)),
       light(light_of_view(view)),
       light_before(light),
@@ -136,7 +137,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
                    pixel_depths ? &*pixel_depths : nullptr) {
     if (plain) plain->stand_in(view.camera, *first_in_plain, block);
     if (view.look.ground == Ground::endless) {
-        world.emplace(view, ground, first_ground(), refinement, origin, fixed, mipmaps);
+        world.emplace(view, ground, first_ground(), refinement, origin, copies, fixed, mipmaps);
         if (pixel_depths) {
             const Tile& tile = plan.tiles.front();
             pixels.emplace(tile.width, tile.height, plain_layout(kind), &*pixel_depths);
@@ -153,8 +154,10 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
 }
 
 PlantGround Renderer::Parts::plant_ground(const Camera& camera) const {
-    if (world) return {world->clip_from_eye(camera), true, world->curvature(), origin.place};
-    return {glm::mat4(clip_matrix(camera)), false, 0.0F, glm::dvec2(0.0)};
+    if (world)
+        return {world->clip_from_eye(camera),  true, world->curvature(), origin.place, copies,
+                world->eye_from_middle(camera)};
+    return {glm::mat4(clip_matrix(camera)), false, 0.0F, glm::dvec2(0.0), {}, glm::dvec2(0.0)};
 }
 
 Camera Renderer::Parts::camera_at(std::int64_t step) const {

@@ -27,6 +27,7 @@
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/drawn_origin.h"
+#include "render/view/far_copies.h"
 #include "render/view/plain_around.h"
 #include "render/view/tiles.h"
 #include "render/world_layer.h"
@@ -107,6 +108,7 @@ struct Renderer::Parts {
     bool water;    // whether it is drawn
     int refinement;
     DrawnOrigin origin;  // of endless ground
+    FarCopies copies;    // likewise
     TilePlan plan;
     Light light;
     Light light_before;      // of the sun before this one, to which a cross-fade comes back

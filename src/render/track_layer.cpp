@@ -98,14 +98,16 @@ TrackLayer::TrackLayer(const View& view, const Block& block, const Snapshot& fir
 }
 
 void TrackLayer::set_bed(const Field<float>& z, const Block& ground, bool repeats,
-                         const glm::dvec2& origin, const Field<float>* water) {
+                         const PlantGround& on, const Field<float>* water) {
     const auto share = [&](const glm::dvec2& at) {
+        const glm::dvec2 from = on.copies.shown_at(at) - on.origin;
         const glm::dvec2 in_maps =
-            ground.tiles.in_maps((at - origin) / glm::dvec2(ground.width_x, ground.width_y) + 0.5);
+            ground.tiles.in_maps(from / glm::dvec2(ground.width_x, ground.width_y) + 0.5);
         return repeats ? in_maps - glm::floor(in_maps) : in_maps;
     };
     const auto height = [&](const glm::dvec2& at) {
-        return static_cast<double>(drawn_height(z, share(at), repeats));
+        return on.copies.raised(on.copies.at(at),
+                                static_cast<double>(drawn_height(z, share(at), repeats)));
     };
     const double apart = 0.5 * slope_span / block_.side;
     const auto rise = [&](const glm::dvec2& at, const glm::dvec2& way) {

@@ -31,10 +31,10 @@ class TrackLayer {
     TrackLayer(const View& view, const Block& block, const Snapshot& first,
                const gl::Constants& fixed);
 
-    /// `z`: the ground of a frame as it is drawn, block lengths, by the block of its maps, which
-    /// begin at `origin`, see DrawnOrigin; of a block `water`, if given, is how deep it is covered:
+    /// `z`: the ground of a frame as it is drawn, block lengths, by the block of its maps, on
+    /// `on`; of a block `water`, if given, is how deep it is covered:
     /// no print is seen under water.
-    void set_bed(const Field<float>& z, const Block& ground, bool repeats, const glm::dvec2& origin,
+    void set_bed(const Field<float>& z, const Block& ground, bool repeats, const PlantGround& on,
                  const Field<float>* water);
 
     /// Draws over the ground's colours in the bound target what the samples of `seen` see of

@@ -50,8 +50,8 @@ gl::Constants for_pixels(gl::Constants fixed, bool whole) {
 }  // namespace
 
 WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
-                       const DrawnOrigin& origin, const gl::Constants& fixed,
-                       const gl::MipmapMaker& mipmaps)
+                       const DrawnOrigin& origin, const FarCopies& copies,
+                       const gl::Constants& fixed, const gl::MipmapMaker& mipmaps)
     : mipmaps_(mipmaps),
       view_(view),
       block_(block),
@@ -60,7 +60,8 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
                                refinement)),
       ripple_length_(first.scale.in_metres ? ripple_metres / block.side
                                            : ripple_cells * cell_ * refinement),
-      origin_(origin.place),
+      origin_(origin),
+      copies_(copies),
       seen_program_("world/world.vert.glsl", "world/world_seen.frag.glsl", {"offset"}),
       pixel_program_("common/screen.vert.glsl", "world/world_pixels.frag.glsl"),
       spread_program_("common/screen.vert.glsl", "world/world_spread.frag.glsl"),
@@ -125,8 +126,11 @@ void WorldLayer::set_bed(const Snapshot& snapshot, const RepeatedLight& light,
 
 double WorldLayer::ground_under(const Camera& camera, const HeightPyramid& heights) const {
     const glm::dvec3 eye = reduced_eye(camera);
-    return static_cast<double>(
-        heights.at(0, eye.x / block_.width_x + 0.5, eye.y / block_.width_y + 0.5));
+    const GroundCopy copy = copies_.at(glm::dvec2(camera.eye));
+    const auto on_bed =
+        static_cast<double>(heights.at(0, eye.x / block_.width_x + 0.5 + copy.aside.x,
+                                       eye.y / block_.width_y + 0.5 + copy.aside.y));
+    return copies_.raised(copy, on_bed);
 }
 
 /// As wide as the picture's corners reach, all around where it looks down on itself; from the
@@ -167,6 +171,9 @@ GroundFan WorldLayer::fan_of(const Camera& camera, const HeightPyramid& heights)
     fan.extent = glm::dvec2(block_.width_x, block_.width_y);
     fan.cell = static_cast<double>(cell_);
     fan.curvature = static_cast<double>(curvature());
+    fan.strength = copies_.strength();
+    fan.eye_from_middle = eye_from_middle(camera);
+    fan.mean = copies_.mean();
     return fan;
 }
 
@@ -175,13 +182,22 @@ glm::dvec3 WorldLayer::reduced_eye(const Camera& camera) const {
     const auto reduced = [](double place, double extent) {
         return place - extent * std::floor(place / extent + 0.5);
     };
-    return {reduced(camera.eye.x - origin_.x, block_.width_x),
-            reduced(camera.eye.y - origin_.y, block_.width_y), camera.eye.z};
+    return {reduced(camera.eye.x - origin_.place.x, block_.width_x),
+            reduced(camera.eye.y - origin_.place.y, block_.width_y), camera.eye.z};
+}
+
+glm::dvec2 WorldLayer::eye_from_middle(const Camera& camera) const {
+    const glm::dvec2 extent(block_.width_x, block_.width_y);
+    const glm::dvec2 whole = glm::floor((glm::dvec2(camera.eye) - origin_.place) / extent + 0.5);
+    return copies_.from_middle(origin_.share + whole, glm::dvec2(reduced_eye(camera)) / extent);
 }
 
 void WorldLayer::set_eye(const gl::Program& program, const Camera& camera) const {
     program.set("eye", glm::vec3(reduced_eye(camera)));
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
+    program.set("eye_from_middle", glm::vec2(eye_from_middle(camera)));
+    program.set("copy_strength", static_cast<float>(copies_.strength()));
+    program.set("curvature", curvature());
 }
 
 glm::mat4 WorldLayer::clip_from_eye(const Camera& camera, const GroundFan& fan) {

@@ -17,6 +17,7 @@
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/drawn_origin.h"
+#include "render/view/far_copies.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -37,7 +38,7 @@ class WorldLayer {
     /// Light, heights and shading are of the bed as it is drawn from `origin` on. `mipmaps`
     /// outlives it.
     WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
-               const DrawnOrigin& origin, const gl::Constants& fixed,
+               const DrawnOrigin& origin, const FarCopies& copies, const gl::Constants& fixed,
                const gl::MipmapMaker& mipmaps);
 
     /// `heights`: of the bed, block lengths.
@@ -73,6 +74,8 @@ class WorldLayer {
     [[nodiscard]] glm::mat4 clip_from_eye(const Camera& camera) const;
     /// By how much the planet sinks at a distance of 1, block lengths.
     [[nodiscard]] float curvature() const;
+    /// From the middle of what FarCopies leave as it is, periods.
+    [[nodiscard]] glm::dvec2 eye_from_middle(const Camera& camera) const;
 
   private:
     void build();
@@ -91,7 +94,8 @@ class WorldLayer {
     Block block_;
     float cell_;            ///< of the drawn bed, block lengths
     double ripple_length_;  ///< block lengths
-    glm::dvec2 origin_;     ///< where the drawn bed begins, likewise
+    DrawnOrigin origin_;
+    FarCopies copies_;
     std::shared_ptr<const HeightPyramid> heights_;
     std::int64_t step_ = 0;
     Way way_;

@@ -102,6 +102,7 @@ enum class Colouring { natural, height, slope, change, water_depth, speed, froud
 enum class ViewMode { scenic, figure };
 enum class Marking { none, last_avalanche, ground };
 enum class Ground { automatic, table, endless };
+enum class FarGround { varied, alike };
 enum class Background { surroundings, transparent };
 enum class SkyModel { automatic, two_colours, atmosphere, overcast };
 enum class Tone { automatic, filmic, agx, agx_punchy, neutral };
@@ -119,6 +120,7 @@ struct LookSettings {
     WordOrReal high{"auto", 0.0};          ///< value at its end
     WordOrReal exaggeration{"auto", 0.0};  ///< vertical
     Ground ground = Ground::automatic;
+    FarGround far_copies = FarGround::varied;
     Background background = Background::surroundings;
     SkyModel sky = SkyModel::automatic;
     Tone tone = Tone::automatic;

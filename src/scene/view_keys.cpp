@@ -180,6 +180,14 @@ void list_view_keys(View& view, KeyTable& table) {
           "the ground goes on to the horizon, with wind ripples below the grid: a periodic bed "
           "repeats, and where a bed ends it runs out into a plain with relief of its own kind"}},
         {.help = "what lies around the bed", .earlier = {"0.2.0", "\"table\""}});
+    table.choice(
+        "look.far_copies", look.far_copies,
+        {{FarGround::varied, "varied",
+          "each wider or narrower than the bed, aside of its row, and lower; beyond 0.7 of the "
+          "bed's sides around what the first picture looks at"},
+         {FarGround::alike, "alike", "the bed as it is, again and again"}},
+        {.help = "of a periodic bed on endless ground, its repetitions far from the camera",
+         .earlier = {"0.3.0", "\"alike\""}});
     table.choice("look.background", look.background,
                  {{Background::surroundings, "surroundings", "table, sky or the figure's paper"},
                   {Background::transparent, "transparent",

@@ -12,6 +12,9 @@
 #include "base/worker_pool.h"
 #include "gl/context.h"
 #include "render/renderer.h"
+#include "render/view/chosen_ground.h"
+#include "render/view/far_copies.h"
+#include "render/view/framing.h"
 #include "support/drawn_picture.h"
 #include "support/view_beds.h"
 
@@ -61,11 +64,49 @@ TEST(Layers, ALevelPlainSeenFromAboveIsAsFarAsTheCameraIsHigh) {
                 50.0 * std::tan(0.2617993878) * 59.0 / 60.0, 1e-3);
 }
 
+/// The ground of a view of a bed of 2 m a cell, where its far copies differ from it.
+struct Repeated {
+    Repeated(const View& view_, const Snapshot& bed_)
+        : bed(bed_),
+          view(with_chosen_ground(view_, bed)),
+          block(framed_block(view, bed)),
+          copies(far_copies_of(view, block, bed)) {}
+
+    [[nodiscard]] glm::dvec2 in_block(double east, double north) const {
+        return glm::dvec2(east, north) / block.side -
+               0.5 * glm::dvec2(block.width_x, block.width_y);
+    }
+    /// The cell's height, metres.
+    [[nodiscard]] double shown_at(double east, double north) const {
+        const glm::dvec2 shown = copies.shown_at(in_block(east, north));
+        const auto cell = [](double share, int count) {
+            const int number = static_cast<int>(std::floor((share + 0.5) * count));
+            return ((number % count) + count) % count;
+        };
+        return 0.5 * bed.bed(cell(shown.x / block.width_x, bed.bed.nx()),
+                             cell(shown.y / block.width_y, bed.bed.ny()));
+    }
+    /// That height as the copy stands.
+    [[nodiscard]] double stands_at(double east, double north, double height) const {
+        const double mean = 0.5 * block.reference;
+        return mean + copies.at(in_block(east, north)).height * (height - mean);
+    }
+
+    Snapshot bed;
+    View view;
+    Block block;
+    FarCopies copies;
+};
+
 /// What holds of any picture: a point lies where the matrix says, in front of the camera by Z.
-void expect_consistent(const LayeredImage& image, const Snapshot& bed, bool plain) {
+void expect_consistent(const LayeredImage& image, const View& view, const Snapshot& bed,
+                       bool plain) {
+    const Repeated ground(view, bed);
     const auto& z = layer(image, "Z");
     int seen = 0;
     int beds = 0;
+    int others = 0;
+    int copied = 0;
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             const auto i = static_cast<std::size_t>(y * image.width + x);
@@ -109,18 +150,22 @@ void expect_consistent(const LayeredImage& image, const Snapshot& bed, bool plai
                 continue;
             }
             ++beds;
-            const auto cell = [](double place, int count) {
-                const int number = static_cast<int>(std::floor(place / 2.0));
-                return ((number % count) + count) % count;
-            };
-            const double here = bed.bed(cell(point[0], bed.bed.nx()), cell(point[1], bed.bed.ny()));
-            ASSERT_NEAR(height, 0.5 * here, 1e-6);
-            if (z[i] < 60.0F) {
-                ASSERT_NEAR(point[2], height, 0.9);  // drawn between the cells
+            const bool copy = ground.copies.varies_at(ground.in_block(point[0], point[1]));
+            const bool other = std::abs(height - ground.shown_at(point[0], point[1])) > 1e-6;
+            ASSERT_TRUE(copy || !other);
+            others += other ? 1 : 0;
+            if (z[i] < 60.0F || (copy && z[i] < 200.0F)) {
+                copied += copy ? 1 : 0;
+                const double stands = ground.stands_at(point[0], point[1], height);
+                ASSERT_NEAR(point[2], stands, 0.9);  // drawn between the cells
             }
         }
     }
     EXPECT_GT(beds, image.width * image.height / 8);
+    if (ground.copies.varied()) {
+        EXPECT_LT(others, beds / 500) << "at the edges of cells";
+        EXPECT_GT(copied, 100);
+    }
     if (plain) {
         EXPECT_GT(seen, beds);  // the sides and the plain are no bed
     }
@@ -130,7 +175,7 @@ TEST(Layers, ABlockLiesWhereTheyTell) {
     View view = small_view(160, 90);
     view.look.exaggeration = {"", 1.0};
     const Snapshot bed = in_metres(wavy_bed(60, 50), false);
-    expect_consistent(layers_of(view, bed), bed, true);
+    expect_consistent(layers_of(view, bed), view, bed, true);
 }
 
 TEST(Layers, EndlessGroundLiesWhereTheyTell) {
@@ -139,7 +184,7 @@ TEST(Layers, EndlessGroundLiesWhereTheyTell) {
     view.camera.elevation = 12.0;
     view.camera.distance = {"", 0.8};
     const Snapshot bed = in_metres(wavy_bed(64, 48), true);
-    expect_consistent(layers_of(view, bed), bed, false);
+    expect_consistent(layers_of(view, bed), view, bed, false);
 }
 
 /// Of neutral tone, as common/colour.glsl has it, on grey and coloured light of a contrast of 1.

@@ -77,6 +77,43 @@ TEST(WorldLayer, ABedShiftedWithTheCameraLooksTheSame) {
             << east << ' ' << north;
 }
 
+/// What is far away takes its ground from other places than the bed's own repetition would, by
+/// where the first picture's camera stands: a picture is the same whether others were drawn before
+/// it.
+TEST(WorldLayer, FarCopiesAreUnlikeEachOtherAndStayWhereTheyAre) {
+    View view = standing_view(0, 0);
+    view.image.width = 160;
+    view.image.height = 90;
+    view.camera.at.clear();
+    view.camera.look_at.clear();
+    view.camera.elevation = 6.0;
+    view.camera.turn = 120.0;
+    const Snapshot bed = repeated_dunes(60, 50);
+    Snapshot later = repeated_dunes(60, 50, 2, 1);
+    later.step = 50;
+    const std::vector<Image> drawn = pictures(view, {bed, later});
+    {
+        const auto context = gl::Context::create(gl::Backend::automatic);
+        WorkerPool pool(2);
+        Renderer resumed(*context, view, bed, 100, pool);
+        EXPECT_EQ(drawn[1], resumed.render(later));
+    }
+    view.look.far_copies = FarGround::alike;
+    const Image alike = picture(view, bed);
+    const auto differing = [&](int from, int to) {  // of the rows between
+        int count = 0;
+        for (int y = from; y < to; ++y)
+            count += std::equal(alike.row(y), alike.row(y) + 3 * 160, drawn[0].row(y)) ? 0 : 1;
+        return count;
+    };
+    EXPECT_GT(differing(0, 90), 20);
+    view.camera.elevation = 89.0;
+    view.camera.turn = 0.0;
+    const Image from_above = picture(view, bed);
+    view.look.far_copies = FarGround::varied;
+    EXPECT_EQ(colour_at(picture(view, bed), 0.5, 0.5), colour_at(from_above, 0.5, 0.5));
+}
+
 /// Across the crests, the sun low at one side.
 View golden_hour() {
     View view = standing_view(0, 0);

@@ -58,6 +58,7 @@ FilmStage make_stage(const Film& film, const StoredBeds& beds, const FilmSize& s
     view = with_chosen_ground(view, beds.first());
     const std::optional<Snapshot> shown = shown_snapshot(beds.first(), view);
     stage.block = framed_block(view, shown ? *shown : beds.first());
+    stage.copies = far_copies_of(view, stage.block, shown ? *shown : beds.first());
     stage.repeats = view.look.ground == Ground::endless && beds.first().periodic;
     stage.aspect = static_cast<double>(size.width) / static_cast<double>(size.height);
     return stage;
@@ -77,7 +78,12 @@ glm::dvec3 place_on_stage(const FilmStage& stage, const std::vector<double>& pla
     const Block& block = stage.block;
     const double x = place[0] / block.side - 0.5 * block.width_x;
     const double y = place[1] / block.side - 0.5 * block.width_y;
-    return {x, y, block.z(ground_at(stage, bed, x, y) + place[2] / bed.scale.height_unit)};
+    const glm::dvec2 shown = stage.copies.shown_at({x, y});
+    const double on_bed = ground_at(stage, bed, shown.x, shown.y);
+    const double above = place[2] / bed.scale.height_unit;
+    const double raised =
+        stage.copies.raised(stage.copies.at({x, y}), block.z(on_bed)) - block.z(on_bed);
+    return {x, y, block.z(on_bed + above) + raised};
 }
 
 HighestGround::HighestGround(const FilmStage& stage) : stage_(stage), goes_on_(stage.repeats) {}
@@ -94,10 +100,11 @@ double HighestGround::at(double x, double y) const {
     constexpr int around = 2;  // cells
     const int nx = highest_.nx();
     const int ny = highest_.ny();
-    const int column =
-        static_cast<int>(std::floor(std::clamp((x / stage_.block.width_x + 0.5) * nx, -1e8, 1e8)));
-    const int row =
-        static_cast<int>(std::floor(std::clamp((y / stage_.block.width_y + 0.5) * ny, -1e8, 1e8)));
+    const glm::dvec2 shown = stage_.copies.shown_at({x, y});
+    const int column = static_cast<int>(
+        std::floor(std::clamp((shown.x / stage_.block.width_x + 0.5) * nx, -1e8, 1e8)));
+    const int row = static_cast<int>(
+        std::floor(std::clamp((shown.y / stage_.block.width_y + 0.5) * ny, -1e8, 1e8)));
     double most = nowhere;
     for (int j = row - around; j <= row + around; ++j) {
         for (int i = column - around; i <= column + around; ++i) {
@@ -106,7 +113,7 @@ double HighestGround::at(double x, double y) const {
             most = std::max(most, highest_(((i % nx) + nx) % nx, ((j % ny) + ny) % ny));
         }
     }
-    return most;
+    return most > nowhere ? stage_.copies.raised(stage_.copies.at({x, y}), most) : most;
 }
 
 }  // namespace fumon

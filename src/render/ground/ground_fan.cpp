@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 
 #include "base/elementary.h"
 #include "base/elementary_angle.h"
@@ -65,11 +66,62 @@ std::vector<Ring> rings_of(const GroundFan& fan, int levels) {
     return all;
 }
 
+/// Numbers at the rings' inner edges and at the last one's outer one.
+using AtEdges = std::array<double, (rings / ground_vectors::places_at_once + 1) *
+                                       std::size_t{ground_vectors::places_at_once}>;
+static_assert(std::tuple_size_v<AtEdges> > rings);
+
+AtEdges edges_of(const GroundFan& fan) {
+    constexpr double step = 1.0 / (rings - 2);
+    AtEdges edges{};
+    for (std::size_t ring = 1; ring < edges.size(); ++ring) {
+        const int whole = std::min(static_cast<int>(ring), rings) - 1;
+        edges[ring] = radius_of(fan, std::max((whole - 0.5) * step, 0.0));
+    }
+    return edges;
+}
+
+/// How the bed's copies stand along a ray: between the edges of a ring by straight lines.
+class CopiesAlong {
+  public:
+    CopiesAlong(const GroundFan& fan, const AtEdges& edges, const glm::dvec2& per_length)
+        : edges_(edges), varied_(fan.strength > 0.0) {
+        if (!varied_) return;
+        ground_vectors::copies_along({fan.eye_from_middle.x, fan.eye_from_middle.y, per_length.x,
+                                      per_length.y, fan.strength},
+                                     edges.data(), static_cast<int>(edges.size()), east_.data(),
+                                     north_.data(), height_.data());
+    }
+
+    /// A ray over the bed as it is over the copies that a ring crosses.
+    [[nodiscard]] ground_vectors::Ray at(std::size_t ring, ground_vectors::Ray ray) const {
+        if (!varied_) return ray;
+        const double width = edges_[ring + 1] - edges_[ring];
+        const auto add = [&](const AtEdges& numbers, double& at_eye, double& per_length) {
+            const double change = (numbers[ring + 1] - numbers[ring]) / width;
+            at_eye += numbers[ring] - change * edges_[ring];
+            per_length += change;
+        };
+        add(east_, ray.east, ray.east_per_length);
+        add(north_, ray.north, ray.north_per_length);
+        ray.height = 0.0;
+        add(height_, ray.height, ray.height_per_length);
+        return ray;
+    }
+
+  private:
+    const AtEdges& edges_;
+    bool varied_;
+    AtEdges east_{};
+    AtEdges north_{};
+    AtEdges height_{};
+};
+
 /// How high places look: the tangents of their elevations.
 using Tangents = std::vector<float>;
 
 void place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::vector<Ring>& all,
-               int ray, glm::vec3* places, float* tangents) {
+               const AtEdges& edges, int ray, glm::vec3* places, float* tangents) {
     const double angle = fan.half_angle * (2.0 * ray / (fan.rays - 1) - 1.0);
     const double c = elementary::cos(angle);
     const double s = elementary::sin(angle);
@@ -77,8 +129,9 @@ void place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::vector
                            fan.heading.x * s + fan.heading.y * c);
     const glm::dvec2 per_length = along / fan.extent;
     const glm::dvec2 origin = glm::dvec2(fan.eye) / fan.extent + 0.5;
-    const ground_vectors::Ray over_bed{origin.x,     origin.y,  per_length.x,
-                                       per_length.y, fan.eye.z, fan.curvature};
+    const ground_vectors::Ray over_bed{origin.x,  origin.y,      per_length.x, per_length.y,
+                                       fan.eye.z, fan.curvature, fan.mean};
+    const CopiesAlong copies(fan, edges, per_length);
     std::array<double, ground_vectors::places_at_once> over{};
     std::array<double, ground_vectors::places_at_once> rises{};
     double highest_before = -1e30;
@@ -91,9 +144,9 @@ void place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::vector
         const std::size_t from = hidden ? count / 2 : 0;
         const std::size_t to = hidden ? from + 1 : count;
         const Field<float>& means = bed.level(around.level);
-        ground_vectors::look_along({means.data(), means.nx(), means.ny(), bed.tiles()}, over_bed,
-                                   around.radii.data() + from, static_cast<int>(to - from),
-                                   over.data(), rises.data());
+        ground_vectors::look_along({means.data(), means.nx(), means.ny(), bed.tiles()},
+                                   copies.at(ring, over_bed), around.radii.data() + from,
+                                   static_cast<int>(to - from), over.data(), rises.data());
         std::size_t highest = 0;
         for (std::size_t k = 1; k < to - from; ++k)
             if (rises[k] > rises[highest]) highest = k;
@@ -134,13 +187,15 @@ void add_visible(int ray, const RingRange& among, const Tangents& tangents, floa
 
 GroundMesh ground_mesh(const GroundFan& fan, const HeightPyramid& bed, WorkerPool& pool) {
     const std::vector<Ring> all = rings_of(fan, bed.levels());
+    const AtEdges edges = edges_of(fan);
     GroundMesh mesh;
     mesh.places.resize(static_cast<std::size_t>(fan.rays) * rings);
     Tangents tangents(mesh.places.size());
     pool.for_ranges(fan.rays, [&](int begin, int end) {
         for (int ray = begin; ray < end; ++ray) {
             const std::size_t first = static_cast<std::size_t>(ray) * rings;
-            place_ray(fan, bed, all, ray, mesh.places.data() + first, tangents.data() + first);
+            place_ray(fan, bed, all, edges, ray, mesh.places.data() + first,
+                      tangents.data() + first);
         }
     });
     int first_far = 0;

@@ -20,6 +20,10 @@ struct GroundFan {
     int rays = 2;
     glm::dvec3 eye{0.0};     ///< x and y from the bed's middle
     glm::dvec2 extent{1.0};  ///< of the bed
+    /// How much its far copies are made unlike each other, and where the eye is: see FarCopies.
+    double strength = 0.0;
+    glm::dvec2 eye_from_middle{0.0};
+    double mean = 0.0;
     double cell = 1.0;       ///< of the bed
     double curvature = 0.0;  ///< by which the planet sinks at a distance of 1
     double near_to = 0.0;    ///< the distance that divides near ground from far

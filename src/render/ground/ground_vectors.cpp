@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "render/ground/ground_vectors.h"
+#include "render/view/far_copies-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumon::ground_vectors {
@@ -55,6 +56,7 @@ void look_along(const Heights& bed, const Ray& ray, const double* radii, int cou
                 double* tangents) {
     const Doubles d;
     const Floats floats;
+    const bool copied = ray.height != 1.0 || ray.height_per_length != 0.0;
     const auto columns = hn::Set(Integers(), std::int32_t{bed.nx});
     for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
         const auto radius = hn::LoadU(d, radii + i);
@@ -70,11 +72,31 @@ void look_along(const Heights& bed, const Ray& ray, const double* radii, int cou
         const auto above = height(x.first, y.second);
         const auto south = below + x.share * (height(x.second, y.first) - below);
         const auto north = above + x.share * (height(x.second, y.second) - above);
-        const auto z = hn::PromoteTo(d, south + y.share * (north - south));
+        auto z = hn::PromoteTo(d, south + y.share * (north - south));
+        if (copied) {
+            const auto mean = hn::Set(d, ray.mean);
+            const auto high = hn::Set(d, ray.height) + radius * hn::Set(d, ray.height_per_length);
+            z = mean + high * (z - mean);
+        }
         const auto seen =
             z - radius * radius * hn::Set(d, ray.curvature) - hn::Set(d, ray.eye_height);
         hn::StoreU(seen, d, over + i);
         hn::StoreU(seen / radius, d, tangents + i);
+    }
+}
+
+void copies_along(const CopiedRay& ray, const double* radii, int count, double* east, double* north,
+                  double* height) {
+    const Doubles d;
+    for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+        const auto radius = hn::LoadU(d, radii + i);
+        const auto copies = far_copies::HWY_NAMESPACE::copies_at(
+            d, hn::Set(d, ray.east) + radius * hn::Set(d, ray.east_per_length),
+            hn::Set(d, ray.north) + radius * hn::Set(d, ray.north_per_length),
+            hn::Set(d, ray.strength));
+        hn::StoreU(copies.aside_east.value, d, east + i);
+        hn::StoreU(copies.aside_north.value, d, north + i);
+        hn::StoreU(copies.height.value, d, height + i);
     }
 }
 
@@ -86,10 +108,16 @@ HWY_AFTER_NAMESPACE();
 namespace fumon::ground_vectors {
 
 HWY_EXPORT(look_along);
+HWY_EXPORT(copies_along);
 
 void look_along(const Heights& bed, const Ray& ray, const double* radii, int count, double* over,
                 double* tangents) {
     HWY_DYNAMIC_DISPATCH(look_along)(bed, ray, radii, count, over, tangents);
+}
+
+void copies_along(const CopiedRay& ray, const double* radii, int count, double* east, double* north,
+                  double* height) {
+    HWY_DYNAMIC_DISPATCH(copies_along)(ray, radii, count, east, north, height);
 }
 
 }  // namespace fumon::ground_vectors

@@ -22,6 +22,11 @@ struct Ray {
     double north_per_length;
     double eye_height;
     double curvature;  ///< by which the planet sinks at a distance of 1
+    /// How high ground stands, of the bed's height from its mean, at the eye, and how that changes;
+    /// see FarCopies.
+    double mean = 0.0;
+    double height = 1.0;
+    double height_per_length = 0.0;
 };
 
 /// Places are looked at so many at once at most: as many radii are read, and heights and tangents
@@ -32,5 +37,19 @@ constexpr int places_at_once = 16;
 /// elevations at which that is seen: as HeightPyramid::at() for each.
 void look_along(const Heights& bed, const Ray& ray, const double* radii, int count, double* over,
                 double* tangents);
+
+/// Places along a ray, from the middle of what FarCopies leave as it is; periods.
+struct CopiedRay {
+    double east;  ///< under the eye
+    double north;
+    double east_per_length;
+    double north_per_length;
+    double strength;
+};
+
+/// How far aside of them ground is taken from, periods, and how high it stands, at `count` radii, a
+/// multiple of places_at_once.
+void copies_along(const CopiedRay& ray, const double* radii, int count, double* east, double* north,
+                  double* height);
 
 }  // namespace fumon::ground_vectors

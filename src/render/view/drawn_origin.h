@@ -19,10 +19,11 @@ struct DrawnOrigin {
     glm::dvec2 place{0.0};  ///< the same, block lengths
 };
 
+/// Cameras stand at whole and half cells more often than anywhere else.
+inline constexpr double begin_of_cells = 0.317;
+
 /// The origin that puts the cell in which a camera stands into the middle of the drawn bed.
 inline DrawnOrigin origin_around(const Camera& camera, const Block& block, int nx, int ny) {
-    // Cameras stand at whole and half cells more often than anywhere else.
-    constexpr double begin_of_cells = 0.317;
     const auto first_of = [&](double place, double extent, int count) {
         const double share = place / extent + 0.5;
         const double within = (share - std::floor(share)) * count;

@@ -37,6 +37,16 @@ double height_at(const Snapshot& snapshot, double x, double y) {
            north * ((1.0 - east) * height(0, 1) + east * height(1, 1));
 }
 
+/// z of the ground at a place from the bed's middle.
+double ground_at(const Snapshot& snapshot, const Block& block, const glm::dvec2& place,
+                 const FarCopies& copies) {
+    const glm::dvec2 shown = copies.shown_at(place);
+    return copies.raised(
+        copies.at(place),
+        block.z(height_at(snapshot, (shown.x / block.width_x + 0.5) * snapshot.bed.nx(),
+                          (shown.y / block.width_y + 0.5) * snapshot.bed.ny())));
+}
+
 /// A place of the scene in the block's lengths; none for an empty one.
 std::optional<glm::dvec3> place_in_block(const std::vector<double>& place, const Snapshot& first,
                                          const Block& block) {
@@ -45,6 +55,18 @@ std::optional<glm::dvec3> place_in_block(const std::vector<double>& place, const
     return glm::dvec3(place[0] / block.side - 0.5 * block.width_x,
                       place[1] / block.side - 0.5 * block.width_y,
                       block.z(ground + place[2] / first.scale.height_unit));
+}
+
+/// Where far copies of the bed stand otherwise than it does.
+void stand_on_copies(Block& block, const View& view, const Snapshot& first) {
+    const FarCopies copies = far_copies_of(view, block, first);
+    const auto stand = [&](std::optional<glm::dvec3>& point) {
+        if (!point || !copies.varies_at(glm::dvec2(*point))) return;
+        point->z += ground_at(first, block, glm::dvec2(*point), copies) -
+                    ground_at(first, block, glm::dvec2(*point), {});
+    };
+    stand(block.eye);
+    stand(block.look_at);
 }
 
 /// What a bed looks like from afar, in the block's lengths.
@@ -195,6 +217,7 @@ Block framed_block(const View& view, const Snapshot& first) {
     block.look_at = place_in_block(view.camera.look_at, first, block);
     if (block.eye)
         block.eye_above = view.camera.at[2] / first.scale.height_unit * block.height_scale;
+    if (block.eye || block.look_at) stand_on_copies(block, view, first);
     set_framing(block, view.camera.framing, first);
     return block;
 }
@@ -218,11 +241,10 @@ Camera camera_at_step(const View& view, const Block& block, std::int64_t step,
     return place_camera(view.camera, block, aspect, std::clamp(progress, 0.0, 1.0));
 }
 
-Camera above_ground(Camera camera, const Block& block, const Snapshot& snapshot) {
+Camera above_ground(Camera camera, const Block& block, const Snapshot& snapshot,
+                    const FarCopies& copies) {
     if (!block.eye) return camera;
-    const double ground =
-        block.z(height_at(snapshot, (camera.eye.x / block.width_x + 0.5) * snapshot.bed.nx(),
-                          (camera.eye.y / block.width_y + 0.5) * snapshot.bed.ny()));
+    const double ground = ground_at(snapshot, block, glm::dvec2(camera.eye), copies);
     camera.eye.z = std::max(camera.eye.z, ground + block.eye_above);
     return camera;
 }

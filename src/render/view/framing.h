@@ -4,6 +4,7 @@
 
 #include "render/view/block.h"
 #include "render/view/camera.h"
+#include "render/view/far_copies.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -21,7 +22,8 @@ Camera camera_at_step(const View& view, const Block& block, std::int64_t step,
                       std::int64_t last_step);
 
 /// A camera that stands at a place, raised where the ground of a frame has risen.
-Camera above_ground(Camera camera, const Block& block, const Snapshot& snapshot);
+Camera above_ground(Camera camera, const Block& block, const Snapshot& snapshot,
+                    const FarCopies& copies = {});
 
 /// Pixels that one length of the block spans across the picture at the block's middle.
 double pixels_per_length(const Camera& camera, const View& view);

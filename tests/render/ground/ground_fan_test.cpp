@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/worker_pool.h"
+#include "render/view/far_copies_vectors.h"
 
 namespace fumon {
 namespace {
@@ -51,14 +52,21 @@ double highest_in_mesh(const GroundMesh& mesh, int rays, int ray, double from, d
     return highest;
 }
 
+double height_at(const GroundFan& fan, const HeightPyramid& bed, const glm::dvec2& offset) {
+    GroundCopy copy;
+    if (fan.strength > 0.0) copy = far_copies::copy_at(fan.eye_from_middle + offset, fan.strength);
+    const glm::dvec2 place = glm::dvec2(fan.eye) + 0.5 + offset + copy.aside;
+    const auto z = static_cast<double>(bed.at(0, place.x, place.y));
+    return fan.mean + copy.height * (z - fan.mean);
+}
+
 /// The same by a walk in small steps.
 double highest_seen(const GroundFan& fan, const HeightPyramid& bed, int ray, double from,
                     double to) {
     const double angle = fan.half_angle * (2.0 * ray / (fan.rays - 1) - 1.0);
     double highest = -1e9;
     for (double r = from; r < to; r += 0.1 * fan.cell) {
-        const double z = static_cast<double>(bed.at(0, fan.eye.x + r * std::cos(angle) + 0.5,
-                                                    fan.eye.y + r * std::sin(angle) + 0.5));
+        const double z = height_at(fan, bed, r * glm::dvec2(std::cos(angle), std::sin(angle)));
         highest = std::max(highest, (z - fan.eye.z) / r);
     }
     return highest;
@@ -66,18 +74,44 @@ double highest_seen(const GroundFan& fan, const HeightPyramid& bed, int ray, dou
 
 TEST(GroundFan, FarCrestsStandAsHighAsTheyLook) {
     const HeightPyramid bed(ridges());
-    const GroundFan fan = eastward();
-    WorkerPool pool(1);
-    const GroundMesh mesh = ground_mesh(fan, bed, pool);
+    GroundFan fan = eastward();
     // A pixel is a third of the angle between rays; a ridge there is two or three wide.
     const double pixel = 2.0 * fan.half_angle / (3.0 * fan.rays);
-    for (const double from : {2.0, 4.0}) {
-        for (int ray = 1; ray < fan.rays; ray += 7) {
-            EXPECT_NEAR(highest_in_mesh(mesh, fan.rays, ray, from, 1.3 * from),
-                        highest_seen(fan, bed, ray, from, 1.3 * from), 1.2 * pixel)
-                << ray << " at " << from;
+    WorkerPool pool(1);
+    for (const double strength : {0.0, 0.9}) {  // of copies unlike each other
+        fan.strength = strength;
+        fan.eye_from_middle = {0.3, -0.1};
+        fan.mean = 0.01;
+        const GroundMesh mesh = ground_mesh(fan, bed, pool);
+        for (const double from : {2.0, 4.0}) {
+            for (int ray = 1; ray < fan.rays; ray += 7) {
+                EXPECT_NEAR(highest_in_mesh(mesh, fan.rays, ray, from, 1.3 * from),
+                            highest_seen(fan, bed, ray, from, 1.3 * from), 1.2 * pixel)
+                    << ray << " at " << from;
+            }
         }
     }
+}
+
+TEST(GroundFan, StandsEverywhereAsItsCopiesDo) {
+    const HeightPyramid bed(ridges());
+    GroundFan fan = eastward();
+    fan.strength = 1.0;
+    fan.eye_from_middle = {0.2, 0.4};
+    fan.nearest = 0.01;
+    fan.rays = 2000;  // so close that single cells are looked at
+    WorkerPool pool(2);
+    const GroundMesh mesh = ground_mesh(fan, bed, pool);
+    int far = 0;
+    for (std::size_t i = 0; i < mesh.places.size(); i += 97) {
+        const glm::dvec3 at(mesh.places[i]);
+        const double range = std::hypot(at.x, at.y);
+        if (range > 3.0) continue;
+        far += range > 1.5 ? 1 : 0;
+        ASSERT_NEAR(at.z + fan.eye.z, height_at(fan, bed, glm::dvec2(at)), 1e-4)
+            << "straight lines over a ring";
+    }
+    EXPECT_GT(far, 500);
 }
 
 TEST(GroundFan, LeavesOutWhatIsHiddenAndNoMore) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "render/ground/height_pyramid.h"
+#include "render/view/far_copies_vectors.h"
 #include "vectors/target.h"
 
 namespace fumon {
@@ -58,6 +59,45 @@ void expect_looked_up(const GroundTiles& tiles) {
 
 TEST(GroundVectors, EveryTargetSeesWhatIsLookedUpPlaceByPlace) {
     expect_looked_up({});
+}
+
+TEST(GroundVectors, EveryTargetFindsTheSameFarCopies) {
+    const std::string before = vectors::target();
+    constexpr auto count = std::size_t{2} * ground_vectors::places_at_once;
+    std::array<double, count> radii{};
+    for (std::size_t k = 0; k < count; ++k) radii[k] = 0.1 + 0.7 * static_cast<double>(k);
+    const ground_vectors::CopiedRay ray{0.1, -0.2, -0.83, 0.61, 0.83};
+    for (const std::string& target : vectors::targets()) {
+        vectors::use_target(target);
+        std::array<double, count> east{};
+        std::array<double, count> north{};
+        std::array<double, count> height{};
+        ground_vectors::copies_along(ray, radii.data(), static_cast<int>(count), east.data(),
+                                     north.data(), height.data());
+        for (std::size_t k = 0; k < count; ++k) {
+            const GroundCopy copy =
+                far_copies::copy_at({ray.east + radii[k] * ray.east_per_length,
+                                     ray.north + radii[k] * ray.north_per_length},
+                                    ray.strength);
+            EXPECT_EQ(glm::dvec2(east[k], north[k]), copy.aside) << target << ", " << radii[k];
+            EXPECT_EQ(height[k], copy.height) << target << ", " << radii[k];
+        }
+    }
+    vectors::use_target(before);
+}
+
+TEST(GroundVectors, HeightsCountFromTheMean) {
+    const HeightPyramid bed = rough_heights({});
+    const Field<float>& means = bed.level(0);
+    std::array<double, ground_vectors::places_at_once> radii{};
+    radii.fill(1.7);
+    std::array<double, ground_vectors::places_at_once> over{};
+    std::array<double, ground_vectors::places_at_once> tangents{};
+    const ground_vectors::Ray ray{0.5, 0.21, 0.83, 0.61, 0.37, 0.0, 0.4, 0.5, 0.1};
+    ground_vectors::look_along({means.data(), means.nx(), means.ny(), {}}, ray, radii.data(), 1,
+                               over.data(), tangents.data());
+    const auto height = static_cast<double>(bed.at(0, 0.5 + 1.7 * 0.83, 0.21 + 1.7 * 0.61));
+    EXPECT_NEAR(over[0], 0.4 + 0.67 * (height - 0.4) - 0.37, 1e-12);
 }
 
 TEST(GroundVectors, SeesABedInItsPlainAsItIsLookedUp) {
