@@ -339,7 +339,7 @@ void Renderer::Parts::draw_packed_samples(const Tile& tile, const Camera& camera
     gl::functions().Clear(everything);
     world->colour_pixels(seen, at, shading, light, camera);
     packed->read_pixels(tile, at.first);
-    world->colour_packed(seen, *packed, plan.factor, shading, light, camera);
+    world->colour_packed(seen, *packed, shading, light, camera);
 }
 
 void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {

@@ -50,8 +50,14 @@ constexpr double longest_turn = 0.3;  // of a ripple, between two samples, at wh
 
 enum class Coloured { pixels, samples, packed_samples };
 
+/// Samples along each side of a pixel; llvmpipe unrolls no loop whose end it does not know.
+gl::Constant factor_of(const View& view) {
+    return {"factor", static_cast<float>(view.image.supersampling)};
+}
+
 /// Of those that colour pixels of one ground, or samples of the others.
-gl::Constants with_coloured(gl::Constants fixed, Coloured coloured) {
+gl::Constants with_coloured(gl::Constants fixed, const View& view, Coloured coloured) {
+    fixed.push_back(factor_of(view));
     fixed.push_back({"whole_pixels", coloured == Coloured::pixels ? 1.0F : 0.0F});
     fixed.push_back({"packed_samples", coloured == Coloured::packed_samples ? 1.0F : 0.0F});
     return fixed;
@@ -76,11 +82,12 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
                                            : ripple_cells * cell_ * refinement),
       origin_(origin.place),
       seen_program_("world/world.vert.glsl", "world/world_seen.frag.glsl", {"offset"}),
-      pixel_program_("common/screen.vert.glsl", "world/world_pixels.frag.glsl"),
+      pixel_program_("common/screen.vert.glsl", "world/world_pixels.frag.glsl", {},
+                     {factor_of(view)}),
       spread_program_("common/screen.vert.glsl", "world/world_spread.frag.glsl"),
-      pixel_colours_(with_coloured(fixed, Coloured::pixels)),
-      sample_colours_(with_coloured(fixed, Coloured::samples)),
-      packed_colours_(with_coloured(fixed, Coloured::packed_samples)),
+      pixel_colours_(with_coloured(fixed, view, Coloured::pixels)),
+      sample_colours_(with_coloured(fixed, view, Coloured::samples)),
+      packed_colours_(with_coloured(fixed, view, Coloured::packed_samples)),
       surface_(first.bed.nx() * refinement, first.bed.ny() * refinement, surface_layout),
       relief_(relief_texels, relief_texels, relief_layout),
       wander_(wander_texels, wander_texels, wander_layout) {
@@ -296,13 +303,9 @@ void WorldLayer::colour_pixels(const gl::Texture2D& seen, const PixelSamples& at
     const gl::Functions& gl = gl::functions();
     gl.Enable(GL_DEPTH_TEST);
     gl.BindVertexArray(no_attributes_.name());
-    const auto set_pixels = [&](const gl::Program& program) {
-        program.set("first_sample", glm::vec2(at.first));
-        program.set("factor", at.factor);
-    };
     seen.bind(seen_unit);
     pixel_program_.use();
-    set_pixels(pixel_program_);
+    pixel_program_.set("first_sample", glm::vec2(at.first));
     pixel_program_.set("offsets", seen_unit);
     pixel_program_.set("near_to", static_cast<float>(near_to_));
     pixel_program_.set("near_depth", static_cast<float>(near_depth));
@@ -317,7 +320,7 @@ void WorldLayer::colour_pixels(const gl::Texture2D& seen, const PixelSamples& at
     for (const bool near : {true, false}) {
         const gl::Program& program = near ? pixel_colours_.near : pixel_colours_.far;
         bind(program, seen, shading, light, camera);
-        set_pixels(program);
+        program.set("first_sample", glm::vec2(at.first));
         const double depth = near ? behind_near : before_far;
         gl.DepthRange(depth, depth);
         gl.DepthFunc(near ? GL_GREATER : GL_LESS);
@@ -364,7 +367,7 @@ void WorldLayer::colour_seen(const gl::Texture2D& seen, const BedShading& shadin
     gl.BindVertexArray(0);
 }
 
-void WorldLayer::colour_packed(const gl::Texture2D& seen, PackedSamples& samples, int factor,
+void WorldLayer::colour_packed(const gl::Texture2D& seen, PackedSamples& samples,
                                const BedShading& shading, const Light& light,
                                const Camera& camera) const {
     const gl::Functions& gl = gl::functions();
@@ -375,7 +378,6 @@ void WorldLayer::colour_packed(const gl::Texture2D& seen, PackedSamples& samples
             ground == PackedSamples::Ground::near ? packed_colours_.near : packed_colours_.far;
         samples.colour(ground, [&](const gl::Texture2D& listed) {
             bind(program, seen, shading, light, camera);
-            program.set("factor", factor);
             listed.bind(listed_unit);
             program.set("listed", listed_unit);
             gl.DrawArrays(GL_TRIANGLES, 0, 3);

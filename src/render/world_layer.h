@@ -68,8 +68,8 @@ class WorldLayer {
                      const Camera& camera) const;
 
     /// Colours the samples of pixels that colour_pixels() has not coloured.
-    void colour_packed(const gl::Texture2D& seen, PackedSamples& samples, int factor,
-                       const BedShading& shading, const Light& light, const Camera& camera) const;
+    void colour_packed(const gl::Texture2D& seen, PackedSamples& samples, const BedShading& shading,
+                       const Light& light, const Camera& camera) const;
 
     /// Sets what a program that includes world/world.glsl needs to colour samples, but not pixels.
     void bind(const gl::Program& program, const gl::Texture2D& seen, const BedShading& shading,
