@@ -55,9 +55,12 @@ gl::Constant factor_of(const View& view) {
     return {"factor", static_cast<float>(view.image.supersampling)};
 }
 
-/// Of those that colour pixels of one ground, or samples of the others.
+/// Of those that colour pixels of one ground, or samples of the others. What is multiplied by a
+/// constant 0 is not worked out.
 gl::Constants with_coloured(gl::Constants fixed, const View& view, Coloured coloured) {
     fixed.push_back(factor_of(view));
+    if (view.look.ripples == 0.0) fixed.push_back({"ripple_slope", 0.0F});
+    if (view.look.grain == 0.0) fixed.push_back({"sand_grain", 0.0F});
     fixed.push_back({"whole_pixels", coloured == Coloured::pixels ? 1.0F : 0.0F});
     fixed.push_back({"packed_samples", coloured == Coloured::packed_samples ? 1.0F : 0.0F});
     return fixed;
