@@ -41,8 +41,7 @@ SeenPlace far_place() {
         slant *= crisp;
         spread *= crisp * float(factor);
     } else {
-        ivec2 at = ivec2(gl_FragCoord.xy);
-        vec4 seen = seen_at(at);
+        vec4 seen = seen_at(own_sample());
         place.offset = seen.xyz;
         slant = seen.w;
     }
@@ -61,7 +60,7 @@ SeenPlace near_place() {
         pixel.up *= crisp;
         return pixel;
     }
-    ivec2 at = ivec2(gl_FragCoord.xy);
+    ivec2 at = own_sample();
     ivec2 last = textureSize(offsets, 0) - 1;
     SeenPlace place;
     place.offset = seen_at(at).xyz;

@@ -32,4 +32,4 @@ vec4 far_colour(SeenPlace at) {
     return seen(ground_light_of(albedo, direct, point, to_eye, 1.0), at, to_eye);
 }
 
-void main() { colour = far_colour(far_place()); }
+void main() { colour = is_left_out(far_ground) ? vec4(0.0) : far_colour(far_place()); }

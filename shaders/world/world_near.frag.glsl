@@ -196,4 +196,4 @@ vec4 near_colour(SeenPlace at) {
     return seen(light, at, to_eye);
 }
 
-void main() { colour = near_colour(near_place()); }
+void main() { colour = is_left_out(near_ground) ? vec4(0.0) : near_colour(near_place()); }

@@ -2,6 +2,8 @@
 uniform vec2 first_sample;  // of the lower left pixel
 uniform int factor;         // samples along each side of a pixel
 uniform sampler2D offsets;  // of what samples see from the eye, and lengths, of world/world_seen.frag.glsl; nothing seen: 0
+uniform float packed_samples;  // 1: colours samples of listed pixels, which lie side by side
+uniform sampler2D listed;   // the first sample of each
 
 // A place on the ground, and how it changes to the next sample or pixel along both sides of the picture.
 struct SeenPlace {
@@ -10,7 +12,32 @@ struct SeenPlace {
     vec3 up;
 };
 
-vec4 seen_at(ivec2 sample_place) { return texelFetch(offsets, sample_place, 0); }
+vec4 seen_at(ivec2 sample_place) {
+    vec4 texel = texelFetch(offsets, sample_place, 0);
+    return vec4(texel.xyz, abs(texel.w));
+}
+
+const int no_ground = 0;
+const int near_ground = 1;
+const int far_ground = 2;
+
+// What a sample sees: lengths on far ground have a minus sign, even 0.
+int ground_at(ivec2 sample_place) {
+    vec4 texel = texelFetch(offsets, sample_place, 0);
+    if (texel.xyz == vec3(0.0)) return no_ground;
+    return floatBitsToInt(texel.w) < 0 ? far_ground : near_ground;
+}
+
+// The sample that is coloured.
+ivec2 own_sample() {
+    ivec2 here = ivec2(gl_FragCoord.xy);
+    if (packed_samples < 0.5) return here;
+    ivec2 pixel = ivec2(gl_FragCoord.xy / float(factor));
+    return ivec2(texelFetch(listed, pixel, 0).xy) + here - factor * pixel;
+}
+
+// In listed pixels there are samples of other ground.
+bool is_left_out(int ground) { return packed_samples > 0.5 && ground_at(own_sample()) != ground; }
 
 // From the corners of a pixel. Where one sees other ground the nearest and the farthest of them are farther apart than
 // the slope that they lie on makes them.

@@ -59,19 +59,38 @@ void BytePicture::resolve(const Tile& tile, int factor, const glm::ivec2& from, 
                 const auto above = static_cast<std::size_t>(first_above);
                 for (int j = 0; j < factor; ++j)
                     row.add(samples_read_.data() + length * (above + static_cast<std::size_t>(j)));
-                const int in_tile = upper + y;
-                const auto first_of_row = static_cast<std::size_t>(tile.y + in_tile) *
-                                              static_cast<std::size_t>(image.width) +
-                                          static_cast<std::size_t>(tile.x);
-                if (image.transparent()) {
-                    row.finish_open(image.rgb.data() + 3 * first_of_row,
-                                    image.alpha.data() + first_of_row);
-                    continue;
-                }
-                row.finish(behind_[static_cast<std::size_t>(in_tile)],
-                           image.rgb.data() + 3 * first_of_row);
+                finish(tile, upper + y, row, image);
             }
         });
+    }
+}
+
+void BytePicture::resolve(const Tile& tile, int factor, const PackedSamples& samples,
+                          WorkerPool& pool, Image& image) const {
+    const std::size_t length =
+        static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(factor);
+    pool.for_ranges(tile.height, [&](int begin, int end) {
+        RowOfSamples row(tile.width, factor);
+        std::vector<std::uint32_t> read(length * static_cast<std::size_t>(factor) +
+                                        RowOfSamples::samples_read_beyond);
+        for (int y = begin; y < end; ++y) {
+            samples.put_row(tile.height - 1 - y, read.data());
+            for (int j = 0; j < factor; ++j)
+                row.add(read.data() + length * static_cast<std::size_t>(j));
+            finish(tile, y, row, image);
+        }
+    });
+}
+
+void BytePicture::finish(const Tile& tile, int y, RowOfSamples& row, Image& image) const {
+    const auto first =
+        static_cast<std::size_t>(tile.y + y) * static_cast<std::size_t>(image.width) +
+        static_cast<std::size_t>(tile.x);
+    std::uint8_t* rgb = image.rgb.data() + 3 * first;
+    if (image.transparent()) {
+        row.finish_open(rgb, image.alpha.data() + first);
+    } else {
+        row.finish(behind_[static_cast<std::size_t>(y)], rgb);
     }
 }
 

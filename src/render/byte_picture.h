@@ -6,6 +6,7 @@
 
 #include "base/image.h"
 #include "render/background_layer.h"
+#include "render/packed_samples.h"
 #include "render/sample_vectors.h"
 #include "render/view/tiles.h"
 
@@ -22,11 +23,17 @@ class BytePicture {
     /// Reads the bound target of samples, whose first of this tile is `from`, into the picture.
     void resolve(const Tile& tile, int factor, const glm::ivec2& from, WorkerPool& pool,
                  Image& image);
+    /// Puts a tile's pixels of endless ground into the picture.
+    void resolve(const Tile& tile, int factor, const PackedSamples& samples, WorkerPool& pool,
+                 Image& image) const;
     /// Reads the bound target of TerrainLayer::colour_pixels(), whose first pixel of this tile is
     /// `from`, into the picture.
     void read_pixels(const Tile& tile, const glm::ivec2& from, WorkerPool& pool, Image& image);
 
   private:
+    /// Takes a row of the tile, counted from the upper one, whose samples have been added.
+    void finish(const Tile& tile, int y, RowOfSamples& row, Image& image) const;
+
     std::vector<ColourPlanes> behind_;         // rows of the surroundings, the upper first
     std::vector<std::uint32_t> samples_read_;  // those of a few rows of pixels
     std::vector<std::uint16_t> squares_read_;

@@ -78,6 +78,8 @@ std::optional<gl::DepthBuffer> depths_of_pixels(const View& view, const TilePlan
     return gl::DepthBuffer(plan.tiles.front().width, plan.tiles.front().height);
 }
 
+constexpr GLbitfield everything = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
+
 gl::TextureLayout plain_layout(PixelKind kind) {
     gl::TextureLayout layout = colour_layout(kind);
     layout.filter = GL_NEAREST;
@@ -86,10 +88,9 @@ gl::TextureLayout plain_layout(PixelKind kind) {
 
 }  // namespace
 
-SampleTargets::SampleTargets(const TilePlan& plan, Ground ground, PixelKind kind)
+SampleTargets::SampleTargets(const TilePlan& plan, Ground ground)
     : depths(plan.target_width, plan.target_height),
-      seen(plan.target_width, plan.target_height, seen_layout(ground), &depths),
-      colours(plan.target_width, plan.target_height, plain_layout(kind), &depths) {}
+      seen(plan.target_width, plan.target_height, seen_layout(ground), &depths) {}
 
 BlockTargets::BlockTargets(const TilePlan& plan)
     : depths(plan.target_width, plan.target_height),
@@ -219,13 +220,8 @@ glm::ivec2 Renderer::Parts::first_sample(const Tile& tile) const {
 }
 
 glm::ivec2 Renderer::Parts::target_corner(const Tile& tile) const {
-    const auto aligned = [&](int sample) {
-        return static_cast<int>(
-            std::floor(static_cast<double>(sample - plan.margin) / plan.alignment) *
-            plan.alignment);
-    };
     const glm::ivec2 kept = first_sample(tile);
-    return {aligned(kept.x), aligned(kept.y)};
+    return {plan.target_begin(kept.x), plan.target_begin(kept.y)};
 }
 
 void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& image) {
@@ -238,9 +234,13 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
         bytes.read_pixels(tile, (first_sample(tile) - target_corner(tile)) / 2, pool, image);
         return;
     }
-    draw_samples(tile, camera);
+    packs_samples() ? draw_packed_samples(tile, camera) : draw_samples(tile, camera);
     if (seen_behind && ground_first) draw_uncovered_background(tile, camera);
-    sampled->colours.bind();
+    if (packs_samples()) {
+        bytes.resolve(tile, plan.factor, *packed, pool, image);
+        return;
+    }
+    sampled->colours->bind();
     bytes.resolve(tile, plan.factor, first_sample(tile) - target_corner(tile), pool, image);
 }
 
@@ -248,7 +248,7 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, DeepPict
     gl::functions().BindVertexArray(no_attributes.name());
     if (!open()) draw_background(tile, camera, &picture);
     draw_samples(tile, camera);
-    sampled->colours.bind();
+    sampled->colours->bind();
     picture.resolve(tile, plan.factor, first_sample(tile) - target_corner(tile), pool);
 }
 
@@ -271,7 +271,7 @@ void Renderer::Parts::draw_places(const Tile& tile, const Camera& camera, PlaceL
     const gl::Functions& gl = gl::functions();
     places->target.bind();
     gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    gl.Clear(everything);
     if (world) {
         world->draw_seen(camera, placed);
     } else {
@@ -316,27 +316,44 @@ void Renderer::Parts::draw_pixels(const Tile& tile, const Camera& camera) {
     terrain.draw_kinds(camera, placed);
     block_targets->pixels.bind();
     gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    gl.Clear(everything);
     terrain.colour_pixels(block_targets->seen.colour(), shading.colours(), light, camera,
                           {0.5F * placed.picture_size, 0.5F * placed.corner, 0.5F * placed.size});
 }
 
+void Renderer::Parts::see_ground(const Tile& tile, const Camera& camera) {
+    if (!sampled) sampled.emplace(plan, view.look.ground);
+    sampled->seen.bind();
+    gl::functions().ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    gl::functions().Clear(everything);
+    if (world) {
+        world->draw_seen(camera, placed_samples(tile));
+    } else {
+        terrain.draw_seen(camera, placed_samples(tile));
+    }
+}
+
+void Renderer::Parts::draw_packed_samples(const Tile& tile, const Camera& camera) {
+    if (!packed) packed.emplace(plan.factor);
+    see_ground(tile, camera);
+    const gl::Texture2D& seen = sampled->seen.colour();
+    const PixelSamples at{first_sample(tile) - target_corner(tile), plan.factor};
+    pixels->bind();
+    gl::functions().Clear(everything);
+    world->colour_pixels(seen, at, shading, light, camera);
+    packed->read_pixels(tile, at.first);
+    world->colour_packed(seen, *packed, shading, light, camera);
+}
+
 void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
     const gl::Functions& gl = gl::functions();
-    if (!sampled) sampled.emplace(plan, view.look.ground, kind);
+    see_ground(tile, camera);
+    if (!sampled->colours)
+        sampled->colours.emplace(plan.target_width, plan.target_height, plain_layout(kind),
+                                 &sampled->depths);
     const gl::RenderTarget& seen = sampled->seen;
-    const gl::RenderTarget& samples = sampled->colours;
+    const gl::RenderTarget& samples = *sampled->colours;
     const TileSamples placed = placed_samples(tile);
-    gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-    constexpr GLbitfield everything =
-        GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
-    seen.bind();
-    gl.Clear(everything);
-    if (world) {
-        world->draw_seen(camera, placed);
-    } else {
-        terrain.draw_seen(camera, placed);
-    }
     samples.bind();
     gl.Clear(GL_COLOR_BUFFER_BIT);
     if (air) {

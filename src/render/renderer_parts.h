@@ -16,6 +16,7 @@
 #include "render/byte_picture.h"
 #include "render/deep_picture.h"
 #include "render/light/light.h"
+#include "render/packed_samples.h"
 #include "render/person_layer.h"
 #include "render/place_layers.h"
 #include "render/place_pass.h"
@@ -36,11 +37,11 @@ namespace fumon {
 
 /// What samples see, and their colours.
 struct SampleTargets {
-    SampleTargets(const TilePlan& plan, Ground ground, PixelKind kind);
+    SampleTargets(const TilePlan& plan, Ground ground);
 
     gl::DepthBuffer depths;
     gl::RenderTarget seen;
-    gl::RenderTarget colours;
+    std::optional<gl::RenderTarget> colours;  ///< none where pixels of endless ground have them
 };
 
 /// What the samples of a block see, and the colours of its pixels, of 2 × 2 samples each; see
@@ -83,6 +84,13 @@ struct Renderer::Parts {
     /// look. Maps stay what they are, and in water, cut through, what stands over the bed is thin.
     [[nodiscard]] bool coloured_by_pixels() const;
     void draw_pixels(const Tile& tile, const Camera& camera);
+    /// Whether nothing stands on endless ground, so that samples of edges alone need colours.
+    [[nodiscard]] bool packs_samples() const {
+        return pixels && kind == PixelKind::display_8 && !air && !plants && !persons && !tracks;
+    }
+    /// What each sample of a tile sees.
+    void see_ground(const Tile& tile, const Camera& camera);
+    void draw_packed_samples(const Tile& tile, const Camera& camera);
     void draw_samples(const Tile& tile, const Camera& camera);
     void draw_tile(const Tile& tile, const Camera& camera, Image& image);
     void draw_tile(const Tile& tile, const Camera& camera, DeepPicture& picture);
@@ -130,6 +138,7 @@ struct Renderer::Parts {
     std::optional<BlockTargets> block_targets;
     std::optional<gl::DepthBuffer> pixel_depths;
     std::optional<gl::RenderTarget> pixels;  // of endless ground, those that see one place each
+    std::optional<PackedSamples> packed;     // and samples of the others
     gl::RenderTarget surroundings;
     gl::VertexArray no_attributes;
     std::optional<Camera> surroundings_from;  // of the light of now, for the one tile

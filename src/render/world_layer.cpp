@@ -32,8 +32,15 @@ constexpr double pixels_a_ray = 3.0;
 constexpr int detail_unit = 7;
 constexpr int seen_unit = 10;
 constexpr int wander_unit = 11;
+constexpr int listed_unit = 12;
 constexpr GLint near_stencil = 1;
 constexpr GLint far_stencil = 2;
+// Of pixels of near ground, of others, and of pixels of far ground; and between these.
+constexpr double near_depth = 0.2;
+constexpr double other_depth = 0.5;
+constexpr double far_depth = 0.8;
+constexpr double behind_near = 0.35;
+constexpr double before_far = 0.65;
 
 constexpr double ripple_metres = 0.12;
 constexpr double ripple_cells = 0.3;  // without metres: a hundredth of a dune of 30 cells
@@ -41,13 +48,29 @@ constexpr double steepest = 0.2;
 constexpr double steps_a_ripple = 50.0;  // that it takes to move on by its length
 constexpr double longest_turn = 0.3;  // of a ripple, between two samples, at which it is not seen
 
-/// Of those that colour pixels of one ground, or samples of the others.
-gl::Constants for_pixels(gl::Constants fixed, bool whole) {
-    fixed.push_back({"whole_pixels", whole ? 1.0F : 0.0F});
+enum class Coloured { pixels, samples, packed_samples };
+
+/// Samples along each side of a pixel; llvmpipe unrolls no loop whose end it does not know.
+gl::Constant factor_of(const View& view) {
+    return {"factor", static_cast<float>(view.image.supersampling)};
+}
+
+/// Of those that colour pixels of one ground, or samples of the others. What is multiplied by a
+/// constant 0 is not worked out.
+gl::Constants with_coloured(gl::Constants fixed, const View& view, Coloured coloured) {
+    fixed.push_back(factor_of(view));
+    if (view.look.ripples == 0.0) fixed.push_back({"ripple_slope", 0.0F});
+    if (view.look.grain == 0.0) fixed.push_back({"sand_grain", 0.0F});
+    fixed.push_back({"whole_pixels", coloured == Coloured::pixels ? 1.0F : 0.0F});
+    fixed.push_back({"packed_samples", coloured == Coloured::packed_samples ? 1.0F : 0.0F});
     return fixed;
 }
 
 }  // namespace
+
+WorldLayer::Colours::Colours(const gl::Constants& fixed)
+    : near("common/screen.vert.glsl", "world/world_near.frag.glsl", {}, fixed),
+      far("common/screen.vert.glsl", "world/world_far.frag.glsl", {}, fixed) {}
 
 WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
                        const DrawnOrigin& origin, const FarCopies& copies,
@@ -63,16 +86,12 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
       origin_(origin),
       copies_(copies),
       seen_program_("world/world.vert.glsl", "world/world_seen.frag.glsl", {"offset"}),
-      pixel_program_("common/screen.vert.glsl", "world/world_pixels.frag.glsl"),
+      pixel_program_("common/screen.vert.glsl", "world/world_pixels.frag.glsl", {},
+                     {factor_of(view)}),
       spread_program_("common/screen.vert.glsl", "world/world_spread.frag.glsl"),
-      near_pixels_("common/screen.vert.glsl", "world/world_near.frag.glsl", {},
-                   for_pixels(fixed, true)),
-      far_pixels_("common/screen.vert.glsl", "world/world_far.frag.glsl", {},
-                  for_pixels(fixed, true)),
-      near_colours_("common/screen.vert.glsl", "world/world_near.frag.glsl", {},
-                    for_pixels(fixed, false)),
-      far_colours_("common/screen.vert.glsl", "world/world_far.frag.glsl", {},
-                   for_pixels(fixed, false)),
+      pixel_colours_(with_coloured(fixed, view, Coloured::pixels)),
+      sample_colours_(with_coloured(fixed, view, Coloured::samples)),
+      packed_colours_(with_coloured(fixed, view, Coloured::packed_samples)),
       surface_(first.bed.nx() * refinement, first.bed.ny() * refinement, surface_layout),
       relief_(relief_texels, relief_texels, relief_layout),
       wander_(wander_texels, wander_texels, wander_layout) {
@@ -266,6 +285,7 @@ void WorldLayer::draw_seen(const Camera& camera, const TileSamples& tile) const 
     gl.BindVertexArray(array_.name());
     const auto draw = [&](GLint stencil, GLsizei first, GLsizei count) {
         if (count == 0) return;
+        seen_program_.set("side", stencil == near_stencil ? 1.0F : -1.0F);
         gl.StencilFunc(GL_ALWAYS, stencil, 0xFF);
         gl.DrawElements(
             GL_TRIANGLES, count, GL_UNSIGNED_INT,
@@ -301,31 +321,31 @@ void WorldLayer::colour_pixels(const gl::Texture2D& seen, const PixelSamples& at
                                const Camera& camera) const {
     const gl::Functions& gl = gl::functions();
     gl.Enable(GL_DEPTH_TEST);
-    gl.Enable(GL_STENCIL_TEST);
     gl.BindVertexArray(no_attributes_.name());
-    const auto set_pixels = [&](const gl::Program& program) {
-        program.set("first_sample", glm::vec2(at.first));
-        program.set("factor", at.factor);
-    };
     seen.bind(seen_unit);
     pixel_program_.use();
-    set_pixels(pixel_program_);
+    pixel_program_.set("first_sample", glm::vec2(at.first));
     pixel_program_.set("offsets", seen_unit);
     pixel_program_.set("near_to", static_cast<float>(near_to_));
-    gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    gl.StencilFunc(GL_ALWAYS, near_stencil, 0xFF);
+    pixel_program_.set("near_depth", static_cast<float>(near_depth));
+    pixel_program_.set("other_depth", static_cast<float>(other_depth));
+    pixel_program_.set("far_depth", static_cast<float>(far_depth));
     gl.DepthFunc(GL_ALWAYS);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    gl.StencilFunc(GL_EQUAL, near_stencil, 0xFF);
+    gl.Enable(GL_STENCIL_TEST);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    gl.StencilFunc(GL_ALWAYS, near_stencil, 0xFF);
     gl.DepthMask(GL_FALSE);
     for (const bool near : {true, false}) {
-        const gl::Program& program = near ? near_pixels_ : far_pixels_;
+        const gl::Program& program = near ? pixel_colours_.near : pixel_colours_.far;
         bind(program, seen, shading, light, camera);
-        set_pixels(program);
-        gl.DepthFunc(near ? GL_GREATER : GL_LESS);  // of the screen's triangle in the middle
+        program.set("first_sample", glm::vec2(at.first));
+        const double depth = near ? behind_near : before_far;
+        gl.DepthRange(depth, depth);
+        gl.DepthFunc(near ? GL_GREATER : GL_LESS);
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
     }
+    gl.DepthRange(0.0, 1.0);
     gl.DepthMask(GL_TRUE);
     gl.DepthFunc(GL_LESS);
     gl.Disable(GL_DEPTH_TEST);
@@ -358,11 +378,30 @@ void WorldLayer::colour_seen(const gl::Texture2D& seen, const BedShading& shadin
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     gl.BindVertexArray(no_attributes_.name());
     for (const bool near : {true, false}) {
-        bind(near ? near_colours_ : far_colours_, seen, shading, light, camera);
+        bind(near ? sample_colours_.near : sample_colours_.far, seen, shading, light, camera);
         gl.StencilFunc(GL_EQUAL, near ? near_stencil : far_stencil, 0xFF);
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
     }
     gl.Disable(GL_STENCIL_TEST);
+    gl.BindVertexArray(0);
+}
+
+void WorldLayer::colour_packed(const gl::Texture2D& seen, PackedSamples& samples,
+                               const BedShading& shading, const Light& light,
+                               const Camera& camera) const {
+    const gl::Functions& gl = gl::functions();
+    gl.Disable(GL_DEPTH_TEST);
+    gl.BindVertexArray(no_attributes_.name());
+    for (const auto ground : {PackedSamples::Ground::near, PackedSamples::Ground::far}) {
+        const gl::Program& program =
+            ground == PackedSamples::Ground::near ? packed_colours_.near : packed_colours_.far;
+        samples.colour(ground, [&](const gl::Texture2D& listed) {
+            bind(program, seen, shading, light, camera);
+            listed.bind(listed_unit);
+            program.set("listed", listed_unit);
+            gl.DrawArrays(GL_TRIANGLES, 0, 3);
+        });
+    }
     gl.BindVertexArray(0);
 }
 

@@ -13,6 +13,7 @@
 #include "render/ground/height_pyramid.h"
 #include "render/light/light.h"
 #include "render/light/repeated_light.h"
+#include "render/packed_samples.h"
 #include "render/terrain_layer.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
@@ -56,7 +57,8 @@ class WorldLayer {
     /// the ground is that each sample sees; colours are found later.
     void draw_seen(const Camera& camera, const TileSamples& tile) const;
     /// Colours the pixels of the bound target, with cleared stencils, all of whose samples see the
-    /// same ground; the others keep what they have.
+    /// same ground. Of the others alpha is 0, and red and green say what their samples see, see
+    /// world/world_pixels.frag.glsl.
     void colour_pixels(const gl::Texture2D& seen, const PixelSamples& at, const BedShading& shading,
                        const Light& light, const Camera& camera) const;
     /// Gives the samples of the bound target the colours of their pixels, and the stencil 0, but
@@ -65,6 +67,10 @@ class WorldLayer {
     /// Colours the samples of the bound target that have the stencils of draw_seen().
     void colour_seen(const gl::Texture2D& seen, const BedShading& shading, const Light& light,
                      const Camera& camera) const;
+
+    /// Colours the samples of pixels that colour_pixels() has not coloured.
+    void colour_packed(const gl::Texture2D& seen, PackedSamples& samples, const BedShading& shading,
+                       const Light& light, const Camera& camera) const;
 
     /// Sets what a program that includes world/world.glsl needs to colour samples, but not pixels.
     void bind(const gl::Program& program, const gl::Texture2D& seen, const BedShading& shading,
@@ -78,6 +84,14 @@ class WorldLayer {
     [[nodiscard]] glm::dvec2 eye_from_middle(const Camera& camera) const;
 
   private:
+    /// What colours near and far ground.
+    struct Colours {
+        explicit Colours(const gl::Constants& fixed);
+
+        gl::Program near;
+        gl::Program far;
+    };
+
     void build();
     void draw_relief();
     void draw_wander();
@@ -104,10 +118,9 @@ class WorldLayer {
     gl::Program seen_program_;
     gl::Program pixel_program_;
     gl::Program spread_program_;
-    gl::Program near_pixels_;
-    gl::Program far_pixels_;
-    gl::Program near_colours_;
-    gl::Program far_colours_;
+    Colours pixel_colours_;
+    Colours sample_colours_;
+    Colours packed_colours_;
     gl::Texture2D surface_;
     gl::RenderTarget relief_;
     gl::RenderTarget wander_;

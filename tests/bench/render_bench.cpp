@@ -12,12 +12,21 @@
 #include "base/snapshot.h"
 #include "base/worker_pool.h"
 #include "gl/context.h"
+#include "gl/functions.h"
+#include "gl/handles.h"
+#include "gl/texture.h"
 #include "picture/png.h"
+#include "render/background_layer.h"
+#include "render/bed_shading.h"
+#include "render/byte_picture.h"
+#include "render/light/floor_map.h"
 #include "render/light/light.h"
 #include "render/light/sky_visibility.h"
 #include "render/light/sun_sweep.h"
+#include "render/light/view_light.h"
 #include "render/renderer.h"
 #include "render/view/block.h"
+#include "render/view/camera.h"
 #include "render/view/display_bed.h"
 #include "support/dune_field.h"
 
@@ -64,7 +73,7 @@ void picture(benchmark::State& state) {
     draw(state, view_of(Ground::table));
 }
 
-/// Endless ground from a little above it; its parts are switched off by arguments.
+/// Endless ground from a little above it, without ripples and grain (0) or with them (1).
 void world(benchmark::State& state) {
     View view = view_of(Ground::endless);
     view.camera.framing = Framing::low;
@@ -73,6 +82,48 @@ void world(benchmark::State& state) {
         view.look.grain = 0.0;
     }
     draw(state, view);
+}
+
+/// The sky alone, over a whole picture, of the sun where it is (0) or of another sun each time, for
+/// which its tables are made anew (1). It is read as pictures read it, and not encoded.
+void sky_of_frame(benchmark::State& state) {
+    const auto context = gl::Context::create(gl::Backend::automatic);
+    View view = view_of(Ground::endless);
+    Camera camera;  // its lower border is the horizon
+    camera.half = glm::dvec2(0.48, 0.27);
+    camera.forward = glm::normalize(glm::dvec3(0.0, 1.0, camera.half.y));
+    camera.up = glm::cross(camera.right, camera.forward);
+    const Snapshot bed = dune_field(64, 0.0);
+    const Block block = frame_block(bed, 1.0);
+    Light light = light_of_view(view);
+    const gl::Texture2D texture(light.sky_columns, light.sky_rows,
+                                {GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE},
+                                light.sky_texels.data());
+    const BackgroundLayer background(view, block, open_floor(),
+                                     fixed_uniforms(view, light, block, PixelKind::display_8));
+    const Tile tile{0, 0, static_cast<int>(view.image.width), static_cast<int>(view.image.height)};
+    const gl::RenderTarget target(tile.width, tile.height, colour_layout(PixelKind::display_8));
+    const gl::VertexArray no_attributes;
+    BytePicture picture;
+    const auto draw_sky = [&] {
+        gl::functions().BindVertexArray(no_attributes.name());
+        target.bind();
+        texture.bind(sky_unit);
+        background.draw(light, camera, tile, RowOrder::downward);
+        picture.read_background(tile, RowOrder::downward);
+    };
+    draw_sky();  // compiles the shader
+    const double before = cpu_milliseconds();
+    while (state.KeepRunning()) {
+        if (state.range(0) == 1) {
+            view.sun.azimuth += 0.5;
+            light = light_of_view(view);
+            texture.upload(light.sky_texels.data());
+        }
+        draw_sky();
+    }
+    state.counters["cpu_ms"] =
+        (cpu_milliseconds() - before) / static_cast<double>(state.iterations());
 }
 
 /// The sky and its light of one place of the sun, its tables included.
@@ -102,6 +153,7 @@ void sky(benchmark::State& state) {
 
 BENCHMARK(picture)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(world)->Args({512, 0})->Args({512, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(sky_of_frame)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(atmosphere)->Unit(benchmark::kMillisecond);
 BENCHMARK(sun)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
 BENCHMARK(sky)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);

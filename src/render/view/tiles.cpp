@@ -1,6 +1,7 @@
 #include "render/view/tiles.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fumon {
 
@@ -13,6 +14,11 @@ constexpr int clipped = 128;  // samples: longer than most edges of the terrain'
 constexpr int block = 16;
 
 }  // namespace
+
+int TilePlan::target_begin(int first) const {
+    return static_cast<int>(std::floor(static_cast<double>(first - margin) / alignment) *
+                            alignment);
+}
 
 TilePlan plan_tiles(int width, int height, int factor, int largest) {
     TilePlan plan;

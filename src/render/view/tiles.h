@@ -20,6 +20,10 @@ struct TilePlan {
     int alignment = 1;     ///< tiles begin at multiples of this many samples
     int target_width = 0;  ///< samples
     int target_height = 0;
+
+    /// The sample, from the picture's lower left, at which the target of a tile begins whose first
+    /// one is `first`: along either side.
+    [[nodiscard]] int target_begin(int first) const;
 };
 
 /// One tile where the supersampled picture has at most `largest` samples on each side, else tiles
