@@ -159,27 +159,31 @@ TEST(FiniteVolume, MirrorImagesAndExchangedAxesGiveTheSameFlow) {
     const auto mirrored = [&](int x, int y) { return bed(n - 1 - x, y); };
     const auto exchanged = [&](int x, int y) { return bed(y, x); };
     const auto depth = [](int x, int y) { return x + 2 * y < 40 ? 1.0 : 0.0; };
+    GullyParameters parameters;
     const auto flow = [&](const Grid& ground, Grid start, EdgeKind edges_x, EdgeKind edges_y) {
-        FiniteVolumeScheme scheme({}, domain_with(edges_x, edges_y), pool);
+        FiniteVolumeScheme scheme(parameters, domain_with(edges_x, edges_y), pool);
         Water water = still(start);
         for (int step = 0; step < 200; ++step) scheme.advance(water, ground, 0.05, 1e-4);
         return water;
     };
-    const Water plain = flow(bed, grid_of(n, n, depth), EdgeKind::wall, EdgeKind::open);
-    const Water mirror = flow(grid_of(n, n, mirrored),
-                              grid_of(n, n, [&](int x, int y) { return depth(n - 1 - x, y); }),
-                              EdgeKind::wall, EdgeKind::open);
-    const Water exchange =
-        flow(grid_of(n, n, exchanged), grid_of(n, n, [&](int x, int y) { return depth(y, x); }),
-             EdgeKind::open, EdgeKind::wall);
-    for (int y = 0; y < n; ++y) {
-        for (int x = 0; x < n; ++x) {
-            ASSERT_EQ(plain.depth(x, y), mirror.depth(n - 1 - x, y));
-            ASSERT_EQ(plain.velocity_x(x, y), -mirror.velocity_x(n - 1 - x, y));
-            ASSERT_EQ(plain.velocity_y(x, y), mirror.velocity_y(n - 1 - x, y));
-            ASSERT_EQ(plain.depth(x, y), exchange.depth(y, x));
-            ASSERT_EQ(plain.velocity_x(x, y), exchange.velocity_y(y, x));
-            ASSERT_EQ(plain.velocity_y(x, y), exchange.velocity_x(y, x));
+    for (const ShoreCells shores : {ShoreCells::whole, ShoreCells::partly_wet}) {
+        parameters.shore_cells = shores;
+        const Water plain = flow(bed, grid_of(n, n, depth), EdgeKind::wall, EdgeKind::open);
+        const Water mirror = flow(grid_of(n, n, mirrored),
+                                  grid_of(n, n, [&](int x, int y) { return depth(n - 1 - x, y); }),
+                                  EdgeKind::wall, EdgeKind::open);
+        const Water exchange =
+            flow(grid_of(n, n, exchanged), grid_of(n, n, [&](int x, int y) { return depth(y, x); }),
+                 EdgeKind::open, EdgeKind::wall);
+        for (int y = 0; y < n; ++y) {
+            for (int x = 0; x < n; ++x) {
+                ASSERT_EQ(plain.depth(x, y), mirror.depth(n - 1 - x, y));
+                ASSERT_EQ(plain.velocity_x(x, y), -mirror.velocity_x(n - 1 - x, y));
+                ASSERT_EQ(plain.velocity_y(x, y), mirror.velocity_y(n - 1 - x, y));
+                ASSERT_EQ(plain.depth(x, y), exchange.depth(y, x));
+                ASSERT_EQ(plain.velocity_x(x, y), exchange.velocity_y(y, x));
+                ASSERT_EQ(plain.velocity_y(x, y), exchange.velocity_x(y, x));
+            }
         }
     }
 }
@@ -207,8 +211,10 @@ TEST(FiniteVolume, TheSameBytesForAnyNumberOfThreads) {
 
 TEST(FiniteVolume, BlocksOfColumnsJoinWithoutASeam) {
     WorkerPool pool(1);
+    GullyParameters parameters;
     const auto flow = [&](int nx, int ny, bool along_x) {
-        FiniteVolumeScheme scheme({}, domain_with(EdgeKind::periodic, EdgeKind::periodic), pool);
+        FiniteVolumeScheme scheme(parameters, domain_with(EdgeKind::periodic, EdgeKind::periodic),
+                                  pool);
         const auto height = [&](int x, int y) {
             const int along = along_x ? x : y;
             const int across = along_x ? y : x;
@@ -220,10 +226,13 @@ TEST(FiniteVolume, BlocksOfColumnsJoinWithoutASeam) {
         for (int step = 0; step < 50; ++step) scheme.advance(water, bed, 0.05, 0.0);
         return water;
     };
-    const Water wide = flow(1030, 9, true);
-    const Water tall = flow(9, 1030, false);
-    for (int y = 0; y < 9; ++y) {
-        for (int x = 0; x < 1030; ++x) ASSERT_EQ(wide.depth(x, y), tall.depth(y, x)) << x;
+    for (const ShoreCells shores : {ShoreCells::whole, ShoreCells::partly_wet}) {
+        parameters.shore_cells = shores;
+        const Water wide = flow(1030, 9, true);
+        const Water tall = flow(9, 1030, false);
+        for (int y = 0; y < 9; ++y) {
+            for (int x = 0; x < 1030; ++x) ASSERT_EQ(wide.depth(x, y), tall.depth(y, x)) << x;
+        }
     }
 }
 
