@@ -6,8 +6,8 @@
 
 #include "base/image.h"
 #include "render/background_layer.h"
-#include "render/packed_samples.h"
-#include "render/sample_vectors.h"
+#include "render/samples/packed_samples.h"
+#include "render/samples/sample_vectors.h"
 #include "render/view/tiles.h"
 
 namespace fumon {

@@ -273,7 +273,7 @@ void Renderer::Parts::draw_places(const Tile& tile, const Camera& camera, PlaceL
     gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     gl.Clear(everything);
     if (world) {
-        world->draw_seen(camera, placed);
+        world->draw_seen(camera, placed, false);
     } else {
         terrain.draw_places(places->surface, places->sides, camera, placed);
     }

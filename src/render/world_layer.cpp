@@ -272,7 +272,7 @@ void WorldLayer::set_detail(const gl::Program& program, const Camera& camera) co
     program.set("whole_eye", glm::vec2(camera.eye));
 }
 
-void WorldLayer::draw_seen(const Camera& camera, const TileSamples& tile) const {
+void WorldLayer::draw_seen(const Camera& camera, const TileSamples& tile, bool tell_far) const {
     const gl::Functions& gl = gl::functions();
     gl.Enable(GL_DEPTH_TEST);
     gl.Enable(GL_STENCIL_TEST);
@@ -285,7 +285,7 @@ void WorldLayer::draw_seen(const Camera& camera, const TileSamples& tile) const 
     gl.BindVertexArray(array_.name());
     const auto draw = [&](GLint stencil, GLsizei first, GLsizei count) {
         if (count == 0) return;
-        seen_program_.set("side", stencil == near_stencil ? 1.0F : -1.0F);
+        seen_program_.set("side", tell_far && stencil == far_stencil ? -1.0F : 1.0F);
         gl.StencilFunc(GL_ALWAYS, stencil, 0xFF);
         gl.DrawElements(
             GL_TRIANGLES, count, GL_UNSIGNED_INT,

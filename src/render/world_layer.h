@@ -13,7 +13,7 @@
 #include "render/ground/height_pyramid.h"
 #include "render/light/light.h"
 #include "render/light/repeated_light.h"
-#include "render/packed_samples.h"
+#include "render/samples/packed_samples.h"
 #include "render/terrain_layer.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
@@ -54,8 +54,9 @@ class WorldLayer {
     void look_at(const SeenGround& ground);
 
     /// Notes in the bound target (four floats a sample, depths and stencils) how far from the eye
-    /// the ground is that each sample sees; colours are found later.
-    void draw_seen(const Camera& camera, const TileSamples& tile) const;
+    /// the ground is that each sample sees; colours are found later. `tell_far`: lengths on far
+    /// ground get a minus sign.
+    void draw_seen(const Camera& camera, const TileSamples& tile, bool tell_far = true) const;
     /// Colours the pixels of the bound target, with cleared stencils, all of whose samples see the
     /// same ground. Of the others alpha is 0, and red and green say what their samples see, see
     /// world/world_pixels.frag.glsl.

@@ -57,6 +57,20 @@ std::pair<std::size_t, int> changed_by_shift(const Image& expected, View view, c
     return {changed, most};
 }
 
+// Where somebody stands, all samples are coloured where they lie; without, those of edges side by
+// side.
+TEST(WorldLayer, EdgesAreTheSameSideBySideAndAmongAllSamples) {
+    for (const int factor : {2, 3}) {
+        View view = standing_view(0.0, 0.0);
+        view.image.supersampling = factor;
+        Snapshot bed = repeated_dunes(420, 400);
+        bed.scale.in_metres = true;
+        const Image side_by_side = picture(view, bed);
+        view.persons.push_back({.at = {100.0, 100.0}});  // behind the camera
+        EXPECT_TRUE(picture(view, bed).rgb == side_by_side.rgb) << factor;
+    }
+}
+
 TEST(WorldLayer, ABedShiftedWithTheCameraLooksTheSame) {
     const std::pair<std::size_t, int> none{0, 0};
     const View high = bare(standing_view(0, 0));

@@ -1,4 +1,4 @@
-#include "render/packed_samples.h"
+#include "render/samples/packed_samples.h"
 
 #include <algorithm>
 #include <cstddef>

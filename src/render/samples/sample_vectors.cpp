@@ -1,5 +1,5 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "render/sample_vectors.cpp"
+#define HWY_TARGET_INCLUDE "render/samples/sample_vectors.cpp"
 #include <hwy/foreach_target.h>
 // Those below are included once for each target.
 #include <hwy/highway.h>
@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdlib>
 
-#include "render/sample_vectors.h"
+#include "render/samples/sample_vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumon::samples {

@@ -1,4 +1,4 @@
-#include "render/deep_picture.h"
+#include "render/samples/deep_picture.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include "base/worker_pool.h"
 #include "gl/functions.h"
-#include "render/sample_vectors.h"
+#include "render/samples/sample_vectors.h"
 
 namespace fumon {
 

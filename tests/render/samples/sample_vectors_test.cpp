@@ -1,4 +1,4 @@
-#include "render/sample_vectors.h"
+#include "render/samples/sample_vectors.h"
 
 #include <gtest/gtest.h>
 
