@@ -70,10 +70,12 @@ constexpr std::array loops_of_four{"butterflies_of_four(", "butterflies_of_five(
                                    "eliminate(",           "substitute_back("};
 
 #ifdef FUMON_HAS_PICTURES
+constexpr std::array loops_of_pictures{"copies_along("};
 constexpr std::array loops_on_floats{"sweep_shadow(", "add_sky(", "multiply_by_normal(",
                                      "pack_texels(", "take_roots("};
 constexpr std::array loops_on_whole_numbers{"add_squares(", "halve("};
 #else
+constexpr std::array<const char*, 0> loops_of_pictures{};
 constexpr std::array<const char*, 0> loops_on_floats{};
 constexpr std::array<const char*, 0> loops_on_whole_numbers{};
 #endif
@@ -100,6 +102,7 @@ std::string_view registers_of(const Target& target, std::string_view loop) {
 std::vector<std::string_view> all_loops() {
     std::vector<std::string_view> all(loops.begin(), loops.end());
     all.insert(all.end(), loops_of_four.begin(), loops_of_four.end());
+    all.insert(all.end(), loops_of_pictures.begin(), loops_of_pictures.end());
     all.insert(all.end(), loops_on_floats.begin(), loops_on_floats.end());
     all.insert(all.end(), loops_on_whole_numbers.begin(), loops_on_whole_numbers.end());
     return all;
