@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "gl/context.h"
-#include "gl/program.h"
-#include "gl/texture.h"
 #include "render/view/far_copies_vectors.h"
+#include "support/shader_values.h"
 
 namespace fumon {
 namespace {
@@ -20,28 +19,15 @@ const glm::dvec2 eye_from_middle(0.4, -1.3);
 
 /// Numbers of shaders/world/far_copies.glsl over a square of the ground.
 std::vector<glm::vec4> shaded(const glm::dvec2& corner, double across, int numbers) {
-    gl::TextureLayout layout;
-    layout.internal_format = GL_RGBA32F;
-    layout.type = GL_FLOAT;
-    const gl::RenderTarget target(side, side, layout);
-    const gl::Program program("common/screen.vert.glsl", "../tests/render/ground_copy.frag.glsl",
-                              {}, {{"varied", 1.0F}});
-    const gl::VertexArray none;
-    const gl::Functions& gl = gl::functions();
-    gl.BindVertexArray(none.name());
-    target.bind();
-    gl.Disable(GL_DEPTH_TEST);
-    program.use();
-    program.set("extent", glm::vec2(extent));
-    program.set("eye_from_middle", glm::vec2(eye_from_middle));
-    program.set("copy_strength", static_cast<float>(strength));
-    program.set("corner", glm::vec2(corner));
-    program.set("across", static_cast<float>(across));
-    program.set("numbers", numbers);
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    std::vector<glm::vec4> found(std::size_t{side} * side);
-    gl.ReadPixels(0, 0, side, side, GL_RGBA, GL_FLOAT, found.data());
-    return found;
+    return shader_values("ground_copy.frag.glsl", side, side, {{"varied", 1.0F}},
+                         [&](const gl::Program& program) {
+                             program.set("extent", glm::vec2(extent));
+                             program.set("eye_from_middle", glm::vec2(eye_from_middle));
+                             program.set("copy_strength", static_cast<float>(strength));
+                             program.set("corner", glm::vec2(corner));
+                             program.set("across", static_cast<float>(across));
+                             program.set("numbers", numbers);
+                         });
 }
 
 glm::dvec4 expected(const GroundCopy& copy, int numbers) {

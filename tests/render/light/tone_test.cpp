@@ -4,34 +4,22 @@
 #include <vector>
 
 #include "gl/context.h"
-#include "gl/program.h"
-#include "gl/texture.h"
+#include "support/shader_values.h"
 
 namespace fumon {
 namespace {
 
 /// What the tone curves of shaders/common/colour.glsl make of a linear colour.
 std::array<float, 3> toned(int tone, glm::vec3 colour) {
-    gl::TextureLayout layout;
-    layout.internal_format = GL_RGBA32F;
-    layout.type = GL_FLOAT;
-    const gl::RenderTarget target(1, 1, layout);
-    const gl::Program program("common/screen.vert.glsl", "../tests/render/light/toned.frag.glsl");
-    const gl::VertexArray none;
-    const gl::Functions& gl = gl::functions();
-    gl.BindVertexArray(none.name());
-    target.bind();
-    gl.Disable(GL_DEPTH_TEST);
-    program.use();
-    program.set("tone", tone);
-    program.set("punch", 0.0F);
-    program.set("exposure", 1.0F);
-    program.set("contrast", 1.0F);
-    program.set("given", colour);
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    std::array<float, 3> found{};
-    gl.ReadPixels(0, 0, 1, 1, GL_RGB, GL_FLOAT, found.data());
-    return found;
+    const glm::vec4 found =
+        shader_values("light/toned.frag.glsl", 1, 1, {}, [&](const gl::Program& program) {
+            program.set("tone", tone);
+            program.set("punch", 0.0F);
+            program.set("exposure", 1.0F);
+            program.set("contrast", 1.0F);
+            program.set("given", colour);
+        }).front();
+    return {found.r, found.g, found.b};
 }
 
 /// Computed from the published formulas in double precision.
