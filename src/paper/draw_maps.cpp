@@ -94,7 +94,7 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
     std::vector<MadePanel> made;
     for (std::size_t k = 0; k < pictures.size(); ++k) {
         MapPicture& picture = pictures[k];
-        MapSettings shown;
+        MapPanelSettings shown;
         shown.axes = settings.axes;
         shown.x_label = settings.x_label;
         shown.y_label = settings.y_label;

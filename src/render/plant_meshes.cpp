@@ -84,7 +84,9 @@ void add_leaf(std::vector<LeafCorner>& mesh, Shares& share, double size) {
 
 void add_twig(std::vector<LeafCorner>& mesh, Shares& share) {
     const double angle = whole_turn * share();
-    const glm::vec3 tip = level(angle, share.between(0.2, 0.5), share.between(0.5, 0.85));
+    const double tall = share.between(0.5, 0.85);
+    const double reach = share.between(0.2, 0.5);
+    const glm::vec3 tip = level(angle, reach, tall);
     const glm::vec3 side = level(angle + 0.25 * whole_turn, 0.015, 0.0);
     const glm::vec3 normal = level(angle, 1.0, 0.0);
     mesh.push_back({-side, normal, -1.0F});

@@ -46,7 +46,7 @@ movie = false
         return fumon(arguments, folder_.path());
     }
 
-    const ScratchFolder folder_;
+    const ScratchFolder folder_{};
 };
 
 TEST_F(LightFiles, AStillIsMadeAgainToTheByte) {

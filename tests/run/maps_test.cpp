@@ -83,7 +83,7 @@ movie = false
         return ended.errors;
     }
 
-    const ScratchFolder folder_;
+    const ScratchFolder folder_{};
 };
 
 TEST_F(MapsTest, TheRunKnowsItsFilesAndAgainFindsThem) {

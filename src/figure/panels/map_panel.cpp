@@ -82,7 +82,7 @@ std::optional<MapFlow> water_flow_of(const Snapshot& snapshot) {
     return flow;
 }
 
-MapPanel::MapPanel(MapPicture picture, MapSettings settings)
+MapPanel::MapPanel(MapPicture picture, MapPanelSettings settings)
     : picture_(std::move(picture)), settings_(std::move(settings)) {
     if (!settings_.flow || settings_.flow->fastest > 0.0) return;
     MapFlow& flow = *settings_.flow;

@@ -33,7 +33,7 @@ struct MapLine {
 };
 
 /// What a panel shows of a map and around it.
-struct MapSettings {
+struct MapPanelSettings {
     bool axes = true;  ///< x and y in metres, millimetres, kilometres or sites; else a plain frame
     std::string x_label;  ///< with {unit}; empty: x and its unit
     std::string y_label;
@@ -63,7 +63,7 @@ Corner arrow_corner(const Grid& values, const CanvasBox& frame, const FurnitureS
 /// gives to its value.
 class MapPanel : public PanelContent {
   public:
-    MapPanel(MapPicture picture, MapSettings settings);
+    MapPanel(MapPicture picture, MapPanelSettings settings);
 
     [[nodiscard]] double aspect() const override;
     [[nodiscard]] PanelMargins margins(const Canvas& canvas, double width,
@@ -78,7 +78,7 @@ class MapPanel : public PanelContent {
     void draw_furniture(Canvas& canvas, const CanvasBox& frame) const;
 
     MapPicture picture_;
-    MapSettings settings_;
+    MapPanelSettings settings_;
 };
 
 }  // namespace fumon

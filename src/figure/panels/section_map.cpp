@@ -17,38 +17,38 @@ namespace fumon {
 
 namespace {
 
-double value_at(const SectionAir& air, MapQuantity quantity, double x, double z) {
+double value_at(const SectionAir& air, SectionQuantity quantity, double x, double z) {
     switch (quantity) {
-        case MapQuantity::velocity_x:
+        case SectionQuantity::velocity_x:
             return air.value(*air.find("velocity_x"), x, z);
-        case MapQuantity::velocity_z:
+        case SectionQuantity::velocity_z:
             return air.value(*air.find("velocity_z"), x, z);
-        case MapQuantity::pressure:
+        case SectionQuantity::pressure:
             return air.value_of_air(*air.find("pressure"), x, z);
-        case MapQuantity::speed:
+        case SectionQuantity::speed:
             break;
     }
     return elementary::hypot(air.value(*air.find("velocity_x"), x, z),
                              air.value(*air.find("velocity_z"), x, z));
 }
 
-const char* label_of(MapQuantity quantity) {
+const char* label_of(SectionQuantity quantity) {
     switch (quantity) {
-        case MapQuantity::velocity_x:
+        case SectionQuantity::velocity_x:
             return "u (m/s)";
-        case MapQuantity::velocity_z:
+        case SectionQuantity::velocity_z:
             return "w (m/s)";
-        case MapQuantity::pressure:
+        case SectionQuantity::pressure:
             return "p (Pa)";
-        case MapQuantity::speed:
+        case SectionQuantity::speed:
             break;
     }
     return "speed (m/s)";
 }
 
 /// The least and the greatest value in the air.
-std::array<double, 2> extremes(const SectionAir& air, MapQuantity quantity) {
-    const char* name = quantity == MapQuantity::pressure ? "pressure" : "velocity_x";
+std::array<double, 2> extremes(const SectionAir& air, SectionQuantity quantity) {
+    const char* name = quantity == SectionQuantity::pressure ? "pressure" : "velocity_x";
     const Grid& nodes = air.find(name)->values;
     std::array<double, 2> found{INFINITY, -INFINITY};
     for (int i = 0; i < nodes.nx(); ++i) {
@@ -65,7 +65,7 @@ std::array<double, 2> extremes(const SectionAir& air, MapQuantity quantity) {
 
 }  // namespace
 
-ColourScale map_scale(const SectionAir& air, MapQuantity quantity, const LookSettings& look,
+ColourScale map_scale(const SectionAir& air, SectionQuantity quantity, const LookSettings& look,
                       const WordOrReal& low, const WordOrReal& high) {
     auto [least, greatest] = extremes(air, quantity);
     const bool both_signs = least < 0.0 && greatest > 0.0;
@@ -105,7 +105,7 @@ void draw_section_bed(Canvas& canvas, const Axes& axes, double unit, const Secti
 }
 
 void draw_section_map(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air,
-                      MapQuantity quantity, const ColourScale& scale) {
+                      SectionQuantity quantity, const ColourScale& scale) {
     constexpr int columns = 1000;
     const CanvasBox& frame = axes.frame();
     Image image(columns,
@@ -157,7 +157,7 @@ void draw_section_streamlines(Canvas& canvas, const Axes& axes, double unit,
 
 ArrowField section_arrows(const SectionAir& air, double unit) {
     ArrowField field;
-    field.fastest = extremes(air, MapQuantity::speed)[1];
+    field.fastest = extremes(air, SectionQuantity::speed)[1];
     const SnapshotField& u = *air.find("velocity_x");
     const SnapshotField& w = *air.find("velocity_z");
     field.velocity = [&air, &u, &w, unit](double x, double z) -> std::optional<glm::dvec2> {

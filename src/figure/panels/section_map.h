@@ -9,18 +9,18 @@
 namespace fumon {
 
 /// What a map's colours show of the air: the length of its velocity, or one of its fields.
-enum class MapQuantity { speed, velocity_x, velocity_z, pressure };
+enum class SectionQuantity { speed, velocity_x, velocity_z, pressure };
 
 /// The palette and range of a map. A range that is not given comes from the air: from 0 where the
 /// values have one sign, else as far below 0 as above it. A palette "sand" (for beds) gives way to
 /// viridis, or vik for values of both signs. Throws InputError where there is no such palette.
-ColourScale map_scale(const SectionAir& air, MapQuantity quantity, const LookSettings& look,
+ColourScale map_scale(const SectionAir& air, SectionQuantity quantity, const LookSettings& look,
                       const WordOrReal& low, const WordOrReal& high);
 
 /// Colours a frame by the quantity, with the bed in front. `axes` in units of `unit` metres. The
 /// air has the quantity's fields.
 void draw_section_map(Canvas& canvas, const Axes& axes, double unit, const SectionAir& air,
-                      MapQuantity quantity, const ColourScale& scale);
+                      SectionQuantity quantity, const ColourScale& scale);
 
 /// The velocity as arrows over axes in units of `unit` metres. Refers to the air, which must
 /// outlive it.

@@ -107,8 +107,8 @@ class SectionMapPanel : public PanelContent {
           velocity_(panel == SectionPanel::velocity),
           arrows_(view.section.arrows) {
         const WordOrReal automatic{"auto", 0.0};
-        quantity_ =
-            velocity_ ? static_cast<MapQuantity>(view.section.colour_by) : MapQuantity::pressure;
+        quantity_ = velocity_ ? static_cast<SectionQuantity>(view.section.colour_by)
+                              : SectionQuantity::pressure;
         scale_ = map_scale(air_, quantity_, view.look, velocity_ ? view.section.low : automatic,
                            velocity_ ? view.section.high : automatic);
     }
@@ -161,7 +161,7 @@ class SectionMapPanel : public PanelContent {
     BarPlace colour_bar_;
     bool velocity_;
     SectionArrows arrows_;
-    MapQuantity quantity_ = MapQuantity::speed;
+    SectionQuantity quantity_ = SectionQuantity::speed;
     ColourScale scale_;
 };
 

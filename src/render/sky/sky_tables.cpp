@@ -52,7 +52,7 @@ struct HeightScale {
 
 }  // namespace
 
-glm::dvec3 ColourTable::value(double x, double y) const {
+glm::dvec3 LightTable::value(double x, double y) const {
     const double column = std::clamp(x, 0.0, 1.0) * (columns_ - 1);
     const double row = std::clamp(y, 0.0, 1.0) * (rows_ - 1);
     const int left = std::min(static_cast<int>(column), columns_ - 2);

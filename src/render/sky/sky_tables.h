@@ -8,9 +8,9 @@
 namespace fumon {
 
 /// Colours over a rectangle, looked up between their centres linearly.
-class ColourTable {
+class LightTable {
   public:
-    ColourTable(int columns, int rows)
+    LightTable(int columns, int rows)
         : columns_(columns),
           rows_(rows),
           colours_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
@@ -64,8 +64,8 @@ class AirTables {
     void tabulate_multiple_scattering();
 
     Atmosphere air_;
-    ColourTable transmittance_;
-    ColourTable multiple_scattering_;
+    LightTable transmittance_;
+    LightTable multiple_scattering_;
 };
 
 /// The clear sky over level ground for one place of the sun, irradiance of the sun above the air 1:
@@ -87,7 +87,7 @@ class SkyView {
     [[nodiscard]] glm::dvec3 irradiance(double toward_sun, double up) const;
     /// Radiances, along the columns the square root of the azimuth from the sun (0 … √π), along the
     /// rows that of the elevation (0 … √(π/2)).
-    [[nodiscard]] const ColourTable& table() const { return table_; }
+    [[nodiscard]] const LightTable& table() const { return table_; }
 
   private:
     /// Light of a part of the sky, on a surface that faces it.
@@ -98,7 +98,7 @@ class SkyView {
         glm::dvec3 light;
     };
 
-    ColourTable table_;
+    LightTable table_;
     std::vector<Part> parts_;  // of one half of the sky; the other is its mirror image
     glm::dvec3 sun_{0.0};
     glm::dvec3 level_irradiance_{0.0};

@@ -31,7 +31,7 @@ TEST(MapLines, DrawsDirectionsThroughItsMiddle) {
     picture.blank = Mask(12, 12);
     picture.colours = {read_palette("viridis"), 0.0, 2.0, ""};
     const auto drawn = [&](const std::vector<MapLine>& lines) {
-        MapSettings settings;
+        MapPanelSettings settings;
         settings.axes = false;
         settings.colour_bar = BarPlace::none;
         settings.lines = lines;

@@ -89,7 +89,7 @@ TEST(MapPanel, ShowsEveryCellInTheBarsColourWithNorthUp) {
     snapshot.nodata = Mask(12, 7);
     snapshot.nodata(3, 1) = 1;
     const MapPicture picture = map_picture(heights(), snapshot, snapshot);
-    MapSettings settings;
+    MapPanelSettings settings;
     settings.blank = {1.0, 0.0, 1.0, 1.0};
     const MapPanel panel(picture, settings);
     EXPECT_NEAR(panel.aspect(), 24.0 / 21.0, 1e-12);
@@ -330,7 +330,7 @@ TEST(PicturePanels, DrawNothingOutsideTheirMargins) {
     Snapshot wet = under_water(wavy, 0.01, 0.3);
     for (const BarPlace bar : {BarPlace::none, BarPlace::right, BarPlace::below}) {
         for (const bool axes : {false, true}) {
-            MapSettings settings;
+            MapPanelSettings settings;
             settings.axes = axes;
             settings.colour_bar = bar;
             settings.scale_bar = settings.compass = true;

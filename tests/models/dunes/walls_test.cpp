@@ -27,7 +27,7 @@ TEST(Walls, TurnTheWindBackAtTheirFoot) {
         WorkerPool pool(2);
         WindwardWalls walls(ground, std::tan(55.0 * std::acos(-1.0) / 180.0), 0.8, pool);
         walls.find(surface, turns.at(0));
-        const auto at = [&](int cells) {
+        const auto at = [&, dx = dx, dy = dy](int cells) {
             const int x = dx == 0 ? 30 : dx < 0 ? 24 - cells : 35 + cells;
             const int y = dy == 0 ? 30 : dy < 0 ? 24 - cells : 35 + cells;
             return walls.wind()(x, y);

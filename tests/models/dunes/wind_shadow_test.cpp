@@ -30,7 +30,7 @@ TEST(WindShadow, LiesBehindAWall) {
         const double full = std::tan(std::acos(-1.0) / 12.0);
         shadow.cast(surface, turns.at(0), {0.5 * full, full}, WindShadow::Find::shade_and_envelope);
         const double step = std::hypot(behind_x, behind_y);
-        const auto at = [&](int cells, const Grid& grid) {
+        const auto at = [&, behind_x = behind_x, behind_y = behind_y](int cells, const Grid& grid) {
             const int side = behind_x + behind_y > 0 ? 35 : 28;
             return grid(behind_x != 0 ? side + cells * behind_x : 32,
                         behind_y != 0 ? side + cells * behind_y : 32);
