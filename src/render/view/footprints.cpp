@@ -66,8 +66,9 @@ std::vector<Footprint> footprints(const TrackSettings& track, std::uint32_t numb
         Footprint print;
         print.right = i % 2 == 1;
         const double side = print.right ? 1.0 : -1.0;
-        print.at = line.at(along) + (side * half_step_width + off_the_line * uneven()) * rightward +
-                   2.0 * off_the_line * uneven() * way;
+        const double forward = 2.0 * off_the_line * uneven();
+        const double aside = side * half_step_width + off_the_line * uneven();
+        print.at = line.at(along) + aside * rightward + forward * way;
         print.heading = glm::normalize(way + (side * toes_out + turned_off * uneven()) * rightward);
         print.depth = usual_depth * (1.0 + uneven_depth * uneven());
         print.unevenness = random.uniform();
