@@ -207,12 +207,11 @@ FloorMap floor_map(const DisplayBed& bed, const Block& block, const SunDirection
     continue_under(sun_share, covered, reach);
     sun_share = smoothed(sun_share);
     FloorMap map;
-    map.sun_and_sky.reserve(2 * heights.size());
+    map.sun_and_sky.resize(2 * heights.size());
     for (std::size_t i = 0; i < heights.size(); ++i) {
-        map.sun_and_sky.push_back(
-            static_cast<std::uint8_t>(nearest(255.0F * sun_share.values()[i])));
-        map.sun_and_sky.push_back(
-            static_cast<std::uint8_t>(nearest(255.0F * sky_share.values()[i])));
+        map.sun_and_sky[2 * i] = static_cast<std::uint8_t>(nearest(255.0F * sun_share.values()[i]));
+        map.sun_and_sky[2 * i + 1] =
+            static_cast<std::uint8_t>(nearest(255.0F * sky_share.values()[i]));
     }
     return map;
 }
