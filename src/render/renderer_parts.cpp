@@ -132,7 +132,8 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
               mipmaps, kind),
       terrain(view, block, fixed),
       background(view, block, floor_of(view, first, block, refinement, pool), fixed),
-      pixel_depths(depths_of_pixels(view, plan)) {
+      pixel_depths(depths_of_pixels(view, plan)),
+      later_pictures(!limits.one_picture) {
     if (plain) plain->stand_in(view.camera, *first_in_plain, block);
     if (view.look.ground == Ground::endless) {
         world.emplace(view, ground, first_ground(), refinement, origin, copies, fixed, mipmaps);
@@ -206,7 +207,8 @@ void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera, De
 
 /// Where pixels see the ground alone nothing behind it counts.
 void Renderer::Parts::draw_uncovered_background(const Tile& tile, const Camera& camera) {
-    if (plan.tiles.size() == 1 && surroundings_from == camera) {
+    const bool first = later_pictures && !surroundings_from;
+    if (plan.tiles.size() == 1 && (first || surroundings_from == camera)) {
         draw_background(tile, camera, nullptr);
         return;
     }

@@ -97,8 +97,8 @@ struct Renderer::Parts {
     [[nodiscard]] DeepPicture deep_picture(const Camera& camera);
     void draw_background(const Tile& tile, const Camera& camera, DeepPicture* deep);
     /// The same after draw_samples() or draw_pixels(), and only where these left pixels that do not
-    /// see the ground alone; the whole of it where the camera is the last picture's, for the next
-    /// ones. Of the one tile, or of endless ground's.
+    /// see the ground alone; the whole of it, for the next ones, of the first of several pictures
+    /// and where the camera is the last one's. Of the one tile, or of endless ground's.
     void draw_uncovered_background(const Tile& tile, const Camera& camera);
     [[nodiscard]] const gl::RenderTarget& surroundings();
     [[nodiscard]] PlantGround plant_ground(const Camera& camera) const;
@@ -142,6 +142,7 @@ struct Renderer::Parts {
     std::optional<PackedSamples> packed;     // and samples of the others
     std::optional<gl::RenderTarget> surroundings_target;
     gl::VertexArray no_attributes;
+    bool later_pictures;                      // of the same camera, perhaps
     std::optional<Camera> surroundings_from;  // of the light of now, for the one tile
     bool surroundings_whole = false;          // also where the ground covers them
     BytePicture bytes;

@@ -66,7 +66,8 @@ int advance_to_time(PreparedRun& prepared, double time, const std::string& asked
 Drawing draw_snapshot(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
                       const WorkOptions& work) {
     WorkerPool pool(work.threads, "fumon-render");
-    const auto painter = make_frame_painter(prepared.scene, first, work.backend, pool);
+    const auto painter =
+        make_frame_painter(prepared.scene, first, work.backend, pool, PaintedFrames::one_picture);
     const MeasuredRows rows = prepared.plotted ? prepared.plotted->rows() : MeasuredRows{};
     return {painter->paint(snapshot, rows), painter->record()};
 }
