@@ -35,6 +35,9 @@
 
 namespace fumon {
 
+/// Of targets whose texels are looked up one by one.
+gl::TextureLayout plain_layout(PixelKind kind);
+
 /// What samples see, and their colours.
 struct SampleTargets {
     SampleTargets(const TilePlan& plan, Ground ground);
