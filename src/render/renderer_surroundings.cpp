@@ -33,8 +33,8 @@ void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera, De
 
 /// Where pixels see the ground alone nothing behind it counts.
 void Renderer::Parts::draw_uncovered_background(const Tile& tile, const Camera& camera) {
-    const bool first = later_pictures && !surroundings_from;
-    if (plan.tiles.size() == 1 && (first || surroundings_from == camera)) {
+    const bool of_several = later_pictures && !surroundings_from;
+    if (plan.tiles.size() == 1 && (of_several || surroundings_from == camera)) {
         draw_background(tile, camera, nullptr);
         return;
     }
