@@ -15,6 +15,7 @@ uniform vec3 ray_forward;
 uniform float parallel;
 uniform float base;        // height of the plain
 uniform float endless;     // 1: no plain, as the ground reaches the horizon
+uniform float plain_alone; // 1: no ray comes near the horizon
 uniform sampler2D floor_map;  // shares of sun and sky; see render/floor_map.h
 uniform float floor_half_width;
 uniform vec2 picture_pixels;
@@ -45,7 +46,7 @@ void main() {
     vec3 origin = ray_origin + parallel * offset;
     vec3 view = normalize(ray_forward + (1.0 - parallel) * offset);
     vec3 light;
-    if (view.z < -1e-4 && endless < 0.5) {
+    if (plain_alone > 0.5 || (view.z < -1e-4 && endless < 0.5)) {
         vec3 point = origin + view * ((base - origin.z) / view.z);
         light = plain(point, view);
     } else {

@@ -142,7 +142,8 @@ std::vector<std::uint8_t> texture_of(const ExportOptions& options, const std::st
     scene.view.image.width = std::max(16L, std::lround(width * pixels));
     scene.view.image.height = std::max(16L, std::lround(height * pixels));
     WorkerPool pool(options.work.threads, "fumon-render");
-    const auto painter = make_frame_painter(scene, snapshot, options.work.backend, pool);
+    const auto painter =
+        make_frame_painter(scene, snapshot, options.work.backend, pool, PaintedFrames::one_picture);
     return encode_png(painter->paint(snapshot, {}), screen_dots_per_inch, own_text());
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/light/floor_map.h"
@@ -23,13 +26,17 @@ class BackgroundLayer {
     /// For the light of another sun.
     void set_floor(const FloorMap& floor) const;
 
-    /// Draws one tile's background into the bound target. Stencils may keep it out.
-    void draw(const Light& light, const Camera& camera, const Tile& tile, RowOrder order) const;
+    /// Draws one tile's background into the bound target. Stencils and depths may keep it
+    /// out.
+    void draw(const Light& light, const Camera& camera, const Tile& tile, RowOrder order);
 
   private:
+    const gl::Program& program(bool plain_alone, bool stars);
+
     View view_;
     Block block_;
-    gl::Program program_;
+    gl::Constants fixed_;
+    std::array<std::optional<gl::Program>, 4> programs_;  // made as they are needed
     gl::Texture2D floor_;
 };
 

@@ -204,20 +204,27 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
     const bool linear = kind == PixelKind::radiance;
     const Tone tone = chosen_tone(view.look);
     const bool scenic = view.look.mode == ViewMode::scenic;
-    return {{"tone", linear ? no_curve : tone_number(tone)},
-            {"linear_light", switched(linear)},
-            {"dithered", switched(kind == PixelKind::display_8)},
-            {"punch", switched(tone == Tone::agx_punchy)},
-            {"atmosphere", switched(light.atmosphere)},
-            {"parallel", switched(view.camera.projection != Projection::perspective)},
-            {"natural", switched(view.look.colour_by == Colouring::natural)},
-            {"marks", mark_number(view.look.mark)},
-            {"tinted", switched(!colours_water(view.look.colour_by))},
-            {"figure", switched(view.look.mode == ViewMode::figure)},
-            {"soil", switched(view.look.sides == BlockSides::soil && scenic)},
-            {"plain", switched(block.tiles.plain)},
-            {"varied", switched(far_copies_vary(view, !block.tiles.plain))},
-            {"rock", static_cast<float>(block.rock)}};
+    gl::Constants constants{
+        {"tone", linear ? no_curve : tone_number(tone)},
+        {"linear_light", switched(linear)},
+        {"dithered", switched(kind == PixelKind::display_8)},
+        {"punch", switched(tone == Tone::agx_punchy)},
+        {"atmosphere", switched(light.atmosphere)},
+        {"parallel", switched(view.camera.projection != Projection::perspective)},
+        {"natural", switched(view.look.colour_by == Colouring::natural)},
+        {"marks", mark_number(view.look.mark)},
+        {"tinted", switched(!colours_water(view.look.colour_by))},
+        {"figure", switched(view.look.mode == ViewMode::figure)},
+        {"soil", switched(view.look.sides == BlockSides::soil && scenic)},
+        {"plain", switched(block.tiles.plain)},
+        {"varied", switched(far_copies_vary(view, !block.tiles.plain))},
+        {"rock", static_cast<float>(block.rock)}};
+    if (view.look.ground != Ground::endless) {
+        // Others are numbers, by which a compiler may calculate otherwise.
+        if (chosen_rendering(view, light).contrast == 1.0) constants.push_back({"contrast", 1.0F});
+        if (view.air.visibility.is_word()) constants.push_back({"extinction", -1.0F});
+    }
+    return constants;
 }
 
 void set_light(const gl::Program& program, const View& view, const Light& light,

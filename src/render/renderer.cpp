@@ -77,6 +77,7 @@ Image Renderer::render(const ReadyPicture& picture) {
     p.context.make_current();
     p.set_light(picture.pose);
     p.surroundings_from.reset();
+    p.later_pictures = false;  // the camera moves
     prepare(picture);
     return draw(picture.pose.camera);
 }

@@ -30,8 +30,9 @@ struct ReadyPicture;
 
 /// How much is drawn at once.
 struct RenderLimits {
-    int tile_samples = 4096;  ///< samples along each side of the largest tile
-    bool draft = false;       ///< beds of few cells are refined less
+    int tile_samples = 4096;   ///< samples along each side of the largest tile
+    bool draft = false;        ///< beds of few cells are refined less
+    bool one_picture = false;  ///< what only later ones gain from is left out
 };
 
 /// Turns snapshots into pictures of one view. Everything that must not change during a run

@@ -80,13 +80,13 @@ std::optional<gl::DepthBuffer> depths_of_pixels(const View& view, const TilePlan
 
 constexpr GLbitfield everything = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
 
+}  // namespace
+
 gl::TextureLayout plain_layout(PixelKind kind) {
     gl::TextureLayout layout = colour_layout(kind);
     layout.filter = GL_NEAREST;
     return layout;
 }
-
-}  // namespace
 
 SampleTargets::SampleTargets(const TilePlan& plan, Ground ground)
     : depths(plan.target_width, plan.target_height),
@@ -95,8 +95,7 @@ SampleTargets::SampleTargets(const TilePlan& plan, Ground ground)
 BlockTargets::BlockTargets(const TilePlan& plan)
     : depths(plan.target_width, plan.target_height),
       seen(plan.target_width, plan.target_height, kinds_layout, &depths),
-      pixel_depths(plan.target_width / 2, plan.target_height / 2),
-      pixels(plan.target_width / 2, plan.target_height / 2, squares_layout, &pixel_depths) {}
+      pixels(plan.target_width / 2, plan.target_height / 2, squares_layout, &depths) {}
 
 Snapshot Renderer::Parts::shown_first(const Snapshot& first, const View& view) {
     std::optional<Snapshot> shown = shown_snapshot(first, view);
@@ -134,8 +133,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       terrain(view, block, fixed),
       background(view, block, floor_of(view, first, block, refinement, pool), fixed),
       pixel_depths(depths_of_pixels(view, plan)),
-      surroundings(plan.tiles.front().width, plan.tiles.front().height, plain_layout(kind),
-                   pixel_depths ? &*pixel_depths : nullptr) {
+      later_pictures(!limits.one_picture) {
     if (plain) plain->stand_in(view.camera, *first_in_plain, block);
     if (view.look.ground == Ground::endless) {
         world.emplace(view, ground, first_ground(), refinement, origin, copies, fixed, mipmaps);
@@ -179,41 +177,6 @@ Field<float> Renderer::Parts::drawn_surface(const ReadyPicture& picture) const {
     return surface;
 }
 
-void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera, DeepPicture* deep) {
-    // Nothing in it changes while the camera stands still.
-    const bool kept = deep == nullptr && plan.tiles.size() == 1;
-    if (kept && surroundings_whole && surroundings_from == camera) return;
-    gl::functions().BindVertexArray(no_attributes.name());
-    surroundings.bind();
-    background.draw(light, camera, tile, RowOrder::downward);
-    if (deep != nullptr) {
-        deep->read_background(tile);
-    } else {
-        bytes.read_background(tile, RowOrder::downward);
-    }
-    surroundings_whole = true;
-    if (kept) surroundings_from = camera;
-}
-
-/// Where pixels see the ground alone nothing behind it counts.
-void Renderer::Parts::draw_uncovered_background(const Tile& tile, const Camera& camera) {
-    if (plan.tiles.size() == 1 && surroundings_from == camera) {
-        draw_background(tile, camera, nullptr);
-        return;
-    }
-    const gl::Functions& gl = gl::functions();
-    gl.BindVertexArray(no_attributes.name());
-    surroundings.bind();
-    gl.Enable(GL_STENCIL_TEST);
-    gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    gl.StencilFunc(GL_EQUAL, 0, 0xFF);
-    background.draw(light, camera, tile, RowOrder::upward);
-    gl.Disable(GL_STENCIL_TEST);
-    bytes.read_background(tile, RowOrder::upward);
-    surroundings_whole = false;
-    surroundings_from = camera;
-}
-
 glm::ivec2 Renderer::Parts::first_sample(const Tile& tile) const {
     const int bottom = static_cast<int>(view.image.height) - tile.y - tile.height;
     return glm::ivec2(tile.x, bottom) * plan.factor;
@@ -227,10 +190,13 @@ glm::ivec2 Renderer::Parts::target_corner(const Tile& tile) const {
 void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& image) {
     gl::functions().BindVertexArray(no_attributes.name());
     const bool seen_behind = !image.transparent();
+    const bool block_first = coloured_by_pixels() && plan.tiles.size() == 1;
     const bool ground_first = pixels && !air;
-    if (seen_behind && !ground_first) draw_background(tile, camera, nullptr);
+    if (seen_behind && !ground_first && !block_first) draw_background(tile, camera, nullptr);
     if (coloured_by_pixels()) {
         draw_pixels(tile, camera);
+        if (seen_behind && block_first) draw_uncovered_background(tile, camera);
+        block_targets->pixels.bind();
         bytes.read_pixels(tile, (first_sample(tile) - target_corner(tile)) / 2, pool, image);
         return;
     }
@@ -358,7 +324,7 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
     gl.Clear(GL_COLOR_BUFFER_BIT);
     if (air) {
         gl.BindVertexArray(no_attributes.name());
-        air->draw_behind(surroundings.colour(), plan.factor,
+        air->draw_behind(surroundings().colour(), plan.factor,
                          first_sample(tile) - target_corner(tile), {tile.width, tile.height});
     }
     if (world) {

@@ -35,6 +35,9 @@
 
 namespace fumon {
 
+/// Of targets whose texels are looked up one by one.
+gl::TextureLayout plain_layout(PixelKind kind);
+
 /// What samples see, and their colours.
 struct SampleTargets {
     SampleTargets(const TilePlan& plan, Ground ground);
@@ -49,9 +52,8 @@ struct SampleTargets {
 struct BlockTargets {
     explicit BlockTargets(const TilePlan& plan);
 
-    gl::DepthBuffer depths;
+    gl::DepthBuffer depths;  // of samples, and then of pixels
     gl::RenderTarget seen;
-    gl::DepthBuffer pixel_depths;
     gl::RenderTarget pixels;
 };
 
@@ -97,9 +99,11 @@ struct Renderer::Parts {
     void draw_places(const Tile& tile, const Camera& camera, PlaceLayers& layers);
     [[nodiscard]] DeepPicture deep_picture(const Camera& camera);
     void draw_background(const Tile& tile, const Camera& camera, DeepPicture* deep);
-    /// After draw_samples(), by the stencils of its pixels; the whole of it where the camera is the
-    /// last picture's, for the next ones.
+    /// The same after draw_samples() or draw_pixels(), and only where these left pixels that do not
+    /// see the ground alone; the whole of it, for the next ones, of the first of several pictures
+    /// and where the camera is the last one's. Of the one tile, or of endless ground's.
     void draw_uncovered_background(const Tile& tile, const Camera& camera);
+    [[nodiscard]] const gl::RenderTarget& surroundings();
     [[nodiscard]] PlantGround plant_ground(const Camera& camera) const;
     [[nodiscard]] Field<float> drawn_surface(const ReadyPicture& picture) const;
 
@@ -139,8 +143,9 @@ struct Renderer::Parts {
     std::optional<gl::DepthBuffer> pixel_depths;
     std::optional<gl::RenderTarget> pixels;  // of endless ground, those that see one place each
     std::optional<PackedSamples> packed;     // and samples of the others
-    gl::RenderTarget surroundings;
+    std::optional<gl::RenderTarget> surroundings_target;
     gl::VertexArray no_attributes;
+    bool later_pictures;                      // of the same camera, perhaps
     std::optional<Camera> surroundings_from;  // of the light of now, for the one tile
     bool surroundings_whole = false;          // also where the ground covers them
     BytePicture bytes;

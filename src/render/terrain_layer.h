@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -62,6 +63,10 @@ class TerrainLayer {
     /// the pixel that is covered, and that share. `tile` counts in pixels. Of a block without rim.
     void colour_pixels(const gl::Texture2D& seen, const gl::Texture2D& colours, const Light& light,
                        const Camera& camera, const TileSamples& tile);
+
+    /// Calls `draw` so that it reaches only pixels of the bound target, which has the depths of
+    /// colour_pixels(), that this did not colour as wholes.
+    static void beside_whole_pixels(const std::function<void()>& draw);
 
     /// Draws into the bound target, cleared to 0, which point each pixel sees, see
     /// places/place.frag.glsl; by the programs of places/bed_place.vert.glsl and

@@ -13,6 +13,7 @@ constexpr double around_box = 0.01;  // block lengths: more than a pixel
 // Between the depths that block/block_pixels.frag.glsl gives: what lies behind is done.
 constexpr double behind_edges = 0.5;
 constexpr double behind_sides = 0.75;
+constexpr double of_wholes = 0.875;  // one of these depths
 
 }  // namespace
 
@@ -115,6 +116,19 @@ void TerrainLayer::colour_pixels(const gl::Texture2D& seen, const gl::Texture2D&
     gl.DepthMask(GL_TRUE);
     gl.Disable(GL_DEPTH_TEST);
     gl.BindVertexArray(0);
+}
+
+void TerrainLayer::beside_whole_pixels(const std::function<void()>& draw) {
+    const gl::Functions& gl = gl::functions();
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthMask(GL_FALSE);
+    gl.DepthFunc(GL_NOTEQUAL);
+    gl.DepthRange(of_wholes, of_wholes);
+    draw();
+    gl.DepthRange(0.0, 1.0);
+    gl.DepthFunc(GL_LESS);
+    gl.DepthMask(GL_TRUE);
+    gl.Disable(GL_DEPTH_TEST);
 }
 
 }  // namespace fumon

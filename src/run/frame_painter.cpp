@@ -19,20 +19,26 @@ namespace fumon {
 
 namespace {
 
+bool draws_layers(PaintedFrames frames) {
+    return frames == PaintedFrames::layers || frames == PaintedFrames::pictures_and_layers;
+}
+
 class BedPainter : public FramePainter {
   public:
     BedPainter(const Scene& scene, const Snapshot& first, gl::Backend backend, WorkerPool& pool,
                PaintedFrames frames)
         : context_(gl::Context::create(backend)),
           places_(scene.output.exr_layers == ExrLayers::all) {
+        RenderLimits limits;
+        limits.one_picture = frames == PaintedFrames::one_picture;
         const auto make = [&](PixelKind kind) {
             return std::make_unique<Renderer>(*context_, scene.view, first, scene.run.steps, pool,
-                                              RenderLimits{}, kind);
+                                              limits, kind);
         };
         if (frames != PaintedFrames::layers)
             pictures_ =
                 make(scene.view.image.deep_colour ? PixelKind::display_16 : PixelKind::display_8);
-        if (frames != PaintedFrames::pictures) layers_ = make(PixelKind::radiance);
+        if (draws_layers(frames)) layers_ = make(PixelKind::radiance);
     }
 
     ~BedPainter() override { context_->make_current(); }  // others may have drawn since
@@ -131,7 +137,7 @@ std::unique_ptr<FramePainter> make_bare_painter(const Scene& scene, const Snapsh
                                                 gl::Backend backend, WorkerPool& pool,
                                                 PaintedFrames frames) {
     check_background(scene.view, first);
-    if (frames != PaintedFrames::pictures) check_layers(scene, first);
+    if (draws_layers(frames)) check_layers(scene, first);
     if (first.section && scene.view.look.mode == ViewMode::figure)
         return std::make_unique<SectionPainter>(scene, first);
     return std::make_unique<BedPainter>(scene, first, backend, pool, frames);

@@ -43,7 +43,7 @@ class FramePainter {
 };
 
 /// What a painter is asked for.
-enum class PaintedFrames { pictures, pictures_and_layers, layers };
+enum class PaintedFrames { pictures, one_picture, pictures_and_layers, layers };
 
 /// Throws KeyError where a view has no light that layers could hold, or where they would take more
 /// than 16 GiB.

@@ -66,23 +66,43 @@ int advance_to_time(PreparedRun& prepared, double time, const std::string& asked
 Drawing draw_snapshot(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
                       const WorkOptions& work) {
     WorkerPool pool(work.threads, "fumon-render");
-    const auto painter = make_frame_painter(prepared.scene, first, work.backend, pool);
+    const auto painter =
+        make_frame_painter(prepared.scene, first, work.backend, pool, PaintedFrames::one_picture);
     const MeasuredRows rows = prepared.plotted ? prepared.plotted->rows() : MeasuredRows{};
     return {painter->paint(snapshot, rows), painter->record()};
 }
 
+namespace {
+
+/// What says how a picture of that hash was made.
+PictureText text_of(const Scene& scene, const std::vector<InputFile>& inputs, std::int64_t step,
+                    const Sha256& hash, const DrawingRecord& record) {
+    return picture_text(resolved_scene(scene, inputs), scene, step, inputs, hash,
+                        record.environment);
+}
+
+std::vector<std::uint8_t> png_file(const Scene& scene, const Drawing& drawing,
+                                   const PictureText& text) {
+    return encode_png(drawing.image, scene.view.image.dots_per_inch, text);
+}
+
+std::vector<std::uint8_t> exr_file(const Scene& scene, const LayersDrawing& drawing,
+                                   const PictureText& text) {
+    return encode_exr(drawing.layers, scene.view.image.dots_per_inch, text);
+}
+
+}  // namespace
+
 std::vector<std::uint8_t> still_file(const Scene& scene, const std::vector<InputFile>& inputs,
                                      std::int64_t step, const Drawing& drawing) {
-    const auto texts = picture_text(resolved_scene(scene, inputs), scene, step, inputs,
-                                    pixel_hash(drawing.image), drawing.record.environment);
-    return encode_png(drawing.image, scene.view.image.dots_per_inch, texts);
+    return png_file(scene, drawing,
+                    text_of(scene, inputs, step, pixel_hash(drawing.image), drawing.record));
 }
 
 std::vector<std::uint8_t> layers_file(const Scene& scene, const std::vector<InputFile>& inputs,
                                       std::int64_t step, const LayersDrawing& drawing) {
-    return encode_exr(drawing.layers, scene.view.image.dots_per_inch,
-                      picture_text(resolved_scene(scene, inputs), scene, step, inputs,
-                                   layers_hash(drawing.layers), drawing.record.environment));
+    return exr_file(scene, drawing,
+                    text_of(scene, inputs, step, layers_hash(drawing.layers), drawing.record));
 }
 
 namespace {
@@ -105,11 +125,14 @@ DrawnStill draw_exr(const PreparedRun& prepared, const Snapshot& first, const Sn
     const LayersDrawing drawing{std::move(layers), painter->record()};
     const DrawingRecord& record = drawing.record;
     tell_drawing(record, progress);
-    write_bytes(file, layers_file(scene, prepared.initial.inputs, snapshot.step, drawing));
+    const Sha256 hash = layers_hash(drawing.layers);
+    write_bytes(file,
+                exr_file(scene, drawing,
+                         text_of(scene, prepared.initial.inputs, snapshot.step, hash, record)));
     if (has_overlays(scene)) progress.note("overlays are not part of an OpenEXR file");
     if (record.exaggeration != 1.0)
         progress.note(fmt::format("vertical exaggeration {:g}", record.exaggeration));
-    return {layers_hash(drawing.layers), record.environment};
+    return {hash, record.environment};
 }
 
 bool is_exr_name(const std::string& file) {
@@ -134,13 +157,14 @@ DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const 
     const Drawing drawing = draw_snapshot(prepared, first, snapshot, work);
     tell_drawing(drawing.record, progress);
     const Scene& scene = prepared.scene;
-    const std::vector<std::uint8_t> bytes =
-        still_file(scene, prepared.initial.inputs, snapshot.step, drawing);
-    write_bytes(file, bytes);
+    const Sha256 pixels = pixel_hash(drawing.image);
+    const PictureText text =
+        text_of(scene, prepared.initial.inputs, snapshot.step, pixels, drawing.record);
+    write_bytes(file, png_file(scene, drawing, text));
     if (file != standard_output) write_map_files(scene, snapshot, drawing.image, file);
     if (drawing.record.exaggeration != 1.0)
         progress.note(fmt::format("vertical exaggeration {:g}", drawing.record.exaggeration));
-    return {pixel_hash(drawing.image), drawing.record.environment};
+    return {pixels, drawing.record.environment};
 }
 
 }  // namespace fumon

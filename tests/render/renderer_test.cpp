@@ -70,6 +70,24 @@ TEST(Renderer, GivesTheSamePixelsAgainAndAfterAnotherPicture) {
     }
 }
 
+/// The surroundings of a picture that is the only one are drawn where the block leaves them alone,
+/// those of several as a whole: with and without the horizon, in the night, and seen from above.
+TEST(Renderer, DrawsOnePictureAsItDrawsSeveral) {
+    const Snapshot bed = wavy_bed(120, 90);
+    RenderLimits one;
+    one.one_picture = true;
+    for (const double elevation : {4.0, 32.0, 80.0}) {
+        for (const double sun : {-8.0, 2.0, 30.0}) {
+            View view = small_view();
+            view.camera.elevation = elevation;
+            view.sun.elevation = sun;
+            const Image expected = pictures(view, {bed, bed}).back();
+            EXPECT_EQ(picture(view, bed, 2, gl::Backend::automatic, one), expected)
+                << elevation << ' ' << sun;
+        }
+    }
+}
+
 TEST(Renderer, GivesTheSamePixelsByOsmesaAndByEgl) {
     for (const gl::Backend backend : {gl::Backend::osmesa, gl::Backend::egl}) {
         try {

@@ -26,12 +26,29 @@ double largest_of(std::span<const double> values) {
 
 }  // namespace
 
+std::array<double, most_row_means> row_means(const Grid& bed, int first, int count) {
+    std::array<double, most_row_means> means{};
+    std::array<const double*, most_row_means> rows{};
+    for (std::size_t k = 0; k < most_row_means; ++k)
+        rows[k] = bed.row(first + std::min(static_cast<int>(k), count - 1)).data();
+    const auto nx = static_cast<std::size_t>(bed.nx());
+    for (std::size_t x = 0; x < nx; ++x) {
+        for (std::size_t k = 0; k < most_row_means; ++k) means[k] += rows[k][x];
+    }
+    for (double& mean : means) mean /= static_cast<double>(nx);
+    return means;
+}
+
 void row_departures(std::span<const double> row, bool periodic, std::span<double> departures) {
-    const std::size_t nx = row.size();
-    const auto count = static_cast<double>(nx);
     double mean = 0.0;
     for (const double h : row) mean += h;
-    mean /= count;
+    row_departures(row, mean / static_cast<double>(row.size()), periodic, departures);
+}
+
+void row_departures(std::span<const double> row, double mean, bool periodic,
+                    std::span<double> departures) {
+    const std::size_t nx = row.size();
+    const auto count = static_cast<double>(nx);
     double slope = 0.0;
     const double middle = 0.5 * (count - 1.0);
     if (!periodic && nx > 1) {

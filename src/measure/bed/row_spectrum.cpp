@@ -1,6 +1,7 @@
 #include "measure/bed/row_spectrum.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -30,6 +31,7 @@ std::vector<double> hann_window(std::size_t length) {
 class RowSpectra {
   public:
     static constexpr std::size_t rows = FourierTransform::rows;
+    static_assert(rows <= most_row_means);
 
     RowSpectra(std::size_t nx, std::size_t length)
         : transform_(length),
@@ -40,17 +42,26 @@ class RowSpectra {
           imaginary_(real_.size()) {}
 
     void clear() { std::fill(values_.begin(), values_.end(), 0.0); }
-    /// Makes a bed's row one of the batch; returns Σ f² of its departures.
-    double set(std::size_t place, std::span<const double> row, bool periodic,
-               std::span<const double> window = {}) {
-        row_departures(row, periodic, departures_);
-        for (std::size_t x = 0; x < window.size(); ++x) departures_[x] *= window[x];
-        double squares = 0.0;
-        for (std::size_t x = 0; x < departures_.size(); ++x) {
-            values_[x * rows + place] = departures_[x];
-            squares += departures_[x] * departures_[x];
+    /// Makes `count` rows of a bed, from `first` on, those of the batch from `place` on.
+    void set(std::size_t place, const Grid& bed, int first, int count, bool periodic,
+             std::span<const double> window = {}) {
+        const auto means = row_means(bed, first, count);
+        for (int row = 0; row < count; ++row, ++place) {
+            row_departures(bed.row(first + row), means[static_cast<std::size_t>(row)], periodic,
+                           departures_);
+            for (std::size_t x = 0; x < window.size(); ++x) departures_[x] *= window[x];
+            for (std::size_t x = 0; x < departures_.size(); ++x)
+                values_[x * rows + place] = departures_[x];
         }
-        return squares;
+    }
+    /// Σ f² of each row's departures.
+    [[nodiscard]] std::array<double, rows> squares() const {
+        std::array<double, rows> sums{};
+        for (std::size_t x = 0; x < departures_.size(); ++x) {
+            const double* at = values_.data() + x * rows;
+            for (std::size_t row = 0; row < rows; ++row) sums[row] += at[row] * at[row];
+        }
+        return sums;
     }
     void transform() {
         transform_.forward(values_.data(), rows, real_.data(), imaginary_.data(), rows, scratch_);
@@ -74,8 +85,8 @@ std::vector<double> power_of_rows(const Grid& bed, bool periodic, std::size_t le
     RowSpectra spectra(static_cast<std::size_t>(bed.nx()), length);
     for (int first = 0; first < bed.ny(); first += static_cast<int>(RowSpectra::rows)) {
         spectra.clear();
-        for (int y = first; y < std::min(first + static_cast<int>(RowSpectra::rows), bed.ny()); ++y)
-            spectra.set(static_cast<std::size_t>(y - first), bed.row(y), periodic, window);
+        spectra.set(0, bed, first, std::min(static_cast<int>(RowSpectra::rows), bed.ny() - first),
+                    periodic, window);
         spectra.transform();
         for (std::size_t k = 0; k < power.size(); ++k) {
             const double* re = spectra.real(k);
@@ -148,10 +159,13 @@ std::vector<double> cross_correlation_along_x(const Grid& earlier, const Grid& l
     double later_squares = 0.0;
     for (int first = 0; first < earlier.ny(); first += static_cast<int>(pairs)) {
         spectra.clear();
-        for (int y = first; y < std::min(first + static_cast<int>(pairs), earlier.ny()); ++y) {
-            const auto place = static_cast<std::size_t>(y - first);
-            earlier_squares += spectra.set(place, earlier.row(y), true);
-            later_squares += spectra.set(pairs + place, later.row(y), true);
+        const int count = std::min(static_cast<int>(pairs), earlier.ny() - first);
+        spectra.set(0, earlier, first, count, true);
+        spectra.set(pairs, later, first, count, true);
+        const auto squares = spectra.squares();
+        for (std::size_t row = 0; row < static_cast<std::size_t>(count); ++row) {
+            earlier_squares += squares[row];
+            later_squares += squares[pairs + row];
         }
         spectra.transform();
         for (std::size_t k = 0; k < products_real.size(); ++k) {

@@ -165,16 +165,31 @@ Field<float> open_sky(const Field<float>& heights, const Field<std::uint8_t>& co
 Field<float> smoothed(const Field<float>& light) {
     Field<float> result = light;
     for (int y = 1; y + 1 < n; ++y) {
-        for (int x = 1; x + 1 < n; ++x) {
-            float sum = 0.0F;
-            for (int v = -1; v <= 1; ++v) {
-                sum += static_cast<float>(2 - v * v) *
-                       (light(x - 1, y + v) + 2.0F * light(x, y + v) + light(x + 1, y + v));
-            }
-            result(x, y) = sum / 16.0F;
+        const float* south = light.row(y - 1).data();
+        const float* here = light.row(y).data();
+        const float* north = light.row(y + 1).data();
+        float* out = result.row(y).data();
+        for (std::size_t x = 1; x + 1 < n; ++x) {
+            float sum = south[x - 1] + 2.0F * south[x] + south[x + 1];
+            sum += 2.0F * (here[x - 1] + 2.0F * here[x] + here[x + 1]);
+            sum += north[x - 1] + 2.0F * north[x] + north[x + 1];
+            out[x] = sum / 16.0F;
         }
     }
     return result;
+}
+
+/// The cell of a bed of `count` cells that is under each cell of the map along one side, −1 where
+/// none is.
+std::array<int, n> cells_of_bed(double width, int count) {
+    std::array<int, n> cells{};
+    constexpr double cell = 2.0 * FloorMap::half_width / n;
+    for (int i = 0; i < n; ++i) {
+        const double place = ((i + 0.5) * cell - FloorMap::half_width) / width + 0.5;
+        cells[static_cast<std::size_t>(i)] =
+            place < 0.0 || place >= 1.0 ? -1 : static_cast<int>(place * count);
+    }
+    return cells;
 }
 
 }  // namespace
@@ -183,20 +198,19 @@ FloorMap floor_map(const DisplayBed& bed, const Block& block, const SunDirection
                    WorkerPool& pool) {
     Field<float> heights(n, n, 0.0F);
     Field<std::uint8_t> covered(n, n, 0);
-    const double cell = 2.0 * FloorMap::half_width / n;
+    const std::array<int, n> columns = cells_of_bed(block.width_x, bed.z.nx());
+    const std::array<int, n> rows = cells_of_bed(block.width_y, bed.z.ny());
     for (int y = 0; y < n; ++y) {
-        const double north = ((y + 0.5) * cell - FloorMap::half_width) / block.width_y + 0.5;
-        if (north < 0.0 || north >= 1.0) continue;
-        const int v = static_cast<int>(north * bed.z.ny());
+        const int v = rows[static_cast<std::size_t>(y)];
+        if (v < 0) continue;
         for (int x = 0; x < n; ++x) {
-            const double east = ((x + 0.5) * cell - FloorMap::half_width) / block.width_x + 0.5;
-            if (east < 0.0 || east >= 1.0) continue;
-            const int u = static_cast<int>(east * bed.z.nx());
-            if (!bed.nodata.empty() && bed.nodata(u, v) != 0) continue;
+            const int u = columns[static_cast<std::size_t>(x)];
+            if (u < 0 || (!bed.nodata.empty() && bed.nodata(u, v) != 0)) continue;
             heights(x, y) = bed.z(u, v) - static_cast<float>(block.base);
             covered(x, y) = 1;
         }
     }
+    constexpr double cell = 2.0 * FloorMap::half_width / n;
     const auto width = static_cast<float>(cell);
     SunDirection soft = sun;
     soft.lower_limb = std::max(sun.lower_limb - softening, 0.5F * sun.lower_limb);
@@ -207,12 +221,11 @@ FloorMap floor_map(const DisplayBed& bed, const Block& block, const SunDirection
     continue_under(sun_share, covered, reach);
     sun_share = smoothed(sun_share);
     FloorMap map;
-    map.sun_and_sky.reserve(2 * heights.size());
+    map.sun_and_sky.resize(2 * heights.size());
     for (std::size_t i = 0; i < heights.size(); ++i) {
-        map.sun_and_sky.push_back(
-            static_cast<std::uint8_t>(nearest(255.0F * sun_share.values()[i])));
-        map.sun_and_sky.push_back(
-            static_cast<std::uint8_t>(nearest(255.0F * sky_share.values()[i])));
+        map.sun_and_sky[2 * i] = static_cast<std::uint8_t>(nearest(255.0F * sun_share.values()[i]));
+        map.sun_and_sky[2 * i + 1] =
+            static_cast<std::uint8_t>(nearest(255.0F * sky_share.values()[i]));
     }
     return map;
 }

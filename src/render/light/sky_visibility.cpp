@@ -43,26 +43,52 @@ struct HullPoint {
 /// it hides no processor foresees on rough ground.
 constexpr int looked_at = 3;
 
-/// A line on the way through its cells, and the hull of those behind. Below the hull lie as many
-/// points that hide nothing, so that of the last ones none is ever missing.
+/// How many cells of a line are as high as its first one, in steps of `step`; 1 where that has no
+/// height.
+template <std::ptrdiff_t step>
+int level_cells(const float* z, int count) {
+    int cells = 1;
+    if (!std::isfinite(z[0])) return cells;
+    while (cells < count && z[cells * step] == z[0]) ++cells;
+    return cells;
+}
+
+/// A line that is not level as a whole, on the way through its cells in steps of `step`, and the
+/// hull of those behind. Below the hull lie as many points that hide nothing, so that of the last
+/// ones none is ever missing. The level ground that a block stands on needs no look at the hull:
+/// before the block it sees no horizon, and behind it none of it hides anything.
+template <std::ptrdiff_t step>
 struct Sweep {
     const float* z;
     float* tangent;
+    int count;
+    int next;  ///< the cell that is swept next
+    int last;  ///< from here on the line is level
     HullPoint* bottom;
     HullPoint* top;
 
-    Sweep(const float* z_, float* tangent_, std::vector<HullPoint>& hull)
-        : z(z_), tangent(tangent_), bottom(hull.data() + looked_at), top(bottom) {
+    Sweep(const float* z_, float* tangent_, int count_, std::vector<HullPoint>& hull)
+        : z(z_),
+          tangent(tangent_),
+          count(count_),
+          next(level_cells<step>(z, count)),
+          last(count - level_cells<-step>(z + (count - 1) * step, count)),
+          bottom(hull.data() + looked_at),
+          top(bottom) {
         std::fill(hull.data(), bottom, HullPoint{-1.0F, -std::numeric_limits<float>::infinity()});
         *bottom = {0.0F, z[0]};
-        tangent[0] = 0.0F;
+        for (int i = 0; i < next; ++i) tangent[i * step] = 0.0F;
+        if (next > 1) *++top = {static_cast<float>(next - 1), z[(next - 1) * step]};
     }
+
+    [[nodiscard]] int left() const { return last + 1 - next; }  ///< cells before sweep_level()
 };
 
 /// Finds, for cell i of a line that is taken in steps of `step`, the tangent of the horizon's
 /// elevation looking back to those before, never below the horizontal.
 template <std::ptrdiff_t step>
-inline void sweep_cell(Sweep& sweep, int i) {
+inline void sweep_cell(Sweep<step>& sweep) {
+    const int i = sweep.next++;
     const float here = sweep.z[i * step];
     const auto place = static_cast<float>(i);
     std::array<float, looked_at + 1> rise{};
@@ -87,6 +113,22 @@ inline void sweep_cell(Sweep& sweep, int i) {
     sweep.tangent[i * step] = (top->height - here) / (place - top->place);
     *++top = {place, here};
     sweep.top = top;
+}
+
+/// The same for the level cells that are left, the first of which is swept and lies on the hull.
+template <std::ptrdiff_t step>
+void sweep_level(const Sweep<step>& sweep) {
+    const float here = sweep.z[sweep.last * step];
+    const HullPoint* top = sweep.top - 1;
+    const bool horizon = top->height - here >= 0.0F;
+    for (int i = sweep.next; i < sweep.count; ++i) {
+        const auto place = static_cast<float>(i);
+        while (horizon && top != sweep.bottom &&
+               (top[-1].height - here) * (place - top->place) >=
+                   (top->height - here) * (place - top[-1].place))
+            --top;
+        sweep.tangent[i * step] = horizon ? (top->height - here) / (place - top->place) : 0.0F;
+    }
 }
 
 bool is_flat(const float* z, int count) {
@@ -133,22 +175,23 @@ class LineSweeps {
         if (waiting_ == 0) return;
         Line& one = lines_.front();
         Line& other = lines_.back();
-        Sweep back = one.sweep_back();
-        Sweep ahead = one.sweep_ahead();
-        int swept = 1;
+        Sweep<1> back = one.sweep_back();
+        Sweep<-1> ahead = one.sweep_ahead();
         if (waiting_ == lines_.size()) {
-            Sweep other_back = other.sweep_back();
-            Sweep other_ahead = other.sweep_ahead();
-            for (; swept < std::min(one.count, other.count); ++swept) {
-                sweep_cell<1>(back, swept);
-                sweep_cell<-1>(ahead, swept);
-                sweep_cell<1>(other_back, swept);
-                sweep_cell<-1>(other_ahead, swept);
+            Sweep<1> other_back = other.sweep_back();
+            Sweep<-1> other_ahead = other.sweep_ahead();
+            const int together =
+                std::min({back.left(), ahead.left(), other_back.left(), other_ahead.left()});
+            for (int i = 0; i < together; ++i) {
+                sweep_cell(back);
+                sweep_cell(ahead);
+                sweep_cell(other_back);
+                sweep_cell(other_ahead);
             }
-            sweep_rest(other_back, other_ahead, swept, other.count);
+            sweep_rest(other_back, other_ahead);
             add_sky(other);
         }
-        sweep_rest(back, ahead, swept, one.count);
+        sweep_rest(back, ahead);
         add_sky(one);
         waiting_ = 0;
     }
@@ -161,9 +204,11 @@ class LineSweeps {
               ahead(static_cast<std::size_t>(length)),
               hull_behind(static_cast<std::size_t>(length + looked_at)),
               hull_ahead(hull_behind.size()) {}
-        [[nodiscard]] Sweep sweep_back() { return {heights.data() + 1, back.data(), hull_behind}; }
-        [[nodiscard]] Sweep sweep_ahead() {
-            return {heights.data() + count, ahead.data() + count - 1, hull_ahead};
+        [[nodiscard]] Sweep<1> sweep_back() {
+            return {heights.data() + 1, back.data(), count, hull_behind};
+        }
+        [[nodiscard]] Sweep<-1> sweep_ahead() {
+            return {heights.data() + count, ahead.data() + count - 1, count, hull_ahead};
         }
 
         std::vector<float> heights;  ///< with one place of padding at each end
@@ -176,11 +221,15 @@ class LineSweeps {
         float* sum = nullptr;
     };
 
-    static void sweep_rest(Sweep& back, Sweep& ahead, int begin, int count) {
-        for (int i = begin; i < count; ++i) {
-            sweep_cell<1>(back, i);
-            sweep_cell<-1>(ahead, i);
+    static void sweep_rest(Sweep<1>& back, Sweep<-1>& ahead) {
+        while (back.left() > 0 && ahead.left() > 0) {
+            sweep_cell(back);
+            sweep_cell(ahead);
         }
+        while (back.left() > 0) sweep_cell(back);
+        while (ahead.left() > 0) sweep_cell(ahead);
+        sweep_level(back);
+        sweep_level(ahead);
     }
 
     void add_sky(const Line& line) const {

@@ -103,6 +103,23 @@ TEST(UpwardCrossings, AreTheFirstSitesAboveAfterOneBelow) {
     EXPECT_EQ(sites, (std::vector<int>{4}));
 }
 
+TEST(RowDepartures, MeansOfRowsSideBySideAreThoseOfEachByItself) {
+    Grid bed(101, 13);
+    unsigned noise = 1;
+    for (double& height : bed.values()) {
+        noise = noise * 1664525U + 1013904223U;
+        height = 1e-3 * static_cast<double>(noise >> 8U);
+    }
+    for (const int count : {1, 5, 8}) {
+        const auto means = row_means(bed, 3, count);
+        for (int row = 0; row < count; ++row) {
+            double sum = 0.0;
+            for (const double height : bed.row(3 + row)) sum += height;
+            EXPECT_EQ(means[static_cast<std::size_t>(row)], sum / 101.0) << count << ' ' << row;
+        }
+    }
+}
+
 TEST(RowDepartures, AreZeroWhereOnlyRoundingIsLeft) {
     const std::vector<double> row(7, 0.1);
     std::vector<double> departures(7, 9.0);

@@ -65,6 +65,28 @@ TEST(SkyVisibility, ALongWall) {
     }
 }
 
+/// Of ground that is level up to a heap and behind it the sweeps look at the heap alone: its light
+/// is that of the same ground with a step far beyond the heap's shadow at either end, which is
+/// level nowhere from end to end, to the last bit.
+TEST(SkyVisibility, LevelGroundAroundAHeapIsWhatItIsAsUnevenGround) {
+    constexpr int n = 120;
+    WorkerPool pool(1);
+    for (const float heap : {3.0F, -3.0F}) {  // or a pit
+        Field<float> level(n, 1, 1.0F);
+        unsigned noise = 1;
+        for (int x = 50; x < 64; ++x) {
+            noise = noise * 1664525U + 1013904223U;
+            level(x, 0) += heap * (0.5F + static_cast<float>(noise >> 8U) / 16777216.0F);
+        }
+        Field<float> uneven = level;
+        uneven(0, 0) = 0.5F;  // below the ground, so that no cell's horizon is changed but its own
+        uneven(n - 1, 0) = 0.5F;
+        const Field<float> expected = sky_visibility(uneven, 1.0F, 1.0F, pool);
+        const Field<float> found = sky_visibility(level, 1.0F, 1.0F, pool);
+        for (int x = 2; x < n - 2; ++x) EXPECT_EQ(found(x, 0), expected(x, 0)) << x;
+    }
+}
+
 /// Each cell's horizon is the steepest of the lines from it to all others, on a hill of noise where
 /// a cell hides none or many of those before it.
 TEST(SkyVisibility, ARoughLineAgainstEveryPairOfItsCells) {

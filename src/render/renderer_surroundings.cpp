@@ -1,0 +1,60 @@
+#include "gl/functions.h"
+#include "render/renderer_parts.h"
+
+namespace fumon {
+
+const gl::RenderTarget& Renderer::Parts::surroundings() {
+    if (!surroundings_target) {
+        const gl::DepthBuffer* depths = pixel_depths    ? &*pixel_depths
+                                        : block_targets ? &block_targets->depths
+                                                        : nullptr;
+        surroundings_target.emplace(plan.tiles.front().width, plan.tiles.front().height,
+                                    plain_layout(kind), depths);
+    }
+    return *surroundings_target;
+}
+
+void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera, DeepPicture* deep) {
+    // Nothing in it changes while the camera stands still.
+    const bool kept = deep == nullptr && plan.tiles.size() == 1;
+    if (kept && surroundings_whole && surroundings_from == camera) return;
+    gl::functions().BindVertexArray(no_attributes.name());
+    surroundings().bind();
+    gl::functions().Disable(GL_DEPTH_TEST);
+    background.draw(light, camera, tile, RowOrder::downward);
+    if (deep != nullptr) {
+        deep->read_background(tile);
+    } else {
+        bytes.read_background(tile, RowOrder::downward);
+    }
+    surroundings_whole = true;
+    if (kept) surroundings_from = camera;
+}
+
+/// Where pixels see the ground alone nothing behind it counts.
+void Renderer::Parts::draw_uncovered_background(const Tile& tile, const Camera& camera) {
+    const bool of_several = later_pictures && !surroundings_from;
+    if (plan.tiles.size() == 1 && (of_several || surroundings_from == camera)) {
+        draw_background(tile, camera, nullptr);
+        return;
+    }
+    const gl::Functions& gl = gl::functions();
+    gl.BindVertexArray(no_attributes.name());
+    surroundings().bind();
+    if (world) {
+        gl.Disable(GL_DEPTH_TEST);
+        gl.Enable(GL_STENCIL_TEST);
+        gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+        gl.StencilFunc(GL_EQUAL, 0, 0xFF);
+        background.draw(light, camera, tile, RowOrder::upward);
+        gl.Disable(GL_STENCIL_TEST);
+    } else {
+        TerrainLayer::beside_whole_pixels(
+            [&] { background.draw(light, camera, tile, RowOrder::upward); });
+    }
+    bytes.read_background(tile, RowOrder::upward);
+    surroundings_whole = false;
+    surroundings_from = camera;
+}
+
+}  // namespace fumon
