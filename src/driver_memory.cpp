@@ -6,7 +6,7 @@
 
 #include <cstdlib>  // which says whose C library it is
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__GLIBC__) && !defined(FUMON_SANITIZED)
 
 #include <malloc.h>
 #include <sys/mman.h>

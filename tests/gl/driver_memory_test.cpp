@@ -11,7 +11,7 @@
 namespace fumon {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef FUMON_SANITIZED
 #define SKIP_WHERE_ANOTHER_ALLOCATES GTEST_SKIP() << "the sanitizer gives the memory"
 #else
 #define SKIP_WHERE_ANOTHER_ALLOCATES
