@@ -14,8 +14,9 @@ namespace fumon {
 
 namespace {
 
+// Two channels of four: llvmpipe looks those up in half the time that it takes for GL_RG8.
 const gl::TextureLayout surface_layout{
-    GL_RG8, GL_RG, GL_UNSIGNED_BYTE, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
+    GL_RGBA8, GL_RG, GL_UNSIGNED_BYTE, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
 const gl::TextureLayout relief_layout{
     GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
 constexpr int relief_texels = 512;
