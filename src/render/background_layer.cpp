@@ -9,13 +9,21 @@ namespace {
 const gl::TextureLayout floor_layout{GL_RG8,    GL_RG, GL_UNSIGNED_BYTE,
                                      GL_LINEAR, 0,     GL_CLAMP_TO_EDGE};
 
+/// Of the background's shader, which does the work of what is left out by them otherwise.
+gl::Constants of_background(gl::Constants fixed, const View& view) {
+    fixed.push_back({"endless", view.look.ground == Ground::endless ? 1.0F : 0.0F});
+    if (view.sun.source != LightSource::moon) fixed.push_back({"stars", 0.0F});
+    return fixed;
+}
+
 }  // namespace
 
 BackgroundLayer::BackgroundLayer(const View& view, const Block& block, const FloorMap& floor,
                                  const gl::Constants& fixed)
     : view_(view),
       block_(block),
-      program_("common/screen.vert.glsl", "sky/background.frag.glsl", {}, fixed),
+      program_("common/screen.vert.glsl", "sky/background.frag.glsl", {},
+               of_background(fixed, view)),
       floor_(FloorMap::cells, FloorMap::cells, floor_layout, floor.sun_and_sky.data()) {}
 
 void BackgroundLayer::set_floor(const FloorMap& floor) const {
@@ -37,7 +45,6 @@ void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile&
     program_.set("ray_right", glm::vec3(camera.right * camera.half.x));
     program_.set("ray_up", glm::vec3(camera.up * camera.half.y));
     program_.set("ray_forward", glm::vec3(camera.forward));
-    program_.set("endless", view_.look.ground == Ground::endless ? 1.0F : 0.0F);
     program_.set("stars", light.stars ? 1.0F : 0.0F);
     program_.set("pixel",
                  static_cast<float>(2.0 * camera.half.y / static_cast<double>(view_.image.height)));

@@ -51,6 +51,21 @@ constexpr double longest_turn = 0.3;  // of a ripple, between two samples, at wh
 
 enum class Coloured { pixels, samples, packed_samples };
 
+/// Draws in the lower rows of a target alone.
+class WithinRows {
+  public:
+    explicit WithinRows(int rows) {
+        gl::functions().Enable(GL_SCISSOR_TEST);
+        gl::functions().Scissor(0, 0, everywhere, rows);
+    }
+    ~WithinRows() { gl::functions().Disable(GL_SCISSOR_TEST); }
+    WithinRows(const WithinRows&) = delete;
+    WithinRows& operator=(const WithinRows&) = delete;
+
+  private:
+    static constexpr int everywhere = 1 << 20;
+};
+
 /// Samples along each side of a pixel; llvmpipe unrolls no loop whose end it does not know.
 gl::Constant factor_of(const View& view) {
     return {"factor", static_cast<float>(view.image.supersampling)};
@@ -87,6 +102,7 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
       origin_(origin),
       copies_(copies),
       seen_program_("world/world.vert.glsl", "world/world_seen.frag.glsl", {"offset"}),
+      unseen_program_("common/screen.vert.glsl", "world/world_unseen.frag.glsl"),
       pixel_program_("common/screen.vert.glsl", "world/world_pixels.frag.glsl", {},
                      {factor_of(view)}),
       spread_program_("common/screen.vert.glsl", "world/world_spread.frag.glsl"),
@@ -251,6 +267,7 @@ SeenGround WorldLayer::ground_seen(const Camera& camera, double samples_high,
 void WorldLayer::look_at(const SeenGround& ground) {
     sample_angle_ = ground.sample_angle;
     near_to_ = ground.near_to;
+    skyline_ = ground.mesh.skyline;
     near_indices_ = static_cast<GLsizei>(ground.mesh.near_indices);
     far_indices_ = static_cast<GLsizei>(ground.mesh.triangles.size()) - near_indices_;
     gl::functions().BindVertexArray(array_.name());
@@ -298,6 +315,41 @@ void WorldLayer::draw_seen(const Camera& camera, const TileSamples& tile, bool t
     gl.BindVertexArray(0);
 }
 
+void WorldLayer::draw_unseen(const PixelSamples& at) const {
+    const gl::Functions& gl = gl::functions();
+    const WithinRows within(at.first.y + at.factor * (at.rows + 1));
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthMask(GL_FALSE);
+    gl.DepthFunc(GL_LEQUAL);  // than a cleared depth, where no ground can be
+    gl.DepthRange(1.0, 1.0);
+    gl.BindVertexArray(no_attributes_.name());
+    unseen_program_.use();
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.BindVertexArray(0);
+    gl.DepthRange(0.0, 1.0);
+    gl.DepthFunc(GL_LESS);
+    gl.DepthMask(GL_TRUE);
+    gl.Disable(GL_DEPTH_TEST);
+}
+
+int WorldLayer::rows_of_ground(const Camera& camera, int picture_rows) const {
+    const glm::dvec3 up = camera.up / camera.half.y;
+    double highest = -1.0;  // of the picture's half height, from its middle
+    for (const glm::vec3& direction : skyline_) {
+        const glm::dvec3 at(direction);
+        const glm::dvec2 level(at);
+        const double ahead = glm::dot(camera.forward, at);
+        // Where this holds, what stands higher along a ray is seen higher in the picture.
+        const bool upright = up.z * glm::dot(glm::dvec2(camera.forward), level) >
+                             camera.forward.z * glm::dot(glm::dvec2(up), level);
+        if (ahead <= 0.0 || !upright || !camera.perspective) return picture_rows;
+        highest = std::max(highest, glm::dot(up, at) / ahead);
+    }
+    constexpr int spare = 2;
+    const double rows = std::ceil((0.5 + 0.5 * highest) * picture_rows) + spare;
+    return static_cast<int>(std::clamp(rows, 0.0, static_cast<double>(picture_rows)));
+}
+
 void WorldLayer::bind(const gl::Program& program, const gl::Texture2D& seen,
                       const BedShading& shading, const Light& light, const Camera& camera) const {
     program.use();
@@ -321,6 +373,7 @@ void WorldLayer::colour_pixels(const gl::Texture2D& seen, const PixelSamples& at
                                const BedShading& shading, const Light& light,
                                const Camera& camera) const {
     const gl::Functions& gl = gl::functions();
+    const WithinRows within(at.rows);
     gl.Enable(GL_DEPTH_TEST);
     gl.BindVertexArray(no_attributes_.name());
     seen.bind(seen_unit);
