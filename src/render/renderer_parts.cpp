@@ -323,7 +323,7 @@ void Renderer::Parts::draw_pixels(const Tile& tile, const Camera& camera) {
 
 PixelSamples Renderer::Parts::pixel_samples(const Tile& tile, const Camera& camera) const {
     const int below = static_cast<int>(view.image.height) - tile.y - tile.height;
-    const int rows = world->rows_of_ground(camera, static_cast<int>(view.image.height)) - below;
+    const int rows = world->rows_seen(camera, static_cast<int>(view.image.height)) - below;
     return {first_sample(tile) - target_corner(tile), plan.factor,
             std::clamp(rows, 0, tile.height)};
 }

@@ -332,24 +332,6 @@ void WorldLayer::draw_unseen(const PixelSamples& at) const {
     gl.Disable(GL_DEPTH_TEST);
 }
 
-int WorldLayer::rows_of_ground(const Camera& camera, int picture_rows) const {
-    const glm::dvec3 up = camera.up / camera.half.y;
-    double highest = -1.0;  // of the picture's half height, from its middle
-    for (const glm::vec3& direction : skyline_) {
-        const glm::dvec3 at(direction);
-        const glm::dvec2 level(at);
-        const double ahead = glm::dot(camera.forward, at);
-        // Where this holds, what stands higher along a ray is seen higher in the picture.
-        const bool upright = up.z * glm::dot(glm::dvec2(camera.forward), level) >
-                             camera.forward.z * glm::dot(glm::dvec2(up), level);
-        if (ahead <= 0.0 || !upright || !camera.perspective) return picture_rows;
-        highest = std::max(highest, glm::dot(up, at) / ahead);
-    }
-    constexpr int spare = 2;
-    const double rows = std::ceil((0.5 + 0.5 * highest) * picture_rows) + spare;
-    return static_cast<int>(std::clamp(rows, 0.0, static_cast<double>(picture_rows)));
-}
-
 void WorldLayer::bind(const gl::Program& program, const gl::Texture2D& seen,
                       const BedShading& shading, const Light& light, const Camera& camera) const {
     program.use();

@@ -12,6 +12,7 @@
 #include "render/bed_shading.h"
 #include "render/ground/ground_fan.h"
 #include "render/ground/height_pyramid.h"
+#include "render/ground/skyline.h"
 #include "render/light/light.h"
 #include "render/light/repeated_light.h"
 #include "render/samples/packed_samples.h"
@@ -62,9 +63,10 @@ class WorldLayer {
     /// After draw_seen(), in a target of which only depths were cleared: notes which samples see no
     /// ground, of pixels that may see some and of those next to them.
     void draw_unseen(const PixelSamples& at) const;
-    /// Of a picture of so many rows of pixels those, from the lowest on, above which no ground is
-    /// seen.
-    [[nodiscard]] int rows_of_ground(const Camera& camera, int picture_rows) const;
+    /// See rows_of_ground(): of a picture of so many rows of pixels.
+    [[nodiscard]] int rows_seen(const Camera& camera, int rows) const {
+        return rows_of_ground(skyline_, camera, rows);
+    }
     /// Colours the pixels of the bound target, with cleared stencils, all of whose samples see the
     /// same ground. Of the others alpha is 0, and red and green say what their samples see, see
     /// world/world_pixels.frag.glsl.
