@@ -4,6 +4,7 @@
 // Those below are included once for each target.
 #include <hwy/highway.h>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -16,6 +17,35 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// The values of cells and of the next ones.
+template <class V>
+struct Neighbours {
+    V first;
+    V second;
+};
+
+template <class D>
+HWY_INLINE Neighbours<hn::Vec<D>> look_up(D d, const std::uint64_t* pairs,
+                                          hn::Vec<hn::Rebind<std::int32_t, D>> cells) {
+    if constexpr (hn::MaxLanes(D()) == 1) {
+        const std::uint64_t pair = pairs[hn::GetLane(cells)];
+        return {hn::Set(d, std::bit_cast<float>(static_cast<std::uint32_t>(pair))),
+                hn::Set(d, std::bit_cast<float>(static_cast<std::uint32_t>(pair >> 32U)))};
+    }
+#if HWY_TARGET != HWY_SCALAR  // which has single numbers alone
+    else {
+        const hn::Repartition<std::uint64_t, D> whole;
+        const hn::Repartition<std::int64_t, D> wide;
+        const hn::Half<hn::Rebind<std::int32_t, D>> half;
+        const auto lower = hn::BitCast(
+            d, hn::GatherIndex(whole, pairs, hn::PromoteTo(wide, hn::LowerHalf(half, cells))));
+        const auto upper = hn::BitCast(
+            d, hn::GatherIndex(whole, pairs, hn::PromoteTo(wide, hn::UpperHalf(half, cells))));
+        return {hn::ConcatEven(d, upper, lower), hn::ConcatOdd(d, upper, lower)};
+    }
+#endif
+}
+
 /// Cells from `x` on, as many as a vector of the tag has.
 template <class D>
 HWY_INLINE void add_means(D d, const Changes& changes, int y, const RowOfEdges& edges, float step,
@@ -25,7 +55,6 @@ HWY_INLINE void add_means(D d, const Changes& changes, int y, const RowOfEdges& 
     if (hn::AllFalse(d, on_edge)) return;
     const hn::Rebind<std::int32_t, D> integers;
     const auto columns = hn::Set(integers, std::int32_t{changes.nx});
-    const auto one = hn::Set(integers, 1);
     const auto east = hn::LoadU(d, edges.east + x);
     const auto north = hn::LoadU(d, edges.north + x);
     const auto cell_x = hn::Iota(d, static_cast<float>(x));
@@ -48,8 +77,8 @@ HWY_INLINE void add_means(D d, const Changes& changes, int y, const RowOfEdges& 
         const auto upper = v - hn::ConvertTo(d, south);
         const auto first = south * columns + west;
         const auto between = [&](auto at) HWY_ATTR {
-            const auto left = hn::GatherIndex(d, changes.values, at);
-            return left + right * (hn::GatherIndex(d, changes.values, at + one) - left);
+            const auto cells = look_up(d, changes.pairs, at);
+            return cells.first + right * (cells.second - cells.first);
         };
         const auto low = between(first);
         const auto high = between(first + columns);
@@ -80,6 +109,19 @@ HWY_AFTER_NAMESPACE();
 namespace fumon::brink_vectors {
 
 HWY_EXPORT(add_means_along);
+
+std::vector<std::uint64_t> pairs_of(const float* values, int count) {
+    std::vector<std::uint64_t> pairs;
+    pairs.reserve(static_cast<std::size_t>(count));
+    std::uint64_t own = std::bit_cast<std::uint32_t>(values[0]);
+    for (int i = 1; i < count; ++i) {
+        const std::uint64_t next = std::bit_cast<std::uint32_t>(values[i]);
+        pairs.push_back(own | next << 32U);
+        own = next;
+    }
+    pairs.push_back(own);
+    return pairs;
+}
 
 void add_means_along(const Changes& changes, int y, const RowOfEdges& edges, float step,
                      float* heights) {

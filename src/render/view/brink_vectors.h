@@ -1,15 +1,22 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 /// The loop over the cells of a fine row that refined_with_brinks() corrects, see vectors/target.h:
 /// the same bits on every target.
 namespace fumon::brink_vectors {
 
-/// What edges change of heights, on fine cells, x fastest.
+/// What edges change of heights, on fine cells, x fastest: the bits of a cell's value, and over
+/// them those of the next one's, so that both are looked up at once.
 struct Changes {
-    const float* values;
+    const std::uint64_t* pairs;
     int nx;
     int ny;
 };
+
+/// The pairs of `count` values.
+std::vector<std::uint64_t> pairs_of(const float* values, int count);
 
 /// The edges about the cells of a row: where there is one (not 0), and a unit vector along it.
 struct RowOfEdges {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "base/worker_pool.h"
@@ -213,12 +214,14 @@ void add_along_edges(const Field<float>& changes, const Field<Edge>& edge, int r
                      Field<float>& fine, WorkerPool& pool) {
     const float step =
         1.5F * static_cast<float>(refinement) / static_cast<float>(brink_vectors::places_aside);
+    const std::vector<std::uint64_t> pairs =
+        brink_vectors::pairs_of(changes.data(), static_cast<int>(changes.size()));
     pool.for_ranges(edge.ny(), [&](int begin, int end) {
         EdgesOfRow edges(fine.nx());
         for (int y = begin; y < end; ++y) {
             if (!edges.take(edge, y, refinement)) continue;
             for (int v = y * refinement; v < (y + 1) * refinement; ++v)
-                brink_vectors::add_means_along({changes.data(), changes.nx(), changes.ny()}, v,
+                brink_vectors::add_means_along({pairs.data(), changes.nx(), changes.ny()}, v,
                                                edges.row(), step, fine.row(v).data());
         }
     });

@@ -64,12 +64,14 @@ TEST(BrinkVectors, EveryTargetAddsTheMeansOfSinglePlaces) {
         north[x] = std::sin(turn);
     }
     constexpr float step = 0.75F;
+    const std::vector<std::uint64_t> pairs =
+        brink_vectors::pairs_of(changes.data(), static_cast<int>(changes.size()));
     for (const std::string& target : vectors::targets()) {
         vectors::use_target(target);
         for (int y = 0; y < changes.ny(); ++y) {
             std::vector<float> heights(count);
             for (std::size_t x = 0; x < count; ++x) heights[x] = 0.1F * static_cast<float>(x);
-            brink_vectors::add_means_along({changes.data(), changes.nx(), changes.ny()}, y,
+            brink_vectors::add_means_along({pairs.data(), changes.nx(), changes.ny()}, y,
                                            {share.data(), east.data(), north.data()}, step,
                                            heights.data());
             for (std::size_t x = 0; x < count; ++x) {
