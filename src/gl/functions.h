@@ -56,6 +56,7 @@
     X(LinkProgram, PFNGLLINKPROGRAMPROC)                         \
     X(PixelStorei, PFNGLPIXELSTOREIPROC)                         \
     X(ReadPixels, PFNGLREADPIXELSPROC)                           \
+    X(Scissor, PFNGLSCISSORPROC)                                 \
     X(ShaderSource, PFNGLSHADERSOURCEPROC)                       \
     X(StencilFunc, PFNGLSTENCILFUNCPROC)                         \
     X(StencilOp, PFNGLSTENCILOPPROC)                             \

@@ -287,10 +287,24 @@ void Renderer::Parts::draw_pixels(const Tile& tile, const Camera& camera) {
                           {0.5F * placed.picture_size, 0.5F * placed.corner, 0.5F * placed.size});
 }
 
+PixelSamples Renderer::Parts::pixel_samples(const Tile& tile, const Camera& camera) const {
+    const int below = static_cast<int>(view.image.height) - tile.y - tile.height;
+    const int rows = world->rows_seen(camera, static_cast<int>(view.image.height)) - below;
+    return {first_sample(tile) - target_corner(tile), plan.factor,
+            std::clamp(rows, 0, tile.height)};
+}
+
 void Renderer::Parts::see_ground(const Tile& tile, const Camera& camera) {
     if (!sampled) sampled.emplace(plan, view.look.ground);
     sampled->seen.bind();
     gl::functions().ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    if (packs_samples()) {
+        // Clearing so many samples takes longer than drawing those of the sky.
+        gl::functions().Clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+        world->draw_seen(camera, placed_samples(tile));
+        world->draw_unseen(pixel_samples(tile, camera));
+        return;
+    }
     gl::functions().Clear(everything);
     if (world) {
         world->draw_seen(camera, placed_samples(tile));
@@ -303,7 +317,7 @@ void Renderer::Parts::draw_packed_samples(const Tile& tile, const Camera& camera
     if (!packed) packed.emplace(plan.factor);
     see_ground(tile, camera);
     const gl::Texture2D& seen = sampled->seen.colour();
-    const PixelSamples at{first_sample(tile) - target_corner(tile), plan.factor};
+    const PixelSamples at = pixel_samples(tile, camera);
     pixels->bind();
     gl::functions().Clear(everything);
     world->colour_pixels(seen, at, shading, light, camera);
@@ -329,7 +343,7 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
     }
     if (world) {
         if (pixels) {
-            const PixelSamples at{first_sample(tile) - target_corner(tile), plan.factor};
+            const PixelSamples at = pixel_samples(tile, camera);
             pixels->bind();
             gl.Clear(everything);
             world->colour_pixels(seen.colour(), at, shading, light, camera);

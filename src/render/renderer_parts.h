@@ -90,6 +90,8 @@ struct Renderer::Parts {
     [[nodiscard]] bool packs_samples() const {
         return pixels && kind == PixelKind::display_8 && !air && !plants && !persons && !tracks;
     }
+    /// Where the pixels of a tile of endless ground lie among samples.
+    [[nodiscard]] PixelSamples pixel_samples(const Tile& tile, const Camera& camera) const;
     /// What each sample of a tile sees.
     void see_ground(const Tile& tile, const Camera& camera);
     void draw_packed_samples(const Tile& tile, const Camera& camera);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "base/snapshot_lookup.h"
 #include "gl/dynamic_buffer.h"
@@ -11,6 +12,7 @@
 #include "render/bed_shading.h"
 #include "render/ground/ground_fan.h"
 #include "render/ground/height_pyramid.h"
+#include "render/ground/skyline.h"
 #include "render/light/light.h"
 #include "render/light/repeated_light.h"
 #include "render/samples/packed_samples.h"
@@ -29,6 +31,7 @@ class WorkerPool;
 struct PixelSamples {
     glm::ivec2 first;  ///< the lower left pixel's lower left sample
     int factor = 1;    ///< samples along each side of a pixel
+    int rows = 0;      ///< of pixels, from the lowest on, above which none sees ground
 };
 
 /// A periodic bed repeated to the horizon: a fan of rays and rings around the camera, raised by the
@@ -57,6 +60,13 @@ class WorldLayer {
     /// the ground is that each sample sees; colours are found later. `tell_far`: lengths on far
     /// ground get a minus sign.
     void draw_seen(const Camera& camera, const TileSamples& tile, bool tell_far = true) const;
+    /// After draw_seen(), in a target of which only depths were cleared: notes which samples see no
+    /// ground, of pixels that may see some and of those next to them.
+    void draw_unseen(const PixelSamples& at) const;
+    /// See rows_of_ground(): of a picture of so many rows of pixels.
+    [[nodiscard]] int rows_seen(const Camera& camera, int rows) const {
+        return rows_of_ground(skyline_, camera, rows);
+    }
     /// Colours the pixels of the bound target, with cleared stencils, all of whose samples see the
     /// same ground. Of the others alpha is 0, and red and green say what their samples see, see
     /// world/world_pixels.frag.glsl.
@@ -117,6 +127,7 @@ class WorldLayer {
     double sample_angle_ = 0.0;  ///< between two samples in the middle of the picture
     double near_to_ = 0.0;       ///< a ripple is not seen beyond, block lengths
     gl::Program seen_program_;
+    gl::Program unseen_program_;
     gl::Program pixel_program_;
     gl::Program spread_program_;
     Colours pixel_colours_;
@@ -129,6 +140,7 @@ class WorldLayer {
     gl::VertexArray no_attributes_;
     gl::DynamicBuffer places_{GL_ARRAY_BUFFER};
     gl::DynamicBuffer triangles_{GL_ELEMENT_ARRAY_BUFFER};
+    std::vector<glm::vec3> skyline_;
     GLsizei near_indices_ = 0;
     GLsizei far_indices_ = 0;
 };

@@ -71,8 +71,8 @@ constexpr std::array loops_of_four{"butterflies_of_four(", "butterflies_of_five(
 
 #ifdef FUMON_HAS_PICTURES
 constexpr std::array loops_of_pictures{"copies_along("};
-constexpr std::array loops_on_floats{"sweep_shadow(", "add_sky(", "multiply_by_normal(",
-                                     "pack_texels(", "take_roots("};
+constexpr std::array loops_on_floats{"sweep_shadow(", "add_sky(",    "multiply_by_normal(",
+                                     "pack_texels(",  "take_roots(", "add_means_along("};
 constexpr std::array loops_on_whole_numbers{"add_squares(", "halve("};
 #else
 constexpr std::array<const char*, 0> loops_of_pictures{};

@@ -120,8 +120,9 @@ class CopiesAlong {
 /// How high places look: the tangents of their elevations.
 using Tangents = std::vector<float>;
 
-void place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::vector<Ring>& all,
-               const AtEdges& edges, int ray, glm::vec3* places, float* tangents) {
+/// Returns the direction of the highest.
+glm::vec3 place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::vector<Ring>& all,
+                    const AtEdges& edges, int ray, glm::vec3* places, float* tangents) {
     const double angle = fan.half_angle * (2.0 * ray / (fan.rays - 1) - 1.0);
     const double c = elementary::cos(angle);
     const double s = elementary::sin(angle);
@@ -148,13 +149,17 @@ void place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::vector
                                    copies.at(ring, over_bed), around.radii.data() + from,
                                    static_cast<int>(to - from), over.data(), rises.data());
         std::size_t highest = 0;
-        for (std::size_t k = 1; k < to - from; ++k)
-            if (rises[k] > rises[highest]) highest = k;
-        const double best = rises[highest];
+        double best = rises[0];
+        for (std::size_t k = 1; k < to - from; ++k) {  // without a branch that none foresees
+            const bool higher = rises[k] > best;
+            highest = higher ? k : highest;
+            best = higher ? rises[k] : best;
+        }
         highest_before = std::max(highest_before, best);
         places[ring] = glm::vec3(glm::dvec3(around.radii[from + highest] * along, over[highest]));
         tangents[ring] = static_cast<float>(best);
     }
+    return {glm::dvec3(along, highest_before)};
 }
 
 /// Rings between two of them.
@@ -190,12 +195,13 @@ GroundMesh ground_mesh(const GroundFan& fan, const HeightPyramid& bed, WorkerPoo
     const AtEdges edges = edges_of(fan);
     GroundMesh mesh;
     mesh.places.resize(static_cast<std::size_t>(fan.rays) * rings);
+    mesh.skyline.resize(static_cast<std::size_t>(fan.rays));
     Tangents tangents(mesh.places.size());
     pool.for_ranges(fan.rays, [&](int begin, int end) {
         for (int ray = begin; ray < end; ++ray) {
             const std::size_t first = static_cast<std::size_t>(ray) * rings;
-            place_ray(fan, bed, all, edges, ray, mesh.places.data() + first,
-                      tangents.data() + first);
+            mesh.skyline[static_cast<std::size_t>(ray)] = place_ray(
+                fan, bed, all, edges, ray, mesh.places.data() + first, tangents.data() + first);
         }
     });
     int first_far = 0;

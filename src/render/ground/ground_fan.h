@@ -34,6 +34,8 @@ struct GroundMesh {
     std::vector<glm::vec3> places;         ///< offsets from the eye
     std::vector<std::uint32_t> triangles;  ///< their corners, near ones first
     std::size_t near_indices = 0;          ///< how many of these are of near ones
+    /// The direction, of length 1 on the level, in which the highest place of each ray is seen.
+    std::vector<glm::vec3> skyline;
 };
 
 /// The ground that a camera sees.

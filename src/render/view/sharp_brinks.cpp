@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "base/worker_pool.h"
 #include "numerics/resampling.h"
+#include "render/view/brink_vectors.h"
 
 namespace fumon {
 
@@ -174,32 +177,54 @@ Field<float> cuts(const Field<float>& heights, const Field<float>& fine, const F
     return changes;
 }
 
-/// The mean of a field over three coarse cells along an edge, which runs on where the lattice
-/// breaks it up.
-float mean_along(const Field<float>& field, int x, int y, const Edge& edge, int refinement) {
-    constexpr int places = 6;  // to either side
-    const float step = 1.5F * static_cast<float>(refinement) / static_cast<float>(places);
-    float sum = 0.0F;
-    float weights = 0.0F;
-    for (int i = -places; i <= places; ++i) {
-        const float away = step * static_cast<float>(i);
-        const float u = std::clamp(static_cast<float>(x) + away * edge.east, 0.0F,
-                                   static_cast<float>(field.nx() - 1));
-        const float v = std::clamp(static_cast<float>(y) + away * edge.north, 0.0F,
-                                   static_cast<float>(field.ny() - 1));
-        const int west = std::min(static_cast<int>(u), field.nx() - 2);
-        const int south = std::min(static_cast<int>(v), field.ny() - 2);
-        const float right = u - static_cast<float>(west);
-        const float upper = v - static_cast<float>(south);
-        const float low =
-            field(west, south) + right * (field(west + 1, south) - field(west, south));
-        const float high =
-            field(west, south + 1) + right * (field(west + 1, south + 1) - field(west, south + 1));
-        const auto weight = static_cast<float>(places + 1 - std::abs(i));
-        sum += weight * (low + upper * (high - low));
-        weights += weight;
+/// The edges about the fine cells of a coarse row, those of one coarse cell alike.
+class EdgesOfRow {
+  public:
+    explicit EdgesOfRow(int cells) : share_(size(cells)), east_(size(cells)), north_(size(cells)) {}
+
+    /// Whether there is any.
+    bool take(const Field<Edge>& edge, int y, int refinement) {
+        bool any = false;
+        auto share = share_.begin();
+        auto east = east_.begin();
+        auto north = north_.begin();
+        for (const Edge& at : edge.row(y)) {
+            any = any || at.share != 0.0F;
+            share = std::fill_n(share, refinement, at.share);
+            east = std::fill_n(east, refinement, at.east);
+            north = std::fill_n(north, refinement, at.north);
+        }
+        return any;
     }
-    return sum / weights;
+    [[nodiscard]] brink_vectors::RowOfEdges row() const {
+        return {share_.data(), east_.data(), north_.data()};
+    }
+
+  private:
+    static std::size_t size(int cells) { return static_cast<std::size_t>(cells); }
+
+    std::vector<float> share_;
+    std::vector<float> east_;
+    std::vector<float> north_;
+};
+
+/// Adds to heights what edges change, as its mean over three coarse cells along each edge, which
+/// runs on where the lattice breaks it up.
+void add_along_edges(const Field<float>& changes, const Field<Edge>& edge, int refinement,
+                     Field<float>& fine, WorkerPool& pool) {
+    const float step =
+        1.5F * static_cast<float>(refinement) / static_cast<float>(brink_vectors::places_aside);
+    const std::vector<std::uint64_t> pairs =
+        brink_vectors::pairs_of(changes.data(), static_cast<int>(changes.size()));
+    pool.for_ranges(edge.ny(), [&](int begin, int end) {
+        EdgesOfRow edges(fine.nx());
+        for (int y = begin; y < end; ++y) {
+            if (!edges.take(edge, y, refinement)) continue;
+            for (int v = y * refinement; v < (y + 1) * refinement; ++v)
+                brink_vectors::add_means_along({pairs.data(), changes.nx(), changes.ny()}, v,
+                                               edges.row(), step, fine.row(v).data());
+        }
+    });
 }
 
 }  // namespace
@@ -211,17 +236,7 @@ Field<float> refined_with_brinks(const Field<float>& heights, float dx, float dy
     const Field<Rise> rises = smoother_rises(heights, pool);
     const Field<Edge> edge = edges(rises, dx, dy, pool);
     const Field<float> changes = cuts(heights, fine, rises, edge, refinement, pool);
-    pool.for_ranges(heights.ny(), [&](int begin, int end) {
-        for (int y = begin; y < end; ++y) {
-            for (int x = 0; x < heights.nx(); ++x) {
-                if (edge(x, y).share == 0.0F) continue;
-                for (int v = y * refinement; v < (y + 1) * refinement; ++v) {
-                    for (int u = x * refinement; u < (x + 1) * refinement; ++u)
-                        fine(u, v) += mean_along(changes, u, v, edge(x, y), refinement);
-                }
-            }
-        }
-    });
+    add_along_edges(changes, edge, refinement, fine, pool);
     return fine;
 }
 
