@@ -23,7 +23,7 @@ float floor_share(BedPoint point, vec3 noise) {
 
 // Gravel, greyer and darker than sand, and pale crusts of clay in patches.
 vec3 floor_albedo(vec3 noise) {
-    vec3 gravel = mix(vec3(luminance(sand_trough)), sand_trough, 0.69) * 0.76;
+    vec3 gravel = mix(vec3(luminance(sand_trough)), sand_trough, 0.76) * 0.92;
     vec3 crust = mix(vec3(luminance(sand_crest)), sand_crest, 0.66) * 0.93;
     float dried = smoothstep(0.15, 0.55, noise.b + 0.35 * noise.g - 0.1);
     return mix(gravel, crust, 0.7 * dried) * (1.0 + 0.06 * noise.g);

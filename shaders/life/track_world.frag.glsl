@@ -17,14 +17,14 @@ void main() {
     vec2 place = bed_place(at, copy);
     vec3 to_eye = -normalize(at.offset);
     vec4 sand = sand_colour(at, place);
-    vec3 uneven = unevenness(sand.a) * relief(at);
+    vec3 uneven = unevenness(sand.a) * relief(at, sand.a);
     BedPoint point = copied(slanting_bed_point(place, map_way(at.along.xy), map_way(at.up.xy)), at, copy);
     float span = 1.0 / metre;
     Trodden print = trodden(span * (at.offset.xy - print_root.xy), point.normal, uneven.xy, to_eye, span * length(at.along), span * at.up.xy);
     // Coarse grains and crusts give way less.
     print.share *= bare_sand(place) * (1.0 - plain * rock) * mix(0.5, 1.0, smoothstep(0.2, 0.7, sand.a));
     if (print.share < 0.004) discard;
-    vec3 albedo = albedo_of(sand, grains_of(sand.a) * grain(at) + 0.1 * uneven.z);
+    vec3 albedo = albedo_of(sand, grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z);
     float direct = roughened(point.sun * print.direct, print.normal, to_eye);
     BedPoint within = BedPoint(sky_normal(print, point), point.sun * print.sun, point.sky);
     vec3 light = ground_light_of(albedo, direct, within, to_eye, 1.0) + between_walls(print, albedo, point);

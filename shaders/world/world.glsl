@@ -88,13 +88,17 @@ BedPoint copied(BedPoint point, SeenPlace at, GroundCopy copy) {
 // Texels to a block length, of a map of so many along its side.
 float texels_of(int count) { return float(count) / (plain < 0.5 ? extent.x : 2.0 * extent.x); }
 
-// Unevenness of the sand, as fine as is seen at any distance: two octaves of noise in turn.
-float grain(SeenPlace at) {
+// Brightness of grains, as fine as is seen at any distance: two octaves of noise in turn, as strong between them as in
+// one. On floors dark stones and some pale ones stand out.
+float grain(SeenPlace at, float bare) {
     vec2 footprint = abs(at.along.xy) + abs(at.up.xy);
-    float octave = log2(max(2.2 * max(footprint.x, footprint.y), 1e-9));
+    float octave = log2(max(1.8 * max(footprint.x, footprint.y), 1e-9));
     float whole = floor(octave);
     vec2 place = (whole_eye + at.offset.xy) * exp2(-whole);
-    return mix(value_noise(place), value_noise(0.5 * place + 31.7), octave - whole);
+    float share = octave - whole;
+    float noise = mix(value_noise(place), value_noise(0.5 * place + 31.7), share) * inversesqrt(1.0 - 2.0 * share * (1.0 - share));
+    float stones = 0.8 * smoothstep(0.3, 0.8, noise) - 1.2 * smoothstep(0.2, 0.7, -noise) + 0.15;
+    return mix(stones, 0.8 * noise, bare);
 }
 
 // The level of a texture's means over what is seen, with so many texels to a block length.
@@ -102,17 +106,22 @@ float coarseness(SeenPlace at, float texels) {
     return 0.5 * log2(max(max(dot(at.along.xy, at.along.xy), dot(at.up.xy, at.up.xy)) * (texels * texels), 1e-12));
 }
 
-// Slope of the sand's own unevenness between ripples and cells, east and north, and how much lighter it is. What is seen
+// Slope of the sand's own unevenness between ripples and cells, east and north, and how much lighter it is: longer along
+// the crests of ripples than across, and on floors less of what is wide. What is seen
 // aslant is looked at twice, in both halves of its longer side, so that it stays as sharp as along the shorter one.
-vec3 relief(SeenPlace at) {
-    const mat2 turned = mat2(0.8, 0.6, -0.6, 0.8);
+vec3 relief(SeenPlace at, float bare) {
+    const mat2 turned = mat2(0.96, 0.28, -0.28, 0.96);
     const float wider = 1.0 / 22.6;  // about where the octaves of one texture end those of the other begin
-    const float weaker = 0.6;
+    const float longer = 0.6;        // along the crests of ripples: one over how much
+    float weaker = mix(0.45, 0.8, bare);
     float scale = 1.0 / (70.0 * ripple_length);
-    vec2 place = (whole_eye + at.offset.xy) * scale;
-    float along = dot(at.along.xy, at.along.xy);
-    float up = dot(at.up.xy, at.up.xy);
-    vec2 aside = 0.25 * scale * (along > up ? at.along.xy : at.up.xy);
+    mat2 by_wind = mat2(wind.x, -longer * wind.y, wind.y, longer * wind.x);
+    vec2 place = by_wind * (whole_eye + at.offset.xy) * scale;
+    vec2 place_along = by_wind * at.along.xy;
+    vec2 place_up = by_wind * at.up.xy;
+    float along = dot(place_along, place_along);
+    float up = dot(place_up, place_up);
+    vec2 aside = 0.25 * scale * (along > up ? place_along : place_up);
     float texels = scale * float(textureSize(relief_map, 0).x);
     float extent_seen = max(min(along, up), 0.25 * max(along, up));
     float level = 0.5 * log2(max(extent_seen * (texels * texels), 1e-12));
@@ -124,19 +133,20 @@ vec3 relief(SeenPlace at) {
         broad += 0.5 * textureLod(relief_map, wider * (turned * half_seen) + 0.37, level + log2(wider)).rgb;
     }
     broad.xy = broad.xy * turned;
-    return fine + weaker * broad;
+    vec3 sum = fine + weaker * broad;
+    return vec3(sum.xy * by_wind, sum.z);
 }
 
 vec4 sand_colour(SeenPlace at, vec2 place) { return textureLod(albedo_map, place, coarseness(at, texels_of(textureSize(albedo_map, 0).x))); }
 
 // Slope and brightness of the sand's unevenness, and how much grains differ: stones on bare floors the most.
 vec3 unevenness(float bare) { return vec3(vec2(0.25), 0.62) * sand_grain * (marks > 1.5 ? bare : 0.35 + 0.65 * bare); }
-float grains_of(float bare) { return sand_grain * (marks > 1.5 ? 0.18 : 0.48 - 0.30 * bare); }
+float grains_of(float bare) { return sand_grain * (marks > 1.5 ? 0.18 : 0.27 - 0.11 * bare); }
 
 // How much of that there is where sand slid: it lies smooth.
 float uneven_share(float bare, float slid) { return 1.0 - 0.75 * bare * slid; }
 
-vec3 albedo_of(vec4 sand, float brighter) { return sand.rgb * sand.rgb * (1.0 + brighter); }
+vec3 albedo_of(vec4 sand, float brighter) { return sand.rgb * sand.rgb * max(1.0 + brighter, 0.1); }
 
 // How far a place is rock that weathers: as marked, or mountains of a bed that ends in a plain.
 float weathered(vec2 place) { return marks > 1.5 ? rock_share(place) : plain * rock; }
@@ -150,8 +160,12 @@ vec2 facing_of(vec2 slope) {
     return turned / max(length(turned), 0.2);
 }
 
-// Mean of what a surface gets of the sun whose slope varies by `spread` about the mean in the sun's direction.
-float mean_facing(float n_dot_l, float spread) { return 0.5 * (n_dot_l + sqrt(n_dot_l * n_dot_l + 0.7 * spread * spread)); }
+// Mean of what a surface gets of the sun whose slope varies by `spread` about the mean in the sun's direction, and by its
+// grains.
+float mean_facing(float n_dot_l, float spread) {
+    const float grains = 0.06;
+    return 0.5 * (n_dot_l + sqrt(n_dot_l * n_dot_l + 0.7 * (spread * spread + grains * grains)));
+}
 
 // What a rough surface throws to the eye of the sun's light that it gets.
 float roughened(float direct, vec3 normal, vec3 to_eye) {

@@ -19,8 +19,8 @@ vec4 far_colour(SeenPlace at) {
     vec4 sand = sand_colour(at, place);
     vec2 surface = textureGrad(surface_map, place, along, up).rg;
     float share = uneven_share(sand.a, surface.g);
-    vec3 uneven = share * unevenness(sand.a) * relief(at);
-    vec3 albedo = albedo_of(sand, share * grains_of(sand.a) * grain(at) + 0.1 * uneven.z);
+    vec3 uneven = share * unevenness(sand.a) * relief(at, sand.a);
+    vec3 albedo = albedo_of(sand, share * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z);
     BedPoint point = copied(slanting_bed_point(place, along, up), at, copy);
     vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);
     float standing = rippled(sand.a, surface.r, length(slope));

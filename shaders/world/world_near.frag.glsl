@@ -161,7 +161,7 @@ vec4 near_colour(SeenPlace at) {
     vec2 surface = textureLod(surface_map, place, coarseness(at, texels_of(textureSize(surface_map, 0).x))).rg;
     float open = surface.r;
     float share = uneven_share(sand.a, surface.g);
-    vec3 uneven = share * unevenness(sand.a) * relief(at);
+    vec3 uneven = share * unevenness(sand.a) * relief(at, sand.a);
 
     vec2 lee = vec2(-wind.y, wind.x);  // along the crests
     vec2 whole = (whole_eye + offset.xy) / ripple_length;
@@ -178,12 +178,12 @@ vec4 near_colour(SeenPlace at) {
     Slope slope = slope_at(place + map_way(to_half.xy), level, at, copy);
     float slid = smoothstep(0.46, 0.58, slope.steep) * sand.a * smoothstep(0.2, 0.7, wander.patches) * (1.0 - 0.85 * smoothstep(0.0, 0.3, open)) * (1.0 - smoothstep(0.3, 0.8, footprint / 4.0));
     vec2 tongue = slid * tongues(whole, (offset.z + eye.z) / ripple_length, slope.across);
-    Sand here = Sand(wander.height, phase, resolved, sand.a, open, 0.09 * tongue.x, uneven.xy);
+    Sand here = Sand(wander.height, phase, resolved, sand.a, open, 0.04 * tongue.x, uneven.xy);
     Lit lit = lit_part(slope, to_half, here, wander);
     if (whole_pixels > 0.5) lit = mean_of(lit, lit_part(slope_at(place + map_way(-to_half.xy), level, at, copy), -to_half, here, wander));
     BedPoint mean = lit.point;
     float direct = lit.direct;
-    vec3 albedo = albedo_of(sand, share * grains_of(sand.a) * grain(at) + 0.1 * uneven.z + 0.06 * tongue.y);
+    vec3 albedo = albedo_of(sand, share * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z + 0.06 * tongue.y);
     if (marks > 1.5 || plain * rock > 0.0) {
         weather(mean.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), weathered(place));
         direct = mix(direct, mean.sun * max(dot(mean.normal, to_sun), 0.0), weathered(place));
