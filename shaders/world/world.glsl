@@ -10,6 +10,7 @@ uniform float ripple_slope;   // steepest
 uniform vec2 wind;            // where it blows to, unit vector
 
 uniform float sample_angle;    // between two samples
+uniform float sample_share;    // of a sample's extent, over which its textures are averaged
 uniform float whole_pixels;    // 1: colours pixels of one ground, 0: samples of the others
 
 uniform sampler2D albedo_map;  // roots and bare sand, of bed/shade_albedo.frag.glsl
@@ -19,6 +20,9 @@ out vec4 colour;
 
 // Of a pixel's extent, over which textures are averaged; samples of its own would be averaged over half of it each.
 const float crisp = 0.7;
+
+// Grains are as large as the pixels see them, also where samples are looked at more finely.
+const float seen_by_pixels = sample_share == 1.0 ? 1.0 : crisp / sample_share;
 
 // The difference to the nearer of two neighbours: across an edge there is other ground.
 vec3 nearer(vec3 one, vec3 other) { return dot(one, one) < dot(other, other) ? one : other; }
@@ -43,7 +47,7 @@ SeenPlace far_place() {
     } else {
         vec4 seen = seen_at(own_sample());
         place.offset = seen.xyz;
-        slant = seen.w;
+        slant = sample_share * seen.w;
     }
     vec2 view = normalize(place.offset.xy + 1e-9);
     place.along = vec3(-view.y, view.x, 0.0) * (spread * length(place.offset));
@@ -68,8 +72,8 @@ SeenPlace near_place() {
     vec3 east = at.x == last.x ? vec3(0.0) : seen_at(at + ivec2(1, 0)).xyz;
     vec3 south = at.y == 0 ? vec3(0.0) : seen_at(at - ivec2(0, 1)).xyz;
     vec3 north = at.y == last.y ? vec3(0.0) : seen_at(at + ivec2(0, 1)).xyz;
-    place.along = change(west, place.offset, east);
-    place.up = change(south, place.offset, north);
+    place.along = sample_share * change(west, place.offset, east);
+    place.up = sample_share * change(south, place.offset, north);
     return place;
 }
 
@@ -91,7 +95,7 @@ float texels_of(int count) { return float(count) / (plain < 0.5 ? extent.x : 2.0
 // Brightness of grains, as fine as is seen at any distance: two octaves of noise in turn, as strong between them as in
 // one. On floors dark stones and some pale ones stand out.
 float grain(SeenPlace at, float bare) {
-    vec2 footprint = abs(at.along.xy) + abs(at.up.xy);
+    vec2 footprint = seen_by_pixels * (abs(at.along.xy) + abs(at.up.xy));
     float octave = log2(max(1.8 * max(footprint.x, footprint.y), 1e-9));
     float whole = floor(octave);
     vec2 place = (whole_eye + at.offset.xy) * exp2(-whole);

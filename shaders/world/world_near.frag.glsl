@@ -72,7 +72,7 @@ vec2 tongues(vec2 whole, float height, vec2 across) {
 
 // Grains that mirror the sun to the eye, seldom ones: each in a cell of its own on the ground, a few pixels wide or more.
 float glints(SeenPlace at, vec3 to_eye) {
-    vec2 reach = abs(at.along.xy) + abs(at.up.xy);
+    vec2 reach = seen_by_pixels * (abs(at.along.xy) + abs(at.up.xy));
     float size = log2(max(2.5 * metres(max(reach.x, reach.y)), 0.004));
     vec3 halfway = normalize(to_sun + to_eye);
     vec2 wanted = halfway.xy / max(halfway.z, 0.2);

@@ -12,13 +12,14 @@ namespace {
 bool looks_down(const Camera& camera) {
     constexpr double steep = -1e-3;  // what the shader takes for the plain, and more than rounding
     if (!camera.perspective) return camera.forward.z < steep;
+    const glm::dvec3 ahead = camera.ahead();
     double highest = 0.0;
     double longest = 0.0;
     bool first = true;
     for (const double x : {-1.0, 1.0}) {
         for (const double y : {-1.0, 1.0}) {
             const glm::dvec3 ray =
-                camera.forward + x * camera.half.x * camera.right + y * camera.half.y * camera.up;
+                ahead + x * camera.half.x * camera.right + y * camera.half.y * camera.up;
             highest = first ? ray.z : std::max(highest, ray.z);
             longest = std::max(longest, glm::length(ray));
             first = false;
@@ -68,10 +69,10 @@ void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile&
     const gl::Program& sees = program(plain_alone, light.stars && !plain_alone);
     sees.use();
     set_light(sees, view_, light, camera, block_);
-    sees.set("ray_origin", glm::vec3(camera.eye));
+    sees.set("ray_origin", glm::vec3(camera.seen_from()));
     sees.set("ray_right", glm::vec3(camera.right * camera.half.x));
     sees.set("ray_up", glm::vec3(camera.up * camera.half.y));
-    sees.set("ray_forward", glm::vec3(camera.forward));
+    sees.set("ray_forward", glm::vec3(camera.ahead()));
     sees.set("pixel",
              static_cast<float>(2.0 * camera.half.y / static_cast<double>(view_.image.height)));
     sees.set("base", static_cast<float>(block_.base));

@@ -189,6 +189,11 @@ float extinction(const View& view, const Camera& camera, const Block& block) {
 
 }  // namespace
 
+float sample_share(const View& view) {
+    if (!view.camera.has_lens()) return 1.0F;
+    return 1.0F / static_cast<float>(view.image.supersampling);
+}
+
 gl::TextureLayout colour_layout(PixelKind kind) {
     gl::TextureLayout layout;
     if (kind == PixelKind::display_16)
@@ -207,6 +212,7 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
     gl::Constants constants{
         {"tone", linear ? no_curve : tone_number(tone)},
         {"linear_light", switched(linear)},
+        {"sample_share", sample_share(view)},
         {"dithered", switched(kind == PixelKind::display_8)},
         {"punch", switched(tone == Tone::agx_punchy)},
         {"atmosphere", switched(light.atmosphere)},

@@ -29,6 +29,10 @@ inline constexpr int sky_unit = 15;
 gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& block,
                              PixelKind kind = PixelKind::display_8);
 
+/// Of a sample's extent, that over which textures are averaged: a lens has one sample a pixel for
+/// each of its points, elsewhere within it, and takes textures as the finer samples of a pinhole.
+float sample_share(const View& view);
+
 /// How colours of that kind are stored.
 gl::TextureLayout colour_layout(PixelKind kind);
 

@@ -142,6 +142,7 @@ float PlantLayer::ground_at(const glm::dvec2& place, const PlantGround& ground) 
 /// Whether a ball may show in the picture.
 bool PlantLayer::in_sight(const Camera& camera, const glm::dvec3& offset, double radius) const {
     const double depth = glm::dot(offset, camera.forward);
+    radius += camera.lens.radius * std::abs(1.0 - depth / camera.lens.focus);  // it is blurred
     if (depth < -radius) return false;
     const auto beside = [&](const glm::dvec3& axis, double half) {
         return std::abs(glm::dot(offset, axis)) <=

@@ -61,8 +61,9 @@ ReadyPicture Renderer::Parts::ready(std::shared_ptr<const Snapshot> snapshot,
             0, eye.x / ground.width_x + 0.5, eye.y / ground.width_y + 0.5));
         eye.z = std::max(eye.z, under + picture.framed.eye_above);
     }
+    if (lens()) set_lens(picture, pose.has_value());
     if (world) {
-        const double samples_high = static_cast<double>(view.image.height) * plan.factor;
+        const auto samples_high = static_cast<double>(view.image.height * view.image.supersampling);
         picture.ground =
             world->ground_seen(picture.pose.camera, samples_high, *picture.lit->heights, with);
     }

@@ -34,7 +34,8 @@ struct ReadyPicture {
     FramePose pose;
     Block framed;
     std::shared_ptr<const LitBed> lit;
-    SeenGround ground;  ///< of endless ground
+    SeenGround ground;    ///< of endless ground
+    int lens_points = 1;  ///< through which it is seen
 
     [[nodiscard]] const Snapshot& shown() const { return reshaped ? *reshaped : *snapshot; }
     /// What the ground's maps hold.

@@ -45,7 +45,7 @@ Image Renderer::render(const Snapshot& snapshot) {
     const ReadyPicture picture = ready_at_step(snapshot);
     prepare(picture);
     parts_->uploaded.reset();  // no later picture is of this snapshot
-    return draw(picture.pose.camera);
+    return draw(picture);
 }
 
 LayeredImage Renderer::render_layers(const Snapshot& whole, bool places) {
@@ -58,7 +58,8 @@ LayeredImage Renderer::render_layers(const Snapshot& whole, bool places) {
     image.width = static_cast<int>(p.view.image.width);
     image.height = static_cast<int>(p.view.image.height);
     set_matrices(image, picture.framed, camera);
-    image.layers = p.deep_picture(camera).take_channels();
+    image.layers = p.lens() ? p.lens_channels(camera, picture.lens_points)
+                            : p.deep_picture(camera).take_channels();
     if (places) {
         const bool plain = !p.world && !p.open() && p.view.look.mode == ViewMode::scenic;
         PlaceLayers layers(image.width, image.height,
@@ -79,7 +80,7 @@ Image Renderer::render(const ReadyPicture& picture) {
     p.surroundings_from.reset();
     p.later_pictures = false;  // the camera moves
     prepare(picture);
-    return draw(picture.pose.camera);
+    return draw(picture);
 }
 
 void Renderer::prepare(const ReadyPicture& picture) {
@@ -139,9 +140,15 @@ void Renderer::prepare(const ReadyPicture& picture) {
     if (p.plants) p.plants->choose(p.plant_ground(camera), camera);
 }
 
-Image Renderer::draw(const Camera& camera) {
+Image Renderer::draw(const ReadyPicture& picture) {
     Parts& p = *parts_;
+    const Camera& camera = picture.pose.camera;
     const bool open = p.open();
+    if (p.lens()) {
+        Image image = p.lens_picture(camera, picture.lens_points);
+        gl::check_errors("a picture through a lens");
+        return image;
+    }
     if (p.kind == PixelKind::display_16) {
         Image image = p.deep_picture(camera).display();
         gl::check_errors("a frame");

@@ -76,7 +76,7 @@ class Renderer {
   private:
     [[nodiscard]] ReadyPicture ready_at_step(const Snapshot& snapshot) const;
     void prepare(const ReadyPicture& picture);
-    Image draw(const Camera& camera);
+    Image draw(const ReadyPicture& picture);
 
     struct Parts;
     std::unique_ptr<Parts> parts_;

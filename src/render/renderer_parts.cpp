@@ -49,7 +49,7 @@ TilePlan plan_of(const View& view, const RenderLimits& limits) {
     GLint largest = 0;
     gl::functions().GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     return plan_tiles(static_cast<int>(view.image.width), static_cast<int>(view.image.height),
-                      static_cast<int>(view.image.supersampling),
+                      view.camera.has_lens() ? 1 : static_cast<int>(view.image.supersampling),
                       std::min(limits.tile_samples, static_cast<int>(largest)));
 }
 
@@ -110,7 +110,8 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       first(shown_first(first_, view)),
       last_step(last_step_),
       pool(pool_),
-      kind(kind_),
+      wanted(kind_),
+      kind(lens() ? PixelKind::radiance : kind_),
       block(framed_block(view, first)),
       plain(plain_of(view, first, pool)),
       first_in_plain(plain ? std::optional(plain->around(first)) : std::nullopt),
@@ -128,11 +129,13 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       fixed(fixed_uniforms(view, light, ground, kind)),
       sky(light.sky_columns, light.sky_rows, sky_layout, light.sky_texels.data()),
       shading(view, ground, first_ground(), display_bed(first_ground(), ground, refinement),
-              static_cast<int>(std::max(view.image.width, view.image.height)) * plan.factor, fixed,
-              mipmaps, kind),
+              static_cast<int>(std::max(view.image.width, view.image.height) *
+                               view.image.supersampling),
+              fixed, mipmaps, kind),
       terrain(view, block, fixed),
       background(view, block, floor_of(view, first, block, refinement, pool), fixed),
       pixel_depths(depths_of_pixels(view, plan)),
+      one_picture(limits.one_picture),
       later_pictures(!limits.one_picture) {
     if (plain) plain->stand_in(view.camera, *first_in_plain, block);
     if (view.look.ground == Ground::endless) {
@@ -336,7 +339,9 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
     const TileSamples placed = placed_samples(tile);
     samples.bind();
     gl.Clear(GL_COLOR_BUFFER_BIT);
-    if (air) {
+    if (lens()) {
+        if (!open()) draw_behind_samples(tile, camera);
+    } else if (air) {
         gl.BindVertexArray(no_attributes.name());
         air->draw_behind(surroundings().colour(), plan.factor,
                          first_sample(tile) - target_corner(tile), {tile.width, tile.height});

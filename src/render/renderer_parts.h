@@ -14,6 +14,7 @@
 #include "render/background_layer.h"
 #include "render/bed_shading.h"
 #include "render/byte_picture.h"
+#include "render/lens_tone.h"
 #include "render/light/light.h"
 #include "render/person_layer.h"
 #include "render/place_layers.h"
@@ -22,6 +23,7 @@
 #include "render/ready_picture.h"
 #include "render/renderer.h"
 #include "render/samples/deep_picture.h"
+#include "render/samples/gathered_light.h"
 #include "render/samples/packed_samples.h"
 #include "render/terrain_layer.h"
 #include "render/track_layer.h"
@@ -29,6 +31,7 @@
 #include "render/view/camera.h"
 #include "render/view/drawn_origin.h"
 #include "render/view/far_copies.h"
+#include "render/view/lens.h"
 #include "render/view/plain_around.h"
 #include "render/view/tiles.h"
 #include "render/world_layer.h"
@@ -81,6 +84,7 @@ struct Renderer::Parts {
                                      const std::shared_ptr<const LitBed>& before,
                                      WorkerPool& with) const;
     [[nodiscard]] bool open() const { return view.look.background == Background::transparent; }
+    [[nodiscard]] bool lens() const { return view.camera.has_lens(); }
     [[nodiscard]] TileSamples placed_samples(const Tile& tile) const;
     /// Whether pixels of the block get their colours as wholes: 8 bits of it alone, in the scenic
     /// look. Maps stay what they are, and in water, cut through, what stands over the bed is thin.
@@ -100,6 +104,18 @@ struct Renderer::Parts {
     void draw_tile(const Tile& tile, const Camera& camera, DeepPicture& picture);
     void draw_places(const Tile& tile, const Camera& camera, PlaceLayers& layers);
     [[nodiscard]] DeepPicture deep_picture(const Camera& camera);
+    [[nodiscard]] RayGround ground_for_rays(const ReadyPicture& picture) const;
+    /// Gives the camera its lens, and says through how many points of it the picture is seen.
+    void set_lens(ReadyPicture& picture, bool posed) const;
+    void draw_behind_samples(const Tile& tile, const Camera& camera);
+    /// What a tile's pixels get of the light through some points of the lens. Only what depends on
+    /// the place of these in the picture is drawn anew for each: ground and light are the eye's, as
+    /// Cook, Carpenter & Catmull (1987) shade before they sample a lens.
+    [[nodiscard]] GatheredLight gathered_light(const Tile& tile, const Camera& camera,
+                                               int lens_points_wanted);
+    [[nodiscard]] Image lens_picture(const Camera& camera, int lens_points_wanted);
+    [[nodiscard]] std::vector<ImageLayer> lens_channels(const Camera& camera,
+                                                        int lens_points_wanted);
     void draw_background(const Tile& tile, const Camera& camera, DeepPicture* deep);
     /// The same after draw_samples() or draw_pixels(), and only where these left pixels that do not
     /// see the ground alone; the whole of it, for the next ones, of the first of several pictures
@@ -114,7 +130,8 @@ struct Renderer::Parts {
     Snapshot first;
     std::int64_t last_step;
     WorkerPool& pool;
-    PixelKind kind;
+    PixelKind wanted;
+    PixelKind kind;  // in which samples are drawn
     Block block;
     std::optional<PlainAround> plain;  // of endless ground that is not the bed's own repetition
     std::optional<Snapshot> first_in_plain;
@@ -147,10 +164,12 @@ struct Renderer::Parts {
     std::optional<PackedSamples> packed;     // and samples of the others
     std::optional<gl::RenderTarget> surroundings_target;
     gl::VertexArray no_attributes;
+    bool one_picture;
     bool later_pictures;                      // of the same camera, perhaps
     std::optional<Camera> surroundings_from;  // of the light of now, for the one tile
     bool surroundings_whole = false;          // also where the ground covers them
     BytePicture bytes;
+    std::optional<LensTone> lens_tone;
 };
 
 }  // namespace fumon

@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 #include <vector>
-
-#include "base/elementary.h"
-#include "base/elementary_angle.h"
 
 namespace fumon {
 
@@ -26,10 +22,6 @@ constexpr int wander_texels = 512;
 constexpr double wander_features = 64.0;  // along its side
 constexpr double ripples_a_feature = 7.0;
 
-constexpr double nearest_share = 0.2;    // of the eye's height above the ground: the first ring
-constexpr double least_nearest = 1e-6;   // block lengths
-constexpr double earth_radius = 6360.0;  // km
-constexpr double pixels_a_ray = 3.0;
 constexpr int detail_unit = 7;
 constexpr int seen_unit = 10;
 constexpr int wander_unit = 11;
@@ -47,7 +39,6 @@ constexpr double ripple_metres = 0.12;
 constexpr double ripple_cells = 0.3;  // without metres: a hundredth of a dune of 30 cells
 constexpr double steepest = 0.2;
 constexpr double steps_a_ripple = 50.0;  // that it takes to move on by its length
-constexpr double longest_turn = 0.3;  // of a ripple, between two samples, at which it is not seen
 
 enum class Coloured { pixels, samples, packed_samples };
 
@@ -160,108 +151,12 @@ void WorldLayer::set_bed(const Snapshot& snapshot, const RepeatedLight& light,
     way_ = prevailing_way(snapshot);
 }
 
-double WorldLayer::ground_under(const Camera& camera, const HeightPyramid& heights) const {
-    const glm::dvec3 eye = reduced_eye(camera);
-    const GroundCopy copy = copies_.at(glm::dvec2(camera.eye));
-    const auto on_bed =
-        static_cast<double>(heights.at(0, eye.x / block_.width_x + 0.5 + copy.aside.x,
-                                       eye.y / block_.width_y + 0.5 + copy.aside.y));
-    return copies_.raised(copy, on_bed);
-}
-
-/// As wide as the picture's corners reach, all around where it looks down on itself; from the
-/// ground under the camera to where the planet's curvature hides the highest crests.
-GroundFan WorldLayer::fan_of(const Camera& camera, const HeightPyramid& heights) const {
-    GroundFan fan;
-    const glm::dvec2 level(camera.forward.x, camera.forward.y);
-    const double length = glm::length(level);
-    if (length > 1e-6) fan.heading = level / length;
-    double least_run = 1e3;  // of a ray, while it sinks by 1
-    for (const double x : {-1.0, 0.0, 1.0}) {
-        for (const double y : {-1.0, 0.0, 1.0}) {
-            const glm::dvec3 ray =
-                camera.forward + x * camera.half.x * camera.right + y * camera.half.y * camera.up;
-            const glm::dvec2 flat(ray.x, ray.y);
-            if (ray.z < 0.0) least_run = std::min(least_run, glm::length(flat) / -ray.z);
-            const double along = glm::dot(flat, fan.heading);
-            const double across = fan.heading.x * flat.y - fan.heading.y * flat.x;
-            fan.half_angle = std::max(fan.half_angle, std::abs(elementary::atan2(across, along)));
-        }
-    }
-    fan.half_angle = fan.half_angle > 1.4 ? std::numbers::pi : fan.half_angle * 1.02 + 0.01;
-    fan.nearest =
-        std::max(nearest_share * (camera.eye.z - ground_under(camera, heights)), least_nearest);
-    // Where the whole bed lies under the eye, nothing nearer than the steepest ray's foot is seen.
-    const auto highest = static_cast<double>(heights.highest());
-    if (fan.half_angle < std::numbers::pi)
-        fan.nearest = std::max(fan.nearest, 0.9 * (camera.eye.z - highest) * least_run);
-    const double twice_radius = 2.0 * earth_radius / block_.kilometres;
-    const auto horizon = [&](double height) {
-        return std::sqrt(std::max(height, 0.0) * twice_radius);
-    };
-    const double lowest = block_.surface - (highest - block_.surface);
-    fan.farthest = std::max(1.1 * (horizon(camera.eye.z - lowest) + horizon(highest - lowest)),
-                            1e3 * fan.nearest);
-    fan.rays = static_cast<int>(static_cast<double>(view_.image.width) / pixels_a_ray) + 2;
-    fan.eye = reduced_eye(camera);
-    fan.extent = glm::dvec2(block_.width_x, block_.width_y);
-    fan.cell = static_cast<double>(cell_);
-    fan.curvature = static_cast<double>(curvature());
-    fan.strength = copies_.strength();
-    fan.eye_from_middle = eye_from_middle(camera);
-    fan.mean = copies_.mean();
-    return fan;
-}
-
-glm::dvec3 WorldLayer::reduced_eye(const Camera& camera) const {
-    if (block_.tiles.plain) return camera.eye;
-    const auto reduced = [](double place, double extent) {
-        return place - extent * std::floor(place / extent + 0.5);
-    };
-    return {reduced(camera.eye.x - origin_.place.x, block_.width_x),
-            reduced(camera.eye.y - origin_.place.y, block_.width_y), camera.eye.z};
-}
-
-glm::dvec2 WorldLayer::eye_from_middle(const Camera& camera) const {
-    const glm::dvec2 extent(block_.width_x, block_.width_y);
-    const glm::dvec2 whole = glm::floor((glm::dvec2(camera.eye) - origin_.place) / extent + 0.5);
-    return copies_.from_middle(origin_.share + whole, glm::dvec2(reduced_eye(camera)) / extent);
-}
-
 void WorldLayer::set_eye(const gl::Program& program, const Camera& camera) const {
     program.set("eye", glm::vec3(reduced_eye(camera)));
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
     program.set("eye_from_middle", glm::vec2(eye_from_middle(camera)));
     program.set("copy_strength", static_cast<float>(copies_.strength()));
     program.set("curvature", curvature());
-}
-
-glm::mat4 WorldLayer::clip_from_eye(const Camera& camera, const GroundFan& fan) {
-    Camera at_origin = camera;
-    at_origin.eye = glm::dvec3(0.0);
-    at_origin.near_depth = 0.5 * fan.nearest;
-    at_origin.far_depth = fan.farthest * 1.1;
-    return {clip_matrix(at_origin)};
-}
-
-glm::mat4 WorldLayer::clip_from_eye(const Camera& camera) const {
-    return clip_from_eye(camera, fan_of(camera, *heights_));
-}
-
-float WorldLayer::curvature() const {
-    return static_cast<float>(block_.kilometres / (2.0 * earth_radius));
-}
-
-SeenGround WorldLayer::ground_seen(const Camera& camera, double samples_high,
-                                   const HeightPyramid& heights, WorkerPool& pool) const {
-    SeenGround ground;
-    ground.sample_angle = 2.0 * camera.half.y / samples_high;
-    // Beyond that distance a sample spans too much of a ripple.
-    ground.near_to = 2.0 * longest_turn * ripple_length_ / ground.sample_angle;
-    GroundFan fan = fan_of(camera, heights);
-    fan.near_to = ground.near_to;
-    ground.mesh = ground_mesh(fan, heights, pool);
-    return ground;
 }
 
 void WorldLayer::look_at(const SeenGround& ground) {

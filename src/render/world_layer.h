@@ -53,6 +53,8 @@ class WorldLayer {
     /// picture. Asks OpenGL for nothing, and reads nothing that drawing changes.
     [[nodiscard]] SeenGround ground_seen(const Camera& camera, double samples_high,
                                          const HeightPyramid& heights, WorkerPool& pool) const;
+    /// z of ground of those heights at a place from the bed's middle; likewise.
+    [[nodiscard]] double ground_at(const glm::dvec2& place, const HeightPyramid& heights) const;
     /// Takes that as the ground to draw.
     void look_at(const SeenGround& ground);
 

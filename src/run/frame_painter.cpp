@@ -30,7 +30,8 @@ class BedPainter : public FramePainter {
         : context_(gl::Context::create(backend)),
           places_(scene.output.exr_layers == ExrLayers::all) {
         RenderLimits limits;
-        limits.one_picture = frames == PaintedFrames::one_picture;
+        limits.one_picture =
+            frames == PaintedFrames::one_picture || frames == PaintedFrames::layers;
         const auto make = [&](PixelKind kind) {
             return std::make_unique<Renderer>(*context_, scene.view, first, scene.run.steps, pool,
                                               limits, kind);

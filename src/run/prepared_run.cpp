@@ -17,6 +17,7 @@
 #include "render/colour/palette.h"
 #include "render/person_layer.h"
 #include "render/track_layer.h"
+#include "render/view/lens.h"
 #include "render/view/water.h"
 #include "run/output_files.h"
 #include "scene/faults.h"
@@ -105,6 +106,7 @@ void check_overlays(const Scene& scene, const Snapshot& first) {
 /// that lies on one.
 void check_persons_and_files(const Scene& scene, const Snapshot& first) {
     try {
+        check_lens(scene.view, first);
         check_persons(scene.view, first);
         check_tracks(scene.view, first);
         check_map_files(scene, first);

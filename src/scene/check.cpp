@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/error.h"
@@ -202,6 +204,35 @@ void check_camera(const Scene& scene, Faults& faults) {
         refuse("look.contours", "look.contours are drawn over look.ground = \"table\" only");
 }
 
+void check_lens(const Scene& scene, Faults& faults) {
+    const Refuse refuse{scene, faults};
+    const CameraSettings& camera = scene.view.camera;
+    const WordOrReal& samples = camera.lens_samples;
+    if (!samples.is_word() && samples.value != std::floor(samples.value))
+        refuse("camera.lens_samples",
+               fmt::format("camera.lens_samples is {:g}; it takes a whole number", samples.value));
+    if (!camera.has_lens()) {
+        for (const char* key : {"camera.focus", "camera.lens_samples"}) {
+            const WordOrReal& value =
+                key == std::string_view("camera.focus") ? camera.focus : samples;
+            if (!value.is_word())
+                refuse(key, fmt::format("{} belongs to a lens; write camera.f_number or "
+                                        "camera.aperture",
+                                        key));
+        }
+        return;
+    }
+    const char* lens = camera.f_number.is_word() ? "camera.aperture" : "camera.f_number";
+    if (!camera.f_number.is_word() && camera.aperture > 0.0)
+        refuse("camera.aperture",
+               "camera.f_number and camera.aperture both say how wide the lens is; take one of "
+               "them");
+    if (camera.projection != Projection::perspective)
+        refuse(lens, fmt::format("{} belongs to camera.projection = \"perspective\"", lens));
+    if (scene.view.look.mode != ViewMode::scenic)
+        refuse(lens, fmt::format("{} belongs to look.mode = \"scenic\"", lens));
+}
+
 void check_look(const Scene& scene, Faults& faults) {
     const Refuse refuse{scene, faults};
     const LookSettings& look = scene.view.look;
@@ -237,10 +268,10 @@ struct Rules {
 
 void check_scene(const Scene& scene, const std::set<std::string>& faulty, Faults& faults) {
     const std::array all{
-        Rules{{"run"}, check_length},         Rules{{"grid", "bed"}, check_bed},
-        Rules{{"output"}, check_bed_formats}, Rules{{"frames", "run", "output"}, check_frames},
-        Rules{{"look", "image"}, check_look}, Rules{{"camera", "look"}, check_camera},
-        Rules{{"figure"}, check_figure}};
+        Rules{{"run"}, check_length},          Rules{{"grid", "bed"}, check_bed},
+        Rules{{"output"}, check_bed_formats},  Rules{{"frames", "run", "output"}, check_frames},
+        Rules{{"look", "image"}, check_look},  Rules{{"camera", "look"}, check_camera},
+        Rules{{"camera", "look"}, check_lens}, Rules{{"figure"}, check_figure}};
     for (const Rules& rules : all) {
         const bool sound =
             std::none_of(rules.sections.begin(), rules.sections.end(),

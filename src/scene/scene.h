@@ -76,6 +76,14 @@ struct CameraSettings {
     std::vector<double> at;
     std::vector<double> look_at;
     double turn = 0.0;  ///< degrees of azimuth added over the whole run
+    // How wide the lens is (perspective): by one of these, or a pinhole.
+    WordOrReal f_number{"pinhole", 0.0};  ///< its focal length over its diameter; in metres
+    double aperture = 0.0;                ///< its diameter, metres or sites; 0: a pinhole
+    WordOrReal focus{"auto", 0.0};        ///< how far ahead it is sharp, metres or sites
+    WordOrReal lens_samples{"auto", 0.0};
+
+    /// Whether what is out of focus is blurred.
+    [[nodiscard]] bool has_lens() const { return !f_number.is_word() || aperture > 0.0; }
 };
 
 enum class LightSource { sun, moon };

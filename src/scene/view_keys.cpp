@@ -30,6 +30,30 @@ void list_track_keys(TrackSettings& track, const std::string& path, KeyTable& ta
                   {.range = {0, 1e9}, .help = "by which its prints differ from each other"});
 }
 
+void list_lens_keys(CameraSettings& camera, KeyTable& table) {
+    table.word_or_real(
+        "camera.f_number", camera.f_number, {{"pinhole", "everything is sharp"}},
+        {.range = {0.5, 1e6},
+         .help = "depth of field of a lens, as photographers say it: its focal length over its "
+                 "diameter; for beds in metres and the perspective camera"});
+    table.real("camera.aperture", camera.aperture,
+               {.unit = "m or sites",
+                .range = {0, 1e6},
+                .help = "the same by the lens's diameter, for looks of a model seen from near; 0 "
+                        "for a pinhole"});
+    table.word_or_real("camera.focus", camera.focus,
+                       {{"auto",
+                         "on what camera.look_at or camera.framing look at; else on the "
+                         "ground in the middle of the picture"}},
+                       {.unit = "m or sites",
+                        .range = {0, 1e9, true},
+                        .help = "how far before the lens what is sharp lies, along its axis"});
+    table.word_or_real(
+        "camera.lens_samples", camera.lens_samples,
+        {{"auto", "16 to 128, as the widest blur of the ground needs"}},
+        {.range = {4, 256}, .help = "points of the lens that the picture is drawn from"});
+}
+
 }  // namespace
 
 void list_view_keys(View& view, KeyTable& table) {
@@ -85,6 +109,7 @@ void list_view_keys(View& view, KeyTable& table) {
     table.real(
         "camera.turn", camera.turn,
         {.unit = "degrees", .range = {-36000, 36000}, .help = "azimuth added evenly over the run"});
+    list_lens_keys(camera, table);
 
     SunSettings& sun = view.sun;
     table.choice("sun.source", sun.source,

@@ -108,6 +108,21 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"two_lenses", least + "[camera]\nfield_of_view = 30\nfocal_length = 50\n",
                "scene.toml:7:16: camera.focal_length and camera.field_of_view say the same; take "
                "one of them"},
+        Broken{"a_lens_said_twice", least + "[camera]\nf_number = 2.8\naperture = 0.1\n",
+               "scene.toml:7:12: camera.f_number and camera.aperture both say how wide the lens "
+               "is; take one of them"},
+        Broken{"a_lens_over_a_map", least + "[camera]\nprojection = \"map\"\naperture = 1\n",
+               "scene.toml:7:12: camera.aperture belongs to camera.projection = \"perspective\""},
+        Broken{"a_lens_before_a_figure",
+               least + "[look]\nmode = \"figure\"\n[camera]\nf_number = 2.8\n",
+               "scene.toml:8:12: camera.f_number belongs to look.mode = \"scenic\""},
+        Broken{"a_focus_of_no_lens", least + "[camera]\nfocus = 3.5\n",
+               "scene.toml:6:9: camera.focus belongs to a lens; write camera.f_number or "
+               "camera.aperture"},
+        Broken{"half_a_point_of_a_lens", least + "[camera]\nf_number = 2.8\nlens_samples = 16.5\n",
+               "scene.toml:7:16: camera.lens_samples is 16.5; it takes a whole number"},
+        Broken{"too_few_points_of_a_lens", least + "[camera]\nf_number = 2.8\nlens_samples = 2\n",
+               "scene.toml:7:16: camera.lens_samples is 2; it takes \"auto\" or a number 4 … 256"},
         Broken{"an_endless_figure", least + "[look]\nground = \"endless\"\nmode = \"figure\"\n",
                "scene.toml:6:10: look.ground = \"endless\" takes look.mode = \"scenic\""},
         Broken{

@@ -70,7 +70,9 @@ Camera camera_of(const FilmStage& stage, const CameraPose& pose) {
     Block block = stage.block;
     block.eye = pose.eye;
     block.look_at = pose.look_at;
-    return place_camera(settings, block, stage.aspect, 0.0);
+    Camera camera = place_camera(settings, block, stage.aspect, 0.0);
+    camera.focal_length = pose.focal_length;
+    return camera;
 }
 
 glm::dvec3 place_on_stage(const FilmStage& stage, const std::vector<double>& place,

@@ -168,6 +168,13 @@ struct RingRange {
     int last;
 };
 
+void add_quad(std::size_t ray, std::size_t ring, std::vector<std::uint32_t>& triangles) {
+    const auto a0 = static_cast<std::uint32_t>(ray * rings + ring);
+    const std::uint32_t b0 = a0 + rings;
+    for (const std::uint32_t corner : {a0, b0, a0 + 1, b0, b0 + 1, a0 + 1})
+        triangles.push_back(corner);
+}
+
 /// Between two neighbouring rays, those that begin in a range of rings. At any azimuth between them
 /// the ground looks at least as high as the lower of both at the same ring. `hiding`: how high what
 /// stands before looks, between these two rays.
@@ -180,12 +187,48 @@ void add_visible(int ray, const RingRange& among, const Tangents& tangents, floa
         const float here = std::max(tangents[a + ring], tangents[b + ring]);
         const float next = std::max(tangents[a + ring + 1], tangents[b + ring + 1]);
         hiding = std::max(hiding, std::min(tangents[a + ring], tangents[b + ring]));
-        if (std::max(here, next) < hiding) continue;
-        const auto a0 = static_cast<std::uint32_t>(a + ring);
-        const auto b0 = static_cast<std::uint32_t>(b + ring);
-        for (const std::uint32_t corner : {a0, b0, a0 + 1, b0, b0 + 1, a0 + 1})
-            triangles.push_back(corner);
+        if (std::max(here, next) >= hiding)
+            add_quad(static_cast<std::size_t>(ray), ring, triangles);
     }
+}
+
+/// Which of the ground between two neighbouring rays and rings a lens may see, ray by ray. From
+/// a point of it what stands at a distance r is seen lower by up to lens / r, and aside by as much.
+std::vector<bool> seen_through_lens(const GroundFan& fan, const GroundMesh& mesh,
+                                    const Tangents& tangents) {
+    const auto pairs = static_cast<std::size_t>(fan.rays - 1);
+    const double between_rays = 2.0 * fan.half_angle / (fan.rays - 1);
+    std::vector<bool> seen(pairs * (rings - 1));
+    const auto from_above = [&](std::size_t ray, std::size_t ring) {
+        const std::size_t at = ray * rings + ring;
+        const glm::vec3& place = mesh.places[at];
+        const double range = std::hypot(static_cast<double>(place.x), static_cast<double>(place.y));
+        return tangents[at] - static_cast<float>(fan.lens / range);
+    };
+    std::vector<float> here(pairs + 1);
+    std::vector<float> next(pairs + 1);
+    std::vector<float> lower(pairs);
+    std::vector<float> hiding(pairs, -1e30F);
+    for (std::size_t ray = 0; ray <= pairs; ++ray) next[ray] = from_above(ray, 0);
+    for (std::size_t ring = 0; ring + 1 < rings; ++ring) {
+        std::swap(here, next);
+        for (std::size_t ray = 0; ray <= pairs; ++ray) next[ray] = from_above(ray, ring + 1);
+        for (std::size_t k = 0; k < pairs; ++k) lower[k] = std::min(here[k], here[k + 1]);
+        const glm::vec3& place = mesh.places[ring];
+        const double range = std::hypot(static_cast<double>(place.x), static_cast<double>(place.y));
+        const double aside = std::ceil(fan.lens / (range * between_rays));
+        const auto reach = static_cast<std::size_t>(std::min(aside, static_cast<double>(pairs)));
+        for (std::size_t k = 0; k < pairs; ++k) {
+            const auto first = lower.begin() + static_cast<std::ptrdiff_t>(k - std::min(k, reach));
+            const auto last =
+                lower.begin() + static_cast<std::ptrdiff_t>(std::min(k + reach + 1, pairs));
+            hiding[k] = std::max(hiding[k], *std::min_element(first, last));
+            const float highest =
+                std::max(std::max(here[k], here[k + 1]), std::max(next[k], next[k + 1]));
+            seen[k * (rings - 1) + ring] = highest >= hiding[k];
+        }
+    }
+    return seen;
 }
 
 }  // namespace
@@ -209,10 +252,20 @@ GroundMesh ground_mesh(const GroundFan& fan, const HeightPyramid& bed, WorkerPoo
         ++first_far;
     first_far = std::min(first_far, rings - 1);
     std::vector<float> hiding(static_cast<std::size_t>(fan.rays), -1e30F);
+    std::vector<bool> seen;
+    if (fan.lens > 0.0) seen = seen_through_lens(fan, mesh, tangents);
     const auto add_all = [&](const RingRange& among) {
-        for (int ray = 0; ray + 1 < fan.rays; ++ray)
-            add_visible(ray, among, tangents, hiding[static_cast<std::size_t>(ray)],
-                        mesh.triangles);
+        for (int ray = 0; ray + 1 < fan.rays; ++ray) {
+            const auto number = static_cast<std::size_t>(ray);
+            if (seen.empty()) {
+                add_visible(ray, among, tangents, hiding[number], mesh.triangles);
+                continue;
+            }
+            for (auto ring = static_cast<std::size_t>(among.first);
+                 ring < static_cast<std::size_t>(among.last); ++ring) {
+                if (seen[number * (rings - 1) + ring]) add_quad(number, ring, mesh.triangles);
+            }
+        }
     };
     add_all({0, first_far});
     mesh.near_indices = mesh.triangles.size();

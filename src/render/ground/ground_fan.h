@@ -27,6 +27,7 @@ struct GroundFan {
     double cell = 1.0;       ///< of the bed
     double curvature = 0.0;  ///< by which the planet sinks at a distance of 1
     double near_to = 0.0;    ///< the distance that divides near ground from far
+    double lens = 0.0;  ///< radius of a lens around the eye, all of whose points see the ground
 };
 
 /// The ground as triangles.
@@ -47,7 +48,7 @@ struct SeenGround {
 
 /// Where a ring crosses a ray the ground stands at the place between the neighbouring rings that
 /// looks highest from the eye, so that crests are where they are however far apart the rings. What
-/// nearer ground hides is left out. Independent of the pool's size.
+/// nearer ground hides, from all points of the lens, is left out. Independent of the pool's size.
 GroundMesh ground_mesh(const GroundFan& fan, const HeightPyramid& bed, WorkerPool& pool);
 
 }  // namespace fumon

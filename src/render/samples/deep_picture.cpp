@@ -101,6 +101,19 @@ void DeepPicture::resolve(const Tile& tile, int factor, const glm::ivec2& from, 
     }
 }
 
+void DeepPicture::put(const GatheredLight& light) {
+    const Tile& tile = light.tile();
+    for (int y = 0; y < tile.height; ++y) {
+        const float* pixel = light.row(y);
+        const std::size_t first =
+            static_cast<std::size_t>(tile.y + y) * static_cast<std::size_t>(width_) +
+            static_cast<std::size_t>(tile.x);
+        for (std::size_t x = 0; x < static_cast<std::size_t>(tile.width); ++x, pixel += 4) {
+            for (std::size_t c = 0; c < channels_.size(); ++c) channels_[c][first + x] = pixel[c];
+        }
+    }
+}
+
 Image DeepPicture::display() const {
     Image image(width_, height_);
     if (open_) image = with_alpha(std::move(image));

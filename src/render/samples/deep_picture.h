@@ -5,6 +5,7 @@
 
 #include "base/image.h"
 #include "render/colour/pixel_kind.h"
+#include "render/samples/gathered_light.h"
 #include "render/view/tiles.h"
 
 namespace fumon {
@@ -30,6 +31,9 @@ class DeepPicture {
     void read_background(const Tile& tile);
     /// Reads the bound target of samples, whose first of this tile is `from`.
     void resolve(const Tile& tile, int factor, const glm::ivec2& from, WorkerPool& pool);
+
+    /// Takes a tile's light, of a picture of radiances.
+    void put(const GatheredLight& light);
 
     /// The picture of display values, at 16 bits and rounded to 8.
     [[nodiscard]] Image display() const;

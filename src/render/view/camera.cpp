@@ -172,6 +172,7 @@ Camera place_camera(const CameraSettings& settings, const Block& block, double a
     const double tangent = used.focal_length.is_word()
                                ? elementary::sin(half_angle) / elementary::cos(half_angle)
                                : half_film / used.focal_length.value;
+    camera.focal_length = half_film / tangent;
     camera.half = {tangent * aspect, tangent};
     if (block.eye || block.look_at) {
         stand(camera, used, block);
@@ -202,6 +203,13 @@ glm::dmat4 clip_matrix(const Camera& camera) {
     if (camera.perspective) {
         rows[2] = row(camera.forward * ((f + n) / (f - n)), -2.0 * f * n / (f - n));
         rows[3] = row(camera.forward, 0.0);
+        const Lens& lens = camera.lens;
+        if (lens.radius > 0.0) {
+            const glm::dvec2 off = lens.point / camera.half;
+            const glm::dvec2 sheared = off / lens.focus + lens.aside;
+            rows[0] += row(camera.forward * sheared.x, -off.x);
+            rows[1] += row(camera.forward * sheared.y, -off.y);
+        }
     } else {
         rows[2] = row(camera.forward * (2.0 / (f - n)), -(f + n) / (f - n));
         rows[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);

@@ -9,6 +9,19 @@
 
 namespace fumon {
 
+/// What a camera sees through, in the block's lengths: a thin lens around the eye, before a picture
+/// that stays where it is. A point at depth z is spread over a disc of 2·radius·|1/z − 1/focus| at
+/// depth 1, the circle of confusion.
+struct Lens {
+    double radius = 0.0;  ///< 0: a pinhole
+    double focus = 1.0;   ///< the depth at which all is sharp
+    // Of one of the many pictures whose mean a lens makes:
+    glm::dvec2 point{0.0};  ///< which it is seen through, rightward and upward from the eye
+    glm::dvec2 aside{0.0};  ///< by how much it is moved, of half the picture's extent
+
+    bool operator==(const Lens&) const = default;
+};
+
 /// Where a picture is taken from, in the block's lengths (see Block).
 struct Camera {
     bool perspective = true;
@@ -20,6 +33,19 @@ struct Camera {
     double focus = 1.0;       ///< depth of what it looks at, seen from a perspective eye
     double near_depth = 0.1;  ///< along `forward` from the eye; the block lies within
     double far_depth = 10.0;
+    double focal_length = 50.0;  ///< mm, of a lens before 36 × 24 mm (perspective)
+    Lens lens{};                 ///< (perspective)
+
+    /// The direction in which the picture's middle sees, through the lens's point.
+    [[nodiscard]] glm::dvec3 ahead() const {
+        if (lens.radius == 0.0) return forward;
+        const glm::dvec2 to = lens.point / lens.focus + lens.aside * half;
+        return forward - to.x * right - to.y * up;
+    }
+    /// And from where.
+    [[nodiscard]] glm::dvec3 seen_from() const {
+        return lens.radius == 0.0 ? eye : eye + lens.point.x * right + lens.point.y * up;
+    }
 
     bool operator==(const Camera&) const = default;
 };
@@ -32,10 +58,10 @@ struct Camera {
 Camera place_camera(const CameraSettings& settings, const Block& block, double aspect,
                     double progress);
 
-/// World to clip coordinates, z in −1 … 1.
+/// World to clip coordinates, z in −1 … 1; through the lens's point.
 glm::dmat4 clip_matrix(const Camera& camera);
 
-/// The place in the picture of a point, −1 … 1 rightward and upward inside the frame.
+/// The place in the picture of a point, −1 … 1 rightward and upward inside the frame; of a pinhole.
 glm::dvec2 project(const Camera& camera, const glm::dvec3& point);
 
 /// The corners of the block that is framed: its outline at its base and at its top.

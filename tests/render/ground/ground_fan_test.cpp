@@ -139,6 +139,51 @@ TEST(GroundFan, LeavesOutWhatIsHiddenAndNoMore) {
     }
 }
 
+/// Corners that are left out, and to which nothing stands in the way from an eye aside and above.
+int missed_from(const glm::dvec3& aside, const GroundFan& fan, const HeightPyramid& bed,
+                const GroundMesh& mesh) {
+    std::vector<bool> drawn(mesh.places.size(), false);
+    for (const std::uint32_t corner : mesh.triangles) drawn[corner] = true;
+    int missed = 0;
+    for (std::size_t i = 0; i < mesh.places.size(); i += 7) {
+        const glm::dvec3 at(mesh.places[i]);
+        if (drawn[i] || std::hypot(at.x, at.y) > 1.5) continue;
+        double clear = 1e9;
+        for (double share = 0.02; share < 0.98; share += 0.004) {
+            const glm::dvec3 on_way = aside + share * (at - aside);
+            const double ground = height_at(fan, bed, glm::dvec2(on_way)) - fan.eye.z;
+            clear = std::min(clear, on_way.z - ground);
+        }
+        if (clear > 5e-4) ++missed;
+    }
+    return missed;
+}
+
+TEST(GroundFan, AllPointsOfALensSeeTheGround) {
+    Field<float> hills(cells, cells);
+    for (int y = 0; y < cells; ++y) {
+        for (int x = 0; x < cells; ++x)
+            hills(x, y) = static_cast<float>(
+                0.03 + 0.03 * std::sin(2.0 * 3.14159265358979 * (3.0 * x + 2.0 * y) / cells) *
+                           std::sin(2.0 * 3.14159265358979 * 5.0 * y / cells));
+    }
+    const HeightPyramid bed(std::move(hills));
+    GroundFan fan = eastward();
+    fan.nearest = 0.02;
+    fan.eye.z = 0.05;
+    WorkerPool pool(1);
+    constexpr double radius = 0.012;
+    const GroundMesh of_pinhole = ground_mesh(fan, bed, pool);
+    fan.lens = radius;
+    const GroundMesh of_lens = ground_mesh(fan, bed, pool);
+    EXPECT_LT(of_lens.triangles.size(), of_lens.places.size() * 5);
+    for (const glm::dvec3 aside : {glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(0.0, -1.0, 0.0),
+                                   glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.0, 0.6, 0.8)}) {
+        EXPECT_GT(missed_from(radius * aside, fan, bed, of_pinhole), 0) << aside.y;
+        EXPECT_EQ(missed_from(radius * aside, fan, bed, of_lens), 0) << aside.y;
+    }
+}
+
 TEST(GroundFan, IsTheSameForAnyNumberOfThreads) {
     const HeightPyramid bed(ridges());
     WorkerPool one(1);
