@@ -7,6 +7,7 @@
 #include "common/noise.glsl"
 #include "sky/sky.glsl"
 #include "sky/stars.glsl"
+#include "streamers/streamers.glsl"
 
 uniform vec3 ray_origin;
 uniform vec3 ray_right;    // origin or direction moves by these over the picture
@@ -21,6 +22,8 @@ uniform float floor_half_width;
 uniform vec2 picture_pixels;
 uniform float dithered;    // 1: for 8 bits
 uniform vec2 tile_pixel;   // first pixel of this tile
+uniform float tile_rows;
+uniform vec2 first_drawn;  // its first pixel in the target, from below
 uniform vec2 row_of;       // rows run downward: the first one's number, and 1 or, from the lowest on, −1
 
 in vec2 place;
@@ -53,6 +56,7 @@ void main() {
         light = sky(view);
         if (stars > 0.5) light += starlight(view);
     }
+    if (streamers > 0.5) light = through_streamers(light, ivec2(vec2(place_in_tile.x, tile_rows - place_in_tile.y) - first_drawn));
     ivec2 pixel = ivec2(place_in_tile + tile_pixel);
     float dither = hash(pixel) + hash(pixel + ivec2(7919, 104729)) - 1.0;
     colour = vec4(display_from_linear(tone_curve(light)) + dithered * dither / 255.0, 1.0);

@@ -2,6 +2,8 @@
 // ground, else once a sample. Needs common/colour.glsl, common/light.glsl, common/noise.glsl, common/oren_nayar.glsl, bed/bed.glsl, bed/ground.glsl
 // and world/world_place.glsl before it.
 #include "world/far_copies.glsl"
+#include "streamers/streamers.glsl"
+uniform vec2 first_of_tile;    // the sample of its lower left pixel
 uniform float curvature;      // of the planet, 1 / (2 R)
 uniform vec2 whole_eye;       // the eye's place, not reduced to one period
 uniform float sand_grain;     // how much of it is seen
@@ -187,5 +189,9 @@ vec4 seen(vec3 light, SeenPlace at, vec3 to_eye) {
     vec2 level = at.offset.xy + 1e-6 * to_sun.xy;
     vec3 haze = haze_towards(vec3(normalize(level), 0.0));
     light = mix(haze, light, through) + glare(-to_eye);
+    if (streamers > 0.5) {
+        ivec2 pixel = whole_pixels > 0.5 ? ivec2(gl_FragCoord.xy) : ivec2(floor((vec2(own_sample()) - first_of_tile) / float(factor)));
+        light = through_streamers(light, pixel);
+    }
     return vec4(display_from_linear(tone_curve(light)), 1.0);
 }

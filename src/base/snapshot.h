@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -80,6 +81,10 @@ struct Snapshot {
     std::shared_ptr<const SnapshotSection> section{};
     Landform landform = Landform::bed;  ///< of the model
     std::vector<SnapshotWind> winds{};  ///< of the whole run; empty: one toward +x
+    /// What the model's wind drives over each cell of a snapshot of it, in parts of what it drives
+    /// over level ground: asked for where it is shown. Empty where no wind moves sand. Throws Error
+    /// where the snapshot lacks a field for it.
+    std::function<Grid(const Snapshot&)> saltation_flux{};
 };
 
 }  // namespace fumon

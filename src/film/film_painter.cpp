@@ -265,14 +265,19 @@ std::vector<WantedPicture> FilmPainter::pictures_of(std::int64_t frame) const {
     for (const PartOfFrame& shown : timeline_.at(frame)) {
         if (shown.part->kind != FilmPart::Kind::shot) continue;
         for (std::size_t run = 0; run < runs; ++run)
-            pictures.push_back({run, shown.part->number, shown.share});
+            pictures.push_back({run, shown.part->number, shown.share, frame_of(shown)});
     }
     return pictures;
 }
 
+/// Streamers move where camera and bed stand still, too.
+std::int64_t FilmPainter::frame_of(const PartOfFrame& shown) const {
+    return stage_.scene.view.streamers.strength > 0.0 ? shown.frame : 0;
+}
+
 FilmPainter::Sight FilmPainter::sight_of(const WantedPicture& wanted) const {
     const StagedShot& shot = shots_[wanted.shot];
-    return {{wanted.shot, shot.bed_at(wanted.share)}, shot.pose_at(wanted.share)};
+    return {{wanted.shot, shot.bed_at(wanted.share)}, shot.pose_at(wanted.share), wanted.frame};
 }
 
 /// Reads the bed, and says how what its picture needs is found.
@@ -280,6 +285,7 @@ PictureAhead::Find FilmPainter::way_to(std::size_t run, const Sight& sight) cons
     FramePose frame{camera_of(stage_, sight.pose), stage_.scene.view.sun, sight.pose.exposure};
     frame.sun.azimuth = sight.pose.sun_azimuth;
     frame.sun.elevation = sight.pose.sun_elevation;
+    frame.frame = sight.frame;
     if (differs()) frame.reference = panes_[1].beds->snapshot(bed_of(1, sight.moment));
     const Pane& pane = panes_[run];
     return
@@ -296,7 +302,7 @@ void FilmPainter::look_ahead_from(const WantedPicture& present) {
 
 /// What one run shows.
 Image FilmPainter::picture(std::size_t run, const PartOfFrame& shown) {
-    const WantedPicture wanted{run, shown.part->number, shown.share};
+    const WantedPicture wanted{run, shown.part->number, shown.share, frame_of(shown)};
     Pane& pane = panes_[run];
     const Sight sight = sight_of(wanted);
     std::optional<ReadyPicture> ready = ahead_.take(wanted);

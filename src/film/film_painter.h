@@ -63,6 +63,7 @@ class FilmPainter : public FilmFrames {
     struct Sight {
         Moment moment;
         CameraPose pose;
+        std::int64_t frame = 0;  ///< see WantedPicture
         friend bool operator==(const Sight&, const Sight&) = default;
     };
     /// One run's part of the picture.
@@ -87,6 +88,7 @@ class FilmPainter : public FilmFrames {
     void fix_plots(const std::set<Moment>& shown);
     void place_overlays(const FilmSize& size);
     [[nodiscard]] std::vector<WantedPicture> pictures_of(std::int64_t frame) const;
+    [[nodiscard]] std::int64_t frame_of(const PartOfFrame& shown) const;
     [[nodiscard]] Sight sight_of(const WantedPicture& wanted) const;
     [[nodiscard]] PictureAhead::Find way_to(std::size_t run, const Sight& sight) const;
     void look_ahead_from(const WantedPicture& present);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <future>
 #include <optional>
@@ -14,7 +15,8 @@ namespace fumon {
 struct WantedPicture {
     std::size_t run = 0;
     std::size_t shot = 0;
-    double share = 0.0;  ///< of the shot
+    double share = 0.0;      ///< of the shot
+    std::int64_t frame = 0;  ///< of the film, where something moves in each; else 0
 
     friend bool operator==(const WantedPicture&, const WantedPicture&) = default;
 };

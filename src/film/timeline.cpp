@@ -80,7 +80,7 @@ std::vector<PartOfFrame> Timeline::at(std::int64_t frame) const {
             weight = static_cast<double>(within + 1) / static_cast<double>(part.overlap + 1);
             if (!shown.empty()) shown.front().weight = 1.0 - weight;
         }
-        shown.push_back({&part, share, weight});
+        shown.push_back({&part, share, weight, frame});
     }
     return shown;
 }

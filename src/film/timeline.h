@@ -23,8 +23,9 @@ struct FilmPart {
 /// What a frame of the film shows: a part, at a share of it.
 struct PartOfFrame {
     const FilmPart* part = nullptr;
-    double share = 0.0;   ///< 0 … 1
-    double weight = 1.0;  ///< in a cross-fade
+    double share = 0.0;      ///< 0 … 1
+    double weight = 1.0;     ///< in a cross-fade
+    std::int64_t frame = 0;  ///< of the film
 };
 
 /// Which frame shows what. Lengths in seconds become whole numbers of frames.

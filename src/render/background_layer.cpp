@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/bed_shading.h"
+#include "render/streamer_layer.h"
 
 namespace fumon {
 
@@ -58,7 +59,7 @@ const gl::Program& BackgroundLayer::program(bool plain_alone, bool stars) {
 }
 
 void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile& tile,
-                           RowOrder order) {
+                           RowOrder order, const glm::ivec2& first_drawn) {
     const gl::Functions& gl = gl::functions();
     if (view_.look.mode == ViewMode::figure) {
         gl.ClearColor(1.0F, 1.0F, 1.0F, 1.0F);
@@ -84,6 +85,9 @@ void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile&
     const bool upward = order == RowOrder::upward;
     sees.set("row_of",
              upward ? glm::vec2(static_cast<float>(tile.height), -1.0F) : glm::vec2(0.0F, 1.0F));
+    sees.set("streamer_map", streamer_unit);
+    sees.set("tile_rows", static_cast<float>(tile.height));
+    sees.set("first_drawn", glm::vec2(first_drawn));
     sees.set("tile_pixel", glm::vec2(static_cast<float>(tile.x), static_cast<float>(tile.y)));
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -27,8 +27,9 @@ class BackgroundLayer {
     void set_floor(const FloorMap& floor) const;
 
     /// Draws one tile's background into the bound target. Stencils and depths may keep it
-    /// out.
-    void draw(const Light& light, const Camera& camera, const Tile& tile, RowOrder order);
+    /// out. `first_drawn`: within the tile, from below, the corner of that which layers drew.
+    void draw(const Light& light, const Camera& camera, const Tile& tile, RowOrder order,
+              const glm::ivec2& first_drawn = {0, 0});
 
   private:
     const gl::Program& program(bool plain_alone, bool stars);

@@ -224,7 +224,8 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
         {"soil", switched(view.look.sides == BlockSides::soil && scenic)},
         {"plain", switched(block.tiles.plain)},
         {"varied", switched(far_copies_vary(view, !block.tiles.plain))},
-        {"rock", static_cast<float>(block.rock)}};
+        {"rock", static_cast<float>(block.rock)},
+        {"streamers", switched(view.streamers.strength > 0.0)}};
     if (view.look.ground != Ground::endless) {
         // Others are numbers, by which a compiler may calculate otherwise.
         if (chosen_rendering(view, light).contrast == 1.0) constants.push_back({"contrast", 1.0F});

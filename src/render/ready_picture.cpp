@@ -25,6 +25,8 @@ std::shared_ptr<const LitBed> Renderer::Parts::lit_bed(const ReadyPicture& pictu
         const Block framed = plain ? plain->ground_of(picture.framed) : picture.framed;
         lit->light = repeated_light(plain ? *lit->in_plain : shown, framed, refinement, origin, sun,
                                     prevailing_way(shown), with);
+        if (view.streamers.strength > 0.0)
+            lit->blown = blown_sand(shown, view, picture.framed, sun);
         lit->heights = std::make_shared<const HeightPyramid>(std::move(lit->light.z), framed.tiles);
     } else {
         lit->bed = display_bed(shown, picture.framed, refinement);

@@ -11,6 +11,7 @@
 #include "render/light/repeated_light.h"
 #include "render/light/sun_sweep.h"
 #include "render/renderer.h"
+#include "render/streamers/blown_sand.h"
 #include "render/view/block.h"
 #include "render/view/display_bed.h"
 
@@ -25,6 +26,7 @@ struct LitBed {
     RepeatedLight light;                ///< of endless ground, without its heights
     std::optional<Snapshot> in_plain;   ///< the bed as the ground's maps hold it, where it ends
     std::shared_ptr<const HeightPyramid> heights;
+    std::optional<BlownSand> blown;  ///< where it is drawn
 };
 
 /// All that a picture needs besides OpenGL, see Renderer::ready().

@@ -138,6 +138,9 @@ void Renderer::prepare(const ReadyPicture& picture) {
     }
     if (p.air && snapshot.section) p.air->set_air(snapshot, picture.framed, camera, p.pool);
     if (p.plants) p.plants->choose(p.plant_ground(camera), camera);
+    if (p.streamers)
+        p.streamers->choose(*lit.blown, picture.pose.frame.value_or(snapshot.step),
+                            p.plant_ground(camera), camera);
 }
 
 Image Renderer::draw(const ReadyPicture& picture) {

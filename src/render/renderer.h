@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "base/image.h"
@@ -23,6 +25,9 @@ struct FramePose {
     double exposure = 0.0;  ///< stops, besides look.exposure
     /// From whose bed look.colour_by = "change" counts; none: the first one. Of its size.
     std::shared_ptr<const Snapshot> reference{};
+    /// How often streamers have gone on by streamers.travel; none: as often as the snapshot's step
+    /// says.
+    std::optional<std::int64_t> frame{};
 };
 
 struct LitBed;

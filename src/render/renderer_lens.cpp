@@ -90,7 +90,8 @@ void Renderer::Parts::draw_behind_samples(const Tile& tile, const Camera& camera
     gl.Enable(GL_STENCIL_TEST);
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     gl.StencilFunc(GL_EQUAL, 0, 0xFF);
-    background.draw(light, camera, whole, RowOrder::upward);
+    if (streamers) streamers->bind();
+    background.draw(light, camera, whole, RowOrder::upward, first_sample(tile) - corner);
     gl.Disable(GL_STENCIL_TEST);
 }
 

@@ -152,6 +152,8 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
     if (draws_plants(view, first)) plants.emplace(view, ground, fixed);
     if (!view.persons.empty()) persons.emplace(view, block, first, fixed);
     if (!view.tracks.empty()) tracks.emplace(view, block, first, fixed);
+    if (world && view.streamers.strength > 0.0)
+        streamers.emplace(view, block, plan.tiles.front().width, plan.tiles.front().height);
     gl::check_errors("the renderer's setup");
 }
 
@@ -194,7 +196,7 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
     gl::functions().BindVertexArray(no_attributes.name());
     const bool seen_behind = !image.transparent();
     const bool block_first = coloured_by_pixels() && plan.tiles.size() == 1;
-    const bool ground_first = pixels && !air;
+    const bool ground_first = (pixels && !air) || streamers;
     if (seen_behind && !ground_first && !block_first) draw_background(tile, camera, nullptr);
     if (coloured_by_pixels()) {
         draw_pixels(tile, camera);
@@ -215,8 +217,9 @@ void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& i
 
 void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, DeepPicture& picture) {
     gl::functions().BindVertexArray(no_attributes.name());
-    if (!open()) draw_background(tile, camera, &picture);
+    if (!open() && !streamers) draw_background(tile, camera, &picture);
     draw_samples(tile, camera);
+    if (streamers) draw_background(tile, camera, &picture);
     sampled->colours->bind();
     picture.resolve(tile, plan.factor, first_sample(tile) - target_corner(tile), pool);
 }
@@ -301,7 +304,7 @@ void Renderer::Parts::see_ground(const Tile& tile, const Camera& camera) {
     if (!sampled) sampled.emplace(plan, view.look.ground);
     sampled->seen.bind();
     gl::functions().ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-    if (packs_samples()) {
+    if (packs_samples() && !streamers) {
         // Clearing so many samples takes longer than drawing those of the sky.
         gl::functions().Clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
         world->draw_seen(camera, placed_samples(tile));
@@ -316,9 +319,17 @@ void Renderer::Parts::see_ground(const Tile& tile, const Camera& camera) {
     }
 }
 
+void Renderer::Parts::see_streamers(const Tile& tile, const Camera& camera) {
+    if (!streamers) return;
+    const glm::ivec2 first = first_sample(tile) - target_corner(tile);
+    streamers->draw(sampled->seen.colour(), first, plan.factor, tile, light, camera);
+    world->set_streamers(&*streamers, first);
+}
+
 void Renderer::Parts::draw_packed_samples(const Tile& tile, const Camera& camera) {
     if (!packed) packed.emplace(plan.factor);
     see_ground(tile, camera);
+    see_streamers(tile, camera);
     const gl::Texture2D& seen = sampled->seen.colour();
     const PixelSamples at = pixel_samples(tile, camera);
     pixels->bind();
@@ -331,6 +342,7 @@ void Renderer::Parts::draw_packed_samples(const Tile& tile, const Camera& camera
 void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
     const gl::Functions& gl = gl::functions();
     see_ground(tile, camera);
+    see_streamers(tile, camera);
     if (!sampled->colours)
         sampled->colours.emplace(plan.target_width, plan.target_height, plain_layout(kind),
                                  &sampled->depths);

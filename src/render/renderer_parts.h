@@ -25,6 +25,7 @@
 #include "render/samples/deep_picture.h"
 #include "render/samples/gathered_light.h"
 #include "render/samples/packed_samples.h"
+#include "render/streamer_layer.h"
 #include "render/terrain_layer.h"
 #include "render/track_layer.h"
 #include "render/view/block.h"
@@ -98,6 +99,8 @@ struct Renderer::Parts {
     [[nodiscard]] PixelSamples pixel_samples(const Tile& tile, const Camera& camera) const;
     /// What each sample of a tile sees.
     void see_ground(const Tile& tile, const Camera& camera);
+    /// After see_ground(): what lies before it.
+    void see_streamers(const Tile& tile, const Camera& camera);
     void draw_packed_samples(const Tile& tile, const Camera& camera);
     void draw_samples(const Tile& tile, const Camera& camera);
     void draw_tile(const Tile& tile, const Camera& camera, Image& image);
@@ -156,6 +159,7 @@ struct Renderer::Parts {
     std::optional<PlantLayer> plants;
     std::optional<PersonLayer> persons;
     std::optional<TrackLayer> tracks;
+    std::optional<StreamerLayer> streamers;
     std::optional<PlacePass> places;
     std::optional<SampleTargets> sampled;
     std::optional<BlockTargets> block_targets;

@@ -16,10 +16,11 @@ const gl::RenderTarget& Renderer::Parts::surroundings() {
 
 void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera, DeepPicture* deep) {
     // Nothing in it changes while the camera stands still.
-    const bool kept = deep == nullptr && plan.tiles.size() == 1;
+    const bool kept = deep == nullptr && plan.tiles.size() == 1 && !streamers;
     if (kept && surroundings_whole && surroundings_from == camera) return;
     gl::functions().BindVertexArray(no_attributes.name());
     surroundings().bind();
+    if (streamers) streamers->bind();
     gl::functions().Disable(GL_DEPTH_TEST);
     background.draw(light, camera, tile, RowOrder::downward);
     if (deep != nullptr) {
@@ -33,14 +34,19 @@ void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera, De
 
 /// Where pixels see the ground alone nothing behind it counts.
 void Renderer::Parts::draw_uncovered_background(const Tile& tile, const Camera& camera) {
-    const bool of_several = later_pictures && !surroundings_from;
-    if (plan.tiles.size() == 1 && (of_several || surroundings_from == camera)) {
+    if (streamers && !pixels) {
+        draw_background(tile, camera, nullptr);
+        return;
+    }
+    const bool of_several = later_pictures && !surroundings_from && !streamers;
+    if (plan.tiles.size() == 1 && !streamers && (of_several || surroundings_from == camera)) {
         draw_background(tile, camera, nullptr);
         return;
     }
     const gl::Functions& gl = gl::functions();
     gl.BindVertexArray(no_attributes.name());
     surroundings().bind();
+    if (streamers) streamers->bind();
     if (world) {
         gl.Disable(GL_DEPTH_TEST);
         gl.Enable(GL_STENCIL_TEST);

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "render/streamer_layer.h"
+
 namespace fumon {
 
 namespace {
@@ -59,7 +61,8 @@ class WithinRows {
 
 /// Samples along each side of a pixel; llvmpipe unrolls no loop whose end it does not know.
 gl::Constant factor_of(const View& view) {
-    return {"factor", static_cast<float>(view.image.supersampling)};
+    const bool one = view.camera.has_lens();  // for each of the lens's points
+    return {"factor", one ? 1.0F : static_cast<float>(view.image.supersampling)};
 }
 
 /// Of those that colour pixels of one ground, or samples of the others. What is multiplied by a
@@ -242,6 +245,10 @@ void WorldLayer::bind(const gl::Program& program, const gl::Texture2D& seen,
     program.set("wander_map", wander_unit);
     seen.bind(seen_unit);
     program.set("offsets", seen_unit);
+    if (streamers_ != nullptr) {
+        streamers_->bind(program);
+        program.set("first_of_tile", glm::vec2(first_of_tile_));
+    }
     set_eye(program, camera);
     set_detail(program, camera);
 }

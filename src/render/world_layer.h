@@ -25,6 +25,7 @@
 
 namespace fumon {
 
+class StreamerLayer;
 class WorkerPool;
 
 /// Where pixels lie among a target's samples.
@@ -57,6 +58,13 @@ class WorldLayer {
     [[nodiscard]] double ground_at(const glm::dvec2& place, const HeightPyramid& heights) const;
     /// Takes that as the ground to draw.
     void look_at(const SeenGround& ground);
+
+    /// Through what colours are seen from now on, or null; and the sample of the tile's lower left
+    /// pixel.
+    void set_streamers(const StreamerLayer* streamers, glm::ivec2 first) {
+        streamers_ = streamers;
+        first_of_tile_ = first;
+    }
 
     /// Notes in the bound target (four floats a sample, depths and stencils) how far from the eye
     /// the ground is that each sample sees; colours are found later. `tell_far`: lengths on far
@@ -142,6 +150,8 @@ class WorldLayer {
     gl::VertexArray no_attributes_;
     gl::DynamicBuffer places_{GL_ARRAY_BUFFER};
     gl::DynamicBuffer triangles_{GL_ELEMENT_ARRAY_BUFFER};
+    const StreamerLayer* streamers_ = nullptr;
+    glm::ivec2 first_of_tile_{0};
     std::vector<glm::vec3> skyline_;
     GLsizei near_indices_ = 0;
     GLsizei far_indices_ = 0;

@@ -16,6 +16,7 @@
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
 #include "render/person_layer.h"
+#include "render/streamers/blown_sand.h"
 #include "render/track_layer.h"
 #include "render/view/lens.h"
 #include "render/view/water.h"
@@ -109,6 +110,7 @@ void check_persons_and_files(const Scene& scene, const Snapshot& first) {
         check_lens(scene.view, first);
         check_persons(scene.view, first);
         check_tracks(scene.view, first);
+        check_streamers(scene.view, first);
         check_map_files(scene, first);
     } catch (const KeyError& refusal) {
         throw InputError(scene.at(refusal.key()) + refusal.what());
@@ -174,7 +176,8 @@ bool asks_for_more(const Scene& scene) {
     return look.mark != Marking::none || colours_water(look.colour_by) ||
            look.mode == ViewMode::figure || scene.view.section != SectionSettings{} ||
            has_overlays(scene) || scene.output.world_files || scene.output.geotiff_frames ||
-           scene.output.exr_frames || !scene.view.persons.empty() || !scene.view.tracks.empty();
+           scene.output.exr_frames || !scene.view.persons.empty() || !scene.view.tracks.empty() ||
+           scene.view.streamers.strength > 0.0;
 }
 
 /// Checks the scene's palette, and puts names and tables that it refers to in their place.

@@ -250,6 +250,21 @@ void check_look(const Scene& scene, Faults& faults) {
     }
 }
 
+void check_streamers(const Scene& scene, Faults& faults) {
+    const Refuse refuse{scene, faults};
+    const View& view = scene.view;
+    if (view.streamers.strength == 0.0) return;
+    const char* key = "streamers.strength";
+    if (view.look.mode != ViewMode::scenic)
+        refuse(key, "streamers.strength is for scenic views (look.mode)");
+    if (view.camera.projection != Projection::perspective)
+        refuse(key, "streamers.strength is for the perspective camera (camera.projection)");
+    if (view.look.background == Background::transparent)
+        refuse(key,
+               "streamers.strength takes look.background = \"surroundings\": what is seen "
+               "through blown sand cannot be left out");
+}
+
 void check_length(const Scene& scene, Faults& faults) {
     const Refuse refuse{scene, faults};
     if (find_model(scene.model.name)->landform == Landform::terrain || written(scene, "run.steps"))
@@ -267,11 +282,15 @@ struct Rules {
 }  // namespace
 
 void check_scene(const Scene& scene, const std::set<std::string>& faulty, Faults& faults) {
-    const std::array all{
-        Rules{{"run"}, check_length},          Rules{{"grid", "bed"}, check_bed},
-        Rules{{"output"}, check_bed_formats},  Rules{{"frames", "run", "output"}, check_frames},
-        Rules{{"look", "image"}, check_look},  Rules{{"camera", "look"}, check_camera},
-        Rules{{"camera", "look"}, check_lens}, Rules{{"figure"}, check_figure}};
+    const std::array all{Rules{{"run"}, check_length},
+                         Rules{{"grid", "bed"}, check_bed},
+                         Rules{{"output"}, check_bed_formats},
+                         Rules{{"frames", "run", "output"}, check_frames},
+                         Rules{{"look", "image"}, check_look},
+                         Rules{{"camera", "look"}, check_camera},
+                         Rules{{"camera", "look"}, check_lens},
+                         Rules{{"streamers", "look", "camera"}, check_streamers},
+                         Rules{{"figure"}, check_figure}};
     for (const Rules& rules : all) {
         const bool sound =
             std::none_of(rules.sections.begin(), rules.sections.end(),

@@ -178,6 +178,13 @@ struct SectionSettings {
     friend bool operator==(const SectionSettings&, const SectionSettings&) = default;
 };
 
+/// Sand blown over brinks and in wisps over stoss sides ("streamers", Baas 2003).
+struct StreamerSettings {
+    double strength = 0.0;           ///< 0 none … 1
+    WordOrReal length{"auto", 0.0};  ///< m (or sites) that plumes reach downwind
+    double travel = 0.25;            ///< m (or sites) that they go on by in a step
+};
+
 /// A person who stands on the bed, as a scale: 1.75 m tall.
 struct PersonSettings {
     std::vector<double> at;  ///< metres east and north of the bed's south-western corner
@@ -205,6 +212,7 @@ struct View {
     std::vector<OverlaySettings> overlays;
     std::vector<PersonSettings> persons;
     std::vector<TrackSettings> tracks;
+    StreamerSettings streamers;
 };
 
 enum class ExrLayers { all, colour };

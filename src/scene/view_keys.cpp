@@ -154,6 +154,23 @@ void list_view_keys(View& view, KeyTable& table) {
          .help = "how far dark things are seen: haze by distance (Koschmieder 1924); without "
                  "metres the bed's longer side counts as 1 km"});
 
+    StreamerSettings& streamers = view.streamers;
+    table.real("streamers.strength", streamers.strength,
+               {.range = {0, 1},
+                .help = "of sand blown over brinks and in wisps over stoss sides (scenic, "
+                        "perspective): how dense it is where the model's wind drives as much as "
+                        "over level sand; 0: none"});
+    table.word_or_real("streamers.length", streamers.length,
+                       {{"auto", "twice as far as the bed's dunes are high"}},
+                       {.unit = "m or sites",
+                        .range = {0, 1e6, true},
+                        .help = "how far plumes reach downwind of a brink"});
+    table.real("streamers.travel", streamers.travel,
+               {.unit = "m or sites",
+                .range = {0, 1e6},
+                .help = "how far streamers go downwind from a step to the next; in films from a "
+                        "frame to the next"});
+
     LookSettings& look = view.look;
     table.text(
         "look.preset", look.preset,

@@ -42,8 +42,8 @@ TEST(SceneRoles, EachKeyDecidesWhatItSays) {
                      "output.bed_format", "output.world_files", "output.geotiff_frames",
                      "output.exr_frames"}));
     EXPECT_EQ(paths_with(KeyRole::sweep), (Paths{"sweep.over", "sweep.seeds"}));
-    const std::set<std::string> pictures{"air",     "camera", "sun",    "look",
-                                         "section", "image",  "overlay"};
+    const std::set<std::string> pictures{"air",     "camera", "sun",     "look",
+                                         "section", "image",  "overlay", "streamers"};
     for (const std::string& path : paths_with(KeyRole::look)) {
         const bool of_file = path == "output.movie_rate" || path == "output.movie_quality" ||
                              path == "output.exr_layers";

@@ -24,6 +24,8 @@ std::string_view missing_beside_beds(const Snapshot& first, const View& view) {
     if (mark == Marking::last_avalanche) return "their avalanches";
     const bool marked_plants =
         mark == Marking::ground && find_named(first.fields, "cover") != nullptr;
+    const bool flux_of_fields = find_named(first.fields, "moving_sand") != nullptr;
+    if (view.streamers.strength > 0.0 && flux_of_fields) return "their moving sand";
     if (marked_plants || draws_plants(view, first)) return "their plants";
     return mark == Marking::ground && rock_wears(first) ? "their worn rock" : "";
 }

@@ -315,6 +315,12 @@ void Dunes::bend(const BlowingWind& wind) const {
     turn_by_stress(across_, wind, pool_, bent_);
 }
 
+double Dunes::saturated_air() const {
+    if (parameters_.transport == DuneTransport::slabs) return 0.0;
+    return parameters_.flux * step_length(parameters_, ground_, 1.0) *
+           (1.0 - parameters_.deposit_on_sand) / parameters_.hop_length;
+}
+
 void Dunes::fill_sources() {
     for (std::size_t cell = 0; cell < sources_.size(); ++cell) {
         if (sources_.values()[cell] == 0) continue;

@@ -83,6 +83,8 @@ class Dunes : public Model {
     void note_slides();
     [[nodiscard]] Grid avalanche_age() const;
     [[nodiscard]] Grid local_wind() const;
+    /// Sand in the air over flat sand between two steps, m; 0 where a step ends with none.
+    [[nodiscard]] double saturated_air() const;
 
     DunesParameters parameters_;
     WorldScale scale_;

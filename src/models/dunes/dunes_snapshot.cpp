@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "base/elementary_angle.h"
+#include "base/error.h"
+#include "base/snapshot_lookup.h"
 #include "base/units.h"
 #include "models/dunes/dunes.h"
 
@@ -25,6 +27,24 @@ double total_sand(const DuneBed& bed) {
                          bed.moving.values()[cell]);
     }
     return sum;
+}
+
+/// Of a snapshot's moving sand, `saturated` of which is in the air over flat sand; where none stays
+/// there between steps, of what the wind lifts.
+Grid flux_of_fields(const Snapshot& snapshot, double saturated) {
+    const Grid* moving = field_of(snapshot.fields, "moving_sand");
+    const Grid* lifted = field_of(snapshot.fields, "local_wind");
+    const Grid* sand = field_of(snapshot.fields, "sand");
+    if (moving == nullptr || lifted == nullptr || sand == nullptr)
+        throw Error("a bed alone does not tell what sand the wind drives over dunes");
+    Grid flux = *moving;
+    if (saturated > 0.0) {
+        for (double& value : flux.values()) value /= saturated;
+        return flux;
+    }
+    std::ranges::transform(lifted->values(), sand->values(), flux.values().begin(),
+                           [](double wind, double loose) { return loose > 0.0 ? wind : 0.0; });
+    return flux;
 }
 
 }  // namespace
@@ -82,6 +102,9 @@ Snapshot Dunes::snapshot() const {
                                    "by how much relief turns the wind, counterclockwise", "degrees",
                                    wind_turn()});
     }
+    snapshot.saltation_flux = [saturated = saturated_air()](const Snapshot& of) {
+        return flux_of_fields(of, saturated);
+    };
     const double area = ground_.dx * ground_.dy;
     snapshot.numbers = {{"sand_volume", "m3", area * total_sand(bed_)},
                         {"sand_inflow", "m3", area * to_metres(bed_.inflow)},

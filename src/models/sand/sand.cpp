@@ -12,6 +12,7 @@
 #include "base/worker_pool.h"
 #include "models/sand/creep.h"
 #include "models/sand/profile_creep.h"
+#include "models/sand/saltation_flux.h"
 
 namespace fumon {
 
@@ -122,6 +123,9 @@ Snapshot Sand::snapshot() const {
     Snapshot snapshot{steps_, time(), std::string(time_unit()), bed_, {}, scale_};
     snapshot.landform = landform;
     snapshot.periodic = true;
+    snapshot.saltation_flux = [parameters = parameters_](const Snapshot& of) {
+        return fumon::saltation_flux(parameters, of.bed);
+    };
     return snapshot;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double manning = 0.03;
 constexpr double uniform_slope = manning * manning;  // of water a metre deep at 1 m/s
-constexpr double gravity = 9.8;
+constexpr double falling = 9.8;                      // m/s²
 
 /// A stream a metre deep that runs east at 1 m/s over an even bed, and carries nothing.
 GullyParameters even_stream() {
@@ -63,7 +63,7 @@ TEST(LoadPhysics, ClearWaterTakesUpWhatItCanHoldOverTheSameLength) {
     GullyParameters gully = even_stream();
     gully.loads.morphological_factor = 0.0;
     gully.loads.entrainment = EntrainmentLaw::excess_shear;
-    gully.loads.entrainment_stress = 0.5 * 1000.0 * gravity * uniform_slope;
+    gully.loads.entrainment_stress = 0.5 * 1000.0 * falling * uniform_slope;
     gully.loads.entrainment_rate = 0.265;  // so that E is 1e-4 m/s
     gully.loads.settling_velocity = {"", 0.02};
     gully.loads.settling_factor = 2.5;
@@ -74,11 +74,11 @@ TEST(LoadPhysics, ClearWaterTakesUpWhatItCanHoldOverTheSameLength) {
 /// q_b of Meyer-Peter & Müller, m²/s, of grains of half a millimetre under a metre of water less z,
 /// of which 1 m²/s run over a bed of that Manning roughness.
 double bed_load_over(double z, double roughness) {
-    const double depth = 1.0 - z / (1.0 - 1.0 / gravity);  // the surface sinks over a rise
+    const double depth = 1.0 - z / (1.0 - 1.0 / falling);  // the surface sinks over a rise
     const double speed = 1.0 / depth;
-    const double stress = gravity * roughness * roughness * speed * speed / std::cbrt(depth);
-    const double shields = stress / (1.65 * gravity * 0.0005);
-    return 8.0 * std::pow(shields - 0.047, 1.5) * std::sqrt(1.65 * gravity * std::pow(0.0005, 3));
+    const double stress = falling * roughness * roughness * speed * speed / std::cbrt(depth);
+    const double shields = stress / (1.65 * falling * 0.0005);
+    return 8.0 * std::pow(shields - 0.047, 1.5) * std::sqrt(1.65 * falling * std::pow(0.0005, 3));
 }
 
 TEST(LoadPhysics, AHumpMovesAtTheCelerityOfExner) {

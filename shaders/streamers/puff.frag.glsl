@@ -1,0 +1,48 @@
+#version 330 core
+// What a puff adds to a pixel: its optical depth up to the ground, alone and times its radiance. Sums of these do not
+// depend on the order.
+uniform vec3 right;
+uniform vec3 up;
+uniform vec3 ahead;  // to the picture's middle
+uniform vec3 aside;  // of the eye, of the point that sees
+uniform vec2 lens;
+uniform vec2 tile_pixel;      // the tile's lower left pixel in the picture
+uniform vec2 picture_pixels;
+uniform sampler2D ground_map;  // of streamers/depths.frag.glsl
+uniform sampler2D noise_map;   // of streamers/streaks.frag.glsl
+uniform float noise_scale;     // of its side, a feature
+uniform vec2 wind;       // where it blows to
+uniform vec3 eye_place;  // downwind of what moves with the wind, across the wind, up; metres
+uniform float metre;
+
+flat in vec3 to_unit_x;
+flat in vec3 to_unit_y;
+flat in vec3 to_unit_z;
+flat in vec3 unit_middle;
+flat in vec4 scattered;
+out vec4 depths;
+
+// The share of a normal law below a place, nearly.
+vec4 below(vec4 place) { return smoothstep(-2.0, 2.0, place); }
+
+// How much denser or thinner the air's turbulence makes it at a place: long streaks that move with the wind.
+float streaks(vec3 offset) {
+    vec3 at = eye_place + vec3(dot(offset.xy, wind), dot(offset.xy, vec2(-wind.y, wind.x)), offset.z) / metre;
+    float level = texture(noise_map, noise_scale * vec2(at.x / 1.9, at.y / 0.27)).x;
+    float upright = texture(noise_map, noise_scale * vec2(at.x / 2.3 + 5.7, (at.z + 0.06 * at.x) / 0.21)).y;
+    float sum = clamp(1.0 * level + 0.9 * upright - 0.45, 0.0, 1.4);
+    return 0.15 + 2.1 * sum * sum;
+}
+
+void main() {
+    vec2 at = 2.0 * (gl_FragCoord.xy + tile_pixel) / picture_pixels - 1.0;
+    vec3 ray = ahead + at.x * right + at.y * up;
+    vec3 way = vec3(dot(to_unit_x, ray), dot(to_unit_y, ray), dot(to_unit_z, ray));
+    float length2 = dot(way, way);
+    float nearest = dot(way, unit_middle) / length2;
+    vec3 off = unit_middle - nearest * way;
+    vec4 ground = texelFetch(ground_map, ivec2(gl_FragCoord.xy), 0);
+    float before = dot(below((ground - nearest) * sqrt(length2)), vec4(0.25));
+    float depth = scattered.w * 2.5066283 * inversesqrt(length2) * length(ray) * exp(-0.5 * dot(off, off)) * before * streaks(nearest * ray + aside);
+    depths = vec4(scattered.rgb * depth, depth);
+}

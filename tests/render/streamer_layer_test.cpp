@@ -1,0 +1,177 @@
+#include "render/streamer_layer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "render/ready_picture.h"
+#include "render/view/framing.h"
+#include "support/drawn_picture.h"
+#include "support/slip_face.h"
+
+namespace fumon {
+namespace {
+
+/// Along the brink of slip_face(), a little west of it, against a low sun.
+View along_brink(double strength = 1.0) {
+    View view = small_view();
+    view.look.ground = Ground::endless;
+    view.look.exaggeration = {"", 1.0};
+    view.camera.at = {72.0, 10.0, 4.0};
+    view.camera.look_at = {60.0, 40.0, 0.5};
+    view.sun.azimuth = 320.0;
+    view.sun.elevation = 9.0;
+    view.streamers.strength = strength;
+    return view;
+}
+
+double brightness(const Image& image) {
+    double sum = 0.0;
+    for (const std::uint8_t value : image.rgb) sum += value;
+    return sum / static_cast<double>(image.rgb.size());
+}
+
+std::size_t differing(const Image& one, const Image& other) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < one.rgb.size(); ++i) {
+        if (one.rgb[i] != other.rgb[i]) ++count;
+    }
+    return count;
+}
+
+int farthest(const Image& one, const Image& other) {
+    int apart = 0;
+    for (std::size_t i = 0; i < one.rgb.size(); ++i)
+        apart = std::max(apart, std::abs(int{one.rgb[i]} - int{other.rgb[i]}));
+    return apart;
+}
+
+TEST(StreamerLayer, NoFluxAndNoStrengthLeaveEveryPixel) {
+    const Image without = picture(along_brink(0.0), slip_face(1.0));
+    EXPECT_TRUE(picture(along_brink(1.0), slip_face(0.0)).rgb == without.rgb);
+    EXPECT_GT(differing(picture(along_brink(1.0), slip_face(1.0)), without), 5000U);
+}
+
+TEST(StreamerLayer, MoreFluxGlowsMoreAgainstTheSun) {
+    const double none = brightness(picture(along_brink(), slip_face(0.0)));
+    const double some = brightness(picture(along_brink(), slip_face(0.6)));
+    const double more = brightness(picture(along_brink(), slip_face(2.0)));
+    EXPECT_GT(some, none + 0.2);
+    EXPECT_GT(more, some + 0.5);
+}
+
+TEST(StreamerLayer, SameBytesByThreadsAndBackends) {
+    const Image one = picture(along_brink(), slip_face(2.0), 1);
+    EXPECT_TRUE(picture(along_brink(), slip_face(2.0), 3).rgb == one.rgb);
+    EXPECT_TRUE(picture(along_brink(), slip_face(2.0), 1, gl::Backend::egl).rgb == one.rgb);
+}
+
+TEST(StreamerLayer, TilesLeaveNoSeams) {
+    View view = along_brink();
+    view.image.width = 397;
+    const Image whole = picture(view, slip_face(2.0));
+    RenderLimits limits;
+    limits.tile_samples = 384;
+    const Image tiled = picture(view, slip_face(2.0), 1, gl::Backend::automatic, limits);
+    // Of ground alone, too, a few values differ by one.
+    EXPECT_LT(differing(tiled, whole), whole.rgb.size() / 5000);
+    EXPECT_LE(farthest(tiled, whole), 2);
+}
+
+// Edges side by side, and where somebody stands, behind the camera, among all samples.
+TEST(StreamerLayer, EveryWayOfColouringSamplesSeesThroughIt) {
+    View view = along_brink();
+    const Image side_by_side = picture(view, slip_face(2.0));
+    view.persons.push_back({.at = {90.0, 2.0}});
+    EXPECT_TRUE(picture(view, slip_face(2.0)).rgb == side_by_side.rgb);
+    for (const int factor : {1, 4}) {
+        view = along_brink();
+        view.image.supersampling = factor;
+        View none = view;
+        none.streamers.strength = 0.0;
+        const double glow =
+            brightness(picture(view, slip_face(2.0))) - brightness(picture(none, slip_face(2.0)));
+        const double usual =
+            brightness(side_by_side) - brightness(picture(along_brink(0.0), slip_face(2.0)));
+        EXPECT_NEAR(glow / usual, 1.0, 0.05) << factor;
+    }
+}
+
+double levels_apart(const Image& one, const Image& other) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < one.rgb.size(); ++i)
+        sum += std::abs(int{one.rgb[i]} - int{other.rgb[i]});
+    return sum / static_cast<double>(one.rgb.size());
+}
+
+TEST(StreamerLayer, IsSeenThroughALensAsThroughAPinhole) {
+    const auto glow = [](const CameraSettings& lens, const RenderLimits& limits) {
+        View view = along_brink();
+        view.camera.aperture = lens.aperture;
+        view.camera.focus = lens.focus;
+        view.camera.lens_samples = {"", 16.0};
+        return picture(view, slip_face(2.0), 1, gl::Backend::automatic, limits);
+    };
+    CameraSettings lens;
+    const Image pinhole = glow(lens, {});
+    lens.aperture = 1e-6;
+    const double none = levels_apart(picture(along_brink(0.0), slip_face(2.0)), pinhole);
+    EXPECT_LT(levels_apart(glow(lens, {}), pinhole), 0.25 * none);
+    RenderLimits tiles;
+    tiles.tile_samples = 96;
+    EXPECT_LT(levels_apart(glow(lens, tiles), glow(lens, {})), 0.05);
+    // The brink is some 20 to 40 metres away.
+    lens.aperture = 1.0;
+    lens.focus = {"", 30.0};
+    const double sharp = levels_apart(glow(lens, {}), pinhole);
+    lens.focus = {"", 4.0};
+    EXPECT_GT(levels_apart(glow(lens, {}), pinhole), 1.5 * sharp);
+}
+
+TEST(StreamerLayer, SixteenBitsRoundToEight) {
+    const Snapshot bed = slip_face(2.0);
+    const Image eight = picture(along_brink(), bed);
+    const auto context = gl::Context::create(gl::Backend::automatic);
+    WorkerPool pool(2);
+    Renderer renderer(*context, along_brink(), bed, 100, pool, {}, PixelKind::display_16);
+    EXPECT_LE(farthest(renderer.render(bed), eight), 2);
+}
+
+TEST(StreamerLayer, AFilmsFramesTakeThePlaceOfSteps) {
+    const auto context = gl::Context::create(gl::Backend::automatic);
+    WorkerPool pool(2);
+    const auto bed = std::make_shared<Snapshot>(slip_face(2.0));
+    bed->step = 7;
+    const View view = along_brink();
+    Renderer renderer(*context, view, *bed, 100, pool);
+    const Image run = renderer.render(*bed);
+    FramePose pose{camera_at_step(view, framed_block(view, *bed), 7, 100), view.sun};
+    const auto drawn = [&](std::optional<std::int64_t> frame) {
+        pose.frame = frame;
+        return renderer.render(renderer.ready(bed, pose, nullptr, pool));
+    };
+    EXPECT_TRUE(drawn({}).rgb == run.rgb);
+    EXPECT_TRUE(drawn(7).rgb == run.rgb);
+    EXPECT_GT(differing(drawn(8), run), 1000U);
+    EXPECT_TRUE(drawn(7).rgb == run.rgb) << "nothing of the other frame is kept";
+}
+
+// Of several pictures from one camera the sky is drawn anew for each.
+TEST(StreamerLayer, LaterPicturesAreAsIfAlone) {
+    Snapshot first = slip_face(2.0);
+    Snapshot second = first;
+    second.step = 3;
+    View view = along_brink();
+    view.sun.diameter = 1.0;
+    const std::vector<Image> both = pictures(view, {first, second, first});
+    EXPECT_TRUE(both[2].rgb == both[0].rgb);
+    EXPECT_TRUE(both[1].rgb == picture(view, second).rgb);
+    EXPECT_GT(differing(both[0], both[1]), 1000U);
+}
+
+}  // namespace
+}  // namespace fumon
