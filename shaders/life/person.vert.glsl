@@ -3,6 +3,7 @@
 #include "common/snap.glsl"
 #include "common/colour.glsl"
 #include "common/light.glsl"
+#include "sky/cloud_shapes.glsl"
 #include "bed/bed.glsl"
 
 uniform mat4 clip;        // of places as `root` counts them
@@ -22,6 +23,7 @@ void main() {
     vec3 place = root.xyz + root.w * vec3(turned(part.xy), part.z);
     vec3 normal = vec3(turned(part_normal.xy), part_normal.z);
     BedPoint ground = bed_point(textureLod(lighting_map, root_place, 0.0));
+    if (clouds > 0.5 && from_eye > 0.5) ground.sun *= cloud_shade(place);
     vec3 to_eye = from_eye > 0.5 ? -normalize(place) : direction_to_eye(place);
     float direct = ground.sun * max(dot(normal, to_sun), 0.0);
     // Between the legs and under the arms less of the sky is seen.

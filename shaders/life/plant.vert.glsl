@@ -3,6 +3,7 @@
 #include "common/snap.glsl"
 #include "common/colour.glsl"
 #include "common/light.glsl"
+#include "sky/cloud_shapes.glsl"
 #include "bed/bed.glsl"
 #include "world/far_copies.glsl"
 
@@ -24,6 +25,7 @@ void main() {
     vec3 place = root.xyz + root.w * vec3(turned(leaf.xy), leaf.z);
     vec3 normal = vec3(turned(leaf_normal.xy), leaf_normal.z);
     BedPoint ground = bed_point(textureLod(lighting_map, map_place(root_origin + root.xy) + ground_copy(root.xy).aside, 0.0));
+    if (clouds > 0.5 && from_eye > 0.5) ground.sun *= cloud_shade(place);
     vec3 to_eye = from_eye > 0.5 ? -normalize(place) : direction_to_eye(place);
     // Leaves let light through, and their crown shades its own inside and foot.
     float facing = dot(normal, to_sun);

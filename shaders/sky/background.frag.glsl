@@ -15,6 +15,9 @@ uniform vec3 ray_up;
 uniform vec3 ray_forward;
 uniform float parallel;
 uniform float base;        // height of the plain
+uniform float clouds;      // 0: none
+uniform sampler2D cloud_map;  // of sky/clouds.frag.glsl
+uniform vec2 cloud_corner;
 uniform float endless;     // 1: no plain, as the ground reaches the horizon
 uniform float plain_alone; // 1: no ray comes near the horizon
 uniform sampler2D floor_map;  // shares of sun and sky; see render/floor_map.h
@@ -53,8 +56,15 @@ void main() {
         vec3 point = origin + view * ((base - origin.z) / view.z);
         light = plain(point, view);
     } else {
-        light = sky(view);
-        if (stars > 0.5) light += starlight(view);
+        if (clouds > 0.5) {
+            vec2 texel = 0.5 * (place_in_tile + tile_pixel) - cloud_corner;
+            vec4 seen = texture(cloud_map, texel / vec2(textureSize(cloud_map, 0)));
+            light = seen.rgb + seen.a * sky(view);
+            if (stars > 0.5) light += seen.a * starlight(view);
+        } else {
+            light = sky(view);
+            if (stars > 0.5) light += starlight(view);
+        }
     }
     if (streamers > 0.5) light = through_streamers(light, ivec2(vec2(place_in_tile.x, tile_rows - place_in_tile.y) - first_drawn));
     ivec2 pixel = ivec2(place_in_tile + tile_pixel);

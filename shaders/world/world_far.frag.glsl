@@ -2,6 +2,7 @@
 // Sand so far that a ripple is finer than a sample.
 #include "common/colour.glsl"
 #include "common/light.glsl"
+#include "sky/cloud_shapes.glsl"
 #include "common/noise.glsl"
 #include "common/oren_nayar.glsl"
 #include "bed/bed.glsl"
@@ -22,6 +23,7 @@ vec4 far_colour(SeenPlace at) {
     vec3 uneven = share * unevenness(sand.a) * relief(at, sand.a);
     vec3 albedo = albedo_of(sand, share * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z);
     BedPoint point = copied(slanting_bed_point(place, along, up), at, copy);
+    if (clouds > 0.5) point.sun *= cloud_shade(at.offset);
     vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);
     float standing = rippled(sand.a, surface.r, length(slope));
     point.normal = normalize(vec3(point.normal.xy - uneven.xy * point.normal.z, point.normal.z));

@@ -2,6 +2,7 @@
 // Sand so near that its wind ripples are seen, and the tongues of its avalanches.
 #include "common/colour.glsl"
 #include "common/light.glsl"
+#include "sky/cloud_shapes.glsl"
 #include "common/noise.glsl"
 #include "common/oren_nayar.glsl"
 #include "bed/bed.glsl"
@@ -187,6 +188,11 @@ vec4 near_colour(SeenPlace at) {
     if (marks > 1.5 || plain * rock > 0.0) {
         weather(mean.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), weathered(place));
         direct = mix(direct, mean.sun * max(dot(mean.normal, to_sun), 0.0), weathered(place));
+    }
+    if (clouds > 0.5) {
+        float shade = cloud_shade(offset);
+        direct *= shade;
+        mean.sun *= shade;
     }
     direct = roughened(direct, mean.normal, to_eye);
     // Troughs see less of the sky.

@@ -13,6 +13,7 @@
 #include "render/colour/palette.h"
 #include "render/view/water.h"
 #include "scene/overlay_keys.h"
+#include "scene/placed_sun.h"
 
 namespace fumon {
 
@@ -280,12 +281,30 @@ FilmPainter::Sight FilmPainter::sight_of(const WantedPicture& wanted) const {
     return {{wanted.shot, shot.bed_at(wanted.share)}, shot.pose_at(wanted.share), wanted.frame};
 }
 
+namespace {
+
+/// Whether a shot says nothing of where the sun stands.
+bool leaves_sun_to_scene(const Shot& shot) {
+    const auto is_left = [](const auto& light) {
+        return light.sun_azimuth.is_word() && light.sun_elevation.is_word();
+    };
+    return shot.move != Move::morning_to_evening && is_left(shot) &&
+           std::ranges::all_of(shot.keys, is_left);
+}
+
+}  // namespace
+
 /// Reads the bed, and says how what its picture needs is found.
 PictureAhead::Find FilmPainter::way_to(std::size_t run, const Sight& sight) const {
     FramePose frame{camera_of(stage_, sight.pose), stage_.scene.view.sun, sight.pose.exposure};
     frame.sun.azimuth = sight.pose.sun_azimuth;
     frame.sun.elevation = sight.pose.sun_elevation;
     frame.frame = sight.frame;
+    const StoredBeds& beds = *panes_[run].beds;
+    frame.share = share_of_run(beds.beds()[bed_of(run, sight.moment)].step, beds.scene().run.steps);
+    const SunSettings there = sun_at(beds.scene().view.sun, frame.share);
+    if (there.hours != 0.0 && leaves_sun_to_scene(film_.shots[sight.moment.shot]))
+        frame.sun = there;
     if (differs()) frame.reference = panes_[1].beds->snapshot(bed_of(1, sight.moment));
     const Pane& pane = panes_[run];
     return

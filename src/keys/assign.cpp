@@ -119,7 +119,11 @@ struct Assign {
     }
     void operator()(std::int64_t* target) const { *target = checked_whole(key, value, locate); }
     void operator()(double* target) const { *target = checked_real(key, value, locate); }
-    void operator()(std::string* target) const { *target = checked_text(value); }
+    void operator()(std::string* target) const {
+        // TOML has a type of its own for a time, which needs no quotes.
+        *target = key.notes.unit == iso_time && value.is_date_time() ? as_written(value)
+                                                                     : checked_text(value);
+    }
     void operator()(const ChoiceTarget& target) const {
         const auto* text = value.as_string();
         if (text == nullptr) refuse(key, value, locate);

@@ -33,6 +33,9 @@ struct EarlierDefault {
     std::string_view value{};  ///< as TOML
 };
 
+/// The unit of a text that is a date and time, with or without quotes.
+inline constexpr const char* iso_time = "ISO 8601";
+
 /// The unit, range and help of a key.
 struct KeyNotes {
     std::string unit{};  ///< "sites", "m", "degrees"; empty for none

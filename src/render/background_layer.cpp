@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/bed_shading.h"
+#include "render/clouds.h"
 #include "render/streamer_layer.h"
 
 namespace fumon {
@@ -29,16 +30,23 @@ bool looks_down(const Camera& camera) {
     return highest < steep * longest;
 }
 
+/// Of a tile's clouds the first texel, of two pixels along each side.
+glm::vec2 cloud_corner(const Tile& tile) {
+    const glm::ivec2 halves(tile.x / 2, tile.y / 2);
+    return glm::vec2(halves - 1);
+}
+
 const gl::TextureLayout floor_layout{GL_RG8,    GL_RG, GL_UNSIGNED_BYTE,
                                      GL_LINEAR, 0,     GL_CLAMP_TO_EDGE};
 
 }  // namespace
 
-BackgroundLayer::BackgroundLayer(const View& view, const Block& block, const FloorMap& floor,
-                                 const gl::Constants& fixed)
+BackgroundLayer::BackgroundLayer(const View& view, const Block& block, const Light& light,
+                                 const FloorMap& floor, const gl::Constants& fixed)
     : view_(view),
       block_(block),
       fixed_(fixed),
+      clouds_(cloud_number(view, light)),
       floor_(FloorMap::cells, FloorMap::cells, floor_layout, floor.sun_and_sky.data()) {}
 
 void BackgroundLayer::set_floor(const FloorMap& floor) const {
@@ -58,6 +66,39 @@ const gl::Program& BackgroundLayer::program(bool plain_alone, bool stars) {
     return *made;
 }
 
+void BackgroundLayer::set_rays(const gl::Program& program, const Light& light,
+                               const Camera& camera) const {
+    set_light(program, view_, light, camera, block_);
+    program.set("ray_origin", glm::vec3(camera.seen_from()));
+    program.set("ray_right", glm::vec3(camera.right * camera.half.x));
+    program.set("ray_up", glm::vec3(camera.up * camera.half.y));
+    program.set("ray_forward", glm::vec3(camera.ahead()));
+    program.set("pixel",
+                static_cast<float>(2.0 * camera.half.y / static_cast<double>(view_.image.height)));
+    program.set("base", static_cast<float>(block_.base));
+    program.set("picture_pixels", glm::vec2(static_cast<float>(view_.image.width),
+                                            static_cast<float>(view_.image.height)));
+}
+
+void BackgroundLayer::draw_clouds(const Light& light, const Camera& camera, const Tile& tile) {
+    if (clouds_ == 0.0F) return;
+    const int width = tile.width / 2 + 4;
+    const int height = tile.height / 2 + 4;
+    if (!cloud_target_ || cloud_target_->width() < width || cloud_target_->height() < height)
+        cloud_target_.emplace(width, height, colour_layout(PixelKind::radiance));
+    if (!cloud_program_)
+        cloud_program_.emplace("common/screen.vert.glsl", "sky/clouds.frag.glsl",
+                               std::initializer_list<const char*>{}, fixed_);
+    cloud_target_->bind();
+    gl::functions().Disable(GL_DEPTH_TEST);
+    cloud_program_->use();
+    set_rays(*cloud_program_, light, camera);
+    cloud_program_->set("cloud_sun", light.sun_aloft);
+    cloud_program_->set("cloud_haze", static_cast<float>(haze_per_kilometre(view_, block_)));
+    cloud_program_->set("cloud_corner", cloud_corner(tile));
+    gl::functions().DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
 void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile& tile,
                            RowOrder order, const glm::ivec2& first_drawn) {
     const gl::Functions& gl = gl::functions();
@@ -69,19 +110,15 @@ void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile&
     const bool plain_alone = view_.look.ground != Ground::endless && looks_down(camera);
     const gl::Program& sees = program(plain_alone, light.stars && !plain_alone);
     sees.use();
-    set_light(sees, view_, light, camera, block_);
-    sees.set("ray_origin", glm::vec3(camera.seen_from()));
-    sees.set("ray_right", glm::vec3(camera.right * camera.half.x));
-    sees.set("ray_up", glm::vec3(camera.up * camera.half.y));
-    sees.set("ray_forward", glm::vec3(camera.ahead()));
-    sees.set("pixel",
-             static_cast<float>(2.0 * camera.half.y / static_cast<double>(view_.image.height)));
-    sees.set("base", static_cast<float>(block_.base));
+    set_rays(sees, light, camera);
+    if (clouds_ > 0.0F) {
+        cloud_target_->colour().bind(1);
+        sees.set("cloud_map", 1);
+        sees.set("cloud_corner", cloud_corner(tile));
+    }
     floor_.bind(0);
     sees.set("floor_map", 0);
     sees.set("floor_half_width", static_cast<float>(FloorMap::half_width));
-    sees.set("picture_pixels", glm::vec2(static_cast<float>(view_.image.width),
-                                         static_cast<float>(view_.image.height)));
     const bool upward = order == RowOrder::upward;
     sees.set("row_of",
              upward ? glm::vec2(static_cast<float>(tile.height), -1.0F) : glm::vec2(0.0F, 1.0F));

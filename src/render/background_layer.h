@@ -20,11 +20,15 @@ enum class RowOrder { downward, upward };
 /// Draws what surrounds the block: plain and sky, or white paper in figure mode.
 class BackgroundLayer {
   public:
-    BackgroundLayer(const View& view, const Block& block, const FloorMap& floor,
+    BackgroundLayer(const View& view, const Block& block, const Light& light, const FloorMap& floor,
                     const gl::Constants& fixed);
 
     /// For the light of another sun.
     void set_floor(const FloorMap& floor) const;
+
+    /// Draws the clouds that a tile sees, where there are any, into a target of its own, for
+    /// draw().
+    void draw_clouds(const Light& light, const Camera& camera, const Tile& tile);
 
     /// Draws one tile's background into the bound target. Stencils and depths may keep it
     /// out. `first_drawn`: within the tile, from below, the corner of that which layers drew.
@@ -33,11 +37,15 @@ class BackgroundLayer {
 
   private:
     const gl::Program& program(bool plain_alone, bool stars);
+    void set_rays(const gl::Program& program, const Light& light, const Camera& camera) const;
 
     View view_;
     Block block_;
     gl::Constants fixed_;
     std::array<std::optional<gl::Program>, 4> programs_;  // made as they are needed
+    float clouds_;                                        // of the programs
+    std::optional<gl::Program> cloud_program_;
+    std::optional<gl::RenderTarget> cloud_target_;
     gl::Texture2D floor_;
 };
 

@@ -8,6 +8,7 @@
 #include "base/compensated_sum.h"
 #include "base/elementary.h"
 #include "numerics/resampling.h"
+#include "render/clouds.h"
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
 #include "render/colour/sand_colours.h"
@@ -176,15 +177,10 @@ float switched(bool on) {
 /// Of the air, per block length (Koschmieder 1924: contrast falls to 2 % within the visibility);
 /// below 0 where the haze does not follow distance.
 float extinction(const View& view, const Camera& camera, const Block& block) {
-    // km; landscapes of many kilometres are looked at on clear days
-    const double usual = block.tiles.plain ? std::max(40.0, 8.0 * block.kilometres) : 40.0;
-    constexpr double contrast_log = 3.912;
     const bool known = !view.air.visibility.is_word();
     if (!known && view.look.ground != Ground::endless) return -1.0F;
     if (!camera.perspective) return 0.0F;
-    const double clear = usual * std::min(1.0, 2.0 / std::max(view.sun.dust, 1e-3));
-    const double visibility = known ? view.air.visibility.value : clear;
-    return static_cast<float>(contrast_log / visibility * block.kilometres);
+    return static_cast<float>(haze_per_kilometre(view, block) * block.kilometres);
 }
 
 }  // namespace
@@ -192,6 +188,15 @@ float extinction(const View& view, const Camera& camera, const Block& block) {
 float sample_share(const View& view) {
     if (!view.camera.has_lens()) return 1.0F;
     return 1.0F / static_cast<float>(view.image.supersampling);
+}
+
+double haze_per_kilometre(const View& view, const Block& block) {
+    // km; landscapes of many kilometres are looked at on clear days
+    const double usual = block.tiles.plain ? std::max(40.0, 8.0 * block.kilometres) : 40.0;
+    constexpr double contrast_log = 3.912;
+    const double clear = usual * std::min(1.0, 2.0 / std::max(view.sun.dust, 1e-3));
+    const double visibility = view.air.visibility.is_word() ? clear : view.air.visibility.value;
+    return contrast_log / visibility;
 }
 
 gl::TextureLayout colour_layout(PixelKind kind) {
@@ -224,6 +229,7 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
         {"soil", switched(view.look.sides == BlockSides::soil && scenic)},
         {"plain", switched(block.tiles.plain)},
         {"varied", switched(far_copies_vary(view, !block.tiles.plain))},
+        {"clouds", cloud_number(view, light)},
         {"rock", static_cast<float>(block.rock)},
         {"streamers", switched(view.streamers.strength > 0.0)}};
     if (view.look.ground != Ground::endless) {
@@ -273,6 +279,7 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
                 by_distance >= 0.0F ? -1.0F : static_cast<float>(elementary::log(left)));
     program.set("extinction", by_distance);
     program.set("haze_eye", glm::vec3(camera.eye));
+    set_clouds(program, view, light, camera, block);
 }
 
 void set_sand(const gl::Program& program, const LookSettings& look) {

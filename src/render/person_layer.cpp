@@ -10,7 +10,7 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "render/person_mesh.h"
+#include "render/life/person_mesh.h"
 #include "render/view/chosen_ground.h"
 #include "render/view/drawn_height.h"
 #include "render/view/framing.h"

@@ -8,6 +8,7 @@
 #include "gl/functions.h"
 #include "render/ready_picture.h"
 #include "render/renderer_parts.h"
+#include "scene/placed_sun.h"
 
 namespace fumon {
 
@@ -37,12 +38,18 @@ ReadyPicture Renderer::ready(std::shared_ptr<const Snapshot> snapshot, const Fra
 
 ReadyPicture Renderer::ready_at_step(const Snapshot& snapshot) const {
     const std::shared_ptr<const Snapshot> lent(std::shared_ptr<const Snapshot>(), &snapshot);
-    return parts_->ready(lent, sun_direction(parts_->view.sun), std::nullopt, nullptr,
-                         parts_->pool);
+    const double share = share_of_run(snapshot.step, parts_->last_step);
+    const SunSettings sun = sun_at(parts_->view.sun, share);
+    ReadyPicture picture =
+        parts_->ready(lent, sun_direction(sun), std::nullopt, nullptr, parts_->pool);
+    picture.pose.sun = sun;
+    picture.pose.share = share;
+    return picture;
 }
 
 Image Renderer::render(const Snapshot& snapshot) {
     const ReadyPicture picture = ready_at_step(snapshot);
+    parts_->follow_sky(picture.pose);
     prepare(picture);
     parts_->uploaded.reset();  // no later picture is of this snapshot
     return draw(picture);
@@ -52,6 +59,7 @@ LayeredImage Renderer::render_layers(const Snapshot& whole, bool places) {
     Parts& p = *parts_;
     const ReadyPicture picture = ready_at_step(whole);
     const Camera& camera = picture.pose.camera;
+    p.follow_sky(picture.pose);
     prepare(picture);
     p.uploaded.reset();
     LayeredImage image;

@@ -23,6 +23,7 @@ struct FramePose {
     Camera camera;          ///< in the block of the view, see framed_block()
     SunSettings sun;        ///< of which the azimuth and the elevation count
     double exposure = 0.0;  ///< stops, besides look.exposure
+    double share = 0.0;     ///< of the run, for clouds that drift over it
     /// From whose bed look.colour_by = "change" counts; none: the first one. Of its size.
     std::shared_ptr<const Snapshot> reference{};
     /// How often streamers have gone on by streamers.travel; none: as often as the snapshot's step

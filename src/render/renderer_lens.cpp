@@ -86,6 +86,8 @@ void Renderer::Parts::draw_behind_samples(const Tile& tile, const Camera& camera
     const int below = static_cast<int>(view.image.height) - plan.target_height;
     const Tile whole{corner.x, below - corner.y, plan.target_width, plan.target_height};
     gl.BindVertexArray(no_attributes.name());
+    background.draw_clouds(light, camera, whole);
+    sampled->colours->bind();
     gl.Disable(GL_DEPTH_TEST);
     gl.Enable(GL_STENCIL_TEST);
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gl/functions.h"
+#include "render/clouds.h"
 #include "render/light/floor_map.h"
 #include "render/light/lighting.h"
 #include "render/light/view_light.h"
@@ -133,7 +134,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
                                view.image.supersampling),
               fixed, mipmaps, kind),
       terrain(view, block, fixed),
-      background(view, block, floor_of(view, first, block, refinement, pool), fixed),
+      background(view, block, light, floor_of(view, first, block, refinement, pool), fixed),
       pixel_depths(depths_of_pixels(view, plan)),
       one_picture(limits.one_picture),
       later_pictures(!limits.one_picture) {
@@ -392,6 +393,14 @@ void Renderer::Parts::set_light(const FramePose& pose) {
         background.set_floor(floor_of(view, first, block, refinement, pool));
     }
     light.stops = pose.exposure;
+    light.cloud_shift = cloud_shift(view.air, pose.share);
+}
+
+void Renderer::Parts::follow_sky(const FramePose& pose) {
+    if (view.sun.hours == 0.0 && view.air.cloud_drift == 0.0) return;
+    context.make_current();
+    set_light(pose);
+    surroundings_from.reset();
 }
 
 }  // namespace fumon

@@ -77,6 +77,8 @@ struct Renderer::Parts {
     [[nodiscard]] glm::ivec2 first_sample(const Tile& tile) const;
     [[nodiscard]] glm::ivec2 target_corner(const Tile& tile) const;
     void set_light(const FramePose& pose);
+    /// For a run during which the sun wanders or clouds drift.
+    void follow_sky(const FramePose& pose);
     [[nodiscard]] std::shared_ptr<const LitBed> lit_bed(const ReadyPicture& picture,
                                                         const SunDirection& sun,
                                                         WorkerPool& with) const;

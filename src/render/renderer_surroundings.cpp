@@ -19,6 +19,7 @@ void Renderer::Parts::draw_background(const Tile& tile, const Camera& camera, De
     const bool kept = deep == nullptr && plan.tiles.size() == 1 && !streamers;
     if (kept && surroundings_whole && surroundings_from == camera) return;
     gl::functions().BindVertexArray(no_attributes.name());
+    background.draw_clouds(light, camera, tile);
     surroundings().bind();
     if (streamers) streamers->bind();
     gl::functions().Disable(GL_DEPTH_TEST);
@@ -45,6 +46,7 @@ void Renderer::Parts::draw_uncovered_background(const Tile& tile, const Camera& 
     }
     const gl::Functions& gl = gl::functions();
     gl.BindVertexArray(no_attributes.name());
+    background.draw_clouds(light, camera, tile);
     surroundings().bind();
     if (streamers) streamers->bind();
     if (world) {

@@ -17,6 +17,7 @@
 #include "scene/figure_check.h"
 #include "scene/initial_bed.h"
 #include "scene/palette_names.h"
+#include "scene/placed_sun.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -265,6 +266,16 @@ void check_streamers(const Scene& scene, Faults& faults) {
                "through blown sand cannot be left out");
 }
 
+void check_clouds(const Scene& scene, Faults& faults) {
+    const Refuse refuse{scene, faults};
+    const View& view = scene.view;
+    if (view.air.clouds == Clouds::none) return;
+    if (view.look.sky == SkyModel::two_colours || view.look.sky == SkyModel::overcast)
+        refuse("air.clouds", "air.clouds hang in look.sky = \"atmosphere\" or \"auto\" only");
+    if (view.air.clouds == Clouds::cumulus && view.air.planet != Planet::earth)
+        refuse("air.clouds", "air.clouds = \"cumulus\" are the Earth's; thin air has \"cirrus\"");
+}
+
 void check_length(const Scene& scene, Faults& faults) {
     const Refuse refuse{scene, faults};
     if (find_model(scene.model.name)->landform == Landform::terrain || written(scene, "run.steps"))
@@ -290,7 +301,9 @@ void check_scene(const Scene& scene, const std::set<std::string>& faulty, Faults
                          Rules{{"camera", "look"}, check_camera},
                          Rules{{"camera", "look"}, check_lens},
                          Rules{{"streamers", "look", "camera"}, check_streamers},
-                         Rules{{"figure"}, check_figure}};
+                         Rules{{"sun", "air"}, check_sun},
+                         Rules{{"figure"}, check_figure},
+                         Rules{{"air", "look"}, check_clouds}};
     for (const Rules& rules : all) {
         const bool sound =
             std::none_of(rules.sections.begin(), rules.sections.end(),

@@ -24,6 +24,7 @@
 #include "models/registry.h"
 #include "scene/check.h"
 #include "scene/faults.h"
+#include "scene/placed_sun.h"
 #include "scene/scene_keys.h"
 #include "scene/trust.h"
 
@@ -86,6 +87,7 @@ class Reader {
             scene_.view.look.preset.clear();  // its values now stand in the keys themselves
             check_scene(scene_, faulty_, faults_);
             if (faults_.none()) check_limits(scene_, faults_);
+            if (faults_.none()) place_sun(scene_.view.sun);
         }
         faults_.report();
     }

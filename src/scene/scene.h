@@ -92,18 +92,31 @@ struct SunSettings {
     LightSource source = LightSource::sun;
     double azimuth = 300.0;   ///< degrees clockwise from north
     double elevation = 24.0;  ///< degrees above the horizon
-    double diameter = 2.5;    ///< apparent, degrees: the width of the penumbra
-    double strength = 1.0;    ///< of direct light; 1 is a clear day
+    /// Degrees north and east, and a time as days_from_2000() reads it: where these are given,
+    /// azimuth and elevation are the sun's there at the run's start. Empty: azimuth and elevation
+    /// say.
+    std::vector<double> place;
+    std::string time;
+    double hours = 0.0;     ///< that pass over the whole run
+    double diameter = 2.5;  ///< apparent, degrees: the width of the penumbra
+    double strength = 1.0;  ///< of direct light; 1 is a clear day
     double sky_strength = 1.0;
     double dust = 1.0;   ///< aerosol of the air against a clear day, for the sky "atmosphere"
     double haze = 0.35;  ///< aerial perspective at the far edge of the block, 0 … 1
 };
 
 enum class Planet { earth, mars };
+enum class Clouds { none, cumulus, cirrus };
 
 struct AirSettings {
     Planet planet = Planet::earth;
-    WordOrReal visibility{"auto", 0.0};  ///< km, how far dark things are seen
+    Clouds clouds = Clouds::none;
+    double cloud_cover = 0.35;             ///< share of the sky overhead
+    std::int64_t cloud_seed = 1;           ///< by which they lie elsewhere
+    WordOrReal cloud_height{"auto", 0.0};  ///< m of their base above the ground
+    double cloud_wind = 270.0;             ///< degrees clockwise from north, where it comes from
+    double cloud_drift = 0.0;              ///< km over the whole run
+    WordOrReal visibility{"auto", 0.0};    ///< km, how far dark things are seen
 };
 
 enum class Colouring { natural, height, slope, change, water_depth, speed, froude, drainage };

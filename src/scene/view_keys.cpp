@@ -124,6 +124,21 @@ void list_view_keys(View& view, KeyTable& table) {
                 .help = "where the sun stands, clockwise from north"});
     table.real("sun.elevation", sun.elevation,
                {.unit = "degrees", .range = {1, 90}, .help = "above the horizon"});
+    table.real_list("sun.place", sun.place, 0, 2,
+                    {.unit = "degrees",
+                     .range = {-180, 180},
+                     .help = "where on Earth the sun is looked at: latitude and longitude, north "
+                             "and east positive; with sun.time instead of sun.azimuth and "
+                             "sun.elevation, for a bed whose y is true north"});
+    table.text("sun.time", sun.time,
+               {.unit = iso_time,
+                .help = "when, with its offset from UTC: \"2026-03-20T06:40+00:00\" or "
+                        "\"2026-03-20T06:40Z\"; the run's start where sun.hours pass"});
+    table.real(
+        "sun.hours", sun.hours,
+        {.range = {-8784, 8784},
+         .help = "hours by which sun.time goes on over the run, evenly with its steps, so that the "
+                 "sun wanders"});
     table.real("sun.diameter", sun.diameter,
                {.unit = "degrees",
                 .range = {0.1, 30},
@@ -143,6 +158,29 @@ void list_view_keys(View& view, KeyTable& table) {
                   {Planet::mars, "mars",
                    "thin air full of fine dust: butterscotch sky, blue around a low sun"}},
                  {.help = "whose air scatters the light, for the sky \"atmosphere\""});
+    table.choice(
+        "air.clouds", view.air.clouds,
+        {{Clouds::none, "none", "a clear sky, or the even cover of look.sky = \"overcast\""},
+         {Clouds::cumulus, "cumulus", "of fair weather: flat bases, heads like cauliflowers"},
+         {Clouds::cirrus, "cirrus", "high ice, drawn out into threads"}},
+        {.help = "what hangs in the sky \"atmosphere\" of scenic views"});
+    table.real("air.cloud_cover", view.air.cloud_cover,
+               {.range = {0, 1}, .help = "share of the ground that lies under clouds, about"});
+    table.integer("air.cloud_seed", view.air.cloud_seed,
+                  {.range = {0, 1e9}, .help = "by which clouds lie elsewhere"});
+    table.word_or_real(
+        "air.cloud_height", view.air.cloud_height, {{"auto", "1800 of cumulus, 8500 of cirrus"}},
+        {.unit = "m", .range = {300, 15000}, .help = "of their base above the ground"});
+    table.real(
+        "air.cloud_wind", view.air.cloud_wind,
+        {.unit = "degrees",
+         .range = {-360, 360},
+         .help = "where the wind at their height comes from, clockwise from north: cirrus is "
+                 "drawn out along it"});
+    table.real("air.cloud_drift", view.air.cloud_drift,
+               {.unit = "km",
+                .range = {-1e4, 1e4},
+                .help = "how far clouds drift with it over the run, evenly with its steps"});
     table.word_or_real(
         "air.visibility", view.air.visibility,
         {{"auto",

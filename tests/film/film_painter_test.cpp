@@ -1,5 +1,6 @@
 #include "film/film_painter.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -7,6 +8,7 @@
 #include <cstdlib>
 
 #include "film/film_read.h"
+#include "scene/placed_sun.h"
 #include "support/program.h"
 
 namespace fumon {
@@ -154,6 +156,34 @@ TEST(FilmPainter, ThePlainLiesInTheLightOfTheShotsSun) {
     const int low_sun = redness(0);
     EXPECT_GT(low_sun, redness(9) + 5);
     EXPECT_EQ(redness(0), low_sun);
+}
+
+/// A run whose sun wanders takes it along, unless a shot says where it stands.
+TEST(FilmPainter, TheSunOfARunWandersInItsFilmToo) {
+    const std::vector<std::string> morning{"sun.place=[23, 5]", "sun.time=2026-03-20T06:30Z",
+                                           "sun.hours=5"};
+    const std::string bare = film_head;
+    const auto paint = [&](const std::string& shot, bool wanders, std::int64_t frame) {
+        std::vector<StoredBeds> beds;
+        beds.emplace_back(filmed_run(), 1, wanders ? morning : std::vector<std::string>{});
+        const FilmRuns runs(std::move(beds));
+        const Film film = parse_film(bare + shot, "f.toml");
+        WorkerPool pool(1);
+        FilmPainter painter(film, runs, film_size(film), {}, gl::Backend::automatic, pool);
+        return painter.paint(frame);
+    };
+    const std::string shot = "[[shot]]\nseconds = 2\n";
+    // The last bed at the first: only the light can differ.
+    const std::string frozen_late = "[[shot]]\nseconds = 2\nfrom = \"end\"\n";
+    const SunSettings sun = [&] {
+        const StoredBeds beds(filmed_run(), 1, morning);
+        return sun_at(beds.scene().view.sun, 1.0);
+    }();
+    const std::string there =
+        fmt::format("sun_azimuth = {}\nsun_elevation = {}\n", sun.azimuth, sun.elevation);
+    EXPECT_EQ(paint(frozen_late, true, 3), paint(frozen_late + there, false, 3));
+    EXPECT_NE(paint(frozen_late, true, 3), paint(frozen_late + "sun_azimuth = 200\n", true, 3));
+    EXPECT_NE(paint(shot, true, 9), paint(shot, false, 9));
 }
 
 double film_brightness(const Image& image) {

@@ -1,4 +1,4 @@
-#include "render/plant_places.h"
+#include "render/life/plant_places.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "render/plant_meshes.h"
+#include "render/life/plant_meshes.h"
 #include "support/view_beds.h"
 
 namespace fumon {

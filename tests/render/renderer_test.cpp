@@ -12,6 +12,7 @@
 #include "base/worker_pool.h"
 #include "gl/context.h"
 #include "render/view/tiles.h"
+#include "scene/placed_sun.h"
 #include "support/drawn_picture.h"
 #include "support/missing_library.h"
 #include "support/view_beds.h"
@@ -116,6 +117,41 @@ TEST(Renderer, AStillIsTheRunsFrame) {
     const Image frame = run.render(later);
     Renderer still(*context, view, first, 100, pool);
     EXPECT_EQ(still.render(later), frame);
+}
+
+/// The light of every frame is its own, whichever frames came before it.
+TEST(Renderer, AStillIsTheRunsFrameWhereTheSunWanders) {
+    for (const Ground ground : {Ground::table, Ground::endless}) {
+        const Snapshot first = wavy_bed(60, 60);
+        Snapshot later = first;
+        later.step = 40;
+        Snapshot last = first;
+        last.step = 100;
+        View view = small_view();
+        view.look.ground = ground;
+        view.sun.place = {23.0, 5.0};
+        view.sun.time = "2026-03-20T06:40Z";
+        view.sun.hours = 5.0;
+        place_sun(view.sun);
+        const auto context = gl::Context::create(gl::Backend::automatic);
+        WorkerPool pool(2);
+        Renderer run(*context, view, first, 100, pool);
+        const Image morning = run.render(first);
+        const Image frame = run.render(later);
+        const Image noon = run.render(last);
+        EXPECT_NE(morning, frame);
+        EXPECT_NE(frame, noon);
+        EXPECT_EQ(run.render(first), morning);
+        Renderer still(*context, view, first, 100, pool);
+        EXPECT_EQ(still.render(later), frame);
+        // As if it stood there.
+        View standing = view;
+        standing.sun = sun_at(view.sun, 0.4);
+        standing.sun.place.clear();
+        standing.sun.hours = 0.0;
+        Renderer other(*context, standing, first, 100, pool);
+        EXPECT_EQ(other.render(later), frame);
+    }
 }
 
 TEST(Renderer, TilesLeaveNoSeams) {

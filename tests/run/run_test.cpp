@@ -188,6 +188,21 @@ TEST_F(RunTest, StillsAndAgainGiveTheFrameOfTheRun) {
     EXPECT_EQ(read_text(folder_ / "time.png"), frame);
 }
 
+TEST_F(RunTest, ASunThatWandersIsFoundAgain) {
+    const std::vector<std::string> sun{
+        "--set", "sun.place=[23, 5]", "--set", "sun.time=2026-03-20T06:30Z",
+        "--set", "sun.hours=5",       "--set", "look.preset=golden-hour"};
+    ASSERT_EQ(run(sun).status, 0);
+    std::vector<std::string> still{"still", "scene.toml", "--step", "15", "-o", "still.png", "-q"};
+    still.insert(still.end(), sun.begin(), sun.end());
+    ASSERT_EQ(fumon(still, folder_.path()).status, 0);
+    const std::string frame = read_text(folder_ / "out/frames/frame_000003.png");
+    EXPECT_EQ(read_text(folder_ / "still.png"), frame);
+    const Ended again = fumon({"again", "out/frames/frame_000003.png"}, folder_.path());
+    EXPECT_EQ(again.status, 0) << again.errors;
+    EXPECT_EQ(read_text(folder_ / "frame_000003-again.png"), frame);
+}
+
 TEST_F(RunTest, APictureOfATerrainFindsItsFileAgainAndNoticesAChange) {
     const std::string terrain =
         "ncols 3\nnrows 4\ncellsize 10\nxllcorner 0\nyllcorner 0\n1 2 3\n4 5 6\n7 8 9\n1 2 3\n";

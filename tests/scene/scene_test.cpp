@@ -125,6 +125,13 @@ INSTANTIATE_TEST_SUITE_P(
                "scene.toml:7:16: camera.lens_samples is 2; it takes \"auto\" or a number 4 … 256"},
         Broken{"an_endless_figure", least + "[look]\nground = \"endless\"\nmode = \"figure\"\n",
                "scene.toml:6:10: look.ground = \"endless\" takes look.mode = \"scenic\""},
+        Broken{"clouds_in_a_plain_sky",
+               least + "[look]\nsky = \"overcast\"\n[air]\nclouds = \"cirrus\"\n",
+               "scene.toml:8:10: air.clouds hang in look.sky = \"atmosphere\" or \"auto\" only"},
+        Broken{"clouds_of_another_planet",
+               least + "[air]\nplanet = \"mars\"\nclouds = \"cumulus\"\n",
+               "scene.toml:7:10: air.clouds = \"cumulus\" are the Earth's; thin air has "
+               "\"cirrus\""},
         Broken{
             "unknown_model", "[model]\nname = \"sant\"\n",
             "scene.toml:2:8: unknown model \"sant\"; did you mean \"sand\"? (see `fumon models`)"},

@@ -140,6 +140,7 @@ void turn_to_night(Light& light) {
     constexpr float sky_share_seen = 0.2F;  // it looks black beside lit ground
     light.stars = true;
     light.sun = by_night(light.sun);
+    light.sun_aloft = by_night(light.sun_aloft);
     light.sky = by_night(light.sky);
     for (glm::vec4& texel : light.sky_texels)
         texel = glm::vec4(sky_share_seen * by_night(glm::vec3(texel)), 0.0F);
@@ -176,12 +177,13 @@ Light make_light(const SunSettings& settings) {
     return light;
 }
 
-Light make_atmospheric_light(const SunSettings& settings, Planet planet) {
+Light make_atmospheric_light(const SunSettings& settings, Planet planet, double cloud_height) {
     constexpr double eye_height = 0.002;  // km
     const double sin_e = elementary::sin(settings.elevation * degree);
     static const glm::dvec3 day = level_light_of_a_clear_day(eye_height);
     const double dust = planet == Planet::mars ? settings.dust : desert_aerosol * settings.dust;
-    const SkyView view(*tables_of_air(planet, dust), settings.elevation * degree, eye_height);
+    const std::shared_ptr<const AirTables> air = tables_of_air(planet, dust);
+    const SkyView view(*air, settings.elevation * degree, eye_height);
     const glm::dvec3 level = srgb_of_wavelengths(view.level_irradiance());
     const glm::dvec3 now = srgb_of_wavelengths(view.sun()) * sin_e + level;
     const glm::dvec3 white = adapted_white(day, now);
@@ -195,6 +197,9 @@ Light make_atmospheric_light(const SunSettings& settings, Planet planet) {
     light.to_sun = direction_to(settings);
     light.sun = glm::vec3(sun * (exposure * settings.strength));
     light.sky = glm::vec3(sky * (exposure * settings.sky_strength));
+    const glm::dvec3 aloft = air->transmittance(air->air().ground + cloud_height, sin_e);
+    light.sun_aloft =
+        glm::vec3(srgb_of_wavelengths(aloft) * white * (exposure * settings.strength));
     light.sky_lean = fitted_lean(view);
     light.sky_columns = view.table().columns();
     light.sky_rows = view.table().rows();

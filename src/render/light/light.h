@@ -17,6 +17,8 @@ struct Light {
     glm::vec3 haze{1};          ///< what far things fade into, away from the sun
     glm::vec3 glow{1};          ///< the same towards the sun
     glm::vec3 zenith{1};        ///< the sky overhead
+    glm::vec3 sun_aloft{1};     ///< of the sun at the clouds' height, as `sun`
+    glm::vec2 cloud_shift{0};   ///< how far clouds have drifted, km east and north
     double stops = 0.0;         ///< of exposure, besides look.exposure
     bool stars = false;
     bool atmosphere = false;  ///< the sky is that of the texels, not of the three colours
@@ -40,8 +42,9 @@ Light make_light(const SunSettings& settings);
 /// The same by the tables of render/sky, the air and the sun's strength at the ground included.
 /// White is the light of a clear day on Earth with the sun at 45°. Moonlight is drawn as eyes see
 /// it: two stops darker than a meter would have it, with little colour and bluish, the sky darker
-/// still (Jensen et al. 2000, "Night rendering").
-Light make_atmospheric_light(const SunSettings& settings, Planet planet = Planet::earth);
+/// still (Jensen et al. 2000, "Night rendering"). `cloud_height`: km, of Light::sun_aloft.
+Light make_atmospheric_light(const SunSettings& settings, Planet planet = Planet::earth,
+                             double cloud_height = 0.0);
 
 /// The light of an even cover of clouds: white, a little of it from where the sun stands; overhead
 /// the sky is three times as bright as at the horizon (Moon & Spencer 1942, the CIE's overcast

@@ -2,15 +2,37 @@
 
 namespace fumon {
 
+namespace {
+
+/// What clouds throw down beside their shadows, a share of the sunlight on level ground that grows
+/// with their cover.
+void add_light_from_clouds(Light& light, const AirSettings& air) {
+    if (air.clouds == Clouds::none) return;
+    const double most = air.clouds == Clouds::cumulus ? 0.25 : 0.10;
+    light.sky += static_cast<float>(most * air.cloud_cover) * light.to_sun.z * light.sun;
+}
+
+}  // namespace
+
 Light light_of_view(const View& view) {
     const bool needed = view.look.ground == Ground::endless ||
-                        view.sun.source == LightSource::moon || view.air.planet != Planet::earth;
+                        view.sun.source == LightSource::moon || view.air.planet != Planet::earth ||
+                        view.air.clouds != Clouds::none;
     const bool atmosphere =
         view.look.sky == SkyModel::atmosphere || (view.look.sky == SkyModel::automatic && needed);
     if (view.look.sky == SkyModel::overcast && view.look.mode == ViewMode::scenic)
         return make_overcast_light(view.sun);
     if (!atmosphere || view.look.mode != ViewMode::scenic) return make_light(view.sun);
-    return make_atmospheric_light(view.sun, view.air.planet);
+    Light light = make_atmospheric_light(view.sun, view.air.planet, cloud_kilometres(view.air));
+    add_light_from_clouds(light, view.air);
+    return light;
+}
+
+double cloud_kilometres(const AirSettings& air) {
+    constexpr double cumulus = 1.8;
+    constexpr double cirrus = 8.5;
+    if (!air.cloud_height.is_word()) return 1e-3 * air.cloud_height.value;
+    return air.clouds == Clouds::cirrus ? cirrus : cumulus;
 }
 
 }  // namespace fumon

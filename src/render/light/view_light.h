@@ -8,4 +8,7 @@ namespace fumon {
 /// The light of a view, whose ground is chosen: of its sky.
 Light light_of_view(const View& view);
 
+/// The height of the clouds' base above the ground, km.
+double cloud_kilometres(const AirSettings& air);
+
 }  // namespace fumon

@@ -13,6 +13,7 @@
 #include "base/snapshot_lookup.h"
 #include "base/units.h"
 #include "render/view/water.h"
+#include "scene/placed_sun.h"
 
 namespace fumon {
 
@@ -234,11 +235,9 @@ Block block_of_frame(const Block& block, const LookSettings& look, const Snapsho
 
 Camera camera_at_step(const View& view, const Block& block, std::int64_t step,
                       std::int64_t last_step) {
-    const double progress =
-        last_step > 0 ? static_cast<double>(step) / static_cast<double>(last_step) : 0.0;
     const double aspect =
         static_cast<double>(view.image.width) / static_cast<double>(view.image.height);
-    return place_camera(view.camera, block, aspect, std::clamp(progress, 0.0, 1.0));
+    return place_camera(view.camera, block, aspect, share_of_run(step, last_step));
 }
 
 Camera above_ground(Camera camera, const Block& block, const Snapshot& snapshot,

@@ -1,4 +1,4 @@
-#include "render/person_mesh.h"
+#include "render/life/person_mesh.h"
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "render/plant_places.h"
+#include "render/life/plant_places.h"
 
 namespace fumon {
 

@@ -1,4 +1,4 @@
-#include "render/plant_places.h"
+#include "render/life/plant_places.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "render/plant_meshes.h"
+#include "render/life/plant_meshes.h"
 
 #include <array>
 #include <cmath>

@@ -1,0 +1,121 @@
+// How clouds look, on shells above the curved Earth, fixed in the world. Lengths in km. Needs common/light.glsl before it.
+#include "sky/cloud_shapes.glsl"
+
+uniform vec3 cloud_sun;    // the sun's irradiance at their height
+uniform float pixel;       // its angle, radians
+uniform float cloud_haze;  // extinction of the air at the ground, per km
+
+struct CloudSeen {
+    vec3 light;      // that they send to the eye
+    float through;   // share of what is behind them that is seen
+};
+
+const float farthest_cloud = 90.0;
+const float lowest_cloud = -0.02;  // of directions: those of a high place see clouds below the horizon
+
+// Henyey and Greenstein's phase function, times 4π.
+float hg(float cosine, float g) {
+    float base = 1.0 + g * g - 2.0 * g * cosine;
+    return (1.0 - g * g) / (base * sqrt(base));
+}
+
+// Extinction per km on the way to a height, the air thinning upward.
+float haze_up_to(float height) {
+    const float scale = 1.6;  // over which the haze thins by e
+    return cloud_haze * scale / height * (1.0 - exp(-height / scale));
+}
+
+// How much of what far clouds send is left, and nothing of those at the end of sight.
+float seen_through_air(float haze, float distance_to) {
+    return exp(-haze * distance_to) * (1.0 - smoothstep(0.6 * farthest_cloud, farthest_cloud, distance_to));
+}
+
+// What lights a cloud from below.
+vec3 ground_below() { return vec3(0.42, 0.30, 0.18) * (sun_light * max(to_sun.z, 0.0) + sky_light); }
+
+// Sunlight that a droplet or many of them throw to the eye, of optical depth `depth` towards the sun: once scattered
+// ahead, which makes the silver edge; and many times, to all sides.
+// `ahead` and `aside` are those of the ray.
+float scattered_sun(float ahead, float aside, float depth) {
+    float many = 0.66 * exp(-0.36 * depth) + 0.30 * exp(-0.10 * depth);
+    return ahead * exp(-0.6 * depth) + many * aside;
+}
+
+// Optical depth towards the sun at a place of a cloud: of what is near, and of what its outline says is above.
+float depth_to_sun(vec3 at, float inside, float finest) {
+    float depth = 0.0;
+    for (int i = 0; i < 2; ++i) {
+        float away = i == 0 ? 0.06 : 0.20;
+        vec3 lit = at + to_sun * away;
+        float there = cumulus_outline(lit.xy, lit.z) + cumulus_bulges(lit, finest + 0.25 * away, 2);
+        depth += clamp((there + 0.06) * (1.0 / 0.24), 0.0, 1.0) * (i == 0 ? 0.11 : 0.22);
+    }
+    float up = clamp(at.z / 0.6, 0.0, 1.0);
+    return cumulus_extinction * depth + 12.0 * max(inside, 0.0) * (1.0 - 0.8 * up);
+}
+
+// Along the ray by steps: long ones where no cloud can be, and the first in a cloud from its very surface on.
+CloudSeen cumulus_seen(vec3 from, vec3 view, vec3 behind) {
+    CloudSeen seen = CloudSeen(vec3(0.0), 1.0);
+    float t = along_to(view.z, cloud_base - from.z);
+    float end = min(along_to(view.z, cloud_base + cumulus_thickness - from.z), farthest_cloud);
+    float towards_sun = dot(view, to_sun);
+    float ahead = min(0.030 * hg(towards_sun, 0.86) + 0.06 * hg(towards_sun, 0.45), 2.5);
+    float aside = 0.88 - 0.12 * towards_sun;
+    float haze_on_way = haze_up_to(max(cloud_base + 0.3 - from.z, 0.1));
+    vec3 from_below = 0.34 * ground_below();
+    float before = 1.0;
+    float step = 0.0;
+    float depth = 2.0;  // towards the sun
+    for (int i = 0; i < 80 && t < end && seen.through > 0.06; ++i) {
+        vec3 at = from + view * t;
+        vec3 place = vec3(at.xy, at.z + curve * t * t * dot(view.xy, view.xy) - cloud_base);
+        float outline = cumulus_outline(place.xy, place.z);
+        float room = outline + cumulus_most_bulge(place.z);
+        float ahead_by = max(0.03 + 0.006 * t, -0.5 * room);
+        // A loop of one round or none, since llvmpipe works out both sides of a condition.
+        for (int near = 0; near < (room < 0.0 ? 0 : 1); ++near) {
+            float finest = 2.0 * pixel * t;
+            float inside = outline + cumulus_bulges(place, finest, 4);
+            ahead_by = inside < 0.0 ? clamp(-0.35 * inside, 0.012 + 0.0025 * t, 0.1) : 0.034 + 0.004 * t;
+            float opaque = 1.0 - exp(-cumulus_density(inside, place.z) * cumulus_extinction * ahead_by);
+            if (inside > 0.02 && before < 0.0) {
+                ahead_by = -step * (inside - 0.01) / (inside - before);
+                inside = 1.0;
+                opaque = 0.0;
+            }
+            room = inside;
+            for (int lit = 0; lit < (opaque > 0.002 ? 1 : 0); ++lit) {
+                for (int j = 0; j < (seen.through * opaque > 0.012 ? 1 : 0); ++j) depth = depth_to_sun(place, 0.5 * (outline + inside), finest);
+                float up = clamp(place.z / 0.7, 0.0, 1.0);
+                float open = exp(-2.6 * max(inside, 0.0));
+                vec3 light = cloud_sun * scattered_sun(ahead, aside, depth);
+                light += mix(0.40, 0.80, up) * (0.45 + 0.55 * open) * sky_light + ((1.0 - up) * (0.6 + 0.4 * open)) * from_below;
+                seen.light += seen.through * opaque * mix(behind, light, seen_through_air(haze_on_way, t));
+                seen.through *= 1.0 - opaque;
+            }
+        }
+        before = room;
+        step = ahead_by;
+        t += ahead_by;
+    }
+    seen.through = max(seen.through - 0.06, 0.0) / 0.94;
+    return seen;
+}
+
+CloudSeen cirrus_seen(vec3 from, vec3 view, vec3 behind) {
+    float t = along_to(view.z, cloud_base - from.z);
+    vec3 at = from + view * t;
+    float slant = view.z + 2.0 * curve * t;  // the sine at which the shell is met
+    float depth = cirrus_depth(at.xy, 1.5 * pixel * t / max(slant, 0.02)) / max(slant, 0.22);
+    float opaque = 1.0 - exp(-depth);
+    float towards_sun = dot(view, to_sun);
+    vec3 light = cloud_sun * (0.52 + 0.050 * min(hg(towards_sun, 0.80), 20.0)) + 0.70 * sky_light;
+    float haze = seen_through_air(haze_up_to(max(cloud_base - from.z, 0.1)), t);
+    return CloudSeen(opaque * mix(behind, light, haze), 1.0 - opaque);
+}
+
+// In a direction of view (unit vector) from a place in km, of which z counts from the ground; `behind`: the sky's light.
+CloudSeen clouds_seen(vec3 from, vec3 view, vec3 behind) {
+    return clouds < 1.5 ? cumulus_seen(from, view, behind) : cirrus_seen(from, view, behind);
+}
