@@ -202,7 +202,7 @@ std::vector<bool> seen_through_lens(const GroundFan& fan, const GroundMesh& mesh
     const auto from_above = [&](std::size_t ray, std::size_t ring) {
         const std::size_t at = ray * rings + ring;
         const glm::vec3& place = mesh.places[at];
-        const double range = std::hypot(static_cast<double>(place.x), static_cast<double>(place.y));
+        const double range = elementary::hypot(place.x, place.y);
         return tangents[at] - static_cast<float>(fan.lens / range);
     };
     std::vector<float> here(pairs + 1);
@@ -215,7 +215,7 @@ std::vector<bool> seen_through_lens(const GroundFan& fan, const GroundMesh& mesh
         for (std::size_t ray = 0; ray <= pairs; ++ray) next[ray] = from_above(ray, ring + 1);
         for (std::size_t k = 0; k < pairs; ++k) lower[k] = std::min(here[k], here[k + 1]);
         const glm::vec3& place = mesh.places[ring];
-        const double range = std::hypot(static_cast<double>(place.x), static_cast<double>(place.y));
+        const double range = elementary::hypot(place.x, place.y);
         const double aside = std::ceil(fan.lens / (range * between_rays));
         const auto reach = static_cast<std::size_t>(std::min(aside, static_cast<double>(pairs)));
         for (std::size_t k = 0; k < pairs; ++k) {
