@@ -56,9 +56,9 @@ void Renderer::Parts::set_lens(ReadyPicture& picture, bool posed) const {
     Camera& camera = picture.pose.camera;
     camera.lens.radius = lens_radius(view.camera, block, camera);
     if (camera.lens.radius == 0.0) return;
-    const WordOrReal& wanted = view.camera.focus;
-    double focus = wanted.value / block.side;
-    if (wanted.is_word()) {
+    const WordOrReal& asked = view.camera.focus;
+    double focus = asked.value / block.side;
+    if (asked.is_word()) {
         focus = camera.focus;
         if (!posed && block.look_at) {
             focus = glm::dot(*block.look_at - camera.eye, camera.forward);

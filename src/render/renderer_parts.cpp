@@ -322,9 +322,9 @@ void Renderer::Parts::see_ground(const Tile& tile, const Camera& camera) {
 
 void Renderer::Parts::see_streamers(const Tile& tile, const Camera& camera) {
     if (!streamers) return;
-    const glm::ivec2 first = first_sample(tile) - target_corner(tile);
-    streamers->draw(sampled->seen.colour(), first, plan.factor, tile, light, camera);
-    world->set_streamers(&*streamers, first);
+    const glm::ivec2 corner = first_sample(tile) - target_corner(tile);
+    streamers->draw(sampled->seen.colour(), corner, plan.factor, tile, light, camera);
+    world->set_streamers(&*streamers, corner);
 }
 
 void Renderer::Parts::draw_packed_samples(const Tile& tile, const Camera& camera) {
