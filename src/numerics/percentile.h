@@ -7,7 +7,8 @@
 namespace fumon {
 
 /// The value below which a share of the values lies, 0 for none; reorders them.
-inline double percentile(std::vector<float>& values, double share) {
+template <class Number>
+double percentile(std::vector<Number>& values, double share) {
     if (values.empty()) return 0.0;
     const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + place, values.end());

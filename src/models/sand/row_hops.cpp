@@ -7,6 +7,7 @@
 
 #include "base/elementary.h"
 #include "base/give_up.h"
+#include "models/sand/hop_terms.h"
 #include "models/sand/hop_vectors.h"
 
 namespace fumon {
@@ -306,23 +307,9 @@ inline void RowHops::hop_from(double* row, int x) const {
     if (needs_slope_) {
         const double left = row[x == 0 ? nx_ - 1 : x - 1];
         const double right = row[x + 1 == nx_ ? 0 : x + 1];
-        switch (p.slope_difference) {
-            case SlopeDifference::central:
-                slope = 0.5 * (right - left);
-                break;
-            case SlopeDifference::backward:
-                slope = height - left;
-                break;
-            case SlopeDifference::forward:
-                slope = right - height;
-                break;
-        }
+        slope = slope_at(p.slope_difference, left, height, right);
     }
-    double carried = p.amount;
-    if (p.hop_amount == HopAmount::slope) {
-        carried = std::max(0.0, p.amount + p.amount_slope_factor * elementary::tanh(slope));
-    }
-    if (p.limit_amount) carried = carried < height ? carried : height;
+    double carried = hop_amount(p, height, slope);
     carried = height > 0.0 ? carried : 0.0;
     if (p.shadow == Shadow::upwind_higher)
         carried = row[x == 0 ? nx_ - 1 : x - 1] > height ? 0.0 : carried;

@@ -4,33 +4,18 @@
 #include <cstddef>
 
 #include "base/compensated_sum.h"
-#include "base/elementary.h"
+#include "models/sand/hop_terms.h"
 #include "models/sand/row_hops.h"
 
 namespace fumon {
 
 namespace {
 
-double slope_at(SlopeDifference difference, double before, double here, double after) {
-    switch (difference) {
-        case SlopeDifference::central:
-            return 0.5 * (after - before);
-        case SlopeDifference::backward:
-            return here - before;
-        case SlopeDifference::forward:
-            return after - here;
-    }
-    return 0.0;
-}
-
 /// What leaves a cell.
 double amount_of(const SandParameters& p, double height, double slope, double upwind) {
     if (p.order == HopOrder::random_sequential && height <= 0.0) return 0.0;
     if (p.shadow == Shadow::upwind_higher && upwind > height) return 0.0;
-    double amount = p.amount;
-    if (p.hop_amount == HopAmount::slope)
-        amount = std::max(amount + p.amount_slope_factor * elementary::tanh(slope), 0.0);
-    return p.limit_amount ? std::min(amount, std::max(height, 0.0)) : amount;
+    return std::max(hop_amount(p, height, slope), 0.0);
 }
 
 }  // namespace

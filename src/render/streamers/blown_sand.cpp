@@ -8,6 +8,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
+#include "numerics/percentile.h"
 #include "render/streamers/smooth.h"
 #include "render/view/chosen_ground.h"
 #include "render/view/drawn_height.h"
@@ -33,13 +34,9 @@ Way blowing_way(const Snapshot& snapshot) {
 
 /// How high dunes stand over the ground between them, model heights.
 double relief_of(const Grid& bed) {
-    std::vector<double> sorted(bed.values().begin(), bed.values().end());
-    const auto at = [&](double share) {
-        const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size()));
-        std::nth_element(sorted.begin(), sorted.begin() + place, sorted.end());
-        return sorted[static_cast<std::size_t>(place)];
-    };
-    return at(0.99) - at(0.02);
+    std::vector<double> heights(bed.values().begin(), bed.values().end());
+    const double high = percentile(heights, 0.99);
+    return high - percentile(heights, 0.02);
 }
 
 /// A bed's cells as places.

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cstdint>
+#include <chrono>
 #include <optional>
 
 #include "base/error.h"
@@ -53,24 +52,6 @@ class Scanner {
   private:
     std::string_view rest_;
 };
-
-bool is_leap(int year) {
-    return year % 4 == 0;  // 2000 is one, and 1900 and 2100 are not among the years
-}
-
-int days_of_month(int year, int month) {
-    constexpr std::array days{31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-    return days[static_cast<std::size_t>(month - 1)] + (month == 2 && is_leap(year) ? 1 : 0);
-}
-
-/// Whole days from 2000-01-01.
-std::int64_t day_number(int year, int month, int day) {
-    std::int64_t days = day - 1;
-    for (int m = 1; m < month; ++m) days += days_of_month(year, m);
-    for (int y = 2000; y < year; ++y) days += is_leap(y) ? 366 : 365;
-    for (int y = year; y < 2000; ++y) days -= is_leap(y) ? 366 : 365;
-    return days;
-}
 
 [[noreturn]] void refuse(std::string_view text) {
     throw InputError(
@@ -126,15 +107,19 @@ double days_from_2000(std::string_view text) {
     if (!offset || !scanner.done()) refuse(text);
     if (year < 1901 || year > 2099)
         throw InputError(fmt::format("the year of \"{}\" is outside 1901 … 2099", text));
-    if (month < 1 || month > 12 || day < 1 || day > days_of_month(year, month) || hour > 23 ||
-        minute > 59 || seconds >= 60.0) {
+    const std::chrono::year_month_day date{std::chrono::year(year),
+                                           std::chrono::month(static_cast<unsigned>(month)),
+                                           std::chrono::day(static_cast<unsigned>(day))};
+    if (!date.ok() || hour > 23 || minute > 59 || seconds >= 60.0) {
         throw InputError(
             fmt::format("there is no \"{}\": months have 28 to 31 days, days 24 "
                         "hours from 00:00 on",
                         text));
     }
     const double of_day = (hour - 12) / 24.0 + (minute - *offset) / 1440.0 + seconds / 86400.0;
-    return static_cast<double>(day_number(year, month, day)) + of_day;
+    const auto days =
+        std::chrono::sys_days(date) - std::chrono::sys_days(std::chrono::year(2000) / 1 / 1);
+    return static_cast<double>(days.count()) + of_day;
 }
 
 }  // namespace fumon
