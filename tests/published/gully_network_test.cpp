@@ -11,7 +11,7 @@
 namespace fumon::test {
 namespace {
 
-/// Its measures after 1.2 million seconds of the bed.
+/// Its measures after 2.25 million seconds of the bed.
 SweepTable::Row network(const char* factor, const char* steps) {
     const std::string every = steps;
     const SweepTable table(
@@ -26,8 +26,8 @@ TEST(PublishedNetwork, HalvingTheMorphologicalFactorKeepsItsMeasures) {
     if (std::getenv("FUMON_WHOLE_NETWORK") == nullptr)
         GTEST_SKIP() << "takes 20 minutes: set FUMON_WHOLE_NETWORK=1 and run ctest -R "
                         "PublishedNetwork";
-    SweepTable::Row whole = network("4000", "300");
-    SweepTable::Row halved = network("2000", "600");
+    SweepTable::Row whole = network("1500", "140");
+    SweepTable::Row halved = network("750", "240");
     EXPECT_EQ(whole["bed_time"], halved["bed_time"]);
     // Not the ratios: a few streams of the highest orders decide them (assets/guide/water.md).
     for (const char* measure :
