@@ -1,11 +1,11 @@
 // Water over the ground: how it flows, how its surface stands, and what it does to light. Needs
-// common/light.glsl, sky/sky.glsl, bed/bed.glsl and bed/water_body.glsl before it.
-uniform sampler2D water_map;   // depth (m), velocity east and north (m/s), dampness of the ground
-uniform sampler2D water_slope_map;  // by which depth adds to the bed's slope, in block lengths
-uniform sampler2D streak_map;  // seamless: noise, and its slopes east and north around ½
+// common/light.glsl, sky/sky.glsl, bed/bed.glsl, bed/water_body.glsl and bed/soil.glsl before it.
+uniform sampler2D water_map;    // depth (m), velocity east and north (m/s), dampness of the ground
+uniform sampler2D surface_map;  // slopes of the surface eastward and northward, that of the depth, what was laid down on the bed
 uniform float clarity;         // depth at which the bed is half hidden, m
 uniform float usual_froude;    // the median of the wet cells
 uniform float closed_depth;    // from which water covers what stands out of the ground of a cell, m
+uniform float metre;           // block lengths
 
 const float gravity = 9.8;
 
@@ -16,44 +16,80 @@ struct Water {
     float speed;     // m/s
     vec2 flow;       // unit vector, or 0 at rest
     float froude;
+    vec2 slope;      // of its surface
+    float front;     // how steeply its depth changes
+    float laid;      // −1 worn … 1 laid down: what it did to the bed
 };
 
 Water water_at(vec2 place) {
     vec4 texel = texture(water_map, place);
+    vec4 surface = texture(surface_map, place);
     Water water;
     water.depth = texel.x;
     water.damp = texel.w;
-    water.film = smoothstep(0.004, 0.06, water.depth / clarity) * smoothstep(0.25, 1.0, water.depth / closed_depth);
     water.speed = length(texel.yz);
     water.flow = texel.yz / max(water.speed, 1e-6);
     water.froude = water.speed / sqrt(gravity * max(water.depth, 1e-4 * clarity));
+    water.slope = surface.xy;
+    water.front = surface.z;
+    water.laid = surface.w;
+    water.film = 0.0;
     return water;
 }
 
-// −1 … 1: noise drawn out along the flow (line integral convolution over a straight piece of
-// stream line), repeated `fineness` times over the block.
-float streaks(vec2 world, vec2 flow, float fineness) {
-    vec2 stride = flow * (1.7 / 512.0);
-    vec2 start = world * fineness;
-    float sum = 0.0;
-    for (int i = -3; i <= 3; ++i) sum += texture(streak_map, start + float(i) * stride).r;
-    return clamp((sum / 7.0 - 0.5) * 7.5, -1.0, 1.0);
+// Ground that stands out breaks a thin sheet, and its hollows hold some more of it.
+float closed_film(Water water, Soil soil) {
+    float share = water.depth / closed_depth;
+    float hollow = -0.45 * soil.height * smoothstep(0.1, 0.6, share) * (1.0 - smoothstep(1.5, 4.0, share));
+    return smoothstep(0.004, 0.06, water.depth / clarity) * smoothstep(0.5, 1.7, share + hollow);
 }
 
-// The slope of small waves: crests across the flow where it is fast, none where it is still.
-vec2 ripple_slope(vec2 world, Water water) {
+// The slope of small waves: crests across the flow where it is fast, next to none where it is still.
+vec2 wave_slope(vec2 world, Water water, float width) {
+    float long_waves = 2.3 * metre;
+    vec2 gradient = 0.6 * shown_noise(world + 0.17, long_waves, width).yz;
+    gradient += shown_noise(world.yx + 0.43, 0.31 * long_waves, width).zy;
+    gradient += shown_noise(world + 0.83, 0.11 * long_waves, width).yz;
     vec2 across = vec2(-water.flow.y, water.flow.x);
-    vec2 gradient = 2.0 * texture(streak_map, world * 0.35).gb - 1.0;
-    gradient += 1.2 * (2.0 * texture(streak_map, world.yx * 1.3 + 0.31).bg - 1.0);
-    float strength = mix(0.03, 0.14, smoothstep(0.02, 0.6, water.froude)) * water.film;
+    float strength = mix(0.10, 0.45, smoothstep(0.05, 1.1, water.froude));
     return strength * (gradient - 0.6 * dot(gradient, across) * across);
 }
 
-// The normal of bed plus depth, ripples on it.
-vec3 water_normal(vec2 place, vec2 world, BedPoint bed, Water water) {
-    vec2 slope = -bed.normal.xy / max(bed.normal.z, 0.05);
-    slope += texture(water_slope_map, place).xy;
-    slope /= 1.0 + 0.5 * length(slope);  // an exaggerated surface does not mirror only the horizon
-    slope += ripple_slope(world, water);
+// The normal of its surface, waves on it.
+vec3 water_normal(vec2 world, Water water, Soil soil, float width) {
+    vec2 slope = water.slope;
+    slope /= 1.0 + 1.2 * length(slope);  // an exaggerated surface, or a fall, does not mirror the zenith alone
+    float thin = 1.0 - smoothstep(1.0, 8.0, water.depth / closed_depth);  // it wraps the ground
+    slope += (1.0 - 0.85 * thin) * wave_slope(world, water, width) + 0.7 * thin * soil.slope;
     return normalize(vec3(-slope, 1.0));
+}
+
+// −1 … 1: where muddy water carries more, in clouds drawn out along the flow.
+float silt_clouds(vec2 world, Water water) {
+    float sum = 0.0;
+    for (int i = -1; i <= 1; ++i)
+        sum += 2.0 * texture(streak_map, (world + float(i) * 4.0 * metre * water.flow) / (noise_repeat * 7.0 * metre)).r - 1.0;
+    return clamp(1.2 * sum, -1.0, 1.0);
+}
+
+// White water where it shoots, most where it is rougher than usual or deepens at once: at fronts and jumps, in patches
+// drawn out along the flow and laced with holes. A film is too thin to hold air.
+float foam_cover(vec2 world, Water water, float width) {
+    float shooting = smoothstep(0.9, 1.3, water.froude);
+    float deep = smoothstep(0.05, 0.25, water.depth / clarity);
+    float rougher = smoothstep(1.15, 1.9, water.froude / max(usual_froude, 0.9));
+    float stirred = max(0.55 * rougher, smoothstep(0.05, 0.30, water.front));
+    vec2 stride = water.flow * (0.8 * metre);
+    float patches = 0.0;
+    float lace = 0.0;
+    int steps = shooting * deep * stirred > 0.02 ? 5 : 0;
+    for (int i = 0; i < steps; ++i) {
+        vec2 at = world + (float(i) - 2.0) * stride;
+        patches += 2.0 * texture(streak_map, at / (noise_repeat * 1.5 * metre)).r - 1.0;
+        lace += 2.0 * texture(streak_map, at.yx / (noise_repeat * 0.42 * metre)).r - 1.0;
+    }
+    float fine = shown_at(0.42 * metre, width);
+    float pattern = 0.5 + 0.26 * patches + 0.22 * fine * lace;
+    float density = shooting * deep * stirred;
+    return steps == 0 ? 0.0 : 0.9 * sqrt(density) * smoothstep(0.90 - density, 1.40 - density, pattern);
 }

@@ -52,7 +52,7 @@ vec2 along_face() {
 // Water, cut through: lit from above through what stands over the point.
 vec3 water_cut(vec3 to_eye, float sun, float below_surface, float above_bed) {
     vec3 down = sun_light * max(to_sun.z, 0.15) + sky_light;
-    vec3 body = water_body_colour() * (1.4 * down * transmitted(0.6 * below_surface / clarity) + 0.3 * sun_light * sun);
+    vec3 body = water_body_colour() * (1.4 * down * transmitted(1.1 * below_surface / clarity) + 0.3 * sun_light * sun);
     // A little of the bed's own light, near it.
     vec3 bed = mix(sand_trough, sand_crest, 0.5) * 0.35 * down * transmitted(0.5 * (below_surface + 2.0 * above_bed) / clarity + 0.4);
     float facing = max(dot(vec3(outward, 0.0), to_eye), 0.0);

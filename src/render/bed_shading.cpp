@@ -20,7 +20,11 @@ namespace fumon {
 namespace {
 
 constexpr int enough_texels = 1024;  // along the longer side of the shaded bed, if it is small
-constexpr int coarsest_seen = 3;     // mipmap: at an edge the samples' places are no neighbours
+// Of ground under water: to a pixel at most so many, along the longer side, and in what is seen.
+constexpr double finest_shown = 1.0;
+constexpr double most_texels_across = 4096;
+constexpr double most_texels_seen = 2e6;
+constexpr int coarsest_seen = 3;  // mipmap: at an edge the samples' places are no neighbours
 constexpr double texels_per_sample = 1.3;  // beyond which mipmaps are needed against shimmer
 constexpr double natural_spread = 2.2;     // standard deviations from trough to crest, half of it
 constexpr double least_natural_range = 0.03;  // of the longer side: a nearly flat bed stays even
@@ -306,12 +310,14 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
              view.look.mark == Marking::none ? 1 : first.bed.ny(), layout_of(view.look)),
       uncoloured_(colours_water(view.look.colour_by) ? first.bed.nx() : 1,
                   colours_water(view.look.colour_by) ? first.bed.ny() : 1, mark_layout),
-      target_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
-              shaded_size(first_bed.z.ny(), first_bed, samples_across),
-              repeated(shaded_layout(view.look.ground, shaded_mipmaps_, kind), view.look.ground)) {
+      target_layout_(
+          repeated(shaded_layout(view.look.ground, shaded_mipmaps_, kind), view.look.ground)),
+      target_size_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
+                   shaded_size(first_bed.z.ny(), first_bed, samples_across)) {
+    target_.emplace(target_size_.x, target_size_.y, target_layout_);
     if (view.look.mode == ViewMode::scenic) draw_noise();
     if (draws_water(view.look, first))
-        water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny());
+        water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny(), refinement_);
 }
 
 void BedShading::draw_noise() {
@@ -358,7 +364,7 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
     const Field<float> values = ranged_values(snapshot, first);
     values_.upload(palette_places(refined(values, refinement_), range_).data());
     upload_marks(snapshot, {});
-    if (water_) water_->upload(snapshot, *water);
+    if (water_) water_->upload(snapshot, first, *water);
 }
 
 void BedShading::upload(const Snapshot& snapshot, const Snapshot& first, const RepeatedLight& light,
@@ -407,15 +413,47 @@ void BedShading::bind(const gl::Program& program) const {
     set_sand(program, view_.look);
 }
 
+/// Of ground under water, which has detail below the grid: as fine as the picture shows it.
+void BedShading::size_for(const SeenPart& part) {
+    const glm::dvec2 seen = glm::max(part.high - part.low, glm::dvec2(0.0));
+    const auto fits = [&](int doubled) {
+        const glm::ivec2 size = target_size_ * doubled;
+        const double longer = std::max(size.x, size.y);
+        return longer <= most_texels_across && longer <= finest_shown * part.sharpness &&
+               seen.x * seen.y * size.x * size.y <= most_texels_seen;
+    };
+    int factor = 1;
+    while (fits(2 * factor)) factor *= 2;
+    const glm::ivec2 size = target_size_ * factor;
+    if (target_->width() == size.x) return;
+    target_.reset();
+    lighting_.bind(0);  // a new texture takes the unit in use: not the sky's
+    target_.emplace(size.x, size.y, target_layout_);
+}
+
 void BedShading::shade(const Light& light, const Camera& camera) {
-    target_.bind();
-    gl::functions().Disable(GL_DEPTH_TEST);
+    const gl::Functions& gl = gl::functions();
+    SeenPart part;
+    if (water_) {
+        part = seen_part(camera, view_, block_);
+        size_for(part);
+    }
+    target_->bind();
+    gl.Disable(GL_DEPTH_TEST);
     program_.use();
     bind(program_);
-    if (water_) water_->set_uniforms(program_, 6);
     set_light(program_, view_, light, camera, block_);
-    gl::functions().DrawArrays(GL_TRIANGLES, 0, 3);
-    if (shaded_mipmaps_) mipmaps_.make(target_.colour());
+    if (water_) {
+        const glm::dvec2 size(target_->width(), target_->height());
+        water_->set_uniforms(program_, 6, camera, block_.width_x / size.x);
+        const glm::ivec2 low(glm::floor(part.low * size));
+        const glm::ivec2 extent = glm::max(glm::ivec2(glm::ceil(part.high * size)) - low, 0);
+        gl.Enable(GL_SCISSOR_TEST);
+        gl.Scissor(low.x, low.y, extent.x, extent.y);
+    }
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.Disable(GL_SCISSOR_TEST);
+    if (shaded_mipmaps_) mipmaps_.make(target_->colour());
 }
 
 }  // namespace fumon

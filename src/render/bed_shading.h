@@ -16,6 +16,7 @@
 #include "render/view/camera.h"
 #include "render/view/display_bed.h"
 #include "render/view/drawn_origin.h"
+#include "render/view/seen_part.h"
 #include "render/water_shading.h"
 #include "scene/scene.h"
 
@@ -76,10 +77,11 @@ class BedShading {
     [[nodiscard]] std::pair<double, double> range() const { return range_; }
     /// The depth of water at which the bed is half hidden there, metres; 1 without water.
     [[nodiscard]] double clarity() const { return water_ ? water_->clarity() : 1.0; }
-    [[nodiscard]] const gl::Texture2D& colours() const { return target_.colour(); }
+    [[nodiscard]] const gl::Texture2D& colours() const { return target_->colour(); }
 
   private:
     void draw_noise();
+    void size_for(const SeenPart& part);
     Field<float> ranged_values(const Snapshot& snapshot, const Snapshot& first);
     void upload_marks(const Snapshot& snapshot, const DrawnOrigin& origin);
 
@@ -99,7 +101,9 @@ class BedShading {
     gl::Texture2D uncoloured_;
     std::optional<gl::RenderTarget> noise_;  // of the ground's colour; none for a figure
     std::optional<WaterShading> water_;
-    gl::RenderTarget target_;
+    gl::TextureLayout target_layout_;
+    glm::ivec2 target_size_;  ///< at least
+    std::optional<gl::RenderTarget> target_;
 };
 
 }  // namespace fumon

@@ -3,22 +3,26 @@
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/view/block.h"
+#include "render/view/camera.h"
 #include "render/view/water.h"
 #include "scene/scene.h"
 
 namespace fumon {
 
-/// What shaders/bed/water.glsl needs to know of a snapshot's water.
+/// What shaders/bed/water.glsl and shaders/bed/soil.glsl need to know of a snapshot's water and the
+/// ground that it works on.
 class WaterShading {
   public:
-    /// For a display bed of nx × ny cells.
-    WaterShading(const View& view, const Block& block, int nx, int ny);
+    /// For a display bed of nx × ny cells, `refinement` to each of the grid's along both axes.
+    WaterShading(const View& view, const Block& block, int nx, int ny, int refinement);
 
-    /// Takes the water of a snapshot.
-    void upload(const Snapshot& snapshot, const DisplayWater& water);
+    /// Takes the water of a snapshot, and what it has done to the bed since `first`.
+    void upload(const Snapshot& snapshot, const Snapshot& first, const DisplayWater& water);
 
     /// Sets the uniforms of the program in use; its textures take the units from `unit` on.
-    void set_uniforms(const gl::Program& program, int unit) const;
+    /// `texel` is that of what is shaded, in block lengths.
+    void set_uniforms(const gl::Program& program, int unit, const Camera& camera,
+                      double texel) const;
 
     /// The depth at which the bed is half hidden in what was taken last, metres.
     [[nodiscard]] double clarity() const { return clarity_; }
@@ -26,10 +30,11 @@ class WaterShading {
   private:
     View view_;
     Block block_;
-    double cell_x_;  ///< block lengths
+    int refinement_;
+    double cell_x_;  ///< of the display bed, block lengths
     double cell_y_;
     gl::Texture2D water_;
-    gl::Texture2D slopes_;
+    gl::Texture2D surface_;
     gl::Texture2D streaks_;
     double clarity_ = 1.0;
     double usual_froude_ = 0.0;

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
+#include "base/compensated_sum.h"
 #include "base/error.h"
 #include "base/snapshot_lookup.h"
 #include "numerics/percentile.h"
@@ -15,9 +17,10 @@ namespace fumon {
 
 namespace {
 
-constexpr double gravity = 9.8;       // m/s²
-constexpr double pond_clarity = 0.6;  // of the high depth
-constexpr double film_clarity = 3.4;  // more than a pond's, for a film that is as deep everywhere
+constexpr double gravity = 9.8;        // m/s²
+constexpr double pond_clarity = 0.6;   // of the high depth
+constexpr double film_clarity = 3.4;   // more than a pond's, for a film that is as deep everywhere
+constexpr double sheet_begins = 0.25;  // of closed_depth: as in shaders/bed/water.glsl
 
 const Grid& values_of(const Snapshot& snapshot, std::string_view name) {
     const Grid* field = field_of(snapshot.fields, name);
@@ -59,6 +62,118 @@ Field<float> dampness(const Grid& depth, const Mask& dry, double closed) {
     for (std::size_t i = 0; i < damp.size(); ++i)
         damp.values()[i] = std::max(damp.values()[i], wet.values()[i]);
     return damp;
+}
+
+/// Cells that no sheet of water covers.
+Mask open_cells(const Snapshot& snapshot, const Mask& dry) {
+    const Grid& depth = values_of(snapshot, "water_depth");
+    const double least = sheet_begins * closed_depth(snapshot.scale);
+    Mask open = dry;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        if (dry.values()[i] == 0 && depth.values()[i] < least) open.values()[i] = 1;
+    }
+    return open;
+}
+
+/// The rise of the water's surface to the neighbour `east` and `north` of each cell, by central
+/// differences where both neighbours have one, by that to one where only it has; else 0.
+Field<float> surface_slopes(const Snapshot& snapshot, const Mask& open, int east, int north,
+                            double distance) {
+    const Grid& depth = values_of(snapshot, "water_depth");
+    const auto level = [&](int x, int y) {
+        return snapshot.bed(x, y) * snapshot.scale.height_unit + depth(x, y);
+    };
+    const auto covered = [&](int x, int y) {
+        return x >= 0 && x < open.nx() && y >= 0 && y < open.ny() && open(x, y) == 0;
+    };
+    Field<float> slopes(open.nx(), open.ny());
+    for (int y = 0; y < open.ny(); ++y) {
+        for (int x = 0; x < open.nx(); ++x) {
+            if (open(x, y) != 0) continue;
+            const bool before = covered(x - east, y - north);
+            const bool after = covered(x + east, y + north);
+            if (!before && !after) continue;
+            const double low = before ? level(x - east, y - north) : level(x, y);
+            const double high = after ? level(x + east, y + north) : level(x, y);
+            slopes(x, y) =
+                static_cast<float>((high - low) / (before && after ? 2.0 * distance : distance));
+        }
+    }
+    return slopes;
+}
+
+/// Cells in which water does not lie level: its surface falls by more than its depth within them.
+Mask sloping_cells(const Mask& open, const Grid& depth, const Field<float>& slope_x,
+                   const Field<float>& slope_y, const WorldScale& scale) {
+    Mask sloping = open;
+    for (std::size_t i = 0; i < sloping.size(); ++i) {
+        const double fall = std::max(std::abs(slope_x.values()[i]) * scale.dx,
+                                     std::abs(slope_y.values()[i]) * scale.dy);
+        if (fall > depth.values()[i]) sloping.values()[i] = 1;
+    }
+    return sloping;
+}
+
+/// Those cells, and the eight around each of them, of which a mask says 0.
+Mask grown(const Mask& mask) {
+    Mask result(mask.nx(), mask.ny());
+    for (int y = 0; y < mask.ny(); ++y) {
+        for (int x = 0; x < mask.nx(); ++x) {
+            if (mask(x, y) != 0) continue;
+            for (int north = std::max(y - 1, 0); north <= std::min(y + 1, mask.ny() - 1); ++north) {
+                for (int east = std::max(x - 1, 0); east <= std::min(x + 1, mask.nx() - 1); ++east)
+                    result(east, north) = 1;
+            }
+        }
+    }
+    return result;
+}
+
+/// The depth on a display bed's cells. Water that lies level ends where its level meets the ground
+/// between the cells, so that it does not climb its banks; on slopes it follows the ground.
+Field<float> shown_depths(const Snapshot& snapshot, const Mask& dry, const Mask& sloping,
+                          int refinement) {
+    const Grid& depth = values_of(snapshot, "water_depth");
+    const double unit = snapshot.scale.height_unit;
+    const auto known = [&](std::size_t i) {
+        return snapshot.nodata.empty() || snapshot.nodata.values()[i] == 0;
+    };
+    double lowest = std::numeric_limits<double>::max();  // from which single precision counts
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        if (known(i)) lowest = std::min(lowest, snapshot.bed.values()[i] * unit);
+    }
+    constexpr float unreached = -1e30F;
+    const auto least = static_cast<float>(sheet_begins * closed_depth(snapshot.scale));
+    Field<float> ground(depth.nx(), depth.ny());
+    Field<float> film(depth.nx(), depth.ny());
+    Field<float> level(depth.nx(), depth.ny());
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        if (known(i))
+            ground.values()[i] = static_cast<float>(snapshot.bed.values()[i] * unit - lowest);
+        const float water = dry.values()[i] != 0 ? 0.0F : static_cast<float>(depth.values()[i]);
+        film.values()[i] = sloping.values()[i] != 0 ? water : std::min(water, least);
+        level.values()[i] = ground.values()[i] + water;
+    }
+    if (!snapshot.nodata.empty()) {
+        continue_outward(ground, snapshot.nodata, 0.0F);
+        continue_outward(level, snapshot.nodata, 0.0F);
+    }
+    Field<float> lake = level;
+    continue_outward(lake, sloping, unreached);
+    for (std::size_t i = 0; i < lake.size(); ++i) {
+        float& there = lake.values()[i];
+        if (there == unreached || there > level.values()[i]) there = level.values()[i];
+    }
+    Field<float> shown = refined(lake, refinement);
+    const Field<float> below = refined(ground, refinement);
+    const Field<float> films = refined(film, refinement);
+    const Mask near_lake = refined(grown(sloping), refinement);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const float lies =
+            near_lake.values()[i] != 0 ? shown.values()[i] - below.values()[i] : 0.0F;
+        shown.values()[i] = std::max({lies, films.values()[i], 0.0F});
+    }
+    return shown;
 }
 
 }  // namespace
@@ -150,23 +265,62 @@ double water_clarity(const LookSettings& look, const WaterStatistics& water) {
 
 DisplayWater display_water(const Snapshot& snapshot, int refinement) {
     const Mask dry = dry_cells(snapshot);
-    const auto shown = [&](std::string_view name, bool into_dry) {
+    const Mask open = open_cells(snapshot, dry);
+    const auto shown = [&](std::string_view name) {
         const Grid& values = values_of(snapshot, name);
         Field<float> coarse(values.nx(), values.ny());
         for (std::size_t i = 0; i < coarse.size(); ++i)
             coarse.values()[i] =
                 dry.values()[i] != 0 ? 0.0F : static_cast<float>(values.values()[i]);
-        if (into_dry) continue_outward(coarse, dry, 0.0F);
+        continue_outward(coarse, dry, 0.0F);
         return refined(coarse, refinement);
     };
-    DisplayWater water{
-        shown("water_depth", false), shown("velocity_x", true), shown("velocity_y", true), {}};
+    Field<float> slope_x = surface_slopes(snapshot, open, 1, 0, snapshot.scale.dx);
+    Field<float> slope_y = surface_slopes(snapshot, open, 0, 1, snapshot.scale.dy);
+    const Mask sloping =
+        sloping_cells(open, values_of(snapshot, "water_depth"), slope_x, slope_y, snapshot.scale);
+    DisplayWater water;
+    water.depth = shown_depths(snapshot, dry, sloping, refinement);
+    water.velocity_x = shown("velocity_x");
+    water.velocity_y = shown("velocity_y");
+    continue_outward(slope_x, open, 0.0F);
+    continue_outward(slope_y, open, 0.0F);
+    water.slope_x = refined(slope_x, refinement);
+    water.slope_y = refined(slope_y, refinement);
     water.damp =
         refined(dampness(values_of(snapshot, "water_depth"), dry, closed_depth(snapshot.scale)),
                 refinement);
-    for (float& depth : water.depth.values()) depth = std::max(depth, 0.0F);
     for (float& damp : water.damp.values()) damp = std::clamp(damp, 0.0F, 1.0F);
     return water;
+}
+
+Field<float> worked_bed(const Snapshot& snapshot, const Snapshot& first, double whole,
+                        int refinement) {
+    const Grid& bed = snapshot.bed;
+    Field<float> worked(bed.nx(), bed.ny());
+    if (first.bed.nx() != bed.nx() || first.bed.ny() != bed.ny())
+        return refined(worked, refinement);
+    const auto known = [&](std::size_t i) {
+        return snapshot.nodata.empty() || snapshot.nodata.values()[i] == 0;
+    };
+    const auto change = [&](std::size_t i) {
+        return (bed.values()[i] - first.bed.values()[i]) * snapshot.scale.height_unit;
+    };
+    CompensatedSum sum;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < bed.size(); ++i) {
+        if (!known(i)) continue;
+        sum.add(change(i));
+        ++count;
+    }
+    if (count == 0) return refined(worked, refinement);
+    const double mean = sum.value() / static_cast<double>(count);
+    for (std::size_t i = 0; i < bed.size(); ++i) {
+        if (known(i))
+            worked.values()[i] =
+                static_cast<float>(std::clamp((change(i) - mean) / whole, -1.0, 1.0));
+    }
+    return refined(worked, refinement);
 }
 
 }  // namespace fumon

@@ -57,8 +57,17 @@ struct DisplayWater {
     /// Of the ground: the root of depth over closed_depth, at most 1, in wet cells, falling to 0
     /// within two cells around them.
     Field<float> damp;
+    /// The slopes of its surface eastward and northward, from neighbours that are under a closed
+    /// sheet too: across a channel of one cell, whose banks have a film of rain, it lies level.
+    Field<float> slope_x;
+    Field<float> slope_y;
 };
 
 DisplayWater display_water(const Snapshot& snapshot, int refinement);
+
+/// What the water has done to a bed since `first`, −1 worn … 1 laid down, whole from `whole` metres
+/// on; less what the bed has sunk or risen in the mean. All 0 where the grids differ.
+Field<float> worked_bed(const Snapshot& snapshot, const Snapshot& first, double whole,
+                        int refinement);
 
 }  // namespace fumon

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/worker_pool.h"
 #include "gl/context.h"
+#include "numerics/resampling.h"
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
 #include "render/renderer.h"
@@ -145,6 +146,124 @@ TEST(Water, IsClosedWhereItIsDeeperThanTheGroundIsRough) {
     EXPECT_NEAR(display_water(film, 1).damp(10, 10), 0.5F, 1e-6F);
     const Snapshot deep = under_water(flat_bed(20, 20), 0.004, 0.0);
     EXPECT_EQ(display_water(deep, 1).damp(10, 10), 1.0F);
+}
+
+/// A V-shaped valley, steeper in the west, that falls southward by a tenth, a stream in its lowest
+/// column and rain's film on its flanks.
+Snapshot stream_in_a_valley() {
+    Snapshot valley = under_water(flat_bed(21, 40), 0.0005, 0.0);
+    for (int y = 0; y < 40; ++y) {
+        for (int x = 0; x < 21; ++x)
+            valley.bed(x, y) = (x < 10 ? 0.8 * (10 - x) : 0.3 * (x - 10)) + 0.1 * y;
+        valley.fields[0].values(10, y) = 0.15;
+    }
+    return valley;
+}
+
+TEST(Water, LiesLevelAcrossAChannelOfOneCell) {
+    const DisplayWater water = display_water(stream_in_a_valley(), 1);
+    EXPECT_NEAR(water.slope_x(10, 20), 0.0F, 1e-6F);
+    EXPECT_NEAR(water.slope_y(10, 20), 0.1F, 1e-5F);
+    EXPECT_NEAR(water.slope_x(9, 20), 0.0F, 1e-6F);  // its bank's film does not tilt it
+    const DisplayWater sheet = display_water(
+        [] {
+            Snapshot plane = under_water(flat_bed(20, 20), 0.1, 0.0);
+            for (int y = 0; y < 20; ++y)
+                for (int x = 0; x < 20; ++x) plane.bed(x, y) = 0.3 * x;
+            return plane;
+        }(),
+        1);
+    EXPECT_NEAR(sheet.slope_x(10, 10), 0.3F, 1e-5F);
+    EXPECT_NEAR(sheet.slope_x(0, 10), 0.3F, 1e-5F);
+}
+
+TEST(Water, EndsWhereItsLevelMeetsTheGround) {
+    // A pond to level 1.6 before a bank of 45 degrees, on which there is a film of half a
+    // millimetre.
+    constexpr int finer = 8;
+    Snapshot pond = under_water(flat_bed(20, 12), 0.0005, 0.0);
+    for (int y = 0; y < 12; ++y) {
+        for (int x = 0; x < 20; ++x) {
+            pond.bed(x, y) = std::max(0.0, x - 8.3);
+            if (pond.bed(x, y) < 1.6) pond.fields[0].values(x, y) = 1.6 - pond.bed(x, y);
+        }
+    }
+    const DisplayWater water = display_water(pond, finer);
+    Field<float> bed(20, 12);
+    std::copy(pond.bed.values().begin(), pond.bed.values().end(), bed.values().begin());
+    const Field<float> ground = refined(bed, finer);
+    const int middle = 6 * finer;
+    for (int x = 9 * finer; x < 18 * finer; ++x) {
+        const double above = 1.6 - static_cast<double>(ground(x, middle));
+        if (above > 0.02) {
+            EXPECT_NEAR(water.depth(x, middle), above, 0.02) << x;
+        } else if (above < -0.02) {
+            EXPECT_LT(water.depth(x, middle), 0.0011) << x;
+        }
+    }
+    // A film on a slope follows it, however far its surface falls within a cell.
+    const DisplayWater stream = display_water(stream_in_a_valley(), finer);
+    for (int x = 2 * finer; x < 8 * finer; ++x)
+        EXPECT_NEAR(stream.depth(x, 20 * finer), 0.0005F, 1e-5F) << x;
+}
+
+TEST(Water, WhatItLaidDownIsPaleAndWhatItWoreIsDark) {
+    const Snapshot before = under_water(flat_bed(100, 100), 0.0, 0.0);
+    Snapshot after = before;
+    for (int y = 0; y < 100; ++y) {
+        for (int x = 0; x < 100; ++x) after.bed(x, y) += x < 33 ? 0.05 : x < 66 ? 0.0 : -0.05;
+    }
+    const Field<float> worked = worked_bed(after, before, 0.1, 1);
+    EXPECT_NEAR(worked(5, 5), 0.5F, 0.01F);
+    EXPECT_NEAR(worked(95, 5), -0.5F, 0.01F);
+    Snapshot sunk = before;
+    for (double& height : sunk.bed.values()) height -= 3.0;  // all alike
+    EXPECT_NEAR(worked_bed(sunk, before, 0.1, 1)(50, 50), 0.0F, 1e-6F);
+    const Image image = later_picture(map_view(), before, after);
+    const double usual = brightness(mean_between(image, 0.40, 0.60));
+    EXPECT_GT(brightness(mean_between(image, 0.05, 0.28)), usual + 5.0);
+    EXPECT_LT(brightness(mean_between(image, 0.72, 0.95)), usual - 5.0);
+}
+
+/// From a few metres over the bed's southern edge.
+View near_view() {
+    View view = map_view(400);
+    view.camera.projection = Projection::perspective;
+    view.camera.at = {50, -4, 4};
+    view.camera.look_at = {50, 14, 0};
+    return view;
+}
+
+/// The mean difference of neighbouring pixels in the lower half.
+double fineness(const Image& image) {
+    double sum = 0.0;
+    int count = 0;
+    for (int y = image.height / 2; y < image.height; ++y) {
+        for (int x = 1; x < image.width; ++x) {
+            const std::uint8_t* pixel = image.row(y) + 3 * static_cast<std::size_t>(x);
+            sum += std::abs(int{pixel[1]} - int{pixel[-2]});
+            ++count;
+        }
+    }
+    return sum / count;
+}
+
+TEST(Water, GroundUnderItIsSharpFromNear) {
+    View view = near_view();
+    const Snapshot rained = under_water(flat_bed(100, 100), 0.0005, 0.0);
+    const double rough = fineness(picture(view, rained));
+    view.look.water = false;
+    EXPECT_GT(rough, 4.0 * fineness(picture(view, rained)));
+}
+
+TEST(Water, LeavesTheSkyAloneFromNear) {
+    // Where its ground is shaded finer than the first picture's, the sky is what it was.
+    View view = near_view();
+    view.look.sky = SkyModel::atmosphere;
+    const Snapshot pond = under_water(flat_bed(100, 100), 0.3, 0.0);
+    const Image with = picture(view, pond);
+    view.look.water = false;
+    EXPECT_EQ(colour_at(with, 0.5, 0.01), colour_at(picture(view, pond), 0.5, 0.01));
 }
 
 TEST(Water, DeeperWaterIsDarkerAndBluer) {

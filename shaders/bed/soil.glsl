@@ -1,0 +1,60 @@
+// Bare ground below the grid, where water shapes it: crumbs and clods, rills down steep slopes, stones that the water
+// leaves behind. Needs common/light.glsl, bed/bed.glsl before it.
+uniform sampler2D streak_map;  // seamless: noise, and its slopes east and north around ½
+uniform float cell;            // of the bed's grid, block lengths
+uniform float texel;           // of what is shaded, block lengths
+uniform float pixel_width;     // of a pixel, block lengths: at distance 1, or anywhere without perspective
+
+const float noise_repeat = 256.0;  // of features of streak_map to its side
+
+struct Soil {
+    vec2 slope;    // that it adds to the ground's
+    float height;  // about −1 … 1: hollows and clods
+    float tone;    // of its colour, about −1 … 1
+    float stone;   // 0 … 1: share that a stone covers
+};
+
+// Lengths of the smallest thing to be seen at a point.
+float seen_width(vec3 point) { return max(texel, pixel_width * mix(distance(eye, point), 1.0, parallel)); }
+
+float shown_at(float wavelength, float width) { return 1.0 - smoothstep(0.18, 0.55, width / wavelength); }
+
+// Noise of a wavelength and its slopes, about −1 … 1, as far as a width lets it be seen.
+vec3 shown_noise(vec2 at, float wavelength, float width) {
+    return shown_at(wavelength, width) * (2.0 * texture(streak_map, at / (noise_repeat * wavelength)).rgb - 1.0);
+}
+
+// `worn`: how far water has carried the fines away, 0 … 1.
+Soil soil_at(vec2 world, BedPoint point, float width, float worn) {
+    vec3 clods = shown_noise(world + 0.37, 3.1 * cell, width);
+    vec3 lumps = shown_noise(world.yx + 0.11, 1.13 * cell, width).xzy;
+    vec3 crumbs = shown_noise(world + 0.71, 0.41 * cell, width);
+    vec3 grit = shown_noise(world.yx + 0.53, 0.15 * cell, width).xzy;
+    vec2 down = -point.normal.xy / max(point.normal.z, 0.2);
+    float steep = length(down);
+    float rough = 0.60 + 0.85 * smoothstep(0.1, 0.7, steep);
+    Soil soil;
+    soil.slope = rough * (0.30 * clods.yz + 0.42 * lumps.yz + 0.50 * crumbs.yz + 0.45 * grit.yz);
+    soil.height = 1.1 * clods.x + 0.9 * lumps.x + 0.7 * crumbs.x;
+    soil.tone = 0.8 * clods.x + 0.7 * lumps.x + 0.6 * crumbs.x + 0.8 * grit.x;
+    float rills = smoothstep(0.18, 0.55, steep) * shown_at(0.9 * cell, width);
+    // A loop is left, or never entered, where no place needs it; llvmpipe goes through both arms of an if.
+    int steps = rills > 0.0 ? 5 : 0;
+    {
+        vec2 downslope = down / max(steep, 1e-6);
+        vec2 across = vec2(-downslope.y, downslope.x);
+        vec3 wide = vec3(0.0);
+        vec3 narrow = vec3(0.0);
+        for (int i = 0; i < steps; ++i) {
+            vec2 at = world + (float(i) - 2.0) * 0.8 * cell * downslope;
+            wide += 2.0 * texture(streak_map, at / (noise_repeat * 1.7 * cell)).rgb - 1.0;
+            narrow += 2.0 * texture(streak_map, at.yx / (noise_repeat * 0.6 * cell) + 0.3).rbg - 1.0;
+        }
+        narrow *= shown_at(0.6 * cell, width);
+        soil.slope += rills * dot(0.50 * wide.yz + 0.40 * narrow.yz, across) * across;
+        soil.height += rills * (0.30 * wide.x + 0.15 * narrow.x);
+    }
+    float pebble = crumbs.x + 0.25 * grit.x;
+    soil.stone = worn * smoothstep(0.36, 0.50, pebble);
+    return soil;
+}
