@@ -1,6 +1,8 @@
 // The light of a scenic view; see render/light.h.
 uniform vec3 to_sun;
 uniform vec3 sun_light;
+uniform float sun_seen;  // share of its light that reaches the eye
+uniform float bloom;     // around its disc, see glare()
 uniform vec3 sky_light;
 uniform vec3 haze_colour;
 uniform vec3 glow_colour;
@@ -29,10 +31,16 @@ vec3 scattered_sky(vec3 view) {
     return texture(sky_map, (vec2(azimuth, elevation) * (size - 1.0) + 0.5) / size).rgb;
 }
 
-// Light of the sun that the eye, or a lens, scatters around it.
+// Light of the sun that the eye, or a lens, scatters around it: far around, and a bloom close to the disc, which together fall
+// with the square and the cube of the angle (Vos & van den Berg 1999, the CIE's equation of disability glare).
 vec3 glare(vec3 view) {
+    const float disc2 = 2.2e-5;       // its radius squared
+    const float farthest2 = 0.04;
     vec3 off = view - to_sun;
-    return sun_light * (0.00015 / (dot(off, off) + 0.0002));
+    float off2 = dot(off, off);
+    float left = max(1.0 - off2 / farthest2, 0.0);
+    float close = bloom * left * left / ((off2 + disc2) * sqrt(off2 + disc2));
+    return sun_light * (sun_seen * (0.00015 / (off2 + 0.0002) + close));
 }
 
 // What far things fade into in a direction of view (unit vector).

@@ -5,6 +5,7 @@
 #include "common/light.glsl"
 #include "sky/cloud_shapes.glsl"
 #include "bed/bed.glsl"
+#include "streamers/streamers.glsl"
 
 uniform mat4 clip;        // of places as `root` counts them
 uniform float from_eye;   // 1: offsets from the eye
@@ -15,7 +16,7 @@ uniform vec2 turn;        // cosine and sine, anticlockwise from north
 in vec3 part;
 in vec3 part_normal;
 in vec3 part_colour;
-out vec4 leaf_colour;  // of life/plant.frag.glsl
+out vec4 leaf_colour;  // of life/standing.frag.glsl; light, where it tones that
 
 vec2 turned(vec2 p) { return vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y); }
 
@@ -38,6 +39,6 @@ void main() {
     } else {
         seen = with_haze(seen, place, -to_eye);
     }
-    leaf_colour = vec4(display_from_linear(tone_curve(seen)), 1.0);
+    leaf_colour = vec4(streamers > 0.5 ? seen : display_from_linear(tone_curve(seen)), 1.0);
     gl_Position = snapped(clip * vec4(place, 1.0));
 }

@@ -5,6 +5,7 @@
 #include "common/light.glsl"
 #include "sky/cloud_shapes.glsl"
 #include "bed/bed.glsl"
+#include "streamers/streamers.glsl"
 #include "world/far_copies.glsl"
 
 uniform mat4 clip;         // of places as `root` counts them
@@ -17,7 +18,7 @@ in vec3 leaf;         // of a plant that is 1 high
 in vec4 leaf_normal;  // and its tint, −1 … 1
 in vec4 root;         // and the plant's height
 in vec3 form;         // cosine and sine of its turn; tint
-out vec4 leaf_colour;
+out vec4 leaf_colour;  // light, where life/standing.frag.glsl tones it
 
 vec2 turned(vec2 p) { return vec2(form.x * p.x - form.y * p.y, form.y * p.x + form.x * p.y); }
 
@@ -43,6 +44,6 @@ void main() {
     } else {
         seen = with_haze(seen, place, -to_eye);
     }
-    leaf_colour = vec4(display_from_linear(tone_curve(seen)), 1.0);
+    leaf_colour = vec4(streamers > 0.5 ? seen : display_from_linear(tone_curve(seen)), 1.0);
     gl_Position = snapped(clip * vec4(place, 1.0));
 }

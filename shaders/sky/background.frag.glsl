@@ -6,6 +6,7 @@
 #include "common/light.glsl"
 #include "common/noise.glsl"
 #include "sky/sky.glsl"
+#include "sky/disc.glsl"
 #include "sky/stars.glsl"
 #include "streamers/streamers.glsl"
 
@@ -19,6 +20,7 @@ uniform float clouds;      // 0: none
 uniform sampler2D cloud_map;  // of sky/clouds.frag.glsl
 uniform vec2 cloud_corner;
 uniform float endless;     // 1: no plain, as the ground reaches the horizon
+uniform float near_disc2;  // angle around the sun within which its disc shows, squared
 uniform float plain_alone; // 1: no ray comes near the horizon
 uniform sampler2D floor_map;  // shares of sun and sky; see render/floor_map.h
 uniform float floor_half_width;
@@ -52,22 +54,43 @@ void main() {
     vec3 origin = ray_origin + parallel * offset;
     vec3 view = normalize(ray_forward + (1.0 - parallel) * offset);
     vec3 light;
+    Disc disc = Disc(0.0, vec3(0.0));
     if (plain_alone > 0.5 || (view.z < -1e-4 && endless < 0.5)) {
         vec3 point = origin + view * ((base - origin.z) / view.z);
         light = plain(point, view);
     } else {
+        float through = 1.0;
+        light = sky(view);
         if (clouds > 0.5) {
             vec2 texel = 0.5 * (place_in_tile + tile_pixel) - cloud_corner;
             vec4 seen = texture(cloud_map, texel / vec2(textureSize(cloud_map, 0)));
-            light = seen.rgb + seen.a * sky(view);
-            if (stars > 0.5) light += seen.a * starlight(view);
-        } else {
-            light = sky(view);
-            if (stars > 0.5) light += starlight(view);
+            through = seen.a;
+            light = seen.rgb + through * light;
         }
+        if (atmosphere > 0.5) {
+            light += glare(view);
+            vec3 around = view - to_sun;
+            // A loop of one round or none, since llvmpipe works out both sides of a condition.
+            for (int near = 0; near < (dot(around, around) < near_disc2 ? 1 : 0); ++near) {
+                float to_view = 1.0 / length(ray_forward + (1.0 - parallel) * offset);
+                vec3 across_by = (1.0 - parallel) * to_view * (2.0 / picture_pixels.x) * ray_right;
+                vec3 down_by = (1.0 - parallel) * to_view * (2.0 / picture_pixels.y) * ray_up;
+                disc = sun_disc(view, across_by, down_by, through, stars > 0.5);
+            }
+        }
+        if (stars > 0.5) light += through * (1.0 - disc.cover) * starlight(view);
     }
-    if (streamers > 0.5) light = through_streamers(light, ivec2(vec2(place_in_tile.x, tile_rows - place_in_tile.y) - first_drawn));
+    disc.light += light;
+    if (streamers > 0.5) {
+        ivec2 seen_at = ivec2(vec2(place_in_tile.x, tile_rows - place_in_tile.y) - first_drawn);
+        light = through_streamers(light, seen_at);
+        disc.light = through_streamers(disc.light, seen_at);
+    }
+    vec3 shown = tone_curve(light);
+    if (atmosphere > 0.5 && plain_alone < 0.5) {
+        for (int near = 0; near < (disc.cover > 0.0 ? 1 : 0); ++near) shown = mix(shown, tone_curve(disc.light), disc.cover);
+    }
     ivec2 pixel = ivec2(place_in_tile + tile_pixel);
     float dither = hash(pixel) + hash(pixel + ivec2(7919, 104729)) - 1.0;
-    colour = vec4(display_from_linear(tone_curve(light)) + dithered * dither / 255.0, 1.0);
+    colour = vec4(display_from_linear(shown) + dithered * dither / 255.0, 1.0);
 }

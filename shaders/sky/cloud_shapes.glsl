@@ -72,11 +72,13 @@ float cumulus_outline(vec2 place, float height) {
 }
 
 // How strong bulges are, and the most that they add.
-float cumulus_bulge(float height) { return 0.17 + 0.28 * clamp(height / 0.45, 0.0, 1.0); }
-float cumulus_most_bulge(float height) { return 0.45 * cumulus_bulge(height); }
+float cumulus_bulge(float height) { return 0.22 + 0.25 * clamp(height / 0.40, 0.0, 1.0); }
+const float farthest_bulge = 0.12;
+float cumulus_most_bulge(float height) { return min(0.45 * cumulus_bulge(height), farthest_bulge); }
 
-// Heads like cauliflowers: round between sharp creases. Those finer than `finest` are left out.
-float cumulus_bulges(vec3 at, float finest, int octaves) {
+// Heads like cauliflowers: round between sharp creases. Those finer than `finest` are left out. Away from the outline they
+// add little, as else the highest would float over the rest.
+float cumulus_bulges(vec3 at, float outline, float finest, int octaves) {
     vec3 p = vec3(at.xy - cloud_shift, 1.25 * at.z) * (1.0 / 0.40);
     float size = 0.40;
     float weight = 0.52;
@@ -87,7 +89,7 @@ float cumulus_bulges(vec3 at, float finest, int octaves) {
         size *= 1.0 / 2.17;
         weight *= 0.54;
     }
-    return cumulus_bulge(at.z) * (sum > 0.0 ? 0.5 * sum : sum);
+    return cumulus_bulge(at.z) * (sum > 0.0 ? 0.5 * sum * clamp(1.0 + outline / farthest_bulge, 0.0, 1.0) : sum);
 }
 
 float cumulus_density(float inside, float height) {

@@ -28,10 +28,10 @@ vec4 below(vec4 place) { return smoothstep(-2.0, 2.0, place); }
 // How much denser or thinner the air's turbulence makes it at a place: long streaks that move with the wind.
 float streaks(vec3 offset) {
     vec3 at = eye_place + vec3(dot(offset.xy, wind), dot(offset.xy, vec2(-wind.y, wind.x)), offset.z) / metre;
-    float level = texture(noise_map, noise_scale * vec2(at.x / 1.9, at.y / 0.27)).x;
-    float upright = texture(noise_map, noise_scale * vec2(at.x / 2.3 + 5.7, (at.z + 0.06 * at.x) / 0.21)).y;
-    float sum = clamp(1.0 * level + 0.9 * upright - 0.45, 0.0, 1.4);
-    return 0.15 + 2.1 * sum * sum;
+    float level = texture(noise_map, noise_scale * vec2(at.x / 3.1, at.y / 0.24)).x;
+    float upright = texture(noise_map, noise_scale * vec2(at.x / 3.4 + 5.7, (at.z + 0.06 * at.x) / 0.19)).y;
+    float sum = clamp(level + 0.8 * upright - 0.3, 0.0, 1.5);
+    return 0.4 + 1.3 * sum * sum;
 }
 
 void main() {

@@ -13,6 +13,7 @@
     X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)                 \
     X(BindTexture, PFNGLBINDTEXTUREPROC)                         \
     X(BindVertexArray, PFNGLBINDVERTEXARRAYPROC)                 \
+    X(BlendEquation, PFNGLBLENDEQUATIONPROC)                     \
     X(BlendFuncSeparate, PFNGLBLENDFUNCSEPARATEPROC)             \
     X(BufferData, PFNGLBUFFERDATAPROC)                           \
     X(BufferSubData, PFNGLBUFFERSUBDATAPROC)                     \

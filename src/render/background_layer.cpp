@@ -5,6 +5,7 @@
 #include "render/bed_shading.h"
 #include "render/clouds.h"
 #include "render/streamer_layer.h"
+#include "render/view/sun_seen.h"
 
 namespace fumon {
 
@@ -30,6 +31,17 @@ bool looks_down(const Camera& camera) {
     return highest < steep * longest;
 }
 
+/// The most that the disc has of the sun's irradiance over its solid angle, where all of it counts
+/// and where a picture's white is enough. A lens that spreads it keeps it white.
+double disc_brightness(const View& view, const Camera& camera, PixelKind wanted) {
+    constexpr double radiance = 200.0;
+    constexpr double white = 16.0;
+    if (wanted == PixelKind::radiance) return radiance;
+    const double spread = camera.lens.radius / camera.lens.focus / disc_radius;
+    return view.camera.has_lens() ? std::min(radiance, white * (1.0 + spread) * (1.0 + spread))
+                                  : white;
+}
+
 /// Of a tile's clouds the first texel, of two pixels along each side.
 glm::vec2 cloud_corner(const Tile& tile) {
     const glm::ivec2 halves(tile.x / 2, tile.y / 2);
@@ -42,10 +54,12 @@ const gl::TextureLayout floor_layout{GL_RG8,    GL_RG, GL_UNSIGNED_BYTE,
 }  // namespace
 
 BackgroundLayer::BackgroundLayer(const View& view, const Block& block, const Light& light,
-                                 const FloorMap& floor, const gl::Constants& fixed)
+                                 const FloorMap& floor, const gl::Constants& fixed,
+                                 PixelKind wanted)
     : view_(view),
       block_(block),
       fixed_(fixed),
+      wanted_(wanted),
       clouds_(cloud_number(view, light)),
       floor_(FloorMap::cells, FloorMap::cells, floor_layout, floor.sun_and_sky.data()) {}
 
@@ -80,8 +94,8 @@ void BackgroundLayer::set_rays(const gl::Program& program, const Light& light,
                                             static_cast<float>(view_.image.height)));
 }
 
-void BackgroundLayer::draw_clouds(const Light& light, const Camera& camera, const Tile& tile) {
-    if (clouds_ == 0.0F) return;
+/// Binds a target that a tile's clouds fit in, and their program.
+void BackgroundLayer::start_clouds(const Light& light, const Camera& camera, const Tile& tile) {
     const int width = tile.width / 2 + 4;
     const int height = tile.height / 2 + 4;
     if (!cloud_target_ || cloud_target_->width() < width || cloud_target_->height() < height)
@@ -95,8 +109,33 @@ void BackgroundLayer::draw_clouds(const Light& light, const Camera& camera, cons
     set_rays(*cloud_program_, light, camera);
     cloud_program_->set("cloud_sun", light.sun_aloft);
     cloud_program_->set("cloud_haze", static_cast<float>(haze_per_kilometre(view_, block_)));
+}
+
+void BackgroundLayer::draw_clouds(const Light& light, const Camera& camera, const Tile& tile) {
+    if (clouds_ == 0.0F) return;
+    start_clouds(light, camera, tile);
     cloud_program_->set("cloud_corner", cloud_corner(tile));
     gl::functions().DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+float BackgroundLayer::sun_through_clouds(const Light& light, const Camera& camera) {
+    if (clouds_ == 0.0F) return 1.0F;
+    constexpr int side = 4;
+    const Tile disc{0, 0, 2 * side, 2 * side};
+    start_clouds(light, camera, disc);
+    const glm::vec3 aside = glm::normalize(glm::vec3(light.to_sun.y, -light.to_sun.x, 1e-6F));
+    const auto radius = static_cast<float>(0.8 * disc_radius);
+    cloud_program_->set("ray_forward", light.to_sun);
+    cloud_program_->set("ray_right", radius * aside);
+    cloud_program_->set("ray_up", radius * glm::cross(aside, light.to_sun));
+    cloud_program_->set("picture_pixels", glm::vec2(2.0F * side));
+    cloud_program_->set("cloud_corner", glm::vec2(0.0F));
+    gl::functions().DrawArrays(GL_TRIANGLES, 0, 3);
+    std::array<float, std::size_t{4} * side * side> texels{};
+    gl::functions().ReadPixels(0, 0, side, side, GL_RGBA, GL_FLOAT, texels.data());
+    float sum = 0.0F;
+    for (std::size_t i = 3; i < texels.size(); i += 4) sum += texels.at(i);
+    return sum / (side * side);
 }
 
 void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile& tile,
@@ -111,6 +150,10 @@ void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile&
     const gl::Program& sees = program(plain_alone, light.stars && !plain_alone);
     sees.use();
     set_rays(sees, light, camera);
+    sees.set("disc_brightness", static_cast<float>(disc_brightness(view_, camera, wanted_)));
+    const double pixel = 2.0 * camera.half.y / static_cast<double>(view_.image.height);
+    const double near_disc = disc_radius + 2.0 * pixel;
+    sees.set("near_disc2", static_cast<float>(near_disc * near_disc));
     if (clouds_ > 0.0F) {
         cloud_target_->colour().bind(1);
         sees.set("cloud_map", 1);

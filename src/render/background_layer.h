@@ -5,6 +5,7 @@
 
 #include "gl/program.h"
 #include "gl/texture.h"
+#include "render/colour/pixel_kind.h"
 #include "render/light/floor_map.h"
 #include "render/light/light.h"
 #include "render/view/block.h"
@@ -20,8 +21,9 @@ enum class RowOrder { downward, upward };
 /// Draws what surrounds the block: plain and sky, or white paper in figure mode.
 class BackgroundLayer {
   public:
+    /// `wanted`: of the picture, which may be drawn from others.
     BackgroundLayer(const View& view, const Block& block, const Light& light, const FloorMap& floor,
-                    const gl::Constants& fixed);
+                    const gl::Constants& fixed, PixelKind wanted);
 
     /// For the light of another sun.
     void set_floor(const FloorMap& floor) const;
@@ -30,6 +32,9 @@ class BackgroundLayer {
     /// draw().
     void draw_clouds(const Light& light, const Camera& camera, const Tile& tile);
 
+    /// The share of the sun's light that clouds before its disc let through to the camera.
+    [[nodiscard]] float sun_through_clouds(const Light& light, const Camera& camera);
+
     /// Draws one tile's background into the bound target. Stencils and depths may keep it
     /// out. `first_drawn`: within the tile, from below, the corner of that which layers drew.
     void draw(const Light& light, const Camera& camera, const Tile& tile, RowOrder order,
@@ -37,11 +42,13 @@ class BackgroundLayer {
 
   private:
     const gl::Program& program(bool plain_alone, bool stars);
+    void start_clouds(const Light& light, const Camera& camera, const Tile& tile);
     void set_rays(const gl::Program& program, const Light& light, const Camera& camera) const;
 
     View view_;
     Block block_;
     gl::Constants fixed_;
+    PixelKind wanted_;
     std::array<std::optional<gl::Program>, 4> programs_;  // made as they are needed
     float clouds_;                                        // of the programs
     std::optional<gl::Program> cloud_program_;

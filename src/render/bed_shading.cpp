@@ -255,6 +255,8 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
     program.set("contrast", static_cast<float>(rendering.contrast));
     program.set("to_sun", light.to_sun);
     program.set("sun_light", light.sun);
+    program.set("sun_seen", light.sun_seen);
+    program.set("bloom", light.stars ? 2e-7F : 1.7e-6F);
     program.set("sky_light", light.sky);
     program.set("haze_colour", light.haze);
     program.set("glow_colour", light.glow);

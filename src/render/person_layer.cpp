@@ -11,6 +11,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "render/life/person_mesh.h"
+#include "render/streamer_layer.h"
 #include "render/view/chosen_ground.h"
 #include "render/view/drawn_height.h"
 #include "render/view/framing.h"
@@ -69,7 +70,7 @@ PersonLayer::PersonLayer(const View& view, const Block& block, const Snapshot& f
     : view_(view),
       block_(block),
       places_(person_places(view, block, first)),
-      program_("life/person.vert.glsl", "life/plant.frag.glsl",
+      program_("life/person.vert.glsl", "life/standing.frag.glsl",
                {"part", "part_normal", "part_colour"}, fixed),
       shadow_program_("life/person_shadow.vert.glsl", "life/plant.frag.glsl",
                       {"part", "part_normal", "part_colour"}, fixed) {
@@ -185,6 +186,7 @@ void PersonLayer::draw(const PlantGround& ground, const BedShading& shading, con
     set_common(program_, ground, tile);
     shading.bind(program_);
     set_light(program_, view_, light, camera, block_);
+    if (through_) through_->bind(program_, first_, factor_);
     for (const PersonPlace& place : places_) draw_one(program_, place, ground, camera);
     gl.BindVertexArray(0);
 }

@@ -16,6 +16,8 @@
 
 namespace fumon {
 
+class StreamerLayer;
+
 /// Throws KeyError where persons cannot stand: the bed has no metres or is too small, the view does
 /// not show heights as they are or has no perspective, or a place is not on the bed.
 void check_persons(const View& view, const Snapshot& first);
@@ -36,6 +38,12 @@ class PersonLayer {
 
     /// `z`: the ground of a frame as it is drawn, block lengths, by the block of its maps.
     void set_bed(const Field<float>& z, const Block& ground, bool repeats);
+    /// What is seen through blown sand: see StreamerLayer::bind().
+    void set_streamers(const StreamerLayer* streamers, glm::ivec2 first, int factor) {
+        through_ = streamers;
+        first_ = first;
+        factor_ = factor;
+    }
     void draw(const PlantGround& ground, const BedShading& shading, const Light& light,
               const Camera& camera, const TileSamples& tile) const;
     /// As TerrainLayer::draw_places(), by the program of places/person_place.vert.glsl.
@@ -63,6 +71,9 @@ class PersonLayer {
     glm::dvec2 extent_{1.0};  ///< of the ground's tile
     GroundTiles tiles_;
     bool repeats_ = false;
+    const StreamerLayer* through_ = nullptr;
+    glm::ivec2 first_{0};
+    int factor_ = 1;
 };
 
 }  // namespace fumon

@@ -8,6 +8,7 @@
 #include "base/elementary.h"
 #include "base/elementary_power.h"
 #include "base/snapshot_lookup.h"
+#include "render/streamer_layer.h"
 #include "render/view/drawn_height.h"
 #include "render/view/far_copies_waves.h"
 
@@ -56,7 +57,7 @@ bool draws_plants(const View& view, const Snapshot& first) {
 PlantLayer::PlantLayer(const View& view, const Block& block, const gl::Constants& fixed)
     : view_(view),
       block_(block),
-      leaf_program_("life/plant.vert.glsl", "life/plant.frag.glsl",
+      leaf_program_("life/plant.vert.glsl", "life/standing.frag.glsl",
                     {"leaf", "leaf_normal", "root", "form"}, fixed),
       shadow_program_("life/plant_shadow.vert.glsl", "life/plant_shadow.frag.glsl",
                       {"strip", "root"}, fixed) {
@@ -313,6 +314,7 @@ void PlantLayer::draw(const PlantGround& ground, const BedShading& shading, cons
     gl.Enable(GL_DEPTH_TEST);
     draw_shadows(ground, shading, light, camera, tile);
     set_common(leaf_program_, ground, shading, light, camera, tile);
+    if (through_) through_->bind(leaf_program_, first_, factor_);
     for (std::size_t kind = 0; kind < kinds; ++kind) {
         leaf_program_.set("young", young.at(kind));
         leaf_program_.set("dry", dry.at(kind));

@@ -20,6 +20,8 @@
 
 namespace fumon {
 
+class StreamerLayer;
+
 /// Whether a view draws the plants of such beds.
 bool draws_plants(const View& view, const Snapshot& first);
 
@@ -46,6 +48,12 @@ class PlantLayer {
 
     /// Chooses the plants that the camera sees, for all tiles of a picture.
     void choose(const PlantGround& ground, const Camera& camera);
+    /// What is seen through blown sand: see StreamerLayer::bind().
+    void set_streamers(const StreamerLayer* streamers, glm::ivec2 first, int factor) {
+        through_ = streamers;
+        first_ = first;
+        factor_ = factor;
+    }
     void draw(const PlantGround& ground, const BedShading& shading, const Light& light,
               const Camera& camera, const TileSamples& tile) const;
     /// As TerrainLayer::draw_places(), by the program of places/plant_place.vert.glsl.
@@ -98,6 +106,9 @@ class PlantLayer {
     bool repeats_ = false;
     std::vector<Level> levels_;
     float tallest_ = 0.0F;
+    const StreamerLayer* through_ = nullptr;
+    glm::ivec2 first_{0};
+    int factor_ = 1;
 };
 
 }  // namespace fumon

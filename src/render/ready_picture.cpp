@@ -9,6 +9,7 @@
 #include "render/renderer_parts.h"
 #include "render/view/framing.h"
 #include "render/view/shown_snapshot.h"
+#include "render/view/sun_seen.h"
 
 namespace fumon {
 
@@ -33,6 +34,14 @@ std::shared_ptr<const LitBed> Renderer::Parts::lit_bed(const ReadyPicture& pictu
         lit->texels = lighting_texels(lit->bed, sun, with);
     }
     return lit;
+}
+
+/// Likewise.
+double Renderer::Parts::sun_share(const ReadyPicture& picture) const {
+    if (!atmosphere) return 1.0;
+    return sun_share_seen(picture.pose.camera, glm::dvec3(direction_to(picture.pose.sun)),
+                          ground_for_rays(picture),
+                          world ? static_cast<double>(world->curvature()) : 0.0);
 }
 
 /// Likewise. Without a pose the camera is that of the snapshot's step.

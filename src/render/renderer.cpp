@@ -33,7 +33,10 @@ ReadyPicture Renderer::ready(std::shared_ptr<const Snapshot> snapshot, const Fra
                              const std::shared_ptr<const LitBed>& before, WorkerPool& pool) const {
     SunSettings sun = pose.sun;
     sun.diameter = parts_->view.sun.diameter;
-    return parts_->ready(std::move(snapshot), sun_direction(sun), pose, before, pool);
+    ReadyPicture picture =
+        parts_->ready(std::move(snapshot), sun_direction(sun), pose, before, pool);
+    picture.sun_share = parts_->sun_share(picture);
+    return picture;
 }
 
 ReadyPicture Renderer::ready_at_step(const Snapshot& snapshot) const {
@@ -44,6 +47,7 @@ ReadyPicture Renderer::ready_at_step(const Snapshot& snapshot) const {
         parts_->ready(lent, sun_direction(sun), std::nullopt, nullptr, parts_->pool);
     picture.pose.sun = sun;
     picture.pose.share = share;
+    picture.sun_share = parts_->sun_share(picture);
     return picture;
 }
 
@@ -144,6 +148,7 @@ void Renderer::prepare(const ReadyPicture& picture) {
             p.tracks->set_bed(lit.bed.z, p.block, false, {}, water ? &water->depth : nullptr);
         p.terrain.set_clarity(rise * static_cast<float>(p.shading.clarity()));
     }
+    p.see_sun(picture);
     if (p.air && snapshot.section) p.air->set_air(snapshot, picture.framed, camera, p.pool);
     if (p.plants) p.plants->choose(p.plant_ground(camera), camera);
     if (p.streamers)

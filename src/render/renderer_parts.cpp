@@ -125,6 +125,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       copies(far_copies_of(view, block, first)),
       plan(plan_of(view, limits)),
       light(light_of_view(view)),
+      atmosphere(light.atmosphere),
       light_before(light),
       sun_before(view.sun),
       fixed(fixed_uniforms(view, light, ground, kind)),
@@ -134,7 +135,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
                                view.image.supersampling),
               fixed, mipmaps, kind),
       terrain(view, block, fixed),
-      background(view, block, light, floor_of(view, first, block, refinement, pool), fixed),
+      background(view, block, light, floor_of(view, first, block, refinement, pool), fixed, wanted),
       pixel_depths(depths_of_pixels(view, plan)),
       one_picture(limits.one_picture),
       later_pictures(!limits.one_picture) {
@@ -323,7 +324,11 @@ void Renderer::Parts::see_ground(const Tile& tile, const Camera& camera) {
 void Renderer::Parts::see_streamers(const Tile& tile, const Camera& camera) {
     if (!streamers) return;
     const glm::ivec2 corner = first_sample(tile) - target_corner(tile);
-    streamers->draw(sampled->seen.colour(), corner, plan.factor, tile, light, camera);
+    streamers->draw(
+        sampled->seen.colour(), corner, plan.factor, tile, light, camera,
+        {plants ? &*plants : nullptr, persons ? &*persons : nullptr, plant_ground(camera)});
+    if (plants) plants->set_streamers(&*streamers, corner, plan.factor);
+    if (persons) persons->set_streamers(&*streamers, corner, plan.factor);
     world->set_streamers(&*streamers, corner);
 }
 

@@ -79,6 +79,8 @@ struct Renderer::Parts {
     void set_light(const FramePose& pose);
     /// For a run during which the sun wanders or clouds drift.
     void follow_sky(const FramePose& pose);
+    /// How much of it the camera sees, for its glare.
+    void see_sun(const ReadyPicture& picture);
     [[nodiscard]] std::shared_ptr<const LitBed> lit_bed(const ReadyPicture& picture,
                                                         const SunDirection& sun,
                                                         WorkerPool& with) const;
@@ -110,6 +112,8 @@ struct Renderer::Parts {
     void draw_places(const Tile& tile, const Camera& camera, PlaceLayers& layers);
     [[nodiscard]] DeepPicture deep_picture(const Camera& camera);
     [[nodiscard]] RayGround ground_for_rays(const ReadyPicture& picture) const;
+    /// Of the sun's disc, that the ground leaves to the camera.
+    [[nodiscard]] double sun_share(const ReadyPicture& picture) const;
     /// Gives the camera its lens, and says through how many points of it the picture is seen.
     void set_lens(ReadyPicture& picture, bool posed) const;
     void draw_behind_samples(const Tile& tile, const Camera& camera);
@@ -147,6 +151,7 @@ struct Renderer::Parts {
     FarCopies copies;    // likewise
     TilePlan plan;
     Light light;
+    bool atmosphere;         // of the light's sky
     Light light_before;      // of the sun before this one, to which a cross-fade comes back
     SunSettings sun_before;  // with it
     gl::Constants fixed;

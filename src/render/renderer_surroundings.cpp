@@ -3,6 +3,14 @@
 
 namespace fumon {
 
+void Renderer::Parts::see_sun(const ReadyPicture& picture) {
+    float seen = static_cast<float>(picture.sun_share);
+    gl::functions().BindVertexArray(no_attributes.name());
+    if (seen > 0.0F) seen *= background.sun_through_clouds(light, picture.pose.camera);
+    if (seen != light.sun_seen) surroundings_from.reset();
+    light.sun_seen = seen;
+}
+
 const gl::RenderTarget& Renderer::Parts::surroundings() {
     if (!surroundings_target) {
         const gl::DepthBuffer* depths = pixel_depths    ? &*pixel_depths

@@ -93,11 +93,47 @@ void StreamerLayer::choose(const BlownSand& sand, std::int64_t steps, const Plan
     gl::functions().BindVertexArray(0);
 }
 
+/// Into the depths of the ground, at each pixel's middle.
+void StreamerLayer::draw_standing(const Standing& standing, const Tile& tile,
+                                  const Camera& camera) {
+    const gl::Functions& gl = gl::functions();
+    TileSamples pixels{};
+    pixels.picture_size =
+        glm::vec2(static_cast<float>(view_.image.width), static_cast<float>(view_.image.height));
+    pixels.corner = glm::vec2(static_cast<float>(tile.x),
+                              static_cast<float>(view_.image.height - tile.y - tile.height));
+    pixels.size = glm::vec2(ground_.width(), ground_.height());
+    const auto program = [&](std::optional<gl::Program>& made, const char* corners,
+                             std::initializer_list<const char*> parts) -> const gl::Program& {
+        if (!made) made.emplace(corners, "streamers/standing.frag.glsl", parts);
+        made->use();
+        made->set("forward", glm::vec3(camera.forward));
+        return *made;
+    };
+    gl.Enable(GL_BLEND);
+    gl.BlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    gl.BlendEquation(GL_MIN);
+    if (standing.plants != nullptr)
+        standing.plants->draw_places(program(leaves_program_, "places/plant_place.vert.glsl",
+                                             {"leaf", "leaf_normal", "root", "form"}),
+                                     standing.ground, camera, pixels);
+    if (standing.persons != nullptr)
+        standing.persons->draw_places(program(persons_program_, "places/person_place.vert.glsl",
+                                              {"part", "part_normal", "part_colour"}),
+                                      standing.ground, camera, pixels);
+    gl.BlendEquation(GL_FUNC_ADD);
+    gl.Disable(GL_BLEND);
+    gl.Disable(GL_DEPTH_TEST);
+}
+
 void StreamerLayer::draw(const gl::Texture2D& seen, glm::ivec2 first, int factor, const Tile& tile,
-                         const Light& light, const Camera& camera) const {
+                         const Light& light, const Camera& camera, const Standing& standing) {
     const gl::Functions& gl = gl::functions();
     gl.Disable(GL_DEPTH_TEST);
-    if (!puffs_.empty()) draw_ground(seen, first, factor, camera);
+    if (!puffs_.empty()) {
+        draw_ground(seen, first, factor, camera);
+        draw_standing(standing, tile, camera);
+    }
     target_.bind();
     gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     gl.Clear(GL_COLOR_BUFFER_BIT);
@@ -138,6 +174,12 @@ void StreamerLayer::draw(const gl::Texture2D& seen, glm::ivec2 first, int factor
     gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, corners, static_cast<GLsizei>(puffs_.size()));
     gl.BindVertexArray(0);
     gl.Disable(GL_BLEND);
+}
+
+void StreamerLayer::bind(const gl::Program& program, glm::ivec2 first, int factor) const {
+    bind(program);
+    program.set("first_of_tile", glm::vec2(first));
+    program.set("factor", static_cast<float>(factor));
 }
 
 void StreamerLayer::bind(const gl::Program& program) const {

@@ -9,6 +9,7 @@
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/light/light.h"
+#include "render/person_layer.h"
 #include "render/plant_layer.h"
 #include "render/streamers/blown_sand.h"
 #include "render/streamers/puffs.h"
@@ -33,24 +34,36 @@ class StreamerLayer {
     /// Chooses what a camera sees of it, for all tiles of a picture, when it has gone on so often.
     void choose(const BlownSand& sand, std::int64_t steps, const PlantGround& ground,
                 const Camera& camera);
+    /// What stands on the ground, and is seen through what is blown before it.
+    struct Standing {
+        const PlantLayer* plants;    ///< nullptr: none
+        const PersonLayer* persons;  ///< likewise
+        PlantGround ground;
+    };
     /// Draws it for a tile whose lower left pixel has the sample `first` of `seen` there, see
     /// WorldLayer::draw_seen(), of `factor`² samples a pixel.
     void draw(const gl::Texture2D& seen, glm::ivec2 first, int factor, const Tile& tile,
-              const Light& light, const Camera& camera) const;
+              const Light& light, const Camera& camera, const Standing& standing);
     /// Binds that to streamer_unit.
     void bind() const { target_.colour().bind(streamer_unit); }
     /// The same for a program that includes streamers/streamers.glsl, which is in use.
     void bind(const gl::Program& program) const;
+    /// Likewise, and that includes life/standing.frag.glsl; samples as in draw().
+    void bind(const gl::Program& program, glm::ivec2 first, int factor) const;
 
   private:
     void draw_noise();
     void draw_ground(const gl::Texture2D& seen, glm::ivec2 first, int factor,
                      const Camera& camera) const;
 
+    void draw_standing(const Standing& standing, const Tile& tile, const Camera& camera);
+
     View view_;
     Block block_;
     gl::Program program_;
     gl::Program ground_program_;
+    std::optional<gl::Program> leaves_program_;
+    std::optional<gl::Program> persons_program_;
     gl::RenderTarget noise_;
     gl::RenderTarget ground_;
     gl::RenderTarget target_;

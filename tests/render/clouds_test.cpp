@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 #include "support/drawn_picture.h"
 #include "support/view_beds.h"
@@ -82,6 +83,55 @@ TEST(Clouds, CoverAsMuchAsIsAsked) {
         EXPECT_GE(seen, before) << cover;
         before = seen;
     }
+}
+
+/// Seen from below, away from their edges: light, of daylight that has passed through, and mottled.
+TEST(Clouds, HaveLightMottledBases) {
+    const Snapshot bed = wavy_bed(60, 60);
+    View view = view_upward(0.95);
+    view.camera.field_of_view = 40.0;
+    double mean = 0.0;
+    double rough = 0.0;
+    for (const int seed : {1, 2, 3}) {
+        view.air.cloud_seed = seed;
+        const Image image = picture(view, bed);
+        double sum = 0.0;
+        double steps = 0.0;
+        for (int y = 20; y < image.height - 20; ++y) {
+            for (int x = 20; x < image.width - 20; ++x) {
+                sum += image.row(y)[3 * x + 1];
+                steps += std::abs(image.row(y)[3 * x + 1] - image.row(y)[3 * (x + 4) + 1]);
+            }
+        }
+        const double count = (image.height - 40.0) * (image.width - 40.0);
+        mean += sum / count / 3.0;
+        rough += steps / count / 3.0;
+    }
+    EXPECT_GT(mean, 116.0);
+    EXPECT_LT(mean, 200.0);
+    EXPECT_GT(rough, 4.0);
+}
+
+/// Edges of clouds around the sun stand out from the sky as much as fronts that it lights.
+TEST(Clouds, HaveBrightEdgesTowardsTheSun) {
+    const Snapshot bed = wavy_bed(60, 60);
+    const auto outshine = [&](double azimuth) {
+        View view = view_of_clouds(Clouds::cumulus);
+        view.sun.elevation = 28.0;
+        view.sun.azimuth = azimuth;
+        view.look.exposure = -3.0;
+        const Image image = picture(view, bed);
+        view.air.clouds = Clouds::none;
+        const Image clear = picture(view, bed);
+        std::vector<int> more;
+        for (int y = 0; y < image.height / 2; ++y)
+            for (int x = 0; x < image.width; ++x)
+                more.push_back(image.row(y)[3 * x + 1] - clear.row(y)[3 * x + 1]);
+        std::ranges::sort(more);
+        return more[more.size() * 98 / 100];
+    };
+    // The camera looks north-east.
+    EXPECT_GT(outshine(45.0), outshine(225.0) - 15);
 }
 
 TEST(Clouds, ThrowShadowsOnEndlessGround) {

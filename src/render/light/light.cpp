@@ -146,14 +146,13 @@ void turn_to_night(Light& light) {
         texel = glm::vec4(sky_share_seen * by_night(glm::vec3(texel)), 0.0F);
 }
 
-/// A unit vector: x east, y north, z up.
+}  // namespace
+
 glm::vec3 direction_to(const SunSettings& sun) {
     const double level = elementary::cos(sun.elevation * degree);
     return {elementary::sin(sun.azimuth * degree) * level,
             elementary::cos(sun.azimuth * degree) * level, elementary::sin(sun.elevation * degree)};
 }
-
-}  // namespace
 
 Light make_light(const SunSettings& settings) {
     const double sin_e = elementary::sin(settings.elevation * degree);

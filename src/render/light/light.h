@@ -13,6 +13,7 @@ namespace fumon {
 struct Light {
     glm::vec3 to_sun{0, 0, 1};  ///< unit vector
     glm::vec3 sun{1};           ///< irradiance on a surface that faces the sun
+    float sun_seen = 1.0F;      ///< share of its light that reaches the eye, for glare
     glm::vec3 sky{1};           ///< irradiance of the whole sky on level ground
     glm::vec3 haze{1};          ///< what far things fade into, away from the sun
     glm::vec3 glow{1};          ///< the same towards the sun
@@ -50,6 +51,9 @@ Light make_atmospheric_light(const SunSettings& settings, Planet planet = Planet
 /// the sky is three times as bright as at the horizon (Moon & Spencer 1942, the CIE's overcast
 /// sky).
 Light make_overcast_light(const SunSettings& settings);
+
+/// To the sun, a unit vector: x east, y north, z up.
+glm::vec3 direction_to(const SunSettings& sun);
 
 /// The sun's place and disc for a sweep.
 SunDirection sun_direction(const SunSettings& settings);

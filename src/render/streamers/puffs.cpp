@@ -18,19 +18,19 @@ namespace {
 constexpr double puffs_a_width = 100.0;  // of a brink as wide as a plume is long
 constexpr int fewest_puffs = 6;
 constexpr int most_puffs = 400;
-constexpr double sharp_pixels = 5.0;   // of a puff's spread: all are drawn
-constexpr double least_pixels = 0.7;   // of a plume's thickness
-constexpr double plume_depth = 0.05;   // optical, looking down where a plume begins
-constexpr double least_share = 0.8;    // puffs of a brink cell, in the mean
-constexpr double narrowest = 0.45;     // pixels
-constexpr double least_blown = 0.015;  // of a puff's sand: less is left out
+constexpr double sharp_pixels = 5.0;  // of a puff's spread: all are drawn
+constexpr double least_pixels = 0.7;  // of a plume's thickness
+constexpr double plume_depth = 0.05;  // optical, looking down where a plume begins
+constexpr double least_share = 0.8;   // puffs of a brink cell, in the mean
+constexpr double narrowest = 0.45;    // pixels
+constexpr double least_blown = 0.03;  // of a puff's sand: less is left out
 
 // Of wisps, in metres.
 constexpr double wisp_area = 1.1;
 constexpr double wisp_path = 6.0;
 constexpr double wisp_reach = 110.0;
-constexpr int wisp_pieces = 11;
-constexpr double wisp_depth = 0.024;
+constexpr int wisp_pieces = 7;
+constexpr double wisp_depth = 0.0125;
 
 /// Whole numbers that look like chance.
 std::uint32_t mixed(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -182,7 +182,8 @@ class Seer {
         const double fading = smooth(1.0, 0.6, range / reach);
         const double each =
             strength_ * fading * plume_depth * brink.flux * sand_.width * length / (all * share);
-        const double along_brink = glm::dot(brink.place, aside_) / length;
+        // Gusts go over all copies of the bed as over one ground.
+        const double along_brink = glm::dot(origin + brink.place, aside_) / length;
         for (int i = 0; i < all; ++i) {
             const Chance own(brink.id, static_cast<std::uint32_t>(i), 0);
             const double rank = own(1);
@@ -194,19 +195,19 @@ class Seer {
                                 static_cast<std::int64_t>(whole) + 1);
             const double left = whole - own(0);  // the brink, in plume lengths of wind
             const double across = along_brink + (chance(0) - 0.5) * sand_.width / length;
-            const double gust = 0.5 * noise(0.35 * across, 0.5 * left, 1U) +
-                                0.3 * noise(1.3 * across, 0.9 * left, 2U) +
-                                0.2 * noise(4.0 * across, 2.5 * left, 4U);
-            const double blown = smooth(0.32, 0.68, gust);
+            const double gust = 0.62 * noise(0.35 * across, 0.5 * left, 1U) +
+                                0.30 * noise(1.1 * across, 0.9 * left, 2U) +
+                                0.08 * noise(4.0 * across, 2.5 * left, 4U);
+            const double blown = 0.25 + 0.75 * smooth(0.25, 0.75, gust);
             const double fades =
                 smooth(0.0, 0.05, gone) * smooth(1.0, 0.55, gone) *
                 elementary::exp(-(2.0 + 2.5 * chance(3)) * gone) *
                 std::min(1.0, (share - rank) / (0.25 * share) + (share < 1.0 ? 0.0 : 1.0));
-            const double strong = fades * 2.2 * blown * blown;
+            const double strong = fades * 1.9 * blown * blown;
             if (strong < least_blown) continue;
             const double high = chance(1) * chance(1) * chance(4);
             const double mass = each * (strong - least_blown) * (1.0 - 0.75 * high);
-            const double sinks = 0.20 - 0.15 * std::sqrt(high);
+            const double sinks = 0.15 - 0.11 * std::sqrt(high);
             const double z = 0.012 + 0.10 * high + 0.07 * high * gone - sinks * gone * gone;
             const double falls = 0.05 * high - 2.0 * sinks * gone;
             const double aside = 1.6 * (chance(0) - 0.5) * sand_.width +
@@ -216,8 +217,8 @@ class Seer {
                 glm::dvec3((length * gone + 1.2 * (chance(5) - 0.5) * sand_.width) * way_,
                            length * z) +
                 glm::dvec3(aside * aside_, 0.0);
-            const glm::dvec3 spread =
-                length * glm::dvec3(0.055 + 0.12 * gone, 0.045 + 0.05 * gone, 0.010 + 0.036 * gone);
+            const glm::dvec3 spread = length * glm::dvec3(0.065 + 0.14 * gone, 0.048 + 0.055 * gone,
+                                                          0.010 + 0.036 * gone);
             const double sun =
                 gone < 0.4 ? std::lerp(brink.sun.x, brink.sun.y, 2.5 * gone)
                            : std::lerp(brink.sun.y, brink.sun.z, std::min(2.5 * gone - 1.0, 1.0));
@@ -260,15 +261,15 @@ class Seer {
         const double gone = turns - whole;
         const Chance chance(id, i, static_cast<std::int64_t>(whole) + 7);
         const glm::dvec2 root = cell * (number + glm::dvec2(chance(0), chance(1)));
-        // Families of them come and go.
-        const double family = noise(glm::dot(root, aside_) / (7.0 * metre),
-                                    (glm::dot(root, way_) - gone_) / (22.0 * metre), 3U);
-        const double shown = smooth(0.45, 0.75, family);
-        if (shown <= 0.0) return;
+        // Families of them come and go, over all copies of the bed as over one ground.
+        const glm::dvec2 there = origin + root;
+        const double family = noise(glm::dot(there, aside_) / (7.0 * metre),
+                                    (glm::dot(there, way_) - gone_) / (22.0 * metre), 3U);
+        const double shown = 0.3 + 0.7 * smooth(0.35, 0.8, family);
         const double swings = 0.04 + 0.12 * chance(2);
         const double wave = 3.5 + 3.0 * chance(3);
         for (int piece = 0; piece < wisp_pieces; ++piece) {
-            const double on = 0.42 * piece - 2.1;
+            const double on = 0.70 * (piece - 3);
             const double s = wisp_path * (gone - 0.5) + on;
             const double phase = 2.0 * std::numbers::pi * (s / wave + chance(4));
             const double aside = swings * elementary::sin(phase) + 0.05 * s * (chance(5) - 0.5);
@@ -287,14 +288,17 @@ class Seer {
             const double z = height(place);
             const double rise =
                 (height(place + 0.5 * metre * way_) - height(place - 0.5 * metre * way_)) / metre;
+            // Over a brink they fly on, as plumes do, and do not creep down the slip face.
+            const double on_ground = smooth(-0.30, -0.12, rise);
+            if (on_ground <= 0.0) continue;
             const glm::dvec3 offset = offset_of(origin + place, z + 0.035 * metre);
             const double range = glm::length(offset);
             if (range > reach) continue;
             const double taper =
                 elementary::sin(std::numbers::pi * (piece + 0.7) / (wisp_pieces + 0.4));
             const double fades = smooth(0.0, 0.25, gone) * smooth(1.0, 0.7, gone) *
-                                 smooth(1.0, 0.5, range / reach) * shown * taper;
-            const glm::dvec3 spread(0.36, 0.03 + 0.05 * chance(6), 0.03);
+                                 smooth(1.0, 0.5, range / reach) * shown * taper * on_ground;
+            const glm::dvec3 spread(0.58, 0.06 + 0.09 * chance(6), 0.03);
             const double mass = strength_ * wisp_depth * std::min(flux, 3.0) * fades * 2.0 *
                                 std::numbers::pi * spread.x * spread.y * metre * metre;
             add(offset, glm::normalize(glm::dvec3(way_ + turn * aside_, rise)), metre * spread,

@@ -127,10 +127,34 @@ TEST(Puffs, PlumesLieDownwindOfTheBrink) {
     }
 }
 
+/// Each copy of a bed has gusts of its own, which go on over its border.
+TEST(Puffs, GustsGoOverCopiesAsOverOneGround) {
+    const BlownSand sand = without_wisps(sand_of(slip_face(1.0)));
+    constexpr int rows = 16;
+    std::vector<double> here(rows);
+    std::vector<double> beyond(rows);
+    for (const Puff& puff : seen(sand, 1.0)) {
+        const double y = static_cast<double>(puff.middle.y) + beside().eye.y + 0.25;
+        const double x = static_cast<double>(puff.middle.x);
+        const int row = static_cast<int>(std::floor(y / 0.5 * rows));
+        if (std::abs(x) > 0.3 || row < rows / 2 || row >= rows * 2) continue;
+        if (row >= rows && row < rows * 3 / 2) continue;
+        (row < rows ? here : beyond)[static_cast<std::size_t>(row % rows)] += held({puff});
+    }
+    double off = 0.0;
+    double sum = 0.0;
+    for (std::size_t row = rows / 2; row < rows; ++row) {
+        off += std::abs(here[row] - beyond[row]);
+        sum += here[row] + beyond[row];
+    }
+    EXPECT_GT(sum, 0.0);
+    EXPECT_GT(off, 0.1 * sum);
+}
+
 TEST(Puffs, GoOnWithTheWind) {
     BlownSand sand = without_wisps(sand_of(slip_face(1.0)));
     sand.repeats = false;
-    sand.brinks.resize(8);
+    sand.brinks.resize(16);
     const double way = 0.4 / 128.0;
     const std::vector<Puff> before = seen(sand, 1.0);
     const std::vector<Puff> after = seen(sand, 1.0, way);
