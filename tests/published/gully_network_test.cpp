@@ -1,6 +1,6 @@
 // The network of gullies that ships, on the whole of its ground: what halving the morphological
-// factor does to the measures of the network. Two runs of 512 x 1024 cells take some half an hour on
-// two processors, so they are made only where FUMON_WHOLE_NETWORK is set.
+// factor does to the measures of the network. Two runs of 512 x 1024 cells take some half an hour
+// on two processors, so they are made only where FUMON_WHOLE_NETWORK is set.
 
 #include <gtest/gtest.h>
 
