@@ -149,8 +149,8 @@ vec4 sand_colour(SeenPlace at, vec2 place) { return textureLod(albedo_map, place
 vec3 unevenness(float bare) { return vec3(vec2(0.25), 0.62) * sand_grain * (marks > 1.5 ? bare : 0.35 + 0.65 * bare); }
 float grains_of(float bare) { return sand_grain * (marks > 1.5 ? 0.18 : 0.27 - 0.11 * bare); }
 
-// How much of that there is where sand slid: it lies smooth.
-float uneven_share(float bare, float slid) { return 1.0 - 0.75 * bare * slid; }
+// How much of that there is where sand slid: it lies smooth, but its grains are as many.
+vec2 uneven_share(float bare, float slid) { return vec2(1.0) - vec2(0.6, 0.2) * (bare * slid); }
 
 vec3 albedo_of(vec4 sand, float brighter) { return sand.rgb * sand.rgb * max(1.0 + brighter, 0.1); }
 
@@ -158,7 +158,7 @@ vec3 albedo_of(vec4 sand, float brighter) { return sand.rgb * sand.rgb * max(1.0
 float weathered(vec2 place) { return marks > 1.5 ? rock_share(place) : plain * rock; }
 
 // How far ripples stand on bare sand of a steepness that the wind reaches.
-float rippled(float bare, float open, float steep) { return bare * smoothstep(0.15, 0.6, open) * (1.0 - smoothstep(0.488, 0.601, steep)); }
+float rippled(float bare, float open, float steep) { return bare * smoothstep(0.15, 0.6, open) * (1.0 - smoothstep(0.52, 0.64, steep)); }
 
 // The way that ripples face on a slope: sand that rolls downslope turns their crests.
 vec2 facing_of(vec2 slope) {

@@ -19,9 +19,9 @@ vec4 far_colour(SeenPlace at) {
     vec3 to_eye = -normalize(at.offset);
     vec4 sand = sand_colour(at, place);
     vec2 surface = textureGrad(surface_map, place, along, up).rg;
-    float share = uneven_share(sand.a, surface.g);
-    vec3 uneven = share * unevenness(sand.a) * relief(at, sand.a);
-    vec3 albedo = albedo_of(sand, share * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z);
+    vec2 share = uneven_share(sand.a, surface.g);
+    vec3 uneven = share.x * unevenness(sand.a) * relief(at, sand.a);
+    vec3 albedo = albedo_of(sand, share.y * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z);
     BedPoint point = copied(slanting_bed_point(place, along, up), at, copy);
     if (clouds > 0.5) point.sun *= cloud_shade(at.offset);
     vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);

@@ -10,6 +10,7 @@
 #include "world/rock.glsl"
 #include "world/world_place.glsl"
 #include "world/world.glsl"
+#include "world/slip_faces.glsl"
 
 uniform sampler2D wander_map;  // of world/ripple_wander.frag.glsl
 uniform float wander_scale;    // of its side, a ripple's length
@@ -53,24 +54,6 @@ vec2 wave_of(Wander wander, float phase) {
 // Slope of a ripple, of its phase's cosine: crests are sharper than troughs.
 float profile(float c) { return c * (0.7 + 0.4 * c * c) - 0.3 * (2.0 * c * c - 1.0); }
 
-// Tongues of sand that slid down a steep face: slope across it, and how much lighter it is. Stripes straight down the faces
-// of eight directions; between two of these those of the nearer. Along a face that turns, stripes of its own direction
-// would slip.
-vec2 tongues(vec2 whole, float height, vec2 across) {
-    float eighths = atan(across.y, across.x) * (8.0 / 3.14159265);
-    float nearest = floor(eighths);
-    float share = smoothstep(0.35, 0.65, eighths - nearest);
-    vec2 sum = vec2(0.0);
-    for (int i = 0; i < 2; ++i) {
-        float number = nearest + float(i);
-        float turn = number * (3.14159265 / 8.0);
-        float along = dot(whole, vec2(cos(turn), sin(turn)));
-        vec3 noise = sloped_noise(vec2(along / 3.0 + 3.1 * mod(number, 8.0) + 0.4 * sin(height / 19.0), height / 40.0));
-        sum += (i == 0 ? 1.0 - share : share) * noise.yx;
-    }
-    return sum;
-}
-
 // Grains that mirror the sun to the eye, seldom ones: each in a cell of its own on the ground, a few pixels wide or more.
 float glints(SeenPlace at, vec3 to_eye) {
     vec2 reach = seen_by_pixels * (abs(at.along.xy) + abs(at.up.xy));
@@ -90,6 +73,18 @@ float glints(SeenPlace at, vec3 to_eye) {
         sum += aligned * spot * max(1.0 - abs(octave - size), 0.0);
     }
     return sum * (1.0 - smoothstep(-6.0, -4.0, size));
+}
+
+// What is finer than relief() has it: slope and how much lighter.
+vec3 fine_relief(SeenPlace at) {
+    const mat2 turned = mat2(0.6, 0.8, -0.8, 0.6);
+    float scale = 1.0 / (9.0 * ripple_length);
+    float along = dot(at.along.xy, at.along.xy);
+    float up = dot(at.up.xy, at.up.xy);
+    float texels = scale * float(textureSize(relief_map, 0).x);
+    float level = 0.5 * log2(max(max(min(along, up), 0.2 * max(along, up)) * (texels * texels), 1e-12));
+    vec3 texel = textureLod(relief_map, turned * (whole_eye + at.offset.xy) * scale, level).rgb - 0.5;
+    return vec3(texel.xy * turned, texel.z);
 }
 
 // The bed's slope at a place, without ripples.
@@ -116,8 +111,7 @@ struct Sand {
     float resolved;
     float bare;
     float open;
-    float tongue;  // slope across the face
-    vec2 uneven;
+    vec2 uneven;  // slope besides theirs
 };
 
 // What a part of a pixel gets of the light.
@@ -134,7 +128,7 @@ Lit lit_part(Slope slope, vec3 to_part, Sand sand, Wander wander) {
     lit.standing = sand.height * rippled(sand.bare, sand.open, slope.steep);
     vec2 wave = wave_of(wander, sand.phase + turns(to_part));
     vec2 facing = facing_of(slope.rise);
-    vec2 tilt = facing * (ripple_slope * lit.standing * sand.resolved * profile(wave.x)) + slope.across * sand.tongue + sand.uneven;
+    vec2 tilt = facing * (ripple_slope * lit.standing * sand.resolved * profile(wave.x)) + sand.uneven;
     lit.point.normal = normalize(vec3(-slope.rise - tilt, 1.0));
     float spread = 0.7 * ripple_slope * lit.standing * (1.0 - sand.resolved) * dot(facing, to_sun.xy);
     lit.direct = lit.point.sun * mean_facing(dot(lit.point.normal, to_sun), spread);
@@ -161,8 +155,8 @@ vec4 near_colour(SeenPlace at) {
     vec4 sand = sand_colour(at, place);
     vec2 surface = textureLod(surface_map, place, coarseness(at, texels_of(textureSize(surface_map, 0).x))).rg;
     float open = surface.r;
-    float share = uneven_share(sand.a, surface.g);
-    vec3 uneven = share * unevenness(sand.a) * relief(at, sand.a);
+    vec2 share = uneven_share(sand.a, surface.g);
+    vec3 uneven = share.x * unevenness(sand.a) * (relief(at, sand.a) + 0.5 * fine_relief(at));
 
     vec2 lee = vec2(-wind.y, wind.x);  // along the crests
     vec2 whole = (whole_eye + offset.xy) / ripple_length;
@@ -177,14 +171,18 @@ vec4 near_colour(SeenPlace at) {
     float level = log2(max(max(length(place_along * texels), length(place_up * texels)) * (whole_pixels > 0.5 ? 0.5 / crisp : 1.0), 1.0));
     vec3 to_half = whole_pixels > 0.5 ? (0.25 / crisp) * (at.up - at.along) : vec3(0.0);
     Slope slope = slope_at(place + map_way(to_half.xy), level, at, copy);
-    float slid = smoothstep(0.46, 0.58, slope.steep) * sand.a * smoothstep(0.2, 0.7, wander.patches) * (1.0 - 0.85 * smoothstep(0.0, 0.3, open)) * (1.0 - smoothstep(0.3, 0.8, footprint / 4.0));
-    vec2 tongue = slid * tongues(whole, (offset.z + eye.z) / ripple_length, slope.across);
-    Sand here = Sand(wander.height, phase, resolved, sand.a, open, 0.04 * tongue.x, uneven.xy);
+    // Wind that reaches a slope smooths it, but not at the angle of repose.
+    float smoothed = smoothstep(0.0, 0.3, open) * (1.0 - smoothstep(0.54, 0.64, slope.steep));
+    float slid = smoothstep(0.42, 0.56, slope.steep) * sand.a * (1.0 - 0.85 * smoothed) * (1.0 - plain * rock);
+    vec3 tongue = slid * tongues(at, slope.across);
+    Sand here = Sand(wander.height, phase, resolved, sand.a, open, tongue.xy + uneven.xy);
     Lit lit = lit_part(slope, to_half, here, wander);
     if (whole_pixels > 0.5) lit = mean_of(lit, lit_part(slope_at(place + map_way(-to_half.xy), level, at, copy), -to_half, here, wander));
     BedPoint mean = lit.point;
     float direct = lit.direct;
-    vec3 albedo = albedo_of(sand, share * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z + 0.06 * tongue.y);
+    // Crests are of coarser, paler grains.
+    float crest = ripple_slope * lit.standing * resolved * lit.trough;
+    vec3 albedo = albedo_of(sand, share.y * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z + 0.15 * tongue.z + 0.2 * crest);
     if (marks > 1.5 || plain * rock > 0.0) {
         weather(mean.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), weathered(place));
         direct = mix(direct, mean.sun * max(dot(mean.normal, to_sun), 0.0), weathered(place));

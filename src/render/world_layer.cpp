@@ -17,17 +17,22 @@ const gl::TextureLayout surface_layout{
     GL_RGBA8, GL_RG, GL_UNSIGNED_BYTE, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
 const gl::TextureLayout relief_layout{
     GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
+const gl::TextureLayout slip_layout{
+    GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
 constexpr int relief_texels = 512;
 const gl::TextureLayout wander_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT,
                                       GL_LINEAR, 0,       GL_REPEAT};
 constexpr int wander_texels = 512;
-constexpr double wander_features = 64.0;  // along its side
+constexpr int slip_texels = 512;
+constexpr glm::vec2 slip_size{12.0F, 36.0F};  // metres
+constexpr double wander_features = 64.0;      // along its side
 constexpr double ripples_a_feature = 7.0;
 
 constexpr int detail_unit = 7;
 constexpr int seen_unit = 10;
 constexpr int wander_unit = 11;
 constexpr int listed_unit = 12;
+constexpr int slip_unit = 13;
 constexpr GLint near_stencil = 1;
 constexpr GLint far_stencil = 2;
 // Of pixels of near ground, of others, and of pixels of far ground; and between these.
@@ -105,10 +110,12 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
       packed_colours_(with_coloured(fixed, view, Coloured::packed_samples)),
       surface_(first.bed.nx() * refinement, first.bed.ny() * refinement, surface_layout),
       relief_(relief_texels, relief_texels, relief_layout),
-      wander_(wander_texels, wander_texels, wander_layout) {
+      wander_(wander_texels, wander_texels, wander_layout),
+      slip_(slip_texels, slip_texels, slip_layout) {
     build();
     draw_relief();
     draw_wander();
+    draw_slip_face();
 }
 
 void WorldLayer::build() {
@@ -142,6 +149,20 @@ void WorldLayer::draw_wander() {
     program.use();
     program.set("features", static_cast<float>(wander_features));
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.BindVertexArray(0);
+}
+
+void WorldLayer::draw_slip_face() {
+    const gl::Functions& gl = gl::functions();
+    const gl::Program program("common/screen.vert.glsl", "world/slip_face.frag.glsl");
+    slip_.bind();
+    gl.BindVertexArray(no_attributes_.name());
+    gl.Disable(GL_DEPTH_TEST);
+    program.use();
+    program.set("size", slip_size);
+    program.set("texels", glm::vec2(slip_texels));
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    mipmaps_.make(slip_.colour());
     gl.BindVertexArray(0);
 }
 
@@ -243,6 +264,9 @@ void WorldLayer::bind(const gl::Program& program, const gl::Texture2D& seen,
     program.set("relief_map", detail_unit + 2);
     wander_.colour().bind(wander_unit);
     program.set("wander_map", wander_unit);
+    slip_.colour().bind(slip_unit);
+    program.set("slip_map", slip_unit);
+    program.set("slip_size", slip_size);
     seen.bind(seen_unit);
     program.set("offsets", seen_unit);
     if (streamers_ != nullptr) {

@@ -116,6 +116,7 @@ class WorldLayer {
     void build();
     void draw_relief();
     void draw_wander();
+    void draw_slip_face();
     [[nodiscard]] double ground_under(const Camera& camera, const HeightPyramid& heights) const;
     [[nodiscard]] GroundFan fan_of(const Camera& camera, const HeightPyramid& heights) const;
     [[nodiscard]] static glm::mat4 clip_from_eye(const Camera& camera, const GroundFan& fan);
@@ -146,6 +147,7 @@ class WorldLayer {
     gl::Texture2D surface_;
     gl::RenderTarget relief_;
     gl::RenderTarget wander_;
+    gl::RenderTarget slip_;
     gl::VertexArray array_;
     gl::VertexArray no_attributes_;
     gl::DynamicBuffer places_{GL_ARRAY_BUFFER};
