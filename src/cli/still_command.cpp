@@ -61,7 +61,7 @@ void declare(CLI::App& command, StillOptions& options) {
         {{"fumon still terada-barchans --step 500 -o dunes.png", "a step of a scene"},
          {"fumon still terrain.asc -o terrain.png", "a terrain file of your own"},
          {"fumon still terada-barchans -o dunes.exr", "its light, depth and fields"},
-         {"fumon still gully-rain --step 0 -o - --set camera.projection=map | feh -",
+         {"fumon still dunes-barchans --step 0 -o - --set camera.projection=map | feh -",
           "to a program"},
          {"fumon still terada-ripples -o low.png --set camera.azimuth=160 --set sun.elevation=15",
           ""}},
