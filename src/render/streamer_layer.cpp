@@ -103,9 +103,9 @@ void StreamerLayer::draw_standing(const Standing& standing, const Tile& tile,
     pixels.corner = glm::vec2(static_cast<float>(tile.x),
                               static_cast<float>(view_.image.height - tile.y - tile.height));
     pixels.size = glm::vec2(ground_.width(), ground_.height());
-    const auto program = [&](std::optional<gl::Program>& made, const char* corners,
+    const auto program = [&](std::optional<gl::Program>& made, const char* vertex_shader,
                              std::initializer_list<const char*> parts) -> const gl::Program& {
-        if (!made) made.emplace(corners, "streamers/standing.frag.glsl", parts);
+        if (!made) made.emplace(vertex_shader, "streamers/standing.frag.glsl", parts);
         made->use();
         made->set("forward", glm::vec3(camera.forward));
         return *made;
