@@ -45,11 +45,8 @@ TEST(SeenPart, IsTheWholeBlockFromAfar) {
     EXPECT_LT(seen.part.sharpness, 1.5 * middle);
 }
 
-TEST(SeenPart, HoldsEveryPlaceThatIsSeenFromNear) {
-    const View view = view_of({60, 20, 6}, {100, 50, 0});
-    const Seen seen = seen_of(view);
-    EXPECT_GT(seen.part.low.x, 0.1);
-    EXPECT_GT(seen.part.sharpness, 3.0 * seen_of(view_of({}, {})).part.sharpness);
+/// Every place of the ground that a picture shows lies in the part.
+void expect_held(const Seen& seen) {
     const glm::dmat4 clip = clip_matrix(seen.camera);
     int inside = 0;
     for (int y = 0; y < 300; ++y) {
@@ -66,6 +63,20 @@ TEST(SeenPart, HoldsEveryPlaceThatIsSeenFromNear) {
         }
     }
     EXPECT_GT(inside, 5000);
+}
+
+TEST(SeenPart, HoldsEveryPlaceThatIsSeenFromNear) {
+    const Seen seen = seen_of(view_of({60, 20, 6}, {100, 50, 0}));
+    EXPECT_GT(seen.part.low.x, 0.1);
+    EXPECT_GT(seen.part.sharpness, 3.0 * seen_of(view_of({}, {})).part.sharpness);
+    expect_held(seen);
+}
+
+TEST(SeenPart, HoldsEveryPlaceThatIsSeenFromAboveAndLittleMore) {
+    const Seen seen = seen_of(view_of({100, 59, 90}, {100, 60, 0}));
+    EXPECT_GT(seen.part.low.x, 0.05);
+    EXPECT_LT(seen.part.high.x, 0.95);
+    expect_held(seen);
 }
 
 TEST(SeenPart, IsAllThroughALens) {
