@@ -248,7 +248,7 @@ double fineness(const Image& image) {
     return sum / count;
 }
 
-TEST(Water, GroundUnderItIsSharpFromNear) {
+TEST(Water, GroundUnderItHasDetailFromNear) {
     View view = near_view();
     const Snapshot rained = under_water(flat_bed(100, 100), 0.0005, 0.0);
     const double rough = fineness(picture(view, rained));
