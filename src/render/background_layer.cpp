@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "render/bed_shading.h"
 #include "render/clouds.h"
 #include "render/streamer_layer.h"
 #include "render/view/sun_seen.h"
+#include "render/view_uniforms.h"
 
 namespace fumon {
 

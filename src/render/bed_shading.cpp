@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "base/compensated_sum.h"
-#include "base/elementary.h"
 #include "numerics/resampling.h"
-#include "render/clouds.h"
 #include "render/colour/colouring.h"
 #include "render/colour/palette.h"
-#include "render/colour/sand_colours.h"
-#include "render/view/far_copies.h"
 #include "render/view/repeated_bed.h"
+#include "render/view_uniforms.h"
 
 namespace fumon {
 
@@ -25,6 +20,8 @@ constexpr double finest_shown = 1.0;
 constexpr double most_texels_across = 4096;
 constexpr double most_texels_seen = 2e6;
 constexpr int coarsest_seen = 3;  // mipmap: at an edge the samples' places are no neighbours
+constexpr int beyond_seen =
+    3 << coarsest_seen;                    // texels that the coarsest one at a border takes in
 constexpr double texels_per_sample = 1.3;  // beyond which mipmaps are needed against shimmer
 constexpr double natural_spread = 2.2;     // standard deviations from trough to crest, half of it
 constexpr double least_natural_range = 0.03;  // of the longer side: a nearly flat bed stays even
@@ -135,164 +132,7 @@ glm::vec3 floor_places(const Field<float>& values, std::pair<double, double> ran
     return {low + 0.02 * span, low + std::max(0.2 * span, 0.01), floors};
 }
 
-Tone chosen_tone(const LookSettings& look) {
-    if (look.tone != Tone::automatic) return look.tone;
-    return look.ground == Ground::endless ? Tone::agx_punchy : Tone::filmic;
-}
-
-/// Of light before the tone curve.
-struct Rendering {
-    double contrast = 1.0;
-    double stops = 0.0;
-};
-
-/// How far red sand stands out from grey, 0 … 1. A power of each channel deepens its colour too.
-double depth_of_colour(const SandColours& sand) {
-    const double saturation = 1.0 - static_cast<double>(sand.crest.b / sand.crest.r);
-    constexpr double as_quartz = 0.6;
-    constexpr double as_iron_red = 0.8;
-    return std::clamp((saturation - as_quartz) / (as_iron_red - as_quartz), 0.0, 1.0);
-}
-
-/// As a photograph of a desert under a low sun is developed, with deep shadows: slopes that face
-/// the sun are then far brighter than the level ground that the light's exposure is for. A high
-/// sun, night, clouds, red sand and other planets need less.
-Rendering chosen_rendering(const View& view, const Light& light) {
-    const LookSettings& look = view.look;
-    if (!look.contrast.is_word()) return {look.contrast.value, look.exposure};
-    if (look.ground != Ground::endless) return {1.0, look.exposure};
-    constexpr double low = 0.2;  // sines of elevations
-    constexpr double high = 0.5;
-    double share =
-        std::clamp((high - static_cast<double>(light.to_sun.z)) / (high - low), 0.0, 1.0);
-    if (!light.atmosphere || light.stars || view.air.planet != Planet::earth) share = 0.0;
-    share *= 1.0 - depth_of_colour(sand_colours(look));
-    return {1.35 + 0.45 * share, look.exposure - 0.5 * share};
-}
-
-float tone_number(Tone tone) {  // of common/colour.glsl
-    return tone == Tone::filmic ? 0.0F : tone == Tone::neutral ? 2.0F : 1.0F;
-}
-
-float switched(bool on) {
-    return on ? 1.0F : 0.0F;
-}
-
-/// Of the air, per block length (Koschmieder 1924: contrast falls to 2 % within the visibility);
-/// below 0 where the haze does not follow distance.
-float extinction(const View& view, const Camera& camera, const Block& block) {
-    const bool known = !view.air.visibility.is_word();
-    if (!known && view.look.ground != Ground::endless) return -1.0F;
-    if (!camera.perspective) return 0.0F;
-    return static_cast<float>(haze_per_kilometre(view, block) * block.kilometres);
-}
-
 }  // namespace
-
-float sample_share(const View& view) {
-    if (!view.camera.has_lens()) return 1.0F;
-    return 1.0F / static_cast<float>(view.image.supersampling);
-}
-
-double haze_per_kilometre(const View& view, const Block& block) {
-    // km; landscapes of many kilometres are looked at on clear days
-    const double usual = block.tiles.plain ? std::max(40.0, 8.0 * block.kilometres) : 40.0;
-    constexpr double contrast_log = 3.912;
-    const double clear = usual * std::min(1.0, 2.0 / std::max(view.sun.dust, 1e-3));
-    const double visibility = view.air.visibility.is_word() ? clear : view.air.visibility.value;
-    return contrast_log / visibility;
-}
-
-gl::TextureLayout colour_layout(PixelKind kind) {
-    gl::TextureLayout layout;
-    if (kind == PixelKind::display_16)
-        layout = {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
-    if (kind == PixelKind::radiance)
-        layout = {GL_RGBA16F, GL_RGBA, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
-    return layout;
-}
-
-gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& block,
-                             PixelKind kind) {
-    constexpr float no_curve = 3.0F;  // of common/colour.glsl
-    const bool linear = kind == PixelKind::radiance;
-    const Tone tone = chosen_tone(view.look);
-    const bool scenic = view.look.mode == ViewMode::scenic;
-    gl::Constants constants{
-        {"tone", linear ? no_curve : tone_number(tone)},
-        {"linear_light", switched(linear)},
-        {"sample_share", sample_share(view)},
-        {"dithered", switched(kind == PixelKind::display_8)},
-        {"punch", switched(tone == Tone::agx_punchy)},
-        {"atmosphere", switched(light.atmosphere)},
-        {"parallel", switched(view.camera.projection != Projection::perspective)},
-        {"natural", switched(view.look.colour_by == Colouring::natural)},
-        {"marks", mark_number(view.look.mark)},
-        {"tinted", switched(!colours_water(view.look.colour_by))},
-        {"figure", switched(view.look.mode == ViewMode::figure)},
-        {"soil", switched(view.look.sides == BlockSides::soil && scenic)},
-        {"plain", switched(block.tiles.plain)},
-        {"varied", switched(far_copies_vary(view, !block.tiles.plain))},
-        {"clouds", cloud_number(view, light)},
-        {"rock", static_cast<float>(block.rock)},
-        {"streamers", switched(view.streamers.strength > 0.0)}};
-    if (view.look.ground != Ground::endless) {
-        // Others are numbers, by which a compiler may calculate otherwise.
-        if (chosen_rendering(view, light).contrast == 1.0) constants.push_back({"contrast", 1.0F});
-        if (view.air.visibility.is_word()) constants.push_back({"extinction", -1.0F});
-    }
-    return constants;
-}
-
-void set_light(const gl::Program& program, const View& view, const Light& light,
-               const Camera& camera, const Block& block) {
-    const Tone tone = chosen_tone(view.look);
-    program.set("tone", static_cast<int>(tone_number(tone)));
-    program.set("punch", switched(tone == Tone::agx_punchy));
-    const Rendering rendering = chosen_rendering(view, light);
-    program.set("exposure", static_cast<float>(elementary::exp(std::numbers::ln2 *
-                                                               (rendering.stops + light.stops))));
-    program.set("contrast", static_cast<float>(rendering.contrast));
-    program.set("to_sun", light.to_sun);
-    program.set("sun_light", light.sun);
-    program.set("sun_seen", light.sun_seen);
-    program.set("bloom", light.stars ? 2e-7F : 1.7e-6F);
-    program.set("sky_light", light.sky);
-    program.set("haze_colour", light.haze);
-    program.set("glow_colour", light.glow);
-    program.set("zenith_colour", light.zenith);
-    program.set("atmosphere", light.atmosphere ? 1.0F : 0.0F);
-    program.set("sky_lean_x", light.sky_lean[0]);
-    program.set("sky_lean_xx", light.sky_lean[1]);
-    program.set("sky_lean_t", light.sky_lean[2]);
-    program.set("sky_lean_tx", light.sky_lean[3]);
-    program.set("sky_map", sky_unit);
-    program.set("eye", glm::vec3(camera.eye));
-    program.set("eye_axis", glm::vec3(-camera.forward));
-    program.set("parallel", camera.perspective ? 0.0F : 1.0F);
-    double nearest = std::numeric_limits<double>::max();
-    double farthest = std::numeric_limits<double>::lowest();
-    for (const glm::dvec3& corner : block_corners(block)) {
-        const double depth = glm::dot(corner, camera.forward);
-        nearest = std::min(nearest, depth);
-        farthest = std::max(farthest, depth);
-    }
-    const double scale = 1.0 / std::max(farthest - nearest, 1e-6);
-    program.set("depth_plane", glm::vec4(camera.forward * scale, -nearest * scale));
-    const double left = camera.perspective ? std::max(1.0 - view.sun.haze, 0.02) : 1.0;
-    const float by_distance = extinction(view, camera, block);
-    program.set("haze_log",
-                by_distance >= 0.0F ? -1.0F : static_cast<float>(elementary::log(left)));
-    program.set("extinction", by_distance);
-    program.set("haze_eye", glm::vec3(camera.eye));
-    set_clouds(program, view, light, camera, block);
-}
-
-void set_sand(const gl::Program& program, const LookSettings& look) {
-    const SandColours sand = sand_colours(look);
-    program.set("sand_crest", sand.crest);
-    program.set("sand_trough", sand.trough);
-}
 
 BedShading::BedShading(const View& view, const Block& block, const Snapshot& first,
                        const DisplayBed& first_bed, int samples_across, const gl::Constants& fixed,
@@ -448,8 +288,9 @@ void BedShading::shade(const Light& light, const Camera& camera) {
     if (water_) {
         const glm::dvec2 size(target_->width(), target_->height());
         water_->set_uniforms(program_, 6, camera, block_.width_x / size.x);
-        const glm::ivec2 low(glm::floor(part.low * size));
-        const glm::ivec2 extent = glm::max(glm::ivec2(glm::ceil(part.high * size)) - low, 0);
+        const glm::ivec2 low = glm::ivec2(glm::floor(part.low * size)) - beyond_seen;
+        const glm::ivec2 high = glm::ivec2(glm::ceil(part.high * size)) + beyond_seen;
+        const glm::ivec2 extent = glm::max(high - low, 0);
         gl.Enable(GL_SCISSOR_TEST);
         gl.Scissor(low.x, low.y, extent.x, extent.y);
     }

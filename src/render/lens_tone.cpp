@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gl/functions.h"
-#include "render/bed_shading.h"
+#include "render/view_uniforms.h"
 
 namespace fumon {
 

@@ -11,6 +11,7 @@
 #include "render/streamer_layer.h"
 #include "render/view/drawn_height.h"
 #include "render/view/far_copies_waves.h"
+#include "render/view_uniforms.h"
 
 namespace fumon {
 

@@ -8,6 +8,7 @@
 #include "gl/functions.h"
 #include "render/ready_picture.h"
 #include "render/renderer_parts.h"
+#include "render/view_uniforms.h"
 #include "scene/placed_sun.h"
 
 namespace fumon {

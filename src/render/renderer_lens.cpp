@@ -7,6 +7,7 @@
 #include "render/renderer_parts.h"
 #include "render/view/drawn_height.h"
 #include "render/view/lens.h"
+#include "render/view_uniforms.h"
 
 namespace fumon {
 

@@ -16,6 +16,7 @@
 #include "render/view/framing.h"
 #include "render/view/repeated_bed.h"
 #include "render/view/shown_snapshot.h"
+#include "render/view_uniforms.h"
 
 namespace fumon {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "gl/functions.h"
-#include "render/bed_shading.h"
+#include "render/view_uniforms.h"
 
 namespace fumon {
 

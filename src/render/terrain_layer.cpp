@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "render/bed_shading.h"
 #include "render/colour/grain.h"
 #include "render/view/framing.h"
+#include "render/view_uniforms.h"
 
 namespace fumon {
 

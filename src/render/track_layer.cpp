@@ -11,6 +11,7 @@
 #include "render/view/drawn_height.h"
 #include "render/view/framing.h"
 #include "render/view/places_on_bed.h"
+#include "render/view_uniforms.h"
 
 namespace fumon {
 

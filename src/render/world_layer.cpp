@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/streamer_layer.h"
+#include "render/view_uniforms.h"
 
 namespace fumon {
 
@@ -128,42 +129,37 @@ void WorldLayer::build() {
     gl.BindVertexArray(0);
 }
 
-void WorldLayer::draw_relief() {
+/// Draws all texels of a target by a program that is in use.
+void WorldLayer::fill(const gl::RenderTarget& target) const {
     const gl::Functions& gl = gl::functions();
-    const gl::Program program("common/screen.vert.glsl", "world/relief.frag.glsl");
-    relief_.bind();
+    target.bind();
     gl.BindVertexArray(no_attributes_.name());
     gl.Disable(GL_DEPTH_TEST);
-    program.use();
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    mipmaps_.make(relief_.colour());
     gl.BindVertexArray(0);
+}
+
+void WorldLayer::draw_relief() {
+    const gl::Program program("common/screen.vert.glsl", "world/relief.frag.glsl");
+    program.use();
+    fill(relief_);
+    mipmaps_.make(relief_.colour());
 }
 
 void WorldLayer::draw_wander() {
-    const gl::Functions& gl = gl::functions();
     const gl::Program program("common/screen.vert.glsl", "world/ripple_wander.frag.glsl");
-    wander_.bind();
-    gl.BindVertexArray(no_attributes_.name());
-    gl.Disable(GL_DEPTH_TEST);
     program.use();
     program.set("features", static_cast<float>(wander_features));
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl.BindVertexArray(0);
+    fill(wander_);
 }
 
 void WorldLayer::draw_slip_face() {
-    const gl::Functions& gl = gl::functions();
     const gl::Program program("common/screen.vert.glsl", "world/slip_face.frag.glsl");
-    slip_.bind();
-    gl.BindVertexArray(no_attributes_.name());
-    gl.Disable(GL_DEPTH_TEST);
     program.use();
     program.set("size", slip_size);
     program.set("texels", glm::vec2(slip_texels));
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    fill(slip_);
     mipmaps_.make(slip_.colour());
-    gl.BindVertexArray(0);
 }
 
 void WorldLayer::set_bed(const Snapshot& snapshot, const RepeatedLight& light,

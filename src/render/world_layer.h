@@ -116,6 +116,7 @@ class WorldLayer {
     void build();
     void draw_relief();
     void draw_wander();
+    void fill(const gl::RenderTarget& target) const;
     void draw_slip_face();
     [[nodiscard]] double ground_under(const Camera& camera, const HeightPyramid& heights) const;
     [[nodiscard]] GroundFan fan_of(const Camera& camera, const HeightPyramid& heights) const;

@@ -17,7 +17,6 @@
 #include "gl/texture.h"
 #include "picture/png.h"
 #include "render/background_layer.h"
-#include "render/bed_shading.h"
 #include "render/byte_picture.h"
 #include "render/light/floor_map.h"
 #include "render/light/light.h"
@@ -28,6 +27,7 @@
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/display_bed.h"
+#include "render/view_uniforms.h"
 #include "support/dune_field.h"
 
 namespace fumon {

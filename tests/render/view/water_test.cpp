@@ -7,42 +7,21 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <string>
 
-#include "base/error.h"
 #include "base/worker_pool.h"
 #include "gl/context.h"
-#include "numerics/resampling.h"
 #include "render/colour/colouring.h"
-#include "render/colour/palette.h"
+#include "render/ready_picture.h"
 #include "render/renderer.h"
 #include "render/view/block.h"
+#include "render/view/framing.h"
 #include "support/drawn_picture.h"
-#include "support/water_beds.h"
+#include "support/water_views.h"
 
 namespace fumon {
 namespace {
-
-/// From above, of a square bed, without margins: picture places are places on the bed.
-View map_view(int side = 200) {
-    View view;
-    view.image.width = side;
-    view.image.height = side;
-    view.camera.projection = Projection::map;
-    view.camera.margin = 0.0;
-    view.look.grain = 0.0;
-    view.look.exaggeration = {"", 1.0};
-    return view;
-}
-
-View map_figure(Colouring colour_by) {
-    View view = map_view();
-    view.look.mode = ViewMode::figure;
-    view.look.colour_by = colour_by;
-    view.look.palette = "viridis";
-    view.look.shading = 0.0;
-    return view;
-}
 
 /// The frame of a run that began with another snapshot.
 Image later_picture(const View& view, const Snapshot& first, const Snapshot& snapshot,
@@ -71,18 +50,6 @@ std::array<double, 3> mean_between(const Image& image, double x0, double x1) {
 
 double brightness(const std::array<double, 3>& colour) {
     return 0.21 * colour[0] + 0.72 * colour[1] + 0.07 * colour[2];
-}
-
-/// The west half of a flat bed wet, to one depth and speed.
-Snapshot half_wet(double depth, double speed = 0.0) {
-    Snapshot snapshot = under_water(flat_bed(100, 100), 0.0, 0.0);
-    for (int y = 0; y < 100; ++y) {
-        for (int x = 0; x < 50; ++x) {
-            snapshot.fields[0].values(x, y) = depth;
-            snapshot.fields[2].values(x, y) = speed;
-        }
-    }
-    return snapshot;
 }
 
 TEST(Water, ChangesOnlyWetCellsAndTheirRim) {
@@ -148,65 +115,6 @@ TEST(Water, IsClosedWhereItIsDeeperThanTheGroundIsRough) {
     EXPECT_EQ(display_water(deep, 1).damp(10, 10), 1.0F);
 }
 
-/// A V-shaped valley, steeper in the west, that falls southward by a tenth, a stream in its lowest
-/// column and rain's film on its flanks.
-Snapshot stream_in_a_valley() {
-    Snapshot valley = under_water(flat_bed(21, 40), 0.0005, 0.0);
-    for (int y = 0; y < 40; ++y) {
-        for (int x = 0; x < 21; ++x)
-            valley.bed(x, y) = (x < 10 ? 0.8 * (10 - x) : 0.3 * (x - 10)) + 0.1 * y;
-        valley.fields[0].values(10, y) = 0.15;
-    }
-    return valley;
-}
-
-TEST(Water, LiesLevelAcrossAChannelOfOneCell) {
-    const DisplayWater water = display_water(stream_in_a_valley(), 1);
-    EXPECT_NEAR(water.slope_x(10, 20), 0.0F, 1e-6F);
-    EXPECT_NEAR(water.slope_y(10, 20), 0.1F, 1e-5F);
-    EXPECT_NEAR(water.slope_x(9, 20), 0.0F, 1e-6F);  // its bank's film does not tilt it
-    const DisplayWater sheet = display_water(
-        [] {
-            Snapshot plane = under_water(flat_bed(20, 20), 0.1, 0.0);
-            for (int y = 0; y < 20; ++y)
-                for (int x = 0; x < 20; ++x) plane.bed(x, y) = 0.3 * x;
-            return plane;
-        }(),
-        1);
-    EXPECT_NEAR(sheet.slope_x(10, 10), 0.3F, 1e-5F);
-    EXPECT_NEAR(sheet.slope_x(0, 10), 0.3F, 1e-5F);
-}
-
-TEST(Water, EndsWhereItsLevelMeetsTheGround) {
-    // A pond to level 1.6 before a bank of 45 degrees, on which there is a film of half a
-    // millimetre.
-    constexpr int finer = 8;
-    Snapshot pond = under_water(flat_bed(20, 12), 0.0005, 0.0);
-    for (int y = 0; y < 12; ++y) {
-        for (int x = 0; x < 20; ++x) {
-            pond.bed(x, y) = std::max(0.0, x - 8.3);
-            if (pond.bed(x, y) < 1.6) pond.fields[0].values(x, y) = 1.6 - pond.bed(x, y);
-        }
-    }
-    const DisplayWater water = display_water(pond, finer);
-    Field<float> bed(20, 12);
-    std::copy(pond.bed.values().begin(), pond.bed.values().end(), bed.values().begin());
-    const Field<float> ground = refined(bed, finer);
-    const int middle = 6 * finer;
-    for (int x = 9 * finer; x < 18 * finer; ++x) {
-        const double above = 1.6 - static_cast<double>(ground(x, middle));
-        if (above > 0.02) {
-            EXPECT_NEAR(water.depth(x, middle), above, 0.02) << x;
-        } else if (above < -0.02) {
-            EXPECT_LT(water.depth(x, middle), 0.0011) << x;
-        }
-    }
-    // A film on a slope follows it, however far its surface falls within a cell.
-    const DisplayWater stream = display_water(stream_in_a_valley(), finer);
-    for (int x = 2 * finer; x < 8 * finer; ++x)
-        EXPECT_NEAR(stream.depth(x, 20 * finer), 0.0005F, 1e-5F) << x;
-}
-
 TEST(Water, WhatItLaidDownIsPaleAndWhatItWoreIsDark) {
     const Snapshot before = under_water(flat_bed(100, 100), 0.0, 0.0);
     Snapshot after = before;
@@ -264,6 +172,33 @@ TEST(Water, LeavesTheSkyAloneFromNear) {
     const Image with = picture(view, pond);
     view.look.water = false;
     EXPECT_EQ(colour_at(with, 0.5, 0.01), colour_at(picture(view, pond), 0.5, 0.01));
+}
+
+// Only the part that a picture shows is shaded: what an earlier one left beside it must not show.
+TEST(Water, ShowsNothingOfAnEarlierCamera) {
+    Snapshot bed = under_water(wavy_bed(600, 600), 0.0, 0.0);
+    for (int y = 0; y < 600; ++y)
+        for (int x = 0; x < 600; ++x)
+            if (x / 20 % 2 == 0) bed.fields[0].values(x, y) = 0.3;
+    View view = map_view(120);
+    view.camera.projection = Projection::perspective;
+    const auto context = gl::Context::create(gl::Backend::automatic);
+    WorkerPool pool(2);
+    const auto shared = std::make_shared<Snapshot>(bed);
+    const auto from = [&](double x) {
+        View seen = view;
+        seen.camera.at = {x, -20, 12};
+        seen.camera.look_at = {x + 10.0, 100, 0};
+        return FramePose{camera_at_step(seen, framed_block(seen, bed), 0, 100), view.sun};
+    };
+    const auto drawn = [&](Renderer& renderer, const FramePose& pose) {
+        return renderer.render(renderer.ready(shared, pose, nullptr, pool));
+    };
+    Renderer alone(*context, view, bed, 100, pool);
+    const Image expected = drawn(alone, from(300.0));
+    Renderer later(*context, view, bed, 100, pool);
+    for (const double x : {100.0, 200.0, 280.0, 420.0}) drawn(later, from(x));
+    EXPECT_EQ(drawn(later, from(300.0)), expected);
 }
 
 TEST(Water, DeeperWaterIsDarkerAndBluer) {
@@ -340,105 +275,6 @@ TEST(Water, CellsWithoutDataAreNotDrawnWhateverTheirWater) {
         view.look.colour_by = colour_by;
         EXPECT_EQ(picture(view, unknown), picture(view, masked));
     }
-}
-
-TEST(WaterMap, DepthsHaveThePalettesColoursAndDryCellsNone) {
-    Snapshot pools = half_wet(0.010);
-    for (int y = 0; y < 100; ++y)
-        for (int x = 0; x < 25; ++x) pools.fields[0].values(x, y) = 0.012;
-    View view = map_figure(Colouring::water_depth);
-    view.look.low = {"", 0.008};
-    view.look.high = {"", 0.012};
-    const Palette palette = read_palette("viridis");
-    const auto expect_entry = [&](const Image& image, double x, std::size_t entry) {
-        const auto shown = colour_at(image, x, 0.5);
-        for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(shown[i], palette[entry][i], 1) << entry;
-    };
-    const Image image = picture(view, pools);
-    expect_entry(image, 0.12, 255);
-    expect_entry(image, 0.38, 128);
-    view.look.palette_reversed = true;
-    const Image reversed = picture(view, pools);
-    expect_entry(reversed, 0.12, 0);
-    EXPECT_EQ(colour_at(reversed, 0.8, 0.5), colour_at(image, 0.8, 0.5));  // dry
-    EXPECT_NE(colour_at(reversed, 0.8, 0.5), colour_at(reversed, 0.38, 0.5));
-}
-
-TEST(WaterMap, ShadingIsAShare) {
-    Snapshot relief = under_water(wavy_bed(100, 100), 0.01, 0.2);
-    View view = map_figure(Colouring::height);
-    const auto spread = [&](double shading) {
-        view.look.shading = shading;
-        view.look.low = {"", -100.0};  // one colour everywhere
-        view.look.high = {"", 100.0};
-        const Image image = picture(view, relief);
-        int darkest = 255;
-        for (int y = 0; y < 200; ++y)
-            darkest = std::min(darkest, colour_at(image, (y + 0.5) / 200.0, 0.5)[1]);
-        return darkest;
-    };
-    EXPECT_GT(spread(0.5), spread(1.0) + 10);
-    EXPECT_GT(spread(0.0), spread(0.5) + 10);
-}
-
-std::pair<double, double> range_in_wet_cells(const LookSettings& look, const Snapshot& snapshot,
-                                             const Snapshot& first) {
-    return colour_range(look, snapshot, coloured_values(look.colour_by, snapshot, first));
-}
-
-TEST(WaterMap, AutomaticRangesAreThoseOfWetCells) {
-    Snapshot film = half_wet(0.01, 0.5);
-    film.nodata = Mask(100, 100);
-    for (int y = 0; y < 100; ++y) {
-        for (int x = 0; x < 50; ++x) film.fields[0].values(x, y) += 1e-7 * (y * 50 + x);
-    }
-    film.nodata(3, 3) = 1;
-    film.fields[0].values(3, 3) = 7.0;
-    film.fields[0].values(4, 4) = 5.0;  // one cell of 4999
-    LookSettings look;
-    look.colour_by = Colouring::water_depth;
-    const auto [low, high] = range_in_wet_cells(look, film, film);
-    EXPECT_NEAR(low, 0.01 + 0.005 * 5e-4, 1e-6);
-    EXPECT_NEAR(high, 0.01 + 0.995 * 5e-4, 1e-6);
-    look.colour_by = Colouring::froude;
-    const auto froude = range_in_wet_cells(look, film, film);
-    EXPECT_NEAR(froude.second, 0.5 / std::sqrt(9.8 * 0.01), 0.01);
-    EXPECT_GT(froude.first, 1.5);
-    look.colour_by = Colouring::speed;
-    EXPECT_EQ(coloured_values(look.colour_by, film, film)(10, 10), 0.5F);
-    EXPECT_EQ(coloured_values(look.colour_by, film, film)(90, 10), 0.0F);
-}
-
-TEST(WaterMap, NeedsWater) {
-    for (const Colouring colour_by :
-         {Colouring::water_depth, Colouring::speed, Colouring::froude}) {
-        const View view = map_figure(colour_by);
-        EXPECT_THROW(picture(view, flat_bed(20, 20)), InputError);
-    }
-}
-
-TEST(WaterClarity, FollowsTheDepths) {
-    const LookSettings look;
-    const WaterStatistics film = water_statistics(under_water(flat_bed(50, 50), 0.01, 0.6));
-    EXPECT_NEAR(film.high_depth, 0.01, 1e-6);
-    EXPECT_NEAR(film.median_froude, 0.6 / std::sqrt(9.8 * 0.01), 1e-4);
-    EXPECT_NEAR(water_clarity(look, film), 0.04, 1e-5);
-    EXPECT_NEAR(water_clarity(look, {2.0, 0.2, 0.0}), 1.2, 1e-3);
-    EXPECT_GT(water_clarity(look, water_statistics(flat_bed(9, 9))), 0.0);
-    LookSettings chosen;
-    chosen.water_clarity = {"", 0.3};
-    EXPECT_EQ(water_clarity(chosen, film), 0.3);
-}
-
-TEST(WaterRelief, AFilmsChannelsAreExaggeratedAndKeepTheirRoom) {
-    Snapshot film = under_water(flat_bed(100, 100), 0.01, 0.6);
-    const double exaggeration = automatic_exaggeration(film);
-    EXPECT_EQ(exaggeration, 50.0);  // the first to make 4 % of 100 m from ten depths
-    EXPECT_EQ(automatic_exaggeration(flat_bed(100, 100)), 1.0);
-    EXPECT_EQ(automatic_exaggeration(under_water(flat_bed(100, 100), 2.0, 1.0)), 1.0);
-    const Block block = frame_block(film, exaggeration);
-    EXPECT_LT(block.base, block.z(1.0 - 0.05));
-    EXPECT_GT(block.base, -0.2);
 }
 
 TEST(Datum, ABedThatSinksAsAWholeStaysWhereItWas) {

@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/resampling.h"
+#include "render/view/block.h"
+#include "render/view/water.h"
+#include "support/water_beds.h"
+
+namespace fumon {
+namespace {
+
+/// A V-shaped valley, steeper in the west, that falls southward by a tenth, a stream in its lowest
+/// column and rain's film on its flanks.
+Snapshot stream_in_a_valley() {
+    Snapshot valley = under_water(flat_bed(21, 40), 0.0005, 0.0);
+    for (int y = 0; y < 40; ++y) {
+        for (int x = 0; x < 21; ++x)
+            valley.bed(x, y) = (x < 10 ? 0.8 * (10 - x) : 0.3 * (x - 10)) + 0.1 * y;
+        valley.fields[0].values(10, y) = 0.15;
+    }
+    return valley;
+}
+
+TEST(DisplayWater, LiesLevelAcrossAChannelOfOneCell) {
+    const DisplayWater water = display_water(stream_in_a_valley(), 1);
+    EXPECT_NEAR(water.slope_x(10, 20), 0.0F, 1e-6F);
+    EXPECT_NEAR(water.slope_y(10, 20), 0.1F, 1e-5F);
+    EXPECT_NEAR(water.slope_x(9, 20), 0.0F, 1e-6F);  // its bank's film does not tilt it
+    const DisplayWater sheet = display_water(
+        [] {
+            Snapshot plane = under_water(flat_bed(20, 20), 0.1, 0.0);
+            for (int y = 0; y < 20; ++y)
+                for (int x = 0; x < 20; ++x) plane.bed(x, y) = 0.3 * x;
+            return plane;
+        }(),
+        1);
+    EXPECT_NEAR(sheet.slope_x(10, 10), 0.3F, 1e-5F);
+    EXPECT_NEAR(sheet.slope_x(0, 10), 0.3F, 1e-5F);
+}
+
+TEST(DisplayWater, EndsWhereItsLevelMeetsTheGround) {
+    // A pond to level 1.6 before a bank of 45 degrees, on which there is a film of half a
+    // millimetre.
+    constexpr int finer = 8;
+    Snapshot pond = under_water(flat_bed(20, 12), 0.0005, 0.0);
+    for (int y = 0; y < 12; ++y) {
+        for (int x = 0; x < 20; ++x) {
+            pond.bed(x, y) = std::max(0.0, x - 8.3);
+            if (pond.bed(x, y) < 1.6) pond.fields[0].values(x, y) = 1.6 - pond.bed(x, y);
+        }
+    }
+    const DisplayWater water = display_water(pond, finer);
+    Field<float> bed(20, 12);
+    std::copy(pond.bed.values().begin(), pond.bed.values().end(), bed.values().begin());
+    const Field<float> ground = refined(bed, finer);
+    const int middle = 6 * finer;
+    for (int x = 9 * finer; x < 18 * finer; ++x) {
+        const double above = 1.6 - static_cast<double>(ground(x, middle));
+        if (above > 0.02) {
+            EXPECT_NEAR(water.depth(x, middle), above, 0.02) << x;
+        } else if (above < -0.02) {
+            EXPECT_LT(water.depth(x, middle), 0.0011) << x;
+        }
+    }
+    // A film on a slope follows it, however far its surface falls within a cell.
+    const DisplayWater stream = display_water(stream_in_a_valley(), finer);
+    for (int x = 2 * finer; x < 8 * finer; ++x)
+        EXPECT_NEAR(stream.depth(x, 20 * finer), 0.0005F, 1e-5F) << x;
+}
+
+TEST(WaterClarity, FollowsTheDepths) {
+    const LookSettings look;
+    const WaterStatistics film = water_statistics(under_water(flat_bed(50, 50), 0.01, 0.6));
+    EXPECT_NEAR(film.high_depth, 0.01, 1e-6);
+    EXPECT_NEAR(film.median_froude, 0.6 / std::sqrt(9.8 * 0.01), 1e-4);
+    EXPECT_NEAR(water_clarity(look, film), 0.04, 1e-5);
+    EXPECT_NEAR(water_clarity(look, {2.0, 0.2, 0.0}), 1.2, 1e-3);
+    EXPECT_GT(water_clarity(look, water_statistics(flat_bed(9, 9))), 0.0);
+    LookSettings chosen;
+    chosen.water_clarity = {"", 0.3};
+    EXPECT_EQ(water_clarity(chosen, film), 0.3);
+}
+
+TEST(WaterRelief, AFilmsChannelsAreExaggeratedAndKeepTheirRoom) {
+    Snapshot film = under_water(flat_bed(100, 100), 0.01, 0.6);
+    const double exaggeration = automatic_exaggeration(film);
+    EXPECT_EQ(exaggeration, 50.0);  // the first to make 4 % of 100 m from ten depths
+    EXPECT_EQ(automatic_exaggeration(flat_bed(100, 100)), 1.0);
+    EXPECT_EQ(automatic_exaggeration(under_water(flat_bed(100, 100), 2.0, 1.0)), 1.0);
+    const Block block = frame_block(film, exaggeration);
+    EXPECT_LT(block.base, block.z(1.0 - 0.05));
+    EXPECT_GT(block.base, -0.2);
+}
+
+}  // namespace
+}  // namespace fumon
