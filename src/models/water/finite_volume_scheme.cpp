@@ -139,13 +139,12 @@ void FiniteVolumeScheme::run(const Stage& stage) {
     for (std::vector<Outlet>& row : outlets_) {
         for (Outlet& outlet : row) outlet.volume = 0.0;
     }
-    const int shares = pool_.size();
-    pool_.for_ranges(shares, [&](int begin, int end) {
-        for (int share = begin; share < end; ++share) {
-            const int first = static_cast<int>(static_cast<long long>(ny_) * share / shares);
-            const int last = static_cast<int>(static_cast<long long>(ny_) * (share + 1) / shares);
-            if (first == last) continue;
-            advance_share(stage, strips_[static_cast<std::size_t>(share)], first, last);
+    const std::vector<int> shares = tiles_->equal_shares(pool_.size());
+    pool_.for_ranges(pool_.size(), [&](int begin, int end) {
+        for (auto share = static_cast<std::size_t>(begin); share < static_cast<std::size_t>(end);
+             ++share) {
+            if (shares[share] == shares[share + 1]) continue;
+            advance_share(stage, strips_[share], shares[share], shares[share + 1]);
         }
     });
     Volumes sum;
@@ -162,28 +161,32 @@ void FiniteVolumeScheme::run(const Stage& stage) {
     }
 }
 
-/// The wet parts of some rows: runs of tiles side by side, over as many rows as have the same ones.
+/// The wet parts of some rows: runs of tiles one above the other, over as many columns of tiles as
+/// have the same ones, since a part costs a margin of rows more.
 void FiniteVolumeScheme::advance_share(const Stage& stage, finite_volume::Strip& strip,
                                        int first_row, int last_row) {
-    const int columns = tiles_->columns();
-    for (int y = first_row; y < last_row;) {
-        const int row = y / WetTiles::height;
-        const std::uint8_t* wet = tiles_->row(row);
-        int above = row + 1;
-        while (above * WetTiles::height < last_row &&
-               std::equal(wet, wet + columns, tiles_->row(above)))
-            ++above;
-        const int end_y = std::min(above * WetTiles::height, last_row);
-        for (int tile = 0; tile < columns; ++tile) {
-            if (wet[tile] == 0) continue;
-            int beyond = tile;
-            while (beyond < columns && wet[beyond] != 0) ++beyond;
-            advance_part(
-                stage, strip,
-                {tile * WetTiles::width, std::min(beyond * WetTiles::width, nx_), y, end_y});
-            tile = beyond;
+    const int lowest = first_row / WetTiles::height;
+    const int highest = (last_row - 1) / WetTiles::height;
+    const auto has_the_same = [&](int column, int other) {
+        for (int row = lowest; row <= highest; ++row) {
+            if (tiles_->is_wet(column, row) != tiles_->is_wet(other, row)) return false;
         }
-        y = end_y;
+        return true;
+    };
+    for (int column = 0; column < tiles_->columns();) {
+        int beyond = column + 1;
+        while (beyond < tiles_->columns() && has_the_same(column, beyond)) ++beyond;
+        const int first_x = column * WetTiles::width;
+        const int end_x = std::min(beyond * WetTiles::width, nx_);
+        for (int row = lowest; row <= highest; ++row) {
+            if (!tiles_->is_wet(column, row)) continue;
+            const int first = row;
+            while (row <= highest && tiles_->is_wet(column, row)) ++row;
+            advance_part(stage, strip,
+                         {first_x, end_x, std::max(first * WetTiles::height, first_row),
+                          std::min(row * WetTiles::height, last_row)});
+        }
+        column = beyond;
     }
 }
 
@@ -317,22 +320,21 @@ void FiniteVolumeScheme::load_row(const Stage& stage, finite_volume::Strip& stri
             load(k, column.index, column.mirrored ? -1.0 : 1.0);
         }
     };
-    for (int k = 0; k < finite_volume::Strip::margin; ++k) {
-        load_beyond(k);
-        load_beyond(strip.padded() - 1 - k);
-    }
-    const int first = strip.first_x();
-    const int count = strip.count();
     constexpr int m = finite_volume::Strip::margin;
-    const auto source = [&](const Grid& grid) { return grid.row(row.index).data() + first; };
+    const int first = strip.first_x() - m;
+    const int from = first < 0 ? m : 0;  // margins inside the grid are loaded with the rest
+    const int to = first + strip.padded() > nx_ ? strip.padded() - m : strip.padded();
+    for (int k = 0; k < from; ++k) load_beyond(k);
+    for (int k = to; k < strip.padded(); ++k) load_beyond(k);
+    const auto source = [&](const Grid& grid) { return grid.row(row.index).data() + first + from; };
     finite_volume::load_cells(
         {source(stage.from.depth), source(stage.bed), source(stage.from.velocity_x),
          source(stage.from.velocity_y)},
-        sign_y, {depth + m, surface + m, velocity_x + m, velocity_y + m, inside + m}, count);
+        sign_y, {depth + from, surface + from, velocity_x + from, velocity_y + from, inside + from},
+        to - from);
     if (domain_.nodata.empty()) return;
-    const std::uint8_t* nodata = domain_.nodata.row(row.index).data() + first;
-    for (int x = 0; x < count; ++x) {
-        if (nodata[x] != 0) clear(x + m);
+    for (int k = from; k < to; ++k) {
+        if (domain_.nodata(first + k, row.index) != 0) clear(k);
     }
 }
 

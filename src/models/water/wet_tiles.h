@@ -15,10 +15,10 @@ class WorkerPool;
 class WetTiles {
   public:
     static constexpr int width = 64;  ///< cells eastward
-    static constexpr int height = 32;
-    /// Cells a side of the squares in which water is looked for. That in one of the two squares
-    /// next to a tile counts as near it; in a sub-step of two stages it passes two faces at most.
-    static constexpr int square = 8;
+    static constexpr int height = 8;
+    /// Cells a side of the squares in which water is looked for. That in a square next to a tile
+    /// counts as near it; in a sub-step of two stages it passes two faces at most.
+    static constexpr int square = 4;
 
     WetTiles(int nx, int ny, bool periodic_x, bool periodic_y);
 
@@ -32,10 +32,11 @@ class WetTiles {
 
     [[nodiscard]] int columns() const { return columns_; }
     [[nodiscard]] int rows() const { return rows_; }
-    /// Of a row of tiles, one after the other: 1 where water can be.
-    [[nodiscard]] const std::uint8_t* row(int row) const {
-        return wet_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-    }
+    /// Whether water can be in a tile.
+    [[nodiscard]] bool is_wet(int column, int row) const { return wet_[place(column, row)] != 0; }
+    /// The grid's rows in `shares` parts with about as many wet cells each: where each begins, and
+    /// the number of rows as the last.
+    [[nodiscard]] std::vector<int> equal_shares(int shares) const;
     /// Calls `with(first_x, first_y, end_x, end_y)` for each tile that has become dry since the
     /// last search but one.
     template <class With>
@@ -55,18 +56,21 @@ class WetTiles {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
                static_cast<std::size_t>(x);
     }
+    /// Of the cells of one row of squares: the columns of tiles that have water in or beside them.
+    void find_columns(const Grid& depth, int squares_row);
 
     int nx_;
     int ny_;
-    bool periodic_x_;
-    bool periodic_y_;
     int columns_;
     int rows_;
     int squares_x_;  // of `square` cells a side
     int squares_y_;
+    std::vector<std::vector<int>> near_columns_;  // of each column of tiles, its and next squares
+    std::vector<std::vector<int>> near_rows_;
     std::vector<std::uint8_t> always_wet_;  // by squares
     std::vector<std::uint8_t> wet_squares_;
-    std::vector<std::uint8_t> wet_;  // by tiles
+    std::vector<std::uint8_t> wet_columns_;  // by rows of squares and columns of tiles
+    std::vector<std::uint8_t> wet_;          // by tiles
     std::vector<std::uint8_t> before_;
 };
 

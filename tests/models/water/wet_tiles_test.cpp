@@ -17,7 +17,7 @@ namespace {
 std::string marks(const WetTiles& tiles) {
     std::string text;
     for (int y = 0; y < tiles.rows(); ++y) {
-        for (int x = 0; x < tiles.columns(); ++x) text += tiles.row(y)[x] != 0 ? 'w' : '.';
+        for (int x = 0; x < tiles.columns(); ++x) text += tiles.is_wet(x, y) ? 'w' : '.';
         text += '|';
     }
     return text;
@@ -25,35 +25,61 @@ std::string marks(const WetTiles& tiles) {
 
 TEST(WetTiles, AreThoseThatWaterCanReach) {
     WorkerPool pool(2);
-    Grid depth(64 * 3 + 20, 32 * 2 + 5);
+    Grid depth(64 * 3 + 20, 8 * 4 + 5);
     WetTiles walled(depth.nx(), depth.ny(), false, false);
     walled.find(depth, pool);
-    EXPECT_EQ(marks(walled), "....|....|....|");
-    depth(100, 10) = 1e-300;
+    EXPECT_EQ(marks(walled), "....|....|....|....|....|");
+    depth(100, 3) = 1e-300;
     walled.find(depth, pool);
-    EXPECT_EQ(marks(walled), ".w..|....|....|");
-    depth(100, 31) = 1.0;
-    depth(66, 40) = 1.0;
+    EXPECT_EQ(marks(walled), ".w..|....|....|....|....|");
+    depth(100, 7) = 1.0;
+    depth(66, 20) = 1.0;
     walled.find(depth, pool);
-    EXPECT_EQ(marks(walled), "ww..|ww..|....|");
+    EXPECT_EQ(marks(walled), ".w..|.w..|ww..|ww..|....|");
     int dried = 0;
-    depth(100, 31) = depth(100, 10) = depth(66, 40) = 0.0;
+    depth(100, 3) = depth(100, 7) = depth(66, 20) = 0.0;
     walled.find(depth, pool);
     walled.for_each_dried([&](int first_x, int first_y, int end_x, int end_y) {
         ++dried;
         EXPECT_EQ(end_x - first_x, 64);
-        EXPECT_EQ(end_y - first_y, 32);
+        EXPECT_EQ(end_y - first_y, 8);
     });
-    EXPECT_EQ(dried, 4);
-    walled.keep_wet(211, 68);
+    EXPECT_EQ(dried, 6);
+    walled.keep_wet(211, 36);
     walled.find(depth, pool);
-    EXPECT_EQ(marks(walled), "....|...w|...w|");
+    EXPECT_EQ(marks(walled), "....|....|....|....|...w|");
     WetTiles periodic(depth.nx(), depth.ny(), true, true);
     periodic.keep_wet(0, 0);
     periodic.find(depth, pool);
-    EXPECT_EQ(marks(periodic), "w..w|w..w|w..w|");
+    EXPECT_EQ(marks(periodic), "w..w|....|....|....|w..w|");
     periodic.find_all();
-    EXPECT_EQ(marks(periodic), "wwww|wwww|wwww|");
+    EXPECT_EQ(marks(periodic), "wwww|wwww|wwww|wwww|wwww|");
+}
+
+TEST(WetTiles, AreReachedAcrossALastSquareOfOneCell) {
+    WorkerPool pool(1);
+    Grid depth(64 * 2 + 1, 8 * 2 + 1);
+    WetTiles tiles(depth.nx(), depth.ny(), true, true);
+    depth(127, 8) = 1.0;  // two faces from the first cell of the row
+    tiles.find(depth, pool);
+    EXPECT_EQ(marks(tiles), "www|www|...|");
+    depth(127, 8) = 0.0;
+    depth(40, 15) = 1.0;
+    tiles.find(depth, pool);
+    EXPECT_EQ(marks(tiles), "w..|w..|w..|");
+}
+
+TEST(WetTiles, AreSharedOutEqually) {
+    WorkerPool pool(1);
+    Grid depth(70, 64);
+    WetTiles tiles(depth.nx(), depth.ny(), false, false);
+    tiles.find(depth, pool);
+    EXPECT_EQ(tiles.equal_shares(3).back(), 64);
+    for (int y = 48; y < 64; ++y) depth(5, y) = 1.0;  // near the tiles from row 40 on
+    tiles.find(depth, pool);
+    EXPECT_EQ(tiles.equal_shares(2), (std::vector<int>{0, 52, 64}));
+    tiles.find_all();
+    EXPECT_EQ(tiles.equal_shares(4), (std::vector<int>{0, 16, 32, 48, 64}));
 }
 
 /// Two schemes over the same water, of which one must advance all cells.
