@@ -19,7 +19,8 @@ uniform vec3 sky_lean_tx;
 uniform vec4 depth_plane;
 uniform float haze_log;  // log(1 − haze) of the far corner; −1 by distance
 // The same by distance, where the air's visibility is known.
-uniform float extinction;  // per block length; below 0: not known
+uniform float extinction;  // per block length, of green light; below 0: not known
+uniform vec3 haze_bands;   // red, green and blue against it, over endless ground
 uniform vec3 haze_eye;
 
 // Of sky_map in a direction of view (unit vector); rows below 1.2 degrees are seen through the whole air.
@@ -50,6 +51,9 @@ vec3 haze_towards(vec3 view) {
     towards_sun *= towards_sun;
     return mix(haze_colour, glow_colour, towards_sun * towards_sun);
 }
+
+// Share of light that is left after a way through the air near the ground.
+vec3 air_left(float way) { return exp(-max(extinction, 0.0) * way * haze_bands); }
 
 vec3 with_haze(vec3 colour, vec3 point, vec3 view) {
     float depth = max(dot(depth_plane.xyz, point) + depth_plane.w, 0.0);

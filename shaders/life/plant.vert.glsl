@@ -40,7 +40,7 @@ void main() {
     vec3 seen = albedo * light;
     if (from_eye > 0.5) {
         vec3 haze = haze_towards(vec3(normalize(place.xy + 1e-6 * to_sun.xy), 0.0));
-        seen = mix(haze, seen, exp(-extinction * length(place))) + glare(-to_eye);
+        seen = mix(haze, seen, air_left(length(place))) + glare(-to_eye);
     } else {
         seen = with_haze(seen, place, -to_eye);
     }

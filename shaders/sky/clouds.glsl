@@ -4,6 +4,7 @@
 uniform vec3 cloud_sun;    // the sun's irradiance at their height
 uniform float pixel;       // its angle, radians
 uniform float cloud_haze;  // extinction of the air at the ground, per km
+uniform float cloud_haze_height;  // km, over which the haze thins by e
 
 struct CloudSeen {
     vec3 light;      // that they send to the eye
@@ -21,7 +22,7 @@ float hg(float cosine, float g) {
 
 // Extinction per km on the way to a height, the air thinning upward.
 float haze_up_to(float height) {
-    const float scale = 1.6;  // over which the haze thins by e
+    float scale = cloud_haze_height;
     return cloud_haze * scale / height * (1.0 - exp(-height / scale));
 }
 

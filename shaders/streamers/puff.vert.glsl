@@ -66,5 +66,5 @@ void main() {
     vec3 ground = sand_crest * (sun_light * max(to_sun.z, 0.0) + sky_light);
     vec3 light = grains * (1.6 * sun_light * (share * across.z) + across.w * (0.55 * sky_light + 0.25 * ground));
     vec3 haze = haze_towards(vec3(normalize(view.xy + 1e-6 * to_sun.xy), 0.0));
-    scattered = vec4(mix(haze, light, exp(-max(extinction, 0.0) * length(middle.xyz))), middle.w);
+    scattered = vec4(mix(haze, light, air_left(length(middle.xyz))), middle.w);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/clouds.h"
+#include "render/light/haze.h"
 #include "render/streamer_layer.h"
 #include "render/view/sun_seen.h"
 #include "render/view_uniforms.h"
@@ -108,7 +109,9 @@ void BackgroundLayer::start_clouds(const Light& light, const Camera& camera, con
     cloud_program_->use();
     set_rays(*cloud_program_, light, camera);
     cloud_program_->set("cloud_sun", light.sun_aloft);
-    cloud_program_->set("cloud_haze", static_cast<float>(haze_per_kilometre(view_, block_)));
+    const Haze haze = haze_of(view_, block_);
+    cloud_program_->set("cloud_haze", static_cast<float>(haze.per_kilometre));
+    cloud_program_->set("cloud_haze_height", static_cast<float>(haze.height));
 }
 
 void BackgroundLayer::draw_clouds(const Light& light, const Camera& camera, const Tile& tile) {

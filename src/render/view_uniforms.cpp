@@ -8,6 +8,7 @@
 #include "render/clouds.h"
 #include "render/colour/colouring.h"
 #include "render/colour/sand_colours.h"
+#include "render/light/haze.h"
 #include "render/view/far_copies.h"
 
 namespace fumon {
@@ -64,11 +65,11 @@ float switched(bool on) {
 
 /// Of the air, per block length (Koschmieder 1924: contrast falls to 2 % within the visibility);
 /// below 0 where the haze does not follow distance.
-float extinction(const View& view, const Camera& camera, const Block& block) {
+float extinction(const View& view, const Camera& camera, const Block& block, const Haze& haze) {
     const bool known = !view.air.visibility.is_word();
     if (!known && view.look.ground != Ground::endless) return -1.0F;
     if (!camera.perspective) return 0.0F;
-    return static_cast<float>(haze_per_kilometre(view, block) * block.kilometres);
+    return static_cast<float>(extinction_from(camera.eye, haze, view, block));
 }
 
 }  // namespace
@@ -76,15 +77,6 @@ float extinction(const View& view, const Camera& camera, const Block& block) {
 float sample_share(const View& view) {
     if (!view.camera.has_lens()) return 1.0F;
     return 1.0F / static_cast<float>(view.image.supersampling);
-}
-
-double haze_per_kilometre(const View& view, const Block& block) {
-    // km; landscapes of many kilometres are looked at on clear days
-    const double usual = block.tiles.plain ? std::max(40.0, 8.0 * block.kilometres) : 40.0;
-    constexpr double contrast_log = 3.912;
-    const double clear = usual * std::min(1.0, 2.0 / std::max(view.sun.dust, 1e-3));
-    const double visibility = view.air.visibility.is_word() ? clear : view.air.visibility.value;
-    return contrast_log / visibility;
 }
 
 gl::TextureLayout colour_layout(PixelKind kind) {
@@ -164,10 +156,12 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
     const double scale = 1.0 / std::max(farthest - nearest, 1e-6);
     program.set("depth_plane", glm::vec4(camera.forward * scale, -nearest * scale));
     const double left = camera.perspective ? std::max(1.0 - view.sun.haze, 0.02) : 1.0;
-    const float by_distance = extinction(view, camera, block);
+    const Haze haze = haze_of(view, block);
+    const float by_distance = extinction(view, camera, block, haze);
     program.set("haze_log",
                 by_distance >= 0.0F ? -1.0F : static_cast<float>(elementary::log(left)));
     program.set("extinction", by_distance);
+    program.set("haze_bands", glm::vec3(haze.bands));
     program.set("haze_eye", glm::vec3(camera.eye));
     set_clouds(program, view, light, camera, block);
 }

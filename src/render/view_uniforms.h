@@ -30,9 +30,6 @@ gl::TextureLayout colour_layout(PixelKind kind);
 void set_light(const gl::Program& program, const View& view, const Light& light,
                const Camera& camera, const Block& block);
 
-/// Extinction of the air at the ground, per km, where the haze follows distance.
-double haze_per_kilometre(const View& view, const Block& block);
-
 /// Sets sand_crest and sand_trough of shaders/bed/ground.glsl and shaders/block/spade_cut.glsl.
 void set_sand(const gl::Program& program, const LookSettings& look);
 

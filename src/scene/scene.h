@@ -107,9 +107,11 @@ struct SunSettings {
 
 enum class Planet { earth, mars };
 enum class Clouds { none, cumulus, cirrus };
+enum class Aerosol { automatic, thin, desert };
 
 struct AirSettings {
     Planet planet = Planet::earth;
+    Aerosol aerosol = Aerosol::automatic;
     Clouds clouds = Clouds::none;
     double cloud_cover = 0.35;             ///< share of the sky overhead
     std::int64_t cloud_seed = 1;           ///< by which they lie elsewhere

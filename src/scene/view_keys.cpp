@@ -159,6 +159,15 @@ void list_view_keys(View& view, KeyTable& table) {
                    "thin air full of fine dust: butterscotch sky, blue around a low sun"}},
                  {.help = "whose air scatters the light, for the sky \"atmosphere\""});
     table.choice(
+        "air.aerosol", view.air.aerosol,
+        {{Aerosol::automatic, "auto", "desert over endless ground on Earth, else thin"},
+         {Aerosol::thin, "thin",
+          "next to none in the sky, and haze that dims all colours alike; pictures before version "
+          "0.3 have it"},
+         {Aerosol::desert, "desert",
+          "that of a clear day in a desert, which hides far dunes and whitens the sky over them"}},
+        {.help = "what floats in the lowest air", .earlier = {"0.3.0", "\"thin\""}});
+    table.choice(
         "air.clouds", view.air.clouds,
         {{Clouds::none, "none", "a clear sky, or the even cover of look.sky = \"overcast\""},
          {Clouds::cumulus, "cumulus", "of fair weather: flat bases, heads like cauliflowers"},
@@ -184,12 +193,14 @@ void list_view_keys(View& view, KeyTable& table) {
     table.word_or_real(
         "air.visibility", view.air.visibility,
         {{"auto",
-          "40 km over endless ground, or, where the bed ends in a plain, eight times its longer "
-          "side if that is more; 80 km over sun.dust where that is less; around a block on a "
-          "table as sun.haze says"}},
+          "over endless ground 16 km on a clear day in a desert, less with sun.dust over 1 (in "
+          "thin "
+          "air 40 km, and no more than 80 km over sun.dust); where the bed ends in a plain, eight "
+          "times its longer side if that is more; around a block on a table as sun.haze says"}},
         {.unit = "km",
          .range = {1e-4, 1e5},
-         .help = "how far dark things are seen: haze by distance (Koschmieder 1924); without "
+         .help = "how far dark things are seen near the ground: haze by distance (Koschmieder "
+                 "1924); without "
                  "metres the bed's longer side counts as 1 km"});
 
     StreamerSettings& streamers = view.streamers;

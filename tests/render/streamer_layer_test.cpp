@@ -26,6 +26,7 @@ View along_brink(double strength = 1.0) {
     view.sun.azimuth = 320.0;
     view.sun.elevation = 9.0;
     view.streamers.strength = strength;
+    view.air.aerosol = Aerosol::thin;  // which leaves the sky around the sun dark
     return view;
 }
 

@@ -30,6 +30,7 @@ View towards_sun(double azimuth, double elevation, int height = 180) {
     view.camera.field_of_view = 40.0;
     view.sun.azimuth = azimuth;
     view.sun.elevation = elevation;
+    view.air.aerosol = Aerosol::thin;  // which leaves the sky around the sun dark
     return view;
 }
 

@@ -139,7 +139,9 @@ View golden_hour() {
 }
 
 TEST(WorldLayer, ShadowsOfAGoldenHourAreTheSkys) {
-    const Image image = picture(golden_hour(), repeated_dunes(420, 400));
+    View view = golden_hour();
+    view.sun.azimuth = 100.0;  // aside: haze veils what stands before a low sun
+    const Image image = picture(view, repeated_dunes(420, 400));
     const auto [shadow, light] = photograph::light_and_shadow(image);
     EXPECT_LE(shadow.saturation, 0.6 * light.saturation);
     EXPECT_GT(light.degrees, 20.0) << "sand";
@@ -208,6 +210,26 @@ TEST(WorldLayer, FarGroundMeetsTheSkyWithoutACrease) {
         if (azimuth == 255.0) continue;  // the sun stands there
         for (std::size_t row = 0; row < 90; row += 10)
             EXPECT_LT(rows[row], rows[row + 10]) << "darkens upward";
+    }
+}
+
+/// Ground in the haze ends in the very light of the sky above it, in every direction.
+TEST(WorldLayer, GroundAndSkyJoinWithinOneLevel) {
+    View view = golden_hour();
+    view.air.visibility = 0.5;  // of some kilometres to the horizon
+    view.image.width = 96;
+    view.image.height = 216;
+    view.camera.look_at.clear();
+    view.camera.elevation = 0.0;
+    for (const double azimuth : {30.0, 120.0, 210.0, 300.0}) {
+        view.camera.azimuth = azimuth;
+        const Image image = picture(view, repeated_dunes(420, 400));
+        for (const double x : {0.1, 0.5, 0.9}) {
+            const auto above = colour_at(image, x, 0.49);
+            const auto below = colour_at(image, x, 0.505);
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                EXPECT_NEAR(above[channel], below[channel], 1.0) << azimuth << ' ' << x;
+        }
     }
 }
 

@@ -10,6 +10,7 @@
 #include "base/elementary.h"
 #include "base/elementary_power.h"
 #include "base/units.h"
+#include "render/sky/desert_aerosol.h"
 #include "render/sky/sky_tables.h"
 
 namespace fumon {
@@ -23,9 +24,10 @@ constexpr glm::dvec3 sky_colour{0.56, 0.74, 1.0};
 constexpr double sky_share = 0.26;       // sky light against sun light on a plain, sun at 45°
 constexpr double level_exposure = 0.80;  // what a level plain receives, in luminance
 constexpr double photographic_exposure = 1.25;  // the same under the scattered sky
-constexpr double least_height = 0.22;   // sine of the elevation below which exposure stops rising
-constexpr double desert_aerosol = 3.0;  // of a clear day there, times that of Hillaire (2020)
-constexpr double adaptation = 0.2;      // to the colour of the present light
+constexpr double least_height = 0.22;  // sine of the elevation below which exposure stops rising
+constexpr double thin_aerosol = 3.0;   // of a clear day, times that of Hillaire (2020)
+constexpr double aureole = 30.0 * degree;  // about what hides the sun hides around it too
+constexpr double adaptation = 0.2;         // to the colour of the present light
 
 double luminance(const glm::dvec3& colour) {
     return glm::dot(colour, glm::dvec3(0.2126, 0.7152, 0.0722));
@@ -58,22 +60,23 @@ glm::dvec3 srgb_of_wavelengths(const glm::dvec3& light) {
 
 /// The tables of a planet's air with so much dust. The last ones are kept: they are the same
 /// wherever the sun stands, and take longer than all else that a moved sun asks for.
-std::shared_ptr<const AirTables> tables_of_air(Planet planet, double dust) {
+std::shared_ptr<const AirTables> tables_of_air(Planet planet, double dust, Aerosol aerosol) {
     const glm::dvec3 sand(0.42, 0.30, 0.18);
     const glm::dvec3 martian(0.30, 0.15, 0.07);
     struct Kept {
         Planet planet;
         double dust;
+        Aerosol aerosol;
         std::shared_ptr<const AirTables> tables;
     };
     static std::mutex alone;
     static std::optional<Kept> last;
     const std::lock_guard lock(alone);
-    if (!last || last->planet != planet || last->dust != dust) {
-        last =
-            Kept{planet, dust,
-                 std::make_shared<const AirTables>(
-                     planet == Planet::mars ? martian_air(dust, martian) : dusty_air(dust, sand))};
+    if (!last || last->planet != planet || last->dust != dust || last->aerosol != aerosol) {
+        const Atmosphere air = planet == Planet::mars       ? martian_air(dust, martian)
+                               : aerosol == Aerosol::desert ? desert_air(dust, sand)
+                                                            : dusty_air(dust, sand);
+        last = Kept{planet, dust, aerosol, std::make_shared<const AirTables>(air)};
     }
     return last->tables;
 }
@@ -81,7 +84,8 @@ std::shared_ptr<const AirTables> tables_of_air(Planet planet, double dust) {
 /// With the sun at 45 degrees.
 glm::dvec3 level_light_of_a_clear_day(double eye_height) {
     constexpr double usual_elevation = 45.0 * degree;
-    const SkyView usual(*tables_of_air(Planet::earth, 1.0), usual_elevation, eye_height);
+    const SkyView usual(*tables_of_air(Planet::earth, 1.0, Aerosol::thin), usual_elevation,
+                        eye_height);
     return srgb_of_wavelengths(usual.sun() * elementary::sin(usual_elevation) +
                                usual.level_irradiance());
 }
@@ -176,17 +180,21 @@ Light make_light(const SunSettings& settings) {
     return light;
 }
 
-Light make_atmospheric_light(const SunSettings& settings, Planet planet, double cloud_height) {
+Light make_atmospheric_light(const SunSettings& settings, Planet planet, double cloud_height,
+                             Aerosol aerosol) {
     constexpr double eye_height = 0.002;  // km
     const double sin_e = elementary::sin(settings.elevation * degree);
     static const glm::dvec3 day = level_light_of_a_clear_day(eye_height);
-    const double dust = planet == Planet::mars ? settings.dust : desert_aerosol * settings.dust;
-    const std::shared_ptr<const AirTables> air = tables_of_air(planet, dust);
-    const SkyView view(*air, settings.elevation * degree, eye_height);
+    const bool desert = planet == Planet::earth && aerosol == Aerosol::desert;
+    const double dust =
+        planet == Planet::earth && !desert ? thin_aerosol * settings.dust : settings.dust;
+    const std::shared_ptr<const AirTables> air = tables_of_air(planet, dust, aerosol);
+    const SkyView view(*air, settings.elevation * degree, eye_height, desert ? aureole : 0.0);
     const glm::dvec3 level = srgb_of_wavelengths(view.level_irradiance());
-    const glm::dvec3 now = srgb_of_wavelengths(view.sun()) * sin_e + level;
+    const glm::dvec3 direct = srgb_of_wavelengths(view.sun() + view.aureole());
+    const glm::dvec3 now = direct * sin_e + level;
     const glm::dvec3 white = adapted_white(day, now);
-    const glm::dvec3 sun = srgb_of_wavelengths(view.sun()) * white;
+    const glm::dvec3 sun = direct * white;
     const glm::dvec3 sky = level * white;
     const double received = luminance(sun) * std::max(sin_e, least_height) + luminance(sky);
     const double exposure = photographic_exposure / received;

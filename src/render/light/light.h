@@ -45,7 +45,7 @@ Light make_light(const SunSettings& settings);
 /// it: two stops darker than a meter would have it, with little colour and bluish, the sky darker
 /// still (Jensen et al. 2000, "Night rendering"). `cloud_height`: km, of Light::sun_aloft.
 Light make_atmospheric_light(const SunSettings& settings, Planet planet = Planet::earth,
-                             double cloud_height = 0.0);
+                             double cloud_height = 0.0, Aerosol aerosol = Aerosol::thin);
 
 /// The light of an even cover of clouds: white, a little of it from where the sun stands; overhead
 /// the sky is three times as bright as at the horizon (Moon & Spencer 1942, the CIE's overcast

@@ -23,9 +23,16 @@ Light light_of_view(const View& view) {
     if (view.look.sky == SkyModel::overcast && view.look.mode == ViewMode::scenic)
         return make_overcast_light(view.sun);
     if (!atmosphere || view.look.mode != ViewMode::scenic) return make_light(view.sun);
-    Light light = make_atmospheric_light(view.sun, view.air.planet, cloud_kilometres(view.air));
+    Light light = make_atmospheric_light(view.sun, view.air.planet, cloud_kilometres(view.air),
+                                         chosen_aerosol(view));
     add_light_from_clouds(light, view.air);
     return light;
+}
+
+Aerosol chosen_aerosol(const View& view) {
+    if (view.air.planet != Planet::earth) return Aerosol::thin;
+    if (view.air.aerosol != Aerosol::automatic) return view.air.aerosol;
+    return view.look.ground == Ground::endless ? Aerosol::desert : Aerosol::thin;
 }
 
 double cloud_kilometres(const AirSettings& air) {

@@ -18,8 +18,9 @@ AirOptics Atmosphere::optics(double height) const {
     AirOptics of;
     of.rayleigh = rayleigh * molecules;
     of.mie = dust_tint * (mie * aerosol);
-    of.mie_extinction = glm::dvec3(mie_extinction * aerosol);
+    of.mie_extinction = mie_extinction * aerosol;
     of.absorption = ozone * std::max(ozone_share, 0.0);
+    of.ahead = forward_peak * of.mie;
     return of;
 }
 
@@ -42,8 +43,8 @@ Atmosphere martian_air(double dust, const glm::dvec3& ground_albedo) {
         0.0185;  // 0.8 % of the Earth's molecules, each with 2.3 times the cross-section
     air.rayleigh_height = 11.1;
     air.mie_height = 11.1;
-    air.mie_extinction = 0.5 / air.mie_height * dust;
-    air.mie = air.mie_extinction;
+    air.mie = 0.5 / air.mie_height * dust;
+    air.mie_extinction = glm::dvec3(air.mie);
     air.dust_tint = {0.97, 0.90, 0.76};  // single-scattering albedo
     air.mie_asymmetry = {0.63, 0.67, 0.76};
     air.ozone = glm::dvec3(0.0);
@@ -76,6 +77,12 @@ double mie_phase(double cosine, double asymmetry) {
     const double base = 1.0 + g * g - 2.0 * g * cosine;
     return 3.0 / (8.0 * std::numbers::pi) * (1.0 - g * g) * (1.0 + cosine * cosine) /
            ((2.0 + g * g) * base * std::sqrt(base));
+}
+
+double aerosol_phase(const Atmosphere& air, int band, double cosine) {
+    const double forward = mie_phase(cosine, air.mie_asymmetry[band]);
+    if (air.mie_back == 0.0) return forward;
+    return (1.0 - air.mie_back) * forward + air.mie_back * mie_phase(cosine, back_asymmetry);
 }
 
 }  // namespace fumon

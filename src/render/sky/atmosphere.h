@@ -4,15 +4,22 @@
 
 namespace fumon {
 
+/// g of what aerosol scatters backward.
+inline constexpr double back_asymmetry = -0.4;
+
 /// What air does to light along each kilometre, in red, green and blue.
 struct AirOptics {
     glm::dvec3 rayleigh{0.0};        ///< scattered by molecules
     glm::dvec3 mie{0.0};             ///< scattered by aerosol
     glm::dvec3 mie_extinction{0.0};  ///< scattered and absorbed by aerosol
     glm::dvec3 absorption{0.0};      ///< by ozone
+    glm::dvec3 ahead{0.0};           ///< of mie, what goes on nearly straight; see Atmosphere
 
     [[nodiscard]] glm::dvec3 extinction() const { return rayleigh + mie_extinction + absorption; }
     [[nodiscard]] glm::dvec3 scattering() const { return rayleigh + mie; }
+    /// The same where light that goes on nearly straight counts as not scattered.
+    [[nodiscard]] glm::dvec3 extinction_aside() const { return extinction() - ahead; }
+    [[nodiscard]] glm::dvec3 scattering_aside() const { return scattering() - ahead; }
 };
 
 /// A planet's air: Rayleigh scattering, aerosol and ozone, the first two thinning exponentially
@@ -24,10 +31,15 @@ struct Atmosphere {
     glm::dvec3 rayleigh{0.005802, 0.013558, 0.033100};
     double rayleigh_height = 8.0;
     double mie = 0.003996;
-    double mie_extinction = 0.004440;
+    glm::dvec3 mie_extinction{0.004440};
     double mie_height = 1.2;
     glm::dvec3 mie_asymmetry{0.8};  ///< g, of forward scattering
+    double mie_back = 0.0;          ///< share of it that is scattered backward, by back_asymmetry
     glm::dvec3 dust_tint{1.0};      ///< of what aerosol scatters
+    /// Share of it that goes on nearly straight, g² for the delta-Eddington approximation (Joseph,
+    /// Wiscombe & Weinman 1976); light once scattered keeps its phase function (Nakajima & Tanaka
+    /// 1988). 0: none, as Hillaire has it.
+    glm::dvec3 forward_peak{0.0};
     glm::dvec3 ozone{0.000650, 0.001881, 0.000085};
     double ozone_lowest = 10.0;  ///< the ozone's layer is a tent
     double ozone_middle = 25.0;
@@ -66,5 +78,8 @@ RayPoint along_ray(double radius, double up, double distance);
 double rayleigh_phase(double cosine);
 /// Cornette & Shanks (1992).
 double mie_phase(double cosine, double asymmetry);
+/// Of an air's aerosol in one band: a lobe forward and, where it has one, another backward
+/// (Kattawar 1975).
+double aerosol_phase(const Atmosphere& air, int band, double cosine);
 
 }  // namespace fumon

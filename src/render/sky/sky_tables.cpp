@@ -66,6 +66,7 @@ glm::dvec3 LightTable::value(double x, double y) const {
 AirTables::AirTables(const Atmosphere& air)
     : air_(air),
       transmittance_(transmittance_columns, transmittance_rows),
+      passed_on_(transmittance_columns, transmittance_rows),
       multiple_scattering_(scattering_side, scattering_side) {
     tabulate_transmittance();
     tabulate_multiple_scattering();
@@ -89,24 +90,32 @@ void AirTables::tabulate_transmittance() {
                                                -1.0, 1.0);
             const double step = distance / transmittance_steps;
             glm::dvec3 depth(0.0);
+            glm::dvec3 depth_aside(0.0);
             for (int i = 0; i < transmittance_steps; ++i) {
                 const RayPoint point = along_ray(radius, up, (i + 0.5) * step);
-                depth += air_.optics(point.radius - air_.ground).extinction() * step;
+                const AirOptics optics = air_.optics(point.radius - air_.ground);
+                depth += optics.extinction() * step;
+                depth_aside += optics.extinction_aside() * step;
             }
             transmittance_.at(column, row) = exp_of(-depth);
+            passed_on_.at(column, row) = exp_of(-depth_aside);
         }
     }
 }
 
 glm::dvec3 AirTables::transmittance(double radius, double up) const {
+    return to_top(transmittance_, radius, up);
+}
+
+glm::dvec3 AirTables::to_top(const LightTable& table, double radius, double up) const {
     const HeightScale scale(air_);
     const RayEnd end = end_of_ray(air_, radius, up);
     if (end.on_ground) return glm::dvec3(0.0);
     const double to_horizon = scale.to_horizon(radius);
     const double shortest = air_.top - radius;
     const double longest = to_horizon + scale.horizon;
-    return transmittance_.value((end.distance - shortest) / std::max(longest - shortest, 1e-9),
-                                to_horizon / scale.horizon);
+    return table.value((end.distance - shortest) / std::max(longest - shortest, 1e-9),
+                       to_horizon / scale.horizon);
 }
 
 void AirTables::tabulate_multiple_scattering() {
@@ -132,16 +141,16 @@ void AirTables::tabulate_multiple_scattering() {
                         const double distance = (k + 0.5) * step;
                         const RayPoint point = along_ray(radius, up, distance);
                         const AirOptics optics = air_.optics(point.radius - air_.ground);
-                        const glm::dvec3 extinction = optics.extinction();
+                        const glm::dvec3 extinction = optics.extinction_aside();
                         const glm::dvec3 through = exp_of(-extinction * step);
-                        const glm::dvec3 seen =
-                            passed * length_seen(extinction, through, step) * optics.scattering();
+                        const glm::dvec3 seen = passed * length_seen(extinction, through, step) *
+                                                optics.scattering_aside();
                         // The sun's direction is the same all along the ray.
                         const double sun_there = std::clamp(
                             (radius * sun_up + distance * (up * sun_up + east * sun_across)) /
                                 point.radius,
                             -1.0, 1.0);
-                        second += seen * transmittance(point.radius, sun_there) * isotropic;
+                        second += seen * to_top(passed_on_, point.radius, sun_there) * isotropic;
                         share_back += seen;
                         passed *= through;
                     }
@@ -151,7 +160,7 @@ void AirTables::tabulate_multiple_scattering() {
                                 air_.ground,
                             -1.0, 1.0);
                         second += passed * air_.ground_albedo *
-                                  transmittance(air_.ground, sun_there) *
+                                  to_top(passed_on_, air_.ground, sun_there) *
                                   (std::max(sun_there, 0.0) / pi);
                     }
                 }
@@ -172,10 +181,10 @@ glm::dvec3 AirTables::radiance(double radius, double up, double sun_up, double t
     const RayEnd end = end_of_ray(air_, radius, up);
     const double rayleigh = rayleigh_phase(towards_sun);
     glm::dvec3 mie;
-    for (int band = 0; band < 3; ++band)
-        mie[band] = mie_phase(towards_sun, air_.mie_asymmetry[band]);
+    for (int band = 0; band < 3; ++band) mie[band] = aerosol_phase(air_, band, towards_sun);
     glm::dvec3 light(0.0);
     glm::dvec3 passed(1.0);
+    glm::dvec3 passed_once(1.0);
     double before = 0.0;
     for (int i = 0; i < radiance_steps; ++i) {
         // Steps grow along the ray: what is near, and low, matters most.
@@ -185,22 +194,33 @@ glm::dvec3 AirTables::radiance(double radius, double up, double sun_up, double t
         const double middle = 0.5 * (before + after);
         const RayPoint point = along_ray(radius, up, middle);
         const AirOptics optics = air_.optics(point.radius - air_.ground);
-        const glm::dvec3 extinction = optics.extinction();
+        const glm::dvec3 extinction = optics.extinction_aside();
         const glm::dvec3 through = exp_of(-extinction * step);
         const double sun_there =
             std::clamp((radius * sun_up + middle * towards_sun) / point.radius, -1.0, 1.0);
-        const glm::dvec3 scattered =
-            transmittance(point.radius, sun_there) *
-                (optics.rayleigh * rayleigh + optics.mie * mie) +
-            multiple_scattering(point.radius, sun_there) * optics.scattering();
-        light += passed * length_seen(extinction, through, step) * scattered;
+        const glm::dvec3 once = to_top(passed_on_, point.radius, sun_there) *
+                                (optics.rayleigh * rayleigh + optics.mie * mie);
+        const glm::dvec3 more =
+            multiple_scattering(point.radius, sun_there) * optics.scattering_aside();
+        const glm::dvec3 seen = passed * length_seen(extinction, through, step);
+        if (air_.forward_peak == glm::dvec3(0.0)) {
+            light += seen * (once + more);
+        } else {
+            // Light that goes on nearly straight on its way to the eye too leaves the aureole it
+            // came from: half of it, midway between all (twice what photons make of a horizon
+            // below the sun) and none.
+            const glm::dvec3 dimmed = extinction + 0.5 * optics.ahead;
+            const glm::dvec3 through_once = exp_of(-dimmed * step);
+            light += seen * more + passed_once * length_seen(dimmed, through_once, step) * once;
+            passed_once *= through_once;
+        }
         passed *= through;
         before = after;
     }
     return light;
 }
 
-SkyView::SkyView(const AirTables& air, double sun_elevation, double eye_height)
+SkyView::SkyView(const AirTables& air, double sun_elevation, double eye_height, double aureole)
     : table_(sky_columns, sky_rows) {
     const double radius = air.air().ground + eye_height;
     const double sun_up = elementary::sin(sun_elevation);
@@ -222,15 +242,21 @@ SkyView::SkyView(const AirTables& air, double sun_elevation, double eye_height)
     constexpr int elevations = 48;
     constexpr int azimuths = 48;
     parts_.reserve(elevations * azimuths);
+    const double within = elementary::cos(aureole);
     for (int i = 0; i < elevations; ++i) {
         const double elevation = quarter_turn * (i + 0.5) / elevations;
         const double level = elementary::cos(elevation);
         const double solid_angle = level * (quarter_turn / elevations) * (pi / azimuths);
         for (int j = 0; j < azimuths; ++j) {
             const double azimuth = pi * (j + 0.5) / azimuths;
-            parts_.push_back({level * elementary::cos(azimuth), level * elementary::sin(azimuth),
-                              elementary::sin(elevation),
-                              solid_angle * radiance(elevation, azimuth)});
+            const Part part{level * elementary::cos(azimuth), level * elementary::sin(azimuth),
+                            elementary::sin(elevation), solid_angle * radiance(elevation, azimuth)};
+            const double facing_sun = part.toward_sun * sun_across + part.up * sun_up;
+            if (aureole > 0.0 && facing_sun > within) {
+                aureole_ += 2.0 * facing_sun * part.light;  // of both halves
+            } else {
+                parts_.push_back(part);
+            }
         }
     }
     level_irradiance_ = irradiance(0.0, 1.0);

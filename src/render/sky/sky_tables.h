@@ -60,11 +60,14 @@ class AirTables {
                                       double towards_sun) const;
 
   private:
+    /// Of a table of transmittances.
+    [[nodiscard]] glm::dvec3 to_top(const LightTable& table, double radius, double up) const;
     void tabulate_transmittance();
     void tabulate_multiple_scattering();
 
     Atmosphere air_;
     LightTable transmittance_;
+    LightTable passed_on_;  // the same with what goes on nearly straight
     LightTable multiple_scattering_;
 };
 
@@ -72,15 +75,20 @@ class AirTables {
 /// radiances over the upper half of all directions.
 class SkyView {
   public:
-    /// `sun_elevation` in radians above the horizon, at least −0.3; `eye_height` in km.
-    SkyView(const AirTables& air, double sun_elevation, double eye_height);
+    /// `sun_elevation` in radians above the horizon, at least −0.3; `eye_height` in km. `aureole`:
+    /// angle from the sun, radians, within which the sky counts as the sun's aureole, and not among
+    /// what irradiances are of.
+    SkyView(const AirTables& air, double sun_elevation, double eye_height, double aureole = 0.0);
 
     /// From a direction: elevation above the horizon (0 … π/2) and azimuth from the sun's (0 … π).
     [[nodiscard]] glm::dvec3 radiance(double elevation, double azimuth) const;
 
     /// The sunlight that reaches the ground, on a surface that faces it.
     [[nodiscard]] const glm::dvec3& sun() const { return sun_; }
-    /// What the whole sky gives level ground.
+    /// What the sky within the aureole gives a surface that faces the sun. What hides the sun
+    /// hides that too.
+    [[nodiscard]] const glm::dvec3& aureole() const { return aureole_; }
+    /// What the sky besides gives level ground.
     [[nodiscard]] const glm::dvec3& level_irradiance() const { return level_irradiance_; }
     /// What it gives a slope with a normal, `toward_sun` along the sun's azimuth, `up` ≥ 0 and the
     /// rest across it, where nothing hides the sky.
@@ -101,6 +109,7 @@ class SkyView {
     LightTable table_;
     std::vector<Part> parts_;  // of one half of the sky; the other is its mirror image
     glm::dvec3 sun_{0.0};
+    glm::dvec3 aureole_{0.0};
     glm::dvec3 level_irradiance_{0.0};
 };
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/random.h"
+#include "render/sky/desert_aerosol.h"
 
 namespace fumon {
 namespace {
@@ -103,12 +104,12 @@ class Walk {
             const double towards_sun = glm::dot(direction, to_sun_);
             sum += weight * sunlight(place) *
                    (rayleigh * rayleigh_phase(towards_sun) +
-                    (1.0 - rayleigh) * mie_phase(towards_sun, air_.mie_asymmetry[band_]));
+                    (1.0 - rayleigh) * aerosol_phase(air_, band_, towards_sun));
             const glm::dvec3 next = sphere();
             const double cosine = glm::dot(direction, next);
             weight *= 4.0 * pi *
                       (rayleigh * rayleigh_phase(cosine) +
-                       (1.0 - rayleigh) * mie_phase(cosine, air_.mie_asymmetry[band_]));
+                       (1.0 - rayleigh) * aerosol_phase(air_, band_, cosine));
             direction = next;
             if (weight < 0.02) {
                 if (random_.uniform() > 0.5) return sum;
@@ -149,6 +150,36 @@ TEST(SkyView, IsAsBrightAsPhotonsMakeIt) {
                     << "sun " << sun << ", view " << elevation << ", band " << band;
             }
         }
+    }
+}
+
+/// Aerosol that scatters ahead: light that goes on nearly straight counts as not scattered, without
+/// which the horizon is 30 % too dark.
+TEST(SkyView, IsAsBrightAsPhotonsMakeItOverADesert) {
+    const AirTables air(desert_air(1.0, glm::dvec3(0.42, 0.30, 0.18)));
+    for (const double sun : {45.0, 10.0}) {
+        const SkyView sky(air, sun * pi / 180.0, eye);
+        for (const double elevation : {80.0, 20.0, 6.0, 3.0}) {
+            Walk walk(air, 1, sun * pi / 180.0);
+            const double expected = walk.radiance(elevation * pi / 180.0, 2.0, 20000);
+            const double found = sky.radiance(elevation * pi / 180.0, 2.0).g;
+            EXPECT_NEAR(found / expected, 1.0, 0.2) << "sun " << sun << ", view " << elevation;
+        }
+    }
+}
+
+/// Light is moved from the sky to the sun, not lost.
+TEST(SkyView, TheAureoleIsNotAmongTheSky) {
+    const AirTables air(desert_air(1.0, glm::dvec3(0.3)));
+    const double sun = 0.6;
+    const SkyView whole(air, sun, eye);
+    const SkyView parted(air, sun, eye, 0.35);
+    EXPECT_EQ(whole.aureole(), glm::dvec3(0.0));
+    for (int band = 0; band < 3; ++band) {
+        const double moved = whole.level_irradiance()[band] - parted.level_irradiance()[band];
+        EXPECT_GT(moved, 0.1 * whole.level_irradiance()[band]) << band;
+        // Spread over a disc, it meets level ground a little less aslant than the sun.
+        EXPECT_NEAR(parted.aureole()[band] * std::sin(sun) / moved, 1.0, 0.06) << band;
     }
 }
 
