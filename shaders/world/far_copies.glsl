@@ -10,6 +10,7 @@ struct GroundCopy {
     float height; // of the bed's, counted from its mean
     vec2 growth;  // how that changes on the way, per period
 };
+const GroundCopy as_it_is = GroundCopy(vec2(0.0), mat2(1.0), 1.0, vec2(0.0));
 
 // A number and its slopes.
 vec3 product(vec3 a, vec3 b) { return vec3(a.x * b.x, a.x * b.yz + b.x * a.yz); }
@@ -38,7 +39,7 @@ void add_wave(vec2 from_middle, vec2 wave, float begin, vec2 aside, float lower,
 
 // At an offset from the eye, block lengths.
 GroundCopy ground_copy(vec2 offset) {
-    if (varied < 0.5) return GroundCopy(vec2(0.0), mat2(1.0), 1.0, vec2(0.0));
+    if (varied < 0.5) return as_it_is;
     vec2 p = eye_from_middle + offset / extent;
     vec3 near_east = vec3(0.0);
     vec3 near_north = vec3(0.0);

@@ -30,9 +30,9 @@ vec3 tongue(vec2 at, ivec2 cell, ivec2 count, float widest) {
     float aside = (at.x - middle) / (half_width * mix(1.0, 0.5, clamp(share, 0.0, 1.0)));
     float nose = max(1.0 - up / (mix(1.5, 4.0, c) * half_width), 0.0);
     float inside = 1.0 - aside * aside - nose * nose;
-    float cover = smoothstep(0.0, 0.5, inside) * (1.0 - smoothstep(0.6, 1.0, share));
-    float thick = 0.028 * half_width * (1.0 - 1.3 * smoothstep(0.0, 0.9, share));
-    float light = mix(-0.5, 0.9, fract(7.3 * a + 3.1 * c)) * (1.0 - 0.5 * share) - 0.3 * nose;
+    float cover = smoothstep(0.0, 1.0, inside) * (1.0 - smoothstep(0.3, 1.0, share));
+    float thick = 0.010 * half_width * (1.0 - smoothstep(0.0, 0.9, share));
+    float light = mix(-0.25, 0.9, fract(7.3 * a + 3.1 * c)) * (1.0 - 0.5 * share);
     return vec3(thick, light, cover);
 }
 

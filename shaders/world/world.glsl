@@ -113,7 +113,7 @@ float coarseness(SeenPlace at, float texels) {
 }
 
 // Slope of the sand's own unevenness between ripples and cells, east and north, and how much lighter it is: longer along
-// the crests of ripples than across, and on floors less of what is wide. What is seen
+// the crests of ripples than across, and on floors less of what is wide. What is fine and seen
 // aslant is looked at twice, in both halves of its longer side, so that it stays as sharp as along the shorter one.
 vec3 relief(SeenPlace at, float bare) {
     const mat2 turned = mat2(0.96, 0.28, -0.28, 0.96);
@@ -132,11 +132,10 @@ vec3 relief(SeenPlace at, float bare) {
     float extent_seen = max(min(along, up), 0.25 * max(along, up));
     float level = 0.5 * log2(max(extent_seen * (texels * texels), 1e-12));
     vec3 fine = vec3(-0.5);
-    vec3 broad = vec3(-0.5);
+    vec3 broad = textureLod(relief_map, wider * (turned * place) + 0.37, level + log2(wider)).rgb - 0.5;
     for (int i = 0; i < 2; ++i) {
         vec2 half_seen = i == 0 ? place - aside : place + aside;
         fine += 0.5 * textureLod(relief_map, half_seen, level).rgb;
-        broad += 0.5 * textureLod(relief_map, wider * (turned * half_seen) + 0.37, level + log2(wider)).rgb;
     }
     broad.xy = broad.xy * turned;
     vec3 sum = fine + weaker * broad;

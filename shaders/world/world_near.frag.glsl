@@ -14,7 +14,12 @@
 
 uniform sampler2D wander_map;  // of world/ripple_wander.frag.glsl
 uniform float wander_scale;    // of its side, a ripple's length
+uniform float exaggeration;  // of heights
 uniform float ripple_phase;  // of the eye's place, in turns
+
+// Of pixels that world/world_pixels.frag.glsl tells apart.
+uniform float plain_sand;  // 1: of plain ones alone
+uniform float steep_sand;  // 0: of level ones alone
 
 const float tau = 6.2831853;
 
@@ -97,7 +102,8 @@ struct Slope {
 
 Slope slope_at(vec2 place, float level, SeenPlace at, GroundCopy copy) {
     Slope slope;
-    slope.point = copied(bed_point(textureLod(lighting_map, place, level)), at, copy);
+    slope.point = bed_point(textureLod(lighting_map, place, level));
+    if (plain_sand < 0.5) slope.point = copied(slope.point, at, copy);
     slope.rise = -slope.point.normal.xy / max(slope.point.normal.z, 0.1);
     slope.steep = length(slope.rise);
     slope.across = vec2(-slope.rise.y, slope.rise.x) / max(slope.steep, 0.1);
@@ -147,7 +153,8 @@ Lit mean_of(Lit one, Lit other) {
 
 vec4 near_colour(SeenPlace at) {
     vec3 offset = at.offset;
-    GroundCopy copy = copy_at(at);
+    GroundCopy copy = as_it_is;
+    if (plain_sand < 0.5) copy = copy_at(at);
     vec2 place = bed_place(at, copy);
     vec2 place_along = map_way(at.along.xy);
     vec2 place_up = map_way(at.up.xy);
@@ -169,15 +176,22 @@ vec4 near_colour(SeenPlace at) {
     // The sun's share, a mean over both halves of the pixel: no loop, of whose body llvmpipe does all each time.
     vec2 texels = vec2(textureSize(lighting_map, 0));
     float level = log2(max(max(length(place_along * texels), length(place_up * texels)) * (whole_pixels > 0.5 ? 0.5 / crisp : 1.0), 1.0));
+    if (plain_sand > 0.5) level = 0.0;
     vec3 to_half = whole_pixels > 0.5 ? (0.25 / crisp) * (at.up - at.along) : vec3(0.0);
-    Slope slope = slope_at(place + map_way(to_half.xy), level, at, copy);
+    vec2 aside = plain_sand > 0.5 ? vec2(0.0) : map_way(to_half.xy);
+    Slope slope = slope_at(place + aside, level, at, copy);
     // Wind that reaches a slope smooths it, but not at the angle of repose.
     float smoothed = smoothstep(0.0, 0.3, open) * (1.0 - smoothstep(0.54, 0.64, slope.steep));
-    float slid = smoothstep(0.42, 0.56, slope.steep) * sand.a * (1.0 - 0.85 * smoothed) * (1.0 - plain * rock);
-    vec3 tongue = slid * tongues(at, slope.across);
+    float slid = surface.g * smoothstep(0.42, 0.56, slope.steep / exaggeration) * smoothstep(none_slid, 0.42, fall_at(at) / exaggeration) * sand.a * (1.0 - 0.85 * smoothed) * (1.0 - plain * rock);
+    vec3 tongue = vec3(0.0);
+    if (steep_sand > 0.5) tongue = slid * tongues(at, slope.across);
     Sand here = Sand(wander.height, phase, resolved, sand.a, open, tongue.xy + uneven.xy);
     Lit lit = lit_part(slope, to_half, here, wander);
-    if (whole_pixels > 0.5) lit = mean_of(lit, lit_part(slope_at(place + map_way(-to_half.xy), level, at, copy), -to_half, here, wander));
+    if (whole_pixels > 0.5) {
+        Slope other = slope;
+        if (plain_sand < 0.5) other = slope_at(place - aside, level, at, copy);
+        lit = mean_of(lit, lit_part(other, -to_half, here, wander));
+    }
     BedPoint mean = lit.point;
     float direct = lit.direct;
     // Crests are of coarser, paler grains.

@@ -12,6 +12,14 @@ struct SeenPlace {
     vec3 up;
 };
 
+// The ground's slope there, as it is drawn.
+float fall_at(SeenPlace place) {
+    vec3 up = cross(place.along, place.up);
+    return length(up.xy) / max(abs(up.z), 1e-20);
+}
+// Of ground that is true to nature: on none that falls less sand slid.
+const float none_slid = 0.3;
+
 vec4 seen_at(ivec2 sample_place) {
     vec4 texel = texelFetch(offsets, sample_place, 0);
     return vec4(texel.xyz, abs(texel.w));

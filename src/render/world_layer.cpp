@@ -16,9 +16,7 @@ namespace {
 // Two channels of four: llvmpipe looks those up in half the time that it takes for GL_RG8.
 const gl::TextureLayout surface_layout{
     GL_RGBA8, GL_RG, GL_UNSIGNED_BYTE, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
-const gl::TextureLayout relief_layout{
-    GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
-const gl::TextureLayout slip_layout{
+const gl::TextureLayout detail_layout{
     GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT};
 constexpr int relief_texels = 512;
 const gl::TextureLayout wander_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT,
@@ -36,11 +34,16 @@ constexpr int listed_unit = 12;
 constexpr int slip_unit = 13;
 constexpr GLint near_stencil = 1;
 constexpr GLint far_stencil = 2;
-// Of pixels of near ground, of others, and of pixels of far ground; and between these.
-constexpr double near_depth = 0.2;
+// Of pixels of near ground, plain ones that are level or steep and the rest, of others, and of
+// pixels of far ground; and between these.
+constexpr double level_depth = 0.1;
+constexpr double steep_depth = 0.2;
+constexpr double near_depth = 0.3;
 constexpr double other_depth = 0.5;
 constexpr double far_depth = 0.8;
-constexpr double behind_near = 0.35;
+constexpr double behind_level = 0.15;
+constexpr double behind_steep = 0.25;
+constexpr double behind_near = 0.4;
 constexpr double before_far = 0.65;
 
 constexpr double ripple_metres = 0.12;
@@ -48,7 +51,7 @@ constexpr double ripple_cells = 0.3;  // without metres: a hundredth of a dune o
 constexpr double steepest = 0.2;
 constexpr double steps_a_ripple = 50.0;  // that it takes to move on by its length
 
-enum class Coloured { pixels, samples, packed_samples };
+enum class Coloured { level_pixels, steep_pixels, pixels, samples, packed_samples };
 
 /// Draws in the lower rows of a target alone.
 class WithinRows {
@@ -77,7 +80,11 @@ gl::Constants with_coloured(gl::Constants fixed, const View& view, Coloured colo
     fixed.push_back(factor_of(view));
     if (view.look.ripples == 0.0) fixed.push_back({"ripple_slope", 0.0F});
     if (view.look.grain == 0.0) fixed.push_back({"sand_grain", 0.0F});
-    fixed.push_back({"whole_pixels", coloured == Coloured::pixels ? 1.0F : 0.0F});
+    const bool level = coloured == Coloured::level_pixels;
+    const bool plain = level || coloured == Coloured::steep_pixels;
+    fixed.push_back({"plain_sand", plain ? 1.0F : 0.0F});
+    fixed.push_back({"steep_sand", level ? 0.0F : 1.0F});
+    fixed.push_back({"whole_pixels", plain || coloured == Coloured::pixels ? 1.0F : 0.0F});
     fixed.push_back({"packed_samples", coloured == Coloured::packed_samples ? 1.0F : 0.0F});
     return fixed;
 }
@@ -106,13 +113,17 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
       pixel_program_("common/screen.vert.glsl", "world/world_pixels.frag.glsl", {},
                      {factor_of(view)}),
       spread_program_("common/screen.vert.glsl", "world/world_spread.frag.glsl"),
+      level_pixels_("common/screen.vert.glsl", "world/world_near.frag.glsl", {},
+                    with_coloured(fixed, view, Coloured::level_pixels)),
+      steep_pixels_("common/screen.vert.glsl", "world/world_near.frag.glsl", {},
+                    with_coloured(fixed, view, Coloured::steep_pixels)),
       pixel_colours_(with_coloured(fixed, view, Coloured::pixels)),
       sample_colours_(with_coloured(fixed, view, Coloured::samples)),
       packed_colours_(with_coloured(fixed, view, Coloured::packed_samples)),
       surface_(first.bed.nx() * refinement, first.bed.ny() * refinement, surface_layout),
-      relief_(relief_texels, relief_texels, relief_layout),
+      relief_(relief_texels, relief_texels, detail_layout),
       wander_(wander_texels, wander_texels, wander_layout),
-      slip_(slip_texels, slip_texels, slip_layout) {
+      slip_(slip_texels, slip_texels, detail_layout) {
     build();
     draw_relief();
     draw_wander();
@@ -203,6 +214,7 @@ void WorldLayer::set_detail(const gl::Program& program, const Camera& camera) co
     program.set("ripple_slope", static_cast<float>(steepest * view_.look.ripples));
     program.set("sand_grain", static_cast<float>(view_.look.grain));
     program.set("whole_eye", glm::vec2(camera.eye));
+    program.set("exaggeration", static_cast<float>(block_.exaggeration));
 }
 
 void WorldLayer::draw_seen(const Camera& camera, const TileSamples& tile, bool tell_far) const {
@@ -285,24 +297,33 @@ void WorldLayer::colour_pixels(const gl::Texture2D& seen, const PixelSamples& at
     pixel_program_.set("first_sample", glm::vec2(at.first));
     pixel_program_.set("offsets", seen_unit);
     pixel_program_.set("near_to", static_cast<float>(near_to_));
+    pixel_program_.set("level_depth", static_cast<float>(level_depth));
+    pixel_program_.set("steep_depth", static_cast<float>(steep_depth));
     pixel_program_.set("near_depth", static_cast<float>(near_depth));
     pixel_program_.set("other_depth", static_cast<float>(other_depth));
     pixel_program_.set("far_depth", static_cast<float>(far_depth));
+    pixel_program_.set("texels", 1.0F / cell_);
+    pixel_program_.set("exaggeration", static_cast<float>(block_.exaggeration));
+    pixel_program_.set("extent", glm::vec2(block_.width_x, block_.width_y));
+    pixel_program_.set("varied", copies_.varied() ? 1.0F : 0.0F);
+    pixel_program_.set("eye_from_middle", glm::vec2(eye_from_middle(camera)));
     gl.DepthFunc(GL_ALWAYS);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
     gl.Enable(GL_STENCIL_TEST);
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    gl.StencilFunc(GL_ALWAYS, near_stencil, 0xFF);
+    gl.StencilFunc(GL_NOTEQUAL, near_stencil, 0xFF);  // not drawn yet
     gl.DepthMask(GL_FALSE);
-    for (const bool near : {true, false}) {
-        const gl::Program& program = near ? pixel_colours_.near : pixel_colours_.far;
+    const auto draw = [&](const gl::Program& program, GLenum passes, double depth) {
         bind(program, seen, shading, light, camera);
         program.set("first_sample", glm::vec2(at.first));
-        const double depth = near ? behind_near : before_far;
         gl.DepthRange(depth, depth);
-        gl.DepthFunc(near ? GL_GREATER : GL_LESS);
+        gl.DepthFunc(passes);
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    }
+    };
+    draw(level_pixels_, GL_GREATER, behind_level);
+    draw(steep_pixels_, GL_GREATER, behind_steep);
+    draw(pixel_colours_.near, GL_GREATER, behind_near);
+    draw(pixel_colours_.far, GL_LESS, before_far);
     gl.DepthRange(0.0, 1.0);
     gl.DepthMask(GL_TRUE);
     gl.DepthFunc(GL_LESS);

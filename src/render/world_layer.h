@@ -142,6 +142,8 @@ class WorldLayer {
     gl::Program unseen_program_;
     gl::Program pixel_program_;
     gl::Program spread_program_;
+    gl::Program level_pixels_;  ///< of near ground, plain ones
+    gl::Program steep_pixels_;
     Colours pixel_colours_;
     Colours sample_colours_;
     Colours packed_colours_;

@@ -17,7 +17,7 @@ namespace fumon {
 
 namespace {
 
-constexpr int read_around = 6;  // cells that the refinement and slopes look at
+constexpr int read_around = 9;  // cells that the refinement and slopes look at
 
 /// A periodic field on finer cells, with a margin of so many of them.
 Field<float> refined_around(const Field<float>& field, int refinement, int margin) {
@@ -111,28 +111,49 @@ Field<float> with_later_shadows(const Field<float>& share, const Field<float>& z
     return later;
 }
 
-/// How far the sand of each cell lies as it slid, 0 … 1: on steep slopes, and to a cell from them.
-Field<float> slid_sand(const DisplayBed& bed) {
+float smooth_step(float from, float to, float value) {
+    const float t = std::clamp((value - from) / (to - from), 0.0F, 1.0F);
+    return t * t * (3.0F - 2.0F * t);
+}
+
+/// How far a face of that slope is in the lee of one of the winds, 0 … 1. A bed in metres keeps the
+/// angle of repose, which no wind steepens a face to that it blows against: there all faces are.
+float in_lee(const Snapshot& snapshot, float east, float north) {
+    if (snapshot.scale.in_metres) return 1.0F;
+    const auto downwind = [&](double x, double y) {
+        return -(static_cast<float>(x) * east + static_cast<float>(y) * north);
+    };
+    float most = snapshot.winds.empty() ? downwind(1.0, 0.0) : 0.0F;
+    for (const SnapshotWind& wind : snapshot.winds) most = std::max(most, downwind(wind.x, wind.y));
+    constexpr float beside = 0.1F;  // cosines of angles to a wind
+    constexpr float behind = 0.5F;
+    return smooth_step(beside, behind,
+                       most / std::max(std::sqrt(east * east + north * north), 1e-6F));
+}
+
+/// How far the sand of each cell lies as it slid, 0 … 1: on steep slopes in the lee, without
+/// exaggeration, and to a cell from them.
+Field<float> slid_sand(const DisplayBed& bed, const Snapshot& snapshot, double exaggeration) {
     constexpr float none = 0.40F;  // slopes
     constexpr float all = 0.56F;
+    const auto rise = static_cast<float>(0.5 / exaggeration);
     const Field<float> z = with_margin(bed.z, 1);
-    Field<float> steep(bed.z.nx(), bed.z.ny());  // squares of slopes
-    for (int y = 0; y < steep.ny(); ++y) {
-        for (int x = 0; x < steep.nx(); ++x) {
-            const float east = (z(x + 2, y + 1) - z(x, y + 1)) / (2.0F * bed.dx);
-            const float north = (z(x + 1, y + 2) - z(x + 1, y)) / (2.0F * bed.dy);
-            steep(x, y) = east * east + north * north;
+    Field<float> own(bed.z.nx(), bed.z.ny());
+    for (int y = 0; y < own.ny(); ++y) {
+        for (int x = 0; x < own.nx(); ++x) {
+            const float east = rise * (z(x + 2, y + 1) - z(x, y + 1)) / bed.dx;
+            const float north = rise * (z(x + 1, y + 2) - z(x + 1, y)) / bed.dy;
+            const float steep = east * east + north * north;
+            if (steep <= none * none) continue;
+            own(x, y) = smooth_step(none, all, std::sqrt(steep)) * in_lee(snapshot, east, north);
         }
     }
-    const Field<float> wide = with_margin(steep, 1);
-    Field<float> slid(steep.nx(), steep.ny());
+    const Field<float> wide = with_margin(own, 1);
+    Field<float> slid(own.nx(), own.ny());
     for (int y = 0; y < slid.ny(); ++y) {
         for (int x = 0; x < slid.nx(); ++x) {
-            float most = 0.0F;
             for (int v = y; v < y + 3; ++v)
-                for (int u = x; u < x + 3; ++u) most = std::max(most, wide(u, v));
-            const float t = std::clamp((std::sqrt(most) - none) / (all - none), 0.0F, 1.0F);
-            slid(x, y) = t * t * (3.0F - 2.0F * t);
+                for (int u = x; u < x + 3; ++u) slid(x, y) = std::max(slid(x, y), wide(u, v));
         }
     }
     return slid;
@@ -178,7 +199,8 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
     const SunDirection upwind{static_cast<float>(-way.x), static_cast<float>(-way.y), full_shadow,
                               no_shadow};
     const Field<float> wind = sun_over_tiles(light.z, wide, block.tiles, upwind, {});
-    const Field<float> slid = refined_around(slid_sand(coarse), refinement, 0);
+    const Field<float> slid =
+        refined_around(slid_sand(coarse, snapshot, block.exaggeration), refinement, 0);
     light.surface.reserve(2 * wind.size());
     for (std::size_t i = 0; i < wind.size(); ++i) {
         light.surface.push_back(byte_of(wind.values()[i]));

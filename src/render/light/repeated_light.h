@@ -20,7 +20,8 @@ struct RepeatedLight {
     std::vector<std::uint16_t> texels;   ///< as lighting_texels; the sun's within `sun_bounds`
     std::vector<std::uint16_t> clamped;  ///< the same with the sun's share kept to 0 … 1
     /// Two of each cell, 0 … 255: how far ground upwind leaves the wind to it, and how far its sand
-    /// lies as it slid, on slopes near the angle of repose and a cell around them.
+    /// lies as it slid: on slopes near the angle of repose, heights without exaggeration, and a
+    /// cell around them; where the bed is not in metres, in the lee of a wind alone.
     std::vector<std::uint8_t> surface;
 };
 

@@ -48,13 +48,13 @@ HWY_INLINE Neighbours<hn::Vec<D>> look_up(D d, const std::uint64_t* pairs,
 
 /// Cells from `x` on, as many as a vector of the tag has.
 template <class D>
-HWY_INLINE void add_means(D d, const Changes& changes, int y, const RowOfEdges& edges, float step,
+HWY_INLINE void mix_means(D d, const Heights& field, int y, const RowOfEdges& edges, float step,
                           int x, float* heights) {
     const auto zero = hn::Zero(d);
     const auto on_edge = hn::Ne(hn::LoadU(d, edges.share + x), zero);
     if (hn::AllFalse(d, on_edge)) return;
     const hn::Rebind<std::int32_t, D> integers;
-    const auto columns = hn::Set(integers, std::int32_t{changes.nx});
+    const auto columns = hn::Set(integers, std::int32_t{field.nx});
     const auto east = hn::LoadU(d, edges.east + x);
     const auto north = hn::LoadU(d, edges.north + x);
     const auto cell_x = hn::Iota(d, static_cast<float>(x));
@@ -67,17 +67,17 @@ HWY_INLINE void add_means(D d, const Changes& changes, int y, const RowOfEdges& 
         const auto within = [&](auto place, int count) HWY_ATTR {
             return hn::Min(hn::Max(place, zero), hn::Set(d, static_cast<float>(count - 1)));
         };
-        const auto u = within(cell_x + away * east, changes.nx);
-        const auto v = within(cell_y + away * north, changes.ny);
+        const auto u = within(cell_x + away * east, field.nx);
+        const auto v = within(cell_y + away * north, field.ny);
         const auto west =
-            hn::Min(hn::ConvertTo(integers, u), hn::Set(integers, std::int32_t{changes.nx} - 2));
+            hn::Min(hn::ConvertTo(integers, u), hn::Set(integers, std::int32_t{field.nx} - 2));
         const auto south =
-            hn::Min(hn::ConvertTo(integers, v), hn::Set(integers, std::int32_t{changes.ny} - 2));
+            hn::Min(hn::ConvertTo(integers, v), hn::Set(integers, std::int32_t{field.ny} - 2));
         const auto right = u - hn::ConvertTo(d, west);
         const auto upper = v - hn::ConvertTo(d, south);
         const auto first = south * columns + west;
         const auto between = [&](auto at) HWY_ATTR {
-            const auto cells = look_up(d, changes.pairs, at);
+            const auto cells = look_up(d, field.pairs, at);
             return cells.first + right * (cells.second - cells.first);
         };
         const auto low = between(first);
@@ -87,18 +87,20 @@ HWY_INLINE void add_means(D d, const Changes& changes, int y, const RowOfEdges& 
         weights += weight;
     }
     const auto before = hn::LoadU(d, heights + x);
-    hn::StoreU(hn::IfThenElse(on_edge, before + sum / hn::Set(d, weights), before), d, heights + x);
+    const auto mixed =
+        before + hn::LoadU(d, edges.share + x) * (sum / hn::Set(d, weights) - before);
+    hn::StoreU(hn::IfThenElse(on_edge, mixed, before), d, heights + x);
 }
 
-void add_means_along(const Changes& changes, int y, const RowOfEdges& edges, float step,
+void mix_means_along(const Heights& field, int y, const RowOfEdges& edges, float step,
                      float* heights) {
     const hn::ScalableTag<float> d;
     const hn::CappedTag<float, 1> last;
     const auto lanes = static_cast<int>(hn::Lanes(d));
     int x = 0;
-    for (; x + lanes <= changes.nx; x += lanes) add_means(d, changes, y, edges, step, x, heights);
+    for (; x + lanes <= field.nx; x += lanes) mix_means(d, field, y, edges, step, x, heights);
 #pragma GCC unroll 1
-    for (; x < changes.nx; ++x) add_means(last, changes, y, edges, step, x, heights);
+    for (; x < field.nx; ++x) mix_means(last, field, y, edges, step, x, heights);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -108,7 +110,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace fumon::brink_vectors {
 
-HWY_EXPORT(add_means_along);
+HWY_EXPORT(mix_means_along);
 
 std::vector<std::uint64_t> pairs_of(const float* values, int count) {
     std::vector<std::uint64_t> pairs;
@@ -123,9 +125,9 @@ std::vector<std::uint64_t> pairs_of(const float* values, int count) {
     return pairs;
 }
 
-void add_means_along(const Changes& changes, int y, const RowOfEdges& edges, float step,
+void mix_means_along(const Heights& field, int y, const RowOfEdges& edges, float step,
                      float* heights) {
-    HWY_DYNAMIC_DISPATCH(add_means_along)(changes, y, edges, step, heights);
+    HWY_DYNAMIC_DISPATCH(mix_means_along)(field, y, edges, step, heights);
 }
 
 }  // namespace fumon::brink_vectors

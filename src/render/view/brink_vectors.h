@@ -7,9 +7,9 @@
 /// the same bits on every target.
 namespace fumon::brink_vectors {
 
-/// What edges change of heights, on fine cells, x fastest: the bits of a cell's value, and over
-/// them those of the next one's, so that both are looked up at once.
-struct Changes {
+/// Heights of fine cells, x fastest: the bits of a cell's, and over them those of the next one's,
+/// so that both are looked up at once.
+struct Heights {
     const std::uint64_t* pairs;
     int nx;
     int ny;
@@ -18,7 +18,8 @@ struct Changes {
 /// The pairs of `count` values.
 std::vector<std::uint64_t> pairs_of(const float* values, int count);
 
-/// The edges about the cells of a row: where there is one (not 0), and a unit vector along it.
+/// The edges about the cells of a row: how much of one there is (0 … 1), and a vector along it,
+/// in whose lengths places are apart.
 struct RowOfEdges {
     const float* share;
     const float* east;
@@ -26,11 +27,11 @@ struct RowOfEdges {
 };
 
 /// Places looked at to either side of a cell.
-constexpr int places_aside = 6;
+constexpr int places_aside = 4;
 
-/// Adds to the heights of row `y` the means of the changes along the edges about its cells, of
-/// places `step` cells apart, the farther the less; where there is no edge nothing.
-void add_means_along(const Changes& changes, int y, const RowOfEdges& edges, float step,
+/// Mixes into the heights of row `y`, as far as there are edges, the means along the edges about
+/// its cells, of places `step` cells apart, the farther the less.
+void mix_means_along(const Heights& field, int y, const RowOfEdges& edges, float step,
                      float* heights);
 
 }  // namespace fumon::brink_vectors

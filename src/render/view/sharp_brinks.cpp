@@ -63,7 +63,7 @@ Field<Rise> smoother_rises(const Field<float>& heights, WorkerPool& pool) {
 struct Edge {
     float share = 0.0F;
     float most = 0.0F;
-    float east = 0.0F;  // a unit vector along it
+    float east = 0.0F;  // along it, the longer the straighter it is: at most 1
     float north = 0.0F;
 };
 
@@ -74,39 +74,77 @@ struct Products {
     float north_north = 0.0F;
 };
 
+constexpr int looked_around = 3;  // cells to either side, over which an edge's direction is found
+constexpr float least_length = 0.2F;  // of an edge that runs nowhere
+// How much more slopes differ across than along it, of both.
+constexpr float nowhere = 0.65F;
+constexpr float straight = 0.9F;
+
 /// The direction in which slopes differ the least.
-Edge edge_along(const Products& sum, float share, float most) {
+void turn_along(const Products& sum, Edge& edge) {
     const float half = 0.5F * (sum.east_east - sum.north_north);
     const float larger = half + std::sqrt(half * half + sum.east_north * sum.east_north);
     // Across the edge lies (larger, east_north) where slopes differ eastward the most.
     const float east = larger > 0.0F ? -sum.east_north : -1.0F;
     const float length = std::sqrt(larger * larger + east * east);
-    return {share, most, east / length, larger / length};
+    const float differ = sum.east_east + sum.north_north;
+    const float along = differ > 0.0F ? 2.0F * (larger - half) / differ : 0.0F;
+    const float t = std::clamp((along - nowhere) / (straight - nowhere), 0.0F, 1.0F);
+    const float shown = least_length + (1.0F - least_length) * t * t * (3.0F - 2.0F * t);
+    edge.east = shown * east / length;
+    edge.north = shown * larger / length;
+}
+
+/// A call for each cell at most so far from one, along both axes, or for every second one of these.
+template <class Field, class Call>
+void cells_around(const Field& field, int x, int y, int far, int apart, const Call& call) {
+    const auto first = [&](int place) {
+        int from = place - far;
+        while (from < 0) from += apart;
+        return from;
+    };
+    for (int v = first(y); v <= std::min(y + far, field.ny() - 1); v += apart)
+        for (int u = first(x); u <= std::min(x + far, field.nx() - 1); u += apart) call(u, v);
 }
 
 Field<Edge> edges(const Field<Rise>& rises, float dx, float dy, WorkerPool& pool) {
     const int nx = rises.nx();
     const int ny = rises.ny();
     Field<Edge> found(nx, ny);
+    Field<Products> products(nx, ny);
     pool.for_ranges(ny, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
             for (int x = 0; x < nx; ++x) {
                 float most = 0.0F;  // square of a difference of slope
-                Products sum;
-                for (int v = std::max(y - 1, 0); v <= std::min(y + 1, ny - 1); ++v) {
-                    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, nx - 1); ++u) {
-                        const float east = (rises(u, v).east - rises(x, y).east) / dx;
-                        const float north = (rises(u, v).north - rises(x, y).north) / dy;
-                        most = std::max(most, east * east + north * north);
-                        sum.east_east += east * east;
-                        sum.east_north += east * north;
-                        sum.north_north += north * north;
-                    }
-                }
+                Products& sum = products(x, y);
+                cells_around(rises, x, y, 1, 1, [&](int u, int v) {
+                    const float east = (rises(u, v).east - rises(x, y).east) / dx;
+                    const float north = (rises(u, v).north - rises(x, y).north) / dy;
+                    most = std::max(most, east * east + north * north);
+                    sum.east_east += east * east;
+                    sum.east_north += east * north;
+                    sum.north_north += north * north;
+                });
                 const float bend = std::sqrt(most);
                 const float t = std::clamp((bend - no_edge) / (full_edge - no_edge), 0.0F, 1.0F);
-                found(x, y) =
-                    edge_along(sum, t * t * (3.0F - 2.0F * t), most_cut * bend * std::min(dx, dy));
+                found(x, y).share = t * t * (3.0F - 2.0F * t);
+                found(x, y).most = most_cut * bend * std::min(dx, dy);
+            }
+        }
+    });
+    pool.for_ranges(ny, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            for (int x = 0; x < nx; ++x) {
+                float share = 0.0F;
+                cells_around(found, x, y, 1, 1, [&](int u, int v) { share += found(u, v).share; });
+                if (share == 0.0F) continue;
+                Products sum;
+                cells_around(products, x, y, looked_around, 2, [&](int u, int v) {
+                    sum.east_east += products(u, v).east_east;
+                    sum.east_north += products(u, v).east_north;
+                    sum.north_north += products(u, v).north_north;
+                });
+                turn_along(sum, found(x, y));
             }
         }
     });
@@ -139,10 +177,9 @@ float cut(const std::array<Corner, 4>& corners, float east, float north, float s
     return sharp * (std::clamp(lowest, 0.0F, most) + std::clamp(highest, -most, 0.0F));
 }
 
-/// What edges change of smooth heights, on fine cells.
-Field<float> cuts(const Field<float>& heights, const Field<float>& fine, const Field<Rise>& rises,
-                  const Field<Edge>& edge, int refinement, WorkerPool& pool) {
-    Field<float> changes(fine.nx(), fine.ny());
+/// Makes edges of smooth heights on fine cells.
+void cut_edges(const Field<float>& heights, const Field<Rise>& rises, const Field<Edge>& edge,
+               int refinement, Field<float>& fine, WorkerPool& pool) {
     const int first =
         refinement / 2;  // fine cell that is the first one beyond a coarse one's middle
     const auto part = [&](int i) {
@@ -168,31 +205,51 @@ Field<float> cuts(const Field<float>& heights, const Field<float>& fine, const F
                     for (int i = 0; i < refinement; ++i) {
                         const int u = x * refinement + first + i;
                         const int v = y * refinement + first + j;
-                        changes(u, v) = cut(corners, part(i), part(j), fine(u, v), most);
+                        fine(u, v) += cut(corners, part(i), part(j), fine(u, v), most);
                     }
                 }
             }
         }
     });
-    return changes;
 }
 
-/// The edges about the fine cells of a coarse row, those of one coarse cell alike.
+/// Some way from an edge to another, whose vector may point to either end.
+Edge between(const Edge& edge, const Edge& other, float away) {
+    const bool turned = edge.east * other.east + edge.north * other.north < 0.0F;
+    const float sign = turned ? -1.0F : 1.0F;
+    return {edge.share + away * (other.share - edge.share), 0.0F,
+            edge.east + away * (sign * other.east - edge.east),
+            edge.north + away * (sign * other.north - edge.north)};
+}
+
+/// The edges about the fine cells of a row, between those about coarse ones.
 class EdgesOfRow {
   public:
-    explicit EdgesOfRow(int cells) : share_(size(cells)), east_(size(cells)), north_(size(cells)) {}
+    EdgesOfRow(const Field<Edge>& edge, int refinement)
+        : edge_(edge),
+          refinement_(refinement),
+          coarse_(static_cast<std::size_t>(edge.nx())),
+          share_(size()),
+          east_(size()),
+          north_(size()) {}
 
-    /// Whether there is any.
-    bool take(const Field<Edge>& edge, int y, int refinement) {
+    /// Of a fine row; whether there is any.
+    bool take(int v) {
+        const int y = v / refinement_;
+        const float away = part(v % refinement_);
+        const auto own = edge_.row(y);
+        const auto other = edge_.row(std::clamp(y + (away < 0.0F ? -1 : 1), 0, edge_.ny() - 1));
         bool any = false;
-        auto share = share_.begin();
-        auto east = east_.begin();
-        auto north = north_.begin();
-        for (const Edge& at : edge.row(y)) {
-            any = any || at.share != 0.0F;
-            share = std::fill_n(share, refinement, at.share);
-            east = std::fill_n(east, refinement, at.east);
-            north = std::fill_n(north, refinement, at.north);
+        for (std::size_t x = 0; x < coarse_.size(); ++x) {
+            if (own[x].share == 0.0F && other[x].share == 0.0F) {
+                coarse_[x] = own[x];
+                continue;
+            }
+            any = true;
+            coarse_[x] = between(own[x], other[x], std::abs(away));
+        }
+        if (any) {
+            for (std::size_t x = 0; x < coarse_.size(); ++x) fill(x);
         }
         return any;
     }
@@ -201,28 +258,55 @@ class EdgesOfRow {
     }
 
   private:
-    static std::size_t size(int cells) { return static_cast<std::size_t>(cells); }
+    /// The fine cells of a coarse one.
+    void fill(std::size_t x) {
+        const std::size_t before = x == 0 ? 0 : x - 1;
+        const std::size_t after = std::min(x + 1, coarse_.size() - 1);
+        const bool none = coarse_[before].share == 0.0F && coarse_[x].share == 0.0F &&
+                          coarse_[after].share == 0.0F;
+        for (int i = 0; i < refinement_; ++i) {
+            const float away = part(i);
+            const Edge at =
+                none ? Edge{}
+                     : between(coarse_[x], coarse_[away < 0.0F ? before : after], std::abs(away));
+            const std::size_t u =
+                x * static_cast<std::size_t>(refinement_) + static_cast<std::size_t>(i);
+            share_[u] = at.share;
+            east_[u] = at.east;
+            north_[u] = at.north;
+        }
+    }
+    [[nodiscard]] std::size_t size() const {
+        return coarse_.size() * static_cast<std::size_t>(refinement_);
+    }
+    /// From a coarse cell's middle to that of one of its fine cells, coarse cells.
+    [[nodiscard]] float part(int i) const {
+        return (static_cast<float>(i) + 0.5F) / static_cast<float>(refinement_) - 0.5F;
+    }
 
+    const Field<Edge>& edge_;
+    int refinement_;
+    std::vector<Edge> coarse_;
     std::vector<float> share_;
     std::vector<float> east_;
     std::vector<float> north_;
 };
 
-/// Adds to heights what edges change, as its mean over three coarse cells along each edge, which
-/// runs on where the lattice breaks it up.
-void add_along_edges(const Field<float>& changes, const Field<Edge>& edge, int refinement,
-                     Field<float>& fine, WorkerPool& pool) {
-    const float step =
-        1.5F * static_cast<float>(refinement) / static_cast<float>(brink_vectors::places_aside);
+constexpr float averaged_aside = 3.0F;  // cells along an edge to either side
+
+/// Heights with means along each edge, which runs on where the lattice breaks it up.
+void smooth_along_edges(const Field<Edge>& edge, int refinement, Field<float>& fine,
+                        WorkerPool& pool) {
+    const float step = averaged_aside * static_cast<float>(refinement) /
+                       static_cast<float>(brink_vectors::places_aside);
     const std::vector<std::uint64_t> pairs =
-        brink_vectors::pairs_of(changes.data(), static_cast<int>(changes.size()));
-    pool.for_ranges(edge.ny(), [&](int begin, int end) {
-        EdgesOfRow edges(fine.nx());
-        for (int y = begin; y < end; ++y) {
-            if (!edges.take(edge, y, refinement)) continue;
-            for (int v = y * refinement; v < (y + 1) * refinement; ++v)
-                brink_vectors::add_means_along({pairs.data(), changes.nx(), changes.ny()}, v,
-                                               edges.row(), step, fine.row(v).data());
+        brink_vectors::pairs_of(fine.data(), static_cast<int>(fine.size()));
+    pool.for_ranges(fine.ny(), [&](int begin, int end) {
+        EdgesOfRow edges(edge, refinement);
+        for (int v = begin; v < end; ++v) {
+            if (!edges.take(v)) continue;
+            brink_vectors::mix_means_along({pairs.data(), fine.nx(), fine.ny()}, v, edges.row(),
+                                           step, fine.row(v).data());
         }
     });
 }
@@ -235,8 +319,8 @@ Field<float> refined_with_brinks(const Field<float>& heights, float dx, float dy
     if (refinement == 1) return fine;
     const Field<Rise> rises = smoother_rises(heights, pool);
     const Field<Edge> edge = edges(rises, dx, dy, pool);
-    const Field<float> changes = cuts(heights, fine, rises, edge, refinement, pool);
-    add_along_edges(changes, edge, refinement, fine, pool);
+    cut_edges(heights, rises, edge, refinement, fine, pool);
+    smooth_along_edges(edge, refinement, fine, pool);
     return fine;
 }
 

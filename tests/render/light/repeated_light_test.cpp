@@ -46,5 +46,42 @@ TEST(RepeatedLight, SandLiesAsItSlidOnSlipFacesAndACellAroundThem) {
     for (const int site : {4, 10, 16, 28, 34, 40}) EXPECT_EQ(slid(site), 0) << site;
 }
 
+/// The sand that slid at the middle of a site of a row, 0 … 255.
+int slid_at(const Snapshot& bed, double exaggeration, int site) {
+    View view = small_view();
+    view.look.ground = Ground::endless;
+    view.look.exaggeration = {"", exaggeration};
+    WorkerPool pool(1);
+    const RepeatedLight light = repeated_light(bed, framed_block(view, bed), 1, {},
+                                               sun_direction(view.sun), {1.0, 0.0}, pool);
+    return light.surface[2 * static_cast<std::size_t>(site) + 1];
+}
+
+Snapshot against_the_wind(const Snapshot& bed) {
+    Snapshot turned = bed;
+    for (int y = 0; y < bed.bed.ny(); ++y)
+        for (int x = 0; x < bed.bed.nx(); ++x) turned.bed(x, y) = bed.bed(bed.bed.nx() - 1 - x, y);
+    return turned;
+}
+
+TEST(RepeatedLight, SandSlidInTheLeeOfAnyWindAlone) {
+    const Snapshot bed = ridges_with_slip_faces();
+    Snapshot turned = against_the_wind(bed);
+    EXPECT_GE(slid_at(bed, 1.0, 22), 250);
+    EXPECT_EQ(slid_at(turned, 1.0, 47 - 22), 0) << "a steep stoss side";
+    turned.winds = {{1.0, 0.0, 1.0}, {-1.0, 0.0, 0.2}};
+    EXPECT_GE(slid_at(turned, 1.0, 47 - 22), 250) << "a second wind";
+    turned.winds.clear();
+    turned.scale.in_metres = true;
+    EXPECT_GE(slid_at(turned, 1.0, 47 - 22), 250) << "at the angle of repose";
+}
+
+TEST(RepeatedLight, TheTrueSlopeTellsWhereSandSlid) {
+    Snapshot bed = ridges_with_slip_faces();
+    EXPECT_GE(slid_at(bed, 0.5, 22), 250);
+    for (double& height : bed.bed.values()) height *= 0.4;
+    EXPECT_EQ(slid_at(bed, 3.0, 22), 0);
+}
+
 }  // namespace
 }  // namespace fumon

@@ -44,16 +44,16 @@ float mean_along(const Field<float>& field, int x, int y, float east, float nort
     return sum / weights;
 }
 
-TEST(BrinkVectors, EveryTargetAddsTheMeansOfSinglePlaces) {
+TEST(BrinkVectors, EveryTargetMixesInTheMeansOfSinglePlaces) {
     const std::string before = vectors::target();
-    Field<float> changes(53, 9);  // ends between vectors
+    Field<float> field(53, 9);  // ends between vectors
     std::uint32_t state = 4711;
     const auto chance = [&state] {
         state = state * 1664525U + 1013904223U;
         return static_cast<float>(state >> 8U) * 0x1p-24F;
     };
-    for (float& change : changes.values()) change = chance() - 0.5F;
-    const auto count = static_cast<std::size_t>(changes.nx());
+    for (float& height : field.values()) height = chance() - 0.5F;
+    const auto count = static_cast<std::size_t>(field.nx());
     std::vector<float> share(count);
     std::vector<float> east(count);
     std::vector<float> north(count);
@@ -65,20 +65,20 @@ TEST(BrinkVectors, EveryTargetAddsTheMeansOfSinglePlaces) {
     }
     constexpr float step = 0.75F;
     const std::vector<std::uint64_t> pairs =
-        brink_vectors::pairs_of(changes.data(), static_cast<int>(changes.size()));
+        brink_vectors::pairs_of(field.data(), static_cast<int>(field.size()));
     for (const std::string& target : vectors::targets()) {
         vectors::use_target(target);
-        for (int y = 0; y < changes.ny(); ++y) {
+        for (int y = 0; y < field.ny(); ++y) {
             std::vector<float> heights(count);
             for (std::size_t x = 0; x < count; ++x) heights[x] = 0.1F * static_cast<float>(x);
-            brink_vectors::add_means_along({pairs.data(), changes.nx(), changes.ny()}, y,
+            brink_vectors::mix_means_along({pairs.data(), field.nx(), field.ny()}, y,
                                            {share.data(), east.data(), north.data()}, step,
                                            heights.data());
             for (std::size_t x = 0; x < count; ++x) {
                 const float level = 0.1F * static_cast<float>(x);
                 const float mean =
-                    mean_along(changes, static_cast<int>(x), y, east[x], north[x], step);
-                EXPECT_EQ(heights[x], share[x] == 0.0F ? level : level + mean)
+                    mean_along(field, static_cast<int>(x), y, east[x], north[x], step);
+                EXPECT_EQ(heights[x], share[x] == 0.0F ? level : level + share[x] * (mean - level))
                     << target << ", " << x << ", " << y;
             }
         }

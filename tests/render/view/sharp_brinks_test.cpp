@@ -31,6 +31,26 @@ bool same(const Field<float>& one, const Field<float>& other) {
     return std::ranges::equal(one.values(), other.values());
 }
 
+/// How far the line where ground falls at a slope of 0.16 eastward strays across a brink, coarse
+/// cells.
+float strays(const Field<float>& fine, float eastward, float northward) {
+    constexpr float falls = -0.16F;
+    float least = 1e6F;
+    float most = -1e6F;
+    for (int y = 10 * refinement; y < 30 * refinement; ++y) {
+        const auto slope = [&](int x) {
+            return 0.5F * refinement * (fine(x + 1, y) - fine(x - 1, y));
+        };
+        int x = 1;
+        while (slope(x + 1) > falls) ++x;
+        const float share = (slope(x) - falls) / (slope(x) - slope(x + 1));
+        const float across = eastward * (place(x) + share / refinement) + northward * place(y);
+        least = std::min(least, across);
+        most = std::max(most, across);
+    }
+    return most - least;
+}
+
 float farthest_from_brink(const Field<float>& fine, float eastward, float northward) {
     float farthest = 0.0F;
     for (int y = 10 * refinement; y < 30 * refinement; ++y) {
@@ -40,6 +60,29 @@ float farthest_from_brink(const Field<float>& fine, float eastward, float northw
         }
     }
     return farthest;
+}
+
+TEST(SharpBrinks, ABrinkThatSandRoundsRunsStraightAcrossTheLattice) {
+    WorkerPool pool(2);
+    for (const float degrees : {5.0F, 14.0F, 20.0F, 30.0F}) {
+        const float eastward = std::cos(degrees / 57.29578F);
+        const float northward = std::sin(degrees / 57.29578F);
+        Field<float> heights(coarse, coarse);
+        for (int y = 0; y < coarse; ++y) {
+            for (int x = 0; x < coarse; ++x) {
+                float sum = 0.0F;  // over a cell
+                for (int i = 0; i < 16; ++i) {
+                    const float aside = 0.25F * (static_cast<float>(i % 4) - 1.5F);
+                    const float ahead = 0.25F * (static_cast<float>(i / 4) - 1.5F);
+                    sum += stoss_and_slip_face(static_cast<float>(x) + aside,
+                                               static_cast<float>(y) + ahead, eastward, northward);
+                }
+                heights(x, y) = sum / 16.0F;
+            }
+        }
+        const Field<float> fine = refined_with_brinks(heights, 1.0F, 1.0F, refinement, pool);
+        EXPECT_LT(strays(fine, eastward, northward), 0.12F) << degrees;
+    }
 }
 
 TEST(SharpBrinks, ABrinkBetweenCellsStaysAnEdge) {
