@@ -31,7 +31,6 @@ uniform float tile_rows;
 uniform vec2 first_drawn;  // its first pixel in the target, from below
 uniform vec2 row_of;       // rows run downward: the first one's number, and 1 or, from the lowest on, −1
 
-in vec2 place;
 out vec4 colour;
 
 vec3 plain(vec3 point, vec3 view) {

@@ -68,15 +68,17 @@ void BackgroundLayer::set_floor(const FloorMap& floor) const {
     floor_.upload(floor.sun_and_sky.data());
 }
 
-const gl::Program& BackgroundLayer::program(bool plain_alone, bool stars) {
-    std::optional<gl::Program>& made = programs_[(plain_alone ? 1U : 0U) + (stars ? 2U : 0U)];
+const gl::Program& BackgroundLayer::program(bool plain_alone, bool stars, bool in_parts) {
+    std::optional<gl::Program>& made =
+        programs_[(plain_alone ? 1U : 0U) + (stars ? 2U : 0U) + (in_parts ? 4U : 0U)];
     if (!made) {
         gl::Constants constants = fixed_;
         constants.push_back({"endless", view_.look.ground == Ground::endless ? 1.0F : 0.0F});
         constants.push_back({"plain_alone", plain_alone ? 1.0F : 0.0F});
         constants.push_back({"stars", stars ? 1.0F : 0.0F});
-        made.emplace("common/screen.vert.glsl", "sky/background.frag.glsl",
-                     std::initializer_list<const char*>{}, constants);
+        made.emplace(in_parts ? "common/parts.vert.glsl" : "common/screen.vert.glsl",
+                     "sky/background.frag.glsl", std::initializer_list<const char*>{"corner"},
+                     constants);
     }
     return *made;
 }
@@ -143,14 +145,47 @@ float BackgroundLayer::sun_through_clouds(const Light& light, const Camera& came
 
 void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile& tile,
                            RowOrder order, const glm::ivec2& first_drawn) {
+    if (start(light, camera, tile, order, first_drawn, false))
+        gl::functions().DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile& tile,
+                           const std::vector<Tile>& parts) {
+    if (!start(light, camera, tile, RowOrder::upward, {0, 0}, true)) return;
+    std::vector<glm::vec2> corners;
+    corners.reserve(6 * parts.size());
+    for (const Tile& part : parts) {
+        const auto place = [&](int x, int y) {
+            return glm::vec2(2.0F * static_cast<float>(x) / static_cast<float>(tile.width) - 1.0F,
+                             1.0F - 2.0F * static_cast<float>(y) / static_cast<float>(tile.height));
+        };
+        const int right = part.x + part.width;
+        const int lower = part.y + part.height;
+        corners.insert(corners.end(),
+                       {place(part.x, lower), place(right, lower), place(right, part.y),
+                        place(part.x, lower), place(right, part.y), place(part.x, part.y)});
+    }
+    const gl::Functions& gl = gl::functions();
+    gl.BindVertexArray(parts_array_.name());
+    parts_corners_.fill(corners);
+    gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
+    gl.EnableVertexAttribArray(0);
+    gl.Viewport(0, 0, tile.width, tile.height);
+    gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
+    gl.BindVertexArray(0);
+}
+
+/// Sets all that a picture's surroundings need, or draws a figure's: then false.
+bool BackgroundLayer::start(const Light& light, const Camera& camera, const Tile& tile,
+                            RowOrder order, const glm::ivec2& first_drawn, bool in_parts) {
     const gl::Functions& gl = gl::functions();
     if (view_.look.mode == ViewMode::figure) {
         gl.ClearColor(1.0F, 1.0F, 1.0F, 1.0F);
         gl.Clear(GL_COLOR_BUFFER_BIT);
-        return;
+        return false;
     }
     const bool plain_alone = view_.look.ground != Ground::endless && looks_down(camera);
-    const gl::Program& sees = program(plain_alone, light.stars && !plain_alone);
+    const gl::Program& sees = program(plain_alone, light.stars && !plain_alone, in_parts);
     sees.use();
     set_rays(sees, light, camera);
     sees.set("disc_brightness", static_cast<float>(disc_brightness(view_, camera, wanted_)));
@@ -172,7 +207,7 @@ void BackgroundLayer::draw(const Light& light, const Camera& camera, const Tile&
     sees.set("tile_rows", static_cast<float>(tile.height));
     sees.set("first_drawn", glm::vec2(first_drawn));
     sees.set("tile_pixel", glm::vec2(static_cast<float>(tile.x), static_cast<float>(tile.y)));
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    return true;
 }
 
 }  // namespace fumon

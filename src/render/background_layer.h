@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "gl/dynamic_buffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/colour/pixel_kind.h"
@@ -39,9 +40,14 @@ class BackgroundLayer {
     /// out. `first_drawn`: within the tile, from below, the corner of that which layers drew.
     void draw(const Light& light, const Camera& camera, const Tile& tile, RowOrder order,
               const glm::ivec2& first_drawn = {0, 0});
+    /// The same, from the lowest row on, of some parts of the tile (rows from above) alone.
+    void draw(const Light& light, const Camera& camera, const Tile& tile,
+              const std::vector<Tile>& parts);
 
   private:
-    const gl::Program& program(bool plain_alone, bool stars);
+    const gl::Program& program(bool plain_alone, bool stars, bool in_parts);
+    bool start(const Light& light, const Camera& camera, const Tile& tile, RowOrder order,
+               const glm::ivec2& first_drawn, bool in_parts);
     void start_clouds(const Light& light, const Camera& camera, const Tile& tile);
     void set_rays(const gl::Program& program, const Light& light, const Camera& camera) const;
 
@@ -49,11 +55,13 @@ class BackgroundLayer {
     Block block_;
     gl::Constants fixed_;
     PixelKind wanted_;
-    std::array<std::optional<gl::Program>, 4> programs_;  // made as they are needed
+    std::array<std::optional<gl::Program>, 8> programs_;  // made as they are needed
     float clouds_;                                        // of the programs
     std::optional<gl::Program> cloud_program_;
     std::optional<gl::RenderTarget> cloud_target_;
     gl::Texture2D floor_;
+    gl::VertexArray parts_array_;
+    gl::DynamicBuffer parts_corners_{GL_ARRAY_BUFFER};
 };
 
 }  // namespace fumon

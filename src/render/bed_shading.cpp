@@ -299,4 +299,14 @@ void BedShading::shade(const Light& light, const Camera& camera) {
     if (shaded_mipmaps_) mipmaps_.make(target_->colour());
 }
 
+void BedShading::read(BlockColours& colours) const {
+    colours.width = target_->width();
+    colours.height = target_->height();
+    colours.texels.resize(static_cast<std::size_t>(colours.width) *
+                          static_cast<std::size_t>(colours.height));
+    target_->bind();
+    gl::functions().ReadPixels(0, 0, colours.width, colours.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                               colours.texels.data());
+}
+
 }  // namespace fumon

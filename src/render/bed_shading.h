@@ -12,6 +12,7 @@
 #include "render/colour/pixel_kind.h"
 #include "render/light/light.h"
 #include "render/light/repeated_light.h"
+#include "render/samples/block_samples.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "render/view/display_bed.h"
@@ -52,6 +53,9 @@ class BedShading {
     /// The depth of water at which the bed is half hidden there, metres; 1 without water.
     [[nodiscard]] double clarity() const { return water_ ? water_->clarity() : 1.0; }
     [[nodiscard]] const gl::Texture2D& colours() const { return target_->colour(); }
+    /// Reads them, of 8 bits.
+    void read(BlockColours& colours) const;
+    [[nodiscard]] bool has_mipmaps() const { return shaded_mipmaps_; }
 
   private:
     void draw_noise();

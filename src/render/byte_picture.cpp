@@ -11,7 +11,6 @@ namespace fumon {
 namespace {
 
 constexpr int samples_in_a_band = 1 << 18;  // read at once: 1 MiB
-constexpr int pixels_in_a_band = 1 << 17;   // the same
 constexpr int background_in_a_band = 1 << 18;
 
 }  // namespace
@@ -91,36 +90,6 @@ void BytePicture::finish(const Tile& tile, int y, RowOfSamples& row, Image& imag
         row.finish_open(rgb, image.alpha.data() + first);
     } else {
         row.finish(behind_[static_cast<std::size_t>(y)], rgb);
-    }
-}
-
-void BytePicture::read_pixels(const Tile& tile, const glm::ivec2& from, WorkerPool& pool,
-                              Image& image) {
-    const auto length = 4 * static_cast<std::size_t>(tile.width);
-    const int band = std::max(1, pixels_in_a_band / tile.width);
-    squares_read_.resize(length * static_cast<std::size_t>(std::min(band, tile.height)) +
-                         squares_read_beyond);
-    for (int upper = 0; upper < tile.height; upper += band) {
-        const int rows = std::min(band, tile.height - upper);
-        gl::functions().ReadPixels(from.x, from.y + tile.height - upper - rows, tile.width, rows,
-                                   GL_RGBA, GL_UNSIGNED_SHORT, squares_read_.data());
-        pool.for_ranges(rows, [&](int begin, int end) {
-            ColourPlanes room(tile.width);
-            for (int y = begin; y < end; ++y) {
-                const std::uint16_t* squares =
-                    squares_read_.data() + length * static_cast<std::size_t>(rows - 1 - y);
-                const auto first_of_row = static_cast<std::size_t>(tile.y + upper + y) *
-                                              static_cast<std::size_t>(image.width) +
-                                          static_cast<std::size_t>(tile.x);
-                std::uint8_t* rgb = image.rgb.data() + 3 * first_of_row;
-                if (image.transparent()) {
-                    open_squares(squares, tile.width, rgb, image.alpha.data() + first_of_row);
-                    continue;
-                }
-                blend_squares(squares, behind_[static_cast<std::size_t>(upper + y)], tile.width,
-                              room, rgb);
-            }
-        });
     }
 }
 

@@ -26,9 +26,8 @@ class BytePicture {
     /// Puts a tile's pixels of endless ground into the picture.
     void resolve(const Tile& tile, int factor, const PackedSamples& samples, WorkerPool& pool,
                  Image& image) const;
-    /// Reads the bound target of TerrainLayer::colour_pixels(), whose first pixel of this tile is
-    /// `from`, into the picture.
-    void read_pixels(const Tile& tile, const glm::ivec2& from, WorkerPool& pool, Image& image);
+    /// Rows of the surroundings, the upper first.
+    [[nodiscard]] const std::vector<ColourPlanes>& behind() const { return behind_; }
 
   private:
     /// Takes a row of the tile, counted from the upper one, whose samples have been added.
@@ -36,7 +35,6 @@ class BytePicture {
 
     std::vector<ColourPlanes> behind_;         // rows of the surroundings, the upper first
     std::vector<std::uint32_t> samples_read_;  // those of a few rows of pixels
-    std::vector<std::uint16_t> squares_read_;
 };
 
 }  // namespace fumon

@@ -149,6 +149,7 @@ void Renderer::prepare(const ReadyPicture& picture) {
             p.tracks->set_bed(lit.bed.z, p.block, false, {}, water ? &water->depth : nullptr);
         p.terrain.set_clarity(rise * static_cast<float>(p.shading.clarity()));
     }
+    p.block_coloured = false;
     p.see_sun(picture);
     if (p.air && snapshot.section) p.air->set_air(snapshot, picture.framed, camera, p.pool);
     if (p.plants) p.plants->choose(p.plant_ground(camera), camera);

@@ -1,7 +1,6 @@
 #include "render/renderer_parts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -66,14 +65,6 @@ FloorMap floor_of(const View& view, const Snapshot& first, const Block& block, i
     return floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool);
 }
 
-/// Along each side of the shaded bed: finer ones want finer places than draw_kinds() has room for.
-constexpr int most_texels_of_pixels = 2048;
-
-const gl::TextureLayout kinds_layout{GL_R32UI, GL_RED_INTEGER,  GL_UNSIGNED_INT, GL_NEAREST,
-                                     0,        GL_CLAMP_TO_EDGE};
-const gl::TextureLayout squares_layout{GL_RGBA16,  GL_RGBA, GL_UNSIGNED_SHORT,
-                                       GL_NEAREST, 0,       GL_CLAMP_TO_EDGE};
-
 /// Of the pixels of a tile, where endless ground is coloured by them.
 std::optional<gl::DepthBuffer> depths_of_pixels(const View& view, const TilePlan& plan) {
     if (view.look.ground != Ground::endless || plan.factor == 1) return std::nullopt;
@@ -93,11 +84,6 @@ gl::TextureLayout plain_layout(PixelKind kind) {
 SampleTargets::SampleTargets(const TilePlan& plan, Ground ground)
     : depths(plan.target_width, plan.target_height),
       seen(plan.target_width, plan.target_height, seen_layout(ground), &depths) {}
-
-BlockTargets::BlockTargets(const TilePlan& plan)
-    : depths(plan.target_width, plan.target_height),
-      seen(plan.target_width, plan.target_height, kinds_layout, &depths),
-      pixels(plan.target_width / 2, plan.target_height / 2, squares_layout, &depths) {}
 
 Snapshot Renderer::Parts::shown_first(const Snapshot& first, const View& view) {
     std::optional<Snapshot> shown = shown_snapshot(first, view);
@@ -197,17 +183,13 @@ glm::ivec2 Renderer::Parts::target_corner(const Tile& tile) const {
 
 void Renderer::Parts::draw_tile(const Tile& tile, const Camera& camera, Image& image) {
     gl::functions().BindVertexArray(no_attributes.name());
-    const bool seen_behind = !image.transparent();
-    const bool block_first = coloured_by_pixels() && plan.tiles.size() == 1;
-    const bool ground_first = (pixels && !air) || streamers;
-    if (seen_behind && !ground_first && !block_first) draw_background(tile, camera, nullptr);
-    if (coloured_by_pixels()) {
-        draw_pixels(tile, camera);
-        if (seen_behind && block_first) draw_uncovered_background(tile, camera);
-        block_targets->pixels.bind();
-        bytes.read_pixels(tile, (first_sample(tile) - target_corner(tile)) / 2, pool, image);
+    if (coloured_by_pixels(camera)) {
+        draw_block(tile, camera, image);
         return;
     }
+    const bool seen_behind = !image.transparent();
+    const bool ground_first = (pixels && !air) || streamers;
+    if (seen_behind && !ground_first) draw_background(tile, camera, nullptr);
     packs_samples() ? draw_packed_samples(tile, camera) : draw_samples(tile, camera);
     if (seen_behind && ground_first) draw_uncovered_background(tile, camera);
     if (packs_samples()) {
@@ -269,31 +251,6 @@ TileSamples Renderer::Parts::placed_samples(const Tile& tile) const {
     placed.size =
         glm::vec2(static_cast<float>(plan.target_width), static_cast<float>(plan.target_height));
     return placed;
-}
-
-bool Renderer::Parts::coloured_by_pixels() const {
-    const gl::Texture2D& colours = shading.colours();
-    const bool alone =
-        !world && !air && !plants && !persons && !tracks && !water && !terrain.has_rim();
-    return kind == PixelKind::display_8 && view.look.mode == ViewMode::scenic &&
-           view.camera.projection != Projection::map && plan.factor == 2 && alone &&
-           std::max(colours.width(), colours.height()) <= most_texels_of_pixels;
-}
-
-void Renderer::Parts::draw_pixels(const Tile& tile, const Camera& camera) {
-    const gl::Functions& gl = gl::functions();
-    if (!block_targets) block_targets.emplace(plan);
-    const TileSamples placed = placed_samples(tile);
-    block_targets->seen.bind();
-    const std::array<GLuint, 4> nothing{};
-    gl.ClearBufferuiv(GL_COLOR, 0, nothing.data());
-    gl.Clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    terrain.draw_kinds(camera, placed);
-    block_targets->pixels.bind();
-    gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-    gl.Clear(everything);
-    terrain.colour_pixels(block_targets->seen.colour(), shading.colours(), light, camera,
-                          {0.5F * placed.picture_size, 0.5F * placed.corner, 0.5F * placed.size});
 }
 
 PixelSamples Renderer::Parts::pixel_samples(const Tile& tile, const Camera& camera) const {

@@ -22,6 +22,7 @@
 #include "render/plant_layer.h"
 #include "render/ready_picture.h"
 #include "render/renderer.h"
+#include "render/samples/block_samples.h"
 #include "render/samples/deep_picture.h"
 #include "render/samples/gathered_light.h"
 #include "render/samples/packed_samples.h"
@@ -49,16 +50,6 @@ struct SampleTargets {
     gl::DepthBuffer depths;
     gl::RenderTarget seen;
     std::optional<gl::RenderTarget> colours;  ///< none where pixels of endless ground have them
-};
-
-/// What the samples of a block see, and the colours of its pixels, of 2 × 2 samples each; see
-/// TerrainLayer::colour_pixels().
-struct BlockTargets {
-    explicit BlockTargets(const TilePlan& plan);
-
-    gl::DepthBuffer depths;  // of samples, and then of pixels
-    gl::RenderTarget seen;
-    gl::RenderTarget pixels;
 };
 
 /// What a renderer keeps, and how it draws a tile with it.
@@ -93,8 +84,11 @@ struct Renderer::Parts {
     [[nodiscard]] TileSamples placed_samples(const Tile& tile) const;
     /// Whether pixels of the block get their colours as wholes: 8 bits of it alone, in the scenic
     /// look. Maps stay what they are, and in water, cut through, what stands over the bed is thin.
-    [[nodiscard]] bool coloured_by_pixels() const;
-    void draw_pixels(const Tile& tile, const Camera& camera);
+    [[nodiscard]] bool coloured_by_pixels(const Camera& camera) const;
+    /// Before a picture's tiles are drawn by draw_block().
+    void read_block_colours();
+    void draw_block(const Tile& tile, const Camera& camera, Image& image);
+    void draw_block_sides(const Tile& tile, const Camera& camera);
     /// Whether nothing stands on endless ground, so that samples of edges alone need colours.
     [[nodiscard]] bool packs_samples() const {
         return pixels && kind == PixelKind::display_8 && !air && !plants && !persons && !tracks;
@@ -126,9 +120,9 @@ struct Renderer::Parts {
     [[nodiscard]] std::vector<ImageLayer> lens_channels(const Camera& camera,
                                                         int lens_points_wanted);
     void draw_background(const Tile& tile, const Camera& camera, DeepPicture* deep);
-    /// The same after draw_samples() or draw_pixels(), and only where these left pixels that do not
-    /// see the ground alone; the whole of it, for the next ones, of the first of several pictures
-    /// and where the camera is the last one's. Of the one tile, or of endless ground's.
+    /// The same after draw_samples() or BlockSamples::see(), and only where these left pixels that
+    /// do not see the ground alone; the whole of it, for the next ones, of the first of several
+    /// pictures and where the camera is the last one's.
     void draw_uncovered_background(const Tile& tile, const Camera& camera);
     [[nodiscard]] const gl::RenderTarget& surroundings();
     [[nodiscard]] PlantGround plant_ground(const Camera& camera) const;
@@ -169,7 +163,9 @@ struct Renderer::Parts {
     std::optional<StreamerLayer> streamers;
     std::optional<PlacePass> places;
     std::optional<SampleTargets> sampled;
-    std::optional<BlockTargets> block_targets;
+    std::optional<BlockSamples> block_samples;
+    BlockColours block_colours;   // room for the next ones
+    bool block_coloured = false;  // whether block_samples has those of the picture
     std::optional<gl::DepthBuffer> pixel_depths;
     std::optional<gl::RenderTarget> pixels;  // of endless ground, those that see one place each
     std::optional<PackedSamples> packed;     // and samples of the others

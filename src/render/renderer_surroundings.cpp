@@ -13,9 +13,7 @@ void Renderer::Parts::see_sun(const ReadyPicture& picture) {
 
 const gl::RenderTarget& Renderer::Parts::surroundings() {
     if (!surroundings_target) {
-        const gl::DepthBuffer* depths = pixel_depths    ? &*pixel_depths
-                                        : block_targets ? &block_targets->depths
-                                                        : nullptr;
+        const gl::DepthBuffer* depths = pixel_depths ? &*pixel_depths : nullptr;
         surroundings_target.emplace(plan.tiles.front().width, plan.tiles.front().height,
                                     plain_layout(kind), depths);
     }
@@ -65,8 +63,8 @@ void Renderer::Parts::draw_uncovered_background(const Tile& tile, const Camera& 
         background.draw(light, camera, tile, RowOrder::upward);
         gl.Disable(GL_STENCIL_TEST);
     } else {
-        TerrainLayer::beside_whole_pixels(
-            [&] { background.draw(light, camera, tile, RowOrder::upward); });
+        gl.Disable(GL_DEPTH_TEST);
+        background.draw(light, camera, tile, block_samples->open_parts());
     }
     bytes.read_background(tile, RowOrder::upward);
     surroundings_whole = false;

@@ -84,10 +84,10 @@ TerrainLayer::TerrainLayer(const View& view, const Block& block, const gl::Const
     : view_(view),
       block_(block),
       grainy_(view.look.mode == ViewMode::scenic && view.look.grain > 0.0),
-      fixed_(fixed),
-      grain_(grain_texture()) {}
+      fixed_(fixed) {}
 
 const TerrainLayer::SamplePrograms& TerrainLayer::by_sample() {
+    if (grainy_ && !grain_) grain_.emplace(grain_texture());
     if (!by_sample_)
         by_sample_.emplace(SamplePrograms{
             {"block/terrain.vert.glsl", "block/seen.frag.glsl", {"east_north", "height"}},
@@ -140,15 +140,22 @@ void TerrainLayer::set_bed(const DisplayBed& bed, const Field<float>* water_dept
         if (water_depth != nullptr) surface_[i] += water_depth->values()[at];
     }
     const ViewOrder order{camera.forward.y >= 0.0, camera.forward.x >= 0.0};
-    const TerrainMesh mesh = mesher_.mesh(lattice_, surface_, screen_scale(camera, view_, block_),
-                                          largest_square(stride * cell), order);
-    const gl::Functions& gl = gl::functions();
-    gl.BindVertexArray(surface_array_.name());
+    mesh_ = mesher_.mesh(lattice_, surface_, screen_scale(camera, view_, block_),
+                         largest_square(stride * cell), order);
+    uploaded_ = false;
+    strips_made_ = false;
+    set_sides(mesh_.sides, bed);
+    gl::functions().BindVertexArray(0);
+}
+
+void TerrainLayer::upload_surface() {
+    if (uploaded_) return;
+    uploaded_ = true;
+    gl::functions().BindVertexArray(surface_array_.name());
     heights_.fill(surface_);
-    triangles_.fill(mesh.triangles);
-    indices_ = static_cast<GLsizei>(mesh.triangles.size());
-    set_sides(mesh.sides, bed);
-    gl.BindVertexArray(0);
+    triangles_.fill(mesh_.triangles);
+    indices_ = static_cast<GLsizei>(mesh_.triangles.size());
+    gl::functions().BindVertexArray(0);
 }
 
 void TerrainLayer::set_sides(const std::vector<SideFace>& borders, const DisplayBed& bed) {
@@ -180,7 +187,6 @@ void TerrainLayer::set_sides(const std::vector<SideFace>& borders, const Display
             {corner(face.from, face.normal_from, true), corner(face.to, face.normal_to, true),
              corner(face.to, face.normal_to, false), corner(face.from, face.normal_from, false)});
     };
-
     faces_.clear();
     faces_.push_back({rim_stencil, false, {}, 0, {}, 0});
     for (const SideFace& face : rim_) add_face(faces_.back(), face);
@@ -189,8 +195,9 @@ void TerrainLayer::set_sides(const std::vector<SideFace>& borders, const Display
         const MeshPlace normal = border_normals[side];
         Faces faces{border_stencil + static_cast<GLint>(side), true, {}, 0, {}, 0};
         for (const SideFace& face : borders) {
-            if (face.normal_from.east == normal.east && face.normal_from.north == normal.north)
-                add_face(faces, face);
+            if (face.normal_from.east != normal.east || face.normal_from.north != normal.north)
+                continue;
+            add_face(faces, face);
         }
         faces_.push_back(std::move(faces));
     }
@@ -221,6 +228,13 @@ void TerrainLayer::set_sides(const std::vector<SideFace>& borders, const Display
         triangles.insert(triangles.end(), faces.drawn.begin(), faces.drawn.end());
         faces.first_coloured = triangles.size();
         triangles.insert(triangles.end(), faces.coloured.begin(), faces.coloured.end());
+    }
+    side_places_.clear();
+    side_heights_.clear();
+    for (const SideCorner& corner : corners) {
+        side_places_.push_back(corner.at.east);
+        side_places_.push_back(corner.at.north);
+        side_heights_.push_back(corner.height);
     }
     gl::functions().BindVertexArray(side_array_.name());
     side_corners_.fill(corners);
@@ -253,6 +267,7 @@ void TerrainLayer::draw_triangles(std::size_t first, std::size_t count) {
 void TerrainLayer::draw_seen(const Camera& camera, const TileSamples& tile) {
     const gl::Functions& gl = gl::functions();
     const SamplePrograms& programs = by_sample();
+    upload_surface();
     gl.Enable(GL_DEPTH_TEST);
     gl.Enable(GL_STENCIL_TEST);
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
@@ -310,8 +325,9 @@ void TerrainLayer::colour_seen(const gl::Texture2D& seen, const gl::Texture2D& c
 }
 
 void TerrainLayer::draw_places(const gl::Program& surface, const gl::Program& sides,
-                               const Camera& camera, const TileSamples& tile) const {
+                               const Camera& camera, const TileSamples& tile) {
     const gl::Functions& gl = gl::functions();
+    upload_surface();
     gl.Enable(GL_DEPTH_TEST);
     if (no_back_is_seen(camera)) gl.Enable(GL_CULL_FACE);
     place(surface, camera, tile);
@@ -326,15 +342,22 @@ void TerrainLayer::draw_places(const gl::Program& surface, const gl::Program& si
     gl.BindVertexArray(0);
 }
 
+glm::vec2 TerrainLayer::grain_over_block() const {
+    return {grains_across * block_.width_x, grains_across * block_.width_y};
+}
+
+float TerrainLayer::grain_strength() const {
+    return grainy_ ? static_cast<float>(strongest_grain * view_.look.grain) : 0.0F;
+}
+
 void TerrainLayer::set_surface(const gl::Program& program, const gl::Texture2D& colours) const {
     colours.bind(0);
     program.set("shaded", 0);
     if (grainy_) {
-        grain_.bind(1);
+        grain_->bind(1);
         program.set("grain", 1);
-        const double repeats = grains_across / grain_size;
-        program.set("grain_scale", glm::vec2(repeats * block_.width_x, repeats * block_.width_y));
-        program.set("grain_strength", static_cast<float>(strongest_grain * view_.look.grain));
+        program.set("grain_scale", grain_over_block() / static_cast<float>(grain_size));
+        program.set("grain_strength", grain_strength());
     }
 }
 

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/light/light.h"
+#include "render/samples/block_samples.h"
 #include "render/terrain_mesh.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
@@ -53,26 +53,24 @@ class TerrainLayer {
     void colour_seen(const gl::Texture2D& seen, const gl::Texture2D& colours, const Light& light,
                      const Camera& camera, const TileSamples& tile);
 
-    /// The same, of 2 × 2 samples a pixel, for colour_pixels(): into a target of one whole number,
-    /// see block/seen_kind.frag.glsl.
-    void draw_kinds(const Camera& camera, const TileSamples& tile);
+    /// The same triangles, for BlockSamples; of a block without rim, until the next bed.
+    [[nodiscard]] BlockShape shape(const Camera& camera) const;
+    /// Whether BlockSamples can take it from there.
+    [[nodiscard]] bool lies_before(const Camera& camera) const;
+    /// Texels of the grain over the block, eastward and northward.
+    [[nodiscard]] glm::vec2 grain_over_block() const;
+    /// By how much it darkens and lightens, 0: not at all.
+    [[nodiscard]] float grain_strength() const;
 
-    /// Colours pixels, in the bound target, cleared to 0, and its cleared depths: one look at the
-    /// bed for each that sees one piece of the surface, one colour for each side that a pixel sees,
-    /// and samples by themselves where surfaces meet. Squares of display values, times the share of
-    /// the pixel that is covered, and that share. `tile` counts in pixels. Of a block without rim.
-    void colour_pixels(const gl::Texture2D& seen, const gl::Texture2D& colours, const Light& light,
-                       const Camera& camera, const TileSamples& tile);
-
-    /// Calls `draw` so that it reaches only pixels of the bound target, which has the depths of
-    /// colour_pixels(), that this did not colour as wholes.
-    static void beside_whole_pixels(const std::function<void()>& draw);
+    /// Colours, in the bound target, all pixels that may see one of the sides (west, east, south,
+    /// north), and some around. `tile` counts in pixels. Of a dry bed.
+    void colour_side(int side, const Light& light, const Camera& camera, const TileSamples& tile);
 
     /// Draws into the bound target, cleared to 0, which point each pixel sees, see
     /// places/place.frag.glsl; by the programs of places/bed_place.vert.glsl and
     /// places/side_place.vert.glsl.
     void draw_places(const gl::Program& surface, const gl::Program& sides, const Camera& camera,
-                     const TileSamples& tile) const;
+                     const TileSamples& tile);
 
   private:
     void build(const DisplayBed& bed, int stride);
@@ -95,23 +93,25 @@ class TerrainLayer {
         gl::Program surface_colours;
         gl::Program side_colours;
     };
-    struct PixelPrograms {
-        gl::Program surface;
-        gl::Program sides;
-        gl::Program pixels;
-        gl::Program edges;
-        gl::Program side_pixels;
-    };
     struct Box {
         glm::dvec3 lowest;
         glm::dvec3 highest;
     };
     [[nodiscard]] Box box_around() const;  ///< the bed and its sides
     const SamplePrograms& by_sample();
-    const PixelPrograms& by_pixel();
+    void upload_surface();
     std::optional<SamplePrograms> by_sample_;
-    std::optional<PixelPrograms> by_pixel_;
-    gl::Texture2D grain_;
+    /// Of the sides, for colour_side(): rectangles a little beyond what is drawn of them.
+    struct Strips {
+        gl::Program program;
+        gl::VertexArray array;
+        gl::DynamicBuffer corners{GL_ARRAY_BUFFER};
+        gl::Texture2D ground;  // along each side, 0 … 1 over the range of heights
+    };
+    const Strips& strips();
+    std::optional<Strips> strips_;
+    bool strips_made_ = false;  // of this bed
+    std::optional<gl::Texture2D> grain_;
     gl::VertexArray surface_array_;
     gl::VertexArray side_array_;
     gl::VertexArray no_attributes_;
@@ -124,6 +124,10 @@ class TerrainLayer {
     std::vector<SideFace> rim_;
     TerrainMesher mesher_;
     std::vector<float> surface_;  // heights of the lattice's vertices, water included
+    TerrainMesh mesh_;
+    bool uploaded_ = false;           // these two
+    std::vector<float> side_places_;  // of the corners of sides, east and north by turns
+    std::vector<float> side_heights_;
     GLsizei indices_ = 0;
     float clarity_ = 1.0F;
     /// Faces with one stencil, as they are drawn and as they are coloured: by themselves, or where

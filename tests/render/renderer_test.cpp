@@ -189,6 +189,35 @@ TEST(Renderer, PixelsColouredAsWholesAreWhatTheirSamplesSee) {
     EXPECT_LE(far_off, 300);  // where an edge passes between four samples otherwise than sixteen
 }
 
+/// Sides that are seen from their edge, or nearly, cover no pixel's middle where they are seen: no
+/// pixel stays black for that.
+TEST(Renderer, SidesSeenFromTheirEdgeHaveTheirColours) {
+    const Snapshot bed = wavy_bed(60, 60);
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        for (const double azimuth : {180.0, 181.0, 195.0, 269.5}) {
+            View view = small_view(333, 187);
+            view.look.ground = Ground::table;
+            view.camera.projection = projection;
+            view.camera.azimuth = azimuth;
+            const Image image = picture(view, bed);
+            const auto darkest = std::ranges::min_element(image.rgb);
+            EXPECT_GT(*darkest, 15) << azimuth << ", value " << darkest - image.rgb.begin();
+        }
+    }
+}
+
+/// Near enough that corners of the block lie behind the camera: drawn sample by sample.
+TEST(Renderer, ABlockIsSeenFromWithin) {
+    const Snapshot bed = wavy_bed(120, 90);
+    View view = small_view();
+    view.look.ground = Ground::table;
+    view.camera.at = {60.0, 45.0, 4.0};
+    const Image image = picture(view, bed);
+    const auto [low, high] = std::minmax_element(image.rgb.begin(), image.rgb.end());
+    EXPECT_GT(*high - *low, 60);
+    EXPECT_EQ(picture(view, bed, 3), image);
+}
+
 TEST(Tiles, CoverThePictureOnce) {
     for (const int factor : {1, 2, 4}) {
         const TilePlan plan = plan_tiles(1001, 777, factor, 600);

@@ -86,40 +86,6 @@ void interleave(const std::uint8_t* red, const std::uint8_t* green, const std::u
     }
 }
 
-/// The roots of squares (RGBA, 16 bits), over what is behind as far as alpha leaves it open.
-void take_roots_of_squares(const std::uint16_t* squares, const Planes& behind, int count,
-                           const Planes& pixels) {
-    const Whole d;
-    const hn::Rebind<std::uint16_t, Whole> words;
-    const hn::Rebind<std::uint8_t, Whole> bytes;
-    const hn::Rebind<std::int32_t, Whole> integers;
-    const hn::Rebind<float, Whole> floats;
-    const auto number = [&](auto vector) {
-        return hn::ConvertTo(floats, hn::BitCast(integers, hn::PromoteTo(d, vector)));
-    };
-    const auto whole = hn::Set(floats, 255.0F * 255.0F / 65535.0F);
-    const auto share = hn::Set(floats, 1.0F / 65535.0F);
-    const auto one = hn::Set(floats, 1.0F);
-    const auto half = hn::Set(floats, 0.5F);
-    for (std::size_t x = 0; x < static_cast<std::size_t>(count); x += hn::Lanes(d)) {
-        hn::Vec<decltype(words)> red;
-        hn::Vec<decltype(words)> green;
-        hn::Vec<decltype(words)> blue;
-        hn::Vec<decltype(words)> alpha;
-        hn::LoadInterleaved4(words, squares + 4 * x, red, green, blue, alpha);
-        const auto open = one - number(alpha) * share;
-        const auto take = [&](auto square, const std::uint8_t* back, std::uint8_t* pixel) {
-            const auto behind_it = number(hn::LoadU(bytes, back + x));
-            const auto mean = number(square) * whole + behind_it * behind_it * open;
-            const auto nearest = hn::ConvertTo(integers, hn::Sqrt(mean) + half);
-            hn::StoreU(hn::DemoteTo(bytes, nearest), bytes, pixel + x);
-        };
-        take(red, behind.red, pixels.red);
-        take(green, behind.green, pixels.green);
-        take(blue, behind.blue, pixels.blue);
-    }
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace fumon::samples
 HWY_AFTER_NAMESPACE();
@@ -132,7 +98,6 @@ namespace samples {
 HWY_EXPORT(add_squares);
 HWY_EXPORT(halve);
 HWY_EXPORT(take_roots);
-HWY_EXPORT(take_roots_of_squares);
 HWY_EXPORT(interleave);
 
 }  // namespace samples
@@ -142,10 +107,6 @@ namespace {
 /// Longer than a row by the widest vector of any target (64 bytes).
 std::size_t padded(int count) {
     return static_cast<std::size_t>(count) + 64;
-}
-
-samples::Planes planes_of(ColourPlanes& planes) {
-    return {planes.red.data(), planes.green.data(), planes.blue.data()};
 }
 
 }  // namespace
@@ -212,24 +173,10 @@ void RowOfSamples::finish(const ColourPlanes& behind, std::uint8_t* rgb) {
     start_anew();
 }
 
-void blend_squares(const std::uint16_t* squares, ColourPlanes& behind, int width,
-                   ColourPlanes& room, std::uint8_t* rgb) {
+void put_row(const ColourPlanes& planes, int width, std::uint8_t* rgb) {
     using namespace samples;
-    HWY_DYNAMIC_DISPATCH(take_roots_of_squares)
-    (squares, planes_of(behind), width, planes_of(room));
     HWY_DYNAMIC_DISPATCH(interleave)
-    (room.red.data(), room.green.data(), room.blue.data(), width, rgb);
-}
-
-void open_squares(const std::uint16_t* squares, int width, std::uint8_t* rgb, std::uint8_t* alpha) {
-    for (int x = 0; x < width; ++x, squares += 4) {
-        const auto covered = static_cast<std::uint32_t>(squares[3]);
-        *alpha++ = static_cast<std::uint8_t>((255U * covered + 32767U) / 65535U);
-        for (int c = 0; c < 3; ++c) {
-            const double mean = static_cast<double>(squares[c]) / std::max(covered, 1U);
-            *rgb++ = static_cast<std::uint8_t>(std::min(255.0 * std::sqrt(mean) + 0.5, 255.0));
-        }
-    }
+    (planes.red.data(), planes.green.data(), planes.blue.data(), width, rgb);
 }
 
 void spread_colours(Image& image) {

@@ -17,13 +17,6 @@ struct Sums {
     std::uint32_t* covered;
 };
 
-/// Planes of a row's pixels.
-struct Planes {
-    std::uint8_t* red;
-    std::uint8_t* green;
-    std::uint8_t* blue;
-};
-
 }  // namespace samples
 
 /// Colours for pixels of alpha 0, whose own nobody sees: those of the nearest pixel of their row
@@ -40,17 +33,8 @@ struct ColourPlanes {
     std::vector<std::uint8_t> blue;
 };
 
-/// A row of pixels as RGB from what TerrainLayer::colour_pixels() drew, RGBA of 16 bits: the share
-/// a of each that is covered, and a times the squares of its display values, over what is behind:
-///     pixel = √( 255²·a·square + behind²·(1 − a) ), to the nearest whole number.
-/// `room` is overwritten. Reads up to `squares_read_beyond` numbers past the row's end.
-void blend_squares(const std::uint16_t* squares, ColourPlanes& behind, int width,
-                   ColourPlanes& room, std::uint8_t* rgb);
-/// The same where nothing is behind: colours of what covers the pixels alone, and their shares, of
-/// 255.
-void open_squares(const std::uint16_t* squares, int width, std::uint8_t* rgb, std::uint8_t* alpha);
-
-constexpr int squares_read_beyond = 64;
+/// A row of pixels as RGB.
+void put_row(const ColourPlanes& planes, int width, std::uint8_t* rgb);
 
 /// Averages the samples of a row of pixels in (nearly) linear light, as squares of display values,
 /// over what is behind them:

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -83,43 +82,6 @@ TEST(RowOfSamples, AveragesSquaresOverWhatIsBehindOnEveryTarget) {
         }
     }
     vectors::use_target(vectors::targets().front());
-}
-
-TEST(Squares, LieOverWhatIsBehindOnEveryTarget) {
-    for (const std::string& target : vectors::targets()) {
-        vectors::use_target(target);
-        for (const int width : {1, 16, 37, 131}) {
-            std::uint32_t state = 11;
-            ColourPlanes behind(width);
-            ColourPlanes room(width);
-            for (auto* plane : {&behind.red, &behind.green, &behind.blue})
-                for (std::uint8_t& value : *plane)
-                    value = static_cast<std::uint8_t>(random_number(state));
-            std::vector<std::uint16_t> squares;
-            for (int x = 0; x < width; ++x) {
-                const std::uint32_t share = random_number(state) % 5U * 65535U / 4U;
-                for (int c = 0; c < 3; ++c)
-                    squares.push_back(
-                        static_cast<std::uint16_t>(random_number(state) % (share + 1U)));
-                squares.push_back(static_cast<std::uint16_t>(share));
-            }
-            squares.resize(squares.size() + squares_read_beyond, 12345);
-            std::vector<std::uint8_t> rgb(3 * static_cast<std::size_t>(width) + 1, 77);
-            blend_squares(squares.data(), behind, width, room, rgb.data());
-            EXPECT_EQ(rgb.back(), 77) << "written past the end";
-            for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) {
-                const double back[3] = {static_cast<double>(behind.red[x]),
-                                        static_cast<double>(behind.green[x]),
-                                        static_cast<double>(behind.blue[x])};
-                for (std::size_t c = 0; c < 3; ++c) {
-                    const double open = 1.0 - squares[4 * x + 3] / 65535.0;
-                    const double expected = std::sqrt(squares[4 * x + c] / 65535.0 * 65025.0 +
-                                                      back[c] * back[c] * open);
-                    EXPECT_NEAR(rgb[3 * x + c], expected, 0.501) << target << " at " << x;
-                }
-            }
-        }
-    }
 }
 
 }  // namespace
