@@ -1,5 +1,6 @@
-// Bare ground below the grid, where water shapes it: crumbs and clods, rills down steep slopes, stones that the water
-// leaves behind. Needs common/light.glsl, bed/bed.glsl before it.
+// Bare ground below the grid, where water shapes it: crumbs and clods, rills down steep slopes, layers in cut walls, stones
+// that the water leaves behind. It is looks: nothing of it is computed by the model, it moves no water and no light of its
+// own casts shadow, and it stands where the bed is, whatever the time. Needs common/light.glsl, bed/bed.glsl before it.
 uniform sampler2D streak_map;  // seamless: noise, and its slopes east and north around ½
 uniform float cell;            // of the bed's grid, block lengths
 uniform float texel;           // of what is shaded, block lengths
@@ -12,12 +13,14 @@ struct Soil {
     float height;  // about −1 … 1: hollows and clods
     float tone;    // of its colour, about −1 … 1
     float stone;   // 0 … 1: share that a stone covers
+    float cut;     // 0 … 1: a wall, where what lies below the crust is open
+    float layers;  // about −1 … 1: of the soil in it
 };
 
 // Lengths of the smallest thing to be seen at a point.
 float seen_width(vec3 point) { return max(texel, pixel_width * mix(distance(eye, point), 1.0, parallel)); }
 
-float shown_at(float wavelength, float width) { return 1.0 - smoothstep(0.18, 0.55, width / wavelength); }
+float shown_at(float wavelength, float width) { return 1.0 - smoothstep(0.22, 0.60, width / wavelength); }
 
 // Noise of a wavelength and its slopes, about −1 … 1, as far as a width lets it be seen.
 vec3 shown_noise(vec2 at, float wavelength, float width) {
@@ -25,18 +28,30 @@ vec3 shown_noise(vec2 at, float wavelength, float width) {
 }
 
 // `worn`: how far water has carried the fines away, 0 … 1.
-Soil soil_at(vec2 world, BedPoint point, float width, float worn) {
+Soil soil_at(vec3 world_point, BedPoint point, float width, float worn) {
+    vec2 world = world_point.xy;
     vec3 clods = shown_noise(world + 0.37, 3.1 * cell, width);
     vec3 lumps = shown_noise(world.yx + 0.11, 1.13 * cell, width).xzy;
     vec3 crumbs = shown_noise(world + 0.71, 0.41 * cell, width);
     vec3 grit = shown_noise(world.yx + 0.53, 0.15 * cell, width).xzy;
     vec2 down = -point.normal.xy / max(point.normal.z, 0.2);
     float steep = length(down);
-    float rough = 0.60 + 0.85 * smoothstep(0.1, 0.7, steep);
+    float rough = 0.46 + 0.99 * smoothstep(0.1, 0.7, steep);
     Soil soil;
     soil.slope = rough * (0.30 * clods.yz + 0.42 * lumps.yz + 0.50 * crumbs.yz + 0.45 * grit.yz);
     soil.height = 1.1 * clods.x + 0.9 * lumps.x + 0.7 * crumbs.x;
     soil.tone = 0.8 * clods.x + 0.7 * lumps.x + 0.6 * crumbs.x + 0.8 * grit.x;
+    // Centimetres of it, where they are near enough to be seen.
+    float pebbles = 0.0;
+    int finer = shown_at(0.055 * cell, width) > 0.0 ? 2 : 0;
+    float size = 0.055;
+    for (int i = 0; i < finer; ++i) {
+        vec3 grains = shown_noise(world + 0.29 * float(i + 1), size * cell, width);
+        soil.slope += rough * 0.62 * grains.yz;
+        soil.tone += 0.9 * grains.x;
+        pebbles = i == 0 ? grains.x : pebbles;
+        size *= 0.36;
+    }
     float rills = smoothstep(0.18, 0.55, steep) * shown_at(0.9 * cell, width);
     // A loop is left, or never entered, where no place needs it; llvmpipe goes through both arms of an if.
     int steps = rills > 0.0 ? 5 : 0;
@@ -54,7 +69,15 @@ Soil soil_at(vec2 world, BedPoint point, float width, float worn) {
         soil.slope += rills * dot(0.50 * wide.yz + 0.40 * narrow.yz, across) * across;
         soil.height += rills * (0.30 * wide.x + 0.15 * narrow.x);
     }
-    float pebble = crumbs.x + 0.25 * grit.x;
-    soil.stone = worn * smoothstep(0.36, 0.50, pebble);
+    soil.cut = smoothstep(0.45, 1.0, steep + 0.10 * lumps.x);
+    // Laid down level once: they follow the height, a little uneven along it.
+    vec2 along = vec2(0.06 * (world.x - 0.7 * world.y), world_point.z + 0.05 * cell * (clods.x + lumps.x));
+    soil.layers = 0.0;
+    int deep = soil.cut > 0.0 ? 1 : 0;
+    for (int once = 0; once < deep; ++once)
+        soil.layers = 1.2 * shown_noise(along, 0.75 * cell, width).x + shown_noise(along, 0.21 * cell, width).x;
+    float lying = mix(0.10, 1.0, worn) * (1.0 - 0.75 * soil.cut);
+    soil.stone = smoothstep(0.66 - 0.22 * lying, 0.76 - 0.22 * lying, max(grit.x, pebbles));
+    soil.slope += soil.stone * 0.8 * grit.yz;
     return soil;
 }

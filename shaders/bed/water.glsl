@@ -8,6 +8,7 @@ uniform float closed_depth;    // from which water covers what stands out of the
 uniform float metre;           // block lengths
 
 const float gravity = 9.8;
+const float shore_level = 1.0;
 
 struct Water {
     float depth;     // m
@@ -21,9 +22,10 @@ struct Water {
     float laid;      // −1 worn … 1 laid down: what it did to the bed
 };
 
-Water water_at(vec2 place) {
-    vec4 texel = texture(water_map, place);
-    vec4 surface = texture(surface_map, place);
+Water water_at(vec2 place, float level) {
+    // A shore goes from cell to cell of the grid in steps: it is looked at over more than one.
+    vec4 texel = textureLod(water_map, place, max(level, shore_level));
+    vec4 surface = textureLod(surface_map, place, max(level, shore_level));
     Water water;
     water.depth = texel.x;
     water.damp = texel.w;
@@ -76,7 +78,7 @@ float silt_clouds(vec2 world, Water water) {
 // drawn out along the flow and laced with holes. A film is too thin to hold air.
 float foam_cover(vec2 world, Water water, float width) {
     float shooting = smoothstep(0.9, 1.3, water.froude);
-    float deep = smoothstep(0.05, 0.25, water.depth / clarity);
+    float deep = smoothstep(0.01, 0.12, water.depth / clarity) * smoothstep(3.0, 12.0, water.depth / closed_depth);
     float rougher = smoothstep(1.15, 1.9, water.froude / max(usual_froude, 0.9));
     float stirred = max(0.55 * rougher, smoothstep(0.05, 0.30, water.front));
     vec2 stride = water.flow * (0.8 * metre);

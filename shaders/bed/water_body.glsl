@@ -1,7 +1,7 @@
 // The light that a deep body of water sends back.
 uniform float turbidity;  // 0 clear … 1 muddy
 
-vec3 water_body_colour() { return mix(vec3(0.012, 0.055, 0.066), vec3(0.165, 0.103, 0.052), turbidity); }
+vec3 water_body_colour() { return mix(vec3(0.012, 0.055, 0.066), vec3(0.250, 0.172, 0.102), turbidity); }
 
 // What is left of light after a way through the water (Beer–Lambert), in units of `clarity`: clear
 // water takes the red first, silt the blue.

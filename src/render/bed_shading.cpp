@@ -9,6 +9,7 @@
 #include "render/colour/palette.h"
 #include "render/view/repeated_bed.h"
 #include "render/view_uniforms.h"
+#include "render/water_pixels.h"
 
 namespace fumon {
 
@@ -43,6 +44,27 @@ gl::TextureLayout repeated(gl::TextureLayout layout, Ground ground) {
         layout.coarsest = gl::TextureLayout{}.coarsest;
     }
     return layout;
+}
+
+constexpr int coarsest_of_pixels = 3;  // mipmap: beyond it ground is seen too aslant to matter
+
+/// Of a bed that pixels look at from near and far.
+gl::TextureLayout lighting_layout_of(Ground ground, bool by_pixels) {
+    gl::TextureLayout layout = repeated(lighting_layout, ground);
+    if (by_pixels) {
+        layout.minification = GL_LINEAR_MIPMAP_NEAREST;
+        layout.coarsest = coarsest_of_pixels;
+    }
+    return layout;
+}
+
+/// With the sun's share, which is kept within `sun_bounds`, in 0 … 1.
+std::vector<std::uint16_t> with_clamped_sun(std::vector<std::uint16_t> texels) {
+    constexpr float scale = 65535.0F / (sun_bounds.highest - sun_bounds.lowest);
+    constexpr auto dark = static_cast<std::uint16_t>(-scale * sun_bounds.lowest + 0.5F);
+    constexpr auto lit = static_cast<std::uint16_t>(scale * (1.0F - sun_bounds.lowest) + 0.5F);
+    for (std::size_t i = 2; i < texels.size(); i += 4) texels[i] = std::clamp(texels[i], dark, lit);
+    return texels;
 }
 
 /// Plants and rock pass into sand, other marks end with their cell.
@@ -144,9 +166,11 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
       shaded_mipmaps_(view.look.ground == Ground::endless ||
                       longer_shaded_side(first_bed, samples_across) >
                           texels_per_sample * samples_across),
+      by_pixels_(shades_pixels(view, first)),
       program_("common/screen.vert.glsl", shader_of(view.look, first), {}, fixed),
       palette_(256, 1, palette_layout, chosen_palette(view.look).data()),
-      lighting_(first_bed.z.nx(), first_bed.z.ny(), repeated(lighting_layout, view.look.ground)),
+      lighting_(first_bed.z.nx(), first_bed.z.ny(),
+                lighting_layout_of(view.look.ground, by_pixels_)),
       values_(first_bed.z.nx(), first_bed.z.ny(), repeated(value_layout, view.look.ground)),
       marks_(view.look.mark == Marking::none ? 1 : first.bed.nx(),
              view.look.mark == Marking::none ? 1 : first.bed.ny(), layout_of(view.look)),
@@ -159,7 +183,8 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
     target_.emplace(target_size_.x, target_size_.y, target_layout_);
     if (view.look.mode == ViewMode::scenic) draw_noise();
     if (draws_water(view.look, first))
-        water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny(), refinement_);
+        water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny(), refinement_,
+                       by_pixels_ ? &mipmaps : nullptr);
 }
 
 void BedShading::draw_noise() {
@@ -202,6 +227,11 @@ void BedShading::upload_marks(const Snapshot& snapshot, const DrawnOrigin& origi
 
 void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
                         const std::vector<std::uint16_t>& lighting, const DisplayWater* water) {
+    if (by_pixels_) {
+        // Means over several cells are of what each of them gets.
+        lighting_.upload(with_clamped_sun(lighting).data());
+        mipmaps_.make(lighting_);
+    }
     lighting_.upload(lighting.data());
     const Field<float> values = ranged_values(snapshot, first);
     values_.upload(palette_places(refined(values, refinement_), range_).data());
@@ -242,9 +272,9 @@ void BedShading::bind(const gl::Program& program) const {
         program.set("noise_map", 5);
         program.set("noise_origin", noise_origin_);
     }
-    const bool endless = view_.look.ground == Ground::endless;
-    program.set("sun_span", endless ? sun_bounds.highest - sun_bounds.lowest : 1.0F);
-    program.set("sun_lowest", endless ? sun_bounds.lowest : 0.0F);
+    const bool wide = view_.look.ground == Ground::endless || water_;
+    program.set("sun_span", wide ? sun_bounds.highest - sun_bounds.lowest : 1.0F);
+    program.set("sun_lowest", wide ? sun_bounds.lowest : 0.0F);
     program.set("shading", static_cast<float>(view_.look.shading));
     program.set("tinted", colours_water(view_.look.colour_by) ? 0.0F : 1.0F);
     program.set("extent", glm::vec2(block_.width_x, block_.width_y));
@@ -253,6 +283,13 @@ void BedShading::bind(const gl::Program& program) const {
     program.set("rock", static_cast<float>(block_.rock));
     program.set("floor_values", floor_places_);
     set_sand(program, view_.look);
+}
+
+void BedShading::bind_water(const gl::Program& program, const Light& light, const Camera& camera,
+                            double texel) const {
+    bind(program);
+    set_light(program, view_, light, camera, block_);
+    if (water_) water_->set_uniforms(program, 6, camera, texel);
 }
 
 /// Of ground under water, which has detail below the grid: as fine as the picture shows it.
@@ -274,6 +311,10 @@ void BedShading::size_for(const SeenPart& part) {
 }
 
 void BedShading::shade(const Light& light, const Camera& camera) {
+    if (by_pixels_) {
+        lighting_.bind(0);  // new textures take the unit in use: not the sky's
+        return;
+    }
     const gl::Functions& gl = gl::functions();
     SeenPart part;
     if (water_) {

@@ -41,12 +41,16 @@ class BedShading {
     void upload(const Snapshot& snapshot, const Snapshot& first, const RepeatedLight& light,
                 const DrawnOrigin& origin);
 
-    /// Shades what was uploaded.
+    /// Shades what was uploaded, unless that is left to WaterPixels.
     void shade(const Light& light, const Camera& camera);
 
     /// Binds what was uploaded to the units 0 to 4 and sets the uniforms of shaders/bed/bed.glsl
     /// and shaders/bed/ground.glsl, of the program in use.
     void bind(const gl::Program& program) const;
+    /// The same, and all else that shaders/bed/water_ground.glsl needs: water, to the units 6 to 8,
+    /// and the light of a view. `texel`: see WaterShading::set_uniforms().
+    void bind_water(const gl::Program& program, const Light& light, const Camera& camera,
+                    double texel) const;
 
     /// The values at the palette's ends in what was shaded last.
     [[nodiscard]] std::pair<double, double> range() const { return range_; }
@@ -68,6 +72,7 @@ class BedShading {
     int refinement_;
     const gl::MipmapMaker& mipmaps_;
     bool shaded_mipmaps_;
+    bool by_pixels_;  ///< see shades_pixels()
     std::pair<double, double> range_{0.0, 1.0};
     glm::vec2 noise_origin_{0.0F};  ///< where the drawn bed begins
     glm::vec3 floor_places_{0.0F};  ///< of palette places, of endless ground

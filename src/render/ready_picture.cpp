@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/snapshot_lookup.h"
 #include "render/light/lighting.h"
+#include "render/light/sky_visibility.h"
 #include "render/renderer_parts.h"
 #include "render/view/framing.h"
 #include "render/view/shown_snapshot.h"
@@ -31,7 +32,20 @@ std::shared_ptr<const LitBed> Renderer::Parts::lit_bed(const ReadyPicture& pictu
         lit->heights = std::make_shared<const HeightPyramid>(std::move(lit->light.z), framed.tiles);
     } else {
         lit->bed = display_bed(shown, picture.framed, refinement);
-        lit->texels = lighting_texels(lit->bed, sun, with);
+        if (!water) {
+            lit->texels = lighting_texels(lit->bed, sun, with);
+            return lit;
+        }
+        lit->water = display_water(shown, refinement);
+        // Light falls on the water: what lies deep in it is not in the shadow of its own hollow.
+        const Field<float> surface = surface_of(lit->bed, *lit->water, shown);
+        const float dx = lit->bed.dx;
+        const float dy = lit->bed.dy;
+        lit->texels =
+            lighting_texels(lit->bed,
+                            LightShares{sun_visibility(surface, dx, dy, sun, sun_bounds),
+                                        sky_visibility(surface, dx, dy, with), sun_bounds},
+                            0, with);
     }
     return lit;
 }

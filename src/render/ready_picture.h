@@ -14,6 +14,7 @@
 #include "render/streamers/blown_sand.h"
 #include "render/view/block.h"
 #include "render/view/display_bed.h"
+#include "render/view/water.h"
 
 namespace fumon {
 
@@ -23,6 +24,7 @@ struct LitBed {
     SunDirection sun;
     DisplayBed bed;                     ///< of a block
     std::vector<std::uint16_t> texels;  ///< likewise, see lighting_texels()
+    std::optional<DisplayWater> water;  ///< likewise, where it is drawn
     RepeatedLight light;                ///< of endless ground, without its heights
     std::optional<Snapshot> in_plain;   ///< the bed as the ground's maps hold it, where it ends
     std::shared_ptr<const HeightPyramid> heights;

@@ -133,20 +133,17 @@ void Renderer::prepare(const ReadyPicture& picture) {
         if (!uploaded) p.shading.shade(p.light, camera);
         p.world->look_at(picture.ground);
     } else {
-        std::optional<DisplayWater> water;
-        if (p.water) water = display_water(snapshot, p.refinement);
-        p.shading.upload(snapshot, reference, lit.texels, water ? &*water : nullptr);
+        p.shading.upload(snapshot, reference, lit.texels, lit.water ? &*lit.water : nullptr);
         p.sky.bind(sky_unit);
         p.shading.shade(p.light, camera);
-        const auto rise = static_cast<float>(p.block.height_scale / snapshot.scale.height_unit);
-        if (water) {
-            for (float& depth : water->depth.values()) depth *= rise;
-        }
-        p.terrain.set_bed(lit.bed, water ? &water->depth : nullptr, camera);
+        std::optional<Field<float>> depth;
+        if (lit.water) depth = p.drawn_depth(*lit.water, snapshot);
+        const Field<float>* standing = depth ? &*depth : nullptr;
+        p.terrain.set_bed(lit.bed, standing, camera);
         if (p.plants) p.plants->set_bed(snapshot, lit.bed.z, false);
         if (p.persons) p.persons->set_bed(lit.bed.z, p.block, false);
-        if (p.tracks)
-            p.tracks->set_bed(lit.bed.z, p.block, false, {}, water ? &water->depth : nullptr);
+        if (p.tracks) p.tracks->set_bed(lit.bed.z, p.block, false, {}, standing);
+        const auto rise = static_cast<float>(p.block.height_scale / snapshot.scale.height_unit);
         p.terrain.set_clarity(rise * static_cast<float>(p.shading.clarity()));
     }
     p.block_coloured = false;

@@ -81,9 +81,9 @@ gl::TextureLayout plain_layout(PixelKind kind) {
     return layout;
 }
 
-SampleTargets::SampleTargets(const TilePlan& plan, Ground ground)
+SampleTargets::SampleTargets(const TilePlan& plan, Ground ground, bool surface)
     : depths(plan.target_width, plan.target_height),
-      seen(plan.target_width, plan.target_height, seen_layout(ground), &depths) {}
+      seen(plan.target_width, plan.target_height, seen_layout(ground, surface), &depths) {}
 
 Snapshot Renderer::Parts::shown_first(const Snapshot& first, const View& view) {
     std::optional<Snapshot> shown = shown_snapshot(first, view);
@@ -121,11 +121,12 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
               static_cast<int>(std::max(view.image.width, view.image.height) *
                                view.image.supersampling),
               fixed, mipmaps, kind),
-      terrain(view, block, fixed),
+      terrain(view, block, fixed, shades_pixels(view, first)),
       background(view, block, light, floor_of(view, first, block, refinement, pool), fixed, wanted),
       pixel_depths(depths_of_pixels(view, plan)),
       one_picture(limits.one_picture),
       later_pictures(!limits.one_picture) {
+    if (shades_pixels(view, first)) water_pixels.emplace(plan, fixed, kind);
     if (plain) plain->stand_in(view.camera, *first_in_plain, block);
     if (view.look.ground == Ground::endless) {
         world.emplace(view, ground, first_ground(), refinement, origin, copies, fixed, mipmaps);
@@ -161,13 +162,22 @@ Field<float> Renderer::Parts::drawn_surface(const ReadyPicture& picture) const {
     if (world)
         return rolled(picture.lit->heights->finest(), -refinement * origin.east,
                       -refinement * origin.north);
-    Field<float> surface = picture.lit->bed.z;
-    if (!water) return surface;
-    const Snapshot& snapshot = picture.shown();
-    const DisplayWater standing = display_water(snapshot, refinement);
-    const auto rise = static_cast<float>(block.height_scale / snapshot.scale.height_unit);
-    for (std::size_t i = 0; i < surface.size(); ++i)
-        surface.values()[i] += rise * standing.depth.values()[i];
+    const LitBed& lit = *picture.lit;
+    return lit.water ? surface_of(lit.bed, *lit.water, picture.shown()) : lit.bed.z;
+}
+
+Field<float> Renderer::Parts::drawn_depth(const DisplayWater& standing,
+                                          const Snapshot& shown) const {
+    const auto rise = static_cast<float>(block.height_scale / shown.scale.height_unit);
+    Field<float> depth = standing.depth;
+    for (float& metres : depth.values()) metres *= rise;
+    return depth;
+}
+
+Field<float> Renderer::Parts::surface_of(const DisplayBed& bed, const DisplayWater& standing,
+                                         const Snapshot& shown) const {
+    Field<float> surface = drawn_depth(standing, shown);
+    for (std::size_t i = 0; i < surface.size(); ++i) surface.values()[i] += bed.z.values()[i];
     return surface;
 }
 
@@ -261,7 +271,7 @@ PixelSamples Renderer::Parts::pixel_samples(const Tile& tile, const Camera& came
 }
 
 void Renderer::Parts::see_ground(const Tile& tile, const Camera& camera) {
-    if (!sampled) sampled.emplace(plan, view.look.ground);
+    if (!sampled) sampled.emplace(plan, view.look.ground, water_pixels.has_value());
     sampled->seen.bind();
     gl::functions().ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     if (packs_samples() && !streamers) {
@@ -313,6 +323,11 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
     const gl::RenderTarget& seen = sampled->seen;
     const gl::RenderTarget& samples = *sampled->colours;
     const TileSamples placed = placed_samples(tile);
+    const glm::ivec2 offset = pixel_offset(first_sample(tile) - target_corner(tile), plan.factor);
+    if (water_pixels) {
+        gl.BindVertexArray(no_attributes.name());
+        water_pixels->shade(seen.colour(), offset, shading, terrain, light, camera);
+    }
     samples.bind();
     gl.Clear(GL_COLOR_BUFFER_BIT);
     if (lens()) {
@@ -333,7 +348,8 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
         }
         world->colour_seen(seen.colour(), shading, light, camera);
     } else {
-        terrain.colour_seen(seen.colour(), shading.colours(), light, camera, placed);
+        const gl::Texture2D& colours = water_pixels ? water_pixels->colours() : shading.colours();
+        terrain.colour_seen(seen.colour(), colours, light, camera, placed, offset);
     }
     if (tracks)
         tracks->draw(seen.colour(), world ? &*world : nullptr, plant_ground(camera), shading, light,

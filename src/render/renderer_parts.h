@@ -36,6 +36,7 @@
 #include "render/view/lens.h"
 #include "render/view/plain_around.h"
 #include "render/view/tiles.h"
+#include "render/water_pixels.h"
 #include "render/world_layer.h"
 
 namespace fumon {
@@ -45,7 +46,7 @@ gl::TextureLayout plain_layout(PixelKind kind);
 
 /// What samples see, and their colours.
 struct SampleTargets {
-    SampleTargets(const TilePlan& plan, Ground ground);
+    SampleTargets(const TilePlan& plan, Ground ground, bool surface);
 
     gl::DepthBuffer depths;
     gl::RenderTarget seen;
@@ -127,6 +128,11 @@ struct Renderer::Parts {
     [[nodiscard]] const gl::RenderTarget& surroundings();
     [[nodiscard]] PlantGround plant_ground(const Camera& camera) const;
     [[nodiscard]] Field<float> drawn_surface(const ReadyPicture& picture) const;
+    /// In block lengths: water over a bed of the snapshot, and the surface of both.
+    [[nodiscard]] Field<float> drawn_depth(const DisplayWater& standing,
+                                           const Snapshot& shown) const;
+    [[nodiscard]] Field<float> surface_of(const DisplayBed& bed, const DisplayWater& standing,
+                                          const Snapshot& shown) const;
 
     gl::Context& context;
     View view;
@@ -152,7 +158,8 @@ struct Renderer::Parts {
     gl::Texture2D sky;
     gl::MipmapMaker mipmaps;
     BedShading shading;
-    std::shared_ptr<const LitBed> uploaded;  // which the textures hold
+    std::optional<WaterPixels> water_pixels;  // where the ground of a block is shaded by pixels
+    std::shared_ptr<const LitBed> uploaded;   // which the textures hold
     TerrainLayer terrain;
     BackgroundLayer background;
     std::optional<AirLayer> air;

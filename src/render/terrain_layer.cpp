@@ -73,27 +73,34 @@ ScreenScale screen_scale(const Camera& camera, const View& view, const Block& bl
 
 }  // namespace
 
-gl::TextureLayout seen_layout(Ground ground) {
+gl::TextureLayout seen_layout(Ground ground, bool surface) {
     gl::TextureLayout layout{GL_RG16, GL_RG, GL_UNSIGNED_SHORT, GL_NEAREST, 0, GL_CLAMP_TO_EDGE};
+    if (surface) layout = {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, GL_NEAREST, 0, GL_CLAMP_TO_EDGE};
     if (ground == Ground::endless)
         layout = {GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_NEAREST, 0, GL_CLAMP_TO_EDGE};
     return layout;
 }
 
-TerrainLayer::TerrainLayer(const View& view, const Block& block, const gl::Constants& fixed)
+TerrainLayer::TerrainLayer(const View& view, const Block& block, const gl::Constants& fixed,
+                           bool by_pixels)
     : view_(view),
       block_(block),
       grainy_(view.look.mode == ViewMode::scenic && view.look.grain > 0.0),
+      by_pixels_(by_pixels),
       fixed_(fixed) {}
 
 const TerrainLayer::SamplePrograms& TerrainLayer::by_sample() {
-    if (grainy_ && !grain_) grain_.emplace(grain_texture());
+    if ((grainy_ || by_pixels_) && !grain_) grain_.emplace(grain_texture());
     if (!by_sample_)
         by_sample_.emplace(SamplePrograms{
-            {"block/terrain.vert.glsl", "block/seen.frag.glsl", {"east_north", "height"}},
+            {"block/terrain.vert.glsl",
+             by_pixels_ ? "block/seen_surface.frag.glsl" : "block/seen.frag.glsl",
+             {"east_north", "height"}},
             {"block/side.vert.glsl", "block/seen.frag.glsl", {"east_north", "normal", "heights"}},
             {"common/screen.vert.glsl",
-             grainy_ ? "block/terrain.frag.glsl" : "block/terrain_plain.frag.glsl",
+             by_pixels_ ? "block/terrain_of_pixels.frag.glsl"
+             : grainy_  ? "block/terrain.frag.glsl"
+                        : "block/terrain_plain.frag.glsl",
              {},
              fixed_},
             {"block/side.vert.glsl",
@@ -138,6 +145,10 @@ void TerrainLayer::set_bed(const DisplayBed& bed, const Field<float>* water_dept
         const std::uint32_t at = lattice_.cells[i];
         surface_[i] = bed.z.values()[at];
         if (water_depth != nullptr) surface_[i] += water_depth->values()[at];
+    }
+    if (by_pixels_) {
+        const auto [lowest, highest] = std::minmax_element(surface_.begin(), surface_.end());
+        height_span_ = {*lowest, std::max(*highest - *lowest, 1e-6F)};
     }
     const ViewOrder order{camera.forward.y >= 0.0, camera.forward.x >= 0.0};
     mesh_ = mesher_.mesh(lattice_, surface_, screen_scale(camera, view_, block_),
@@ -250,6 +261,7 @@ void TerrainLayer::place(const gl::Program& program, const Camera& camera,
     program.set("tile_corner", tile.corner);
     program.set("tile_size", tile.size);
     program.set("height_range", height_range_);
+    program.set("height_span", height_span_);
 }
 
 bool TerrainLayer::no_back_is_seen(const Camera& camera) const {
@@ -290,7 +302,8 @@ void TerrainLayer::draw_seen(const Camera& camera, const TileSamples& tile) {
 }
 
 void TerrainLayer::colour_seen(const gl::Texture2D& seen, const gl::Texture2D& colours,
-                               const Light& light, const Camera& camera, const TileSamples& tile) {
+                               const Light& light, const Camera& camera, const TileSamples& tile,
+                               const glm::ivec2& offset) {
     const gl::Functions& gl = gl::functions();
     const SamplePrograms& programs = by_sample();
     gl.Disable(GL_DEPTH_TEST);
@@ -300,6 +313,7 @@ void TerrainLayer::colour_seen(const gl::Texture2D& seen, const gl::Texture2D& c
     programs.surface_colours.use();
     programs.surface_colours.set("seen", 2);
     set_surface(programs.surface_colours, colours);
+    programs.surface_colours.set("sample_offset", glm::vec2(offset));
     gl.StencilFunc(GL_EQUAL, surface_stencil, 0xFF);
     gl.BindVertexArray(no_attributes_.name());
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
@@ -353,12 +367,14 @@ float TerrainLayer::grain_strength() const {
 void TerrainLayer::set_surface(const gl::Program& program, const gl::Texture2D& colours) const {
     colours.bind(0);
     program.set("shaded", 0);
-    if (grainy_) {
-        grain_->bind(1);
-        program.set("grain", 1);
-        program.set("grain_scale", grain_over_block() / static_cast<float>(grain_size));
-        program.set("grain_strength", grain_strength());
-    }
+    if (grainy_) set_grain(program, 1);
+}
+
+void TerrainLayer::set_grain(const gl::Program& program, int unit) const {
+    grain_->bind(unit);
+    program.set("grain", unit);
+    program.set("grain_scale", grain_over_block() / static_cast<float>(grain_size));
+    program.set("grain_strength", grain_strength());
 }
 
 void TerrainLayer::set_sides(const gl::Program& program, const Light& light,

@@ -8,9 +8,9 @@
 #include "gl/dynamic_buffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
+#include "render/ground/terrain_mesh.h"
 #include "render/light/light.h"
 #include "render/samples/block_samples.h"
-#include "render/terrain_mesh.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
 #include "scene/scene.h"
@@ -25,13 +25,15 @@ struct TileSamples {
 };
 
 /// Of what a sample sees: a place on the block, or an offset from the eye over endless ground.
-gl::TextureLayout seen_layout(Ground ground);
+/// `surface`: with its height, of block/seen_surface.frag.glsl.
+gl::TextureLayout seen_layout(Ground ground, bool surface = false);
 
 /// The block: the bed's surface, coloured by a shaded texture, and its sides.
 class TerrainLayer {
   public:
-    /// `fixed`: see fixed_uniforms().
-    TerrainLayer(const View& view, const Block& block, const gl::Constants& fixed);
+    /// `fixed`: see fixed_uniforms(). `by_pixels`: the surface gets its colours from WaterPixels.
+    TerrainLayer(const View& view, const Block& block, const gl::Constants& fixed,
+                 bool by_pixels = false);
 
     /// Takes the heights of a snapshot and meshes the bed. `water_depth`, in block lengths, is
     /// added to the bed if given.
@@ -39,6 +41,9 @@ class TerrainLayer {
 
     /// The depth of water at which the bed is half hidden, in block lengths.
     void set_clarity(float clarity) { clarity_ = clarity; }
+
+    /// Of the surface, water included: the lowest, and how much higher the highest.
+    [[nodiscard]] const glm::vec2& height_span() const { return height_span_; }
 
     /// Whether the bed ends around cells without data.
     [[nodiscard]] bool has_rim() const { return !rim_.empty(); }
@@ -49,9 +54,13 @@ class TerrainLayer {
     void draw_seen(const Camera& camera, const TileSamples& tile);
 
     /// Colours, in the bound target, the samples whose stencils that has set: each sample once,
-    /// however many triangles its neighbours see.
+    /// however many triangles its neighbours see. `colours`: those of BedShading, or of
+    /// WaterPixels, whose pixels begin at the sample `offset`.
     void colour_seen(const gl::Texture2D& seen, const gl::Texture2D& colours, const Light& light,
-                     const Camera& camera, const TileSamples& tile);
+                     const Camera& camera, const TileSamples& tile, const glm::ivec2& offset = {});
+
+    /// Binds the sand's grain to a unit and sets how it is seen, of the program in use.
+    void set_grain(const gl::Program& program, int unit) const;
 
     /// The same triangles, for BlockSamples; of a block without rim, until the next bed.
     [[nodiscard]] BlockShape shape(const Camera& camera) const;
@@ -85,6 +94,7 @@ class TerrainLayer {
     View view_;
     Block block_;
     bool grainy_;
+    bool by_pixels_;
     gl::Constants fixed_;
     /// What draws, made as it is needed: by samples, and by pixels.
     struct SamplePrograms {
@@ -142,6 +152,7 @@ class TerrainLayer {
     };
     std::vector<Faces> faces_;
     glm::vec2 height_range_{0.0F, 1.0F};
+    glm::vec2 height_span_{0.0F, 1.0F};
     Mask nodata_;
     int stride_ = 0;
 };

@@ -98,6 +98,8 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
         {"tone", linear ? no_curve : tone_number(tone)},
         {"linear_light", switched(linear)},
         {"sample_share", sample_share(view)},
+        {"samples_along",
+         view.camera.has_lens() ? 1.0F : static_cast<float>(view.image.supersampling)},
         {"dithered", switched(kind == PixelKind::display_8)},
         {"punch", switched(tone == Tone::agx_punchy)},
         {"atmosphere", switched(light.atmosphere)},

@@ -18,6 +18,15 @@ constexpr double layers_laid =
 constexpr double least_laid = 0.002;  // m
 
 const gl::TextureLayout map_layout{GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
+gl::TextureLayout layout_of(const gl::MipmapMaker* mipmaps) {
+    gl::TextureLayout layout = map_layout;
+    if (mipmaps != nullptr) {
+        layout.minification = GL_LINEAR_MIPMAP_NEAREST;
+        layout.coarsest = 3;
+    }
+    return layout;
+}
+
 const gl::TextureLayout streak_layout{GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_LINEAR, 0, GL_REPEAT};
 
 /// A seamless square of noise for streaks and ripples, four bytes a texel: the noise, its
@@ -79,14 +88,16 @@ std::vector<float> interleaved(const std::array<const Field<float>*, 4>& fields)
 
 }  // namespace
 
-WaterShading::WaterShading(const View& view, const Block& block, int nx, int ny, int refinement)
+WaterShading::WaterShading(const View& view, const Block& block, int nx, int ny, int refinement,
+                           const gl::MipmapMaker* mipmaps)
     : view_(view),
       block_(block),
       refinement_(refinement),
+      mipmaps_(mipmaps),
       cell_x_(block.width_x / nx),
       cell_y_(block.width_y / ny),
-      water_(nx, ny, map_layout),
-      surface_(nx, ny, map_layout),
+      water_(nx, ny, layout_of(mipmaps)),
+      surface_(nx, ny, layout_of(mipmaps)),
       streaks_(grain_size, grain_size, streak_layout, streak_texels().data()) {}
 
 void WaterShading::upload(const Snapshot& snapshot, const Snapshot& first,
@@ -108,6 +119,10 @@ void WaterShading::upload(const Snapshot& snapshot, const Snapshot& first,
     const double whole = std::max(layers_laid * closed_depth_, least_laid);
     const Field<float> worked = worked_bed(snapshot, first, whole, refinement_);
     surface_.upload(interleaved({&slope_x, &slope_y, &fronts, &worked}).data());
+    if (mipmaps_ != nullptr) {
+        mipmaps_->make(water_);
+        mipmaps_->make(surface_);
+    }
 }
 
 void WaterShading::set_uniforms(const gl::Program& program, int unit, const Camera& camera,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gl/mipmaps.h"
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/view/block.h"
@@ -14,13 +15,15 @@ namespace fumon {
 class WaterShading {
   public:
     /// For a display bed of nx × ny cells, `refinement` to each of the grid's along both axes.
-    WaterShading(const View& view, const Block& block, int nx, int ny, int refinement);
+    /// `mipmaps`, which outlives it, where cells are seen that are smaller than a pixel, or null.
+    WaterShading(const View& view, const Block& block, int nx, int ny, int refinement,
+                 const gl::MipmapMaker* mipmaps);
 
     /// Takes the water of a snapshot, and what it has done to the bed since `first`.
     void upload(const Snapshot& snapshot, const Snapshot& first, const DisplayWater& water);
 
     /// Sets the uniforms of the program in use; its textures take the units from `unit` on.
-    /// `texel` is that of what is shaded, in block lengths.
+    /// `texel` is that of what is shaded, in block lengths; 0 where that is pixels.
     void set_uniforms(const gl::Program& program, int unit, const Camera& camera,
                       double texel) const;
 
@@ -31,6 +34,7 @@ class WaterShading {
     View view_;
     Block block_;
     int refinement_;
+    const gl::MipmapMaker* mipmaps_;
     double cell_x_;  ///< of the display bed, block lengths
     double cell_y_;
     gl::Texture2D water_;

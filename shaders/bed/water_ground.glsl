@@ -1,0 +1,95 @@
+// Ground that water shapes and water over it, at one place: wet ground is darker and glossier, what the water laid down is
+// paler, and the water tints it by its depth, mirrors the sky and the banks and foams where it shoots (Froude number over 1).
+// Needs common/colour.glsl, common/light.glsl, common/oren_nayar.glsl, bed/bed.glsl, bed/ground.glsl, sky/sky.glsl,
+// bed/water_body.glsl, bed/soil.glsl and bed/water.glsl before it.
+uniform float tinted;  // 0: the colours mean something of the water, so it is not seen itself
+
+const float grain_hidden = 0.85;  // of the sand's, under a closed film
+
+// Wet sand: water between the grains leads light deeper in, so less of it comes back.
+vec3 wetted(vec3 albedo, float damp) { return mix(albedo, albedo * (0.34 + 0.15 * albedo + 0.22 * luminance(albedo)), damp); }
+
+// Fresh silt and sand are pale; where the bed was worn, damp soil from below lies open.
+vec3 worked(vec3 albedo, float laid) {
+    vec3 fresh = mix(albedo, vec3(0.66, 0.56, 0.43), 0.45);
+    vec3 worn = albedo * vec3(0.72, 0.68, 0.64);
+    return mix(mix(albedo, fresh, max(laid, 0.0)), worn, max(-laid, 0.0));
+}
+
+// Soil is less golden than a dune's sand; where it lies dry, rain has beaten a pale crust, in patches; a wall shows the
+// moister soil below in its layers.
+vec3 earthen(vec3 albedo, Soil soil, float damp) {
+    albedo = mix(vec3(luminance(albedo)), albedo, 0.54);
+    float crust = (1.0 - damp) * (1.0 - soil.cut) * smoothstep(-0.5, 0.9, soil.height);
+    albedo = mix(albedo, vec3(0.66, 0.565, 0.43), 0.40 * crust);
+    vec3 below = albedo * mix(vec3(0.80, 0.70, 0.60), vec3(0.98, 0.88, 0.76), clamp(0.5 + 0.5 * soil.layers, 0.0, 1.0));
+    return mix(albedo, below, soil.cut);
+}
+
+// Of the sky, or of the banks that hide its lower part.
+vec3 mirrored_light(vec3 mirrored, vec3 albedo, BedPoint point) {
+    mirrored.z = abs(mirrored.z);
+    float bank = 1.0 - point.sky;  // about the sine of their height
+    float hidden = 1.0 - smoothstep(0.5 * bank, 1.5 * bank + 0.02, mirrored.z);
+    vec3 banks = albedo * (0.30 * sun_light * max(to_sun.z, 0.0) + 0.45 * sky_light);
+    return mix(sky(normalize(mirrored)), banks, hidden * smoothstep(0.02, 0.10, bank));
+}
+
+// The display colour of a place (0 … 1) that lies at `world_point`, and in alpha how much of the grain is seen. `width`: of
+// the smallest thing to be seen there, block lengths; `level`: of the maps' mipmaps.
+vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
+    BedPoint point = bed_point(textureLod(lighting_map, place, level));
+    vec2 world = world_point.xy;
+    vec3 to_eye = direction_to_eye(world_point);
+    vec3 albedo = ground_albedo(place, point);
+    Water water = water_at(place, level);
+    float seen = tinted;
+    Soil soil = soil_at(world_point, point, width, clamp(-water.laid, 0.0, 1.0));
+    water.film = closed_film(water, soil);
+    float damp = seen * clamp(water.damp + 0.8 * water.damp * (1.0 - water.damp) * -soil.height, 0.0, 1.0);
+    if (natural > 0.5) {
+        albedo = earthen(albedo, soil, damp);
+        albedo = worked(albedo, seen * clamp(water.laid, -1.0, 1.0));
+        albedo *= 1.0 + 0.13 * soil.tone;
+        albedo = mix(albedo, mix(vec3(0.25, 0.20, 0.155), vec3(0.46, 0.39, 0.31), clamp(0.5 + soil.tone, 0.0, 1.0)), soil.stone);
+    }
+    vec3 normal_below = normalize(vec3(point.normal.xy / max(point.normal.z, 0.05) - soil.slope, 1.0));
+    point.normal = normal_below;
+    point.sky *= clamp(1.0 + 0.10 * soil.height, 0.6, 1.1);
+
+    vec3 light = ground_light(wetted(albedo, damp), point, to_eye, 1.0 + 2.0 * damp);
+    int wet = seen * water.film > 0.0 ? 1 : 0;
+    for (int once = 0; once < wet; ++once) {  // as in bed/soil.glsl
+        vec3 normal = water_normal(world, water, soil, width);
+        float thin = 1.0 - smoothstep(1.0, 8.0, water.depth / closed_depth);  // broken by what stands out of it
+        float n_dot_v = max(dot(normal, to_eye), 0.10 + 0.14 * max(thin, smoothstep(0.9, 1.6, water.froude)));
+        float n_dot_l = max(dot(normal, to_sun), 0.0);
+        // Down with the sun, up to the eye, both bent towards the vertical by refraction.
+        float up = sqrt(1.0 - (1.0 - n_dot_v * n_dot_v) / 1.77);
+        vec3 left = transmitted(0.5 * water.depth / clarity * (1.0 + 1.0 / up));
+        vec3 body = water_body_colour() * (1.0 + 0.5 * turbidity * silt_clouds(world, water)) * (sun_light * point.sun * (0.4 + 0.6 * n_dot_l) + sky_light * point.sky);
+        vec3 below = light * left + body * (1.0 - left);
+
+        float grazing = (1.0 - n_dot_v) * (1.0 - n_dot_v);
+        float fresnel = 0.02 + 0.98 * grazing * grazing * (1.0 - n_dot_v);  // Schlick 1994
+        // What stands out of it, or breaks it where it runs down a slope, does not mirror.
+        float calm = smoothstep(0.7, 1.4, water.depth / closed_depth) * (1.0 - smoothstep(0.03, 0.15, length(water.slope)));
+        fresnel *= 0.3 + 0.7 * max(calm, 1.0 - thin);
+        vec3 halfway = normalize(to_sun + to_eye);
+        float off = 1.0 - max(dot(normal, halfway), 0.0);
+        float lobe = 1.0 / (1.0 + 220.0 * off);
+        float glint = lobe * lobe * lobe;
+        vec3 mirrored = reflect(-to_eye, normal);
+        vec3 reflected = mirrored_light(mirrored, albedo, point);
+        reflected = mix(reflected, point.sky * haze_towards(vec3(normalize(mirrored.xy + vec2(1e-6, 0.0)), 0.0)), 0.5 * thin);  // from a wide part of the sky
+        vec3 surface = mix(below, reflected, fresnel) +
+                       sun_light * (point.sun * glint);
+
+        float foam = foam_cover(world, water, width);
+        vec3 foam_light = vec3(0.86, 0.88, 0.88) * (sun_light * point.sun * (0.25 + 0.75 * n_dot_l) + sky_light * point.sky);
+        surface = mix(surface, foam_light, foam);
+        light = mix(light, surface, water.film);
+    }
+    return vec4(display_from_linear(tone_curve(with_haze(light, world_point, -to_eye))),
+                1.0 - seen * water.film * grain_hidden);
+}

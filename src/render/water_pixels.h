@@ -1,0 +1,48 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "base/snapshot.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "render/bed_shading.h"
+#include "render/colour/pixel_kind.h"
+#include "render/light/light.h"
+#include "render/terrain_layer.h"
+#include "render/view/camera.h"
+#include "render/view/tiles.h"
+#include "scene/scene.h"
+
+namespace fumon {
+
+/// Whether the ground of a block with water is shaded for each pixel that shows it, so that it is
+/// as sharp near the camera as far away and has no size of its own that a film could see change.
+/// Maps, whose places are all as large, and views through a lens, which look at shaded ground many
+/// times, have it as a texture over the bed instead.
+bool shades_pixels(const View& view, const Snapshot& first);
+
+/// Colours of the surface of a block with water by the pixels of a tile, of shades_pixels().
+class WaterPixels {
+  public:
+    /// `fixed`: see fixed_uniforms().
+    WaterPixels(const TilePlan& plan, const gl::Constants& fixed, PixelKind kind);
+
+    /// Shades, into a target of its own, what the samples `seen` (see block/seen_surface.frag.glsl)
+    /// show of a bed that `shading` and `terrain` have taken; pixels begin at the sample `offset`,
+    /// see pixel_offset(). Needs a bound vertex array without attributes.
+    void shade(const gl::Texture2D& seen, const glm::ivec2& offset, const BedShading& shading,
+               const TerrainLayer& terrain, const Light& light, const Camera& camera);
+
+    /// One texel to a pixel: what BedShading::colours() has for a place.
+    [[nodiscard]] const gl::Texture2D& colours() const { return target_.colour(); }
+
+  private:
+    gl::Program program_;
+    gl::RenderTarget target_;
+};
+
+/// Where the first pixel's samples begin, from the target's lower left corner: at most 0, so that
+/// pixels lie as those of the tile whose first sample is `first`.
+glm::ivec2 pixel_offset(const glm::ivec2& first, int factor);
+
+}  // namespace fumon
