@@ -39,10 +39,12 @@ Water water_at(vec2 place, float level) {
     return water;
 }
 
+const float least_share = 0.1;  // of the depth that closes: below it no hollow holds a film
+
 // Ground that stands out breaks a thin sheet, and its hollows hold some more of it.
 float closed_film(Water water, Soil soil) {
     float share = water.depth / closed_depth;
-    float hollow = -0.45 * soil.height * smoothstep(0.1, 0.6, share) * (1.0 - smoothstep(1.5, 4.0, share));
+    float hollow = -0.45 * soil.height * smoothstep(least_share, 0.6, share) * (1.0 - smoothstep(1.5, 4.0, share));
     return smoothstep(0.004, 0.06, water.depth / clarity) * smoothstep(0.5, 1.7, share + hollow);
 }
 

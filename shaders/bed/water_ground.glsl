@@ -1,7 +1,7 @@
 // Ground that water shapes and water over it, at one place: wet ground is darker and glossier, what the water laid down is
 // paler, and the water tints it by its depth, mirrors the sky and the banks and foams where it shoots (Froude number over 1).
 // Needs common/colour.glsl, common/light.glsl, common/oren_nayar.glsl, bed/bed.glsl, bed/ground.glsl, sky/sky.glsl,
-// bed/water_body.glsl, bed/soil.glsl and bed/water.glsl before it.
+// bed/water_body.glsl, bed/soil.glsl and bed/water.glsl before it, and `under_water`, 0 where no water is closed.
 uniform float tinted;  // 0: the colours mean something of the water, so it is not seen itself
 
 const float grain_hidden = 0.85;  // of the sand's, under a closed film
@@ -45,7 +45,7 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
     Water water = water_at(place, level);
     float seen = tinted;
     Soil soil = soil_at(world_point, point, width, clamp(-water.laid, 0.0, 1.0));
-    water.film = closed_film(water, soil);
+    water.film = under_water > 0.5 ? closed_film(water, soil) : 0.0;
     float damp = seen * clamp(water.damp + 0.8 * water.damp * (1.0 - water.damp) * -soil.height, 0.0, 1.0);
     if (natural > 0.5) {
         albedo = earthen(albedo, soil, damp);
@@ -58,7 +58,7 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
     point.sky *= clamp(1.0 + 0.10 * soil.height, 0.6, 1.1);
 
     vec3 light = ground_light(wetted(albedo, damp), point, to_eye, 1.0 + 2.0 * damp);
-    int wet = seen * water.film > 0.0 ? 1 : 0;
+    int wet = under_water > 0.5 && seen * water.film > 0.0 ? 1 : 0;
     for (int once = 0; once < wet; ++once) {  // as in bed/soil.glsl
         vec3 normal = water_normal(world, water, soil, width);
         float thin = 1.0 - smoothstep(1.0, 8.0, water.depth / closed_depth);  // broken by what stands out of it

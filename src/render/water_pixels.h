@@ -37,7 +37,13 @@ class WaterPixels {
     [[nodiscard]] const gl::Texture2D& colours() const { return target_.colour(); }
 
   private:
-    gl::Program program_;
+    gl::Program kinds_;
+    gl::Program dry_;
+    gl::Program wet_;
+    gl::Program farther_;
+    gl::DepthBuffer depths_;  ///< by which kinds of pixels are told apart
+    gl::RenderTarget places_;
+    gl::RenderTarget others_;  ///< of pixels that see two places: the farther one
     gl::RenderTarget target_;
 };
 
