@@ -52,6 +52,17 @@ vec3 haze_towards(vec3 view) {
     return mix(haze_colour, glow_colour, towards_sun * towards_sun);
 }
 
+// The same along a way that may lead down: the horizon's at the same angle to the sun, since air scatters by that.
+vec3 haze_along(vec3 way) {
+    vec2 level = normalize(way.xy + 1e-6 * to_sun.xy);
+    if (atmosphere > 0.5) {
+        float sun_across = max(length(to_sun.xy), 0.02);
+        float ahead = clamp(dot(way, to_sun) / (length(way) * sun_across), -1.0, 1.0);
+        level = mat2(to_sun.x, to_sun.y, -to_sun.y, to_sun.x) * vec2(ahead, sqrt(1.0 - ahead * ahead)) / sun_across;
+    }
+    return haze_towards(vec3(level, 0.0));
+}
+
 // Share of light that is left after a way through the air near the ground.
 vec3 air_left(float way) { return exp(-max(extinction, 0.0) * way * haze_bands); }
 

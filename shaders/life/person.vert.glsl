@@ -34,7 +34,7 @@ void main() {
     light += sand * (sun_light * ground.sun * max(to_sun.z, 0.0) + sky_light) * (open * (0.5 - 0.5 * normal.z));
     vec3 seen = part_colour * light;
     if (from_eye > 0.5) {
-        vec3 haze = haze_towards(vec3(normalize(place.xy + 1e-6 * to_sun.xy), 0.0));
+        vec3 haze = haze_along(place);
         seen = mix(haze, seen, air_left(length(place))) + glare(-to_eye);
     } else {
         seen = with_haze(seen, place, -to_eye);

@@ -39,7 +39,7 @@ void main() {
     light += vec3(0.40, 0.29, 0.18) * (sun_light * mix(0.3, 1.0, ground.sun) * max(to_sun.z, 0.0) + sky_light) * (0.6 * (1.0 - 0.5 * height));
     vec3 seen = albedo * light;
     if (from_eye > 0.5) {
-        vec3 haze = haze_towards(vec3(normalize(place.xy + 1e-6 * to_sun.xy), 0.0));
+        vec3 haze = haze_along(place);
         seen = mix(haze, seen, air_left(length(place))) + glare(-to_eye);
     } else {
         seen = with_haze(seen, place, -to_eye);

@@ -65,6 +65,6 @@ void main() {
     vec3 grains = sqrt(sand_crest);  // light passes them and is mirrored, more than by a bed of them
     vec3 ground = sand_crest * (sun_light * max(to_sun.z, 0.0) + sky_light);
     vec3 light = grains * (1.6 * sun_light * (share * across.z) + across.w * (0.55 * sky_light + 0.25 * ground));
-    vec3 haze = haze_towards(vec3(normalize(view.xy + 1e-6 * to_sun.xy), 0.0));
+    vec3 haze = haze_along(view);
     scattered = vec4(mix(haze, light, air_left(length(middle.xyz))), middle.w);
 }

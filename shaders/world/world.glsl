@@ -185,9 +185,7 @@ vec3 in_metres(vec3 offset) { return vec3(whole_eye + offset.xy, offset.z + eye.
 // What the eye gets of light that leaves the ground.
 vec4 seen(vec3 light, SeenPlace at, vec3 to_eye) {
     vec3 through = air_left(length(at.offset));
-    vec2 level = at.offset.xy + 1e-6 * to_sun.xy;
-    vec3 haze = haze_towards(vec3(normalize(level), 0.0));
-    light = mix(haze, light, through) + glare(-to_eye);
+    light = mix(haze_along(at.offset), light, through) + glare(-to_eye);
     if (streamers > 0.5) {
         ivec2 pixel = whole_pixels > 0.5 ? ivec2(gl_FragCoord.xy) : ivec2(floor((vec2(own_sample()) - first_of_tile) / float(factor)));
         light = through_streamers(light, pixel);

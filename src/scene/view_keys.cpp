@@ -193,7 +193,7 @@ void list_view_keys(View& view, KeyTable& table) {
     table.word_or_real(
         "air.visibility", view.air.visibility,
         {{"auto",
-          "over endless ground 16 km on a clear day in a desert, less with sun.dust over 1 (in "
+          "over endless ground 30 km on a clear day in a desert, less with sun.dust over 1 (in "
           "thin "
           "air 40 km, and no more than 80 km over sun.dust); where the bed ends in a plain, eight "
           "times its longer side if that is more; around a block on a table as sun.haze says"}},

@@ -42,6 +42,8 @@ constexpr std::array loops{"tanh_of_differences(",
                            "green_ampt_row(",
                            "limited_half_slopes(",
                            "shore_half_slopes(",
+                           "largest_invariants(",
+                           "speed_bounds(",
                            "face_fluxes(",
                            "update(",
                            "advect_row(",
@@ -70,9 +72,10 @@ constexpr std::array loops_of_four{"butterflies_of_four(", "butterflies_of_five(
                                    "eliminate(",           "substitute_back("};
 
 #ifdef FUMON_HAS_PICTURES
-constexpr std::array loops_of_pictures{"copies_along("};
+constexpr std::array loops_of_pictures{"copies_along(", "place_corners("};
 constexpr std::array loops_on_floats{"sweep_shadow(", "add_sky(",    "multiply_by_normal(",
-                                     "pack_texels(",  "take_roots(", "add_means_along("};
+                                     "pack_texels(",  "take_roots(", "mix_means_along(",
+                                     "colour_row("};
 constexpr std::array loops_on_whole_numbers{"add_squares(", "halve("};
 #else
 constexpr std::array<const char*, 0> loops_of_pictures{};

@@ -221,6 +221,7 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip&
     for (int top = lowest; top < last_row + finite_volume::Strip::margin; ++top) {
         give_up_if_asked();
         load_row(stage, strip, top);
+        strip.take_invariants(top, gravity_);
         if (top < lowest + 2) continue;
         strip.take_y_slopes(top - 1);
         if (top < lowest + 3) continue;
@@ -231,6 +232,7 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip&
         if (flows) take_edge_x(strip, top - 2);
         const bool beyond = (top - 2 < 0 && edges_->has_stretches(Side::south)) ||
                             (top - 2 >= ny_ && edges_->has_stretches(Side::north));
+        bound_speeds(stage, strip, top - 2);
         strip.cut_fluxes(top - 2, dt_dx, dt_dy, beyond);
         const int y = top - 3;
         if (y < first_row) continue;
@@ -249,6 +251,18 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip&
         count_left(strip, y);
         if (flows_ != nullptr) keep_flows(stage, strip, y);
         if (stage.before != nullptr) rate_row(stage.to, strip, y);
+    }
+}
+
+/// Water that flows over an edge brings a speed of its own.
+void FiniteVolumeScheme::bound_speeds(const Stage& stage, finite_volume::Strip& strip,
+                                      int y) const {
+    strip.take_speed_bounds(
+        y, {domain_.dx, domain_.dy, gravity_,
+            stage.dt * gravity_ * std::hypot(domain_.slope, domain_.slope_x), stage.dt});
+    if (y < 0 || y >= ny_) return;
+    for (const Outlet& outlet : outlets_[static_cast<std::size_t>(y)]) {
+        if (outlet.is_flow) strip.free_speed(outlet.x, y);
     }
 }
 

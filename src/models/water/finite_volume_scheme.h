@@ -98,6 +98,7 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     void put_through(finite_volume::Strip& strip, int k, int y, GridSide side, int cell) const;
     void take_edge_x(finite_volume::Strip& strip, int y) const;
     void take_edge_y(finite_volume::Strip& strip, int y) const;
+    void bound_speeds(const Stage& stage, finite_volume::Strip& strip, int y) const;
     void keep_flows(const Stage& stage, finite_volume::Strip& strip, int y) const;
     void count_left(const finite_volume::Strip& strip, int y);
     [[nodiscard]] Volumes volumes_of_row(int y) const;

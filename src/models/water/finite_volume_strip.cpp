@@ -63,6 +63,26 @@ void Strip::take_y_fluxes(int y, double gravity) {
                 padded() - 4);
 }
 
+InvariantRow Strip::invariant_row(int y, int from) {
+    return {across_x(y, from), row(invariants, y) + from};
+}
+
+void Strip::take_invariants(int y, double gravity) {
+    if (partly_wet_) largest_invariants(across_x(y, 0), gravity, row(invariants, y), padded());
+}
+
+void Strip::take_speed_bounds(int y, const BoundFactors& factors) {
+    if (!partly_wet_) return;
+    constexpr int from = margin - 1;
+    speed_bounds({invariant_row(y - 1, from), invariant_row(y, from), invariant_row(y + 1, from)},
+                 factors, {row(bounds, y) + margin, row(bounds + 1, y) + margin}, count_);
+}
+
+void Strip::free_speed(int x, int y) {
+    const int k = x - first_x_;
+    if (k >= 0 && k < count_) row(bounds + 1, y)[margin + k] = -1.0;
+}
+
 void Strip::cut_fluxes(int y, double dt_dx, double dt_dy, bool beyond) {
     const auto slot = static_cast<std::size_t>(y & (kept - 1));
     const auto slot_south = static_cast<std::size_t>((y - 1) & (kept - 1));
@@ -91,6 +111,10 @@ UpdateInput Strip::update_input(int y) {
     in.east = fluxes(x_fluxes, y, margin);
     in.south = fluxes(y_fluxes, y - 1, margin);
     in.north = fluxes(y_fluxes, y, margin);
+    if (partly_wet_) {
+        in.most_speed = row(bounds, y) + margin;
+        in.thin = row(bounds + 1, y) + margin;
+    }
     return in;
 }
 

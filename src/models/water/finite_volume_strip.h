@@ -8,6 +8,7 @@
 #include "models/water/gully_parameters.h"
 #include "models/water/kernels/finite_volume_vectors.h"
 #include "models/water/kernels/limited_slope_vectors.h"
+#include "models/water/kernels/speed_bound_vectors.h"
 #include "models/water/water_settings.h"
 
 namespace fumon::finite_volume {
@@ -48,6 +49,12 @@ class Strip {
     void take_y_slopes(int y);
     /// Fluxes through the faces between row y and the one north of it.
     void take_y_fluxes(int y, double gravity);
+    /// What rows of cells that may be partly wet are bounded by; nothing for others.
+    void take_invariants(int y, double gravity);
+    /// How fast thin water of row y may become, where the rows beside it have theirs.
+    void take_speed_bounds(int y, const BoundFactors& factors);
+    /// Lets the water of a cell become as fast as it will.
+    void free_speed(int x, int y);
     /// Cuts the fluxes of row y, and of the faces south of it, to what the cells can pay; cells of
     /// a row `beyond` an edge over which water comes in pay it all.
     void cut_fluxes(int y, double dt_dx, double dt_dy, bool beyond);
@@ -63,11 +70,20 @@ class Strip {
     [[nodiscard]] double outward(int x, int y, Side side) const;
 
   private:
-    static constexpr int fields = 24;
+    static constexpr int fields = 27;
     static constexpr int kept = 4;  // rows; a power of two
     static constexpr int stride = widest_block + 2 * margin + 2;
 
-    enum Kind { cells = 0, x_slopes = 5, y_slopes = 10, x_fluxes = 15, y_fluxes = 19, shares = 23 };
+    enum Kind {
+        cells = 0,
+        x_slopes = 5,
+        y_slopes = 10,
+        x_fluxes = 15,
+        y_fluxes = 19,
+        shares = 23,
+        bounds = 24,
+        invariants = 26
+    };
 
     [[nodiscard]] std::size_t place(int field, int y) const {
         const auto slot = static_cast<std::size_t>(y & (kept - 1));
@@ -83,6 +99,7 @@ class Strip {
     void take_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
                      const HalfSlopes& out, int count) const;
     [[nodiscard]] CellRow across_x(int y, int from);
+    [[nodiscard]] InvariantRow invariant_row(int y, int from);
     [[nodiscard]] CellRow across_y(int y, int from);
     [[nodiscard]] HalfSlopes slopes(Kind kind, int y, int from);
     [[nodiscard]] Fluxes fluxes(Kind kind, int y, int from);

@@ -8,15 +8,15 @@ namespace fumon {
 
 /// The lowest air of a desert: what blurs far dunes is what whitens the sky above the horizon.
 ///
-/// On a clear day (`dust` = 1) one sees 16 km far: between the 23 km of the standard atmospheres'
-/// clear rural air and the 10 km of a day with haze in a desert. The aerosol lies shallow over the
-/// ground, as it does while the sun is low, of an optical depth of 0.07 in all. It dims blue light
+/// On a clear day (`dust` = 1) one sees 30 km far, somewhat farther than the 23 km of the standard
+/// atmospheres' clear rural air. The aerosol lies shallow over the ground, as it does while the sun
+/// is low, of an optical depth of 0.07 in all. It dims blue light
 /// more than red, λ^−0.7 (Ångström 1929; about 0.2 where coarse dust prevails, 1.3 without any).
 /// Dust over 1 is coarse: grey in what it dims, and yellow as it absorbs blue light.
 namespace desert_aerosol {
 
-inline constexpr double clear_visibility = 16.0;  ///< km, at 550 nm
-inline constexpr double height = 0.3;             ///< km, over which it thins by e
+inline constexpr double clear_visibility = 30.0;  ///< km, at 550 nm
+inline constexpr double height = 0.6;             ///< km, over which it thins by e
 
 /// Of air, per km, where contrast falls to 2 % within so many km (Koschmieder 1924).
 double extinction_of_visibility(double kilometres);

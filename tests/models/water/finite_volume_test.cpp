@@ -107,7 +107,9 @@ Water violent(int nx, int ny) {
     return water;
 }
 
-TEST(FiniteVolume, NeverNegativeAndConservedOverDryRoughGround) {
+class OverDryRoughGround : public ::testing::TestWithParam<std::pair<ShoreCells, ShoreVelocity>> {};
+
+TEST_P(OverDryRoughGround, NeverNegativeConservedAndNoFasterThanAFront) {
     WorkerPool pool(2);
     for (const EdgeKind edges : {EdgeKind::periodic, EdgeKind::wall, EdgeKind::open}) {
         for (const auto& [courant_number, friction] :
@@ -117,6 +119,8 @@ TEST(FiniteVolume, NeverNegativeAndConservedOverDryRoughGround) {
             for (int x = 25; x < 30; ++x) domain.nodata(x, 20) = domain.nodata(x, 22) = 1;
             GullyParameters parameters;
             parameters.friction_coefficient = friction;
+            parameters.shore_cells = GetParam().first;
+            parameters.shore_velocity = GetParam().second;
             FiniteVolumeScheme scheme(parameters, domain, pool);
             const Grid bed = noise(60, 50, 1.5);
             Water water = violent(60, 50);
@@ -138,6 +142,11 @@ TEST(FiniteVolume, NeverNegativeAndConservedOverDryRoughGround) {
         }
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(FiniteVolume, OverDryRoughGround,
+                         ::testing::Values(std::pair{ShoreCells::whole, ShoreVelocity::sloped},
+                                           std::pair{ShoreCells::partly_wet, ShoreVelocity::sloped},
+                                           std::pair{ShoreCells::partly_wet, ShoreVelocity::even}));
 
 TEST(FiniteVolume, GivesNoMoreWaterThanThereIsInTooLongAStep) {
     WorkerPool pool(1);

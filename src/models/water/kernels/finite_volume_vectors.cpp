@@ -119,8 +119,14 @@ struct FaceFluxes {
         const V carried = (quickest * (ql * ul) - slowest * (qr * ur)) + both * (qr - ql);
         const V half_gravity = half * g;
         const V pressure_rise = half_gravity * ((hr - hl) * (hr + hl));
-        const V fall_l = half_gravity * ((depth_l + hl) * (hl - above_l));
-        const V fall_r = half_gravity * ((depth_r + hr) * (hr - above_r));
+        V falling_l = depth_l + hl;
+        V falling_r = depth_r + hr;
+        if constexpr (partly_wet) {  // a thin cell may be deep at its face
+            falling_l = smaller(falling_l, hn::Set(d, 4.0) * middle_l);
+            falling_r = smaller(falling_r, hn::Set(d, 4.0) * middle_r);
+        }
+        const V fall_l = half_gravity * (falling_l * (hl - above_l));
+        const V fall_r = half_gravity * (falling_r * (hr - above_r));
         const V against_l = larger(un_l, zero);
         const V against_r = smaller(un_r, zero);
         V blocked_l = depth_l - hl;
@@ -207,7 +213,7 @@ struct CutToShares {
     }
 };
 
-template <bool heun, bool manning>
+template <bool heun, bool manning, bool bounded>
 struct Update {
     UpdateInput i;
     UpdateFactors f;
@@ -250,6 +256,14 @@ struct Update {
         const V kept = two / (one + hn::Sqrt(one + drag * (speed * per_depth)));
         V u1 = hn::IfThenElseZero(hn::Gt(h1, dry), ux * kept);
         V v1 = hn::IfThenElseZero(hn::Gt(h1, dry), uy * kept);
+        if constexpr (bounded) {
+            const V speed1 = speed * kept;
+            const V most = load(i.most_speed);
+            const auto too_fast = hn::And(hn::Le(h1, load(i.thin)), hn::Gt(speed1, most));
+            const V share = hn::IfThenElse(too_fast, most / speed1, one);
+            u1 = u1 * share;
+            v1 = v1 * share;
+        }
         if constexpr (heun) {
             const V half = hn::Set(d, 0.5);
             const V h0 = load(i.depth_before);
@@ -327,19 +341,34 @@ void cut_to_shares(const Fluxes& fluxes, const double* left_shares, const double
     for_each_vector(count, CutToShares{fluxes, left_shares, right_shares});
 }
 
+template <bool manning, bool bounded>
+HWY_INLINE void take_update(const UpdateInput& in, const UpdateFactors& factors, double* depth,
+                            double* velocity_x, double* velocity_y, int count) {
+    if (in.depth_before == nullptr) {
+        for_each_vector_anew(
+            count, Update<false, manning, bounded>{in, factors, depth, velocity_x, velocity_y});
+    } else {
+        for_each_vector(count,
+                        Update<true, manning, bounded>{in, factors, depth, velocity_x, velocity_y});
+    }
+}
+
+template <bool manning>
+HWY_INLINE void take_update(const UpdateInput& in, const UpdateFactors& factors, double* depth,
+                            double* velocity_x, double* velocity_y, int count) {
+    if (in.most_speed == nullptr) {
+        take_update<manning, false>(in, factors, depth, velocity_x, velocity_y, count);
+    } else {
+        take_update<manning, true>(in, factors, depth, velocity_x, velocity_y, count);
+    }
+}
+
 void update(const UpdateInput& in, const UpdateFactors& factors, double* depth, double* velocity_x,
             double* velocity_y, int count) {
-    const bool manning = factors.manning;
-    if (in.depth_before == nullptr && manning) {
-        for_each_vector_anew(count,
-                             Update<false, true>{in, factors, depth, velocity_x, velocity_y});
-    } else if (in.depth_before == nullptr) {
-        for_each_vector_anew(count,
-                             Update<false, false>{in, factors, depth, velocity_x, velocity_y});
-    } else if (manning) {
-        for_each_vector(count, Update<true, true>{in, factors, depth, velocity_x, velocity_y});
+    if (factors.manning) {
+        take_update<true>(in, factors, depth, velocity_x, velocity_y, count);
     } else {
-        for_each_vector(count, Update<true, false>{in, factors, depth, velocity_x, velocity_y});
+        take_update<false>(in, factors, depth, velocity_x, velocity_y, count);
     }
 }
 

@@ -57,6 +57,8 @@ void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int c
 /// Beyond a face to the outside is a dry step of equal height, over which water leaves.
 /// With cells that are `partly_wet` (shore_vectors.h) water climbs from a face into a dry cell as
 /// far as its velocity head reaches; otherwise to where its level stands over the cell's middle.
+/// Of the water that falls over a step no more weighs on a cell than its own at its deepest, 2 h:
+/// such a cell may be much deeper at its face.
 void face_fluxes(const CellRow& left, const HalfSlopes& left_slopes, const CellRow& right,
                  const HalfSlopes& right_slopes, double gravity, bool partly_wet, const Fluxes& out,
                  int count);
@@ -86,6 +88,8 @@ struct UpdateInput {
     const double* depth_before = nullptr;  ///< of the step's start, or null
     const double* x_before = nullptr;
     const double* y_before = nullptr;
+    const double* most_speed = nullptr;  ///< m/s, of water no deeper than `thin`; null: no bound
+    const double* thin = nullptr;        ///< m
 };
 
 struct UpdateFactors {

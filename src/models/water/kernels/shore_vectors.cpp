@@ -76,10 +76,13 @@ struct ShoreHalfSlopes {
         const auto is_wet = hn::And(inside, hn::Gt(depth, dry));
 
         const V film = larger(hn::Set(d, film_share) * depth, dry);
-        const auto shore_ahead =
-            hn::And(hn::And(hn::Le(depth_f, film), hn::Gt(rise_f, depth)), hn::Gt(depth_b, depth));
-        const auto shore_behind =
-            hn::And(hn::And(hn::Le(depth_b, film), hn::Gt(rise_b, depth)), hn::Gt(depth_f, depth));
+        const auto is_shore = [&](V depth_beyond, V rise_beyond, V depth_inner,
+                                  V rise_inner) HWY_ATTR {
+            return hn::And(hn::And(hn::Le(depth_beyond, film), hn::Gt(rise_beyond, depth)),
+                           hn::And(hn::Gt(depth_inner, depth), hn::Le(rise_inner, zero)));
+        };
+        const auto shore_ahead = is_shore(depth_f, rise_f, depth_b, rise_b);
+        const auto shore_behind = is_shore(depth_b, rise_b, depth_f, rise_f);
         const auto at_shore = hn::And(is_wet, hn::Or(shore_ahead, shore_behind));
         const EndOfWater<V> end =
             end_of_water(hn::IfThenElse(shore_ahead, depth_b, depth_f), depth);

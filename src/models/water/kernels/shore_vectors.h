@@ -6,9 +6,10 @@ namespace fumon::finite_volume {
 
 /// Puts other half slopes of depth and surface, in place of limited ones, where a shore lies within
 /// a cell: beyond it the bed rises above the cell's water and holds none, or a film of less than
-/// three tenths of it. The depth falls on at the rate of the wet side and ends within the cell
-/// where that uses up its water (after the partly wet cells of Bollermann et al. 2013, J. Sci.
-/// Comput. 56, here of each direction by itself): a share w of the cell is wet,
+/// three tenths of it; on the other side the water is deeper and the bed no higher (else it would
+/// fall into a pit, which has no shore). The depth falls on at the rate of the wet side and ends
+/// within the cell where that uses up its water (after the partly wet cells of Bollermann et al.
+/// 2013, J. Sci. Comput. 56, here of each direction by itself): a share w of the cell is wet,
 ///
 ///     h = m w²/2,   h_in = m (w + ½),   so w = r + √(r² + r) with r = h/h_in,
 ///
