@@ -172,52 +172,6 @@ TEST(Renderer, TilesLeaveNoSeams) {
 
 /// One look at the bed for a pixel shows what sixteen samples do: no speck along an edge, and the
 /// same light.
-TEST(Renderer, PixelsColouredAsWholesAreWhatTheirSamplesSee) {
-    View view = small_view(600, 400);
-    const Snapshot bed = wavy_bed(120, 90);
-    const Image wholes = picture(view, bed);
-    view.image.supersampling = 4;
-    const Image samples = picture(view, bed);
-    double sum = 0.0;
-    int far_off = 0;
-    for (std::size_t i = 0; i < wholes.rgb.size(); ++i) {
-        const int off = static_cast<int>(wholes.rgb[i]) - static_cast<int>(samples.rgb[i]);
-        sum += off;
-        if (std::abs(off) > 16) ++far_off;
-    }
-    EXPECT_NEAR(sum / static_cast<double>(wholes.rgb.size()), 0.0, 0.05);
-    EXPECT_LE(far_off, 300);  // where an edge passes between four samples otherwise than sixteen
-}
-
-/// Sides that are seen from their edge, or nearly, cover no pixel's middle where they are seen: no
-/// pixel stays black for that.
-TEST(Renderer, SidesSeenFromTheirEdgeHaveTheirColours) {
-    const Snapshot bed = wavy_bed(60, 60);
-    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
-        for (const double azimuth : {180.0, 181.0, 195.0, 269.5}) {
-            View view = small_view(333, 187);
-            view.look.ground = Ground::table;
-            view.camera.projection = projection;
-            view.camera.azimuth = azimuth;
-            const Image image = picture(view, bed);
-            const auto darkest = std::ranges::min_element(image.rgb);
-            EXPECT_GT(*darkest, 15) << azimuth << ", value " << darkest - image.rgb.begin();
-        }
-    }
-}
-
-/// Near enough that corners of the block lie behind the camera: drawn sample by sample.
-TEST(Renderer, ABlockIsSeenFromWithin) {
-    const Snapshot bed = wavy_bed(120, 90);
-    View view = small_view();
-    view.look.ground = Ground::table;
-    view.camera.at = {60.0, 45.0, 4.0};
-    const Image image = picture(view, bed);
-    const auto [low, high] = std::minmax_element(image.rgb.begin(), image.rgb.end());
-    EXPECT_GT(*high - *low, 60);
-    EXPECT_EQ(picture(view, bed, 3), image);
-}
-
 TEST(Tiles, CoverThePictureOnce) {
     for (const int factor : {1, 2, 4}) {
         const TilePlan plan = plan_tiles(1001, 777, factor, 600);
@@ -250,37 +204,6 @@ TEST(Renderer, DrawsEverySizeAndProjection) {
             EXPECT_EQ(image.height, height);
             const auto [low, high] = std::minmax_element(image.rgb.begin(), image.rgb.end());
             EXPECT_GT(*high - *low, 20);
-        }
-    }
-}
-
-/// Each sample of the surface and the sides gets a colour, up to where two of them meet.
-TEST(Renderer, LeavesNoHolesInABlock) {
-    const std::array<std::uint8_t, 3> white{255, 255, 255};
-    Snapshot flat;
-    flat.bed = Grid(40, 30, 1.0);
-    for (const int width : {48, 333}) {
-        for (const int factor : {1, 2}) {
-            for (const double azimuth : {215.0, 40.0}) {
-                View view = small_view(width, 3 * width / 4);
-                view.image.supersampling = factor;
-                view.look.mode = ViewMode::figure;
-                view.camera.azimuth = azimuth;
-                const Image image = picture(view, flat);
-                int rows_drawn = 0;
-                for (int y = 0; y < image.height; ++y) {
-                    const auto is_drawn = [&](int x) {
-                        return !std::equal(white.begin(), white.end(),
-                                           image.row(y) + 3 * static_cast<std::size_t>(x));
-                    };
-                    int pieces = 0;
-                    for (int x = 0; x < image.width; ++x)
-                        if (is_drawn(x) && (x == 0 || !is_drawn(x - 1))) ++pieces;
-                    EXPECT_LE(pieces, 1) << "row " << y << " of " << width << " wide";
-                    rows_drawn += pieces;
-                }
-                EXPECT_GT(rows_drawn, image.height / 3);
-            }
         }
     }
 }
