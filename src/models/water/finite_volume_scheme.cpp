@@ -1,6 +1,7 @@
 #include "models/water/finite_volume_scheme.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "base/give_up.h"
@@ -257,9 +258,10 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip&
 /// Water that flows over an edge brings a speed of its own.
 void FiniteVolumeScheme::bound_speeds(const Stage& stage, finite_volume::Strip& strip,
                                       int y) const {
+    const double steepness =
+        std::sqrt(domain_.slope * domain_.slope + domain_.slope_x * domain_.slope_x);
     strip.take_speed_bounds(
-        y, {domain_.dx, domain_.dy, gravity_,
-            stage.dt * gravity_ * std::hypot(domain_.slope, domain_.slope_x), stage.dt});
+        y, {domain_.dx, domain_.dy, gravity_, stage.dt * gravity_ * steepness, stage.dt});
     if (y < 0 || y >= ny_) return;
     for (const Outlet& outlet : outlets_[static_cast<std::size_t>(y)]) {
         if (outlet.is_flow) strip.free_speed(outlet.x, y);
