@@ -24,7 +24,7 @@ uniform float linear_light;  // 1: the colours are radiances, not display values
 
 out vec4 colour;
 
-// Of the grain's mipmaps, as in block/block_pixels.frag.glsl.
+// Of the grain's mipmaps: ground lies aslant, and the finer axis should not blur.
 const float grain_bias = -0.4;
 
 vec3 with_grain(vec4 ground, vec2 place, float level) {

@@ -180,7 +180,7 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
           repeated(shaded_layout(view.look.ground, shaded_mipmaps_, kind), view.look.ground)),
       target_size_(shaded_size(first_bed.z.nx(), first_bed, samples_across),
                    shaded_size(first_bed.z.ny(), first_bed, samples_across)) {
-    target_.emplace(target_size_.x, target_size_.y, target_layout_);
+    if (!by_pixels_) target_.emplace(target_size_.x, target_size_.y, target_layout_);
     if (view.look.mode == ViewMode::scenic) draw_noise();
     if (draws_water(view.look, first))
         water_.emplace(view, block, first_bed.z.nx(), first_bed.z.ny(), refinement_,
@@ -285,8 +285,8 @@ void BedShading::bind(const gl::Program& program) const {
     set_sand(program, view_.look);
 }
 
-void BedShading::bind_water(const gl::Program& program, const Light& light, const Camera& camera,
-                            double texel) const {
+void BedShading::bind_all(const gl::Program& program, const Light& light, const Camera& camera,
+                          double texel) const {
     bind(program);
     set_light(program, view_, light, camera, block_);
     if (water_) water_->set_uniforms(program, 6, camera, texel);
@@ -324,11 +324,9 @@ void BedShading::shade(const Light& light, const Camera& camera) {
     target_->bind();
     gl.Disable(GL_DEPTH_TEST);
     program_.use();
-    bind(program_);
-    set_light(program_, view_, light, camera, block_);
+    bind_all(program_, light, camera, block_.width_x / target_->width());
     if (water_) {
         const glm::dvec2 size(target_->width(), target_->height());
-        water_->set_uniforms(program_, 6, camera, block_.width_x / size.x);
         const glm::ivec2 low = glm::ivec2(glm::floor(part.low * size)) - beyond_seen;
         const glm::ivec2 high = glm::ivec2(glm::ceil(part.high * size)) + beyond_seen;
         const glm::ivec2 extent = glm::max(high - low, 0);

@@ -47,10 +47,10 @@ class BedShading {
     /// Binds what was uploaded to the units 0 to 4 and sets the uniforms of shaders/bed/bed.glsl
     /// and shaders/bed/ground.glsl, of the program in use.
     void bind(const gl::Program& program) const;
-    /// The same, and all else that shaders/bed/water_ground.glsl needs: water, to the units 6 to 8,
-    /// and the light of a view. `texel`: see WaterShading::set_uniforms().
-    void bind_water(const gl::Program& program, const Light& light, const Camera& camera,
-                    double texel) const;
+    /// The same, the light of a view and, where there is water, its textures to the units 6 to 8.
+    /// `texel`: see WaterShading::set_uniforms().
+    void bind_all(const gl::Program& program, const Light& light, const Camera& camera,
+                  double texel) const;
 
     /// The values at the palette's ends in what was shaded last.
     [[nodiscard]] std::pair<double, double> range() const { return range_; }

@@ -80,7 +80,7 @@ void WaterPixels::shade(const gl::Texture2D& seen, const glm::ivec2& offset,
     const gl::Functions& gl = gl::functions();
     const auto draw = [&](const gl::Program& program, GLenum passes, double depth) {
         program.use();
-        shading.bind_water(program, light, camera, 0.0);
+        shading.bind_all(program, light, camera, 0.0);
         seen.bind(seen_unit);
         program.set("seen", seen_unit);
         program.set("height_span", terrain.height_span());
