@@ -6,6 +6,7 @@ uniform float clarity;         // depth at which the bed is half hidden, m
 uniform float usual_froude;    // the median of the wet cells
 uniform float closed_depth;    // from which water covers what stands out of the ground of a cell, m
 uniform float metre;           // block lengths
+uniform float steepening;      // of heights, as drawn
 
 const float gravity = 9.8;
 const float shore_level = 1.0;
@@ -17,7 +18,9 @@ struct Water {
     float speed;     // m/s
     vec2 flow;       // unit vector, or 0 at rest
     float froude;
-    vec2 slope;      // of its surface
+    vec2 slope;      // of its surface, as drawn
+    float fall;      // how steep that is in truth
+    float thin;      // 0 … 1: a film as drawn, that what stands out of the ground breaks
     float front;     // how steeply its depth changes
     float laid;      // −1 worn … 1 laid down: what it did to the bed
 };
@@ -33,6 +36,8 @@ Water water_at(vec2 place, float level) {
     water.flow = texel.yz / max(water.speed, 1e-6);
     water.froude = water.speed / sqrt(gravity * max(water.depth, 1e-4 * clarity));
     water.slope = surface.xy;
+    water.fall = length(surface.xy) / steepening;
+    water.thin = 1.0 - smoothstep(1.0, 8.0, steepening * water.depth / closed_depth);
     water.front = surface.z;
     water.laid = surface.w;
     water.film = 0.0;
@@ -44,27 +49,36 @@ const float least_share = 0.1;  // of the depth that closes: below it no hollow 
 // Ground that stands out breaks a thin sheet, and its hollows hold some more of it.
 float closed_film(Water water, Soil soil) {
     float share = water.depth / closed_depth;
-    float hollow = -0.45 * soil.height * smoothstep(least_share, 0.6, share) * (1.0 - smoothstep(1.5, 4.0, share));
+    float hollow = -0.45 * soil.height * smoothstep(least_share, 0.6, share) * (1.0 - smoothstep(1.5, 4.0, steepening * share));
     return smoothstep(0.004, 0.06, water.depth / clarity) * smoothstep(0.5, 1.7, share + hollow);
 }
 
-// The slope of small waves: crests across the flow where it is fast, next to none where it is still.
+// The slope of small waves: crests across the flow where it is fast, next to none where it is still. Water of
+// centimetres has low ones, and lines along the flow.
 vec2 wave_slope(vec2 world, Water water, float width) {
+    const float sheet = 0.06;  // m
     float long_waves = 2.3 * metre;
     vec2 gradient = 0.6 * shown_noise(world + 0.17, long_waves, width).yz;
     gradient += shown_noise(world.yx + 0.43, 0.31 * long_waves, width).zy;
     gradient += shown_noise(world + 0.83, 0.11 * long_waves, width).yz;
     vec2 across = vec2(-water.flow.y, water.flow.x);
     float strength = mix(0.10, 0.45, smoothstep(0.05, 1.1, water.froude));
-    return strength * (gradient - 0.6 * dot(gradient, across) * across);
+    vec2 slope = strength * (gradient - 0.6 * dot(gradient, across) * across);
+    float shallow = 1.0 - smoothstep(0.3 * sheet, sheet, water.depth);
+    float lines = 0.0;
+    int steps = shallow * water.speed > 0.01 ? 6 : 0;
+    for (int i = 0; i < steps; ++i) {
+        vec2 at = world + (float(i) - 2.5) * 0.8 * long_waves * water.flow;
+        lines += dot(shown_noise(at + 0.29, long_waves, width).yz, across);
+    }
+    return mix(slope, 0.15 * slope + 0.28 * strength * lines * across, shallow);
 }
 
 // The normal of its surface, waves on it.
 vec3 water_normal(vec2 world, Water water, Soil soil, float width) {
     vec2 slope = water.slope;
     slope /= 1.0 + 1.2 * length(slope);  // an exaggerated surface, or a fall, does not mirror the zenith alone
-    float thin = 1.0 - smoothstep(1.0, 8.0, water.depth / closed_depth);  // it wraps the ground
-    slope += (1.0 - 0.85 * thin) * wave_slope(world, water, width) + 0.7 * thin * soil.slope;
+    slope += (1.0 - 0.85 * water.thin) * wave_slope(world, water, width) + 0.7 * water.thin * soil.slope;  // a film wraps the ground
     return normalize(vec3(-slope, 1.0));
 }
 

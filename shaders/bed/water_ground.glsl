@@ -28,7 +28,6 @@ vec3 earthen(vec3 albedo, Soil soil, float damp) {
 
 // Of the sky, or of the banks that hide its lower part.
 vec3 mirrored_light(vec3 mirrored, vec3 albedo, BedPoint point) {
-    mirrored.z = abs(mirrored.z);
     float bank = 1.0 - point.sky;  // about the sine of their height
     float hidden = 1.0 - smoothstep(0.5 * bank, 1.5 * bank + 0.02, mirrored.z);
     vec3 banks = albedo * (0.30 * sun_light * max(to_sun.z, 0.0) + 0.45 * sky_light);
@@ -53,7 +52,9 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
         albedo *= 1.0 + 0.13 * soil.tone;
         albedo = mix(albedo, mix(vec3(0.25, 0.20, 0.155), vec3(0.46, 0.39, 0.31), clamp(0.5 + soil.tone, 0.0, 1.0)), soil.stone);
     }
-    vec3 normal_below = normalize(vec3(point.normal.xy / max(point.normal.z, 0.05) - soil.slope, 1.0));
+    // Under water the sun stands higher, bent by the surface, so that small slopes throw less shade.
+    float bent = mix(1.0, to_sun.z / sqrt(0.77 + to_sun.z * to_sun.z), seen * water.film * (1.0 - water.thin));
+    vec3 normal_below = normalize(vec3(point.normal.xy / max(point.normal.z, 0.05) - bent * soil.slope, 1.0));
     point.normal = normal_below;
     point.sky *= clamp(1.0 + 0.10 * soil.height, 0.6, 1.1);
 
@@ -61,7 +62,7 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
     int wet = under_water > 0.5 && seen * water.film > 0.0 ? 1 : 0;
     for (int once = 0; once < wet; ++once) {  // as in bed/soil.glsl
         vec3 normal = water_normal(world, water, soil, width);
-        float thin = 1.0 - smoothstep(1.0, 8.0, water.depth / closed_depth);  // broken by what stands out of it
+        float thin = water.thin;
         float n_dot_v = max(dot(normal, to_eye), 0.10 + 0.14 * max(thin, smoothstep(0.9, 1.6, water.froude)));
         float n_dot_l = max(dot(normal, to_sun), 0.0);
         // Down with the sun, up to the eye, both bent towards the vertical by refraction.
@@ -73,13 +74,14 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
         float grazing = (1.0 - n_dot_v) * (1.0 - n_dot_v);
         float fresnel = 0.02 + 0.98 * grazing * grazing * (1.0 - n_dot_v);  // Schlick 1994
         // What stands out of it, or breaks it where it runs down a slope, does not mirror.
-        float calm = smoothstep(0.7, 1.4, water.depth / closed_depth) * (1.0 - smoothstep(0.03, 0.15, length(water.slope)));
+        float calm = smoothstep(0.7, 1.4, water.depth / closed_depth) * (1.0 - smoothstep(0.03, 0.15, water.fall));
         fresnel *= 0.3 + 0.7 * max(calm, 1.0 - thin);
         vec3 halfway = normalize(to_sun + to_eye);
         float off = 1.0 - max(dot(normal, halfway), 0.0);
         float lobe = 1.0 / (1.0 + 220.0 * off);
         float glint = lobe * lobe * lobe;
         vec3 mirrored = reflect(-to_eye, normal);
+        mirrored.z = max(abs(mirrored.z), 0.5 * to_eye.z);  // waves hide what of them turns away from the eye
         vec3 reflected = mirrored_light(mirrored, albedo, point);
         reflected = mix(reflected, point.sky * haze_towards(vec3(normalize(mirrored.xy + vec2(1e-6, 0.0)), 0.0)), 0.5 * thin);  // from a wide part of the sky
         vec3 surface = mix(below, reflected, fresnel) +

@@ -11,6 +11,7 @@ uniform float base;
 uniform float figure;  // 1: plain and grey
 uniform float rock;
 uniform float soil;  // 1: cut by a spade
+uniform float watery;  // 1: of a bed with water
 uniform float clarity;  // depth of water at which the bed is half hidden, block lengths
 uniform vec2 height_range;  // of all grounds and surfaces
 
@@ -49,20 +50,42 @@ vec2 along_face() {
     return 0.7071 * vec2(-sign(outward.y), sign(outward.x));
 }
 
-// Water, cut through: lit from above through what stands over the point.
+// The bed that is seen through the water of a cut, lit through what stands over it; light is gathered where waves focus it.
+// `slant`: of a length there to what the eye sees of it.
+vec3 bed_below(vec2 at, vec3 down, float standing, float slant) {
+    float lumps = shown(30.0 * slant) * value_noise(at * 30.0) + 0.7 * shown(90.0 * slant) * value_noise(at * 90.0 + 7.0);
+    vec3 albedo = soaking * silt() * (1.0 + 0.16 * lumps);
+    float waves = 1.6 / max(standing, 0.002);
+    float focus = 1.0 - abs(value_noise(at * waves));
+    focus *= focus;
+    return albedo * down * transmitted(1.1 * standing / clarity) * (0.95 + 0.16 * shown(waves * slant) * (focus * focus - 0.4));
+}
+
+// Water, cut through as behind the pane of a flume: the eye's ray, bent at the pane, goes on to the bed, which is taken to
+// be level behind it. Lengths are those drawn, and so is `clarity`: over the depth they are the true ones' share.
 vec3 water_cut(vec3 to_eye, float sun, float below_surface, float above_bed) {
+    const float water_index = 1.33;
+    const float least_fall = 0.02;  // of a ray: beyond, it does not come to the bed
+    vec3 pane = vec3(outward, 0.0);
     vec3 down = sun_light * max(to_sun.z, 0.15) + sky_light;
+    vec3 ray = refract(-to_eye, pane, 1.0 / water_index);
+    float standing = below_surface + above_bed;
+    // A ray that rises is mirrored by the surface.
+    float way = (above_bed + (ray.z > 0.0 ? 2.0 * below_surface : 0.0)) / max(abs(ray.z), least_fall);
+    vec3 left = transmitted(way / clarity);
     vec3 body = water_body_colour() * (1.4 * down * transmitted(1.1 * below_surface / clarity) + 0.3 * sun_light * sun);
-    // A little of the bed's own light, near it.
-    vec3 bed = mix(sand_trough, sand_crest, 0.5) * 0.35 * down * transmitted(0.5 * (below_surface + 2.0 * above_bed) / clarity + 0.4);
-    float facing = max(dot(vec3(outward, 0.0), to_eye), 0.0);
+    vec3 light = mix(body, bed_below(cut_point.xy + way * ray.xy, down, standing, 1.0 / max(abs(ray.z), least_fall)), left);
+    float facing = max(dot(pane, to_eye), 0.0);
     float grazing = (1.0 - facing) * (1.0 - facing);
     float fresnel = 0.03 + 0.97 * grazing * grazing * (1.0 - facing);
-    vec3 mirrored = reflect(-to_eye, vec3(outward, 0.0));
+    vec3 mirrored = reflect(-to_eye, pane);
     vec3 around = mirrored.z < 0.0 ? vec3(0.45, 0.38, 0.29) * down : sky(mirrored);
-    vec3 light = mix(body + bed, around, fresnel);
-    float brim = exp(-below_surface * pixels * 0.9);  // the surface from below mirrors and breaks the light
-    return mix(light, 0.5 * sky_light + 0.35 * sun_light, 0.28 * brim);
+    light = mix(light, around, fresnel);
+    // Its edge leads light, and the bed's is dark where the two meet.
+    float brim = exp(-below_surface * pixels * 0.7);
+    float foot = exp(-above_bed * pixels * 0.7);
+    light *= 1.0 - 0.35 * foot;
+    return mix(light, 0.60 * sky_light + 0.45 * sun_light, 0.55 * brim);
 }
 
 // Display values at a point. `heights`: of the ground and of the surface over it, 0 … 1 over their range.
@@ -81,7 +104,7 @@ vec3 side_colour(vec3 point, vec2 heights) {
     if (soil > 0.5) {
         vec2 along = along_face();
         vec2 at = vec2(dot(cut_point.xy, along), cut_point.z);
-        Cut cut = sand_cut(at, depth);
+        Cut cut = sand_cut(at, depth, watery, smoothstep(0.0, 0.01, surface - ground));
         if (rock > 0.0) {
             Cut earth = earth_cut(at, depth);
             cut = Cut(mix(cut.albedo, earth.albedo, rock), mix(cut.slope, earth.slope, rock));

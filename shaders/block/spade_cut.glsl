@@ -38,21 +38,50 @@ vec4 stone(vec2 at, float squares, float share) {
     return vec4(met, hash(square + ivec2(11, 7)), 0.9 * off);
 }
 
-// `depth`: below the ground.
-Cut sand_cut(vec2 at, float depth) {
+vec3 dry_sand() {
+    vec3 sand = mix(sand_trough, sand_crest, 0.5);
+    return mix(vec3(dot(sand, vec3(0.2126, 0.7152, 0.0722))), sand, 0.66) * 1.04;
+}
+
+// Where water stands on it: less golden than a dune's.
+vec3 silt() {
+    vec3 sand = dry_sand();
+    return mix(vec3(dot(sand, vec3(0.2126, 0.7152, 0.0722))), sand, 0.72);
+}
+
+const vec3 soaking = vec3(0.62, 0.575, 0.53);
+
+// `depth`: below the ground; `silty`, 0 or 1: where water flows over it, it is level beds of silt, sand and grit into which
+// the water has cut; `soaked`, 0 … 1: where water stands.
+Cut sand_cut(vec2 at, float depth, float silty, float soaked) {
     vec3 crumb = crumbs(at, 110.0);
     float broad = value_noise(at * vec2(4.0, 9.0));
-    vec3 dry = mix(sand_trough, sand_crest, 0.5);
-    dry = mix(vec3(dot(dry, vec3(0.2126, 0.7152, 0.0722))), dry, 0.66) * 1.04;
-    vec3 damp = dry * vec3(0.80, 0.755, 0.71);
     float skin = 0.010 * (1.0 + 0.35 * value_noise(vec2(at.x * 9.0, 3.0)) + 0.35 * value_noise(vec2(at.x * 31.0, 9.0)));
     float dampness = smoothstep(0.55, 1.35, depth / skin + 0.35 * crumb.x);
     // Faint layers, broken here and there.
     float warp = at.y + 0.006 * value_noise(vec2(at.x * 3.1, 7.0)) + 0.0015 * value_noise(at * vec2(17.0, 60.0));
     float layers = shown(150.0) * value_noise(vec2(at.x * 2.0, warp * 150.0)) + 0.6 * shown(410.0) * value_noise(vec2(at.x * 3.7, warp * 410.0));
-    layers *= smoothstep(-0.5, 0.6, value_noise(at * vec2(7.0, 19.0) + 40.0));
-    float tone = 1.0 + 0.06 * broad + 0.13 * crumb.x + 0.10 * layers;
-    return Cut(mix(dry, damp, dampness) * tone, 0.30 * crumb.yz + vec2(0.10 * value_noise(vec2(at.x * 13.0, at.y * 2.0)), 0.0));
+    float whole = smoothstep(-0.5, 0.6, value_noise(at * vec2(7.0, 19.0) + 40.0));
+    float tone = 1.0 + 0.06 * broad + 0.13 * crumb.x + 0.10 * layers * whole;
+    vec3 dry = dry_sand();
+    Cut cut = Cut(mix(dry, dry * vec3(0.80, 0.755, 0.71), dampness) * tone,
+                  0.30 * crumb.yz + vec2(0.10 * value_noise(vec2(at.x * 13.0, at.y * 2.0)), 0.0));
+
+    float beds = 62.0 * warp + 0.9 * value_noise(vec2(3.0, warp * 21.0));
+    ivec2 bed = ivec2(int(floor(beds)), 61);
+    float sharp = clamp(124.0 / pixels, 0.06, 0.5);
+    float next = smoothstep(1.0 - sharp, 1.0, beds - floor(beds));
+    float shade = mix(hash(bed), hash(bed + ivec2(1, 0)), next);
+    float coarse = mix(hash(bed + ivec2(0, 22)), hash(bed + ivec2(1, 22)), next);
+    vec3 mud = silt();
+    vec3 albedo = mud * mix(vec3(1.0), vec3(0.82, 0.775, 0.73), dampness);
+    albedo = mix(albedo, mud * soaking, soaked * (1.0 - smoothstep(0.0, 0.05, depth)));
+    albedo *= mix(vec3(0.74, 0.72, 0.71), vec3(1.20, 1.19, 1.16), smoothstep(0.05, 0.95, shade));
+    albedo *= 1.0 + 0.06 * broad + (0.07 + 0.12 * coarse) * crumb.x + 0.10 * (1.0 - coarse) * layers;
+    vec4 pebble = stone(at, 150.0, 0.22 * smoothstep(0.80, 0.95, coarse));
+    vec3 grey = mix(vec3(0.22, 0.19, 0.16), vec3(0.46, 0.42, 0.36), pebble.y);
+    Cut laid = Cut(mix(albedo, grey, pebble.x), mix((0.12 + 0.24 * coarse) * crumb.yz, -pebble.zw, pebble.x));
+    return Cut(mix(cut.albedo, laid.albedo, silty), mix(cut.slope, laid.slope, silty));
 }
 
 Cut earth_cut(vec2 at, float depth) {

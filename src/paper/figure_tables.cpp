@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/snapshot_lookup.h"
 #include "base/undefined.h"
 #include "base/worker_pool.h"
 #include "files/avalanche_table.h"
@@ -56,6 +57,8 @@ Table profile_columns(const Snapshot& first) {
         {{"x", length_name(first.scale)}, {"height", first.scale.in_metres ? "m" : "heights"}});
     for (const SnapshotField& field : first.fields)
         table.columns.push_back({field.name, field.unit == "1" ? "" : field.unit});
+    if (field_of(first.fields, "water_depth") != nullptr)
+        table.columns.push_back({"water_level", "m"});
     return table;
 }
 
@@ -100,9 +103,14 @@ Table profile_rows(const Snapshot& snapshot, Table table) {
         table.columns[0].values.push_back((static_cast<double>(i) + 0.5) * snapshot.scale.dx);
         table.columns[1].values.push_back(row[i] * snapshot.scale.height_unit);
     }
-    for (std::size_t k = 2; k < table.columns.size(); ++k) {
-        const auto values = snapshot.fields[k - 2].values.row(middle);
-        table.columns[k].values.assign(values.begin(), values.end());
+    for (std::size_t k = 0; k < snapshot.fields.size(); ++k) {
+        const auto values = snapshot.fields[k].values.row(middle);
+        table.columns[k + 2].values.assign(values.begin(), values.end());
+    }
+    if (const Grid* depth = field_of(snapshot.fields, "water_depth")) {
+        std::vector<double>& levels = table.columns.back().values;
+        levels = table.columns[1].values;
+        for (std::size_t i = 0; i < levels.size(); ++i) levels[i] += depth->row(middle)[i];
     }
     if (snapshot.nodata.empty()) return table;
     const auto outside = snapshot.nodata.row(middle);

@@ -155,6 +155,7 @@ void TerrainLayer::set_bed(const DisplayBed& bed, const Field<float>* water_dept
                          largest_square(stride * cell), order);
     uploaded_ = false;
     strips_made_ = false;
+    watery_ = water_depth != nullptr;
     set_sides(mesh_.sides, bed);
     gl::functions().BindVertexArray(0);
 }
@@ -384,6 +385,7 @@ void TerrainLayer::set_sides(const gl::Program& program, const Light& light,
     set_sand(program, view_.look);
     program.set("pixels", static_cast<float>(pixels_per_length(camera, view_)));
     program.set("clarity", clarity_);
+    program.set("watery", watery_ ? 1.0F : 0.0F);
     program.set("base", static_cast<float>(block_.base));
     program.set("rock", static_cast<float>(block_.rock));
     program.set("figure", view_.look.mode == ViewMode::figure ? 1.0F : 0.0F);

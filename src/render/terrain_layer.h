@@ -140,6 +140,7 @@ class TerrainLayer {
     std::vector<float> side_heights_;
     GLsizei indices_ = 0;
     float clarity_ = 1.0F;
+    bool watery_ = false;
     /// Faces with one stencil, as they are drawn and as they are coloured: by themselves, or where
     /// all are in one plane by one rectangle around them.
     struct Faces {

@@ -138,6 +138,7 @@ void WaterShading::set_uniforms(const gl::Program& program, int unit, const Came
     program.set("usual_froude", static_cast<float>(usual_froude_));
     program.set("closed_depth", static_cast<float>(closed_depth_));
     program.set("metre", static_cast<float>(1.0 / block_.side));
+    program.set("steepening", static_cast<float>(block_.exaggeration));
     program.set("cell", static_cast<float>(refinement_ * std::max(cell_x_, cell_y_)));
     program.set("texel", static_cast<float>(texel));
     program.set("pixel_width",

@@ -113,6 +113,26 @@ TEST_F(FigureTest, AProfileHasEveryFieldAndAPanelsPaletteRunsItsOwnWay) {
     EXPECT_EQ(picture(own + turned, turned), plain) << "turned twice";
 }
 
+TEST_F(FigureTest, AProfileOfWaterHasItsLevel) {
+    write_text(folder_ / "level.toml",
+               "[model]\nname = \"gully\"\nchannel_depth = 0.02\ninitial_water = \"film\"\n[grid]\n"
+               "nx = 12\nny = 8\n[run]\nsteps = 2\n[figure]\n[[figure.panel]]\n"
+               "[[figure.panel.curve]]\ntable = \"profile\"\nx = \"height\"\n"
+               "y = \"water_level\"\n[[figure.panel.curve]]\ntable = \"profile\"\n"
+               "x = \"height\"\ny = \"water_depth\"\n");
+    const Ended ended = figure("level.toml");
+    ASSERT_EQ(ended.status, 0) << ended.errors;
+    const auto levels = cells_of(text("out/level-a-1.csv"));
+    const auto depths = cells_of(text("out/level-a-2.csv"));
+    ASSERT_EQ(levels.size(), 1U + 12);
+    ASSERT_EQ(depths.size(), levels.size());
+    EXPECT_EQ(levels[0][1], "water_level (m)");
+    for (std::size_t i = 1; i < levels.size(); ++i) {
+        EXPECT_NEAR(std::stod(levels[i][1]), std::stod(levels[i][0]) + std::stod(depths[i][1]),
+                    1e-9);
+    }
+}
+
 TEST_F(FigureTest, AxesOfPicturesAreNamedAsTheSceneSays) {
     const auto words = [&](const std::string& name, const std::string& labels) {
         write_scene(name + ".toml",
