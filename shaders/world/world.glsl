@@ -67,13 +67,12 @@ SeenPlace near_place() {
         return pixel;
     }
     ivec2 at = own_sample();
-    ivec2 last = textureSize(offsets, 0) - 1;
     SeenPlace place;
     place.offset = seen_at(at).xyz;
-    vec3 west = at.x == 0 ? vec3(0.0) : seen_at(at - ivec2(1, 0)).xyz;
-    vec3 east = at.x == last.x ? vec3(0.0) : seen_at(at + ivec2(1, 0)).xyz;
-    vec3 south = at.y == 0 ? vec3(0.0) : seen_at(at - ivec2(0, 1)).xyz;
-    vec3 north = at.y == last.y ? vec3(0.0) : seen_at(at + ivec2(0, 1)).xyz;
+    vec3 west = is_beyond(at - ivec2(1, 0)) ? vec3(0.0) : seen_at(at - ivec2(1, 0)).xyz;
+    vec3 east = is_beyond(at + ivec2(1, 0)) ? vec3(0.0) : seen_at(at + ivec2(1, 0)).xyz;
+    vec3 south = is_beyond(at - ivec2(0, 1)) ? vec3(0.0) : seen_at(at - ivec2(0, 1)).xyz;
+    vec3 north = is_beyond(at + ivec2(0, 1)) ? vec3(0.0) : seen_at(at + ivec2(0, 1)).xyz;
     place.along = sample_share * change(west, place.offset, east);
     place.up = sample_share * change(south, place.offset, north);
     return place;

@@ -1,6 +1,7 @@
 // Where samples, and pixels of them, see the ground.
 uniform vec2 first_sample;  // of the lower left pixel
 uniform int factor;         // samples along each side of a pixel
+uniform float samples_in_buffer;  // 1: what samples see is in seen_numbers, 0: in offsets
 uniform sampler2D offsets;  // of what samples see from the eye, and lengths, of world/world_seen.frag.glsl; nothing seen: 0
 uniform float packed_samples;  // 1: colours samples of listed pixels, which lie side by side
 uniform sampler2D listed;   // the first sample of each
@@ -20,9 +21,37 @@ float fall_at(SeenPlace place) {
 // Of ground that is true to nature: on none that falls less sand slid.
 const float none_slid = 0.3;
 
+// See GroundSamples::see().
+uniform usamplerBuffer seen_numbers;
+uniform vec2 numbers_begin;  // the sample that has the first of them
+uniform float numbers_a_row;
+uniform vec2 target_begin;  // the picture's sample that is the target's first
+uniform vec3 first_ray;  // over the nearness of what it meets
+uniform vec3 ray_rightward;
+uniform vec3 ray_upward;
+
+uvec2 numbers_at(ivec2 sample_place) {
+    ivec2 place = sample_place - ivec2(numbers_begin);
+    return texelFetch(seen_numbers, place.y * int(numbers_a_row) + place.x).xy;
+}
+
+float nearness_at(ivec2 sample_place) { return uintBitsToFloat(numbers_at(sample_place).x & ~7u); }
+
 vec4 seen_at(ivec2 sample_place) {
+    if (samples_in_buffer > 0.5) {
+        float nearness = nearness_at(sample_place);
+        vec2 in_picture = vec2(sample_place) + target_begin;
+        vec3 ray = first_ray + in_picture.x * ray_rightward + in_picture.y * ray_upward;
+        return vec4(ray * (nearness > 0.0 ? 1.0 / nearness : 0.0), uintBitsToFloat(numbers_at(sample_place).y));
+    }
     vec4 texel = texelFetch(offsets, sample_place, 0);
     return vec4(texel.xyz, abs(texel.w));
+}
+
+// Whether nothing is known of a sample; of those in seen_numbers all are that stand beside the tile's.
+bool is_beyond(ivec2 sample_place) {
+    if (samples_in_buffer > 0.5) return false;
+    return any(lessThan(sample_place, ivec2(0))) || any(greaterThanEqual(sample_place, textureSize(offsets, 0)));
 }
 
 const int no_ground = 0;
@@ -31,6 +60,7 @@ const int far_ground = 2;
 
 // What a sample sees: lengths on far ground have a minus sign, even 0.
 int ground_at(ivec2 sample_place) {
+    if (samples_in_buffer > 0.5) return int(numbers_at(sample_place).x & 7u);
     vec4 texel = texelFetch(offsets, sample_place, 0);
     if (texel.xyz == vec3(0.0)) return no_ground;
     return floatBitsToInt(texel.w) < 0 ? far_ground : near_ground;

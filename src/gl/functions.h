@@ -55,6 +55,7 @@
     X(GetStringi, PFNGLGETSTRINGIPROC)                           \
     X(GetUniformLocation, PFNGLGETUNIFORMLOCATIONPROC)           \
     X(LinkProgram, PFNGLLINKPROGRAMPROC)                         \
+    X(MapBufferRange, PFNGLMAPBUFFERRANGEPROC)                   \
     X(PixelStorei, PFNGLPIXELSTOREIPROC)                         \
     X(ReadPixels, PFNGLREADPIXELSPROC)                           \
     X(Scissor, PFNGLSCISSORPROC)                                 \
@@ -62,6 +63,7 @@
     X(StencilFunc, PFNGLSTENCILFUNCPROC)                         \
     X(StencilOp, PFNGLSTENCILOPPROC)                             \
     X(StencilMask, PFNGLSTENCILMASKPROC)                         \
+    X(TexBuffer, PFNGLTEXBUFFERPROC)                             \
     X(TexImage2D, PFNGLTEXIMAGE2DPROC)                           \
     X(TexParameteri, PFNGLTEXPARAMETERIPROC)                     \
     X(TexSubImage2D, PFNGLTEXSUBIMAGE2DPROC)                     \
@@ -71,6 +73,7 @@
     X(Uniform3f, PFNGLUNIFORM3FPROC)                             \
     X(Uniform4f, PFNGLUNIFORM4FPROC)                             \
     X(UniformMatrix4fv, PFNGLUNIFORMMATRIX4FVPROC)               \
+    X(UnmapBuffer, PFNGLUNMAPBUFFERPROC)                         \
     X(UseProgram, PFNGLUSEPROGRAMPROC)                           \
     X(VertexAttribDivisor, PFNGLVERTEXATTRIBDIVISORPROC)         \
     X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)         \

@@ -71,6 +71,25 @@ std::optional<gl::DepthBuffer> depths_of_pixels(const View& view, const TilePlan
     return gl::DepthBuffer(plan.tiles.front().width, plan.tiles.front().height);
 }
 
+/// The samples of the first tile, and those beside them.
+SampleRectangle samples_of(const TilePlan& plan) {
+    const glm::ivec2 pixels(plan.tiles.front().width, plan.tiles.front().height);
+    return {{}, {}, plan.factor * pixels + 2};
+}
+
+/// Whether what samples see of endless ground is found without OpenGL.
+bool sees_in_buffer(const View& view, const TilePlan& plan) {
+    return view.look.ground == Ground::endless && !view.camera.has_lens() &&
+           view.camera.projection == Projection::perspective && SeenBuffer::holds(samples_of(plan));
+}
+
+gl::Constants constants_of(const View& view, const Light& light, const Block& ground,
+                           PixelKind kind, const TilePlan& plan) {
+    gl::Constants fixed = fixed_uniforms(view, light, ground, kind);
+    fixed.push_back({"samples_in_buffer", sees_in_buffer(view, plan) ? 1.0F : 0.0F});
+    return fixed;
+}
+
 constexpr GLbitfield everything = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
 
 }  // namespace
@@ -115,7 +134,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       atmosphere(light.atmosphere),
       light_before(light),
       sun_before(view.sun),
-      fixed(fixed_uniforms(view, light, ground, kind)),
+      fixed(constants_of(view, light, ground, kind, plan)),
       sky(light.sky_columns, light.sky_rows, sky_layout, light.sky_texels.data()),
       shading(view, ground, first_ground(), display_bed(first_ground(), ground, refinement),
               static_cast<int>(std::max(view.image.width, view.image.height) *
@@ -129,7 +148,8 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
     if (shades_pixels(view, first)) water_pixels.emplace(plan, fixed, kind);
     if (plain) plain->stand_in(view.camera, *first_in_plain, block);
     if (view.look.ground == Ground::endless) {
-        world.emplace(view, ground, first_ground(), refinement, origin, copies, fixed, mipmaps);
+        world.emplace(view, ground, first_ground(), refinement, origin, copies, fixed, mipmaps,
+                      sees_in_buffer(view, plan));
         if (pixel_depths) {
             const Tile& tile = plan.tiles.front();
             pixels.emplace(tile.width, tile.height, plain_layout(kind), &*pixel_depths);
@@ -266,26 +286,28 @@ TileSamples Renderer::Parts::placed_samples(const Tile& tile) const {
 PixelSamples Renderer::Parts::pixel_samples(const Tile& tile, const Camera& camera) const {
     const int below = static_cast<int>(view.image.height) - tile.y - tile.height;
     const int rows = world->rows_seen(camera, static_cast<int>(view.image.height)) - below;
-    return {first_sample(tile) - target_corner(tile), plan.factor,
-            std::clamp(rows, 0, tile.height)};
+    return {first_sample(tile) - target_corner(tile), plan.factor, std::clamp(rows, 0, tile.height),
+            tile.width};
 }
 
 void Renderer::Parts::see_ground(const Tile& tile, const Camera& camera) {
+    if (world && world->in_buffer()) {
+        const glm::ivec2 picture(static_cast<int>(view.image.width),
+                                 static_cast<int>(view.image.height));
+        world->see(camera, pixel_samples(tile, camera), target_corner(tile), plan.factor * picture,
+                   pool);
+        if (packs_samples() && !streamers) return;
+    }
     if (!sampled) sampled.emplace(plan, view.look.ground, water_pixels.has_value());
     sampled->seen.bind();
     gl::functions().ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-    if (packs_samples() && !streamers) {
-        // Clearing so many samples takes longer than drawing those of the sky.
-        gl::functions().Clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-        world->draw_seen(camera, placed_samples(tile));
-        world->draw_unseen(pixel_samples(tile, camera));
-        return;
-    }
     gl::functions().Clear(everything);
-    if (world) {
-        world->draw_seen(camera, placed_samples(tile));
-    } else {
+    if (!world) {
         terrain.draw_seen(camera, placed_samples(tile));
+    } else if (world->in_buffer()) {
+        world->note_seen(camera, pixel_samples(tile, camera));
+    } else {
+        world->draw_seen(camera, placed_samples(tile));
     }
 }
 
@@ -302,10 +324,10 @@ void Renderer::Parts::see_streamers(const Tile& tile, const Camera& camera) {
 
 void Renderer::Parts::draw_packed_samples(const Tile& tile, const Camera& camera) {
     if (!packed) packed.emplace(plan.factor);
+    const PixelSamples at = pixel_samples(tile, camera);
     see_ground(tile, camera);
     see_streamers(tile, camera);
-    const gl::Texture2D& seen = sampled->seen.colour();
-    const PixelSamples at = pixel_samples(tile, camera);
+    const gl::Texture2D* seen = sampled ? &sampled->seen.colour() : nullptr;
     pixels->bind();
     gl::functions().Clear(everything);
     world->colour_pixels(seen, at, shading, light, camera);
@@ -342,7 +364,7 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
             const PixelSamples at = pixel_samples(tile, camera);
             pixels->bind();
             gl.Clear(everything);
-            world->colour_pixels(seen.colour(), at, shading, light, camera);
+            world->colour_pixels(&seen.colour(), at, shading, light, camera);
             samples.bind();
             world->spread_pixels(pixels->colour(), at);
         }

@@ -96,7 +96,7 @@ struct Renderer::Parts {
     }
     /// Where the pixels of a tile of endless ground lie among samples.
     [[nodiscard]] PixelSamples pixel_samples(const Tile& tile, const Camera& camera) const;
-    /// What each sample of a tile sees.
+    /// What each sample of a tile sees; in a target, if others than the ground want to know.
     void see_ground(const Tile& tile, const Camera& camera);
     /// After see_ground(): what lies before it.
     void see_streamers(const Tile& tile, const Camera& camera);

@@ -142,7 +142,7 @@ void TrackLayer::draw(const gl::Texture2D& seen, const WorldLayer* world, const 
     const gl::Functions& gl = gl::functions();
     program_.use();
     if (world != nullptr) {
-        world->bind(program_, seen, shading, light, camera);
+        world->bind(program_, &seen, shading, light, camera);
     } else {
         shading.bind(program_);
         set_light(program_, view_, light, camera, block_);

@@ -120,16 +120,16 @@ glm::dvec2 WorldLayer::eye_from_middle(const Camera& camera) const {
     return copies_.from_middle(origin_.share + whole, glm::dvec2(reduced_eye(camera)) / extent);
 }
 
-glm::mat4 WorldLayer::clip_from_eye(const Camera& camera, const GroundFan& fan) {
-    Camera at_origin = camera;
-    at_origin.eye = glm::dvec3(0.0);
-    at_origin.near_depth = 0.5 * fan.nearest;
-    at_origin.far_depth = fan.farthest * 1.1;
-    return {clip_matrix(at_origin)};
+Camera WorldLayer::at_origin(const Camera& camera, const GroundFan& fan) {
+    Camera there = camera;
+    there.eye = glm::dvec3(0.0);
+    there.near_depth = 0.5 * fan.nearest;
+    there.far_depth = fan.farthest * 1.1;
+    return there;
 }
 
 glm::mat4 WorldLayer::clip_from_eye(const Camera& camera) const {
-    return clip_from_eye(camera, fan_of(camera, *heights_));
+    return {clip_matrix(at_origin(camera, fan_of(camera, *heights_)))};
 }
 
 float WorldLayer::curvature() const {

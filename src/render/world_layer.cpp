@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -53,12 +54,12 @@ constexpr double steps_a_ripple = 50.0;  // that it takes to move on by its leng
 
 enum class Coloured { level_pixels, steep_pixels, pixels, samples, packed_samples };
 
-/// Draws in the lower rows of a target alone.
+/// Draws in some rows of a target alone, and in some columns.
 class WithinRows {
   public:
-    explicit WithinRows(int rows) {
+    explicit WithinRows(int rows, glm::ivec2 first = glm::ivec2(0), int columns = everywhere) {
         gl::functions().Enable(GL_SCISSOR_TEST);
-        gl::functions().Scissor(0, 0, everywhere, rows);
+        gl::functions().Scissor(first.x, first.y, columns, rows);
     }
     ~WithinRows() { gl::functions().Disable(GL_SCISSOR_TEST); }
     WithinRows(const WithinRows&) = delete;
@@ -97,7 +98,7 @@ WorldLayer::Colours::Colours(const gl::Constants& fixed)
 
 WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
                        const DrawnOrigin& origin, const FarCopies& copies,
-                       const gl::Constants& fixed, const gl::MipmapMaker& mipmaps)
+                       const gl::Constants& fixed, const gl::MipmapMaker& mipmaps, bool in_buffer)
     : mipmaps_(mipmaps),
       view_(view),
       block_(block),
@@ -109,9 +110,9 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
       origin_(origin),
       copies_(copies),
       seen_program_("world/world.vert.glsl", "world/world_seen.frag.glsl", {"offset"}),
-      unseen_program_("common/screen.vert.glsl", "world/world_unseen.frag.glsl"),
+      note_program_("common/screen.vert.glsl", "world/world_noted.frag.glsl", {}, fixed),
       pixel_program_("common/screen.vert.glsl", "world/world_pixels.frag.glsl", {},
-                     {factor_of(view)}),
+                     with_coloured(fixed, view, Coloured::pixels)),
       spread_program_("common/screen.vert.glsl", "world/world_spread.frag.glsl"),
       level_pixels_("common/screen.vert.glsl", "world/world_near.frag.glsl", {},
                     with_coloured(fixed, view, Coloured::level_pixels)),
@@ -124,6 +125,7 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
       relief_(relief_texels, relief_texels, detail_layout),
       wander_(wander_texels, wander_texels, wander_layout),
       slip_(slip_texels, slip_texels, detail_layout) {
+    if (in_buffer) seen_.emplace();
     build();
     draw_relief();
     draw_wander();
@@ -193,13 +195,27 @@ void WorldLayer::set_eye(const gl::Program& program, const Camera& camera) const
 void WorldLayer::look_at(const SeenGround& ground) {
     sample_angle_ = ground.sample_angle;
     near_to_ = ground.near_to;
-    skyline_ = ground.mesh.skyline;
-    near_indices_ = static_cast<GLsizei>(ground.mesh.near_indices);
-    far_indices_ = static_cast<GLsizei>(ground.mesh.triangles.size()) - near_indices_;
-    gl::functions().BindVertexArray(array_.name());
-    places_.fill(ground.mesh.places);
-    triangles_.fill(ground.mesh.triangles);
-    gl::functions().BindVertexArray(0);
+    ground_ = &ground;
+    filled_ = false;
+}
+
+void WorldLayer::fill_buffers() const {
+    if (filled_) return;
+    places_.fill(ground_->mesh.places);
+    triangles_.fill(ground_->mesh.triangles);
+    filled_ = true;
+}
+
+void WorldLayer::see(const Camera& camera, const PixelSamples& at, const glm::ivec2& in_picture,
+                     const glm::ivec2& picture, WorkerPool& pool) {
+    const GroundMesh& mesh = ground_->mesh;
+    const std::span<const std::uint32_t> triangles(mesh.triangles);
+    const glm::ivec2 size(at.factor * at.columns + 2, at.factor * (at.rows + 1) + 1);
+    const glm::ivec2 first = at.first - 1;
+    seen_->see(
+        {mesh.places, triangles.first(mesh.near_indices), triangles.subspan(mesh.near_indices)},
+        at_origin(camera, fan_of(camera, *heights_)), {picture, in_picture + first, size}, first,
+        pool);
 }
 
 void WorldLayer::set_detail(const gl::Program& program, const Camera& camera) const {
@@ -217,6 +233,28 @@ void WorldLayer::set_detail(const gl::Program& program, const Camera& camera) co
     program.set("exaggeration", static_cast<float>(block_.exaggeration));
 }
 
+void WorldLayer::note_seen(const Camera& camera, const PixelSamples& at) const {
+    const gl::Functions& gl = gl::functions();
+    const WithinRows within(at.factor * at.rows, at.first, at.factor * at.columns);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_ALWAYS);
+    gl.Enable(GL_STENCIL_TEST);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    gl.BindVertexArray(no_attributes_.name());
+    const Camera there = at_origin(camera, fan_of(camera, *heights_));
+    note_program_.use();
+    bind_seen(note_program_, nullptr);
+    note_program_.set("depth_range", glm::vec2(there.near_depth, there.far_depth));
+    for (const GLint ground : {near_stencil, far_stencil}) {
+        note_program_.set("ground", ground);
+        gl.StencilFunc(GL_ALWAYS, ground, 0xFF);
+        gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    gl.DepthFunc(GL_LESS);
+    gl.Disable(GL_STENCIL_TEST);
+    gl.BindVertexArray(0);
+}
+
 void WorldLayer::draw_seen(const Camera& camera, const TileSamples& tile, bool tell_far) const {
     const gl::Functions& gl = gl::functions();
     gl.Enable(GL_DEPTH_TEST);
@@ -228,6 +266,9 @@ void WorldLayer::draw_seen(const Camera& camera, const TileSamples& tile, bool t
     seen_program_.set("tile_corner", tile.corner);
     seen_program_.set("tile_size", tile.size);
     gl.BindVertexArray(array_.name());
+    fill_buffers();
+    const auto near = static_cast<GLsizei>(ground_->mesh.near_indices);
+    const auto all = static_cast<GLsizei>(ground_->mesh.triangles.size());
     const auto draw = [&](GLint stencil, GLsizei first, GLsizei count) {
         if (count == 0) return;
         seen_program_.set("side", tell_far && stencil == far_stencil ? -1.0F : 1.0F);
@@ -236,30 +277,22 @@ void WorldLayer::draw_seen(const Camera& camera, const TileSamples& tile, bool t
             GL_TRIANGLES, count, GL_UNSIGNED_INT,
             reinterpret_cast<const void*>(sizeof(std::uint32_t) * static_cast<std::size_t>(first)));
     };
-    draw(near_stencil, 0, near_indices_);
-    draw(far_stencil, near_indices_, far_indices_);
+    draw(near_stencil, 0, near);
+    draw(far_stencil, near, all - near);
     gl.Disable(GL_STENCIL_TEST);
     gl.BindVertexArray(0);
 }
 
-void WorldLayer::draw_unseen(const PixelSamples& at) const {
-    const gl::Functions& gl = gl::functions();
-    const WithinRows within(at.first.y + at.factor * (at.rows + 1));
-    gl.Enable(GL_DEPTH_TEST);
-    gl.DepthMask(GL_FALSE);
-    gl.DepthFunc(GL_LEQUAL);  // than a cleared depth, where no ground can be
-    gl.DepthRange(1.0, 1.0);
-    gl.BindVertexArray(no_attributes_.name());
-    unseen_program_.use();
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl.BindVertexArray(0);
-    gl.DepthRange(0.0, 1.0);
-    gl.DepthFunc(GL_LESS);
-    gl.DepthMask(GL_TRUE);
-    gl.Disable(GL_DEPTH_TEST);
+void WorldLayer::bind_seen(const gl::Program& program, const gl::Texture2D* seen) const {
+    if (seen_) {
+        seen_->bind(program, seen_unit);
+    } else {
+        seen->bind(seen_unit);
+        program.set("offsets", seen_unit);
+    }
 }
 
-void WorldLayer::bind(const gl::Program& program, const gl::Texture2D& seen,
+void WorldLayer::bind(const gl::Program& program, const gl::Texture2D* seen,
                       const BedShading& shading, const Light& light, const Camera& camera) const {
     program.use();
     shading.bind(program);
@@ -275,8 +308,7 @@ void WorldLayer::bind(const gl::Program& program, const gl::Texture2D& seen,
     slip_.colour().bind(slip_unit);
     program.set("slip_map", slip_unit);
     program.set("slip_size", slip_size);
-    seen.bind(seen_unit);
-    program.set("offsets", seen_unit);
+    bind_seen(program, seen);
     if (streamers_ != nullptr) {
         streamers_->bind(program);
         program.set("first_of_tile", glm::vec2(first_of_tile_));
@@ -285,17 +317,16 @@ void WorldLayer::bind(const gl::Program& program, const gl::Texture2D& seen,
     set_detail(program, camera);
 }
 
-void WorldLayer::colour_pixels(const gl::Texture2D& seen, const PixelSamples& at,
+void WorldLayer::colour_pixels(const gl::Texture2D* seen, const PixelSamples& at,
                                const BedShading& shading, const Light& light,
                                const Camera& camera) const {
     const gl::Functions& gl = gl::functions();
     const WithinRows within(at.rows);
     gl.Enable(GL_DEPTH_TEST);
     gl.BindVertexArray(no_attributes_.name());
-    seen.bind(seen_unit);
     pixel_program_.use();
+    bind_seen(pixel_program_, seen);
     pixel_program_.set("first_sample", glm::vec2(at.first));
-    pixel_program_.set("offsets", seen_unit);
     pixel_program_.set("near_to", static_cast<float>(near_to_));
     pixel_program_.set("level_depth", static_cast<float>(level_depth));
     pixel_program_.set("steep_depth", static_cast<float>(steep_depth));
@@ -357,7 +388,7 @@ void WorldLayer::colour_seen(const gl::Texture2D& seen, const BedShading& shadin
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     gl.BindVertexArray(no_attributes_.name());
     for (const bool near : {true, false}) {
-        bind(near ? sample_colours_.near : sample_colours_.far, seen, shading, light, camera);
+        bind(near ? sample_colours_.near : sample_colours_.far, &seen, shading, light, camera);
         gl.StencilFunc(GL_EQUAL, near ? near_stencil : far_stencil, 0xFF);
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
     }
@@ -365,7 +396,7 @@ void WorldLayer::colour_seen(const gl::Texture2D& seen, const BedShading& shadin
     gl.BindVertexArray(0);
 }
 
-void WorldLayer::colour_packed(const gl::Texture2D& seen, PackedSamples& samples,
+void WorldLayer::colour_packed(const gl::Texture2D* seen, PackedSamples& samples,
                                const BedShading& shading, const Light& light,
                                const Camera& camera) const {
     const gl::Functions& gl = gl::functions();

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/snapshot_lookup.h"
@@ -16,6 +17,7 @@
 #include "render/light/light.h"
 #include "render/light/repeated_light.h"
 #include "render/samples/packed_samples.h"
+#include "render/samples/seen_buffer.h"
 #include "render/terrain_layer.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
@@ -33,6 +35,7 @@ struct PixelSamples {
     glm::ivec2 first;  ///< the lower left pixel's lower left sample
     int factor = 1;    ///< samples along each side of a pixel
     int rows = 0;      ///< of pixels, from the lowest on, above which none sees ground
+    int columns = 0;   ///< of pixels
 };
 
 /// A periodic bed repeated to the horizon: a fan of rays and rings around the camera, raised by the
@@ -41,10 +44,11 @@ struct PixelSamples {
 class WorldLayer {
   public:
     /// Light, heights and shading are of the bed as it is drawn from `origin` on. `mipmaps`
-    /// outlives it.
+    /// outlives it. `in_buffer`: what samples see is found by see(), not by draw_seen(), and the
+    /// constant samples_in_buffer is 1.
     WorldLayer(const View& view, const Block& block, const Snapshot& first, int refinement,
                const DrawnOrigin& origin, const FarCopies& copies, const gl::Constants& fixed,
-               const gl::MipmapMaker& mipmaps);
+               const gl::MipmapMaker& mipmaps, bool in_buffer);
 
     /// `heights`: of the bed, block lengths.
     void set_bed(const Snapshot& snapshot, const RepeatedLight& light,
@@ -56,7 +60,7 @@ class WorldLayer {
                                          const HeightPyramid& heights, WorkerPool& pool) const;
     /// z of ground of those heights at a place from the bed's middle; likewise.
     [[nodiscard]] double ground_at(const glm::dvec2& place, const HeightPyramid& heights) const;
-    /// Takes that as the ground to draw.
+    /// Takes that as the ground to draw, for as long as it lives.
     void look_at(const SeenGround& ground);
 
     /// Through what colours are seen from now on, or null; and the sample of the tile's lower left
@@ -66,21 +70,29 @@ class WorldLayer {
         first_of_tile_ = first;
     }
 
+    /// Finds what samples see without OpenGL, as GroundSamples do: of the pixels that may see
+    /// ground and of the samples beside them. `in_picture`: the sample of the picture that is first
+    /// in the target, of so many.
+    void see(const Camera& camera, const PixelSamples& at, const glm::ivec2& in_picture,
+             const glm::ivec2& picture, WorkerPool& pool);
+    /// Notes that in the bound and cleared target as draw_seen() would.
+    void note_seen(const Camera& camera, const PixelSamples& at) const;
+    [[nodiscard]] bool in_buffer() const { return seen_.has_value(); }
+
     /// Notes in the bound target (four floats a sample, depths and stencils) how far from the eye
     /// the ground is that each sample sees; colours are found later. `tell_far`: lengths on far
     /// ground get a minus sign.
     void draw_seen(const Camera& camera, const TileSamples& tile, bool tell_far = true) const;
-    /// After draw_seen(), in a target of which only depths were cleared: notes which samples see no
-    /// ground, of pixels that may see some and of those next to them.
-    void draw_unseen(const PixelSamples& at) const;
     /// See rows_of_ground(): of a picture of so many rows of pixels.
     [[nodiscard]] int rows_seen(const Camera& camera, int rows) const {
-        return rows_of_ground(skyline_, camera, rows);
+        return rows_of_ground(ground_->mesh.skyline, camera, rows);
     }
+    /// In what follows `seen` is what draw_seen() left; not needed after see().
+    ///
     /// Colours the pixels of the bound target, with cleared stencils, all of whose samples see the
     /// same ground. Of the others alpha is 0, and red and green say what their samples see, see
     /// world/world_pixels.frag.glsl.
-    void colour_pixels(const gl::Texture2D& seen, const PixelSamples& at, const BedShading& shading,
+    void colour_pixels(const gl::Texture2D* seen, const PixelSamples& at, const BedShading& shading,
                        const Light& light, const Camera& camera) const;
     /// Gives the samples of the bound target the colours of their pixels, and the stencil 0, but
     /// not where pixels are transparent.
@@ -90,11 +102,11 @@ class WorldLayer {
                      const Camera& camera) const;
 
     /// Colours the samples of pixels that colour_pixels() has not coloured.
-    void colour_packed(const gl::Texture2D& seen, PackedSamples& samples, const BedShading& shading,
+    void colour_packed(const gl::Texture2D* seen, PackedSamples& samples, const BedShading& shading,
                        const Light& light, const Camera& camera) const;
 
     /// Sets what a program that includes world/world.glsl needs to colour samples, but not pixels.
-    void bind(const gl::Program& program, const gl::Texture2D& seen, const BedShading& shading,
+    void bind(const gl::Program& program, const gl::Texture2D* seen, const BedShading& shading,
               const Light& light, const Camera& camera) const;
 
     /// World to clip coordinates of places as offsets from the eye, as draw_seen() draws.
@@ -120,7 +132,10 @@ class WorldLayer {
     void draw_slip_face();
     [[nodiscard]] double ground_under(const Camera& camera, const HeightPyramid& heights) const;
     [[nodiscard]] GroundFan fan_of(const Camera& camera, const HeightPyramid& heights) const;
-    [[nodiscard]] static glm::mat4 clip_from_eye(const Camera& camera, const GroundFan& fan);
+    /// At the offsets' origin, with depths that hold the fan.
+    [[nodiscard]] static Camera at_origin(const Camera& camera, const GroundFan& fan);
+    void bind_seen(const gl::Program& program, const gl::Texture2D* seen) const;
+    void fill_buffers() const;
     /// From the middle of the drawn bed, at most half of it away along each side.
     [[nodiscard]] glm::dvec3 reduced_eye(const Camera& camera) const;
     void set_eye(const gl::Program& program, const Camera& camera) const;
@@ -139,7 +154,7 @@ class WorldLayer {
     double sample_angle_ = 0.0;  ///< between two samples in the middle of the picture
     double near_to_ = 0.0;       ///< a ripple is not seen beyond, block lengths
     gl::Program seen_program_;
-    gl::Program unseen_program_;
+    gl::Program note_program_;
     gl::Program pixel_program_;
     gl::Program spread_program_;
     gl::Program level_pixels_;  ///< of near ground, plain ones
@@ -153,13 +168,13 @@ class WorldLayer {
     gl::RenderTarget slip_;
     gl::VertexArray array_;
     gl::VertexArray no_attributes_;
-    gl::DynamicBuffer places_{GL_ARRAY_BUFFER};
-    gl::DynamicBuffer triangles_{GL_ELEMENT_ARRAY_BUFFER};
+    mutable gl::DynamicBuffer places_{GL_ARRAY_BUFFER};
+    mutable gl::DynamicBuffer triangles_{GL_ELEMENT_ARRAY_BUFFER};
+    mutable bool filled_ = false;  // with the ground of now
+    std::optional<SeenBuffer> seen_;
+    const SeenGround* ground_ = nullptr;
     const StreamerLayer* streamers_ = nullptr;
     glm::ivec2 first_of_tile_{0};
-    std::vector<glm::vec3> skyline_;
-    GLsizei near_indices_ = 0;
-    GLsizei far_indices_ = 0;
 };
 
 }  // namespace fumon

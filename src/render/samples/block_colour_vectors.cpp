@@ -243,7 +243,7 @@ void colour_row(const PixelRow& row, const Surface& surface, const PixelPlanes& 
             hn::StoreU(hn::Zero(bytes), bytes, planes.state + x);
             continue;
         }
-        const auto low = hn::Set(words, kind_bits);
+        const auto low = hn::Set(words, triangle_vectors::kind_bits);
         Word kind[Edges::samples];
         for (int k = 0; k < Edges::samples; ++k) kind[k] = hn::And(sample[k], low);
         const auto alike = hn::And(hn::And(hn::Eq(kind[0], kind[1]), hn::Eq(kind[0], kind[2])),
@@ -317,7 +317,7 @@ namespace fumon::block_vectors {
 HWY_EXPORT(colour_row);
 
 void Edges::make_room(int pixels) {
-    const std::size_t room = static_cast<std::size_t>(pixels) + Band::beyond;
+    const std::size_t room = static_cast<std::size_t>(pixels) + triangle_vectors::Band::beyond;
     if (pixel.size() >= room) return;
     pixel.resize(room);
     kinds.resize(room);

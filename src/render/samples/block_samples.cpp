@@ -12,9 +12,9 @@ namespace fumon {
 
 namespace {
 
-using block_vectors::Band;
 using block_vectors::Edges;
 using block_vectors::Linear;
+using triangle_vectors::Band;
 
 constexpr int factor = 2;      // samples along each side of a pixel
 constexpr int band_rows = 16;  // of pixels: what their samples see stays in a cache
@@ -99,7 +99,8 @@ void BlockSamples::set_colours(glm::vec2 grain_texels, BlockColours& read) {
     std::swap(colours_, read);
 }
 
-void BlockSamples::place(const BlockShape& shape, const Camera& camera, const Image& image) {
+void BlockSamples::place(const BlockShape& shape, const Camera& camera, const Image& image,
+                         WorkerPool& pool) {
     samples_ = factor * glm::ivec2(image.width, image.height);
     first_sample_ = factor * glm::ivec2(tile_.x, image.height - tile_.y - tile_.height);
     const block_vectors::Placed placed = placed_by(camera, shape.extent, samples_);
@@ -110,48 +111,13 @@ void BlockSamples::place(const BlockShape& shape, const Camera& camera, const Im
                                  surface, corners_, 0);
     block_vectors::place_corners(placed, shape.sides.places.data(), shape.sides.heights.data(),
                                  sides, corners_, surface);
-    parts_.clear();
-    parts_.push_back({shape.surface_triangles, 0, block_vectors::surface_kind, shape.both_faces});
+    std::vector<TrianglePart> parts{
+        {shape.surface_triangles, 0, block_vectors::surface_kind, shape.both_faces}};
     for (std::size_t side = 0; side < shape.side_triangles.size(); ++side)
-        parts_.push_back({shape.side_triangles[side], surface,
-                          static_cast<std::uint32_t>(first_side + side), shape.both_faces});
-}
-
-/// Lists which triangles each band may see; of those that look away from the eye, none.
-void BlockSamples::sort_into_bands(WorkerPool& pool) {
-    const int bands = (tile_.height + band_rows - 1) / band_rows;
-    const std::size_t lists = static_cast<std::size_t>(bands) * parts_.size();
-    const int shares = pool.size();
-    listed_.resize(static_cast<std::size_t>(shares));
-    const std::int32_t lowest = 256 * first_sample_.y;
-    constexpr std::int32_t in_band = 256 * factor * band_rows;
-    pool.for_ranges(shares, [&](int begin, int end) {
-        for (int share = begin; share < end; ++share) {
-            std::vector<std::vector<std::uint32_t>>& listed =
-                listed_[static_cast<std::size_t>(share)];
-            listed.resize(std::max(listed.size(), lists));
-            for (std::vector<std::uint32_t>& list : listed) list.clear();
-            for (std::size_t p = 0; p < parts_.size(); ++p) {
-                const Part& part = parts_[p];
-                const std::size_t triangles = part.triangles.size() / 3;
-                const std::size_t first =
-                    triangles * static_cast<std::size_t>(share) / static_cast<std::size_t>(shares);
-                const std::size_t last = triangles * static_cast<std::size_t>(share + 1) /
-                                         static_cast<std::size_t>(shares);
-                const std::int32_t* y = corners_.y.data() + part.first_corner;
-                for (std::size_t i = first; i < last; ++i) {
-                    const std::uint32_t* of = part.triangles.data() + 3 * i;
-                    const auto [low, high] = std::minmax({y[of[0]], y[of[1]], y[of[2]]});
-                    const std::int32_t from = std::max(low - lowest, 0) / in_band;
-                    if (high < lowest) continue;
-                    const std::int32_t to = std::min((high - lowest) / in_band, bands - 1);
-                    for (std::int32_t band = from; band <= to; ++band)
-                        listed[static_cast<std::size_t>(band) * parts_.size() + p].push_back(
-                            static_cast<std::uint32_t>(i));
-                }
-            }
-        }
-    });
+        parts.push_back({shape.side_triangles[side], surface,
+                         static_cast<std::uint32_t>(first_side + side), shape.both_faces});
+    bands_.sort(corners_, std::move(parts), first_sample_.y, factor * tile_.height,
+                factor * band_rows, pool);
 }
 
 void BlockSamples::draw_band(int band, Room& room) const {
@@ -161,18 +127,7 @@ void BlockSamples::draw_band(int band, Room& room) const {
     const Band of{room.samples.data(), room.stride,
                   first_sample_.x,     first_sample_.x + factor * tile_.width,
                   first_row,           first_row + factor * rows};
-    for (const std::vector<std::vector<std::uint32_t>>& listed : listed_) {
-        for (std::size_t p = 0; p < parts_.size(); ++p) {
-            const std::vector<std::uint32_t>& list =
-                listed[static_cast<std::size_t>(band) * parts_.size() + p];
-            if (list.empty()) continue;
-            const Part& part = parts_[p];
-            block_vectors::draw(corners_,
-                                {part.triangles.data(), part.first_corner, list.data(), list.size(),
-                                 part.kind, part.both_faces},
-                                of);
-        }
-    }
+    bands_.draw(band, corners_, of);
 }
 
 void BlockSamples::list_runs(Row& row, const std::uint8_t* state, const Edges& edges,
@@ -244,8 +199,7 @@ void BlockSamples::see(const BlockShape& shape, const Camera& camera, const Tile
                        WorkerPool& pool, Image& image) {
     tile_ = tile;
     extent_ = shape.extent;
-    place(shape, camera, image);
-    sort_into_bands(pool);
+    place(shape, camera, image, pool);
     rows_.resize(static_cast<std::size_t>(tile.height));
     const int bands = (tile.height + band_rows - 1) / band_rows;
     std::atomic<int> next = 0;

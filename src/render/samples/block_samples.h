@@ -9,6 +9,7 @@
 #include "base/image.h"
 #include "render/samples/block_vectors.h"
 #include "render/samples/sample_vectors.h"
+#include "render/samples/triangle_bands.h"
 #include "render/view/camera.h"
 #include "render/view/tiles.h"
 
@@ -92,8 +93,7 @@ class BlockSamples {
     struct Room;
 
     static std::uint8_t root_of_mean(std::uint32_t sum, std::uint32_t count);
-    void place(const BlockShape& shape, const Camera& camera, const Image& image);
-    void sort_into_bands(WorkerPool& pool);
+    void place(const BlockShape& shape, const Camera& camera, const Image& image, WorkerPool& pool);
     void draw_band(int band, Room& room) const;
     void colour_band(int band, const Camera& camera, Room& room, Image& image);
     void list_runs(Row& row, const std::uint8_t* state, const block_vectors::Edges& edges,
@@ -111,16 +111,8 @@ class BlockSamples {
     glm::dvec2 extent_{1.0};
     glm::ivec2 samples_{0};       // of the whole picture
     glm::ivec2 first_sample_{0};  // of the tile, from the picture's lower left
-    block_vectors::Corners corners_;
-    struct Part {
-        std::span<const std::uint32_t> triangles;
-        std::size_t first_corner;
-        std::uint32_t kind;
-        bool both_faces;
-    };
-    std::vector<Part> parts_;
-    // Of each thread's share, of each band and each part: numbers of triangles.
-    std::vector<std::vector<std::vector<std::uint32_t>>> listed_;
+    triangle_vectors::Corners corners_;
+    TriangleBands bands_;
     std::vector<Row> rows_;  // the upper first
     std::array<Side, 4> sides_;
 };

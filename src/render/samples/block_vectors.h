@@ -4,21 +4,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/samples/triangle_vectors.h"
+
 namespace fumon::block_vectors {
 
-// A sample of what stands nearest in one number: its nearness, a float above 0, whose lowest bits
-// are the kind of what is seen. The larger one is nearer, in whatever order they come.
-constexpr std::uint32_t kind_bits = 7;
 constexpr std::uint32_t surface_kind = 1;  ///< those above are the block's sides; 0: nothing
-
-/// Corners in the picture: 1/256 of a sample from its lower left, and nearness.
-struct Corners {
-    std::vector<std::int32_t> x;
-    std::vector<std::int32_t> y;
-    std::vector<float> nearness;
-
-    void resize(std::size_t count);
-};
 
 /// A linear function of a place (0 … 1 east and north over the block) and a height.
 struct Linear {
@@ -38,33 +28,7 @@ struct Placed {
 
 /// Sets corners first … first + count − 1 from places (east and north by turns) and heights.
 void place_corners(const Placed& placed, const float* places, const float* heights,
-                   std::size_t count, Corners& corners, std::size_t first);
-
-/// Samples of some rows of a tile, columns and rows counted over the whole picture.
-struct Band {
-    std::uint32_t* samples;  ///< rows upward, each `stride` long: `beyond` more than columns
-    std::size_t stride;
-    int first_column;
-    int end_column;
-    int first_row;
-    int end_row;
-
-    static constexpr std::size_t beyond = 64;
-};
-
-/// Triangles, three corners each; counter-clockwise ones look at the eye.
-struct Triangles {
-    const std::uint32_t* corners;  ///< counted from `first_corner` on
-    std::size_t first_corner;
-    const std::uint32_t* listed;  ///< which of them, `count` numbers
-    std::size_t count;
-    std::uint32_t kind;
-    bool both_faces;  ///< else backs are left out
-};
-
-/// Draws what a band's samples see of triangles. A sample lies in one of two triangles that share
-/// an edge, never in both or none: edges are whole numbers.
-void draw(const Corners& corners, const Triangles& triangles, const Band& band);
+                   std::size_t count, triangle_vectors::Corners& corners, std::size_t first);
 
 /// How places of a row of samples follow from their nearness: origin + t · direction, both linear
 /// in the column's middle.

@@ -29,14 +29,17 @@ std::uint32_t random_number(std::uint32_t& state) {
 /// Two rows of samples, seen straight from above: those of a pixel lie `apart` texels from each
 /// other. Every seventh sees other things too, every eleventh a side alone.
 struct Rows {
-    std::vector<std::uint32_t> lower = std::vector<std::uint32_t>(2 * pixels + Band::beyond);
+    std::vector<std::uint32_t> lower =
+        std::vector<std::uint32_t>(2 * pixels + triangle_vectors::Band::beyond);
     std::vector<std::uint32_t> upper = lower;
     PixelRow row{};
 
     explicit Rows(double apart) {
         std::uint32_t state = 21;
         const auto sample = [&](std::uint32_t kind) {
-            return kind == 0 ? 0U : (std::bit_cast<std::uint32_t>(1.0F) & ~kind_bits) | kind;
+            return kind == 0
+                       ? 0U
+                       : (std::bit_cast<std::uint32_t>(1.0F) & ~triangle_vectors::kind_bits) | kind;
         };
         for (int x = 0; x < pixels; ++x) {
             for (int k = 0; k < Edges::samples; ++k) {
@@ -63,7 +66,8 @@ struct Rows {
     }
 
     [[nodiscard]] std::uint32_t kind(int x, int k) const {
-        return (k < 2 ? lower : upper)[static_cast<std::size_t>(2 * x + k % 2)] & kind_bits;
+        return (k < 2 ? lower : upper)[static_cast<std::size_t>(2 * x + k % 2)] &
+               triangle_vectors::kind_bits;
     }
 };
 
@@ -100,8 +104,9 @@ struct Result {
     Edges edges;
 
     Result(const Rows& rows, const Surface& surface) {
-        for (std::vector<std::uint8_t>& plane : planes) plane.resize(pixels + Band::beyond);
-        state.resize(pixels + Band::beyond);
+        for (std::vector<std::uint8_t>& plane : planes)
+            plane.resize(pixels + triangle_vectors::Band::beyond);
+        state.resize(pixels + triangle_vectors::Band::beyond);
         edges.make_room(pixels);
         colour_row(rows.row, surface,
                    {planes[0].data(), planes[1].data(), planes[2].data(), state.data()}, edges);

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "render/samples/seen_vectors.h"
+#include "render/samples/triangle_bands.h"
+#include "render/view/camera.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// Triangles of endless ground, whose corners are offsets from the eye, in the block's lengths.
+struct GroundTriangles {
+    std::span<const glm::vec3> places;
+    std::span<const std::uint32_t> near;  ///< three corners each
+    std::span<const std::uint32_t> far;
+};
+
+/// Samples of a picture: a rectangle of them, which may reach beyond the picture.
+struct SampleRectangle {
+    glm::ivec2 picture{0};  ///< samples of the whole picture
+    glm::ivec2 first{0};    ///< from the picture's lower left
+    glm::ivec2 size{0};
+
+    /// Numbers from one row to the next, of which a sample has two.
+    [[nodiscard]] std::size_t stride() const {
+        constexpr std::size_t together = 16;  // that are written
+        return 2 * ((static_cast<std::size_t>(size.x) + together - 1) / together * together);
+    }
+    [[nodiscard]] std::size_t count() const { return stride() * static_cast<std::size_t>(size.y); }
+};
+
+/// Where the ground is that a sample sees: (first + column · right + row · up) / nearness from the
+/// eye, columns and rows counted from the picture's lower left, whatever the rectangle.
+struct SampleRays {
+    glm::dvec3 first;
+    glm::dvec3 right;
+    glm::dvec3 up;
+};
+
+/// Of a camera in perspective without a lens, whose near_depth is where nearness is 1.
+SampleRays sample_rays(const Camera& camera, const glm::ivec2& picture);
+
+/// What samples see of endless ground. It does not depend on the rectangle, on threads and on the
+/// processor.
+class GroundSamples {
+  public:
+    static constexpr std::uint32_t near_kind = 1;
+    static constexpr std::uint32_t far_kind = 2;
+
+    /// Notes for each sample, rows upward, what it sees in two numbers: nearness, a float, whose
+    /// lowest three bits (triangle_vectors::kind_bits) are the kind, 0: nothing; and, as a
+    /// float, over what length on the ground along the view. The camera's eye is the offsets'
+    /// origin; ground nearer than its near_depth is left out.
+    void see(const GroundTriangles& ground, const Camera& camera, const SampleRectangle& samples,
+             WorkerPool& pool, std::uint32_t* out);
+
+  private:
+    void cut(const GroundTriangles& ground, const seen_vectors::Perspective& projection);
+    void draw(const Camera& camera, const SampleRectangle& samples, WorkerPool& pool,
+              std::uint32_t* out) const;
+
+    triangle_vectors::Corners corners_;
+    TriangleBands bands_;
+    // Of triangles that reach beyond near_depth, or far aside: what is left of them.
+    triangle_vectors::Corners cut_corners_;
+    std::vector<std::uint32_t> cut_near_;
+    std::vector<std::uint32_t> cut_far_;
+    TriangleBands cut_bands_;
+};
+
+}  // namespace fumon

@@ -1,0 +1,57 @@
+#include "render/samples/seen_buffer.h"
+
+#include <cstddef>
+#include <cstdint>
+
+#include "base/error.h"
+#include "gl/functions.h"
+
+namespace fumon {
+
+bool SeenBuffer::holds(const SampleRectangle& samples) {
+    GLint most = 0;
+    gl::functions().GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    return samples.count() / 2 <= static_cast<std::size_t>(most);
+}
+
+void SeenBuffer::see(const GroundTriangles& ground, const Camera& camera,
+                     const SampleRectangle& samples, const glm::ivec2& in_target,
+                     WorkerPool& pool) {
+    samples_ = samples;
+    in_target_ = in_target;
+    rays_ = sample_rays(camera, samples.picture);
+    const gl::Functions& gl = gl::functions();
+    const auto bytes = static_cast<GLsizeiptr>(sizeof(std::uint32_t) * samples.count());
+    gl.BindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
+    if (bytes > capacity_) {
+        gl.BufferData(GL_TEXTURE_BUFFER, bytes, nullptr, GL_DYNAMIC_DRAW);
+        capacity_ = bytes;
+        gl.BindTexture(GL_TEXTURE_BUFFER, texture_.name());
+        gl.TexBuffer(GL_TEXTURE_BUFFER, GL_RG32UI, buffer_.name());
+    }
+    void* memory = gl.MapBufferRange(GL_TEXTURE_BUFFER, 0, bytes, GL_MAP_WRITE_BIT);
+    if (memory == nullptr) throw Error("OpenGL has no memory for what a picture's samples see");
+    const auto unmap = [&] { return gl.UnmapBuffer(GL_TEXTURE_BUFFER) == GL_TRUE; };
+    try {
+        ground_samples_.see(ground, camera, samples, pool, static_cast<std::uint32_t*>(memory));
+    } catch (...) {
+        unmap();
+        throw;
+    }
+    if (!unmap()) throw Error("OpenGL has lost what a picture's samples see");
+}
+
+void SeenBuffer::bind(const gl::Program& program, int unit) const {
+    const gl::Functions& gl = gl::functions();
+    gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    gl.BindTexture(GL_TEXTURE_BUFFER, texture_.name());
+    program.set("seen_numbers", unit);
+    program.set("numbers_begin", glm::vec2(in_target_));
+    program.set("target_begin", glm::vec2(samples_.first - in_target_));
+    program.set("numbers_a_row", static_cast<float>(samples_.stride() / 2));
+    program.set("first_ray", glm::vec3(rays_.first));
+    program.set("ray_rightward", glm::vec3(rays_.right));
+    program.set("ray_upward", glm::vec3(rays_.up));
+}
+
+}  // namespace fumon

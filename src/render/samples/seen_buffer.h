@@ -1,0 +1,39 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "gl/handles.h"
+#include "gl/program.h"
+#include "render/samples/ground_samples.h"
+#include "render/view/camera.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// What samples see of endless ground, in memory that shaders read as it is
+/// (world/world_place.glsl).
+class SeenBuffer {
+  public:
+    /// Whether OpenGL's buffers may be that large.
+    [[nodiscard]] static bool holds(const SampleRectangle& samples);
+
+    /// See GroundSamples::see(). `in_target`: where the shaders count the rectangle's first sample.
+    /// Throws Error where OpenGL gives no memory, or has lost what was written.
+    void see(const GroundTriangles& ground, const Camera& camera, const SampleRectangle& samples,
+             const glm::ivec2& in_target, WorkerPool& pool);
+
+    /// Sets what a program in use needs to look it up, in that texture unit.
+    void bind(const gl::Program& program, int unit) const;
+
+  private:
+    GroundSamples ground_samples_;
+    gl::Buffer buffer_;
+    gl::Texture texture_;
+    GLsizeiptr capacity_ = 0;  // bytes
+    SampleRectangle samples_;
+    glm::ivec2 in_target_{0};
+    SampleRays rays_{};
+};
+
+}  // namespace fumon

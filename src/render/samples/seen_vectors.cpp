@@ -1,0 +1,131 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/samples/seen_vectors.cpp"
+#include <hwy/foreach_target.h>
+// Those below are included once for each target.
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "render/samples/seen_vectors.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace fumon::seen_vectors {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::ScalableTag<double>;
+using Floats = hn::ScalableTag<float>;
+using Words = hn::Rebind<std::uint32_t, Floats>;
+
+/// x, y and nearness of as many corners as a vector of doubles has.
+HWY_INLINE void place_some(const Perspective& projection, const float* offsets, std::int32_t* x,
+                           std::int32_t* y, float* nearness) {
+    const Doubles d;
+    const hn::Rebind<float, Doubles> floats;
+    const hn::Rebind<std::int32_t, Doubles> integers;
+    hn::Vec<decltype(floats)> read[3];
+    hn::LoadInterleaved3(floats, offsets, read[0], read[1], read[2]);
+    const auto east = hn::PromoteTo(d, read[0]);
+    const auto north = hn::PromoteTo(d, read[1]);
+    const auto height = hn::PromoteTo(d, read[2]);
+    const auto value = [&](const Row& of) HWY_ATTR {
+        return hn::Set(d, of.x) * east + hn::Set(d, of.y) * north + hn::Set(d, of.z) * height;
+    };
+    const auto depth = value(projection.depth);
+    const auto near = hn::Set(d, projection.near_depth);
+    const auto before = hn::Ge(depth, near);
+    const auto safe = hn::IfThenElse(before, depth, near);
+    const auto half = hn::Set(d, 0.5);
+    const auto at_x = hn::Floor(value(projection.x) / safe + half);
+    const auto at_y = hn::Floor(value(projection.y) / safe + half);
+    const auto farthest = hn::Set(d, farthest_place);
+    const auto inside = hn::And(hn::Le(hn::Abs(at_x), farthest), hn::Le(hn::Abs(at_y), farthest));
+    const auto has_place = hn::And(before, inside);
+    hn::StoreU(hn::DemoteTo(integers, hn::IfThenElseZero(has_place, at_x)), integers, x);
+    hn::StoreU(hn::DemoteTo(integers, hn::IfThenElseZero(has_place, at_y)), integers, y);
+    hn::StoreU(hn::DemoteTo(floats, hn::IfThenElseZero(has_place, near / safe)), floats, nearness);
+}
+
+void place_corners(const Perspective& projection, const float* offsets, std::size_t count,
+                   std::int32_t* x, std::int32_t* y, float* nearness) {
+    constexpr std::size_t most = HWY_MAX_BYTES / sizeof(double);
+    const std::size_t lanes = hn::Lanes(Doubles());
+    std::size_t i = 0;
+    for (; i + lanes <= count; i += lanes)
+        place_some(projection, offsets + 3 * i, x + i, y + i, nearness + i);
+    if (i == count) return;
+    float last_offsets[3 * most] = {};
+    std::int32_t last_x[most];
+    std::int32_t last_y[most];
+    float last_nearness[most];
+    std::copy(offsets + 3 * i, offsets + 3 * count, last_offsets);
+    place_some(projection, last_offsets, last_x, last_y, last_nearness);
+    for (std::size_t k = 0; i < count; ++i, ++k) {
+        x[i] = last_x[k];
+        y[i] = last_y[k];
+        nearness[i] = last_nearness[k];
+    }
+}
+
+void lengths_of_row(const std::uint32_t* samples, const std::uint32_t* slopes,
+                    const LevelRays& rays, float first_column, std::size_t count,
+                    std::uint32_t* out) {
+    const Floats d;
+    const Words words;
+    const std::size_t lanes = hn::Lanes(d);
+    const auto upper = hn::Set(words, 0xFFFF0000U);
+    const auto low = hn::Set(words, triangle_vectors::kind_bits);
+    const auto right_x = hn::Set(d, rays.right_x);
+    const auto right_y = hn::Set(d, rays.right_y);
+    const auto up_x = hn::Set(d, rays.up_x);
+    const auto up_y = hn::Set(d, rays.up_y);
+    const auto zero = hn::Zero(d);
+    const auto least = hn::Set(d, 1e-30F);
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const auto sample = hn::LoadU(words, samples + i);
+        const auto slope = hn::LoadU(words, slopes + i);
+        const auto column = hn::Iota(d, first_column + static_cast<float>(i));
+        const auto x = hn::Set(d, rays.first_x) + column * right_x;
+        const auto y = hn::Set(d, rays.first_y) + column * right_y;
+        const auto level = hn::Max(hn::Sqrt(x * x + y * y), least);
+        const auto nearness = hn::BitCast(d, hn::AndNot(low, sample));
+        const auto seen = hn::Gt(nearness, zero);
+        const auto depth = hn::Set(d, 1.0F) / hn::IfThenElse(seen, nearness, hn::Set(d, 1.0F));
+        const auto by_right = hn::BitCast(d, hn::And(slope, upper)) * depth * level;
+        const auto by_up = hn::BitCast(d, hn::ShiftLeft<16>(slope)) * depth * level;
+        const auto rightward = (right_x * x + right_y * y) / level - by_right;
+        const auto upward = (up_x * x + up_y * y) / level - by_up;
+        const auto length = (hn::Abs(rightward) + hn::Abs(upward)) * depth;
+        const auto bits = hn::BitCast(words, hn::IfThenElseZero(seen, length));
+        hn::StoreInterleaved2(sample, bits, words, out + 2 * i);
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace fumon::seen_vectors
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace fumon::seen_vectors {
+
+HWY_EXPORT(place_corners);
+HWY_EXPORT(lengths_of_row);
+
+void place_corners(const Perspective& projection, const float* offsets, std::size_t count,
+                   triangle_vectors::Corners& corners, std::size_t first) {
+    HWY_DYNAMIC_DISPATCH(place_corners)
+    (projection, offsets, count, corners.x.data() + first, corners.y.data() + first,
+     corners.nearness.data() + first);
+}
+
+void lengths_of_row(const std::uint32_t* samples, const std::uint32_t* slopes,
+                    const LevelRays& rays, float first_column, std::size_t count,
+                    std::uint32_t* out) {
+    HWY_DYNAMIC_DISPATCH(lengths_of_row)(samples, slopes, rays, first_column, count, out);
+}
+
+}  // namespace fumon::seen_vectors
+#endif
