@@ -338,6 +338,27 @@ TEST(Persons, CastTheirShadowsAwayFromTheSun) {
     }
 }
 
+TEST(Persons, AreHiddenByWhatStandsBeforeThem) {
+    for (const bool periodic : {false, true}) {
+        View view = small_view(120, 90);
+        view.look.exaggeration = {"", 1.0};
+        view.camera.at = {40.0, 20.0, 1.6};
+        view.camera.look_at = {40.0, 40.0, 1.0};
+        View with = view;
+        with.persons.resize(1);
+        with.persons[0].at = {40.0, 40.0};
+        Snapshot bed = in_metres(wavy_bed(40, 30), periodic);
+        const auto ridge = [&](double height) {  // across the view, ten metres before them
+            bed.bed = Grid(40, 30, 3.0);
+            for (int x = 0; x < 40; ++x) bed.bed(x, 15) = height;
+        };
+        ridge(4.0);  // half a metre over the plain
+        EXPECT_FALSE(picture(with, bed).rgb == picture(view, bed).rgb) << periodic;
+        ridge(13.0);
+        EXPECT_TRUE(picture(with, bed).rgb == picture(view, bed).rgb) << periodic;
+    }
+}
+
 TEST(Persons, StandWhereTheyShowAScale) {
     Snapshot bed = in_metres(wavy_bed(40, 30), false);
     View view = small_view();
