@@ -4,6 +4,7 @@ uniform vec3 sun_light;
 uniform float sun_seen;  // share of its light that reaches the eye
 uniform float bloom;     // around its disc, see glare()
 uniform vec3 sky_light;
+uniform float in_air;    // of both, what things in the air get; 1 on the ground
 uniform vec3 haze_colour;
 uniform vec3 glow_colour;
 uniform vec3 zenith_colour;
@@ -22,6 +23,7 @@ uniform float haze_log;  // log(1 − haze) of the far corner; −1 by distance
 uniform float extinction;  // per block length, of green light; below 0: not known
 uniform vec3 haze_bands;   // red, green and blue against it, over endless ground
 uniform vec3 haze_eye;
+uniform float shaded_height;  // to which shadows of the ground fill the air with shade, block lengths; 0: not known
 
 // Of sky_map in a direction of view (unit vector); rows below 1.2 degrees are seen through the whole air.
 vec3 scattered_sky(vec3 view) {
@@ -61,6 +63,15 @@ vec3 haze_along(vec3 way) {
         level = mat2(to_sun.x, to_sun.y, -to_sun.y, to_sun.x) * vec2(ahead, sqrt(1.0 - ahead * ahead)) / sun_across;
     }
     return haze_towards(vec3(level, 0.0));
+}
+
+// The same before ground that gets a share of the sun: the last of the way to what is shaded leads through the same shade, where
+// the air has but the sky's light.
+vec3 haze_before(vec3 way, float sun) {
+    const float of_sun = 0.7;
+    float steepest = max(to_sun.z / max(length(to_sun.xy), 1e-3), abs(way.z) / max(length(way), 1e-6));
+    float shaded = min(shaded_height / max(steepest * length(way), 1e-6), 1.0);
+    return haze_along(way) * (1.0 - of_sun * shaded * (1.0 - sun));
 }
 
 // Share of light that is left after a way through the air near the ground.

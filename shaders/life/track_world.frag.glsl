@@ -28,5 +28,5 @@ void main() {
     float direct = roughened(point.sun * print.direct, print.normal, to_eye);
     BedPoint within = BedPoint(sky_normal(print, point), point.sun * print.sun, point.sky);
     vec3 light = ground_light_of(albedo, direct, within, to_eye, 1.0) + between_walls(print, albedo, point);
-    colour = vec4(seen(light, at, to_eye).rgb, print.share);
+    colour = vec4(seen(light, at, to_eye, point.sun).rgb, print.share);
 }

@@ -34,7 +34,7 @@ float seen_through_air(float haze, float distance_to) {
 // What lights a cumulus cloud from below: ground that others shade in part.
 vec3 ground_below() {
     float lit = 1.0 - 0.8 * clamp(0.5 - 1.2 * cloud_threshold, 0.0, 1.0);
-    return vec3(0.42, 0.30, 0.18) * (sun_light * (max(to_sun.z, 0.0) * lit) + sky_light);
+    return vec3(0.42, 0.30, 0.18) * in_air * (sun_light * (max(to_sun.z, 0.0) * lit) + sky_light);
 }
 
 // Sunlight that a droplet or many of them throw to the eye, behind optical depths towards the sun, see depths_to_sun(): once
@@ -114,7 +114,7 @@ CloudSeen cumulus_seen(vec3 from, vec3 view, vec3 behind) {
                 // Heads get more light than the creases between them.
                 float head = clamp(1.0 + 0.8 * (inside - outline) / cumulus_bulge(place.z), 0.6, 1.2);
                 vec3 light = cloud_sun * scattered_sun(ahead, aside, depths);
-                light += mix(0.40, 0.80, up) * (0.45 + 0.55 * open) * sky_light + ((1.0 - up) * (0.6 + 0.4 * open)) * from_below;
+                light += mix(0.40, 0.80, up) * (0.45 + 0.55 * open) * (in_air * sky_light) + ((1.0 - up) * (0.6 + 0.4 * open)) * from_below;
                 light *= head;
                 seen.light += seen.through * opaque * mix(behind, light, seen_through_air(haze_on_way, t));
                 seen.through *= 1.0 - opaque;
@@ -135,7 +135,7 @@ CloudSeen cirrus_seen(vec3 from, vec3 view, vec3 behind) {
     float depth = cirrus_depth(at.xy, 1.5 * pixel * t / max(slant, 0.02)) / max(slant, 0.22);
     float opaque = 1.0 - exp(-depth);
     float towards_sun = dot(view, to_sun);
-    vec3 light = cloud_sun * (0.52 + 0.050 * min(hg(towards_sun, 0.80), 20.0)) + 0.70 * sky_light;
+    vec3 light = cloud_sun * (0.52 + 0.050 * min(hg(towards_sun, 0.80), 20.0)) + 0.70 * (in_air * sky_light);
     float haze = seen_through_air(haze_up_to(max(cloud_base - from.z, 0.1)), t);
     return CloudSeen(opaque * mix(behind, light, haze), 1.0 - opaque);
 }

@@ -61,10 +61,10 @@ void main() {
 
     vec3 view = normalize(middle.xyz);
     float cosine = dot(view, to_sun);
-    float share = 0.4 * scattering(cosine, 0.65) + 0.6 * scattering(cosine, -0.35);
+    float share = 0.65 * scattering(cosine, 0.7) + 0.35 * scattering(cosine, -0.35);
     vec3 grains = sqrt(sand_crest);  // light passes them and is mirrored, more than by a bed of them
     vec3 ground = sand_crest * (sun_light * max(to_sun.z, 0.0) + sky_light);
-    vec3 light = grains * (1.6 * sun_light * (share * across.z) + across.w * (0.55 * sky_light + 0.25 * ground));
+    vec3 light = grains * (1.6 * in_air * sun_light * (share * across.z) + across.w * (0.55 * in_air * sky_light + 0.25 * ground));
     vec3 haze = haze_along(view);
     scattered = vec4(mix(haze, light, air_left(length(middle.xyz))), middle.w);
 }

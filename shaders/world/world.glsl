@@ -181,10 +181,10 @@ float roughened(float direct, vec3 normal, vec3 to_eye) {
 float metres(float block_lengths) { return block_lengths * (0.12 / ripple_length); }
 vec3 in_metres(vec3 offset) { return vec3(whole_eye + offset.xy, offset.z + eye.z) * (0.12 / ripple_length); }
 
-// What the eye gets of light that leaves the ground.
-vec4 seen(vec3 light, SeenPlace at, vec3 to_eye) {
+// What the eye gets of light that leaves the ground, which gets a share of the sun.
+vec4 seen(vec3 light, SeenPlace at, vec3 to_eye, float sun) {
     vec3 through = air_left(length(at.offset));
-    light = mix(haze_along(at.offset), light, through) + glare(-to_eye);
+    light = mix(haze_before(at.offset, sun), light, through) + glare(-to_eye);
     if (streamers > 0.5) {
         ivec2 pixel = whole_pixels > 0.5 ? ivec2(gl_FragCoord.xy) : ivec2(floor((vec2(own_sample()) - first_of_tile) / float(factor)));
         light = through_streamers(light, pixel);

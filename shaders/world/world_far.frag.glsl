@@ -31,7 +31,7 @@ vec4 far_colour(SeenPlace at) {
     float spread = 0.7 * ripple_slope * standing * dot(facing_of(slope), to_sun.xy);
     float n_dot_l = mean_facing(dot(point.normal, to_sun), spread);
     float direct = roughened(point.sun * n_dot_l, point.normal, to_eye);
-    return seen(ground_light_of(albedo, direct, point, to_eye, 1.0), at, to_eye);
+    return seen(ground_light_of(albedo, direct, point, to_eye, 1.0), at, to_eye, point.sun);
 }
 
 void main() { colour = is_left_out(far_ground) ? vec4(0.0) : far_colour(far_place()); }

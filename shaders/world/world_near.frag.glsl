@@ -211,7 +211,7 @@ vec4 near_colour(SeenPlace at) {
     mean.sky *= 1.0 + 0.4 * ripple_slope * lit.standing * resolved * (lit.trough - 1.0);
     vec3 light = ground_light_of(albedo, direct, mean, to_eye, 1.0);
     light += sun_light * (0.4 * sand_grain * sand.a * mean.sun * glints(at, to_eye));
-    return seen(light, at, to_eye);
+    return seen(light, at, to_eye, mean.sun);
 }
 
 void main() { colour = is_left_out(near_ground) ? vec4(0.0) : near_colour(near_place()); }

@@ -8,7 +8,9 @@
 #include "render/clouds.h"
 #include "render/colour/colouring.h"
 #include "render/colour/sand_colours.h"
+#include "render/light/exposure_meter.h"
 #include "render/light/haze.h"
+#include "render/light/view_light.h"
 #include "render/view/far_copies.h"
 
 namespace fumon {
@@ -53,6 +55,12 @@ Rendering chosen_rendering(const View& view, const Light& light) {
     if (!light.atmosphere || light.stars || view.air.planet != Planet::earth) share = 0.0;
     share *= 1.0 - depth_of_colour(sand_colours(look));
     return {1.35 + 0.45 * share, look.exposure - 0.5 * share};
+}
+
+/// Where the air is bright enough to matter, for exposure and in the shade.
+bool has_bright_air(const View& view, const Light& light) {
+    return view.look.ground == Ground::endless && chosen_aerosol(view) == Aerosol::desert &&
+           light.atmosphere && !light.stars;
 }
 
 float tone_number(Tone tone) {  // of common/colour.glsl
@@ -128,14 +136,17 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
     program.set("tone", static_cast<int>(tone_number(tone)));
     program.set("punch", switched(tone == Tone::agx_punchy));
     const Rendering rendering = chosen_rendering(view, light);
-    program.set("exposure", static_cast<float>(elementary::exp(std::numbers::ln2 *
-                                                               (rendering.stops + light.stops))));
+    const double metered = has_bright_air(view, light) ? exposure_under_sky(light, camera) : 1.0;
+    program.set("exposure",
+                static_cast<float>(metered * elementary::exp(std::numbers::ln2 *
+                                                             (rendering.stops + light.stops))));
     program.set("contrast", static_cast<float>(rendering.contrast));
     program.set("to_sun", light.to_sun);
     program.set("sun_light", light.sun);
     program.set("sun_seen", light.sun_seen);
     program.set("bloom", light.stars ? bloom_of_moon : bloom_of_sun);
     program.set("sky_light", light.sky);
+    program.set("in_air", light.in_air);
     program.set("haze_colour", light.haze);
     program.set("glow_colour", light.glow);
     program.set("zenith_colour", light.zenith);
@@ -165,6 +176,10 @@ void set_light(const gl::Program& program, const View& view, const Light& light,
     program.set("extinction", by_distance);
     program.set("haze_bands", glm::vec3(haze.bands));
     program.set("haze_eye", glm::vec3(camera.eye));
+    // Half of how high crests stand over the rest: the mean of the shade behind them.
+    program.set("shaded_height", has_bright_air(view, light)
+                                     ? static_cast<float>(0.5 * (block.top - block.surface))
+                                     : 0.0F);
     set_clouds(program, view, light, camera, block);
 }
 

@@ -26,7 +26,6 @@ View along_brink(double strength = 1.0) {
     view.sun.azimuth = 320.0;
     view.sun.elevation = 9.0;
     view.streamers.strength = strength;
-    view.air.aerosol = Aerosol::thin;  // which leaves the sky around the sun dark
     return view;
 }
 
@@ -74,9 +73,10 @@ TEST(StreamerLayer, SameBytesByThreadsAndBackends) {
 TEST(StreamerLayer, TilesLeaveNoSeams) {
     View view = along_brink();
     view.image.width = 397;
+    view.image.supersampling = 4;  // one sample at a dune's edge is then little of its pixel
     const Image whole = picture(view, slip_face(2.0));
     RenderLimits limits;
-    limits.tile_samples = 384;
+    limits.tile_samples = 768;
     const Image tiled = picture(view, slip_face(2.0), 1, gl::Backend::automatic, limits);
     // Of ground alone, too, a few values differ by one.
     EXPECT_LT(differing(tiled, whole), whole.rgb.size() / 5000);

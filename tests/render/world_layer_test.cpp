@@ -150,6 +150,18 @@ TEST(WorldLayer, ShadowsOfAGoldenHourAreTheSkys) {
     EXPECT_LT(photograph::share_at_ends(image), 0.001);
 }
 
+/// Toward the sun the sky is bright, but for the disc and what is close to it not burnt out.
+TEST(WorldLayer, TowardALowSunTheSkyIsNotBurntOut) {
+    View view = golden_hour();
+    view.camera.look_at = {260.0, 220.0, 17.0};
+    for (const double azimuth : {40.6, 55.0}) {  // in the middle, and aside
+        view.sun.azimuth = azimuth;
+        const Image image = picture(view, repeated_dunes(420, 400));
+        EXPECT_LT(photograph::share_at_ends(image), 0.001) << azimuth;
+        EXPECT_GE(photograph::lightness_span(image), 50.0) << azimuth;
+    }
+}
+
 TEST(WorldLayer, ALowSunGetsMoreContrastAndLessLight) {
     View view = golden_hour();
     view.image.width = 64;

@@ -28,6 +28,10 @@ constexpr double least_height = 0.22;  // sine of the elevation below which expo
 constexpr double thin_aerosol = 3.0;   // of a clear day, times that of Hillaire (2020)
 constexpr double aureole = 30.0 * degree;  // about what hides the sun hides around it too
 constexpr double adaptation = 0.2;         // to the colour of the present light
+// Sand on endless ground is drawn with a reflectance of 0.46 (render/colour/sand_colours.h) and
+// exposed as such. That of dunes is 0.35 (Libya 4, by which satellites are calibrated), against
+// which the sky is as much brighter.
+constexpr double sky_over_drawn_ground = 0.46 / 0.35;
 
 double luminance(const glm::dvec3& colour) {
     return glm::dot(colour, glm::dvec3(0.2126, 0.7152, 0.0722));
@@ -120,10 +124,11 @@ std::array<glm::vec3, 4> fitted_lean(const SkyView& view) {
 
 /// What colours are multiplied by: white lies between a clear day's light and what level ground
 /// gets now, since eyes and cameras adapt in part.
-glm::dvec3 adapted_white(const glm::dvec3& day, const glm::dvec3& now) {
+glm::dvec3 adapted_white(const glm::dvec3& day, const glm::dvec3& now, bool desert) {
     glm::dvec3 white(1.0);
-    // As films do, a little away from green, which skies and sand under them are not to look.
-    const glm::dvec3 film(1.0, 0.975, 1.015);
+    // As films do, a little away from green, which skies and sand under them are not to look; the
+    // horizon of a desert is then mauve before long.
+    const glm::dvec3 film = desert ? glm::dvec3(1.0, 0.985, 1.01) : glm::dvec3(1.0, 0.975, 1.015);
     for (int band = 0; band < 3; ++band) {
         white[band] = film[band] * elementary::pow(luminance(day) / day[band], 1.0 - adaptation) *
                       elementary::pow(luminance(now) / now[band], adaptation);
@@ -193,7 +198,7 @@ Light make_atmospheric_light(const SunSettings& settings, Planet planet, double 
     const glm::dvec3 level = srgb_of_wavelengths(view.level_irradiance());
     const glm::dvec3 direct = srgb_of_wavelengths(view.sun() + view.aureole());
     const glm::dvec3 now = direct * sin_e + level;
-    const glm::dvec3 white = adapted_white(day, now);
+    const glm::dvec3 white = adapted_white(day, now, desert);
     const glm::dvec3 sun = direct * white;
     const glm::dvec3 sky = level * white;
     const double received = luminance(sun) * std::max(sin_e, least_height) + luminance(sky);
@@ -202,11 +207,14 @@ Light make_atmospheric_light(const SunSettings& settings, Planet planet, double 
     Light light;
     light.atmosphere = true;
     light.to_sun = direction_to(settings);
+    const bool by_day = settings.source != LightSource::moon;
+    const double above_ground = desert && by_day ? sky_over_drawn_ground : 1.0;
+    const double seen = exposure * above_ground;
+    light.in_air = static_cast<float>(above_ground);
     light.sun = glm::vec3(sun * (exposure * settings.strength));
     light.sky = glm::vec3(sky * (exposure * settings.sky_strength));
     const glm::dvec3 aloft = air->transmittance(air->air().ground + cloud_height, sin_e);
-    light.sun_aloft =
-        glm::vec3(srgb_of_wavelengths(aloft) * white * (exposure * settings.strength));
+    light.sun_aloft = glm::vec3(srgb_of_wavelengths(aloft) * white * (seen * settings.strength));
     light.sky_lean = fitted_lean(view);
     light.sky_columns = view.table().columns();
     light.sky_rows = view.table().rows();
@@ -214,7 +222,7 @@ Light make_atmospheric_light(const SunSettings& settings, Planet planet, double 
     for (int row = 0; row < light.sky_rows; ++row) {
         for (int column = 0; column < light.sky_columns; ++column) {
             const glm::dvec3 texel = srgb_of_wavelengths(view.table().at(column, row)) * white *
-                                     (exposure * settings.sky_strength * std::numbers::pi);
+                                     (seen * settings.sky_strength * std::numbers::pi);
             light.sky_texels.emplace_back(glm::vec3(texel), 0.0F);
         }
     }

@@ -20,7 +20,6 @@ AirOptics Atmosphere::optics(double height) const {
     of.mie = dust_tint * (mie * aerosol);
     of.mie_extinction = mie_extinction * aerosol;
     of.absorption = ozone * std::max(ozone_share, 0.0);
-    of.ahead = forward_peak * of.mie;
     return of;
 }
 
@@ -79,10 +78,17 @@ double mie_phase(double cosine, double asymmetry) {
            ((2.0 + g * g) * base * std::sqrt(base));
 }
 
+double henyey_greenstein(double cosine, double asymmetry) {
+    const double g = asymmetry;
+    const double base = 1.0 + g * g - 2.0 * g * cosine;
+    return (1.0 - g * g) / (4.0 * std::numbers::pi * base * std::sqrt(base));
+}
+
 double aerosol_phase(const Atmosphere& air, int band, double cosine) {
-    const double forward = mie_phase(cosine, air.mie_asymmetry[band]);
-    if (air.mie_back == 0.0) return forward;
-    return (1.0 - air.mie_back) * forward + air.mie_back * mie_phase(cosine, back_asymmetry);
+    const double g = air.mie_asymmetry[band];
+    if (air.mie_back == 0.0) return mie_phase(cosine, g);
+    return (1.0 - air.mie_back) * henyey_greenstein(cosine, g) +
+           air.mie_back * henyey_greenstein(cosine, back_asymmetry);
 }
 
 }  // namespace fumon

@@ -5,7 +5,7 @@
 namespace fumon {
 
 /// g of what aerosol scatters backward.
-inline constexpr double back_asymmetry = -0.4;
+inline constexpr double back_asymmetry = -0.6;
 
 /// What air does to light along each kilometre, in red, green and blue.
 struct AirOptics {
@@ -13,13 +13,9 @@ struct AirOptics {
     glm::dvec3 mie{0.0};             ///< scattered by aerosol
     glm::dvec3 mie_extinction{0.0};  ///< scattered and absorbed by aerosol
     glm::dvec3 absorption{0.0};      ///< by ozone
-    glm::dvec3 ahead{0.0};           ///< of mie, what goes on nearly straight; see Atmosphere
 
     [[nodiscard]] glm::dvec3 extinction() const { return rayleigh + mie_extinction + absorption; }
     [[nodiscard]] glm::dvec3 scattering() const { return rayleigh + mie; }
-    /// The same where light that goes on nearly straight counts as not scattered.
-    [[nodiscard]] glm::dvec3 extinction_aside() const { return extinction() - ahead; }
-    [[nodiscard]] glm::dvec3 scattering_aside() const { return scattering() - ahead; }
 };
 
 /// A planet's air: Rayleigh scattering, aerosol and ozone, the first two thinning exponentially
@@ -36,15 +32,14 @@ struct Atmosphere {
     glm::dvec3 mie_asymmetry{0.8};  ///< g, of forward scattering
     double mie_back = 0.0;          ///< share of it that is scattered backward, by back_asymmetry
     glm::dvec3 dust_tint{1.0};      ///< of what aerosol scatters
-    /// Share of it that goes on nearly straight, g² for the delta-Eddington approximation (Joseph,
-    /// Wiscombe & Weinman 1976); light once scattered keeps its phase function (Nakajima & Tanaka
-    /// 1988). 0: none, as Hillaire has it.
-    glm::dvec3 forward_peak{0.0};
     glm::dvec3 ozone{0.000650, 0.001881, 0.000085};
     double ozone_lowest = 10.0;  ///< the ozone's layer is a tent
     double ozone_middle = 25.0;
     double ozone_highest = 40.0;
     glm::dvec3 ground_albedo{0.3};
+    /// Light scattered more than once is followed by its direction (ScatteredLight); else taken as
+    /// isotropic (Hillaire).
+    bool follows_directions = false;
 
     /// At a height above the ground, in km.
     [[nodiscard]] AirOptics optics(double height) const;
@@ -78,8 +73,10 @@ RayPoint along_ray(double radius, double up, double distance);
 double rayleigh_phase(double cosine);
 /// Cornette & Shanks (1992).
 double mie_phase(double cosine, double asymmetry);
-/// Of an air's aerosol in one band: a lobe forward and, where it has one, another backward
-/// (Kattawar 1975).
+/// Henyey & Greenstein (1941).
+double henyey_greenstein(double cosine, double asymmetry);
+/// Of an air's aerosol in one band: Cornette & Shanks', or, where it has a lobe backward, that of
+/// two lobes of Henyey & Greenstein (Kattawar 1975).
 double aerosol_phase(const Atmosphere& air, int band, double cosine);
 
 }  // namespace fumon

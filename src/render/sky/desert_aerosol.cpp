@@ -74,11 +74,10 @@ Atmosphere desert_air(double dust, const glm::dvec3& ground_albedo) {
     air.mie_extinction = clear + of.dust;
     air.mie = 1.0;
     air.dust_tint = clear * scattered_when_clear + of.dust * scattered_by_dust;
-    air.mie_back = 0.07;
-    air.mie_asymmetry = {0.74, 0.75, 0.77};  // 0.66, 0.67 and 0.69 in the mean
-    air.forward_peak = (1.0 - air.mie_back) * air.mie_asymmetry * air.mie_asymmetry +
-                       air.mie_back * back_asymmetry * back_asymmetry;
+    air.mie_back = 0.02;
+    air.mie_asymmetry = {0.675, 0.69, 0.71};  // 0.65, 0.66 and 0.68 in the mean
     air.ground_albedo = ground_albedo;
+    air.follows_directions = true;
     return air;
 }
 

@@ -35,8 +35,9 @@ double thinner_from(double eye_height);
 
 }  // namespace desert_aerosol
 
-/// The Earth's air over a desert. Single-scattering albedo and mean asymmetry are those of
-/// AERONET's stations in deserts (Dubovik et al. 2002: Solar Village).
+/// The Earth's air over a desert. Single-scattering albedo is that of AERONET's stations in deserts
+/// (Dubovik et al. 2002: Solar Village), the phase function that of the background desert aerosol
+/// of d'Almeida, Koepke & Shettle (1991, as the code 6S tabulates it) within an eighth.
 Atmosphere desert_air(double dust, const glm::dvec3& ground_albedo);
 
 }  // namespace fumon

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 
 #include "base/elementary.h"
+#include "render/sky/ray_steps.h"
+#include "render/sky/scattered_light.h"
 
 namespace fumon {
 
@@ -22,20 +25,6 @@ constexpr int directions_a_side = 8;
 constexpr int sky_columns = 96;
 constexpr int sky_rows = 108;
 constexpr int radiance_steps = 32;
-
-glm::dvec3 exp_of(const glm::dvec3& x) {
-    return {elementary::exp(x.r), elementary::exp(x.g), elementary::exp(x.b)};
-}
-
-/// ∫ exp(−extinction·s) ds over a step, whose transmittance is known.
-glm::dvec3 length_seen(const glm::dvec3& extinction, const glm::dvec3& transmittance, double step) {
-    glm::dvec3 seen(step);
-    for (int band = 0; band < 3; ++band) {
-        if (extinction[band] * step > 1e-6)
-            seen[band] = (1.0 - transmittance[band]) / extinction[band];
-    }
-    return seen;
-}
 
 /// Radii from the ground to the top, closer where the air is dense (Bruneton & Neyret 2008).
 struct HeightScale {
@@ -66,7 +55,6 @@ glm::dvec3 LightTable::value(double x, double y) const {
 AirTables::AirTables(const Atmosphere& air)
     : air_(air),
       transmittance_(transmittance_columns, transmittance_rows),
-      passed_on_(transmittance_columns, transmittance_rows),
       multiple_scattering_(scattering_side, scattering_side) {
     tabulate_transmittance();
     tabulate_multiple_scattering();
@@ -90,32 +78,25 @@ void AirTables::tabulate_transmittance() {
                                                -1.0, 1.0);
             const double step = distance / transmittance_steps;
             glm::dvec3 depth(0.0);
-            glm::dvec3 depth_aside(0.0);
             for (int i = 0; i < transmittance_steps; ++i) {
                 const RayPoint point = along_ray(radius, up, (i + 0.5) * step);
                 const AirOptics optics = air_.optics(point.radius - air_.ground);
                 depth += optics.extinction() * step;
-                depth_aside += optics.extinction_aside() * step;
             }
             transmittance_.at(column, row) = exp_of(-depth);
-            passed_on_.at(column, row) = exp_of(-depth_aside);
         }
     }
 }
 
 glm::dvec3 AirTables::transmittance(double radius, double up) const {
-    return to_top(transmittance_, radius, up);
-}
-
-glm::dvec3 AirTables::to_top(const LightTable& table, double radius, double up) const {
     const HeightScale scale(air_);
     const RayEnd end = end_of_ray(air_, radius, up);
     if (end.on_ground) return glm::dvec3(0.0);
     const double to_horizon = scale.to_horizon(radius);
     const double shortest = air_.top - radius;
     const double longest = to_horizon + scale.horizon;
-    return table.value((end.distance - shortest) / std::max(longest - shortest, 1e-9),
-                       to_horizon / scale.horizon);
+    return transmittance_.value((end.distance - shortest) / std::max(longest - shortest, 1e-9),
+                                to_horizon / scale.horizon);
 }
 
 void AirTables::tabulate_multiple_scattering() {
@@ -141,16 +122,16 @@ void AirTables::tabulate_multiple_scattering() {
                         const double distance = (k + 0.5) * step;
                         const RayPoint point = along_ray(radius, up, distance);
                         const AirOptics optics = air_.optics(point.radius - air_.ground);
-                        const glm::dvec3 extinction = optics.extinction_aside();
+                        const glm::dvec3 extinction = optics.extinction();
                         const glm::dvec3 through = exp_of(-extinction * step);
-                        const glm::dvec3 seen = passed * length_seen(extinction, through, step) *
-                                                optics.scattering_aside();
+                        const glm::dvec3 seen =
+                            passed * length_seen(extinction, through, step) * optics.scattering();
                         // The sun's direction is the same all along the ray.
                         const double sun_there = std::clamp(
                             (radius * sun_up + distance * (up * sun_up + east * sun_across)) /
                                 point.radius,
                             -1.0, 1.0);
-                        second += seen * to_top(passed_on_, point.radius, sun_there) * isotropic;
+                        second += seen * transmittance(point.radius, sun_there) * isotropic;
                         share_back += seen;
                         passed *= through;
                     }
@@ -160,7 +141,7 @@ void AirTables::tabulate_multiple_scattering() {
                                 air_.ground,
                             -1.0, 1.0);
                         second += passed * air_.ground_albedo *
-                                  to_top(passed_on_, air_.ground, sun_there) *
+                                  transmittance(air_.ground, sun_there) *
                                   (std::max(sun_there, 0.0) / pi);
                     }
                 }
@@ -184,38 +165,20 @@ glm::dvec3 AirTables::radiance(double radius, double up, double sun_up, double t
     for (int band = 0; band < 3; ++band) mie[band] = aerosol_phase(air_, band, towards_sun);
     glm::dvec3 light(0.0);
     glm::dvec3 passed(1.0);
-    glm::dvec3 passed_once(1.0);
-    double before = 0.0;
     for (int i = 0; i < radiance_steps; ++i) {
-        // Steps grow along the ray: what is near, and low, matters most.
-        const double share = (i + 1.0) / radiance_steps;
-        const double after = end.distance * share * share;
-        const double step = after - before;
-        const double middle = 0.5 * (before + after);
+        const auto [middle, step] = growing_step(end.distance, i, radiance_steps);
         const RayPoint point = along_ray(radius, up, middle);
         const AirOptics optics = air_.optics(point.radius - air_.ground);
-        const glm::dvec3 extinction = optics.extinction_aside();
+        const glm::dvec3 extinction = optics.extinction();
         const glm::dvec3 through = exp_of(-extinction * step);
         const double sun_there =
             std::clamp((radius * sun_up + middle * towards_sun) / point.radius, -1.0, 1.0);
-        const glm::dvec3 once = to_top(passed_on_, point.radius, sun_there) *
+        const glm::dvec3 once = transmittance(point.radius, sun_there) *
                                 (optics.rayleigh * rayleigh + optics.mie * mie);
-        const glm::dvec3 more =
-            multiple_scattering(point.radius, sun_there) * optics.scattering_aside();
+        const glm::dvec3 more = multiple_scattering(point.radius, sun_there) * optics.scattering();
         const glm::dvec3 seen = passed * length_seen(extinction, through, step);
-        if (air_.forward_peak == glm::dvec3(0.0)) {
-            light += seen * (once + more);
-        } else {
-            // Light that goes on nearly straight on its way to the eye too leaves the aureole it
-            // came from: half of it, midway between all (twice what photons make of a horizon
-            // below the sun) and none.
-            const glm::dvec3 dimmed = extinction + 0.5 * optics.ahead;
-            const glm::dvec3 through_once = exp_of(-dimmed * step);
-            light += seen * more + passed_once * length_seen(dimmed, through_once, step) * once;
-            passed_once *= through_once;
-        }
+        light += seen * (once + more);
         passed *= through;
-        before = after;
     }
     return light;
 }
@@ -226,17 +189,27 @@ SkyView::SkyView(const AirTables& air, double sun_elevation, double eye_height, 
     const double sun_up = elementary::sin(sun_elevation);
     const double sun_across = elementary::cos(sun_elevation);
     sun_ = air.transmittance(radius, sun_up);
+    std::vector<double> from(sky_columns);
+    for (int column = 0; column < sky_columns; ++column) {
+        const double root = static_cast<double>(column) / (sky_columns - 1);
+        from[static_cast<std::size_t>(column)] = pi * root * root;
+    }
+    std::optional<ScatteredLight> followed;
+    if (air.air().follows_directions) followed.emplace(air, sun_elevation);
     for (int row = 0; row < sky_rows; ++row) {
         const double root = static_cast<double>(row) / (sky_rows - 1);
         const double elevation = quarter_turn * root * root;
         const double up = elementary::sin(elevation);
         const double across = elementary::cos(elevation);
+        std::vector<glm::dvec3> seen;
+        if (followed) seen = followed->radiances(radius, up, from);
         for (int column = 0; column < sky_columns; ++column) {
-            const double azimuth_root = static_cast<double>(column) / (sky_columns - 1);
-            const double azimuth = pi * azimuth_root * azimuth_root;
-            const double towards_sun = up * sun_up + across * sun_across * elementary::cos(azimuth);
+            const auto number = static_cast<std::size_t>(column);
+            const double towards_sun =
+                up * sun_up + across * sun_across * elementary::cos(from[number]);
             table_.at(column, row) =
-                air.radiance(radius, up, sun_up, std::clamp(towards_sun, -1.0, 1.0));
+                followed ? seen[number]
+                         : air.radiance(radius, up, sun_up, std::clamp(towards_sun, -1.0, 1.0));
         }
     }
     constexpr int elevations = 48;

@@ -60,14 +60,11 @@ class AirTables {
                                       double towards_sun) const;
 
   private:
-    /// Of a table of transmittances.
-    [[nodiscard]] glm::dvec3 to_top(const LightTable& table, double radius, double up) const;
     void tabulate_transmittance();
     void tabulate_multiple_scattering();
 
     Atmosphere air_;
     LightTable transmittance_;
-    LightTable passed_on_;  // the same with what goes on nearly straight
     LightTable multiple_scattering_;
 };
 

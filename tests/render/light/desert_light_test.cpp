@@ -91,6 +91,48 @@ TEST(DesertLight, TheSkyTurnsPaleAndBrightTowardTheHorizon) {
     }
 }
 
+/// Level sand of the drawn reflectance in the sun, times π.
+glm::dvec3 sunlit_sand(const Light& light) {
+    const glm::dvec3 sand(0.615, 0.436, 0.262);
+    return sand *
+           (glm::dvec3(light.sun) * static_cast<double>(light.to_sun.z) + glm::dvec3(light.sky));
+}
+
+/// Never a band of grey above the ground: away from the sun too the horizon of a clear desert is as
+/// bright as sand in a low sun, and nearly so in a high one; without much colour of its own.
+TEST(DesertLight, TheHorizonIsAsBrightAsSandInTheSun) {
+    for (const double sun : {5.0, 10.0, 17.0, 30.0, 45.0, 60.0}) {
+        const Light light = desert_light(sun);
+        const double sand = luminance_of(sunlit_sand(light));
+        for (const double azimuth : {60.0, 90.0, 110.0, 180.0}) {
+            const glm::dvec3 horizon = radiance(light, 1.2, azimuth);
+            const double share = luminance_of(horizon) / sand;
+            EXPECT_GT(share, sun < 20.0 ? 1.3 : 0.75) << sun << ", " << azimuth << " aside";
+            if (sun > 12.0 && azimuth > 80.0)
+                EXPECT_NEAR(horizon.b / horizon.r, 0.97, 0.13) << sun << ", " << azimuth;
+        }
+    }
+}
+
+/// Between the CIE's clear skies of low and high turbidity (ISO 15469, types 12 and 13), across the
+/// sun; a little above the latter, as a desert's zenith is dark, where the sun is high.
+TEST(DesertLight, TheHorizonStandsToTheZenithAsInClearSkies) {
+    const auto standard = [](double sun, double c, double d, double e, double gradation) {
+        const auto indicatrix = [&](double angle) {
+            return 1.0 + c * (std::exp(d * angle) - std::exp(d * 90.0 * degree)) +
+                   e * std::cos(angle) * std::cos(angle);
+        };
+        return gradation * indicatrix(90.0 * degree) / indicatrix((90.0 - sun) * degree);
+    };
+    for (const double sun : {8.0, 12.0, 17.0}) {
+        const Light light = desert_light(sun);
+        const double found =
+            luminance_of(radiance(light, 1.2, 90.0)) / luminance_of(radiance(light, 90.0, 90.0));
+        EXPECT_GT(found, standard(sun, 10.0, -3.0, 0.45, 1.0 / (1.0 - std::exp(-0.32)))) << sun;
+        EXPECT_LT(found, standard(sun, 16.0, -3.0, 0.3, 1.0 / (1.0 - std::exp(-0.15)))) << sun;
+    }
+}
+
 /// Open shade against level ground in the sun: about a third with the sun at 10 degrees, a fifth to
 /// an eighth at 20, a tenth at 45.
 TEST(DesertLight, ShadeHasItsShareOfTheLight) {

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "base/elementary.h"
+
+namespace fumon {
+
+inline glm::dvec3 exp_of(const glm::dvec3& x) {
+    return {elementary::exp(x.r), elementary::exp(x.g), elementary::exp(x.b)};
+}
+
+/// ∫ exp(−extinction·s) ds over a step, whose transmittance is known.
+inline glm::dvec3 length_seen(const glm::dvec3& extinction, const glm::dvec3& transmittance,
+                              double step) {
+    glm::dvec3 seen(step);
+    for (int band = 0; band < 3; ++band) {
+        if (extinction[band] * step > 1e-6)
+            seen[band] = (1.0 - transmittance[band]) / extinction[band];
+    }
+    return seen;
+}
+
+/// A step along a ray.
+struct RayStep {
+    double middle;
+    double length;
+};
+
+/// Of so many that grow along the ray: what is near, and low, matters most.
+inline RayStep growing_step(double distance, int number, int count) {
+    const double from = static_cast<double>(number) / count;
+    const double to = (number + 1.0) / count;
+    const double before = distance * from * from;
+    const double after = distance * to * to;
+    return {0.5 * (before + after), after - before};
+}
+
+}  // namespace fumon
