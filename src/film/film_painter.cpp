@@ -300,6 +300,7 @@ PictureAhead::Find FilmPainter::way_to(std::size_t run, const Sight& sight) cons
     frame.sun.azimuth = sight.pose.sun_azimuth;
     frame.sun.elevation = sight.pose.sun_elevation;
     frame.frame = sight.frame;
+    frame.metered = camera_of(stage_, shots_[sight.moment.shot].pose_at(0.0));
     const StoredBeds& beds = *panes_[run].beds;
     frame.share = share_of_run(beds.beds()[bed_of(run, sight.moment)].step, beds.scene().run.steps);
     const SunSettings there = sun_at(beds.scene().view.sun, frame.share);

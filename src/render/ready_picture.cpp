@@ -74,6 +74,7 @@ ReadyPicture Renderer::Parts::ready(std::shared_ptr<const Snapshot> snapshot,
         picture.pose = *pose;
     } else {
         picture.pose.camera = camera_at(shown.step);
+        picture.pose.metered = camera_at(0);
         if (!plain)
             picture.pose.camera = above_ground(picture.pose.camera, picture.framed, shown, copies);
     }

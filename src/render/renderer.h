@@ -29,6 +29,9 @@ struct FramePose {
     /// How often streamers have gone on by streamers.travel; none: as often as the snapshot's step
     /// says.
     std::optional<std::int64_t> frame{};
+    /// By what this camera sees of the sky pictures are exposed, see exposure_under_sky(): one
+    /// exposure for a run, and for a film's shot.
+    Camera metered{};
 };
 
 struct LitBed;

@@ -130,16 +130,19 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
     return constants;
 }
 
+double metered_exposure(const View& view, const Light& light, const Camera& camera) {
+    return has_bright_air(view, light) ? exposure_under_sky(light, camera) : 1.0;
+}
+
 void set_light(const gl::Program& program, const View& view, const Light& light,
                const Camera& camera, const Block& block) {
     const Tone tone = chosen_tone(view.look);
     program.set("tone", static_cast<int>(tone_number(tone)));
     program.set("punch", switched(tone == Tone::agx_punchy));
     const Rendering rendering = chosen_rendering(view, light);
-    const double metered = has_bright_air(view, light) ? exposure_under_sky(light, camera) : 1.0;
-    program.set("exposure",
-                static_cast<float>(metered * elementary::exp(std::numbers::ln2 *
-                                                             (rendering.stops + light.stops))));
+    program.set("exposure", static_cast<float>(light.metered *
+                                               elementary::exp(std::numbers::ln2 *
+                                                               (rendering.stops + light.stops))));
     program.set("contrast", static_cast<float>(rendering.contrast));
     program.set("to_sun", light.to_sun);
     program.set("sun_light", light.sun);

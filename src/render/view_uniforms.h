@@ -25,6 +25,9 @@ float sample_share(const View& view);
 /// How colours of that kind are stored.
 gl::TextureLayout colour_layout(PixelKind kind);
 
+/// Light::metered of pictures that are exposed by what a camera sees of a desert's sky.
+double metered_exposure(const View& view, const Light& light, const Camera& camera);
+
 /// Sets the uniforms of shaders/common/light.glsl and shaders/common/colour.glsl and the eye of
 /// shaders/bed/bed.glsl.
 void set_light(const gl::Program& program, const View& view, const Light& light,

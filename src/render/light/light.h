@@ -21,6 +21,7 @@ struct Light {
     glm::vec3 sun_aloft{1};     ///< of the sun at the clouds' height, as `sun`
     glm::vec2 cloud_shift{0};   ///< how far clouds have drifted, km east and north
     double stops = 0.0;         ///< of exposure, besides look.exposure
+    double metered = 1.0;       ///< the share of that exposure which a bright sky leaves
     float in_air = 1.0F;        ///< what things in the air get of `sun` and `sky`; 1 on the ground
     bool stars = false;
     bool atmosphere = false;  ///< the sky is that of the texels, not of the three colours

@@ -20,7 +20,7 @@ constexpr int wide = 90;
 constexpr int high = 70;
 
 /// At the offsets' origin, turned aside and down by so much of its axis.
-Camera looking(double aside, double down) {
+Camera looking_along(double aside, double down) {
     Camera camera;
     camera.forward = glm::normalize(glm::dvec3(aside, 1.0, -down));
     camera.right = glm::normalize(glm::cross(camera.forward, glm::dvec3(0.0, 0.0, 1.0)));
@@ -97,7 +97,7 @@ TEST(GroundSamples, AreWhereTheirRaysMeetTheGround) {
     const Plain plain = wide_plain();
     for (const double aside : {0.0, 0.7}) {
         for (const double down : {0.02, 0.4, 3.0}) {
-            const Camera camera = looking(aside, down);
+            const Camera camera = looking_along(aside, down);
             const auto numbers = numbers_of(plain, camera, whole, 2);
             int near = 0;
             int far = 0;
@@ -146,7 +146,7 @@ TEST(GroundSamples, AreTheSameInRectanglesOnThreadsAndTargets) {
         const float z = -1.0F + 0.4F * static_cast<float>(i * 7919 % 101) / 101.0F;
         plain.add({x, y}, {x + 1.3F, y + 0.9F}, z, i % 3 == 0 ? plain.far : plain.near);
     }
-    const Camera camera = looking(0.2, 0.3);
+    const Camera camera = looking_along(0.2, 0.3);
     const auto expected = numbers_of(plain, camera, whole, 1);
     for (const std::string& target : vectors::targets()) {
         vectors::use_target(target);
@@ -168,7 +168,7 @@ TEST(GroundSamples, AreTheSameInRectanglesOnThreadsAndTargets) {
 TEST(GroundSamples, GroundBehindTheEyeIsLeftOut) {
     Plain plain;
     plain.add({-5.0F, -9.0F}, {5.0F, -1.0F}, -1.0F, plain.near);
-    const auto numbers = numbers_of(plain, looking(0.0, 0.3), whole, 1);
+    const auto numbers = numbers_of(plain, looking_along(0.0, 0.3), whole, 1);
     EXPECT_TRUE(std::ranges::all_of(numbers, [](std::uint32_t number) { return number == 0; }));
 }
 
