@@ -9,7 +9,7 @@
 #include "bed/water_body.glsl"
 #include "bed/soil.glsl"
 #include "bed/water.glsl"
-const float under_water = 1.0;
+const float under_water = any_water;
 #include "bed/water_ground.glsl"
 
 in vec2 place;

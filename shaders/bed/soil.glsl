@@ -2,6 +2,7 @@
 // that the water leaves behind. It is looks: nothing of it is computed by the model, it moves no water and no light of its
 // own casts shadow, and it stands where the bed is, whatever the time. Needs common/light.glsl, bed/bed.glsl before it.
 uniform sampler2D streak_map;  // seamless: noise, and its slopes east and north around ½
+uniform sampler2D rill_map;    // the same for rills, a mix of two wavelengths
 uniform float cell;            // of the bed's grid, block lengths
 uniform float texel;           // of what is shaded, block lengths
 uniform float pixel_width;     // of a pixel, block lengths: at distance 1, or anywhere without perspective
@@ -43,9 +44,8 @@ Soil soil_at(vec3 world_point, BedPoint point, float width, float worn) {
     soil.tone = 0.8 * clods.x + 0.7 * lumps.x + 0.6 * crumbs.x + 0.8 * grit.x;
     // Centimetres of it, where they are near enough to be seen.
     float pebbles = 0.0;
-    int finer = shown_at(0.055 * cell, width) > 0.0 ? 2 : 0;
     float size = 0.055;
-    for (int i = 0; i < finer; ++i) {
+    for (int i = 0; i < 2; ++i) {
         vec3 grains = shown_noise(world + 0.29 * float(i + 1), size * cell, width);
         soil.slope += rough * 0.62 * grains.yz;
         soil.tone += 0.9 * grains.x;
@@ -53,29 +53,21 @@ Soil soil_at(vec3 world_point, BedPoint point, float width, float worn) {
         size *= 0.36;
     }
     float rills = smoothstep(0.18, 0.55, steep) * shown_at(0.9 * cell, width);
-    // A loop is left, or never entered, where no place needs it; llvmpipe goes through both arms of an if.
-    int steps = rills > 0.0 ? 5 : 0;
     {
         vec2 downslope = down / max(steep, 1e-6);
         vec2 across = vec2(-downslope.y, downslope.x);
-        vec3 wide = vec3(0.0);
-        vec3 narrow = vec3(0.0);
-        for (int i = 0; i < steps; ++i) {
+        vec3 sum = vec3(0.0);
+        for (int i = 0; i < 5; ++i) {
             vec2 at = world + (float(i) - 2.0) * 0.8 * cell * downslope;
-            wide += 2.0 * texture(streak_map, at / (noise_repeat * 1.7 * cell)).rgb - 1.0;
-            narrow += 2.0 * texture(streak_map, at.yx / (noise_repeat * 0.6 * cell) + 0.3).rbg - 1.0;
+            sum += 2.0 * texture(rill_map, at / (noise_repeat * 0.6 * cell)).rgb - 1.0;
         }
-        narrow *= shown_at(0.6 * cell, width);
-        soil.slope += rills * dot(0.50 * wide.yz + 0.40 * narrow.yz, across) * across;
-        soil.height += rills * (0.30 * wide.x + 0.15 * narrow.x);
+        soil.slope += rills * dot(0.90 * sum.yz, across) * across;
+        soil.height += rills * 0.45 * sum.x;
     }
     soil.cut = smoothstep(0.45, 1.0, steep + 0.10 * lumps.x);
     // Laid down level once: they follow the height, a little uneven along it.
     vec2 along = vec2(0.06 * (world.x - 0.7 * world.y), world_point.z + 0.05 * cell * (clods.x + lumps.x));
-    soil.layers = 0.0;
-    int deep = soil.cut > 0.0 ? 1 : 0;
-    for (int once = 0; once < deep; ++once)
-        soil.layers = 1.2 * shown_noise(along, 0.75 * cell, width).x + shown_noise(along, 0.21 * cell, width).x;
+    soil.layers = 1.2 * shown_noise(along, 0.75 * cell, width).x + shown_noise(along, 0.21 * cell, width).x;
     float lying = mix(0.10, 1.0, worn) * (1.0 - 0.75 * soil.cut);
     soil.stone = smoothstep(0.66 - 0.22 * lying, 0.76 - 0.22 * lying, max(grit.x, pebbles));
     soil.slope += soil.stone * 0.8 * grit.yz;

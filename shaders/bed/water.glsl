@@ -1,7 +1,8 @@
 // Water over the ground: how it flows, how its surface stands, and what it does to light. Needs
 // common/light.glsl, sky/sky.glsl, bed/bed.glsl, bed/water_body.glsl and bed/soil.glsl before it.
-uniform sampler2D water_map;    // depth (m), velocity east and north (m/s), dampness of the ground
-uniform sampler2D surface_map;  // slopes of the surface eastward and northward, that of the depth, what was laid down on the bed
+uniform sampler2D ground_map;   // dampness of the ground, what was laid down on it (0 … 1 for −1 … 1), its palette place
+uniform sampler2D water_map;    // depth (m), velocity east and north (m/s)
+uniform sampler2D surface_map;  // slopes of the surface eastward and northward, that of the depth
 uniform float clarity;         // depth at which the bed is half hidden, m
 uniform float usual_froude;    // the median of the wet cells
 uniform float closed_depth;    // from which water covers what stands out of the ground of a cell, m
@@ -13,7 +14,6 @@ const float shore_level = 1.0;
 
 struct Water {
     float depth;     // m
-    float damp;      // of the ground, 0 … 1
     float film;      // 0 dry … 1 a closed surface
     float speed;     // m/s
     vec2 flow;       // unit vector, or 0 at rest
@@ -22,16 +22,18 @@ struct Water {
     float fall;      // how steep that is in truth
     float thin;      // 0 … 1: a film as drawn, that what stands out of the ground breaks
     float front;     // how steeply its depth changes
-    float laid;      // −1 worn … 1 laid down: what it did to the bed
 };
 
+// A shore goes from cell to cell of the grid in steps: it is looked at over more than one.
+vec3 ground_at(vec2 place, float level) { return textureLod(ground_map, place, max(level, shore_level)).rgb; }
+
+float depth_at(vec2 place, float level) { return textureLod(water_map, place, max(level, shore_level)).x; }
+
 Water water_at(vec2 place, float level) {
-    // A shore goes from cell to cell of the grid in steps: it is looked at over more than one.
     vec4 texel = textureLod(water_map, place, max(level, shore_level));
     vec4 surface = textureLod(surface_map, place, max(level, shore_level));
     Water water;
     water.depth = texel.x;
-    water.damp = texel.w;
     water.speed = length(texel.yz);
     water.flow = texel.yz / max(water.speed, 1e-6);
     water.froude = water.speed / sqrt(gravity * max(water.depth, 1e-4 * clarity));
@@ -39,12 +41,18 @@ Water water_at(vec2 place, float level) {
     water.fall = length(surface.xy) / steepening;
     water.thin = 1.0 - smoothstep(1.0, 8.0, steepening * water.depth / closed_depth);
     water.front = surface.z;
-    water.laid = surface.w;
     water.film = 0.0;
     return water;
 }
 
-const float least_share = 0.1;  // of the depth that closes: below it no hollow holds a film
+// What is known of the water at a place.
+const float dry_water = 0.0;
+const float thin_water = 1.0;
+const float any_water = 2.0;
+
+const float least_share = 0.1;  // of the depth that closes: below it hollows hold no more of it
+const float thin_share = 3.0;   // up to it water holds neither foam nor clouds of silt
+const float dry_share = 0.21;   // below it not even the deepest hollow that bed/soil.glsl can make holds a closed film
 
 // Ground that stands out breaks a thin sheet, and its hollows hold some more of it.
 float closed_film(Water water, Soil soil) {
@@ -66,12 +74,11 @@ vec2 wave_slope(vec2 world, Water water, float width) {
     vec2 slope = strength * (gradient - 0.6 * dot(gradient, across) * across);
     float shallow = 1.0 - smoothstep(0.3 * sheet, sheet, water.depth);
     float lines = 0.0;
-    int steps = shallow * water.speed > 0.01 ? 6 : 0;
-    for (int i = 0; i < steps; ++i) {
-        vec2 at = world + (float(i) - 2.5) * 0.8 * long_waves * water.flow;
+    for (int i = -1; i <= 1; ++i) {
+        vec2 at = world + float(i) * 1.6 * long_waves * water.flow;
         lines += dot(shown_noise(at + 0.29, long_waves, width).yz, across);
     }
-    return mix(slope, 0.15 * slope + 0.28 * strength * lines * across, shallow);
+    return mix(slope, 0.15 * slope + 0.45 * strength * lines * across, shallow);
 }
 
 // The normal of its surface, waves on it.
@@ -82,26 +89,25 @@ vec3 water_normal(vec2 world, Water water, Soil soil, float width) {
     return normalize(vec3(-slope, 1.0));
 }
 
-// −1 … 1: where muddy water carries more, in clouds drawn out along the flow.
+// −1 … 1: where muddy water carries more, in clouds drawn out along the flow. A film is too thin for them.
 float silt_clouds(vec2 world, Water water) {
     float sum = 0.0;
     for (int i = -1; i <= 1; ++i)
         sum += 2.0 * texture(streak_map, (world + float(i) * 4.0 * metre * water.flow) / (noise_repeat * 7.0 * metre)).r - 1.0;
-    return clamp(1.2 * sum, -1.0, 1.0);
+    return clamp(1.2 * sum, -1.0, 1.0) * smoothstep(thin_share, 8.0, water.depth / closed_depth);
 }
 
 // White water where it shoots, most where it is rougher than usual or deepens at once: at fronts and jumps, in patches
 // drawn out along the flow and laced with holes. A film is too thin to hold air.
 float foam_cover(vec2 world, Water water, float width) {
     float shooting = smoothstep(0.9, 1.3, water.froude);
-    float deep = smoothstep(0.01, 0.12, water.depth / clarity) * smoothstep(3.0, 12.0, water.depth / closed_depth);
+    float deep = smoothstep(0.01, 0.12, water.depth / clarity) * smoothstep(thin_share, 12.0, water.depth / closed_depth);
     float rougher = smoothstep(1.15, 1.9, water.froude / max(usual_froude, 0.9));
     float stirred = max(0.55 * rougher, smoothstep(0.05, 0.30, water.front));
     vec2 stride = water.flow * (0.8 * metre);
     float patches = 0.0;
     float lace = 0.0;
-    int steps = shooting * deep * stirred > 0.02 ? 5 : 0;
-    for (int i = 0; i < steps; ++i) {
+    for (int i = 0; i < 5; ++i) {
         vec2 at = world + (float(i) - 2.0) * stride;
         patches += 2.0 * texture(streak_map, at / (noise_repeat * 1.5 * metre)).r - 1.0;
         lace += 2.0 * texture(streak_map, at.yx / (noise_repeat * 0.42 * metre)).r - 1.0;
@@ -109,5 +115,5 @@ float foam_cover(vec2 world, Water water, float width) {
     float fine = shown_at(0.42 * metre, width);
     float pattern = 0.5 + 0.26 * patches + 0.22 * fine * lace;
     float density = shooting * deep * stirred;
-    return steps == 0 ? 0.0 : 0.9 * sqrt(density) * smoothstep(0.90 - density, 1.40 - density, pattern);
+    return 0.9 * sqrt(density) * smoothstep(0.90 - density, 1.40 - density, pattern);
 }

@@ -1,7 +1,8 @@
 // Ground that water shapes and water over it, at one place: wet ground is darker and glossier, what the water laid down is
 // paler, and the water tints it by its depth, mirrors the sky and the banks and foams where it shoots (Froude number over 1).
 // Needs common/colour.glsl, common/light.glsl, common/oren_nayar.glsl, bed/bed.glsl, bed/ground.glsl, sky/sky.glsl,
-// bed/water_body.glsl, bed/soil.glsl and bed/water.glsl before it, and `under_water`, 0 where no water is closed.
+// bed/water_body.glsl, bed/soil.glsl and bed/water.glsl before it, and `under_water`: dry_water where it is known that no
+// water is closed, thin_water where it is a film at most (see bed/water.glsl), else any_water.
 uniform float tinted;  // 0: the colours mean something of the water, so it is not seen itself
 
 const float grain_hidden = 0.85;  // of the sand's, under a closed film
@@ -40,15 +41,17 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
     BedPoint point = bed_point(textureLod(lighting_map, place, level));
     vec2 world = world_point.xy;
     vec3 to_eye = direction_to_eye(world_point);
-    vec3 albedo = ground_albedo(place, point);
+    vec3 shown = ground_at(place, level);
+    vec3 albedo = natural > 0.5 ? ground_albedo(place, point, shown.b) : ground_albedo(place, point);
     Water water = water_at(place, level);
     float seen = tinted;
-    Soil soil = soil_at(world_point, point, width, clamp(-water.laid, 0.0, 1.0));
-    water.film = under_water > 0.5 ? closed_film(water, soil) : 0.0;
-    float damp = seen * clamp(water.damp + 0.8 * water.damp * (1.0 - water.damp) * -soil.height, 0.0, 1.0);
+    float laid = 2.0 * shown.g - 1.0;
+    Soil soil = soil_at(world_point, point, width, clamp(-laid, 0.0, 1.0));
+    water.film = under_water > dry_water ? closed_film(water, soil) : 0.0;
+    float damp = seen * clamp(shown.r + 0.8 * shown.r * (1.0 - shown.r) * -soil.height, 0.0, 1.0);
     if (natural > 0.5) {
         albedo = earthen(albedo, soil, damp);
-        albedo = worked(albedo, seen * clamp(water.laid, -1.0, 1.0));
+        albedo = worked(albedo, seen * laid);
         albedo *= 1.0 + 0.13 * soil.tone;
         albedo = mix(albedo, mix(vec3(0.25, 0.20, 0.155), vec3(0.46, 0.39, 0.31), clamp(0.5 + soil.tone, 0.0, 1.0)), soil.stone);
     }
@@ -59,8 +62,7 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
     point.sky *= clamp(1.0 + 0.10 * soil.height, 0.6, 1.1);
 
     vec3 light = ground_light(wetted(albedo, damp), point, to_eye, 1.0 + 2.0 * damp);
-    int wet = under_water > 0.5 && seen * water.film > 0.0 ? 1 : 0;
-    for (int once = 0; once < wet; ++once) {  // as in bed/soil.glsl
+    if (under_water > dry_water) {
         vec3 normal = water_normal(world, water, soil, width);
         float thin = water.thin;
         float n_dot_v = max(dot(normal, to_eye), 0.10 + 0.14 * max(thin, smoothstep(0.9, 1.6, water.froude)));
@@ -68,7 +70,8 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
         // Down with the sun, up to the eye, both bent towards the vertical by refraction.
         float up = sqrt(1.0 - (1.0 - n_dot_v * n_dot_v) / 1.77);
         vec3 left = transmitted(0.5 * water.depth / clarity * (1.0 + 1.0 / up));
-        vec3 body = water_body_colour() * (1.0 + 0.5 * turbidity * silt_clouds(world, water)) * (sun_light * point.sun * (0.4 + 0.6 * n_dot_l) + sky_light * point.sky);
+        float silt = under_water > thin_water ? silt_clouds(world, water) : 0.0;
+        vec3 body = water_body_colour() * (1.0 + 0.5 * turbidity * silt) * (sun_light * point.sun * (0.4 + 0.6 * n_dot_l) + sky_light * point.sky);
         vec3 below = light * left + body * (1.0 - left);
 
         float grazing = (1.0 - n_dot_v) * (1.0 - n_dot_v);
@@ -83,11 +86,11 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
         vec3 mirrored = reflect(-to_eye, normal);
         mirrored.z = max(abs(mirrored.z), 0.5 * to_eye.z);  // waves hide what of them turns away from the eye
         vec3 reflected = mirrored_light(mirrored, albedo, point);
-        reflected = mix(reflected, point.sky * haze_towards(vec3(normalize(mirrored.xy + vec2(1e-6, 0.0)), 0.0)), 0.5 * thin);  // from a wide part of the sky
+        reflected = mix(reflected, point.sky * haze_towards(-to_eye), 0.5 * thin);  // from a wide part of the sky
         vec3 surface = mix(below, reflected, fresnel) +
                        sun_light * (point.sun * glint);
 
-        float foam = foam_cover(world, water, width);
+        float foam = under_water > thin_water ? foam_cover(world, water, width) : 0.0;
         vec3 foam_light = vec3(0.86, 0.88, 0.88) * (sun_light * point.sun * (0.25 + 0.75 * n_dot_l) + sky_light * point.sky);
         surface = mix(surface, foam_light, foam);
         light = mix(light, surface, water.film);

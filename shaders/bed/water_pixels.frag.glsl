@@ -1,6 +1,6 @@
 #version 330 core
 // The colour of the surface of a block with water, once a pixel: of the place that bed/water_pixel_kinds.frag.glsl found, or of
-// the farther samples where they see two.
+// both where its samples see two.
 #include "common/colour.glsl"
 #include "common/light.glsl"
 #include "common/oren_nayar.glsl"
@@ -10,13 +10,12 @@
 #include "bed/water_body.glsl"
 #include "bed/soil.glsl"
 #include "bed/water.glsl"
-uniform float under_water;  // 0: where it is known to be dry
+uniform float under_water;  // what is known of it; see bed/water.glsl
 #include "bed/water_ground.glsl"
 #include "bed/water_seen.glsl"
 
-uniform float farther;     // 1: of the farther samples, and in alpha their share
+uniform float split;       // 1: of pixels whose samples see two places
 uniform sampler2D places;  // of bed/water_pixel_kinds.frag.glsl
-uniform sampler2D others;  // where `farther` is 0: what was drawn where it was 1
 uniform sampler2D grain;
 uniform vec2 grain_scale;
 uniform float grain_strength;
@@ -33,25 +32,29 @@ vec3 with_grain(vec4 ground, vec2 place, float level) {
     return ground.rgb * (linear_light > 0.5 ? grainy * grainy : grainy);
 }
 
-void main() {
-    SeenSamples place;
-    if (farther > 0.5) {
-        place = seen_samples(1.0);
-    } else {
-        vec4 found = texelFetch(places, ivec2(gl_FragCoord.xy), 0);
-        place = SeenSamples(found.xyz, found.w, 1.0);
-    }
+vec3 shaded(SeenSamples place) {
     vec3 at = point_at(place.mean);
     vec2 size = vec2(textureSize(lighting_map, 0));
     float pixel = seen_width(at);
     float width = sqrt(pixel * max(pixel, 0.5 * place.cells * extent.x / size.x));
     vec2 grains = place.cells / size * grain_scale * vec2(textureSize(grain, 0));
     float grain_level = max(log2(max(max(grains.x, grains.y), 1.0)) + grain_bias, 0.0);
-    vec3 shaded = with_grain(water_ground(place.mean.xy, at, width, level_over(place)), place.mean.xy, grain_level);
-    if (farther < 0.5) {
-        vec4 other = texelFetch(others, ivec2(gl_FragCoord.xy), 0);
-        // Light is mixed, of which display values are about the root.
-        shaded = linear_light > 0.5 ? mix(shaded, other.rgb, other.a) : sqrt(mix(shaded * shaded, other.rgb * other.rgb, other.a));
+    return with_grain(water_ground(place.mean.xy, at, width, level_over(place)), place.mean.xy, grain_level);
+}
+
+void main() {
+    if (split < 0.5) {
+        vec4 place = texelFetch(places, ivec2(gl_FragCoord.xy), 0);
+        colour = vec4(shaded(SeenSamples(place.xyz, place.w, 1.0)), 1.0);
+        return;
     }
-    colour = vec4(shaded, farther > 0.5 ? place.share : 1.0);
+    SeenSamples all = seen_samples();
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < 2; ++i) {
+        SeenSamples half_of = half_of_samples(all, float(i));
+        vec3 light = shaded(half_of);
+        // Light is mixed, of which display values are about the root.
+        sum += half_of.share * (linear_light > 0.5 ? light : light * light);
+    }
+    colour = vec4(linear_light > 0.5 ? sum : sqrt(sum), 1.0);
 }

@@ -23,51 +23,65 @@ float pixels_over_samples() { return samples_along / max(samples_along - 1.0, 1.
 
 float level_over(SeenSamples samples) { return log2(max(0.6 * samples.cells * pixels_over_samples(), 1.0)); }
 
-// Of those at most, or at least, so far away.
-SeenSamples samples_between(ivec2 first, float nearest, float farthest) {
-    int along = int(samples_along);
-    vec3 sum = vec3(0.0);
-    vec2 least = vec2(2.0);
-    vec2 most = vec2(-1.0);
-    float count = 0.0;
-    float all = 0.0;
-    for (int i = 0; i < along * along; ++i) {
-        vec4 there = texelFetch(seen, first + ivec2(i % along, i / along), 0);
-        float way = way_to(there.xyz);
-        all += there.w;
-        if (way < nearest || way >= farthest) there.w = 0.0;
-        sum += there.w * there.xyz;
-        count += there.w;
-        least = min(least, there.xy + 2.0 * (1.0 - there.w));
-        most = max(most, there.xy - 2.0 * (1.0 - there.w));
-    }
-    vec2 apart = max(most - least, vec2(0.0)) * vec2(textureSize(lighting_map, 0));
-    return SeenSamples(sum / max(count, 1.0), max(apart.x, apart.y), count / max(all, 1.0));
+ivec2 first_sample() { return ivec2(gl_FragCoord.xy) * int(samples_along) + ivec2(sample_offset); }
+
+vec4 sample_of(ivec2 first, int number) { return texelFetch(seen, first + ivec2(number % int(samples_along), number / int(samples_along)), 0); }
+
+// Samples taken one by one: alpha is 1 where they count, else 0.
+struct Taken {
+    vec4 sum;
+    vec2 least;
+    vec2 most;
+};
+
+Taken none_taken() { return Taken(vec4(0.0), vec2(2.0), vec2(-1.0)); }
+
+void take(inout Taken taken, vec4 there) {
+    float none = 2.0 * (1.0 - there.w);
+    taken.sum += vec4(there.w * there.xyz, there.w);
+    taken.least = min(taken.least, there.xy + none);
+    taken.most = max(taken.most, there.xy - none);
 }
 
-// All of a pixel, or the nearer (`farther` 0) or the farther (1) of them where they are far apart.
-SeenSamples seen_samples(float farther) {
-    const float anywhere = 1e30;
-    int along = int(samples_along);
-    ivec2 first = ivec2(gl_FragCoord.xy) * along + ivec2(sample_offset);
-    SeenSamples all = samples_between(first, -anywhere, anywhere);
-    float cell_length = extent.x / float(textureSize(lighting_map, 0).x);
-    float pixel = seen_width(point_at(all.mean));
-    int halves = all.cells <= near_cells || all.cells * cell_length <= near_widths * pixel ? 0 : 1;
-    // A loop is left, or never entered, where no place needs it; llvmpipe goes through both arms of an if.
-    for (int once = 0; once < halves; ++once) {
-        float nearest = anywhere;
-        float farthest = -anywhere;
-        for (int i = 0; i < along * along; ++i) {
-            vec4 there = texelFetch(seen, first + ivec2(i % along, i / along), 0);
-            float way = way_to(there.xyz);
-            nearest = there.w > 0.5 ? min(nearest, way) : nearest;
-            farthest = there.w > 0.5 ? max(farthest, way) : farthest;
-        }
-        float between = 0.5 * (nearest + farthest);
-        SeenSamples half_of = farther > 0.5 ? samples_between(first, between, anywhere) : samples_between(first, -anywhere, between);
-        half_of.cells = max(half_of.cells, pixel / (0.6 * cell_length * pixels_over_samples()));
-        all = half_of.share > 0.0 ? half_of : all;
+SeenSamples samples_of(Taken taken, float all) {
+    vec2 apart = max(taken.most - taken.least, vec2(0.0)) * vec2(textureSize(lighting_map, 0));
+    return SeenSamples(taken.sum.xyz / max(taken.sum.w, 1.0), max(apart.x, apart.y), taken.sum.w / max(all, 1.0));
+}
+
+// All of a pixel.
+SeenSamples seen_samples() {
+    Taken taken = none_taken();
+    for (int i = 0; i < int(samples_along) * int(samples_along); ++i) take(taken, sample_of(first_sample(), i));
+    return samples_of(taken, taken.sum.w);
+}
+
+float cell_length() { return extent.x / float(textureSize(lighting_map, 0).x); }
+
+// Whether they see two places far apart, as at a brink before far ground, so that each is shaded by itself.
+bool are_far_apart(SeenSamples all) {
+    return all.cells > near_cells && all.cells * cell_length() > near_widths * seen_width(point_at(all.mean));
+}
+
+// The nearer (`farther` 0) or the farther (1) of all the samples of such a pixel.
+SeenSamples half_of_samples(SeenSamples all, float farther) {
+    float nearest = 1e30;
+    float farthest = -1e30;
+    for (int i = 0; i < int(samples_along) * int(samples_along); ++i) {
+        vec4 there = sample_of(first_sample(), i);
+        float way = way_to(there.xyz);
+        nearest = there.w > 0.5 ? min(nearest, way) : nearest;
+        farthest = there.w > 0.5 ? max(farthest, way) : farthest;
     }
-    return all;
+    float between = 0.5 * (nearest + farthest);
+    Taken taken = none_taken();
+    float count = 0.0;
+    for (int i = 0; i < int(samples_along) * int(samples_along); ++i) {
+        vec4 there = sample_of(first_sample(), i);
+        count += there.w;
+        if ((way_to(there.xyz) >= between) != (farther > 0.5)) there.w = 0.0;
+        take(taken, there);
+    }
+    SeenSamples half_of = samples_of(taken, count);
+    half_of.cells = max(half_of.cells, seen_width(point_at(all.mean)) / (0.6 * cell_length() * pixels_over_samples()));
+    return half_of;
 }

@@ -6,4 +6,4 @@ uniform vec2 sample_offset;
 
 out vec4 colour;
 
-void main() { colour = vec4(texelFetch(shaded, (ivec2(gl_FragCoord.xy) - ivec2(sample_offset)) / int(samples_along), 0).rgb, 1.0); }
+void main() { colour = vec4(texelFetch(shaded, ivec2((gl_FragCoord.xy - sample_offset) / samples_along), 0).rgb, 1.0); }

@@ -79,6 +79,10 @@ gl::TextureLayout layout_of(const LookSettings& look) {
 constexpr int noise_texels = 512;  // along the longer side: a dozen to the finest feature
 const gl::TextureLayout noise_layout{GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT,
                                      GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
+/// Of ground that pixels look at one by one: llvmpipe looks up texels of four bytes in a shorter
+/// way.
+const gl::TextureLayout coarse_noise_layout{GL_RGBA8,  GL_RGBA, GL_UNSIGNED_BYTE,
+                                            GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
 
 /// The colours of endless ground are lit later: a byte's step of a dark one is two levels of the
 /// picture, and falls elsewhere on a bed that is shifted.
@@ -192,7 +196,7 @@ void BedShading::draw_noise() {
         return std::max(1, static_cast<int>(noise_texels * width));
     };
     noise_.emplace(texels(block_.width_x), texels(block_.width_y),
-                   repeated(noise_layout, view_.look.ground));
+                   repeated(by_pixels_ ? coarse_noise_layout : noise_layout, view_.look.ground));
     const gl::Program program("common/screen.vert.glsl", "bed/ground_noise.frag.glsl");
     const gl::VertexArray none;
     gl::functions().BindVertexArray(none.name());
@@ -234,9 +238,10 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
     }
     lighting_.upload(lighting.data());
     const Field<float> values = ranged_values(snapshot, first);
-    values_.upload(palette_places(refined(values, refinement_), range_).data());
+    const Field<std::uint16_t> places = palette_places(refined(values, refinement_), range_);
+    values_.upload(places.data());
     upload_marks(snapshot, {});
-    if (water_) water_->upload(snapshot, first, *water);
+    if (water_) water_->upload(snapshot, first, *water, places);
 }
 
 void BedShading::upload(const Snapshot& snapshot, const Snapshot& first, const RepeatedLight& light,

@@ -47,7 +47,7 @@ class BedShading {
     /// Binds what was uploaded to the units 0 to 4 and sets the uniforms of shaders/bed/bed.glsl
     /// and shaders/bed/ground.glsl, of the program in use.
     void bind(const gl::Program& program) const;
-    /// The same, the light of a view and, where there is water, its textures to the units 6 to 8.
+    /// The same, the light of a view and, where there is water, its textures to the units 6 to 10.
     /// `texel`: see WaterShading::set_uniforms().
     void bind_all(const gl::Program& program, const Light& light, const Camera& camera,
                   double texel) const;

@@ -39,9 +39,10 @@ struct ReadyPicture;
 
 /// How much is drawn at once.
 struct RenderLimits {
-    int tile_samples = 4096;   ///< samples along each side of the largest tile
-    bool draft = false;        ///< beds of few cells are refined less
-    bool one_picture = false;  ///< what only later ones gain from is left out
+    int tile_samples = 4096;    ///< samples along each side of the largest tile
+    bool draft = false;         ///< beds of few cells are refined less
+    bool one_picture = false;   ///< what only later ones gain from is left out
+    bool pixels_alike = false;  ///< those of water are shaded as if each might show anything
 };
 
 /// Turns snapshots into pictures of one view. Everything that must not change during a run

@@ -145,7 +145,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
       pixel_depths(depths_of_pixels(view, plan)),
       one_picture(limits.one_picture),
       later_pictures(!limits.one_picture) {
-    if (shades_pixels(view, first)) water_pixels.emplace(plan, fixed, kind);
+    if (shades_pixels(view, first)) water_pixels.emplace(plan, fixed, kind, limits.pixels_alike);
     if (plain) plain->stand_in(view.camera, *first_in_plain, block);
     if (view.look.ground == Ground::endless) {
         world.emplace(view, ground, first_ground(), refinement, origin, copies, fixed, mipmaps,
@@ -348,7 +348,7 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
     const glm::ivec2 offset = pixel_offset(first_sample(tile) - target_corner(tile), plan.factor);
     if (water_pixels) {
         gl.BindVertexArray(no_attributes.name());
-        water_pixels->shade(seen.colour(), offset, shading, terrain, light, camera);
+        water_pixels->shade(seen.colour(), offset, shading, terrain, light, camera, placed);
     }
     samples.bind();
     gl.Clear(GL_COLOR_BUFFER_BIT);

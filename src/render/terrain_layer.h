@@ -44,6 +44,13 @@ class TerrainLayer {
 
     /// Of the surface, water included: the lowest, and how much higher the highest.
     [[nodiscard]] const glm::vec2& height_span() const { return height_span_; }
+    /// The corners of what the surface fills, in block lengths.
+    [[nodiscard]] glm::vec3 low() const {
+        return {-0.5 * block_.width_x, -0.5 * block_.width_y, height_span_.x};
+    }
+    [[nodiscard]] glm::vec3 high() const {
+        return {0.5 * block_.width_x, 0.5 * block_.width_y, height_span_.x + height_span_.y};
+    }
 
     /// Whether the bed ends around cells without data.
     [[nodiscard]] bool has_rim() const { return !rim_.empty(); }

@@ -8,37 +8,70 @@ namespace fumon {
 
 namespace {
 
-constexpr int seen_unit = 9;  // after those of the ground and the water
-constexpr int grain_unit = 10;
-constexpr int places_unit = 11;
-constexpr int others_unit = 12;
+constexpr int seen_unit = 11;  // after those of the ground and the water
+constexpr int grain_unit = 12;
+constexpr int places_unit = 13;
 
 // How pixels are told apart, by depth: a drawing at a depth between reaches one kind of them.
-constexpr double split_dry_depth = 0.1;
-constexpr double before_split_dry = 0.2;
-constexpr double dry_depth = 0.3;
-constexpr double before_dry = 0.4;
+constexpr double dry_depth = 0.1;
+constexpr double before_dry = 0.2;
+constexpr double thin_depth = 0.3;
+constexpr double before_thin = 0.4;
 constexpr double nothing_depth = 0.5;
-constexpr double behind_wet = 0.6;
-constexpr double wet_depth = 0.7;
-constexpr double behind_split_wet = 0.8;
-constexpr double split_wet_depth = 0.9;
+constexpr double behind_deep = 0.6;
+constexpr double deep_depth = 0.7;
+constexpr double behind_split = 0.8;
+constexpr double split_depth = 0.9;
+
+constexpr GLint drawn_stencil = 1;
+
+// What a program knows of the water; see shaders/bed/water.glsl.
+constexpr float dry_water = 0.0F;
+constexpr float thin_water = 1.0F;
+constexpr float any_water = 2.0F;
 
 const gl::TextureLayout places_layout{GL_RGBA32F, GL_RGBA, GL_FLOAT,
                                       GL_NEAREST, 0,       GL_CLAMP_TO_EDGE};
 
-gl::Constants with(gl::Constants fixed, float under_water, float farther) {
+gl::Constants with(gl::Constants fixed, float under_water, float split) {
     fixed.push_back({"under_water", under_water});
-    fixed.push_back({"farther", farther});
+    fixed.push_back({"split", split});
     return fixed;
 }
 
-/// Finer than bytes: samples at edges are mixed with others.
 gl::TextureLayout layout_of(PixelKind kind) {
-    gl::TextureLayout layout =
-        colour_layout(kind == PixelKind::radiance ? kind : PixelKind::display_16);
+    gl::TextureLayout layout = colour_layout(kind);
     layout.filter = GL_NEAREST;
     return layout;
+}
+
+/// Of what is drawn into a target, from its lower left corner.
+struct Rectangle {
+    glm::ivec2 low;
+    glm::ivec2 size;
+};
+
+/// Pixels that may show the surface of a block, of which `clip` is where its corners are seen.
+Rectangle pixels_of_block(const glm::mat4& clip, const glm::vec3& low, const glm::vec3& high,
+                          const TileSamples& tile, const glm::ivec2& offset, int factor,
+                          const glm::ivec2& whole) {
+    glm::vec2 first(1e9F);
+    glm::vec2 last(-1e9F);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec4 at =
+            clip * glm::vec4((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
+                             (corner & 4) != 0 ? high.z : low.z, 1.0F);
+        if (at.w < 1e-3F) return {{0, 0}, whole};  // it reaches behind the eye
+        const glm::vec2 sample =
+            (0.5F + 0.5F * glm::vec2(at) / at.w) * tile.picture_size - tile.corner;
+        const glm::vec2 pixel = (sample - glm::vec2(offset)) / static_cast<float>(factor);
+        first = glm::min(first, pixel);
+        last = glm::max(last, pixel);
+    }
+    const glm::vec2 most(whole);
+    const glm::ivec2 begin(glm::clamp(glm::floor(first) - 1.0F, glm::vec2(0.0F), most));
+    const glm::ivec2 end(glm::clamp(glm::ceil(last) + 1.0F, glm::vec2(0.0F), most));
+    return {begin, end - begin};
 }
 
 /// Pixels, one of them begun at most, that so many samples make.
@@ -61,23 +94,34 @@ glm::ivec2 pixel_offset(const glm::ivec2& first, int factor) {
     return {begun(first.x), begun(first.y)};
 }
 
-WaterPixels::WaterPixels(const TilePlan& plan, const gl::Constants& fixed, PixelKind kind)
-    : kinds_("common/screen.vert.glsl", "bed/water_pixel_kinds.frag.glsl", {}, fixed),
-      dry_("common/screen.vert.glsl", "bed/water_pixels.frag.glsl", {}, with(fixed, 0.0F, 0.0F)),
-      wet_("common/screen.vert.glsl", "bed/water_pixels.frag.glsl", {}, with(fixed, 1.0F, 0.0F)),
-      farther_("common/screen.vert.glsl", "bed/water_pixels.frag.glsl", {},
-               with(fixed, 1.0F, 1.0F)),
+WaterPixels::WaterPixels(const TilePlan& plan, const gl::Constants& fixed, PixelKind kind,
+                         bool alike)
+    : factor_(plan.factor),
+      alike_(alike),
+      kinds_("common/screen.vert.glsl", "bed/water_pixel_kinds.frag.glsl", {}, fixed),
+      dry_("common/screen.vert.glsl", "bed/water_pixels.frag.glsl", {},
+           with(fixed, dry_water, 0.0F)),
+      thin_("common/screen.vert.glsl", "bed/water_pixels.frag.glsl", {},
+            with(fixed, thin_water, 0.0F)),
+      deep_("common/screen.vert.glsl", "bed/water_pixels.frag.glsl", {},
+            with(fixed, any_water, 0.0F)),
+      split_("common/screen.vert.glsl", "bed/water_pixels.frag.glsl", {},
+             with(fixed, any_water, 1.0F)),
       depths_(pixels_of(plan.target_width, plan.factor),
               pixels_of(plan.target_height, plan.factor)),
       places_(pixels_of(plan.target_width, plan.factor), pixels_of(plan.target_height, plan.factor),
               places_layout, &depths_),
-      others_(places_.width(), places_.height(), layout_of(kind), &depths_),
       target_(places_.width(), places_.height(), layout_of(kind), &depths_) {}
 
 void WaterPixels::shade(const gl::Texture2D& seen, const glm::ivec2& offset,
                         const BedShading& shading, const TerrainLayer& terrain, const Light& light,
-                        const Camera& camera) {
+                        const Camera& camera, const TileSamples& tile) {
     const gl::Functions& gl = gl::functions();
+    const Rectangle part =
+        pixels_of_block(glm::mat4(clip_matrix(camera)), terrain.low(), terrain.high(), tile, offset,
+                        factor_, {target_.width(), target_.height()});
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Scissor(part.low.x, part.low.y, part.size.x, part.size.y);
     const auto draw = [&](const gl::Program& program, GLenum passes, double depth) {
         program.use();
         shading.bind_all(program, light, camera, 0.0);
@@ -90,10 +134,6 @@ void WaterPixels::shade(const gl::Texture2D& seen, const glm::ivec2& offset,
             places_.colour().bind(places_unit);
             program.set("places", places_unit);
         }
-        if (&program == &dry_ || &program == &wet_) {
-            others_.colour().bind(others_unit);
-            program.set("others", others_unit);
-        }
         gl.DepthRange(depth, depth);
         gl.DepthFunc(passes);
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
@@ -101,21 +141,24 @@ void WaterPixels::shade(const gl::Texture2D& seen, const glm::ivec2& offset,
     gl.Enable(GL_DEPTH_TEST);
     places_.bind();
     kinds_.use();
-    kinds_.set("split_dry_depth", static_cast<float>(split_dry_depth));
-    kinds_.set("dry_depth", static_cast<float>(dry_depth));
+    kinds_.set("dry_depth", static_cast<float>(alike_ ? deep_depth : dry_depth));
     kinds_.set("nothing_depth", static_cast<float>(nothing_depth));
-    kinds_.set("wet_depth", static_cast<float>(wet_depth));
-    kinds_.set("split_wet_depth", static_cast<float>(split_wet_depth));
+    kinds_.set("thin_depth", static_cast<float>(alike_ ? deep_depth : thin_depth));
+    kinds_.set("deep_depth", static_cast<float>(deep_depth));
+    kinds_.set("split_depth", static_cast<float>(split_depth));
     draw(kinds_, GL_ALWAYS, 0.0);
     gl.DepthMask(GL_FALSE);
-    others_.bind();
-    gl.ClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-    gl.Clear(GL_COLOR_BUFFER_BIT);
-    draw(farther_, GL_GREATER, before_split_dry);
-    draw(farther_, GL_LESS, behind_split_wet);
     target_.bind();
+    gl.Clear(GL_STENCIL_BUFFER_BIT);
+    gl.Enable(GL_STENCIL_TEST);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    gl.StencilFunc(GL_NOTEQUAL, drawn_stencil, 0xFF);
     draw(dry_, GL_GREATER, before_dry);
-    draw(wet_, GL_LESS, behind_wet);
+    draw(thin_, GL_GREATER, before_thin);
+    draw(split_, GL_LESS, behind_split);
+    draw(deep_, GL_LESS, behind_deep);
+    gl.Disable(GL_STENCIL_TEST);
+    gl.Disable(GL_SCISSOR_TEST);
     gl.DepthMask(GL_TRUE);
     gl.DepthRange(0.0, 1.0);
     gl.DepthFunc(GL_LESS);

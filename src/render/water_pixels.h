@@ -24,26 +24,31 @@ bool shades_pixels(const View& view, const Snapshot& first);
 /// Colours of the surface of a block with water by the pixels of a tile, of shades_pixels().
 class WaterPixels {
   public:
-    /// `fixed`: see fixed_uniforms().
-    WaterPixels(const TilePlan& plan, const gl::Constants& fixed, PixelKind kind);
+    /// `fixed`: see fixed_uniforms(). `alike`: each pixel by the program that shades any, at some
+    /// cost, but for those that see two places.
+    WaterPixels(const TilePlan& plan, const gl::Constants& fixed, PixelKind kind,
+                bool alike = false);
 
     /// Shades, into a target of its own, what the samples `seen` (see block/seen_surface.frag.glsl)
     /// show of a bed that `shading` and `terrain` have taken; pixels begin at the sample `offset`,
     /// see pixel_offset(). Needs a bound vertex array without attributes.
     void shade(const gl::Texture2D& seen, const glm::ivec2& offset, const BedShading& shading,
-               const TerrainLayer& terrain, const Light& light, const Camera& camera);
+               const TerrainLayer& terrain, const Light& light, const Camera& camera,
+               const TileSamples& tile);
 
     /// One texel to a pixel: what BedShading::colours() has for a place.
     [[nodiscard]] const gl::Texture2D& colours() const { return target_.colour(); }
 
   private:
+    int factor_;
+    bool alike_;
     gl::Program kinds_;
     gl::Program dry_;
-    gl::Program wet_;
-    gl::Program farther_;
+    gl::Program thin_;
+    gl::Program deep_;
+    gl::Program split_;
     gl::DepthBuffer depths_;  ///< by which kinds of pixels are told apart
     gl::RenderTarget places_;
-    gl::RenderTarget others_;  ///< of pixels that see two places: the farther one
     gl::RenderTarget target_;
 };
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/rounding.h"
 #include "render/colour/grain.h"
 
 namespace fumon {
@@ -18,8 +19,11 @@ constexpr double layers_laid =
 constexpr double least_laid = 0.002;  // m
 
 const gl::TextureLayout map_layout{GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
-gl::TextureLayout layout_of(const gl::MipmapMaker* mipmaps) {
-    gl::TextureLayout layout = map_layout;
+// llvmpipe looks up texels of four bytes in a shorter way.
+const gl::TextureLayout wet_ground_layout{GL_RGBA8,  GL_RGBA, GL_UNSIGNED_BYTE,
+                                          GL_LINEAR, 0,       GL_CLAMP_TO_EDGE};
+
+gl::TextureLayout with_mipmaps(gl::TextureLayout layout, const gl::MipmapMaker* mipmaps) {
     if (mipmaps != nullptr) {
         layout.minification = GL_LINEAR_MIPMAP_NEAREST;
         layout.coarsest = 3;
@@ -52,6 +56,49 @@ std::vector<std::uint8_t> streak_texels() {
     return texels;
 }
 
+constexpr int wide_rills = 180;  // texels of streaks to the side of rills: 1.7 cells to 0.6
+// Shares of the wider ones.
+constexpr double wide_height = 0.30 / 0.45;
+constexpr double wide_slope = 0.50 / 0.90;
+
+/// A seamless square of noise for rills, whose texels are as wide as those of `streaks`: a mix of
+/// these, turned, and of wider ones, as shaders/bed/soil.glsl weighs them; its height and its
+/// slopes east and north, around ½.
+std::vector<std::uint8_t> rill_texels(const std::vector<std::uint8_t>& streaks) {
+    constexpr auto size = static_cast<std::size_t>(grain_size);
+    const auto streak = [&](int x, int y, std::size_t channel) {
+        const std::size_t at = static_cast<std::size_t>(y) * size + static_cast<std::size_t>(x);
+        return static_cast<double>(streaks[4 * at + channel]) / 127.5 - 1.0;
+    };
+    // White noise is as seamless in a part of the square.
+    const auto wide = [&](int x, int y, std::size_t channel) {
+        const double east = static_cast<double>(x) * wide_rills / grain_size;
+        const double north = static_cast<double>(y) * wide_rills / grain_size;
+        const int left = static_cast<int>(east);
+        const int low = static_cast<int>(north);
+        const auto row = [&](int at) {
+            const int right = (left + 1) % wide_rills;
+            return std::lerp(streak(left, at, channel), streak(right, at, channel), east - left);
+        };
+        return std::lerp(row(low), row((low + 1) % wide_rills), north - low);
+    };
+    const auto byte = [](double value) {
+        return static_cast<std::uint8_t>(std::lround(127.5 + 127.5 * value));
+    };
+    std::vector<std::uint8_t> texels;
+    texels.reserve(streaks.size());
+    for (int y = 0; y < grain_size; ++y) {
+        for (int x = 0; x < grain_size; ++x) {
+            const auto mixed = [&](double of_wide, std::size_t channel, std::size_t turned) {
+                return byte(of_wide * wide(x, y, channel) + (1.0 - of_wide) * streak(y, x, turned));
+            };
+            texels.insert(texels.end(), {mixed(wide_height, 0, 0), mixed(wide_slope, 1, 2),
+                                         mixed(wide_slope, 2, 1), std::uint8_t{255}});
+        }
+    }
+    return texels;
+}
+
 /// How steeply the depth changes, in block lengths: `scale_x` and `scale_y` turn a difference of
 /// depth between neighbours into a slope.
 Field<float> depth_slopes(const Field<float>& depth, double scale_x, double scale_y) {
@@ -76,12 +123,30 @@ Field<float> depth_slopes(const Field<float>& depth, double scale_x, double scal
     return slopes;
 }
 
-/// Four numbers a texel.
-std::vector<float> interleaved(const std::array<const Field<float>*, 4>& fields) {
+std::uint8_t byte_of(float share) {
+    return static_cast<std::uint8_t>(nearest(255.0F * std::clamp(share, 0.0F, 1.0F)));
+}
+
+/// How damp ground is, what was laid down on it and its value.
+std::vector<std::uint8_t> wet_ground_texels(const DisplayWater& water, const Field<float>& worked,
+                                            const Field<std::uint16_t>& values) {
+    std::vector<std::uint8_t> texels;
+    texels.reserve(4 * values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        texels.insert(texels.end(),
+                      {byte_of(water.damp.values()[i]), byte_of(0.5F + 0.5F * worked.values()[i]),
+                       byte_of(static_cast<float>(values.values()[i]) / 65535.0F), 255});
+    }
+    return texels;
+}
+
+/// Three numbers and a 0 a texel.
+std::vector<float> interleaved(const std::array<const Field<float>*, 3>& fields) {
     std::vector<float> texels;
     texels.reserve(4 * fields[0]->size());
     for (std::size_t i = 0; i < fields[0]->size(); ++i) {
         for (const Field<float>* field : fields) texels.push_back(field->values()[i]);
+        texels.push_back(0.0F);
     }
     return texels;
 }
@@ -96,19 +161,20 @@ WaterShading::WaterShading(const View& view, const Block& block, int nx, int ny,
       mipmaps_(mipmaps),
       cell_x_(block.width_x / nx),
       cell_y_(block.width_y / ny),
-      water_(nx, ny, layout_of(mipmaps)),
-      surface_(nx, ny, layout_of(mipmaps)),
-      streaks_(grain_size, grain_size, streak_layout, streak_texels().data()) {}
+      ground_(nx, ny, with_mipmaps(wet_ground_layout, mipmaps)),
+      water_(nx, ny, with_mipmaps(map_layout, mipmaps)),
+      surface_(nx, ny, with_mipmaps(map_layout, mipmaps)),
+      streaks_(grain_size, grain_size, streak_layout, streak_texels().data()),
+      rills_(grain_size, grain_size, streak_layout, rill_texels(streak_texels()).data()) {}
 
 void WaterShading::upload(const Snapshot& snapshot, const Snapshot& first,
-                          const DisplayWater& water) {
+                          const DisplayWater& water, const Field<std::uint16_t>& values) {
     const WaterStatistics usual = water_statistics(snapshot);
     clarity_ = water_clarity(view_.look, usual);
     usual_froude_ = usual.median_froude;
     closed_depth_ = closed_depth(snapshot.scale);
 
-    const std::array flow{&water.depth, &water.velocity_x, &water.velocity_y, &water.damp};
-    water_.upload(interleaved(flow).data());
+    water_.upload(interleaved({&water.depth, &water.velocity_x, &water.velocity_y}).data());
     const double rise = block_.height_scale / snapshot.scale.height_unit;
     const auto drawn = static_cast<float>(rise * block_.side);  // slopes, with heights exaggerated
     Field<float> slope_x = water.slope_x;
@@ -118,8 +184,10 @@ void WaterShading::upload(const Snapshot& snapshot, const Snapshot& first,
     const Field<float> fronts = depth_slopes(water.depth, rise / cell_x_, rise / cell_y_);
     const double whole = std::max(layers_laid * closed_depth_, least_laid);
     const Field<float> worked = worked_bed(snapshot, first, whole, refinement_);
-    surface_.upload(interleaved({&slope_x, &slope_y, &fronts, &worked}).data());
+    surface_.upload(interleaved({&slope_x, &slope_y, &fronts}).data());
+    ground_.upload(wet_ground_texels(water, worked, values).data());
     if (mipmaps_ != nullptr) {
+        mipmaps_->make(ground_);
         mipmaps_->make(water_);
         mipmaps_->make(surface_);
     }
@@ -130,9 +198,13 @@ void WaterShading::set_uniforms(const gl::Program& program, int unit, const Came
     water_.bind(unit);
     surface_.bind(unit + 1);
     streaks_.bind(unit + 2);
+    ground_.bind(unit + 3);
+    rills_.bind(unit + 4);
     program.set("water_map", unit);
     program.set("surface_map", unit + 1);
     program.set("streak_map", unit + 2);
+    program.set("ground_map", unit + 3);
+    program.set("rill_map", unit + 4);
     program.set("clarity", static_cast<float>(clarity_));
     program.set("turbidity", static_cast<float>(view_.look.turbidity));
     program.set("usual_froude", static_cast<float>(usual_froude_));

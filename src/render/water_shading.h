@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+
+#include "base/grid.h"
 #include "gl/mipmaps.h"
 #include "gl/program.h"
 #include "gl/texture.h"
@@ -19,8 +22,10 @@ class WaterShading {
     WaterShading(const View& view, const Block& block, int nx, int ny, int refinement,
                  const gl::MipmapMaker* mipmaps);
 
-    /// Takes the water of a snapshot, and what it has done to the bed since `first`.
-    void upload(const Snapshot& snapshot, const Snapshot& first, const DisplayWater& water);
+    /// Takes the water of a snapshot, and what it has done to the bed since `first`. `values`: see
+    /// palette_places().
+    void upload(const Snapshot& snapshot, const Snapshot& first, const DisplayWater& water,
+                const Field<std::uint16_t>& values);
 
     /// Sets the uniforms of the program in use; its textures take the units from `unit` on.
     /// `texel` is that of what is shaded, in block lengths; 0 where that is pixels.
@@ -37,9 +42,11 @@ class WaterShading {
     const gl::MipmapMaker* mipmaps_;
     double cell_x_;  ///< of the display bed, block lengths
     double cell_y_;
+    gl::Texture2D ground_;
     gl::Texture2D water_;
     gl::Texture2D surface_;
     gl::Texture2D streaks_;
+    gl::Texture2D rills_;
     double clarity_ = 1.0;
     double usual_froude_ = 0.0;
     double closed_depth_ = 1.0;  ///< m

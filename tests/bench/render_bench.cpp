@@ -29,6 +29,7 @@
 #include "render/view/display_bed.h"
 #include "render/view_uniforms.h"
 #include "support/dune_field.h"
+#include "support/rained_gully.h"
 
 namespace fumon {
 namespace {
@@ -44,12 +45,9 @@ double cpu_milliseconds() {
     return of(usage.ru_utime) + of(usage.ru_stime);
 }
 
-void draw(benchmark::State& state, const View& view) {
-    const auto cells = static_cast<int>(state.range(0));
-    std::array<Snapshot, 2> beds = {dune_field(cells, 0.0), dune_field(cells, 0.05)};
+void draw(benchmark::State& state, const View& view, const std::array<Snapshot, 2>& beds) {
     const auto context = gl::Context::create(gl::Backend::automatic);
     WorkerPool pool(2);
-    for (Snapshot& bed : beds) bed.periodic = true;
     Renderer renderer(*context, view, beds[0], 1, pool);
     benchmark::DoNotOptimize(renderer.render(beds[0]));  // compiles the shaders
     const double before = cpu_milliseconds();
@@ -62,6 +60,13 @@ void draw(benchmark::State& state, const View& view) {
         (cpu_milliseconds() - before) / static_cast<double>(state.iterations());
 }
 
+void draw_dunes(benchmark::State& state, const View& view) {
+    const auto cells = static_cast<int>(state.range(0));
+    std::array<Snapshot, 2> beds = {dune_field(cells, 0.0), dune_field(cells, 0.05)};
+    for (Snapshot& bed : beds) bed.periodic = true;
+    draw(state, view, beds);
+}
+
 View view_of(Ground ground) {
     View view;
     view.look.ground = ground;
@@ -70,7 +75,7 @@ View view_of(Ground ground) {
 
 /// A block on a table.
 void picture(benchmark::State& state) {
-    draw(state, view_of(Ground::table));
+    draw_dunes(state, view_of(Ground::table));
 }
 
 /// Endless ground from a little above it, without ripples and grain (0) or with them (1).
@@ -81,7 +86,29 @@ void world(benchmark::State& state) {
         view.look.ripples = 0.0;
         view.look.grain = 0.0;
     }
-    draw(state, view);
+    draw_dunes(state, view);
+}
+
+/// A block with a gully, dry (0) or in rain with a stream at its bottom (1), from over its mouth
+/// (0) and as a whole (1).
+void water(benchmark::State& state) {
+    View view = view_of(Ground::table);
+    view.look.exaggeration = {"", 1.0};
+    view.look.turbidity = 0.85;
+    view.look.sky = SkyModel::atmosphere;
+    view.look.tone = Tone::agx_punchy;
+    view.sun.azimuth = 80;
+    view.sun.elevation = 22;
+    if (state.range(1) == 0) {
+        view.camera.at = {72, -6, 11};
+        view.camera.look_at = {66, 50, 1};
+        view.camera.focal_length = {"", 30.0};
+    }
+    if (state.range(0) == 0) {
+        draw(state, view, {test::dry_gully(0.0), test::dry_gully(0.1)});
+    } else {
+        draw(state, view, {test::rained_gully(0.0), test::rained_gully(0.1)});
+    }
 }
 
 /// The sky alone, over a whole picture, of the sun where it is (0) or of another sun each time, for
@@ -154,6 +181,11 @@ void sky(benchmark::State& state) {
 
 BENCHMARK(picture)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(world)->Args({512, 0})->Args({512, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(water)
+    ->ArgsProduct({{0, 1}, {0, 1}})
+    ->ArgNames({"wet", "whole"})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK(sky_of_frame)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(atmosphere)->Unit(benchmark::kMillisecond);
 BENCHMARK(sun)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);

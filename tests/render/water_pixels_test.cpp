@@ -13,6 +13,7 @@
 #include "render/view/framing.h"
 #include "render/view/seen_part.h"
 #include "support/drawn_picture.h"
+#include "support/rained_gully.h"
 #include "support/water_views.h"
 
 namespace fumon {
@@ -135,6 +136,91 @@ TEST(WaterPixels, AShadowsEdgeHasNoStepsOfCells) {
     for (std::size_t i = 6; i + 6 < smooth.size(); ++i)
         worst = std::max(worst, std::abs(smooth[i] - 0.5 * (smooth[i - 6] + smooth[i + 6])));
     EXPECT_LT(worst, 3.5);  // pixels; a cell of the drawn bed is ten
+}
+
+/// From over the mouth of a gully in rain, with a stream that shoots.
+View view_of_gully(int width, int height) {
+    View view = map_view();
+    view.image.width = width;
+    view.image.height = height;
+    view.camera.projection = Projection::perspective;
+    view.camera.at = {72, -6, 11};
+    view.camera.look_at = {66, 50, 1};
+    view.look.turbidity = 0.85;
+    view.sun.azimuth = 80;
+    return view;
+}
+
+/// Values of pixels that differ by more than `levels`.
+int far_off(const Image& one, const Image& other, int levels) {
+    int count = 0;
+    for (std::size_t i = 0; i < one.rgb.size(); ++i)
+        if (std::abs(int{one.rgb[i]} - int{other.rgb[i]}) > levels) ++count;
+    return count;
+}
+
+// Dry ground, films and what is deeper have a program each, which leaves out what cannot be there.
+TEST(WaterPixels, EachKindHasTheColoursOfTheProgramThatShadesAny) {
+    const Snapshot rained = test::rained_gully(0.0, 4.0);
+    const View view = view_of_gully(640, 360);
+    RenderLimits alike;
+    alike.pixels_alike = true;
+    const Image any = picture(view, rained, 2, gl::Backend::automatic, alike);
+    EXPECT_EQ(far_off(picture(view, rained), any, 1), 0);
+}
+
+// What is shaded of a tile is what the block covers of it, wherever the tile lies. Places of
+// samples are interpolated within a tile, so that some values are a level off.
+TEST(WaterPixels, TilesShowTheWholeBlock) {
+    const Snapshot rained = test::rained_gully(0.0);
+    RenderLimits tiles;
+    tiles.tile_samples = 150;
+    View whole = view_of_gully(320, 180);
+    whole.camera.at.clear();
+    whole.camera.look_at.clear();
+    for (const View& view : {view_of_gully(320, 180), whole})
+        EXPECT_EQ(far_off(picture(view, rained),
+                          picture(view, rained, 2, gl::Backend::automatic, tiles), 4),
+                  0);
+}
+
+/// A bank 8 m high that ends across the view, and a deep pond far below it.
+Snapshot bank_before_a_pond() {
+    Snapshot snapshot = under_water(flat_bed(100, 100), 0.0, 0.0);
+    for (int y = 0; y < 100; ++y) {
+        for (int x = 0; x < 100; ++x) {
+            snapshot.bed(x, y) = y > 20 ? 0.0 : 8.0;
+            snapshot.fields[0].values(x, y) = y > 20 ? 3.0 : 0.0;
+        }
+    }
+    return snapshot;
+}
+
+// Of the samples of a row of pixels at the brink none, half or all see the bank, as the camera is
+// tilted. Where it is half of them, the row's light is the mean of what its neighbours send.
+TEST(WaterPixels, PixelsSplitBetweenGroundAndWaterMixTheirLight) {
+    const Snapshot bed = bank_before_a_pond();
+    double best = 1e9;  // of all tilts, how far a row is from that mean
+    for (int tilt = 0; tilt < 6; ++tilt) {
+        View view = view_from(-2.0, 4.0);
+        view.camera.look_at = {50, 60, 3.0 + 0.04 * tilt};
+        view.look.water_clarity = {"", 0.5};
+        const Image image = picture(view, bed);
+        const auto red = [&](int y) {  // the mean over some columns
+            double sum = 0.0;
+            for (std::size_t x = 80; x < 160; ++x) sum += image.row(y)[3 * x];
+            return sum / 80.0;
+        };
+        // The brink is where the picture's red rises most.
+        int brink = 80;
+        for (int y = 80; y < image.height - 2; ++y)
+            if (red(y + 1) - red(y - 1) > red(brink + 1) - red(brink - 1)) brink = y;
+        const double far = red(brink - 1);
+        const double near = red(brink + 1);
+        ASSERT_GT(near - far, 40.0);
+        best = std::min(best, std::abs(red(brink) - std::sqrt(0.5 * (near * near + far * far))));
+    }
+    EXPECT_LT(best, 4.0);
 }
 
 TEST(WaterPixels, PixelsOfATileBeginBeforeItsFirstSample) {
