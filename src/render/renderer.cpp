@@ -109,7 +109,7 @@ void Renderer::prepare(const ReadyPicture& picture) {
     const bool uploaded = p.uploaded == picture.lit && !other;
     p.uploaded = other ? nullptr : picture.lit;
 
-    p.light.metered = metered_exposure(p.view, p.light, picture.pose.metered);
+    p.light.metered = metered_exposure(p.view, p.light, picture.pose.metered.value_or(camera));
     gl::functions().BindVertexArray(p.no_attributes.name());
     if (p.world) {
         if (!uploaded) {

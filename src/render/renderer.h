@@ -30,8 +30,8 @@ struct FramePose {
     /// says.
     std::optional<std::int64_t> frame{};
     /// By what this camera sees of the sky pictures are exposed, see exposure_under_sky(): one
-    /// exposure for a run, and for a film's shot.
-    Camera metered{};
+    /// exposure for a run, and for a film's shot. None: the picture's own.
+    std::optional<Camera> metered{};
 };
 
 struct LitBed;
