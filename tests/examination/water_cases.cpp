@@ -225,8 +225,7 @@ Case basin(const char* name, const char* title, bool square, double h0, double d
     };
     one.exact = flow;
     one.start = [flow](double x, double y, double) { return flow(x, y, 0.0); };
-    one.parameters.shore_velocity = ShoreVelocity::even;
-    one.parameters.shore_cells = ShoreCells::partly_wet;
+    one.parameters.shore_cells = ShoreCells::planes;
     one.smooth = true;
     one.basin = true;
     return one;
@@ -340,6 +339,7 @@ Outcome run_case(const Case& one, int cells, int threads) {
     Setting setting = setting_of(one, cells);
     WorkerPool pool(threads);
     FiniteVolumeScheme scheme(setting.parameters, setting.domain, pool);
+    scheme.take_means(setting.water, setting.bed);
     Outcome outcome;
     const double rain = setting.parameters.rain / 3.6e6;
     const auto volume = [&] {

@@ -72,8 +72,7 @@ std::string scene_of(const Case& one, int cells) {
     if (one.parameters.limiter_steepness < 2.0)
         text += fmt::format("limiter_steepness = {:g}\n", one.parameters.limiter_steepness);
     if (one.parameters.shore_velocity == ShoreVelocity::even) text += "shore_velocity = \"even\"\n";
-    if (one.parameters.shore_cells == ShoreCells::partly_wet)
-        text += "shore_cells = \"partly-wet\"\n";
+    if (one.parameters.shore_cells == ShoreCells::planes) text += "shore_cells = \"planes\"\n";
     text += fmt::format("edges_x = \"wall\"\nedges_y = \"{}\"\n", one.square ? "wall" : "periodic");
     if (one.parameters.rain > 0.0) text += fmt::format("rain = {:g}\n", one.parameters.rain);
     text += fmt::format("time_step = {:.9g}\n", one.duration / steps);

@@ -36,6 +36,8 @@ FiniteVolumeScheme::FiniteVolumeScheme(const GullyParameters& parameters, const 
     : domain_(domain),
       gravity_(parameters.gravity),
       manning_(parameters.friction == FrictionLaw::manning),
+      planes_(parameters.shore_cells == ShoreCells::planes),
+      steepness_(parameters.limiter_steepness),
       even_friction_(friction_factor(parameters)),
       friction_(friction_factors(parameters, roughness)),
       pool_(pool),
@@ -59,20 +61,31 @@ double FiniteVolumeScheme::step_at_courant_one(const Water& water) const {
     return step_of(rates);
 }
 
+/// What depends on the grid's size.
+void FiniteVolumeScheme::prepare(const Water& water) {
+    if (nx_ == water.depth.nx() && ny_ == water.depth.ny()) return;
+    nx_ = water.depth.nx();
+    ny_ = water.depth.ny();
+    between_ = {Grid(nx_, ny_), Grid(nx_, ny_), Grid(nx_, ny_)};
+    row_rates_.resize(static_cast<std::size_t>(ny_));
+    edges_ = std::make_unique<WaterEdges>(domain_, nx_, ny_);
+    edges_->set_time(time_);
+    friction_row_.assign(static_cast<std::size_t>(nx_), even_friction_);
+    find_outlets();
+    tiles_ = std::make_unique<WetTiles>(nx_, ny_, domain_.edges_x == EdgeKind::periodic,
+                                        domain_.edges_y == EdgeKind::periodic);
+    keep_inlets_wet();
+    if (!planes_) return;
+    shores_ = std::make_unique<ShorePlanes>(domain_, *edges_, nx_, ny_, gravity_, steepness_);
+}
+
+void FiniteVolumeScheme::take_means(Water& water, const Grid& bed) {
+    prepare(water);
+    if (shores_) shores_->take_means(water, bed, pool_);
+}
+
 double FiniteVolumeScheme::advance(Water& water, const Grid& bed, double dt, double rain) {
-    if (nx_ != water.depth.nx() || ny_ != water.depth.ny()) {
-        nx_ = water.depth.nx();
-        ny_ = water.depth.ny();
-        between_ = {Grid(nx_, ny_), Grid(nx_, ny_), Grid(nx_, ny_)};
-        row_rates_.resize(static_cast<std::size_t>(ny_));
-        edges_ = std::make_unique<WaterEdges>(domain_, nx_, ny_);
-        edges_->set_time(time_);
-        friction_row_.assign(static_cast<std::size_t>(nx_), even_friction_);
-        find_outlets();
-        tiles_ = std::make_unique<WetTiles>(nx_, ny_, domain_.edges_x == EdgeKind::periodic,
-                                            domain_.edges_y == EdgeKind::periodic);
-        keep_inlets_wet();
-    }
+    prepare(water);
     find_wet(water, rain);
     rain_row_.assign(static_cast<std::size_t>(nx_), rain);
     run({water, nullptr, between_, bed, dt});
@@ -136,6 +149,7 @@ void FiniteVolumeScheme::find_wet(const Water& water, double rain) {
 }
 
 void FiniteVolumeScheme::run(const Stage& stage) {
+    if (shores_) shores_->find(stage.from, stage.bed, pool_);
     std::fill(row_rates_.begin(), row_rates_.end(), 0.0);
     for (std::vector<Outlet>& row : outlets_) {
         for (Outlet& outlet : row) outlet.volume = 0.0;
@@ -230,6 +244,7 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip&
         if (flows) take_edge_y(strip, top - 2);
         if (top < lowest + 4) continue;
         strip.take_x_fluxes(top - 2, gravity_);
+        if (shores_) put_shores(strip, top - 2);
         if (flows) take_edge_x(strip, top - 2);
         const bool beyond = (top - 2 < 0 && edges_->has_stretches(Side::south)) ||
                             (top - 2 >= ny_ && edges_->has_stretches(Side::north));
@@ -255,6 +270,19 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip&
     }
 }
 
+/// The fluxes of cells along shores, in row y, which may lie beyond a periodic edge.
+void FiniteVolumeScheme::put_shores(finite_volume::Strip& strip, int y) const {
+    const CellSource row = source_of(y, ny_, domain_.edges_y);
+    const bool is_beyond_wall = row.mirrored || row.outside;
+    if (is_beyond_wall && y != -1) return;
+    const int from = is_beyond_wall ? -1 : row.index;
+    const int across = domain_.edges_x == EdgeKind::periodic ? nx_ : 0;
+    for (int shift = -across; shift <= across; shift += std::max(across, 1)) {
+        strip.set_x_fluxes(y, shores_->east_faces(from), shift);
+        strip.set_y_fluxes(y, shores_->north_faces(from), shift);
+    }
+}
+
 /// Water that flows over an edge brings a speed of its own.
 void FiniteVolumeScheme::bound_speeds(const Stage& stage, finite_volume::Strip& strip,
                                       int y) const {
@@ -266,6 +294,10 @@ void FiniteVolumeScheme::bound_speeds(const Stage& stage, finite_volume::Strip& 
     for (const Outlet& outlet : outlets_[static_cast<std::size_t>(y)]) {
         if (outlet.is_flow) strip.free_speed(outlet.x, y);
     }
+    if (!shores_) return;
+    strip.set_slopes(y, shores_->slopes(y));
+    for (int beside = std::max(y - 1, 0); beside <= std::min(y + 1, ny_ - 1); ++beside)
+        strip.bound_speeds_beside(y, shores_->slopes(beside));
 }
 
 /// Of row y: its faces to the west, north and, at the grid's ends, east and south.

@@ -7,6 +7,7 @@
 #include "base/state_carrier.h"
 #include "models/water/finite_volume_strip.h"
 #include "models/water/shallow_water.h"
+#include "models/water/shore_planes.h"
 #include "models/water/water_edges.h"
 #include "models/water/wet_tiles.h"
 
@@ -44,6 +45,7 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     [[nodiscard]] double left() const override { return left_ + left_with_flow_.value(); }
     [[nodiscard]] double entered() const override { return entered_.value(); }
     void record(FaceFlows& flows) override { flows_ = &flows; }
+    void take_means(Water& water, const Grid& bed) override;
     void set_rain(const Grid* rain) override { rain_ = rain; }
     void set_time(double time) override;
     [[nodiscard]] double edge_step_at_courant_one(double time, const Grid& bed) const override;
@@ -82,6 +84,7 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
         double entered = 0.0;
     };
 
+    void prepare(const Water& water);
     void find_outlets();
     void keep_inlets_wet();
     void find_wet(const Water& water, double rain);
@@ -96,6 +99,7 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     void load_on_line(const Stage& stage, finite_volume::Strip& strip, int k, int y, Place edge,
                       Place inner, int beyond) const;
     void put_through(finite_volume::Strip& strip, int k, int y, GridSide side, int cell) const;
+    void put_shores(finite_volume::Strip& strip, int y) const;
     void take_edge_x(finite_volume::Strip& strip, int y) const;
     void take_edge_y(finite_volume::Strip& strip, int y) const;
     void bound_speeds(const Stage& stage, finite_volume::Strip& strip, int y) const;
@@ -107,6 +111,8 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     WaterDomain domain_;
     double gravity_;
     bool manning_;
+    bool planes_;                       // along shores
+    double steepness_;                  // of the limiter
     double even_friction_;              // as Grid friction_
     Grid friction_;                     // C_f, or g n² of Manning's law; empty: even
     const Grid* rain_ = nullptr;        // m/s, instead of the even rain
@@ -125,6 +131,7 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     FaceFlows* flows_ = nullptr;                // where they are recorded
     double time_ = 0.0;                         // of the discharges and levels at the edges, s
     std::unique_ptr<WaterEdges> edges_;         // of the grid's size
+    std::unique_ptr<ShorePlanes> shores_;       // likewise, where shores have planes
     std::vector<finite_volume::Strip> strips_;  // one a thread
 };
 

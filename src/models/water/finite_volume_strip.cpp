@@ -1,6 +1,7 @@
 #include "models/water/finite_volume_strip.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "models/water/kernels/shore_vectors.h"
 
@@ -100,6 +101,45 @@ void Strip::cut_fluxes(int y, double dt_dx, double dt_dy, bool beyond) {
     if (is_short || short_of_water_[slot_south])
         cut_to_shares(fluxes(y_fluxes, y - 1, 2), row(shares, y - 1) + 2, row(shares, y) + 2,
                       padded() - 4);
+}
+
+void Strip::set_fluxes(Kind kind, int y, const std::vector<ShorePlanes::Face>& faces, int shift) {
+    const int first = kind == x_fluxes ? 1 : 2;
+    const int to_padded = margin - first_x_ + shift;
+    auto face = std::ranges::lower_bound(faces, first - to_padded, {}, &ShorePlanes::Face::x);
+    for (; face != faces.end() && face->x + to_padded <= padded() - 3; ++face) {
+        const int k = face->x + to_padded;
+        row(kind, y)[k] = face->mass;
+        row(kind + 1, y)[k] = face->left;
+        row(kind + 2, y)[k] = face->right;
+        row(kind + 3, y)[k] = face->along;
+    }
+}
+
+void Strip::set_x_fluxes(int y, const std::vector<ShorePlanes::Face>& faces, int shift) {
+    set_fluxes(x_fluxes, y, faces, shift);
+}
+
+void Strip::set_y_fluxes(int y, const std::vector<ShorePlanes::Face>& faces, int shift) {
+    set_fluxes(y_fluxes, y, faces, shift);
+}
+
+void Strip::set_slopes(int y, const std::vector<ShorePlanes::Slope>& slopes) {
+    auto slope = std::ranges::lower_bound(slopes, first_x_, {}, &ShorePlanes::Slope::x);
+    for (; slope != slopes.end() && slope->x < first_x_ + count_; ++slope) {
+        const int k = slope->x - first_x_ + margin;
+        row(x_slopes + 1, y)[k] = 0.5 * slope->surface_x;
+        row(y_slopes + 1, y)[k] = 0.5 * slope->surface_y;
+    }
+}
+
+void Strip::bound_speeds_beside(int y, const std::vector<ShorePlanes::Slope>& shore) {
+    if (shore.empty()) return;
+    auto slope = std::ranges::lower_bound(shore, first_x_ - 1, {}, &ShorePlanes::Slope::x);
+    for (; slope != shore.end() && slope->x <= first_x_ + count_; ++slope) {
+        const int k = slope->x - first_x_ + margin;
+        std::fill_n(row(bounds + 1, y) + k - 1, 3, std::numeric_limits<double>::infinity());
+    }
 }
 
 UpdateInput Strip::update_input(int y) {

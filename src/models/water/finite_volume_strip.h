@@ -9,6 +9,7 @@
 #include "models/water/kernels/finite_volume_vectors.h"
 #include "models/water/kernels/limited_slope_vectors.h"
 #include "models/water/kernels/speed_bound_vectors.h"
+#include "models/water/shore_planes.h"
 #include "models/water/water_settings.h"
 
 namespace fumon::finite_volume {
@@ -26,7 +27,7 @@ class Strip {
     Strip(StoppingSteps steps, const SlopeLimits& limits, ShoreCells shores)
         : steps_(steps),
           limits_(limits),
-          partly_wet_(shores == ShoreCells::partly_wet),
+          partly_wet_(shores != ShoreCells::whole),
           values_(static_cast<std::size_t>(fields) * kept * stride) {}
 
     /// Starts a block of `count` columns from column `first_x` on. Where `edge_west` or
@@ -63,6 +64,14 @@ class Strip {
     [[nodiscard]] EdgeWater at_face(int k, int y, Side side) const;
     /// Puts another flux through that face.
     void set_flux(int k, int y, Side side, const EdgeFlux& flux, double depth, double gravity);
+    /// Puts other fluxes through faces toward the east of cells of row y; `shift` is added to x.
+    void set_x_fluxes(int y, const std::vector<ShorePlanes::Face>& faces, int shift);
+    /// … and toward the north.
+    void set_y_fluxes(int y, const std::vector<ShorePlanes::Face>& faces, int shift);
+    /// Bounds speeds in row y, at any depth, beside cells of a shore in that row or the next.
+    void bound_speeds_beside(int y, const std::vector<ShorePlanes::Slope>& shore);
+    /// Gives the surface of cells of row y other slopes.
+    void set_slopes(int y, const std::vector<ShorePlanes::Slope>& slopes);
     /// What the update of row y's own cells reads, without the step's start.
     [[nodiscard]] UpdateInput update_input(int y);
 
@@ -98,6 +107,7 @@ class Strip {
     }
     void take_slopes(const CellRow& back, const CellRow& here, const CellRow& forward,
                      const HalfSlopes& out, int count) const;
+    void set_fluxes(Kind kind, int y, const std::vector<ShorePlanes::Face>& faces, int shift);
     [[nodiscard]] CellRow across_x(int y, int from);
     [[nodiscard]] InvariantRow invariant_row(int y, int from);
     [[nodiscard]] CellRow across_y(int y, int from);

@@ -118,6 +118,14 @@ void check_time_step(const GullyParameters& parameters, double step_at_one) {
                     parameters.time_step, parameters.time_step / step_at_one, step_at_one));
 }
 
+/// The scheme, which finds the water at the start as it keeps it.
+std::unique_ptr<ShallowWaterScheme> scheme_of(const GullyStart& start, WorkerPool& pool,
+                                              Water& water) {
+    std::unique_ptr<ShallowWaterScheme> scheme = make_water_scheme(start, pool);
+    scheme->take_means(water, start.bed);
+    return scheme;
+}
+
 }  // namespace
 
 Gully::Gully(const GullyParameters& parameters, ModelSetup setup)
@@ -134,7 +142,7 @@ Gully::Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool)
                      ? start.bed
                      : Grid()),
       water_(start.water),
-      scheme_(make_water_scheme(start, pool)),
+      scheme_(scheme_of(start, pool, water_)),
       step_at_courant_one_(scheme_->step_at_courant_one(water_)),
       sediment_(parameters_, domain_, bed_.nx(), bed_.ny(), pool),
       loads_(make_loads(start, pool)),

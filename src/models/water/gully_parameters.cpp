@@ -102,7 +102,11 @@ void list_flow_keys(GullyParameters& gully, KeyTable& table) {
                  {{ShoreCells::whole, "whole", "is wet from side to side"},
                   {ShoreCells::partly_wet, "partly-wet",
                    "is wet up to a line within it, by its depth and that of the next: a shore "
-                   "that moves over a smooth bed stays as sharp as a cell"}},
+                   "that moves over a smooth bed stays as sharp as a cell"},
+                  {ShoreCells::planes, "planes",
+                   "likewise, but where the grid resolves the bed its water has the surface and "
+                   "velocity of the deeper water, so that a shore may lie aslant; depths are "
+                   "means over the cell there"}},
                  {.help = "of finite volumes: a cell beyond which the bed rises above its water"});
     table.real("model.time_step", gully.time_step,
                {.unit = "s", .range = {0, 1000, true}, .help = "of one step"});

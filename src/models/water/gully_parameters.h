@@ -19,7 +19,7 @@ enum class InitialFlow { automatic, uniform, rest };
 enum class EdgeKind { automatic, periodic, open, wall };
 enum class StoppingSteps { bed, all };
 enum class ShoreVelocity { sloped, even };
-enum class ShoreCells { whole, partly_wet };
+enum class ShoreCells { whole, partly_wet, planes };
 enum class Substeps { adaptive, fixed };
 
 /// The parameters of the gully model (Saeki & Okamura 2007), in metres and seconds.

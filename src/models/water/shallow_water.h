@@ -65,6 +65,10 @@ class ShallowWaterScheme {
     /// `rain` in m/s. Returns step_at_courant_one of the water that it leaves.
     virtual double advance(Water& water, const Grid& bed, double dt, double rain) = 0;
 
+    /// Changes depths at the cells' middles, as water is given at the start, to those that the
+    /// scheme keeps.
+    virtual void take_means(Water& /*water*/, const Grid& /*bed*/) {}
+
     /// Volume that left over open edges and into cells without data since the start, m³.
     [[nodiscard]] virtual double left() const { return 0.0; }
 

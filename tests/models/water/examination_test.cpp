@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -45,9 +46,12 @@ const std::vector<Asked> asked{
     {"dam-wet", 3.5e-3, 0.9, 0.9},
     {"dam-dry", 3.5e-3, 0.9, 0.9},
     {"dam-friction", 1.3e-3, 0.9, 0.9},
-    {"thacker-parabola", 7e-4, 1.7, 1.05},
-    {"thacker-planar", 6.5e-4, 1.75, 1.1},
-    {"thacker-radial", 1.25e-3, 1.45, 0.6},
+    {"thacker-parabola", 6e-5, 1.9, 1.7},
+    {"thacker-planar", 5.5e-4, 1.85, 1.2},
+    {"thacker-radial", 3.6e-4, 1.85, 0.1},
+    {"thacker-parabola", 7e-4, 1.7, 1.05, ShoreCells::partly_wet},
+    {"thacker-planar", 6.5e-4, 1.75, 1.1, ShoreCells::partly_wet},
+    {"thacker-radial", 1.25e-3, 1.45, 0.6, ShoreCells::partly_wet},
     {"thacker-parabola", 8.5e-3, 1.85, 1.4, ShoreCells::whole},
     {"thacker-planar", 5.5e-3, 1.4, 0.8, ShoreCells::whole},
     {"thacker-radial", 1.15e-2, 1.4, 0.75, ShoreCells::whole},
@@ -65,7 +69,10 @@ class ExactFlow : public ::testing::TestWithParam<Asked> {};
 
 TEST_P(ExactFlow, IsMet) {
     Case one = case_of(GetParam().name);
-    if (GetParam().shore_cells) one.parameters.shore_cells = *GetParam().shore_cells;
+    if (GetParam().shore_cells) {
+        one.parameters.shore_cells = *GetParam().shore_cells;
+        one.parameters.shore_velocity = ShoreVelocity::even;
+    }
     const Outcome coarse = run_case(one, 100, 1);
     const Outcome fine = run_case(one, 200, 1);
     EXPECT_LT(fine.errors.depth, GetParam().error);
@@ -78,7 +85,9 @@ TEST_P(ExactFlow, IsMet) {
 INSTANTIATE_TEST_SUITE_P(Cases, ExactFlow, ::testing::ValuesIn(asked), [](const auto& each) {
     std::string name = each.param.name;
     std::erase(name, '-');
-    return each.param.shore_cells ? name + "_with_whole_cells" : name;
+    if (!each.param.shore_cells) return name;
+    return name + (*each.param.shore_cells == ShoreCells::whole ? "_with_whole_cells"
+                                                                : "_with_partly_wet_cells");
 });
 
 TEST(ExactLake, StaysAtRestOverABumpUnderAndAboveIt) {
@@ -86,13 +95,15 @@ TEST(ExactLake, StaysAtRestOverABumpUnderAndAboveIt) {
         Case one = case_of(name);
         for (const auto& [velocity, cells] : {std::pair{ShoreVelocity::sloped, ShoreCells::whole},
                                               {ShoreVelocity::even, ShoreCells::whole},
-                                              {ShoreVelocity::even, ShoreCells::partly_wet}}) {
+                                              {ShoreVelocity::even, ShoreCells::partly_wet},
+                                              {ShoreVelocity::sloped, ShoreCells::planes}}) {
             one.parameters.shore_velocity = velocity;
             one.parameters.shore_cells = cells;
             const Outcome outcome = run_case(one, 100, 1);
             EXPECT_LT(outcome.errors.speed, 1e-12) << name;
-            EXPECT_LT(outcome.errors.depth, 1e-13) << name;
             EXPECT_LT(outcome.errors.mass, 1e-13) << name;
+            if (cells == ShoreCells::planes) continue;  // whose depths are means
+            EXPECT_LT(outcome.errors.depth, 1e-13) << name;
         }
     }
 }
@@ -101,6 +112,7 @@ TEST(ExactLake, StaysAtRestOverABumpUnderAndAboveIt) {
 TEST(MovingShore, KeepsItsMomentumOnASlopeThatTheGridResolves) {
     Case one = case_of("thacker-planar");
     one.parameters.shore_cells = ShoreCells::whole;
+    one.parameters.shore_velocity = ShoreVelocity::even;
     EXPECT_LT(run_case(one, 100, 1).errors.depth, 0.02);
     one.parameters.stopping_steps = StoppingSteps::all;
     EXPECT_GT(run_case(one, 100, 1).errors.depth, 0.04);
@@ -131,6 +143,7 @@ TEST(LimiterSteepness, QuietsAStandingJump) {
 TEST(ShoreVelocity, EvenSendsFewerWavesFromAShoreOverASmoothBed) {
     Case one = case_of("thacker-radial");
     one.parameters.shore_cells = ShoreCells::whole;
+    one.parameters.shore_velocity = ShoreVelocity::even;
     EXPECT_LT(run_case(one, 100, 1).errors.depth, 3.3e-2);
     one.parameters.shore_velocity = ShoreVelocity::sloped;
     EXPECT_GT(run_case(one, 100, 1).errors.depth, 3.9e-2);
@@ -138,9 +151,66 @@ TEST(ShoreVelocity, EvenSendsFewerWavesFromAShoreOverASmoothBed) {
 
 TEST(ShoreCells, PartlyWetOnesKeepAMovingShoreSharp) {
     Case one = case_of("thacker-planar");
+    one.parameters.shore_velocity = ShoreVelocity::even;
+    one.parameters.shore_cells = ShoreCells::partly_wet;
     EXPECT_LT(run_case(one, 100, 1).errors.depth, 2.3e-3);
     one.parameters.shore_cells = ShoreCells::whole;
+    one.parameters.shore_velocity = ShoreVelocity::even;
     EXPECT_GT(run_case(one, 100, 1).errors.depth, 1.4e-2);
+}
+
+/// What happens at the shore spoils the lake inside no more.
+TEST(ShoreCells, PlanesOfTheDeeperWaterSendFewWaves) {
+    Case one = case_of("thacker-radial");
+    EXPECT_LT(run_case(one, 100, 1).errors.away, 1.1e-4);
+    one.parameters.shore_cells = ShoreCells::partly_wet;
+    one.parameters.shore_velocity = ShoreVelocity::even;
+    EXPECT_GT(run_case(one, 100, 1).errors.away, 4e-4);
+}
+
+/// A lake in a bowl off the grid's middle. (Mirror images differ in the last bits where a film
+/// gives all its water, as with partly wet cells.)
+TEST(ShoreCells, PlanesAreTheSameForMirrorImagesExchangedAxesAndAnyThreads) {
+    constexpr int n = 48;
+    GullyParameters parameters;
+    parameters.friction_coefficient = 0.0;
+    parameters.shore_cells = ShoreCells::planes;
+    WaterDomain domain;
+    domain.edges_x = domain.edges_y = EdgeKind::wall;
+    const auto flow = [&](bool mirrored, bool exchanged, int threads) {
+        Water water{Grid(n, n), Grid(n, n), Grid(n, n)};
+        Grid bed(n, n);
+        for (int y = 0; y < n; ++y) {
+            for (int x = 0; x < n; ++x) {
+                const int to_x = mirrored ? n - 1 - x : exchanged ? y : x;
+                const int to_y = exchanged ? x : y;
+                const double r2 = 1.3 * (x - 20) * (x - 20) + 0.8 * (y - 25) * (y - 25);
+                bed(to_x, to_y) = 0.01 * r2;
+                const double depth = 0.05 * (x - 20) + 0.08 * (y - 25) + 1.5 - 0.01 * r2;
+                water.depth(to_x, to_y) = depth > 0.0 ? depth : 0.0;
+            }
+        }
+        WorkerPool pool(threads);
+        FiniteVolumeScheme scheme(parameters, domain, pool);
+        scheme.take_means(water, bed);
+        for (int step = 0; step < 150; ++step) scheme.advance(water, bed, 0.05, 0.0);
+        return water;
+    };
+    const Water plain = flow(false, false, 1);
+    const Water mirror = flow(true, false, 1);
+    const Water exchange = flow(false, true, 1);
+    const Water shared = flow(false, false, 3);
+    EXPECT_EQ(plain.depth, shared.depth);
+    EXPECT_EQ(plain.velocity_x, shared.velocity_x);
+    double fastest = 0.0;
+    for (int y = 0; y < n; ++y) {
+        for (int x = 0; x < n; ++x) {
+            fastest = std::max(fastest, std::fabs(plain.velocity_x(x, y)));
+            ASSERT_NEAR(plain.depth(x, y), mirror.depth(n - 1 - x, y), 1e-9) << x << ' ' << y;
+            ASSERT_NEAR(plain.depth(x, y), exchange.depth(y, x), 1e-9) << x << ' ' << y;
+        }
+    }
+    EXPECT_GT(fastest, 0.3);
 }
 
 TEST(PlainFirstOrder, IsFarFromTheExactFlow) {
@@ -197,8 +267,10 @@ TEST(ExaminationScenes, RunToTheExactFlow) {
         EXPECT_NEAR(model->time(), one.duration, 1e-6);
         const Snapshot end = model->snapshot();
         Water water{end.fields[0].values, end.fields[1].values, end.fields[2].values};
+        // Its steps are others, which on so few cells matter more where a shore crosses them.
+        const double within = one.basin ? 1.2 : 1.05;
         EXPECT_LT(errors_of(one, setting_of(one, cells), water).depth,
-                  1.05 * run_case(one, cells, 1).errors.depth)
+                  within * run_case(one, cells, 1).errors.depth)
             << name;
     }
 }

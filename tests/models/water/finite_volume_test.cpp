@@ -30,12 +30,14 @@ TEST_P(LakeAtRest, StaysWithIslandsAndOnOblongCells) {
     domain.dx = 0.7;
     domain.dy = 2.3;
     const Grid bed = noise(61, 43, 2.0);
-    for (const ShoreCells shores : {ShoreCells::whole, ShoreCells::partly_wet}) {
+    for (const ShoreCells shores :
+         {ShoreCells::whole, ShoreCells::partly_wet, ShoreCells::planes}) {
         GullyParameters parameters = without_friction();
         parameters.shore_cells = shores;
         for (const double level : {0.3, 1.4, 2.5}) {
             FiniteVolumeScheme scheme(parameters, domain, pool);
             Water water = lake(bed, level);
+            scheme.take_means(water, bed);
             const Grid before = water.depth;
             for (int step = 0; step < 300; ++step)
                 scheme.advance(water, bed, 0.45 * scheme.step_at_courant_one(water), 0.0);
@@ -146,7 +148,8 @@ TEST_P(OverDryRoughGround, NeverNegativeConservedAndNoFasterThanAFront) {
 INSTANTIATE_TEST_SUITE_P(FiniteVolume, OverDryRoughGround,
                          ::testing::Values(std::pair{ShoreCells::whole, ShoreVelocity::sloped},
                                            std::pair{ShoreCells::partly_wet, ShoreVelocity::sloped},
-                                           std::pair{ShoreCells::partly_wet, ShoreVelocity::even}));
+                                           std::pair{ShoreCells::partly_wet, ShoreVelocity::even},
+                                           std::pair{ShoreCells::planes, ShoreVelocity::sloped}));
 
 TEST(FiniteVolume, GivesNoMoreWaterThanThereIsInTooLongAStep) {
     WorkerPool pool(1);
@@ -175,7 +178,8 @@ TEST(FiniteVolume, MirrorImagesAndExchangedAxesGiveTheSameFlow) {
         for (int step = 0; step < 200; ++step) scheme.advance(water, ground, 0.05, 1e-4);
         return water;
     };
-    for (const ShoreCells shores : {ShoreCells::whole, ShoreCells::partly_wet}) {
+    for (const ShoreCells shores :
+         {ShoreCells::whole, ShoreCells::partly_wet, ShoreCells::planes}) {
         parameters.shore_cells = shores;
         const Water plain = flow(bed, grid_of(n, n, depth), EdgeKind::wall, EdgeKind::open);
         const Water mirror = flow(grid_of(n, n, mirrored),
@@ -235,7 +239,8 @@ TEST(FiniteVolume, BlocksOfColumnsJoinWithoutASeam) {
         for (int step = 0; step < 50; ++step) scheme.advance(water, bed, 0.05, 0.0);
         return water;
     };
-    for (const ShoreCells shores : {ShoreCells::whole, ShoreCells::partly_wet}) {
+    for (const ShoreCells shores :
+         {ShoreCells::whole, ShoreCells::partly_wet, ShoreCells::planes}) {
         parameters.shore_cells = shores;
         const Water wide = flow(1030, 9, true);
         const Water tall = flow(9, 1030, false);

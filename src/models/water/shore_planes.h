@@ -1,0 +1,153 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/grid.h"
+#include "models/water/shallow_water.h"
+#include "models/water/water_edges.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// The water along shores, by planes that the deeper water gives them, for shores that move over a
+/// bed which the grid resolves.
+///
+/// A cell is full where its depth, falling on as from its deeper neighbours, ends beyond it. Where
+/// all eight neighbours of a full cell are full too, surface and velocities have slopes as
+/// elsewhere. In the other wet cells, up to three from such ones, these give them: surface and
+/// velocities go on linearly, the surface's slope with its second differences, each the smallest
+/// of theirs if they agree in sign. The surface's height follows from the cell's own mean depth
+/// (clipped_plane.h), so that a shore may lie anywhere in the cell and aslant. Fluxes through the
+/// faces are HLLC ones of the mean depth along the face, with the mean of its square for the
+/// pressure; into or out of a dry cell, of the water at the shore itself.
+///
+/// Where such a cell's own level is far from what the deeper water would give it (a bore, a film
+/// that is left or comes down a slope), or the bed in it and the next cells is not smooth
+/// (second differences no smaller than half the slope), it is not one of these: it and faces of its
+/// kind stay as they are.
+class ShorePlanes {
+  public:
+    /// What passes a face, per metre, as finite_volume::Fluxes has it.
+    struct Face {
+        int x = 0;  ///< the cell's west or south of it
+        double mass = 0.0;
+        double left = 0.0;
+        double right = 0.0;
+        double along = 0.0;
+    };
+    /// The surface's slopes in a cell, over a cell, m.
+    struct Slope {
+        int x = 0;
+        double surface_x = 0.0;
+        double surface_y = 0.0;
+    };
+
+    /// Keeps references to the domain and the edges. `steepness` is the limiter's.
+    ShorePlanes(const WaterDomain& domain, const WaterEdges& edges, int nx, int ny, double gravity,
+                double steepness);
+
+    /// Finds the shore's cells and what passes their faces.
+    void find(const Water& water, const Grid& bed, WorkerPool& pool);
+
+    /// Changes depths at the cells' middles to the means over them along shores, and gives cells
+    /// that get water its velocity.
+    void take_means(Water& water, const Grid& bed, WorkerPool& pool);
+
+    /// Faces toward the east, and toward the north, of row y; sorted by x. Beyond the grid's south
+    /// edge: of row −1, the faces toward row 0.
+    [[nodiscard]] const std::vector<Face>& east_faces(int y) const { return rows_[slot(y)].east; }
+    [[nodiscard]] const std::vector<Face>& north_faces(int y) const { return rows_[slot(y)].north; }
+    [[nodiscard]] const std::vector<Slope>& slopes(int y) const { return rows_[slot(y)].slopes; }
+
+  private:
+    /// Surface and velocities within a cell, linear; slopes are over a cell.
+    struct Plane {
+        int x = 0;
+        double level = 0.0;  ///< at the middle, m
+        double level_x = 0.0;
+        double level_y = 0.0;
+        double u = 0.0;
+        double u_x = 0.0;
+        double u_y = 0.0;
+        double v = 0.0;
+        double v_x = 0.0;
+        double v_y = 0.0;
+        double bed = 0.0;
+        double bed_x = 0.0;
+        double bed_y = 0.0;
+    };
+    struct Row {
+        std::vector<Plane> outer;  ///< planed cells
+        std::vector<Plane> cells;  ///< a shore's
+        std::vector<Slope> slopes;
+        std::vector<Face> east;
+        std::vector<Face> north;
+    };
+    /// A cell, possibly one beyond an edge that stands for it.
+    struct Place {
+        int x = 0;
+        int y = 0;
+        double sign_x = 1.0;
+        double sign_y = 1.0;
+        bool outside = false;
+    };
+    /// The water at a face, seen from one of its sides.
+    struct Side {
+        double depth = 0.0;
+        double square = 0.0;
+        double across = 0.0;
+        double along = 0.0;
+    };
+    /// `planed`: with a plane from inside; `shore`: that, or one of the inside near such ones.
+    enum Kind : std::uint8_t { full, core, planed, shore };
+
+    static constexpr int pad = 4;
+
+    [[nodiscard]] static std::size_t slot(int y) { return static_cast<std::size_t>(y + 1); }
+    [[nodiscard]] Place at(int x, int y) const;
+    [[nodiscard]] std::size_t flag_of(int x, int y) const;
+    [[nodiscard]] bool is_beside_outside(int x, int y) const;
+    [[nodiscard]] bool is(Kind kind, const Place& place) const;
+    std::uint8_t* flags_of(Kind kind, int y) { return flags_[kind].data() + flag_of(0, y); }
+    [[nodiscard]] double limited(double back, double forward) const;
+    template <class Value>
+    [[nodiscard]] std::array<double, 2> slopes_of(const Value& value, int x, int y) const;
+
+    void find_deep(const Water& water, const Grid& bed, WorkerPool& pool);
+    void find_full(int y);
+    void copy_full_beyond();
+    void find_core(int y);
+    void find_planes(int y);
+    void find_shore(int y);
+    void find_faces(int y);
+
+    [[nodiscard]] double surface(const Place& place) const;
+    void put_bed(Plane& plane, int x, int y) const;
+    [[nodiscard]] bool is_resolved(int x, int y) const;
+    [[nodiscard]] Plane plane_inside(int x, int y) const;
+    [[nodiscard]] bool extend(Plane& plane, int x, int y) const;
+    [[nodiscard]] bool take_own_level(Plane& plane, double depth) const;
+    [[nodiscard]] Plane plane_of(const Place& place) const;
+    [[nodiscard]] bool is_film(const Place& place, const Plane& own, const Plane& beside) const;
+    [[nodiscard]] static Side side_of(const Plane& plane, bool across_x, double sign, double bed,
+                                      double bed_rise);
+    [[nodiscard]] Face face_between(int x, int y, bool across_x) const;
+    [[nodiscard]] Face flux(Side left, Side right) const;
+
+    const WaterDomain& domain_;
+    int nx_;
+    int ny_;
+    double gravity_;
+    double steepest_;
+    std::vector<Place> columns_;  // x only, from −pad on
+    std::vector<Place> places_y_;
+    std::array<std::vector<std::uint8_t>, 4> flags_;  // of each kind, with pad cells around
+    std::vector<Row> rows_;                           // from −1 on
+    const Water* water_ = nullptr;                    // while it is looked at
+    const Grid* bed_ = nullptr;
+};
+
+}  // namespace fumon
