@@ -152,7 +152,7 @@ void GroundSamples::see(const GroundTriangles& ground, const Camera& camera,
 void GroundSamples::draw(const Camera& camera, const SampleRectangle& samples, WorkerPool& pool,
                          std::uint32_t* out) const {
     const SampleRays rays = sample_rays(camera, samples.picture);
-    const std::size_t columns = samples.stride() / 2;
+    const std::size_t columns = samples.row();
     const std::size_t stride = columns + triangle_vectors::Band::beyond;
     const int bands = (samples.size.y + rows_of_band - 1) / rows_of_band;
     std::atomic<int> next = 0;

@@ -27,11 +27,13 @@ struct SampleRectangle {
     glm::ivec2 first{0};    ///< from the picture's lower left
     glm::ivec2 size{0};
 
-    /// Numbers from one row to the next, of which a sample has two.
-    [[nodiscard]] std::size_t stride() const {
-        constexpr std::size_t together = 16;  // that are written
-        return 2 * ((static_cast<std::size_t>(size.x) + together - 1) / together * together);
+    /// Samples from one row to the next: as many as are written at once, or a multiple.
+    [[nodiscard]] std::size_t row() const {
+        constexpr std::size_t together = 16;
+        return (static_cast<std::size_t>(size.x) + together - 1) / together * together;
     }
+    /// Numbers, of which a sample has two.
+    [[nodiscard]] std::size_t stride() const { return 2 * row(); }
     [[nodiscard]] std::size_t count() const { return stride() * static_cast<std::size_t>(size.y); }
 };
 

@@ -48,7 +48,7 @@ void SeenBuffer::bind(const gl::Program& program, int unit) const {
     program.set("seen_numbers", unit);
     program.set("numbers_begin", glm::vec2(in_target_));
     program.set("target_begin", glm::vec2(samples_.first - in_target_));
-    program.set("numbers_a_row", static_cast<float>(samples_.stride() / 2));
+    program.set("numbers_a_row", static_cast<float>(samples_.row()));
     program.set("first_ray", glm::vec3(rays_.first));
     program.set("ray_rightward", glm::vec3(rays_.right));
     program.set("ray_upward", glm::vec3(rays_.up));
