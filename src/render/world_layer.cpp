@@ -243,7 +243,7 @@ void WorldLayer::note_seen(const Camera& camera, const PixelSamples& at) const {
     gl.BindVertexArray(no_attributes_.name());
     const Camera there = at_origin(camera, fan_of(camera, *heights_));
     note_program_.use();
-    bind_seen(note_program_, nullptr);
+    seen_->bind(note_program_, seen_unit);
     note_program_.set("depth_range", glm::vec2(there.near_depth, there.far_depth));
     for (const GLint ground : {near_stencil, far_stencil}) {
         note_program_.set("ground", ground);
@@ -286,7 +286,7 @@ void WorldLayer::draw_seen(const Camera& camera, const TileSamples& tile, bool t
 void WorldLayer::bind_seen(const gl::Program& program, const gl::Texture2D* seen) const {
     if (seen_) {
         seen_->bind(program, seen_unit);
-    } else {
+    } else if (seen != nullptr) {
         seen->bind(seen_unit);
         program.set("offsets", seen_unit);
     }
