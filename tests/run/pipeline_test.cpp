@@ -140,6 +140,10 @@ class HeapModel : public SpoiledModel {
     HeapModel() : SpoiledModel(-1) {}
     void step() override {
         SpoiledModel::step();
+        constexpr std::int64_t often = 250;
+        if (steps_done() % often != 0) return;
+        // Until no frame is on its way: an encoder at work holds more than thousands of records.
+        std::this_thread::sleep_for(std::chrono::milliseconds(40));
         in_use[steps_done()] = mallinfo2().uordblks;
     }
 
@@ -159,7 +163,6 @@ TEST(Pipeline, MemoryDoesNotGrowWithFrames) {
             "[output]\nmovie = false\n",
         "scene.toml", "");
     HeapModel model;
-    for (std::int64_t step = 1; step <= steps; ++step) model.in_use[step] = 0;
     RunFolder run(folder / "out", false);
     Progress progress(Verbosity::quiet, 0);
     const RunOutcome outcome = run_pipeline(model, scene, {}, outputs_in(run, scene), {}, progress,
@@ -168,11 +171,11 @@ TEST(Pipeline, MemoryDoesNotGrowWithFrames) {
                                             });
     ASSERT_FALSE(outcome.error) << error_text(outcome.error);
     ASSERT_EQ(outcome.frames, steps + 1);
-    // The least of many: frames on their way come and go.
+    // The least of some: on a busy machine a frame may be on its way after all.
     const auto least = [&](std::int64_t from, std::int64_t to) {
         double bytes = std::numeric_limits<double>::infinity();
-        for (std::int64_t step = from; step <= to; ++step)
-            bytes = std::min(bytes, static_cast<double>(model.in_use[step]));
+        for (auto at = model.in_use.lower_bound(from); at != model.in_use.upper_bound(to); ++at)
+            bytes = std::min(bytes, static_cast<double>(at->second));
         return bytes;
     };
     const double grown = least(4000, steps) - least(1000, 3000);
