@@ -10,7 +10,6 @@ namespace fumon {
 
 namespace {
 
-constexpr double dry_depth = 1e-9;   // m, as for the fluxes of all other faces
 constexpr double no_speed = 1e-300;  // m/s
 constexpr double no_mass = 1e-300;   // m²/s
 constexpr double same_level = 0.25;  // of the bed's slope over a cell

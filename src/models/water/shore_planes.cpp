@@ -10,9 +10,8 @@ namespace fumon {
 
 namespace {
 
-constexpr double dry_depth = 1e-9;  // m, as for the fluxes of all other faces
 constexpr double smooth_bed = 0.5;  // second differences of a smooth bed over its slopes
-constexpr int farthest = 3;         // cells from which a plane is taken
+constexpr int most_reach = 3;       // cells from which a plane is taken
 constexpr int band = 1;             // cells inside that belong to a shore
 constexpr double same_water = 0.5;  // of what the depth falls by over a cell
 
@@ -330,7 +329,7 @@ bool ShorePlanes::extend(Plane& plane, int x, int y) const {
         return place.sign_x > 0.0 && place.sign_y > 0.0 && is(core, place);
     };
     while (inside == 0) {
-        if (++reach > farthest) return false;
+        if (++reach > most_reach) return false;
         for (int dy = -reach; dy <= reach; ++dy) {
             for (int dx = -reach; dx <= reach; ++dx) inside += gives(dx, dy) ? 1 : 0;
         }

@@ -105,6 +105,7 @@ class ShorePlanes {
     enum Kind : std::uint8_t { full, core, planed, shore };
 
     static constexpr int pad = 4;
+    static constexpr double dry_depth = 1e-9;  // m, as for the fluxes of all other faces
 
     [[nodiscard]] static std::size_t slot(int y) { return static_cast<std::size_t>(y + 1); }
     [[nodiscard]] Place at(int x, int y) const;
