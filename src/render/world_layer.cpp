@@ -110,7 +110,6 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
       origin_(origin),
       copies_(copies),
       seen_program_("world/world.vert.glsl", "world/world_seen.frag.glsl", {"offset"}),
-      note_program_("common/screen.vert.glsl", "world/world_noted.frag.glsl", {}, fixed),
       pixel_program_("common/screen.vert.glsl", "world/world_pixels.frag.glsl", {},
                      with_coloured(fixed, view, Coloured::pixels)),
       spread_program_("common/screen.vert.glsl", "world/world_spread.frag.glsl"),
@@ -125,7 +124,11 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
       relief_(relief_texels, relief_texels, detail_layout),
       wander_(wander_texels, wander_texels, wander_layout),
       slip_(slip_texels, slip_texels, detail_layout) {
-    if (in_buffer) seen_.emplace();
+    if (in_buffer) {
+        seen_.emplace();
+        note_program_.emplace("common/screen.vert.glsl", "world/world_noted.frag.glsl",
+                              std::initializer_list<const char*>{}, fixed);
+    }
     build();
     draw_relief();
     draw_wander();
@@ -242,11 +245,11 @@ void WorldLayer::note_seen(const Camera& camera, const PixelSamples& at) const {
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     gl.BindVertexArray(no_attributes_.name());
     const Camera there = at_origin(camera, fan_of(camera, *heights_));
-    note_program_.use();
-    seen_->bind(note_program_, seen_unit);
-    note_program_.set("depth_range", glm::vec2(there.near_depth, there.far_depth));
+    note_program_->use();
+    seen_->bind(*note_program_, seen_unit);
+    note_program_->set("depth_range", glm::vec2(there.near_depth, there.far_depth));
     for (const GLint ground : {near_stencil, far_stencil}) {
-        note_program_.set("ground", ground);
+        note_program_->set("ground", ground);
         gl.StencilFunc(GL_ALWAYS, ground, 0xFF);
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
     }

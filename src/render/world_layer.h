@@ -154,7 +154,7 @@ class WorldLayer {
     double sample_angle_ = 0.0;  ///< between two samples in the middle of the picture
     double near_to_ = 0.0;       ///< a ripple is not seen beyond, block lengths
     gl::Program seen_program_;
-    gl::Program note_program_;
+    std::optional<gl::Program> note_program_;  // after see()
     gl::Program pixel_program_;
     gl::Program spread_program_;
     gl::Program level_pixels_;  ///< of near ground, plain ones

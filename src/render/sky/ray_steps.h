@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 
 #include "base/elementary.h"
+#include "render/sky/atmosphere.h"
 
 namespace fumon {
 
@@ -34,6 +35,32 @@ inline RayStep growing_step(double distance, int number, int count) {
     const double before = distance * from * from;
     const double after = distance * to * to;
     return {0.5 * (before + after), after - before};
+}
+
+/// A step along a ray, and how much of the light that is scattered in it arrives.
+struct SeenStep {
+    double middle;
+    RayPoint point;
+    AirOptics optics;
+    glm::dvec3 seen;  ///< over the extinction on the way, per scattering coefficient
+};
+
+/// Walks along a ray of that length by growing steps and hands each to `use`; returns the share of
+/// light that passes all of it.
+template <class Use>
+glm::dvec3 walk(const Atmosphere& air, double radius, double up, double distance, int steps,
+                const Use& use) {
+    glm::dvec3 passed(1.0);
+    for (int i = 0; i < steps; ++i) {
+        const auto [middle, length] = growing_step(distance, i, steps);
+        const RayPoint point = along_ray(radius, up, middle);
+        const AirOptics optics = air.optics(point.radius - air.ground);
+        const glm::dvec3 extinction = optics.extinction();
+        const glm::dvec3 through = exp_of(-extinction * length);
+        use(SeenStep{middle, point, optics, passed * length_seen(extinction, through, length)});
+        passed *= through;
+    }
+    return passed;
 }
 
 }  // namespace fumon

@@ -103,19 +103,14 @@ ScatteredLight::Path ScatteredLight::path_from(double radius, double up, int ste
     const Atmosphere& air = air_.air();
     const RayEnd end = end_of_ray(air, radius, up);
     Path path;
-    glm::dvec3 passed(1.0);
-    for (int i = 0; i < steps; ++i) {
-        const auto [middle, length] = growing_step(end.distance, i, steps);
-        const RayPoint point = along_ray(radius, up, middle);
-        const AirOptics optics = air.optics(point.radius - air.ground);
-        const glm::dvec3 extinction = optics.extinction();
-        const glm::dvec3 through = exp_of(-extinction * length);
-        const glm::dvec3 seen = passed * length_seen(extinction, through, length);
-        path.steps.push_back({place_of(point.radius - air.ground, point.up), middle, point.radius,
-                              seen * optics.rayleigh, seen * optics.mie,
+    const auto add = [&](const SeenStep& step) {
+        const RayPoint& point = step.point;
+        path.steps.push_back({place_of(point.radius - air.ground, point.up), step.middle,
+                              point.radius, step.seen * step.optics.rayleigh,
+                              step.seen * step.optics.mie,
                               glm::max(air_.multiple_scattering(point.radius, sun_up_), 1e-12)});
-        passed *= through;
-    }
+    };
+    const glm::dvec3 passed = walk(air, radius, up, end.distance, steps, add);
     if (end.on_ground) path.from_ground = passed * air.ground_albedo;
     return path;
 }

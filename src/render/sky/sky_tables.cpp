@@ -164,22 +164,15 @@ glm::dvec3 AirTables::radiance(double radius, double up, double sun_up, double t
     glm::dvec3 mie;
     for (int band = 0; band < 3; ++band) mie[band] = aerosol_phase(air_, band, towards_sun);
     glm::dvec3 light(0.0);
-    glm::dvec3 passed(1.0);
-    for (int i = 0; i < radiance_steps; ++i) {
-        const auto [middle, step] = growing_step(end.distance, i, radiance_steps);
-        const RayPoint point = along_ray(radius, up, middle);
-        const AirOptics optics = air_.optics(point.radius - air_.ground);
-        const glm::dvec3 extinction = optics.extinction();
-        const glm::dvec3 through = exp_of(-extinction * step);
+    walk(air_, radius, up, end.distance, radiance_steps, [&](const SeenStep& step) {
+        const double there = step.point.radius;
         const double sun_there =
-            std::clamp((radius * sun_up + middle * towards_sun) / point.radius, -1.0, 1.0);
-        const glm::dvec3 once = transmittance(point.radius, sun_there) *
-                                (optics.rayleigh * rayleigh + optics.mie * mie);
-        const glm::dvec3 more = multiple_scattering(point.radius, sun_there) * optics.scattering();
-        const glm::dvec3 seen = passed * length_seen(extinction, through, step);
-        light += seen * (once + more);
-        passed *= through;
-    }
+            std::clamp((radius * sun_up + step.middle * towards_sun) / there, -1.0, 1.0);
+        const glm::dvec3 once = transmittance(there, sun_there) *
+                                (step.optics.rayleigh * rayleigh + step.optics.mie * mie);
+        const glm::dvec3 more = multiple_scattering(there, sun_there) * step.optics.scattering();
+        light += step.seen * (once + more);
+    });
     return light;
 }
 

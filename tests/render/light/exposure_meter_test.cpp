@@ -4,8 +4,17 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
+#include <memory>
+#include <numeric>
 
 #include "base/units.h"
+#include "base/worker_pool.h"
+#include "gl/context.h"
+#include "render/renderer.h"
+#include "render/view/framing.h"
+#include "support/drawn_picture.h"
+#include "support/repeated_dunes.h"
+#include "support/view_beds.h"
 
 namespace fumon {
 namespace {
@@ -55,6 +64,34 @@ TEST(ExposureMeter, ChangesSmoothlyAsTheCameraTurns) {
     Camera map = looking(90.0);
     map.perspective = false;
     EXPECT_EQ(exposure_under_sky(light, map), 1.0);
+}
+
+/// A run's camera that turns away from the sun does not let more light in.
+TEST(ExposureMeter, ARunHasOneExposure) {
+    View view = small_view(80, 60);
+    view.look.ground = Ground::endless;
+    view.camera.azimuth = 270.0;  // from where it looks east at first
+    view.camera.elevation = 4.0;
+    view.camera.turn = 180.0;
+    view.sun.azimuth = 90.0;
+    view.sun.elevation = 8.0;
+    const auto bed = std::make_shared<Snapshot>(repeated_dunes(60, 50));
+    bed->step = 100;
+    const auto context = gl::Context::create(gl::Backend::automatic);
+    WorkerPool pool(2);
+    Renderer renderer(*context, view, *bed, 100, pool);
+    const Image run = renderer.render(*bed);
+    const Block block = framed_block(view, *bed);
+    FramePose pose{camera_at_step(view, block, 100, 100), view.sun};
+    const auto posed = [&] { return renderer.render(renderer.ready(bed, pose, nullptr, pool)); };
+    const Image by_its_own = posed();
+    pose.metered = camera_at_step(view, block, 0, 100);
+    EXPECT_TRUE(posed().rgb == run.rgb);
+    const auto brightness = [](const Image& image) {
+        const double sum = std::accumulate(image.rgb.begin(), image.rgb.end(), 0.0);
+        return sum / static_cast<double>(image.rgb.size());
+    };
+    EXPECT_GT(brightness(by_its_own), brightness(run) + 10.0);
 }
 
 }  // namespace
