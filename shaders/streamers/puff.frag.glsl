@@ -41,8 +41,11 @@ void main() {
     float length2 = dot(way, way);
     float nearest = dot(way, unit_middle) / length2;
     vec3 off = unit_middle - nearest * way;
+    // A normal law that ends where the puff's square does: on its edge, rounding would put pixels in or out.
+    float distance2 = dot(off, off);
+    float density = 1.058 * exp(-0.5 * distance2) * (1.0 - smoothstep(4.5, 7.3, distance2));
     vec4 ground = texelFetch(ground_map, ivec2(gl_FragCoord.xy), 0);
     float before = dot(below((ground - nearest) * sqrt(length2)), vec4(0.25));
-    float depth = scattered.w * 2.5066283 * inversesqrt(length2) * length(ray) * exp(-0.5 * dot(off, off)) * before * streaks(nearest * ray + aside);
+    float depth = scattered.w * 2.5066283 * inversesqrt(length2) * length(ray) * density * before * streaks(nearest * ray + aside);
     depths = vec4(scattered.rgb * depth, depth);
 }

@@ -55,7 +55,7 @@ void main() {
     vec2 long_axis = normalize(abs(xx - yy) > abs(2.0 * xy) * 1e-4 || abs(xy) > 1e-20 ? (xx > yy ? vec2(0.5 * (xx - yy) + apart, xy) : vec2(xy, 0.5 * (yy - xx) + apart)) : vec2(1.0, 0.0));
     vec2 longer = long_axis * sqrt(mean + apart);
     vec2 shorter = vec2(-long_axis.y, long_axis.x) * sqrt(max(mean - apart, 0.0));
-    const float reach = 2.6;
+    const float reach = 2.8;
     vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
     gl_Position = snapped(vec4(at - shear + reach * (corner.x * longer + corner.y * shorter), 0.0, 1.0));
 

@@ -71,16 +71,15 @@ TEST(StreamerLayer, SameBytesByThreadsAndBackends) {
 }
 
 TEST(StreamerLayer, TilesLeaveNoSeams) {
-    View view = along_brink();
-    view.image.width = 397;
-    view.image.supersampling = 4;  // one sample at a dune's edge is then little of its pixel
-    const Image whole = picture(view, slip_face(2.0));
-    RenderLimits limits;
-    limits.tile_samples = 768;
-    const Image tiled = picture(view, slip_face(2.0), 1, gl::Backend::automatic, limits);
-    // Of ground alone, too, a few values differ by one.
-    EXPECT_LT(differing(tiled, whole), whole.rgb.size() / 5000);
-    EXPECT_LE(farthest(tiled, whole), 2);
+    for (const int factor : {1, 2}) {
+        View view = along_brink();
+        view.image.width = 397;
+        view.image.supersampling = factor;
+        RenderLimits limits;
+        limits.tile_samples = 256;
+        const Image tiled = picture(view, slip_face(2.0), 1, gl::Backend::automatic, limits);
+        EXPECT_TRUE(tiled.rgb == picture(view, slip_face(2.0)).rgb) << factor;
+    }
 }
 
 // Edges side by side, and where somebody stands, behind the camera, among all samples.
