@@ -196,10 +196,13 @@ vec4 near_colour(SeenPlace at) {
     float direct = lit.direct;
     // Crests are of coarser, paler grains.
     float crest = ripple_slope * lit.standing * resolved * lit.trough;
+    bool has_rock = marks > 1.5 || plain * rock > 0.0;
+    float rocky = has_rock ? weathered(place) : 0.0;
+    if (has_rock) share.y *= level_share(slope.steep, rocky);
     vec3 albedo = albedo_of(sand, share.y * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z + 0.15 * tongue.z + 0.2 * crest);
-    if (marks > 1.5 || plain * rock > 0.0) {
-        weather(mean.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), weathered(place));
-        direct = mix(direct, mean.sun * max(dot(mean.normal, to_sun), 0.0), weathered(place));
+    if (has_rock) {
+        weather(mean.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), rocky);
+        direct = mix(direct, mean.sun * mean_facing(dot(mean.normal, to_sun), 0.25), rocky);
     }
     if (clouds > 0.5) {
         float shade = cloud_shade(offset);
