@@ -289,7 +289,33 @@ Setting setting_of(const Case& one, int cells) {
     return setting;
 }
 
-Errors errors_of(const Case& one, const Setting& setting, const Water& water) {
+namespace {
+
+/// The mean depth over a cell that the shore crosses; of others the depth at its middle, as that
+/// over a bed whose heights are those of the middles.
+double mean_depth(const Case& one, double x, double y, double dx) {
+    const double middle = one.exact(x, y, one.duration).depth;
+    const int parts = one.square ? 32 : 256;
+    const int parts_y = one.square ? parts : 1;
+    const auto at = [&](int k, int of) { return ((k + 0.5) / of - 0.5) * dx; };
+    const auto sample = [&](int kx, int ky) {
+        return one.exact(x + at(kx, parts), y + at(ky, parts_y), one.duration).depth;
+    };
+    int wet = 0;
+    for (const int kx : {0, parts - 1}) {
+        for (const int ky : {0, parts_y - 1}) wet += sample(kx, ky) > 0.0 ? 1 : 0;
+    }
+    if (wet == 4 || (wet == 0 && !(middle > 0.0))) return middle;
+    double sum = 0.0;
+    for (int ky = 0; ky < parts_y; ++ky) {
+        for (int kx = 0; kx < parts; ++kx) sum += sample(kx, ky);
+    }
+    return sum / (parts * parts_y);
+}
+
+}  // namespace
+
+Errors errors_of(const Case& one, const Setting& setting, const Water& water, DepthsAtShore kept) {
     constexpr int near = 5;
     const int nx = water.depth.nx();
     const int ny = water.depth.ny();
@@ -324,7 +350,10 @@ Errors errors_of(const Case& one, const Setting& setting, const Water& water) {
     for (int y = 0; y < ny; ++y) {
         for (int x = 0; x < nx; ++x) {
             if (middle(x) > one.until) continue;
-            const double error = std::fabs(water.depth(x, y) - exact_depth(x, y));
+            const double exact = kept == DepthsAtShore::means
+                                     ? mean_depth(one, middle(x), middle(y), dx)
+                                     : exact_depth(x, y);
+            const double error = std::fabs(water.depth(x, y) - exact);
             volume += exact_depth(x, y);
             errors.depth += error;
             if (is_away(x, y)) errors.away += error;
@@ -333,6 +362,12 @@ Errors errors_of(const Case& one, const Setting& setting, const Water& water) {
     errors.depth /= volume;
     errors.away /= volume;
     return errors;
+}
+
+DepthsAtShore depths_of(const Case& one) {
+    return one.basin && one.parameters.shore_cells == ShoreCells::planes
+               ? DepthsAtShore::means
+               : DepthsAtShore::at_middles;
 }
 
 Outcome run_case(const Case& one, int cells, int threads) {
@@ -353,18 +388,19 @@ Outcome run_case(const Case& one, int cells, int threads) {
     const double began = processor_seconds();
     CompensatedSum fallen;
     double time = 0.0;
+    double of_water = scheme.step_at_courant_one(setting.water);
     while (time < one.duration) {
-        const double at_one = std::min(scheme.step_at_courant_one(setting.water),
-                                       scheme.edge_step_at_courant_one(time, setting.bed));
+        const double at_one =
+            std::min(of_water, scheme.edge_step_at_courant_one(time, setting.bed));
         const double dt = std::min(0.4 * at_one, one.duration - time);
         scheme.set_time(time + 0.5 * dt);
-        scheme.advance(setting.water, setting.bed, dt, rain);
+        of_water = scheme.advance(setting.water, setting.bed, dt, rain);
         fallen.add(rain * dt * area);
         time += dt;
         ++outcome.steps;
     }
     outcome.seconds = processor_seconds() - began;
-    outcome.errors = errors_of(one, setting, setting.water);
+    outcome.errors = errors_of(one, setting, setting.water, depths_of(one));
     const double after = volume();
     const double balance = ((after - before) - fallen.value()) + (scheme.left() - scheme.entered());
     outcome.errors.mass =
@@ -385,7 +421,7 @@ Outcome run_plainly(const Case& one, int cells) {
         ++outcome.steps;
     }
     outcome.seconds = processor_seconds() - began;
-    outcome.errors = errors_of(one, setting, scheme.water());
+    outcome.errors = errors_of(one, setting, scheme.water(), DepthsAtShore::at_middles);
     return outcome;
 }
 

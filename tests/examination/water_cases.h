@@ -59,7 +59,12 @@ struct Outcome {
     long steps = 0;
 };
 
-Errors errors_of(const Case& one, const Setting& setting, const Water& water);
+/// What the depths of cells that a shore crosses are compared with: given at the start are those of
+/// the cells' middles, which a scheme may change to means (ShallowWaterScheme::take_means).
+enum class DepthsAtShore { at_middles, means };
+DepthsAtShore depths_of(const Case& one);
+
+Errors errors_of(const Case& one, const Setting& setting, const Water& water, DepthsAtShore kept);
 
 /// By fumon's finite volumes.
 Outcome run_case(const Case& one, int cells, int threads);

@@ -90,8 +90,21 @@ double FiniteVolumeScheme::advance(Water& water, const Grid& bed, double dt, dou
     rain_row_.assign(static_cast<std::size_t>(nx_), rain);
     run({water, nullptr, between_, bed, dt});
     run({between_, &water, water, bed, dt});
+    deliver_deficits(water, dt);
     if (flows_ != nullptr) flows_->between = &between_.depth;
     return step_of(row_rates_);
+}
+
+/// Of cells along shores, after both stages.
+void FiniteVolumeScheme::deliver_deficits(Water& water, double dt) {
+    if (!shores_) return;
+    std::vector<int> changed;
+    shores_->deliver_deficits(water, dt, flows_ == nullptr ? nullptr : &flows_->stages[1], changed);
+    for (const int y : changed) {
+        row_rates_[static_cast<std::size_t>(y)] = finite_volume::fastest(
+            water.depth.row(y).data(), water.velocity_x.row(y).data(),
+            water.velocity_y.row(y).data(), gravity_, domain_.dx, domain_.dy, nx_);
+    }
 }
 
 void FiniteVolumeScheme::set_time(double time) {
@@ -149,7 +162,7 @@ void FiniteVolumeScheme::find_wet(const Water& water, double rain) {
 }
 
 void FiniteVolumeScheme::run(const Stage& stage) {
-    if (shores_) shores_->find(stage.from, stage.bed, pool_);
+    if (shores_) shores_->find(stage.from, stage.bed, stage.dt, pool_);
     std::fill(row_rates_.begin(), row_rates_.end(), 0.0);
     for (std::vector<Outlet>& row : outlets_) {
         for (Outlet& outlet : row) outlet.volume = 0.0;

@@ -89,6 +89,7 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     void keep_inlets_wet();
     void find_wet(const Water& water, double rain);
     void run(const Stage& stage);
+    void deliver_deficits(Water& water, double dt);
     void advance_share(const Stage& stage, finite_volume::Strip& strip, int first_row,
                        int last_row);
     void advance_part(const Stage& stage, finite_volume::Strip& strip, const Part& part);

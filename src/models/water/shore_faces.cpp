@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/water/clipped_plane.h"
 #include "models/water/shore_planes.h"
+#include "numerics/clipped_plane.h"
 
 namespace fumon {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/worker_pool.h"
-#include "models/water/clipped_plane.h"
+#include "numerics/clipped_plane.h"
 
 namespace fumon {
 
@@ -49,6 +49,7 @@ ShorePlanes::ShorePlanes(const WaterDomain& domain, const WaterEdges& edges, int
       ny_(ny),
       gravity_(gravity),
       steepest_(steepness),
+      wet_(static_cast<std::size_t>(ny)),
       rows_(static_cast<std::size_t>(ny) + 1) {
     const auto padded =
         static_cast<std::size_t>(nx + 2 * pad) * static_cast<std::size_t>(ny + 2 * pad);
@@ -68,7 +69,7 @@ ShorePlanes::ShorePlanes(const WaterDomain& domain, const WaterEdges& edges, int
     }
 }
 
-void ShorePlanes::find(const Water& water, const Grid& bed, WorkerPool& pool) {
+void ShorePlanes::find(const Water& water, const Grid& bed, double dt, WorkerPool& pool) {
     find_deep(water, bed, pool);
     const auto in_rows = [&](int first, auto of_row) {
         pool.for_ranges(ny_ - first, [&](int begin, int end) {
@@ -78,6 +79,7 @@ void ShorePlanes::find(const Water& water, const Grid& bed, WorkerPool& pool) {
     in_rows(0, [&](int y) { find_planes(y); });
     in_rows(0, [&](int y) { find_shore(y); });
     in_rows(-1, [&](int y) { find_faces(y); });
+    in_rows(0, [&](int y) { add_deficits(y, dt); });
 }
 
 void ShorePlanes::find_deep(const Water& water, const Grid& bed, WorkerPool& pool) {
@@ -165,74 +167,21 @@ std::array<double, 2> ShorePlanes::slopes_of(const Value& value, int x, int y) c
     return {limited(0.0 - to(-1, 0), to(1, 0)), limited(0.0 - to(0, -1), to(0, 1))};
 }
 
-/// A cell of no data counts as full: water falls into it as over an open edge.
-void ShorePlanes::find_full(int y) {
-    const Grid& depth = water_->depth;
-    std::uint8_t* flags = flags_of(full, y);
-    const auto row_beside = [&](int to) {
-        const Place& row = places_y_[static_cast<std::size_t>(to + pad)];
-        return depth.row(row.outside ? y : row.y).data();
-    };
-    const double* here = depth.row(y).data();
-    const double* south = row_beside(y - 1);
-    const double* north = row_beside(y + 1);
-    const auto look = [&](int x, double west, double east) {
-        const double h = here[x];
-        const double fall_x = std::max(std::max(west, east) - h, 0.0);
-        const double fall_y = std::max(std::max(south[x], north[x]) - h, 0.0);
-        flags[x] = h > std::max(0.5 * (fall_x + fall_y), dry_depth) ? 1 : 0;
-    };
-    const auto beside = [&](int x) {
-        const Place& column = columns_[static_cast<std::size_t>(x + pad)];
-        return column.outside ? 0.0 : here[column.x];
-    };
-    for (int x = 1; x + 1 < nx_; ++x) look(x, here[x - 1], here[x + 1]);
-    look(0, beside(-1), beside(1));
-    if (nx_ > 1) look(nx_ - 1, beside(nx_ - 2), beside(nx_));
-    if (domain_.nodata.empty()) return;
-    for (int x = 0; x < nx_; ++x) {
-        if (domain_.nodata(x, y) != 0) flags[x] = 1;
-    }
-}
-
-void ShorePlanes::copy_full_beyond() {
-    const auto copy = [&](int x, int y) {
-        const Place from = at(x, y);
-        flags_of(full, y)[x] = from.outside ? std::uint8_t{1} : flags_of(full, from.y)[from.x];
-    };
-    for (int y = -1; y <= ny_; ++y) {
-        copy(-1, y);
-        copy(nx_, y);
-    }
-    for (int x = 0; x < nx_; ++x) {
-        copy(x, -1);
-        copy(x, ny_);
-    }
-}
-
-void ShorePlanes::find_core(int y) {
-    const std::uint8_t* here = flags_of(full, y);
-    const std::uint8_t* south = flags_of(full, y - 1);
-    const std::uint8_t* north = flags_of(full, y + 1);
-    std::uint8_t* out = flags_of(core, y);
-    for (int x = 0; x < nx_; ++x) {
-        std::uint8_t all = 1;
-        for (int to = x - 1; to <= x + 1; ++to) all &= here[to] & south[to] & north[to];
-        out[x] = all;
-    }
-}
-
 void ShorePlanes::find_planes(int y) {
     Row& row = rows_[slot(y)];
     row.outer.clear();
-    for (int x = 0; x < nx_; ++x) {
+    std::uint8_t* is_plane = flags_of(planed, y);
+    std::fill_n(is_plane, nx_, std::uint8_t{0});
+    const std::uint8_t* is_core = flags_of(core, y);
+    const auto [begin, end] = wet_[static_cast<std::size_t>(y)];
+    for (int x = begin; x < end; ++x) {
+        x = static_cast<int>(std::find(is_core + x, is_core + end, std::uint8_t{0}) - is_core);
+        if (x == end) break;
         const double depth = water_->depth(x, y);
-        std::uint8_t& is_plane = flags_of(planed, y)[x];
-        is_plane = 0;
-        if (!(depth > dry_depth) || flags_of(core, y)[x] != 0) continue;
+        if (!(depth > dry_depth) || at(x, y).outside) continue;
         Plane plane;
-        if (at(x, y).outside || !extend(plane, x, y) || !take_own_level(plane, depth)) continue;
-        is_plane = 1;
+        if (!extend(plane, x, y) || !take_own_level(plane, depth)) continue;
+        is_plane[x] = 1;
         row.outer.push_back(plane);
     }
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/grid.h"
+#include "models/sediment/face_flows.h"
 #include "models/water/shallow_water.h"
 #include "models/water/water_edges.h"
 
@@ -23,6 +24,9 @@ class WorkerPool;
 /// (clipped_plane.h), so that a shore may lie anywhere in the cell and aslant. Fluxes through the
 /// faces are HLLC ones of the mean depth along the face, with the mean of its square for the
 /// pressure; into or out of a dry cell, of the water at the shore itself.
+///
+/// What such a cell could not give within a stage, as where a falling shore leaves it, it gives
+/// after the step (shore_deficits.cpp).
 ///
 /// Where such a cell's own level is far from what the deeper water would give it (a bore, a film
 /// that is left or comes down a slope), or the bed in it and the next cells is not smooth
@@ -49,8 +53,14 @@ class ShorePlanes {
     ShorePlanes(const WaterDomain& domain, const WaterEdges& edges, int nx, int ny, double gravity,
                 double steepness);
 
-    /// Finds the shore's cells and what passes their faces.
-    void find(const Water& water, const Grid& bed, WorkerPool& pool);
+    /// Finds the shore's cells and what passes their faces, in a stage of `dt` seconds.
+    void find(const Water& water, const Grid& bed, double dt, WorkerPool& pool);
+
+    /// Lets cells deliver what they could not in the stages since the last call, which make a step
+    /// of `dt` seconds (shore_deficits.cpp). Adds it to the last stage's `flow`, where there is
+    /// one, and lists the rows that changed.
+    void deliver_deficits(Water& water, double dt, FaceFlows::Stage* flow,
+                          std::vector<int>& changed_rows);
 
     /// Changes depths at the cells' middles to the means over them along shores, and gives cells
     /// that get water its velocity.
@@ -79,12 +89,18 @@ class ShorePlanes {
         double bed_x = 0.0;
         double bed_y = 0.0;
     };
+    /// What a cell failed to deliver to those west, east, south and north of it, m.
+    struct Deficit {
+        int x = 0;
+        std::array<double, 4> to{};
+    };
     struct Row {
         std::vector<Plane> outer;  ///< planed cells
         std::vector<Plane> cells;  ///< a shore's
         std::vector<Slope> slopes;
         std::vector<Face> east;
         std::vector<Face> north;
+        std::vector<Deficit> deficits;  ///< of the stages of this step
     };
     /// A cell, possibly one beyond an edge that stands for it.
     struct Place {
@@ -124,6 +140,8 @@ class ShorePlanes {
     void find_planes(int y);
     void find_shore(int y);
     void find_faces(int y);
+    void add_deficits(int y, double dt);
+    static void merge_deficits(std::vector<Deficit>& deficits);
 
     [[nodiscard]] double surface(const Place& place) const;
     void put_bed(Plane& plane, int x, int y) const;
@@ -146,6 +164,7 @@ class ShorePlanes {
     std::vector<Place> columns_;  // x only, from −pad on
     std::vector<Place> places_y_;
     std::array<std::vector<std::uint8_t>, 4> flags_;  // of each kind, with pad cells around
+    std::vector<std::array<int, 2>> wet_;             // of each row: no water before, none from
     std::vector<Row> rows_;                           // from −1 on
     const Water* water_ = nullptr;                    // while it is looked at
     const Grid* bed_ = nullptr;

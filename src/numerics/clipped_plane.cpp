@@ -1,4 +1,4 @@
-#include "models/water/clipped_plane.h"
+#include "numerics/clipped_plane.h"
 
 #include <algorithm>
 #include <cmath>
