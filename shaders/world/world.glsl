@@ -42,8 +42,7 @@ SeenPlace far_place() {
     float spread = sample_angle;
     float slant;
     if (whole_pixels > 0.5) {
-        bool whole;
-        place = pixel_place(slant, whole);
+        place = pixel_place(slant);
         slant *= crisp;
         spread *= crisp * float(factor);
     } else {
@@ -60,8 +59,7 @@ SeenPlace far_place() {
 SeenPlace near_place() {
     if (whole_pixels > 0.5) {
         float slant;
-        bool whole;
-        SeenPlace pixel = pixel_place(slant, whole);
+        SeenPlace pixel = pixel_place(slant);
         pixel.along *= crisp;
         pixel.up *= crisp;
         return pixel;

@@ -17,7 +17,7 @@ uniform float wander_scale;    // of its side, a ripple's length
 uniform float exaggeration;  // of heights
 uniform float ripple_phase;  // of the eye's place, in turns
 
-// Of pixels that world/world_pixels.frag.glsl tells apart.
+// Of pixels that PixelKinds tell apart.
 uniform float plain_sand;  // 1: of plain ones alone
 uniform float steep_sand;  // 0: of level ones alone
 

@@ -77,24 +77,19 @@ ivec2 own_sample() {
 // In listed pixels there are samples of other ground.
 bool is_left_out(int ground) { return packed_samples > 0.5 && ground_at(own_sample()) != ground; }
 
-// From the corners of a pixel. Where one sees other ground the nearest and the farthest of them are farther apart than
-// the slope that they lie on makes them.
-SeenPlace pixel_place(out float slant, out bool whole_seen) {
+// From the corners of a pixel all of whose samples see the same ground.
+SeenPlace pixel_place(out float slant) {
     ivec2 south_west = ivec2(first_sample) + factor * ivec2(gl_FragCoord.xy);
     int last = factor - 1;
     vec4 sw = seen_at(south_west);
     vec4 se = seen_at(south_west + ivec2(last, 0));
     vec4 nw = seen_at(south_west + ivec2(0, last));
     vec4 ne = seen_at(south_west + ivec2(last, last));
-    vec4 ranges = vec4(length(sw.xyz), length(se.xyz), length(nw.xyz), length(ne.xyz));
-    float least = min(min(ranges.x, ranges.y), min(ranges.z, ranges.w));
-    float most = max(max(ranges.x, ranges.y), max(ranges.z, ranges.w));
     slant = min(min(sw.w, se.w), min(nw.w, ne.w)) * float(factor);
     SeenPlace place;
     float whole = float(factor) / float(last);
     place.offset = 0.25 * (sw.xyz + se.xyz + nw.xyz + ne.xyz);
     place.along = 0.5 * whole * (se.xyz - sw.xyz + ne.xyz - nw.xyz);
     place.up = 0.5 * whole * (nw.xyz - sw.xyz + ne.xyz - se.xyz);
-    whole_seen = least > 0.0 && most - least <= 1.5 * slant + 0.002 * least;
     return place;
 }

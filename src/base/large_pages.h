@@ -6,10 +6,13 @@
 #include <cstdlib>
 #include <new>
 
+#include "base/kept_blocks.h"
+
 namespace fumon {
 
 /// An allocator for fields: large ones lie on large pages where the system has them, so that random
-/// access does not wait for address translation as well as for memory.
+/// access does not wait for address translation as well as for memory. Those of fields that are
+/// gone are used again, see KeptBlocks.
 template <class Value>
 struct LargePages {
     using value_type = Value;
@@ -21,7 +24,8 @@ struct LargePages {
     Value* allocate(std::size_t count) {
         const std::size_t bytes = count * sizeof(Value);
         if (bytes < worth_it) return static_cast<Value*>(::operator new(bytes));
-        const std::size_t whole = (bytes + page - 1) / page * page;
+        const std::size_t whole = whole_pages(bytes);
+        if (void* kept = KeptBlocks::shared().take(whole)) return static_cast<Value*>(kept);
         void* memory = std::aligned_alloc(page, whole);
         if (memory == nullptr) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
@@ -31,9 +35,10 @@ struct LargePages {
     }
 
     void deallocate(Value* memory, std::size_t count) noexcept {
-        if (count * sizeof(Value) < worth_it) {
+        const std::size_t bytes = count * sizeof(Value);
+        if (bytes < worth_it) {
             ::operator delete(memory);
-        } else {
+        } else if (!KeptBlocks::shared().keep(memory, whole_pages(bytes))) {
             std::free(memory);
         }
     }
@@ -45,6 +50,10 @@ struct LargePages {
   private:
     static constexpr std::size_t page = std::size_t{1} << 21;
     static constexpr std::size_t worth_it = 2 * page;
+
+    static constexpr std::size_t whole_pages(std::size_t bytes) {
+        return (bytes + page - 1) / page * page;
+    }
 };
 
 }  // namespace fumon

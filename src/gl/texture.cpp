@@ -87,6 +87,15 @@ DepthBuffer::DepthBuffer(int width, int height) {
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
+void DepthBuffer::set_stencils(int columns, int rows, const std::uint32_t* stencils) const {
+    const Functions& gl = functions();
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, texture_.name());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, columns, rows, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
+                     stencils);
+}
+
 RenderTarget::RenderTarget(int width, int height, const TextureLayout& colour,
                            const DepthBuffer* depth)
     : colour_(width, height, colour) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 
 #include "gl/handles.h"
@@ -51,6 +52,10 @@ class Texture2D {
 class DepthBuffer {
   public:
     DepthBuffer(int width, int height);
+
+    /// Sets stencils, a number each, of rows from the lowest on, and depths to 0. Takes texture
+    /// unit 0.
+    void set_stencils(int columns, int rows, const std::uint32_t* stencils) const;
 
     [[nodiscard]] GLuint name() const { return texture_.name(); }
 

@@ -65,12 +65,6 @@ FloorMap floor_of(const View& view, const Snapshot& first, const Block& block, i
     return floor_map(display_bed(first, block, refinement), block, sun_direction(view.sun), pool);
 }
 
-/// Of the pixels of a tile, where endless ground is coloured by them.
-std::optional<gl::DepthBuffer> depths_of_pixels(const View& view, const TilePlan& plan) {
-    if (view.look.ground != Ground::endless || plan.factor == 1) return std::nullopt;
-    return gl::DepthBuffer(plan.tiles.front().width, plan.tiles.front().height);
-}
-
 /// The samples of the first tile, and those beside them.
 SampleRectangle samples_of(const TilePlan& plan) {
     const glm::ivec2 pixels(plan.tiles.front().width, plan.tiles.front().height);
@@ -81,6 +75,12 @@ SampleRectangle samples_of(const TilePlan& plan) {
 bool sees_in_buffer(const View& view, const TilePlan& plan) {
     return view.look.ground == Ground::endless && !view.camera.has_lens() &&
            view.camera.projection == Projection::perspective && SeenBuffer::holds(samples_of(plan));
+}
+
+/// Of the pixels of a tile, where endless ground is coloured by them.
+std::optional<gl::DepthBuffer> depths_of_pixels(const View& view, const TilePlan& plan) {
+    if (!sees_in_buffer(view, plan) || plan.factor == 1) return std::nullopt;
+    return gl::DepthBuffer(plan.tiles.front().width, plan.tiles.front().height);
 }
 
 gl::Constants constants_of(const View& view, const Light& light, const Block& ground,
@@ -287,7 +287,7 @@ PixelSamples Renderer::Parts::pixel_samples(const Tile& tile, const Camera& came
     const int below = static_cast<int>(view.image.height) - tile.y - tile.height;
     const int rows = world->rows_seen(camera, static_cast<int>(view.image.height)) - below;
     return {first_sample(tile) - target_corner(tile), plan.factor, std::clamp(rows, 0, tile.height),
-            tile.width};
+            tile.width, tile.height};
 }
 
 void Renderer::Parts::see_ground(const Tile& tile, const Camera& camera) {
@@ -322,16 +322,21 @@ void Renderer::Parts::see_streamers(const Tile& tile, const Camera& camera) {
     world->set_streamers(&*streamers, corner);
 }
 
+void Renderer::Parts::colour_pixels(const PixelSamples& at, const Camera& camera) {
+    pixels->bind();
+    gl::functions().Clear(GL_COLOR_BUFFER_BIT);
+    pixel_depths->set_stencils(at.columns, at.all_rows, world->kinds().numbers().data());
+    world->colour_pixels(at, shading, light, camera);
+}
+
 void Renderer::Parts::draw_packed_samples(const Tile& tile, const Camera& camera) {
     if (!packed) packed.emplace(plan.factor);
     const PixelSamples at = pixel_samples(tile, camera);
     see_ground(tile, camera);
     see_streamers(tile, camera);
     const gl::Texture2D* seen = sampled ? &sampled->seen.colour() : nullptr;
-    pixels->bind();
-    gl::functions().Clear(everything);
-    world->colour_pixels(seen, at, shading, light, camera);
-    packed->read_pixels(tile, at.first);
+    colour_pixels(at, camera);
+    packed->read_pixels(tile, at.first, world->kinds());
     world->colour_packed(seen, *packed, shading, light, camera);
 }
 
@@ -362,9 +367,7 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
     if (world) {
         if (pixels) {
             const PixelSamples at = pixel_samples(tile, camera);
-            pixels->bind();
-            gl.Clear(everything);
-            world->colour_pixels(&seen.colour(), at, shading, light, camera);
+            colour_pixels(at, camera);
             samples.bind();
             world->spread_pixels(pixels->colour(), at);
         }

@@ -96,6 +96,8 @@ struct Renderer::Parts {
     }
     /// Where the pixels of a tile of endless ground lie among samples.
     [[nodiscard]] PixelSamples pixel_samples(const Tile& tile, const Camera& camera) const;
+    /// Colours pixels of endless ground that see one place each.
+    void colour_pixels(const PixelSamples& at, const Camera& camera);
     /// What each sample of a tile sees; in a target, if others than the ground want to know.
     void see_ground(const Tile& tile, const Camera& camera);
     /// After see_ground(): what lies before it.

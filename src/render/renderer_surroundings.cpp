@@ -59,7 +59,7 @@ void Renderer::Parts::draw_uncovered_background(const Tile& tile, const Camera& 
         gl.Disable(GL_DEPTH_TEST);
         gl.Enable(GL_STENCIL_TEST);
         gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-        gl.StencilFunc(GL_EQUAL, 0, 0xFF);
+        gl.StencilFunc(GL_GREATER, pixel_vectors::first_whole, 0xFF);  // than the pixel's kind
         background.draw(light, camera, tile, RowOrder::upward);
         gl.Disable(GL_STENCIL_TEST);
     } else {

@@ -35,17 +35,8 @@ constexpr int listed_unit = 12;
 constexpr int slip_unit = 13;
 constexpr GLint near_stencil = 1;
 constexpr GLint far_stencil = 2;
-// Of pixels of near ground, plain ones that are level or steep and the rest, of others, and of
-// pixels of far ground; and between these.
-constexpr double level_depth = 0.1;
-constexpr double steep_depth = 0.2;
-constexpr double near_depth = 0.3;
-constexpr double other_depth = 0.5;
-constexpr double far_depth = 0.8;
-constexpr double behind_level = 0.15;
-constexpr double behind_steep = 0.25;
-constexpr double behind_near = 0.4;
-constexpr double before_far = 0.65;
+// Of ground that is true to nature: on none that falls less sand slid (world/world_place.glsl).
+constexpr double none_slid = 0.3;
 
 constexpr double ripple_metres = 0.12;
 constexpr double ripple_cells = 0.3;  // without metres: a hundredth of a dune of 30 cells
@@ -110,8 +101,6 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
       origin_(origin),
       copies_(copies),
       seen_program_("world/world.vert.glsl", "world/world_seen.frag.glsl", {"offset"}),
-      pixel_program_("common/screen.vert.glsl", "world/world_pixels.frag.glsl", {},
-                     with_coloured(fixed, view, Coloured::pixels)),
       spread_program_("common/screen.vert.glsl", "world/world_spread.frag.glsl"),
       level_pixels_("common/screen.vert.glsl", "world/world_near.frag.glsl", {},
                     with_coloured(fixed, view, Coloured::level_pixels)),
@@ -209,16 +198,34 @@ void WorldLayer::fill_buffers() const {
     filled_ = true;
 }
 
+pixel_vectors::Bounds WorldLayer::pixel_bounds(const Camera& camera) const {
+    const glm::dvec2 from_middle = eye_from_middle(camera);
+    return {static_cast<float>(near_to_),
+            static_cast<float>(none_slid * block_.exaggeration),
+            1.0F / cell_,
+            static_cast<float>(block_.width_x),
+            static_cast<float>(block_.width_y),
+            copies_.varied(),
+            static_cast<float>(from_middle.x),
+            static_cast<float>(from_middle.y)};
+}
+
 void WorldLayer::see(const Camera& camera, const PixelSamples& at, const glm::ivec2& in_picture,
                      const glm::ivec2& picture, WorkerPool& pool) {
     const GroundMesh& mesh = ground_->mesh;
     const std::span<const std::uint32_t> triangles(mesh.triangles);
     const glm::ivec2 size(at.factor * at.columns + 2, at.factor * (at.rows + 1) + 1);
     const glm::ivec2 first = at.first - 1;
+    std::optional<SeenBuffer::Pixels> pixels;
+    if (at.factor > 1) {
+        pixels.emplace();
+        pixels->grid = {glm::ivec2(1), at.factor, at.columns, at.rows, at.all_rows};
+        pixels->bounds = pixel_bounds(camera);
+    }
     seen_->see(
         {mesh.places, triangles.first(mesh.near_indices), triangles.subspan(mesh.near_indices)},
         at_origin(camera, fan_of(camera, *heights_)), {picture, in_picture + first, size}, first,
-        pool);
+        pixels, pool);
 }
 
 void WorldLayer::set_detail(const gl::Program& program, const Camera& camera) const {
@@ -320,48 +327,24 @@ void WorldLayer::bind(const gl::Program& program, const gl::Texture2D* seen,
     set_detail(program, camera);
 }
 
-void WorldLayer::colour_pixels(const gl::Texture2D* seen, const PixelSamples& at,
-                               const BedShading& shading, const Light& light,
-                               const Camera& camera) const {
+void WorldLayer::colour_pixels(const PixelSamples& at, const BedShading& shading,
+                               const Light& light, const Camera& camera) const {
     const gl::Functions& gl = gl::functions();
     const WithinRows within(at.rows);
-    gl.Enable(GL_DEPTH_TEST);
-    gl.BindVertexArray(no_attributes_.name());
-    pixel_program_.use();
-    bind_seen(pixel_program_, seen);
-    pixel_program_.set("first_sample", glm::vec2(at.first));
-    pixel_program_.set("near_to", static_cast<float>(near_to_));
-    pixel_program_.set("level_depth", static_cast<float>(level_depth));
-    pixel_program_.set("steep_depth", static_cast<float>(steep_depth));
-    pixel_program_.set("near_depth", static_cast<float>(near_depth));
-    pixel_program_.set("other_depth", static_cast<float>(other_depth));
-    pixel_program_.set("far_depth", static_cast<float>(far_depth));
-    pixel_program_.set("texels", 1.0F / cell_);
-    pixel_program_.set("exaggeration", static_cast<float>(block_.exaggeration));
-    pixel_program_.set("extent", glm::vec2(block_.width_x, block_.width_y));
-    pixel_program_.set("varied", copies_.varied() ? 1.0F : 0.0F);
-    pixel_program_.set("eye_from_middle", glm::vec2(eye_from_middle(camera)));
-    gl.DepthFunc(GL_ALWAYS);
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.Disable(GL_DEPTH_TEST);
     gl.Enable(GL_STENCIL_TEST);
-    gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    gl.StencilFunc(GL_NOTEQUAL, near_stencil, 0xFF);  // not drawn yet
-    gl.DepthMask(GL_FALSE);
-    const auto draw = [&](const gl::Program& program, GLenum passes, double depth) {
-        bind(program, seen, shading, light, camera);
+    gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    gl.BindVertexArray(no_attributes_.name());
+    const auto draw = [&](const gl::Program& program, std::uint32_t kind) {
+        bind(program, nullptr, shading, light, camera);
         program.set("first_sample", glm::vec2(at.first));
-        gl.DepthRange(depth, depth);
-        gl.DepthFunc(passes);
+        gl.StencilFunc(GL_EQUAL, static_cast<GLint>(kind), 0xFF);
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
     };
-    draw(level_pixels_, GL_GREATER, behind_level);
-    draw(steep_pixels_, GL_GREATER, behind_steep);
-    draw(pixel_colours_.near, GL_GREATER, behind_near);
-    draw(pixel_colours_.far, GL_LESS, before_far);
-    gl.DepthRange(0.0, 1.0);
-    gl.DepthMask(GL_TRUE);
-    gl.DepthFunc(GL_LESS);
-    gl.Disable(GL_DEPTH_TEST);
+    draw(level_pixels_, pixel_vectors::level);
+    draw(steep_pixels_, pixel_vectors::steep);
+    draw(pixel_colours_.near, pixel_vectors::near);
+    draw(pixel_colours_.far, pixel_vectors::far);
     gl.Disable(GL_STENCIL_TEST);
     gl.BindVertexArray(0);
 }

@@ -36,6 +36,7 @@ struct PixelSamples {
     int factor = 1;    ///< samples along each side of a pixel
     int rows = 0;      ///< of pixels, from the lowest on, above which none sees ground
     int columns = 0;   ///< of pixels
+    int all_rows = 0;  ///< of pixels
 };
 
 /// A periodic bed repeated to the horizon: a fan of rays and rings around the camera, raised by the
@@ -71,13 +72,16 @@ class WorldLayer {
     }
 
     /// Finds what samples see without OpenGL, as GroundSamples do: of the pixels that may see
-    /// ground and of the samples beside them. `in_picture`: the sample of the picture that is first
+    /// ground and of the samples beside them. Where pixels have several samples it tells also how
+    /// they are coloured. `in_picture`: the sample of the picture that is first
     /// in the target, of so many.
     void see(const Camera& camera, const PixelSamples& at, const glm::ivec2& in_picture,
              const glm::ivec2& picture, WorkerPool& pool);
     /// Notes that in the bound and cleared target as draw_seen() would.
     void note_seen(const Camera& camera, const PixelSamples& at) const;
     [[nodiscard]] bool in_buffer() const { return seen_.has_value(); }
+    /// How pixels are coloured, after see().
+    [[nodiscard]] const PixelKinds& kinds() const { return seen_->kinds(); }
 
     /// Notes in the bound target (four floats a sample, depths and stencils) how far from the eye
     /// the ground is that each sample sees; colours are found later. `tell_far`: lengths on far
@@ -89,11 +93,10 @@ class WorldLayer {
     }
     /// In what follows `seen` is what draw_seen() left; not needed after see().
     ///
-    /// Colours the pixels of the bound target, with cleared stencils, all of whose samples see the
-    /// same ground. Of the others alpha is 0, and red and green say what their samples see, see
-    /// world/world_pixels.frag.glsl.
-    void colour_pixels(const gl::Texture2D* seen, const PixelSamples& at, const BedShading& shading,
-                       const Light& light, const Camera& camera) const;
+    /// Colours the pixels of the bound target, whose stencils are their kinds(), all of whose
+    /// samples see the same ground, after see().
+    void colour_pixels(const PixelSamples& at, const BedShading& shading, const Light& light,
+                       const Camera& camera) const;
     /// Gives the samples of the bound target the colours of their pixels, and the stencil 0, but
     /// not where pixels are transparent.
     void spread_pixels(const gl::Texture2D& pixels, const PixelSamples& at) const;
@@ -136,6 +139,7 @@ class WorldLayer {
     [[nodiscard]] static Camera at_origin(const Camera& camera, const GroundFan& fan);
     void bind_seen(const gl::Program& program, const gl::Texture2D* seen) const;
     void fill_buffers() const;
+    [[nodiscard]] pixel_vectors::Bounds pixel_bounds(const Camera& camera) const;
     /// From the middle of the drawn bed, at most half of it away along each side.
     [[nodiscard]] glm::dvec3 reduced_eye(const Camera& camera) const;
     void set_eye(const gl::Program& program, const Camera& camera) const;
@@ -155,7 +159,6 @@ class WorldLayer {
     double near_to_ = 0.0;       ///< a ripple is not seen beyond, block lengths
     gl::Program seen_program_;
     std::optional<gl::Program> note_program_;  // after see()
-    gl::Program pixel_program_;
     gl::Program spread_program_;
     gl::Program level_pixels_;  ///< of near ground, plain ones
     gl::Program steep_pixels_;

@@ -22,21 +22,21 @@ constexpr double least_texels = 0.5;
 constexpr double least_spacing = 0.6;
 constexpr double texels_a_ray = 0.2;  // a texel at most, of the distance between rays
 
-static_assert(most_places <= ground_vectors::places_at_once);
-
 /// The places around a ring, and the level of the bed's means that they are looked up in.
 struct Ring {
     int level = 0;
     std::size_t count = 0;
-    /// The last one again past `count`, from wherever one reads as many as are looked at at once.
-    std::array<double, std::size_t{most_places} + ground_vectors::places_at_once> radii{};
+    std::array<double, most_places> radii{};
+
+    /// The place that stands for a ring of which no more needs to be known.
+    [[nodiscard]] std::size_t middle() const { return count / 2; }
+    [[nodiscard]] double last() const { return radii[count - 1]; }
 };
 
 Ring ring_of(int level, double from, double to, int count) {
     Ring ring{level, static_cast<std::size_t>(count)};
-    for (std::size_t k = 0; k < ring.radii.size(); ++k)
-        ring.radii[k] =
-            from + (to - from) * (std::min(static_cast<int>(k), count - 1) + 0.5) / count;
+    for (std::size_t k = 0; k < ring.count; ++k)
+        ring.radii[k] = from + (to - from) * (static_cast<int>(k) + 0.5) / count;
     return ring;
 }
 
@@ -81,6 +81,16 @@ AtEdges edges_of(const GroundFan& fan) {
     return edges;
 }
 
+/// A ray over the bed, or over a copy of it. Places count periods of it, or its tiles.
+struct Ray {
+    double east;  ///< under the eye
+    double north;
+    double east_per_length;
+    double north_per_length;
+    double raised = 1.0;  ///< how high ground stands, see ground_vectors::Places
+    double raised_per_length = 0.0;
+};
+
 /// How the bed's copies stand along a ray: between the edges of a ring by straight lines.
 class CopiesAlong {
   public:
@@ -94,7 +104,7 @@ class CopiesAlong {
     }
 
     /// A ray over the bed as it is over the copies that a ring crosses.
-    [[nodiscard]] ground_vectors::Ray at(std::size_t ring, ground_vectors::Ray ray) const {
+    [[nodiscard]] Ray at(std::size_t ring, Ray ray) const {
         if (!varied_) return ray;
         const double width = edges_[ring + 1] - edges_[ring];
         const auto add = [&](const AtEdges& numbers, double& at_eye, double& per_length) {
@@ -104,10 +114,11 @@ class CopiesAlong {
         };
         add(east_, ray.east, ray.east_per_length);
         add(north_, ray.north, ray.north_per_length);
-        ray.height = 0.0;
-        add(height_, ray.height, ray.height_per_length);
+        ray.raised = 0.0;
+        add(height_, ray.raised, ray.raised_per_length);
         return ray;
     }
+    [[nodiscard]] bool varied() const { return varied_; }
 
   private:
     const AtEdges& edges_;
@@ -117,12 +128,53 @@ class CopiesAlong {
     AtEdges height_{};
 };
 
+constexpr std::size_t rings_at_once = 32;  // of one level, whose places are looked at together
+
+/// Places of some rings along a ray.
+class PlacesAlong {
+  public:
+    void clear() { count_ = 0; }
+    /// Those of a ring from the one of that number up to another; returns where they begin.
+    std::size_t add(const Ring& ring, std::size_t from, std::size_t to, const Ray& ray) {
+        const std::size_t first = count_;
+        for (std::size_t k = from; k < to; ++k, ++count_) {
+            const double radius = ring.radii[k];
+            radii_[count_] = radius;
+            east_[count_] = ray.east + radius * ray.east_per_length;
+            north_[count_] = ray.north + radius * ray.north_per_length;
+            raised_[count_] = ray.raised + radius * ray.raised_per_length;
+        }
+        return first;
+    }
+    void look(const ground_vectors::Heights& bed, const ground_vectors::Eye& eye, bool varied) {
+        ground_vectors::look_at(
+            bed, eye,
+            {radii_.data(), east_.data(), north_.data(), varied ? raised_.data() : nullptr},
+            static_cast<int>(count_), over_.data(), tangents_.data());
+    }
+    [[nodiscard]] double radius(std::size_t place) const { return radii_[place]; }
+    [[nodiscard]] double over(std::size_t place) const { return over_[place]; }
+    [[nodiscard]] double tangent(std::size_t place) const { return tangents_[place]; }
+
+  private:
+    using Numbers =
+        std::array<double, rings_at_once * most_places + ground_vectors::places_at_once>;
+    std::size_t count_ = 0;
+    Numbers radii_{};
+    Numbers east_{};
+    Numbers north_{};
+    Numbers raised_{};
+    Numbers over_{};
+    Numbers tangents_{};
+};
+
 /// How high places look: the tangents of their elevations.
 using Tangents = std::vector<float>;
 
-/// Returns the direction of the highest.
+/// Returns the direction of the highest. `along_ray` is room for it.
 glm::vec3 place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::vector<Ring>& all,
-                    const AtEdges& edges, int ray, glm::vec3* places, float* tangents) {
+                    const AtEdges& edges, int ray, PlacesAlong& along_ray, glm::vec3* places,
+                    float* tangents) {
     const double angle = fan.half_angle * (2.0 * ray / (fan.rays - 1) - 1.0);
     const double c = elementary::cos(angle);
     const double s = elementary::sin(angle);
@@ -130,34 +182,53 @@ glm::vec3 place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::v
                            fan.heading.x * s + fan.heading.y * c);
     const glm::dvec2 per_length = along / fan.extent;
     const glm::dvec2 origin = glm::dvec2(fan.eye) / fan.extent + 0.5;
-    const ground_vectors::Ray over_bed{origin.x,  origin.y,      per_length.x, per_length.y,
-                                       fan.eye.z, fan.curvature, fan.mean};
+    const Ray over_bed{origin.x, origin.y, per_length.x, per_length.y};
     const CopiesAlong copies(fan, edges, per_length);
-    std::array<double, ground_vectors::places_at_once> over{};
-    std::array<double, ground_vectors::places_at_once> rises{};
+    const double most_over = bed.highest() - fan.eye.z;
     double highest_before = -1e30;
-    for (std::size_t ring = 0; ring < all.size(); ++ring) {
-        const Ring& around = all[ring];
-        const std::size_t count = around.count;
-        // Ground that cannot rise over what stands before it needs no care.
-        const double last = around.radii[count - 1];
-        const bool hidden = (bed.highest() - fan.eye.z) / last < highest_before;
-        const std::size_t from = hidden ? count / 2 : 0;
-        const std::size_t to = hidden ? from + 1 : count;
-        const Field<float>& means = bed.level(around.level);
-        ground_vectors::look_along({means.data(), means.nx(), means.ny(), bed.tiles()},
-                                   copies.at(ring, over_bed), around.radii.data() + from,
-                                   static_cast<int>(to - from), over.data(), rises.data());
-        std::size_t highest = 0;
-        double best = rises[0];
-        for (std::size_t k = 1; k < to - from; ++k) {  // without a branch that none foresees
-            const bool higher = rises[k] > best;
-            highest = higher ? k : highest;
-            best = higher ? rises[k] : best;
+    // Ground that cannot rise over what stands before it needs no care.
+    const auto is_hidden = [&](const Ring& ring) {
+        return most_over / ring.last() < highest_before;
+    };
+    struct Looked {
+        std::size_t first;
+        bool in_middle;  ///< alone
+    };
+    std::array<Looked, rings_at_once> looked{};
+    for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+        const int level = all[begin].level;
+        along_ray.clear();
+        for (; end < std::min(begin + rings_at_once, all.size()) && all[end].level == level;
+             ++end) {
+            const Ring& ring = all[end];
+            const bool hidden = is_hidden(ring);
+            const std::size_t from = hidden ? ring.middle() : 0;
+            const std::size_t to = hidden ? from + 1 : ring.count;
+            looked[end - begin] = {along_ray.add(ring, from, to, copies.at(end, over_bed)), hidden};
         }
-        highest_before = std::max(highest_before, best);
-        places[ring] = glm::vec3(glm::dvec3(around.radii[from + highest] * along, over[highest]));
-        tangents[ring] = static_cast<float>(best);
+        const Field<float>& means = bed.level(level);
+        along_ray.look({means.data(), means.nx(), means.ny(), bed.tiles()},
+                       {fan.eye.z, fan.curvature, fan.mean}, copies.varied());
+        for (std::size_t ring = begin; ring < end; ++ring) {
+            const Looked& at = looked[ring - begin];
+            std::size_t highest = at.first;
+            if (!at.in_middle && is_hidden(all[ring])) {
+                highest += all[ring].middle();
+            } else if (!at.in_middle) {
+                double best = along_ray.tangent(highest);
+                for (std::size_t k = at.first + 1; k < at.first + all[ring].count; ++k) {
+                    const double rise = along_ray.tangent(k);
+                    const bool higher = rise > best;  // without a branch that none foresees
+                    highest = higher ? k : highest;
+                    best = higher ? rise : best;
+                }
+            }
+            const double tangent = along_ray.tangent(highest);
+            highest_before = std::max(highest_before, tangent);
+            places[ring] =
+                glm::vec3(glm::dvec3(along_ray.radius(highest) * along, along_ray.over(highest)));
+            tangents[ring] = static_cast<float>(tangent);
+        }
     }
     return {glm::dvec3(along, highest_before)};
 }
@@ -241,10 +312,12 @@ GroundMesh ground_mesh(const GroundFan& fan, const HeightPyramid& bed, WorkerPoo
     mesh.skyline.resize(static_cast<std::size_t>(fan.rays));
     Tangents tangents(mesh.places.size());
     pool.for_ranges(fan.rays, [&](int begin, int end) {
+        PlacesAlong along_ray;
         for (int ray = begin; ray < end; ++ray) {
             const std::size_t first = static_cast<std::size_t>(ray) * rings;
-            mesh.skyline[static_cast<std::size_t>(ray)] = place_ray(
-                fan, bed, all, edges, ray, mesh.places.data() + first, tangents.data() + first);
+            mesh.skyline[static_cast<std::size_t>(ray)] =
+                place_ray(fan, bed, all, edges, ray, along_ray, mesh.places.data() + first,
+                          tangents.data() + first);
         }
     });
     int first_far = 0;

@@ -52,16 +52,15 @@ HWY_INLINE void find_in_maps(hn::Vec<Doubles>& east, hn::Vec<Doubles>& north) {
     north = north - whole_north;
 }
 
-void look_along(const Heights& bed, const Ray& ray, const double* radii, int count, double* over,
-                double* tangents) {
+void look_at(const Heights& bed, const Eye& eye, const Places& places, int count, double* over,
+             double* tangents) {
     const Doubles d;
     const Floats floats;
-    const bool copied = ray.height != 1.0 || ray.height_per_length != 0.0;
     const auto columns = hn::Set(Integers(), std::int32_t{bed.nx});
     for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
-        const auto radius = hn::LoadU(d, radii + i);
-        auto eastward = hn::Set(d, ray.east) + radius * hn::Set(d, ray.east_per_length);
-        auto northward = hn::Set(d, ray.north) + radius * hn::Set(d, ray.north_per_length);
+        const auto radius = hn::LoadU(d, places.radii + i);
+        auto eastward = hn::LoadU(d, places.east + i);
+        auto northward = hn::LoadU(d, places.north + i);
         if (bed.tiles.plain) find_in_maps(eastward, northward);
         const Between x = between(eastward, bed.nx);
         const Between y = between(northward, bed.ny);
@@ -73,13 +72,13 @@ void look_along(const Heights& bed, const Ray& ray, const double* radii, int cou
         const auto south = below + x.share * (height(x.second, y.first) - below);
         const auto north = above + x.share * (height(x.second, y.second) - above);
         auto z = hn::PromoteTo(d, south + y.share * (north - south));
-        if (copied) {
-            const auto mean = hn::Set(d, ray.mean);
-            const auto high = hn::Set(d, ray.height) + radius * hn::Set(d, ray.height_per_length);
-            z = mean + high * (z - mean);
+        if (places.raised != nullptr) {
+            const auto mean = hn::Set(d, eye.mean);
+            const auto raised = hn::LoadU(d, places.raised + i);
+            const auto as_it_is = hn::Eq(raised, hn::Set(d, 1.0));
+            z = hn::IfThenElse(as_it_is, z, mean + raised * (z - mean));
         }
-        const auto seen =
-            z - radius * radius * hn::Set(d, ray.curvature) - hn::Set(d, ray.eye_height);
+        const auto seen = z - radius * radius * hn::Set(d, eye.curvature) - hn::Set(d, eye.height);
         hn::StoreU(seen, d, over + i);
         hn::StoreU(seen / radius, d, tangents + i);
     }
@@ -107,12 +106,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace fumon::ground_vectors {
 
-HWY_EXPORT(look_along);
+HWY_EXPORT(look_at);
 HWY_EXPORT(copies_along);
 
-void look_along(const Heights& bed, const Ray& ray, const double* radii, int count, double* over,
-                double* tangents) {
-    HWY_DYNAMIC_DISPATCH(look_along)(bed, ray, radii, count, over, tangents);
+void look_at(const Heights& bed, const Eye& eye, const Places& places, int count, double* over,
+             double* tangents) {
+    HWY_DYNAMIC_DISPATCH(look_at)(bed, eye, places, count, over, tangents);
 }
 
 void copies_along(const CopiedRay& ray, const double* radii, int count, double* east, double* north,

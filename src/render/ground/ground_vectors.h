@@ -14,29 +14,31 @@ struct Heights {
     GroundTiles tiles{};
 };
 
-/// A ray over it. Places count periods of the bed, or its tiles, 0 and 1 its two ends.
-struct Ray {
-    double east;  ///< under the eye
-    double north;
-    double east_per_length;
-    double north_per_length;
-    double eye_height;
+/// From where it is seen.
+struct Eye {
+    double height;
     double curvature;  ///< by which the planet sinks at a distance of 1
-    /// How high ground stands, of the bed's height from its mean, at the eye, and how that changes;
-    /// see FarCopies.
-    double mean = 0.0;
-    double height = 1.0;
-    double height_per_length = 0.0;
+    double mean;       ///< of the bed's heights
 };
 
-/// Places are looked at so many at once at most: as many radii are read, and heights and tangents
+/// Places over it: numbers of each.
+struct Places {
+    const double* radii;  ///< from the eye
+    const double* east;   ///< periods of the bed, or its tiles: 0 and 1 are its two ends
+    const double* north;
+    /// How high the ground stands, of the bed's height from its mean; see FarCopies. nullptr: as
+    /// on the bed.
+    const double* raised;
+};
+
+/// Places are looked at so many at once at most: as many numbers are read, and heights and tangents
 /// written, as the next multiple of it has.
 constexpr int places_at_once = 16;
 
-/// How far the ground lies over the eye at `count` radii from it, and the tangents of the
-/// elevations at which that is seen: as HeightPyramid::at() for each.
-void look_along(const Heights& bed, const Ray& ray, const double* radii, int count, double* over,
-                double* tangents);
+/// How far the ground lies over the eye at `count` places, and the tangents of the elevations at
+/// which that is seen: as HeightPyramid::at() for each.
+void look_at(const Heights& bed, const Eye& eye, const Places& places, int count, double* over,
+             double* tangents);
 
 /// Places along a ray, from the middle of what FarCopies leave as it is; periods.
 struct CopiedRay {

@@ -18,11 +18,6 @@ const gl::TextureLayout list_layout{GL_RG32F, GL_RG, GL_FLOAT, GL_NEAREST, 0, GL
 const gl::TextureLayout samples_layout{GL_RGBA8,   GL_RGBA, GL_UNSIGNED_BYTE,
                                        GL_NEAREST, 0,       GL_CLAMP_TO_EDGE};
 
-// Of what world/world_pixels.frag.glsl writes.
-constexpr std::uint32_t near_bit = 1U;
-constexpr std::uint32_t far_bit = 1U << 8U;
-constexpr std::uint32_t covered_bit = 1U << 31U;
-
 }  // namespace
 
 PackedSamples::PackedSamples(int factor)
@@ -31,7 +26,8 @@ PackedSamples::PackedSamples(int factor)
       target_(columns * factor, rows * factor, samples_layout),
       first_samples_(most) {}
 
-void PackedSamples::read_pixels(const Tile& tile, const glm::ivec2& first) {
+void PackedSamples::read_pixels(const Tile& tile, const glm::ivec2& first,
+                                const PixelKinds& kinds) {
     width_ = tile.width;
     first_ = first;
     pixels_.resize(static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height));
@@ -39,12 +35,12 @@ void PackedSamples::read_pixels(const Tile& tile, const glm::ivec2& first) {
                                pixels_.data());
     for (Edges& edges : edges_) edges.pixels.clear();
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
-        const std::uint32_t pixel = pixels_[i];
-        if (pixel == 0 || (pixel & covered_bit) != 0) continue;
-        const auto number = static_cast<std::uint32_t>(i);
-        if ((pixel & near_bit) != 0) edges_[0].pixels.push_back(number);
-        if ((pixel & far_bit) != 0) edges_[1].pixels.push_back(number);
+        const std::uint32_t kind = kinds.numbers()[i];
+        if (kind >= pixel_vectors::first_whole) continue;
         pixels_[i] = 0;
+        const auto number = static_cast<std::uint32_t>(i);
+        if ((kind & pixel_vectors::near_samples) != 0) edges_[0].pixels.push_back(number);
+        if ((kind & pixel_vectors::far_samples) != 0) edges_[1].pixels.push_back(number);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gl/texture.h"
+#include "render/samples/pixel_kinds.h"
 #include "render/view/tiles.h"
 
 namespace fumon {
@@ -21,7 +22,7 @@ class PackedSamples {
 
     /// Reads the bound target as WorldLayer::colour_pixels() left it, whose first pixel has the
     /// sample `first` at its lower left.
-    void read_pixels(const Tile& tile, const glm::ivec2& first);
+    void read_pixels(const Tile& tile, const glm::ivec2& first, const PixelKinds& kinds);
 
     /// Which ground is coloured.
     enum class Ground { near, far };

@@ -16,7 +16,7 @@ bool SeenBuffer::holds(const SampleRectangle& samples) {
 
 void SeenBuffer::see(const GroundTriangles& ground, const Camera& camera,
                      const SampleRectangle& samples, const glm::ivec2& in_target,
-                     WorkerPool& pool) {
+                     const std::optional<Pixels>& pixels, WorkerPool& pool) {
     samples_ = samples;
     in_target_ = in_target;
     rays_ = sample_rays(camera, samples.picture);
@@ -29,11 +29,14 @@ void SeenBuffer::see(const GroundTriangles& ground, const Camera& camera,
         gl.BindTexture(GL_TEXTURE_BUFFER, texture_.name());
         gl.TexBuffer(GL_TEXTURE_BUFFER, GL_RG32UI, buffer_.name());
     }
-    void* memory = gl.MapBufferRange(GL_TEXTURE_BUFFER, 0, bytes, GL_MAP_WRITE_BIT);
+    void* memory =
+        gl.MapBufferRange(GL_TEXTURE_BUFFER, 0, bytes, GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
     if (memory == nullptr) throw Error("OpenGL has no memory for what a picture's samples see");
     const auto unmap = [&] { return gl.UnmapBuffer(GL_TEXTURE_BUFFER) == GL_TRUE; };
     try {
-        ground_samples_.see(ground, camera, samples, pool, static_cast<std::uint32_t*>(memory));
+        auto* numbers = static_cast<std::uint32_t*>(memory);
+        ground_samples_.see(ground, camera, samples, pool, numbers);
+        if (pixels) kinds_.tell(numbers, samples, rays_, pixels->grid, pixels->bounds, pool);
     } catch (...) {
         unmap();
         throw;

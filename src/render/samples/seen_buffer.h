@@ -1,10 +1,12 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "gl/handles.h"
 #include "gl/program.h"
 #include "render/samples/ground_samples.h"
+#include "render/samples/pixel_kinds.h"
 #include "render/view/camera.h"
 
 namespace fumon {
@@ -18,16 +20,25 @@ class SeenBuffer {
     /// Whether OpenGL's buffers may be that large.
     [[nodiscard]] static bool holds(const SampleRectangle& samples);
 
+    /// Pixels of the samples, and what tells them apart.
+    struct Pixels {
+        PixelGrid grid;
+        pixel_vectors::Bounds bounds{};
+    };
+
     /// See GroundSamples::see(). `in_target`: where the shaders count the rectangle's first sample.
-    /// Throws Error where OpenGL gives no memory, or has lost what was written.
+    /// Without `pixels` their kinds are not told. Throws Error where OpenGL gives no memory, or has
+    /// lost what was written.
     void see(const GroundTriangles& ground, const Camera& camera, const SampleRectangle& samples,
-             const glm::ivec2& in_target, WorkerPool& pool);
+             const glm::ivec2& in_target, const std::optional<Pixels>& pixels, WorkerPool& pool);
+    [[nodiscard]] const PixelKinds& kinds() const { return kinds_; }
 
     /// Sets what a program in use needs to look it up, in that texture unit.
     void bind(const gl::Program& program, int unit) const;
 
   private:
     GroundSamples ground_samples_;
+    PixelKinds kinds_;
     gl::Buffer buffer_;
     gl::Texture texture_;
     GLsizeiptr capacity_ = 0;  // bytes

@@ -14,6 +14,8 @@
 namespace fumon {
 namespace {
 
+using Numbers = std::array<double, ground_vectors::places_at_once>;
+
 HeightPyramid rough_heights(const GroundTiles& tiles) {
     Field<float> heights(38, 21);
     std::uint32_t state = 4711;
@@ -28,26 +30,30 @@ void expect_looked_up(const GroundTiles& tiles) {
     const std::string before = vectors::target();
     const HeightPyramid bed = rough_heights(tiles);
     constexpr int count = 11;
-    std::array<double, ground_vectors::places_at_once> radii{};
+    Numbers radii{};
     for (const int level : {0, 2}) {
         const Field<float>& means = bed.level(level);
         for (const double start : {0.01, 0.7, 300.0}) {
             for (std::size_t k = 0; k < radii.size(); ++k)
                 radii[k] = start * (1.0 + 0.013 * static_cast<double>(k));
-            const ground_vectors::Ray ray{0.5, 0.21, -0.83, 0.61, 0.37, 1e-4};
+            Numbers east{};
+            Numbers north{};
+            for (std::size_t k = 0; k < radii.size(); ++k) {
+                east[k] = 0.5 - radii[k] * 0.83;
+                north[k] = 0.21 + radii[k] * 0.61;
+            }
+            const ground_vectors::Eye eye{0.37, 1e-4, 0.0};
             for (const std::string& target : vectors::targets()) {
                 vectors::use_target(target);
-                std::array<double, ground_vectors::places_at_once> over{};
-                std::array<double, ground_vectors::places_at_once> tangents{};
-                ground_vectors::look_along({means.data(), means.nx(), means.ny(), tiles}, ray,
-                                           radii.data(), count, over.data(), tangents.data());
+                Numbers over{};
+                Numbers tangents{};
+                ground_vectors::look_at({means.data(), means.nx(), means.ny(), tiles}, eye,
+                                        {radii.data(), east.data(), north.data(), nullptr}, count,
+                                        over.data(), tangents.data());
                 for (std::size_t k = 0; k < count; ++k) {
                     const double radius = radii[k];
-                    const auto height =
-                        static_cast<double>(bed.at(level, ray.east + radius * ray.east_per_length,
-                                                   ray.north + radius * ray.north_per_length));
-                    const double expected =
-                        height - radius * radius * ray.curvature - ray.eye_height;
+                    const auto height = static_cast<double>(bed.at(level, east[k], north[k]));
+                    const double expected = height - radius * radius * eye.curvature - eye.height;
                     EXPECT_EQ(over[k], expected) << target << ", " << radius;
                     EXPECT_EQ(tangents[k], expected / radius) << target << ", " << radius;
                 }
@@ -89,15 +95,23 @@ TEST(GroundVectors, EveryTargetFindsTheSameFarCopies) {
 TEST(GroundVectors, HeightsCountFromTheMean) {
     const HeightPyramid bed = rough_heights({});
     const Field<float>& means = bed.level(0);
-    std::array<double, ground_vectors::places_at_once> radii{};
+    Numbers radii{};
+    Numbers east{};
+    Numbers north{};
     radii.fill(1.7);
-    std::array<double, ground_vectors::places_at_once> over{};
-    std::array<double, ground_vectors::places_at_once> tangents{};
-    const ground_vectors::Ray ray{0.5, 0.21, 0.83, 0.61, 0.37, 0.0, 0.4, 0.5, 0.1};
-    ground_vectors::look_along({means.data(), means.nx(), means.ny(), {}}, ray, radii.data(), 1,
-                               over.data(), tangents.data());
-    const auto height = static_cast<double>(bed.at(0, 0.5 + 1.7 * 0.83, 0.21 + 1.7 * 0.61));
+    east.fill(0.3);
+    north.fill(0.8);
+    Numbers raised{};
+    raised.fill(0.67);
+    raised[1] = 1.0;
+    Numbers over{};
+    Numbers tangents{};
+    ground_vectors::look_at({means.data(), means.nx(), means.ny(), {}}, {0.37, 0.0, 0.4},
+                            {radii.data(), east.data(), north.data(), raised.data()}, 2,
+                            over.data(), tangents.data());
+    const auto height = static_cast<double>(bed.at(0, 0.3, 0.8));
     EXPECT_NEAR(over[0], 0.4 + 0.67 * (height - 0.4) - 0.37, 1e-12);
+    EXPECT_EQ(over[1], height - 0.37);
 }
 
 TEST(GroundVectors, SeesABedInItsPlainAsItIsLookedUp) {

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "render/samples/ground_samples.h"
+#include "render/samples/pixel_vectors.h"
+
+namespace fumon {
+
+class WorkerPool;
+
+/// Where pixels lie among samples.
+struct PixelGrid {
+    glm::ivec2 first{0};  ///< the lower left pixel's lower left sample, of a rectangle of samples
+    int factor = 1;       ///< samples along each side of a pixel, 2 or more
+    int columns = 0;      ///< of pixels
+    int rows = 0;         ///< of pixels, from the lowest on, that may see ground
+    int all_rows = 0;
+};
+
+/// How each pixel of a tile of endless ground is coloured (pixel_vectors). It does not depend on
+/// the tile, on threads and on the processor.
+class PixelKinds {
+  public:
+    /// `numbers`: as GroundSamples leave them.
+    void tell(const std::uint32_t* numbers, const SampleRectangle& samples, const SampleRays& rays,
+              const PixelGrid& pixels, const pixel_vectors::Bounds& bounds, WorkerPool& pool);
+
+    /// Rows upward, as many as there are in all.
+    [[nodiscard]] const std::vector<std::uint32_t>& numbers() const { return kinds_; }
+    [[nodiscard]] int columns() const { return columns_; }
+
+  private:
+    std::vector<std::uint32_t> kinds_;
+    int columns_ = 0;
+};
+
+}  // namespace fumon

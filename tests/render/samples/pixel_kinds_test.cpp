@@ -1,0 +1,180 @@
+#include "render/samples/pixel_kinds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/worker_pool.h"
+#include "vectors/target.h"
+
+namespace fumon {
+namespace {
+
+constexpr int columns = 37;
+constexpr int rows = 24;
+
+/// Ground that lies as a plane: z = `level` + `rise` · y, seen from the origin.
+struct Plane {
+    double level = -1.0;
+    double rise = 0.0;
+    std::uint32_t kind = GroundSamples::near_kind;
+};
+
+/// Samples of a camera that looks along y and 0.5 down, of planes by the row of pixels, `factor`
+/// samples a pixel. As GroundSamples leave them.
+struct Picture {
+    explicit Picture(int samples_a_pixel) : factor(samples_a_pixel) {
+        samples.picture = factor * glm::ivec2(columns, rows);
+        samples.first = glm::ivec2(-1);
+        samples.size = samples.picture + 2;
+        const glm::dvec2 step = glm::dvec2(1.2, 0.8) / glm::dvec2(samples.picture);
+        rays.first = {0.5 * step.x - 0.6, 1.0, 0.5 * step.y - 0.9};
+        rays.right = {step.x, 0.0, 0.0};
+        rays.up = {0.0, 0.0, step.y};
+        numbers.resize(samples.count());
+    }
+
+    void see(int column, int row, const Plane& plane) {
+        const glm::dvec3 ray = rays.first + static_cast<double>(column) * rays.right +
+                               static_cast<double>(row) * rays.up;
+        // ray / nearness lies on the plane.
+        const double nearness = (ray.z - plane.rise * ray.y) / plane.level;
+        const std::size_t at = static_cast<std::size_t>(row + 1) * samples.stride() +
+                               2 * static_cast<std::size_t>(column + 1);
+        numbers[at] = 0;
+        numbers[at + 1] = 0;
+        if (plane.kind == 0 || nearness <= 0.0) return;
+        numbers[at] = (std::bit_cast<std::uint32_t>(static_cast<float>(nearness)) &
+                       ~triangle_vectors::kind_bits) |
+                      plane.kind;
+        const double further = nearness - rays.up.z / plane.level;
+        const double length = std::abs(ray.y / nearness - ray.y / further);
+        numbers[at + 1] = std::bit_cast<std::uint32_t>(static_cast<float>(length));
+    }
+    template <class PlaneAt>
+    void see_all(const PlaneAt& plane_at) {
+        for (int row = -1; row <= samples.picture.y; ++row)
+            for (int column = -1; column <= samples.picture.x; ++column)
+                see(column, row, plane_at(column, row));
+    }
+    [[nodiscard]] std::vector<std::uint32_t> kinds(const pixel_vectors::Bounds& bounds,
+                                                   int rows_seen = rows, int threads = 2) const {
+        WorkerPool pool(threads);
+        PixelKinds told;
+        told.tell(numbers.data(), samples, rays, {glm::ivec2(1), factor, columns, rows_seen, rows},
+                  bounds, pool);
+        return told.numbers();
+    }
+
+    int factor;
+    SampleRectangle samples;
+    SampleRays rays{};
+    std::vector<std::uint32_t> numbers;
+};
+
+const pixel_vectors::Bounds all_near{1e6F, 0.3F, 1.0F, 1.0F, 1.0F, false, 0.0F, 0.0F};
+
+long count(const std::vector<std::uint32_t>& kinds, std::uint32_t kind) {
+    return std::ranges::count(kinds, kind);
+}
+
+TEST(PixelKinds, LevelAndSteepGroundAreToldApart) {
+    for (const int factor : {2, 4}) {
+        Picture picture(factor);
+        picture.see_all([](int, int) { return Plane{-1.0, 0.25}; });
+        EXPECT_EQ(count(picture.kinds(all_near), pixel_vectors::level), columns * rows);
+        picture.see_all([](int, int) { return Plane{-1.0, 0.35}; });
+        EXPECT_EQ(count(picture.kinds(all_near), pixel_vectors::steep), columns * rows);
+    }
+}
+
+TEST(PixelKinds, FarGroundAndWhatNeedsMoreLooksAreToldApart) {
+    Picture picture(2);
+    picture.see_all([](int, int) { return Plane{}; });
+    pixel_vectors::Bounds bounds = all_near;
+    bounds.near_to = 3.0F;
+    const auto by_distance = picture.kinds(bounds);
+    for (int y = 0; y < rows; ++y) {
+        for (int x = 0; x < columns; ++x) {
+            const glm::dvec3 ray = picture.rays.first + (2.0 * x + 0.5) * picture.rays.right +
+                                   (2.0 * y + 0.5) * picture.rays.up;
+            const double range = glm::length(ray / ray.z);
+            if (std::abs(range - 3.0) < 0.1) continue;
+            const std::uint32_t expected = range > 3.0 ? pixel_vectors::far : pixel_vectors::level;
+            EXPECT_EQ(by_distance[static_cast<std::size_t>(y * columns + x)], expected) << range;
+        }
+    }
+    bounds = all_near;
+    bounds.texels = 1e4F;  // far more than one of them to a pixel
+    EXPECT_EQ(count(picture.kinds(bounds), pixel_vectors::near), columns * rows);
+    bounds = all_near;
+    bounds.varied = true;
+    bounds.extent_x = bounds.extent_y = 3.0F;
+    const auto copies = picture.kinds(bounds);
+    EXPECT_GT(count(copies, pixel_vectors::near), 50);
+    EXPECT_GT(count(copies, pixel_vectors::level), 50);
+    bounds.east = 1.0F;
+    EXPECT_EQ(count(picture.kinds(bounds), pixel_vectors::near), columns * rows);
+}
+
+TEST(PixelKinds, PixelsOfTwoGroundsTellWhichSamplesThereAre) {
+    for (const int factor : {2, 4}) {
+        Picture picture(factor);
+        const Plane near{};
+        const Plane far{-9.0, 0.0, GroundSamples::far_kind};
+        const Plane none{-1.0, 0.0, 0};
+        picture.see_all([&](int, int) { return near; });
+        const auto at = [&](int x, int y, int i, int j, const Plane& plane) {
+            picture.see(factor * x + i, factor * y + j, plane);
+        };
+        at(3, 2, factor - 1, 0, far);
+        at(5, 2, 0, factor - 1, none);
+        for (int j = 0; j < factor; ++j)
+            for (int i = 0; i < factor; ++i) at(7, 2, i, j, none);
+        for (int i = 0; i < factor; ++i) at(9, 2, i, 0, far), at(9, 2, i, factor - 1, none);
+        const auto kinds = picture.kinds(all_near);
+        const auto kind = [&](int x) { return kinds[static_cast<std::size_t>(2 * columns + x)]; };
+        EXPECT_EQ(kind(2), pixel_vectors::level);
+        EXPECT_EQ(kind(3), pixel_vectors::near_samples + pixel_vectors::far_samples);
+        EXPECT_EQ(kind(5), pixel_vectors::near_samples);
+        EXPECT_EQ(kind(7), 0U);
+        EXPECT_EQ(kind(9) & pixel_vectors::far_samples, pixel_vectors::far_samples);
+        EXPECT_EQ((kind(9) & pixel_vectors::near_samples) != 0, factor == 4);
+    }
+}
+
+TEST(PixelKinds, RowsThatSeeNoGroundAreNone) {
+    Picture picture(2);
+    picture.see_all([](int, int) { return Plane{}; });
+    const auto kinds = picture.kinds(all_near, 5);
+    ASSERT_EQ(kinds.size(), static_cast<std::size_t>(columns * rows));
+    EXPECT_EQ(count(kinds, pixel_vectors::level), 5 * columns);
+    EXPECT_EQ(count(kinds, 0), (rows - 5) * columns);
+}
+
+TEST(PixelKinds, AreTheSameOnThreadsAndTargets) {
+    Picture picture(2);
+    picture.see_all([](int column, int row) {
+        const int hash = (column * 7919 + row * 104729) % 23;
+        return Plane{hash < 3 ? -4.0 : -1.0, 0.02 * hash - 0.2,
+                     hash == 0 ? GroundSamples::far_kind : GroundSamples::near_kind};
+    });
+    pixel_vectors::Bounds bounds = all_near;
+    bounds.near_to = 2.0F;
+    bounds.texels = 30.0F;
+    const auto expected = picture.kinds(bounds, rows, 1);
+    for (const std::string& target : vectors::targets()) {
+        vectors::use_target(target);
+        EXPECT_EQ(picture.kinds(bounds, rows, 3), expected) << target;
+    }
+    vectors::use_target(vectors::targets().front());
+}
+
+}  // namespace
+}  // namespace fumon
