@@ -16,6 +16,7 @@ struct Soil {
     float stone;   // 0 … 1: share that a stone covers
     float cut;     // 0 … 1: a wall, where what lies below the crust is open
     float layers;  // about −1 … 1: of the soil in it
+    float groove;  // 0 … 1: of light that a groove between ribs takes
 };
 
 // Lengths of the smallest thing to be seen at a point.
@@ -64,10 +65,29 @@ Soil soil_at(vec3 world_point, BedPoint point, float width, float worn) {
         soil.slope += rills * dot(0.90 * sum.yz, across) * across;
         soil.height += rills * 0.45 * sum.x;
     }
+    // Water that falls over a wall's edge flutes it: grooves straight down, between ribs.
+    soil.groove = 0.0;
+    float flutes = smoothstep(0.35, 0.9, steep) * shown_at(1.2 * cell, width);
+    {
+        vec2 downslope = down / max(steep, 1e-6);
+        vec2 across = vec2(-downslope.y, downslope.x);
+        vec3 sum = vec3(0.0);
+        for (int i = 0; i < 3; ++i) {
+            vec2 at = world.yx + 0.23 + (float(i) - 1.0) * 1.5 * cell * downslope.yx;
+            sum += (2.0 * texture(rill_map, at / (noise_repeat * 0.9 * cell)).rgb - 1.0).xzy;
+        }
+        soil.slope += flutes * dot(1.9 * sum.yz, across) * across;
+        soil.groove = flutes * (1.0 - smoothstep(0.05, 0.32, abs(sum.x + 0.1)));
+        soil.height += flutes * 0.5 * sum.x;
+    }
     soil.cut = smoothstep(0.45, 1.0, steep + 0.10 * lumps.x);
     // Laid down level once: they follow the height, a little uneven along it.
     vec2 along = vec2(0.06 * (world.x - 0.7 * world.y), world_point.z + 0.05 * cell * (clods.x + lumps.x));
-    soil.layers = 1.2 * shown_noise(along, 0.75 * cell, width).x + shown_noise(along, 0.21 * cell, width).x;
+    vec3 thick = shown_noise(along, 0.75 * cell, width);
+    vec3 thin = shown_noise(along, 0.21 * cell, width);
+    soil.layers = 1.2 * thick.x + thin.x;
+    // Harder ones stand out as ledges.
+    soil.slope += soil.cut * (0.7 * thick.z + 0.5 * thin.z) * down / max(steep, 1e-6);
     float lying = mix(0.10, 1.0, worn) * (1.0 - 0.75 * soil.cut);
     soil.stone = smoothstep(0.66 - 0.22 * lying, 0.76 - 0.22 * lying, max(grit.x, pebbles));
     soil.slope += soil.stone * 0.8 * grit.yz;

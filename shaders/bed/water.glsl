@@ -1,7 +1,7 @@
 // Water over the ground: how it flows, how its surface stands, and what it does to light. Needs
 // common/light.glsl, sky/sky.glsl, bed/bed.glsl, bed/water_body.glsl and bed/soil.glsl before it.
 uniform sampler2D ground_map;   // dampness of the ground, what was laid down on it (0 … 1 for −1 … 1), its palette place
-uniform sampler2D water_map;    // depth (m), velocity east and north (m/s)
+uniform sampler2D water_map;    // depth (m, below 0 on banks), velocity east and north (m/s)
 uniform sampler2D surface_map;  // slopes of the surface eastward and northward, that of the depth
 uniform float clarity;         // depth at which the bed is half hidden, m
 uniform float usual_froude;    // the median of the wet cells
@@ -27,13 +27,14 @@ struct Water {
 // A shore goes from cell to cell of the grid in steps: it is looked at over more than one.
 vec3 ground_at(vec2 place, float level) { return textureLod(ground_map, place, max(level, shore_level)).rgb; }
 
-float depth_at(vec2 place, float level) { return textureLod(water_map, place, max(level, shore_level)).x; }
+// Below 0 on banks: a shore is where the depth is 0.
+float depth_at(vec2 place, float level) { return max(textureLod(water_map, place, max(level, shore_level)).x, 0.0); }
 
 Water water_at(vec2 place, float level) {
     vec4 texel = textureLod(water_map, place, max(level, shore_level));
     vec4 surface = textureLod(surface_map, place, max(level, shore_level));
     Water water;
-    water.depth = texel.x;
+    water.depth = max(texel.x, 0.0);
     water.speed = length(texel.yz);
     water.flow = texel.yz / max(water.speed, 1e-6);
     water.froude = water.speed / sqrt(gravity * max(water.depth, 1e-4 * clarity));
@@ -69,8 +70,9 @@ vec2 wave_slope(vec2 world, Water water, float width) {
     vec2 gradient = 0.6 * shown_noise(world + 0.17, long_waves, width).yz;
     gradient += shown_noise(world.yx + 0.43, 0.31 * long_waves, width).zy;
     gradient += shown_noise(world + 0.83, 0.11 * long_waves, width).yz;
+    gradient += 0.8 * shown_noise(world.yx + 0.61, 0.043 * long_waves, width).zy;
     vec2 across = vec2(-water.flow.y, water.flow.x);
-    float strength = mix(0.10, 0.45, smoothstep(0.05, 1.1, water.froude));
+    float strength = mix(0.26, 0.45, smoothstep(0.05, 1.1, water.froude));
     vec2 slope = strength * (gradient - 0.6 * dot(gradient, across) * across);
     float shallow = 1.0 - smoothstep(0.3 * sheet, sheet, water.depth);
     float lines = 0.0;
@@ -85,7 +87,7 @@ vec2 wave_slope(vec2 world, Water water, float width) {
 vec3 water_normal(vec2 world, Water water, Soil soil, float width) {
     vec2 slope = water.slope;
     slope /= 1.0 + 1.2 * length(slope);  // an exaggerated surface, or a fall, does not mirror the zenith alone
-    slope += (1.0 - 0.85 * water.thin) * wave_slope(world, water, width) + 0.7 * water.thin * soil.slope;  // a film wraps the ground
+    slope += (1.0 - 0.6 * water.thin) * wave_slope(world, water, width) + 0.7 * water.thin * soil.slope;  // a film wraps the ground
     return normalize(vec3(-slope, 1.0));
 }
 
@@ -94,7 +96,24 @@ float silt_clouds(vec2 world, Water water) {
     float sum = 0.0;
     for (int i = -1; i <= 1; ++i)
         sum += 2.0 * texture(streak_map, (world + float(i) * 4.0 * metre * water.flow) / (noise_repeat * 7.0 * metre)).r - 1.0;
-    return clamp(1.2 * sum, -1.0, 1.0) * smoothstep(thin_share, 8.0, water.depth / closed_depth);
+    vec2 across = vec2(-water.flow.y, water.flow.x);
+    float swirls = 0.0;
+    for (int i = 0; i < 2; ++i) {
+        vec2 at = world.yx + 0.9 * sum * metre * across.yx + float(i) * 1.3 * metre * water.flow.yx;
+        swirls += 2.0 * texture(streak_map, at / (noise_repeat * 1.7 * metre)).r - 1.0;
+    }
+    float wisps = 2.0 * texture(streak_map, (world + 0.5 * swirls * metre * across) / (noise_repeat * 0.55 * metre)).r - 1.0;
+    return clamp(1.2 * sum + 0.55 * swirls + 0.22 * wisps, -1.2, 1.2) * smoothstep(thin_share, 8.0, water.depth / closed_depth);
+}
+
+// Bubbles and litter that muddy water carries, in broken lines along the flow. `silt`: of its clouds, which meet there.
+float foam_lines(vec2 world, Water water, float silt, float width) {
+    float sum = 0.0;
+    for (int i = -2; i <= 2; ++i)
+        sum += 2.0 * texture(streak_map, (world.yx + float(i) * 1.1 * metre * water.flow.yx) / (noise_repeat * 0.8 * metre)).r - 1.0;
+    float lace = 2.0 * texture(streak_map, world / (noise_repeat * 0.16 * metre)).r - 1.0;
+    float line = smoothstep(1.15, 1.9, sum + 0.5 * silt + 0.45 * shown_at(0.16 * metre, width) * lace);
+    return 0.55 * turbidity * line * smoothstep(0.05, 0.25, water.speed) * smoothstep(thin_share, 12.0, water.depth / closed_depth);
 }
 
 // White water where it shoots, most where it is rougher than usual or deepens at once: at fronts and jumps, in patches

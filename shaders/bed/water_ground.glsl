@@ -23,7 +23,7 @@ vec3 earthen(vec3 albedo, Soil soil, float damp) {
     albedo = mix(vec3(luminance(albedo)), albedo, 0.54);
     float crust = (1.0 - damp) * (1.0 - soil.cut) * smoothstep(-0.5, 0.9, soil.height);
     albedo = mix(albedo, vec3(0.66, 0.565, 0.43), 0.40 * crust);
-    vec3 below = albedo * mix(vec3(0.80, 0.70, 0.60), vec3(0.98, 0.88, 0.76), clamp(0.5 + 0.5 * soil.layers, 0.0, 1.0));
+    vec3 below = albedo * mix(vec3(0.68, 0.57, 0.47), vec3(1.06, 0.97, 0.84), clamp(0.5 + 0.5 * soil.layers, 0.0, 1.0));
     return mix(albedo, below, soil.cut);
 }
 
@@ -52,14 +52,14 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
     if (natural > 0.5) {
         albedo = earthen(albedo, soil, damp);
         albedo = worked(albedo, seen * laid);
-        albedo *= 1.0 + 0.13 * soil.tone;
+        albedo *= (1.0 + 0.13 * soil.tone) * (1.0 - 0.45 * soil.groove);
         albedo = mix(albedo, mix(vec3(0.25, 0.20, 0.155), vec3(0.46, 0.39, 0.31), clamp(0.5 + soil.tone, 0.0, 1.0)), soil.stone);
     }
     // Under water the sun stands higher, bent by the surface, so that small slopes throw less shade.
     float bent = mix(1.0, to_sun.z / sqrt(0.77 + to_sun.z * to_sun.z), seen * water.film * (1.0 - water.thin));
     vec3 normal_below = normalize(vec3(point.normal.xy / max(point.normal.z, 0.05) - bent * soil.slope, 1.0));
     point.normal = normal_below;
-    point.sky *= clamp(1.0 + 0.10 * soil.height, 0.6, 1.1);
+    point.sky *= clamp(1.0 + 0.10 * soil.height, 0.6, 1.1) * (1.0 - 0.25 * soil.groove);
 
     vec3 light = ground_light(wetted(albedo, damp), point, to_eye, 1.0 + 2.0 * damp);
     if (under_water > dry_water) {
@@ -71,7 +71,7 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
         float up = sqrt(1.0 - (1.0 - n_dot_v * n_dot_v) / 1.77);
         vec3 left = transmitted(0.5 * water.depth / clarity * (1.0 + 1.0 / up));
         float silt = under_water > thin_water ? silt_clouds(world, water) : 0.0;
-        vec3 body = water_body_colour() * (1.0 + 0.5 * turbidity * silt) * (sun_light * point.sun * (0.4 + 0.6 * n_dot_l) + sky_light * point.sky);
+        vec3 body = water_body_colour() * (1.0 + turbidity * silt * vec3(0.50, 0.42, 0.34)) * (sun_light * point.sun * (0.4 + 0.6 * n_dot_l) + sky_light * point.sky);
         vec3 below = light * left + body * (1.0 - left);
 
         float grazing = (1.0 - n_dot_v) * (1.0 - n_dot_v);
@@ -90,7 +90,7 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
         vec3 surface = mix(below, reflected, fresnel) +
                        sun_light * (point.sun * glint);
 
-        float foam = under_water > thin_water ? foam_cover(world, water, width) : 0.0;
+        float foam = under_water > thin_water ? max(foam_cover(world, water, width), foam_lines(world, water, silt, width)) : 0.0;
         vec3 foam_light = vec3(0.86, 0.88, 0.88) * (sun_light * point.sun * (0.25 + 0.75 * n_dot_l) + sky_light * point.sky);
         surface = mix(surface, foam_light, foam);
         light = mix(light, surface, water.film);

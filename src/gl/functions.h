@@ -22,6 +22,7 @@
     X(ClearBufferuiv, PFNGLCLEARBUFFERUIVPROC)                   \
     X(ClearColor, PFNGLCLEARCOLORPROC)                           \
     X(CullFace, PFNGLCULLFACEPROC)                               \
+    X(ColorMask, PFNGLCOLORMASKPROC)                             \
     X(CompileShader, PFNGLCOMPILESHADERPROC)                     \
     X(CreateProgram, PFNGLCREATEPROGRAMPROC)                     \
     X(CreateShader, PFNGLCREATESHADERPROC)                       \

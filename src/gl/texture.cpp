@@ -37,6 +37,17 @@ void Texture2D::upload(const void* pixels) const {
     gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, layout_.format, layout_.type, pixels);
 }
 
+void Texture2D::upload_part(const glm::ivec2& low, const glm::ivec2& size, std::size_t row,
+                            const void* pixels) const {
+    const Functions& gl = functions();
+    gl.BindTexture(GL_TEXTURE_2D, texture_.name());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.PixelStorei(GL_UNPACK_ROW_LENGTH, static_cast<GLint>(row));
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, low.x, low.y, size.x, size.y, layout_.format, layout_.type,
+                     pixels);
+    gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+}
+
 void Texture2D::set_mipmap(int level, const void* pixels) const {
     const Functions& gl = functions();
     gl.BindTexture(GL_TEXTURE_2D, texture_.name());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 
@@ -25,6 +26,9 @@ class Texture2D {
     Texture2D(int width, int height, const TextureLayout& layout, const void* pixels = nullptr);
 
     void upload(const void* pixels) const;  ///< replaces all of it
+    /// Replaces a part of it; `row`: texels from one row of `pixels` to the next.
+    void upload_part(const glm::ivec2& low, const glm::ivec2& size, std::size_t row,
+                     const void* pixels) const;
     void set_mipmap(int level, const void* pixels) const;
     void bind(int unit) const;  ///< to texture unit `unit`
 

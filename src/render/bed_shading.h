@@ -59,6 +59,8 @@ class BedShading {
     [[nodiscard]] const gl::Texture2D& colours() const { return target_->colour(); }
     /// Reads them, of 8 bits.
     void read(BlockColours& colours) const;
+    /// Cells of its maps, eastward and northward.
+    [[nodiscard]] glm::ivec2 cells() const { return {lighting_.width(), lighting_.height()}; }
     [[nodiscard]] bool has_mipmaps() const { return shaded_mipmaps_; }
 
   private:

@@ -141,6 +141,8 @@ void Renderer::prepare(const ReadyPicture& picture) {
         if (lit.water) depth = p.drawn_depth(*lit.water, snapshot);
         const Field<float>* standing = depth ? &*depth : nullptr;
         p.terrain.set_bed(lit.bed, standing, camera);
+        if (p.water_pixels && p.coloured_by_pixels(camera))
+            p.find_water_kinds(*lit.water, snapshot);
         if (p.plants) p.plants->set_bed(snapshot, lit.bed.z, false);
         if (p.persons) p.persons->set_bed(lit.bed.z, p.block, false);
         if (p.tracks) p.tracks->set_bed(lit.bed.z, p.block, false, {}, standing);

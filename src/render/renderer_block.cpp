@@ -1,14 +1,24 @@
 #include "gl/functions.h"
+#include "render/colour/colouring.h"
 #include "render/renderer_parts.h"
 
 namespace fumon {
 
+namespace {
+
+// See shaders/bed/water_seen.glsl.
+constexpr float near_cells = 1.25F;
+constexpr float near_widths = 14.0F;
+
+}  // namespace
+
 bool Renderer::Parts::coloured_by_pixels(const Camera& camera) const {
-    const bool alone =
-        !world && !air && !plants && !persons && !tracks && !water && !terrain.has_rim();
-    return kind == PixelKind::display_8 && view.look.mode == ViewMode::scenic &&
-           view.camera.projection != Projection::map && plan.factor == 2 && alone &&
-           !shading.has_mipmaps() && terrain.lies_before(camera);
+    const bool alone = !world && !air && !plants && !persons && !tracks && !terrain.has_rim();
+    const bool by_pixels = kind == PixelKind::display_8 && view.look.mode == ViewMode::scenic &&
+                           view.camera.projection != Projection::map && plan.factor == 2 && alone;
+    if (water)
+        return by_pixels && water_pixels && (camera.perspective || terrain.lies_before(camera));
+    return by_pixels && !shading.has_mipmaps() && terrain.lies_before(camera);
 }
 
 void Renderer::Parts::read_block_colours() {
@@ -45,9 +55,38 @@ void Renderer::Parts::draw_block_sides(const Tile& tile, const Camera& camera) {
     }
 }
 
+void Renderer::Parts::find_water_kinds(const DisplayWater& standing, const Snapshot& shown) {
+    const bool tinted = !colours_water(view.look.colour_by);
+    Field<float> depth = standing.depth;
+    if (!tinted) std::ranges::fill(depth.values(), 0.0F);
+    if (water_pixels->alike()) std::ranges::fill(depth.values(), 1e9F);
+    water_kinds = kind_map(depth, closed_depth(shown.scale));
+}
+
+void Renderer::Parts::shade_block_pixels(const Tile& tile, const Camera& camera, Image& image) {
+    const glm::vec2 cells(shading.cells());
+    const glm::vec3 low = terrain.low();
+    const BlockSamples::Seeing seeing{
+        camera,
+        {image.width, image.height},
+        {terrain.height_span()},
+        {&water_kinds, cells, low - glm::vec3(camera.eye), terrain.high() - low,
+         static_cast<float>(2.0 * camera.half.y / static_cast<double>(view.image.height)),
+         camera.perspective, near_cells, near_widths}};
+    if (!block_samples) block_samples.emplace(0.0F);
+    block_samples->see_places(terrain.shape(camera), tile, seeing, pool, block_places);
+    gl::functions().BindVertexArray(no_attributes.name());
+    water_pixels->shade(block_places, {shading, terrain, light, camera});
+    block_samples->put_colours(block_places, pool, image);
+}
+
 void Renderer::Parts::draw_block(const Tile& tile, const Camera& camera, Image& image) {
-    if (!block_coloured) read_block_colours();
-    block_samples->see(terrain.shape(camera), camera, tile, pool, image);
+    if (water) {
+        shade_block_pixels(tile, camera, image);
+    } else {
+        if (!block_coloured) read_block_colours();
+        block_samples->see(terrain.shape(camera), camera, tile, pool, image);
+    }
     if (!image.transparent()) draw_uncovered_background(tile, camera);
     draw_block_sides(tile, camera);
     block_samples->finish(bytes.behind(), pool, image);

@@ -190,7 +190,7 @@ Field<float> Renderer::Parts::drawn_depth(const DisplayWater& standing,
                                           const Snapshot& shown) const {
     const auto rise = static_cast<float>(block.height_scale / shown.scale.height_unit);
     Field<float> depth = standing.depth;
-    for (float& metres : depth.values()) metres *= rise;
+    for (float& metres : depth.values()) metres = rise * std::max(metres, 0.0F);
     return depth;
 }
 
@@ -353,7 +353,7 @@ void Renderer::Parts::draw_samples(const Tile& tile, const Camera& camera) {
     const glm::ivec2 offset = pixel_offset(first_sample(tile) - target_corner(tile), plan.factor);
     if (water_pixels) {
         gl.BindVertexArray(no_attributes.name());
-        water_pixels->shade(seen.colour(), offset, shading, terrain, light, camera, placed);
+        water_pixels->shade(seen.colour(), offset, {shading, terrain, light, camera}, placed);
     }
     samples.bind();
     gl.Clear(GL_COLOR_BUFFER_BIT);

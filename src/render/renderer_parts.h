@@ -84,10 +84,14 @@ struct Renderer::Parts {
     [[nodiscard]] bool lens() const { return view.camera.has_lens(); }
     [[nodiscard]] TileSamples placed_samples(const Tile& tile) const;
     /// Whether pixels of the block get their colours as wholes: 8 bits of it alone, in the scenic
-    /// look. Maps stay what they are, and in water, cut through, what stands over the bed is thin.
+    /// look. Maps stay what they are.
     [[nodiscard]] bool coloured_by_pixels(const Camera& camera) const;
     /// Before a picture's tiles are drawn by draw_block().
     void read_block_colours();
+    /// Of the water that a picture shows.
+    void find_water_kinds(const DisplayWater& standing, const Snapshot& shown);
+    /// The pixels of a block with water, as far as they show its surface.
+    void shade_block_pixels(const Tile& tile, const Camera& camera, Image& image);
     void draw_block(const Tile& tile, const Camera& camera, Image& image);
     void draw_block_sides(const Tile& tile, const Camera& camera);
     /// Whether nothing stands on endless ground, so that samples of edges alone need colours.
@@ -173,8 +177,10 @@ struct Renderer::Parts {
     std::optional<PlacePass> places;
     std::optional<SampleTargets> sampled;
     std::optional<BlockSamples> block_samples;
-    BlockColours block_colours;   // room for the next ones
-    bool block_coloured = false;  // whether block_samples has those of the picture
+    BlockColours block_colours;          // room for the next ones
+    PixelPlaces block_places;            // room for those of a block with water
+    place_vectors::KindMap water_kinds;  // of the picture's
+    bool block_coloured = false;         // whether block_samples has those of the picture
     std::optional<gl::DepthBuffer> pixel_depths;
     std::optional<gl::RenderTarget> pixels;  // of endless ground, those that see one place each
     std::optional<PackedSamples> packed;     // and samples of the others

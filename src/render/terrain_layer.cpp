@@ -90,7 +90,7 @@ TerrainLayer::TerrainLayer(const View& view, const Block& block, const gl::Const
       fixed_(fixed) {}
 
 const TerrainLayer::SamplePrograms& TerrainLayer::by_sample() {
-    if ((grainy_ || by_pixels_) && !grain_) grain_.emplace(grain_texture());
+    if (grainy_ && !grain_) grain_.emplace(grain_texture());
     if (!by_sample_)
         by_sample_.emplace(SamplePrograms{
             {"block/terrain.vert.glsl",
@@ -141,12 +141,15 @@ void TerrainLayer::set_bed(const DisplayBed& bed, const Field<float>* water_dept
     if (stride != stride_ || bed.nodata != nodata_) build(bed, stride);
 
     surface_.resize(lattice_.cells.size());
+    ground_.resize(surface_.size());
     for (std::size_t i = 0; i < surface_.size(); ++i) {
         const std::uint32_t at = lattice_.cells[i];
-        surface_[i] = bed.z.values()[at];
+        ground_[i] = bed.z.values()[at];
+        surface_[i] = ground_[i];
         if (water_depth != nullptr) surface_[i] += water_depth->values()[at];
     }
     if (by_pixels_) {
+        if (!grain_) grain_.emplace(grain_texture());
         const auto [lowest, highest] = std::minmax_element(surface_.begin(), surface_.end());
         height_span_ = {*lowest, std::max(*highest - *lowest, 1e-6F)};
     }

@@ -79,7 +79,7 @@ class TerrainLayer {
     [[nodiscard]] float grain_strength() const;
 
     /// Colours, in the bound target, all pixels that may see one of the sides (west, east, south,
-    /// north), and some around. `tile` counts in pixels. Of a dry bed.
+    /// north), and some around. `tile` counts in pixels.
     void colour_side(int side, const Light& light, const Camera& camera, const TileSamples& tile);
 
     /// Draws into the bound target, cleared to 0, which point each pixel sees, see
@@ -140,6 +140,7 @@ class TerrainLayer {
     TerrainLattice lattice_;
     std::vector<SideFace> rim_;
     TerrainMesher mesher_;
+    std::vector<float> ground_;   // heights of the lattice's vertices, block lengths
     std::vector<float> surface_;  // heights of the lattice's vertices, water included
     TerrainMesh mesh_;
     bool uploaded_ = false;           // these two

@@ -23,6 +23,8 @@ constexpr float over_next = 0.0005F;   // strips of unlike heights overlap, lest
 constexpr int ground_texels = 1024;    // along a side
 constexpr int side_ground_unit = 1;
 const gl::TextureLayout ground_layout{GL_R32F, GL_RED, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
+// Of the ground, and of the surface of water over it.
+const gl::TextureLayout both_layout{GL_RG32F, GL_RG, GL_FLOAT, GL_LINEAR, 0, GL_CLAMP_TO_EDGE};
 
 /// A corner as block/side.vert.glsl takes it.
 struct StripCorner {
@@ -136,13 +138,14 @@ bool TerrainLayer::lies_before(const Camera& camera) const {
 const TerrainLayer::Strips& TerrainLayer::strips() {
     const gl::Functions& gl = gl::functions();
     if (!strips_) {
-        strips_.emplace(Strips{{"block/side.vert.glsl",
-                                "block/side_strip.frag.glsl",
-                                {"east_north", "normal", "heights"},
-                                fixed_},
-                               {},
-                               gl::DynamicBuffer(GL_ARRAY_BUFFER),
-                               gl::Texture2D(ground_texels, sides, ground_layout)});
+        strips_.emplace(
+            Strips{{"block/side.vert.glsl",
+                    by_pixels_ ? "block/side_strip_water.frag.glsl" : "block/side_strip.frag.glsl",
+                    {"east_north", "normal", "heights"},
+                    fixed_},
+                   {},
+                   gl::DynamicBuffer(GL_ARRAY_BUFFER),
+                   gl::Texture2D(ground_texels, sides, by_pixels_ ? both_layout : ground_layout)});
         gl.BindVertexArray(strips_->array.name());
         strips_->corners.bind();
         corner_attribute(0, 2, offsetof(StripCorner, at));
@@ -156,12 +159,17 @@ const TerrainLayer::Strips& TerrainLayer::strips() {
     std::vector<float> ground;
     for (int side = 0; side < sides; ++side) {
         const Border border = border_of(lattice_, surface_, side);
+        const Border bed = border_of(lattice_, ground_, side);
         add_strips(border, side, static_cast<float>(block_.base),
                    static_cast<float>(runs_north(side) ? block_.width_y : block_.width_x), corners);
         for (int i = 0; i < ground_texels; ++i) {
             const float place = (static_cast<float>(i) + 0.5F) / ground_texels;
-            ground.push_back((border.height_at(place) - height_range_.x) /
-                             (height_range_.y - height_range_.x));
+            const auto share = [&](const Border& of) {
+                return (of.height_at(place) - height_range_.x) /
+                       (height_range_.y - height_range_.x);
+            };
+            ground.push_back(share(bed));
+            if (by_pixels_) ground.push_back(share(border));
         }
     }
     strips_->corners.fill(corners);

@@ -33,6 +33,9 @@ constexpr float any_water = 2.0F;
 const gl::TextureLayout places_layout{GL_RGBA32F, GL_RGBA, GL_FLOAT,
                                       GL_NEAREST, 0,       GL_CLAMP_TO_EDGE};
 
+const gl::TextureLayout kinds_layout{GL_R8,      GL_RED, GL_UNSIGNED_BYTE,
+                                     GL_NEAREST, 0,      GL_CLAMP_TO_EDGE};
+
 gl::Constants with(gl::Constants fixed, float under_water, float split) {
     fixed.push_back({"under_water", under_water});
     fixed.push_back({"split", split});
@@ -79,6 +82,11 @@ int pixels_of(int samples, int factor) {
     return (samples + factor - 1) / factor + 1;
 }
 
+int rows_of(const TilePlan& plan) {
+    const int rows = pixels_of(plan.target_height, plan.factor);
+    return rows + spare_rows(rows);
+}
+
 }  // namespace
 
 bool shades_pixels(const View& view, const Snapshot& first) {
@@ -98,71 +106,133 @@ WaterPixels::WaterPixels(const TilePlan& plan, const gl::Constants& fixed, Pixel
                          bool alike)
     : factor_(plan.factor),
       alike_(alike),
-      kinds_("common/screen.vert.glsl", "bed/water_pixel_kinds.frag.glsl", {}, fixed),
+      fixed_(fixed),
       dry_("common/screen.vert.glsl", "bed/water_pixels.frag.glsl", {},
            with(fixed, dry_water, 0.0F)),
       thin_("common/screen.vert.glsl", "bed/water_pixels.frag.glsl", {},
             with(fixed, thin_water, 0.0F)),
       deep_("common/screen.vert.glsl", "bed/water_pixels.frag.glsl", {},
             with(fixed, any_water, 0.0F)),
-      split_("common/screen.vert.glsl", "bed/water_pixels.frag.glsl", {},
-             with(fixed, any_water, 1.0F)),
-      depths_(pixels_of(plan.target_width, plan.factor),
-              pixels_of(plan.target_height, plan.factor)),
-      places_(pixels_of(plan.target_width, plan.factor), pixels_of(plan.target_height, plan.factor),
-              places_layout, &depths_),
+      depths_(pixels_of(plan.target_width, plan.factor), rows_of(plan)),
+      places_(pixels_of(plan.target_width, plan.factor), rows_of(plan), places_layout, &depths_),
       target_(places_.width(), places_.height(), layout_of(kind), &depths_) {}
 
-void WaterPixels::shade(const gl::Texture2D& seen, const glm::ivec2& offset,
-                        const BedShading& shading, const TerrainLayer& terrain, const Light& light,
-                        const Camera& camera, const TileSamples& tile) {
+const WaterPixels::BySamples& WaterPixels::by_samples() {
+    if (!by_samples_)
+        by_samples_.emplace(
+            BySamples{{"common/screen.vert.glsl", "bed/water_pixel_kinds.frag.glsl", {}, fixed_},
+                      {"common/screen.vert.glsl",
+                       "bed/water_pixels.frag.glsl",
+                       {},
+                       with(fixed_, any_water, 1.0F)}});
+    return *by_samples_;
+}
+
+const WaterPixels::ByPlaces& WaterPixels::by_places() {
+    if (!by_places_)
+        by_places_.emplace(
+            ByPlaces{{"common/screen.vert.glsl", "bed/water_kind_depths.frag.glsl", {}},
+                     {target_.width(), target_.height(), kinds_layout}});
+    return *by_places_;
+}
+
+void WaterPixels::draw(const gl::Program& program, GLenum passes, double depth,
+                       const Shaded& shaded) {
     const gl::Functions& gl = gl::functions();
-    const Rectangle part =
-        pixels_of_block(glm::mat4(clip_matrix(camera)), terrain.low(), terrain.high(), tile, offset,
-                        factor_, {target_.width(), target_.height()});
-    gl.Enable(GL_SCISSOR_TEST);
-    gl.Scissor(part.low.x, part.low.y, part.size.x, part.size.y);
-    const auto draw = [&](const gl::Program& program, GLenum passes, double depth) {
-        program.use();
-        shading.bind_all(program, light, camera, 0.0);
-        seen.bind(seen_unit);
-        program.set("seen", seen_unit);
-        program.set("height_span", terrain.height_span());
-        program.set("sample_offset", glm::vec2(offset));
-        if (&program != &kinds_) {
-            terrain.set_grain(program, grain_unit);
-            places_.colour().bind(places_unit);
-            program.set("places", places_unit);
-        }
-        gl.DepthRange(depth, depth);
-        gl.DepthFunc(passes);
-        gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    };
-    gl.Enable(GL_DEPTH_TEST);
-    places_.bind();
-    kinds_.use();
-    kinds_.set("dry_depth", static_cast<float>(alike_ ? deep_depth : dry_depth));
-    kinds_.set("nothing_depth", static_cast<float>(nothing_depth));
-    kinds_.set("thin_depth", static_cast<float>(alike_ ? deep_depth : thin_depth));
-    kinds_.set("deep_depth", static_cast<float>(deep_depth));
-    kinds_.set("split_depth", static_cast<float>(split_depth));
-    draw(kinds_, GL_ALWAYS, 0.0);
+    program.use();
+    shaded.shading.bind_all(program, shaded.light, shaded.camera, 0.0);
+    program.set("height_span", shaded.terrain.height_span());
+    shaded.terrain.set_grain(program, grain_unit);
+    places_.colour().bind(places_unit);
+    program.set("places", places_unit);
+    gl.DepthRange(depth, depth);
+    gl.DepthFunc(passes);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void WaterPixels::begin_shading() {
+    const gl::Functions& gl = gl::functions();
     gl.DepthMask(GL_FALSE);
     target_.bind();
     gl.Clear(GL_STENCIL_BUFFER_BIT);
     gl.Enable(GL_STENCIL_TEST);
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     gl.StencilFunc(GL_NOTEQUAL, drawn_stencil, 0xFF);
-    draw(dry_, GL_GREATER, before_dry);
-    draw(thin_, GL_GREATER, before_thin);
-    draw(split_, GL_LESS, behind_split);
-    draw(deep_, GL_LESS, behind_deep);
+}
+
+void WaterPixels::end_shading() {
+    const gl::Functions& gl = gl::functions();
     gl.Disable(GL_STENCIL_TEST);
     gl.Disable(GL_SCISSOR_TEST);
     gl.DepthMask(GL_TRUE);
     gl.DepthRange(0.0, 1.0);
     gl.DepthFunc(GL_LESS);
     gl.Disable(GL_DEPTH_TEST);
+}
+
+void WaterPixels::shade(PixelPlaces& known, const Shaded& shaded) {
+    const glm::ivec2 size = known.size;
+    known.colours.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    if (known.colours.empty()) return;
+    const gl::Functions& gl = gl::functions();
+    places_.colour().bind(places_unit);  // a new texture takes the unit in use: not the sky's
+    const ByPlaces& by = by_places();
+    const std::size_t first = static_cast<std::size_t>(known.low.y) * known.stride +
+                              static_cast<std::size_t>(known.low.x);
+    places_.colour().upload_part(known.low, size, known.stride, known.places.data() + 4 * first);
+    by.kinds.bind(seen_unit);
+    by.kinds.upload_part(known.low, size, known.stride, known.kinds.data() + first);
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Scissor(known.low.x, known.low.y, size.x, size.y);
+    gl.Enable(GL_DEPTH_TEST);
+    target_.bind();
+    gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    by.depths.use();
+    by.depths.set("kinds", seen_unit);
+    gl.DepthFunc(GL_ALWAYS);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    begin_shading();
+    const auto before = [](ShadedKind kind) { return (static_cast<double>(kind) - 32.0) / 255.0; };
+    draw(deep_, GL_LESS, before(shows_any), shaded);
+    draw(thin_, GL_LESS, before(shows_film), shaded);
+    draw(dry_, GL_LESS, before(shows_dry_ground), shaded);
+    end_shading();
+    gl.ReadPixels(known.low.x, known.low.y, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE,
+                  known.colours.data());
+}
+
+void WaterPixels::shade(const gl::Texture2D& seen, const glm::ivec2& offset, const Shaded& shaded,
+                        const TileSamples& tile) {
+    const gl::Functions& gl = gl::functions();
+    const BySamples& by = by_samples();
+    const Rectangle part = pixels_of_block(glm::mat4(clip_matrix(shaded.camera)),
+                                           shaded.terrain.low(), shaded.terrain.high(), tile,
+                                           offset, factor_, {target_.width(), target_.height()});
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Scissor(part.low.x, part.low.y, part.size.x, part.size.y);
+    const auto take_samples = [&](const gl::Program& program) {
+        program.use();
+        seen.bind(seen_unit);
+        program.set("seen", seen_unit);
+        program.set("sample_offset", glm::vec2(offset));
+    };
+    gl.Enable(GL_DEPTH_TEST);
+    places_.bind();
+    take_samples(by.kinds);
+    by.kinds.set("dry_depth", static_cast<float>(alike_ ? deep_depth : dry_depth));
+    by.kinds.set("nothing_depth", static_cast<float>(nothing_depth));
+    by.kinds.set("thin_depth", static_cast<float>(alike_ ? deep_depth : thin_depth));
+    by.kinds.set("deep_depth", static_cast<float>(deep_depth));
+    by.kinds.set("split_depth", static_cast<float>(split_depth));
+    draw(by.kinds, GL_ALWAYS, 0.0, shaded);
+    begin_shading();
+    draw(dry_, GL_GREATER, before_dry, shaded);
+    draw(thin_, GL_GREATER, before_thin, shaded);
+    take_samples(by.split);
+    draw(by.split, GL_LESS, behind_split, shaded);
+    draw(deep_, GL_LESS, behind_deep, shaded);
+    end_shading();
 }
 
 }  // namespace fumon

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "base/snapshot.h"
 #include "gl/program.h"
@@ -8,6 +9,7 @@
 #include "render/bed_shading.h"
 #include "render/colour/pixel_kind.h"
 #include "render/light/light.h"
+#include "render/samples/pixel_places.h"
 #include "render/terrain_layer.h"
 #include "render/view/camera.h"
 #include "render/view/tiles.h"
@@ -29,12 +31,24 @@ class WaterPixels {
     WaterPixels(const TilePlan& plan, const gl::Constants& fixed, PixelKind kind,
                 bool alike = false);
 
+    /// A bed that both have taken, in this light.
+    struct Shaded {
+        const BedShading& shading;
+        const TerrainLayer& terrain;
+        const Light& light;
+        const Camera& camera;
+    };
     /// Shades, into a target of its own, what the samples `seen` (see block/seen_surface.frag.glsl)
-    /// show of a bed that `shading` and `terrain` have taken; pixels begin at the sample `offset`,
-    /// see pixel_offset(). Needs a bound vertex array without attributes.
-    void shade(const gl::Texture2D& seen, const glm::ivec2& offset, const BedShading& shading,
-               const TerrainLayer& terrain, const Light& light, const Camera& camera,
+    /// show; pixels begin at the sample `offset`, see pixel_offset(). Needs a bound vertex array
+    /// without attributes.
+    void shade(const gl::Texture2D& seen, const glm::ivec2& offset, const Shaded& shaded,
                const TileSamples& tile);
+
+    /// The same of places that are known, of pixels of display_8, and reads their colours.
+    void shade(PixelPlaces& known, const Shaded& shaded);
+
+    /// Whether all kinds are shaded as if they might show anything.
+    [[nodiscard]] bool alike() const { return alike_; }
 
     /// One texel to a pixel: what BedShading::colours() has for a place.
     [[nodiscard]] const gl::Texture2D& colours() const { return target_.colour(); }
@@ -42,11 +56,28 @@ class WaterPixels {
   private:
     int factor_;
     bool alike_;
-    gl::Program kinds_;
+    gl::Constants fixed_;
+    /// Of samples in a texture, made as it is needed.
+    struct BySamples {
+        gl::Program kinds;
+        gl::Program split;
+    };
+    const BySamples& by_samples();
+    /// Of places that are known.
+    struct ByPlaces {
+        gl::Program depths;
+        gl::Texture2D kinds;
+    };
+    const ByPlaces& by_places();
+    /// Draws what passes a test of the depth.
+    void draw(const gl::Program& program, GLenum passes, double depth, const Shaded& shaded);
+    void begin_shading();
+    static void end_shading();
+    std::optional<BySamples> by_samples_;
+    std::optional<ByPlaces> by_places_;
     gl::Program dry_;
     gl::Program thin_;
     gl::Program deep_;
-    gl::Program split_;
     gl::DepthBuffer depths_;  ///< by which kinds of pixels are told apart
     gl::RenderTarget places_;
     gl::RenderTarget target_;

@@ -181,7 +181,9 @@ void WaterShading::upload(const Snapshot& snapshot, const Snapshot& first,
     Field<float> slope_y = water.slope_y;
     for (float& slope : slope_x.values()) slope *= drawn;
     for (float& slope : slope_y.values()) slope *= drawn;
-    const Field<float> fronts = depth_slopes(water.depth, rise / cell_x_, rise / cell_y_);
+    Field<float> standing = water.depth;
+    for (float& metres : standing.values()) metres = std::max(metres, 0.0F);
+    const Field<float> fronts = depth_slopes(standing, rise / cell_x_, rise / cell_y_);
     const double whole = std::max(layers_laid * closed_depth_, least_laid);
     const Field<float> worked = worked_bed(snapshot, first, whole, refinement_);
     surface_.upload(interleaved({&slope_x, &slope_y, &fronts}).data());

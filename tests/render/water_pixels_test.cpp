@@ -201,9 +201,9 @@ Snapshot bank_before_a_pond() {
 TEST(WaterPixels, PixelsSplitBetweenGroundAndWaterMixTheirLight) {
     const Snapshot bed = bank_before_a_pond();
     double best = 1e9;  // of all tilts, how far a row is from that mean
-    for (int tilt = 0; tilt < 6; ++tilt) {
+    for (int tilt = 0; tilt < 12; ++tilt) {
         View view = view_from(-2.0, 4.0);
-        view.camera.look_at = {50, 60, 3.0 + 0.04 * tilt};
+        view.camera.look_at = {50, 60, 3.0 + 0.02 * tilt};
         view.look.water_clarity = {"", 0.5};
         const Image image = picture(view, bed);
         const auto red = [&](int y) {  // the mean over some columns
@@ -221,6 +221,26 @@ TEST(WaterPixels, PixelsSplitBetweenGroundAndWaterMixTheirLight) {
         best = std::min(best, std::abs(red(brink) - std::sqrt(0.5 * (near * near + far * far))));
     }
     EXPECT_LT(best, 4.0);
+}
+
+// What stands on a block, even beside the picture, has its samples drawn by OpenGL.
+TEST(WaterPixels, AreThoseOfSamplesDrawnByOpenGL) {
+    const Snapshot rained = test::rained_gully(0.0, 4.0);
+    View whole = view_of_gully(640, 360);
+    whole.camera.at.clear();
+    whole.camera.look_at.clear();
+    for (View view : {view_of_gully(640, 360), whole}) {
+        const Image by_places = picture(view, rained);
+        view.tracks.resize(1);
+        view.tracks[0].along = {126.0, 0.5, 127.0, 0.5};
+        const Image by_samples = picture(view, rained);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < by_places.rgb.size(); ++i)
+            sum += std::abs(int{by_places.rgb[i]} - int{by_samples.rgb[i]});
+        const auto values = static_cast<double>(by_places.rgb.size());
+        EXPECT_LT(sum / values, 0.5);
+        EXPECT_LT(far_off(by_places, by_samples, 32), 0.0005 * values);
+    }
 }
 
 TEST(WaterPixels, PixelsOfATileBeginBeforeItsFirstSample) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "render/colour/grain.h"
+#include "render/samples/block_rays-inl.h"
 #include "render/samples/block_vectors.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -183,15 +184,6 @@ void colour_edges(const Surface& surface, Edges& edges) {
     }
 }
 
-/// Where the samples of a row of pixels see something, 0 … 1 over the block.
-HWY_INLINE Real place_of(const Rays& rays, Real column, Real depth) {
-    const Floats d;
-    const auto origin = hn::Set(d, rays.origin) + hn::Set(d, rays.origin_by_column) * column;
-    const auto direction =
-        hn::Set(d, rays.direction) + hn::Set(d, rays.direction_by_column) * column;
-    return hn::Min(hn::Max(origin + depth * direction, hn::Zero(d)), hn::Set(d, 1.0F));
-}
-
 HWY_INLINE void list_edges(hn::Mask<Floats> listed, std::size_t first, std::size_t pixels,
                            const Real* east, const Real* north, Word kinds, Edges& edges) {
     const Floats d;
@@ -261,15 +253,9 @@ void colour_row(const PixelRow& row, const Surface& surface, const PixelPlanes& 
 
         Real east[Edges::samples];
         Real north[Edges::samples];
-        const auto column =
-            hn::Set(d, static_cast<float>(row.first_column) + 2.0F * static_cast<float>(x) + 0.5F) +
-            hn::Set(d, 2.0F) * hn::Iota(d, 0.0F);
+        const auto column = columns_from(row.first_column, x);
         for (int k = 0; k < Edges::samples; ++k) {
-            const auto nearness = hn::BitCast(d, hn::AndNot(low, sample[k]));
-            const auto depth =
-                row.depths.perspective
-                    ? hn::Set(d, row.depths.numerator) / nearness
-                    : hn::Set(d, row.depths.first) + hn::Set(d, row.depths.by_nearness) * nearness;
+            const auto depth = depth_of(row.depths, sample[k]);
             const auto at = k % 2 == 0 ? column : column + hn::Set(d, 1.0F);
             east[k] = place_of(row.east[k / 2], at, depth);
             north[k] = place_of(row.north[k / 2], at, depth);

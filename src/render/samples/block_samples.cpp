@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/worker_pool.h"
+#include "render/samples/cut_triangles.h"
 
 namespace fumon {
 
@@ -15,9 +16,6 @@ namespace {
 using block_vectors::Edges;
 using block_vectors::Linear;
 using triangle_vectors::Band;
-
-constexpr int factor = 2;      // samples along each side of a pixel
-constexpr int band_rows = 16;  // of pixels: what their samples see stays in a cache
 
 /// A row of a matrix, for places 0 … 1 over the block.
 Linear over_block(const glm::dmat4& matrix, int row, const glm::dvec2& extent) {
@@ -40,7 +38,8 @@ block_vectors::Placed placed_by(const Camera& camera, const glm::dvec2& extent,
     block_vectors::Placed placed{sum(over_block(matrix, 0, extent), depth, parts * samples.x),
                                  sum(over_block(matrix, 1, extent), depth, parts * samples.y),
                                  {0.0, 0.0, 0.0, camera.near_depth},
-                                 depth};
+                                 depth,
+                                 camera.perspective ? camera.near_depth : 0.5};
     if (!camera.perspective) {
         const double range = camera.far_depth - camera.near_depth;
         const double east = -camera.forward.x * extent.x / range;
@@ -52,14 +51,14 @@ block_vectors::Placed placed_by(const Camera& camera, const glm::dvec2& extent,
     return placed;
 }
 
-/// How places along one axis follow from nearness in a row of samples.
-block_vectors::Rays rays_of(const Camera& camera, int axis, double extent, int row,
+/// How places along one axis, of which `first` is 0, follow from nearness in a row of samples.
+block_vectors::Rays rays_of(const Camera& camera, int axis, double first, double extent, int row,
                             const glm::ivec2& samples) {
     const double y = 2.0 * (row + 0.5) / samples.y - 1.0;
     const double left = -camera.half.x * camera.right[axis];
     const double aside = (left + y * camera.half.y * camera.up[axis]) / extent;
     const double by_column = -2.0 * left / (samples.x * extent);
-    const double origin = camera.eye[axis] / extent + 0.5;
+    const double origin = camera.eye[axis] / extent - first / extent;
     const double ahead = camera.forward[axis] / extent;
     if (camera.perspective)
         return {static_cast<float>(origin), 0.0F, static_cast<float>(ahead + aside),
@@ -76,22 +75,14 @@ block_vectors::Depths depths_of(const Camera& camera) {
 
 }  // namespace
 
-/// What a thread works in.
-struct BlockSamples::Room {
-    explicit Room(int pixels)
-        : stride(static_cast<std::size_t>(factor * pixels) + Band::beyond),
-          samples(stride * factor * band_rows + Band::beyond),
-          planes(pixels),
-          state(static_cast<std::size_t>(pixels) + Band::beyond) {
-        edges.make_room(pixels);
-    }
-
-    std::size_t stride;
-    std::vector<std::uint32_t> samples;
-    ColourPlanes planes;
-    std::vector<std::uint8_t> state;
-    Edges edges;
-};
+BlockSamples::Room::Room(int pixels)
+    : stride(static_cast<std::size_t>(factor * pixels) + Band::beyond),
+      samples(stride * factor * band_rows + Band::beyond),
+      planes(pixels),
+      state(static_cast<std::size_t>(pixels) + Band::beyond) {
+    edges.make_room(pixels);
+    listed.make_room(pixels);
+}
 
 void BlockSamples::set_colours(glm::vec2 grain_texels, BlockColours& read) {
     grain_texels_ = grain_texels;
@@ -99,10 +90,10 @@ void BlockSamples::set_colours(glm::vec2 grain_texels, BlockColours& read) {
     std::swap(colours_, read);
 }
 
-void BlockSamples::place(const BlockShape& shape, const Camera& camera, const Image& image,
+void BlockSamples::place(const BlockShape& shape, const Camera& camera, const glm::ivec2& picture,
                          WorkerPool& pool) {
-    samples_ = factor * glm::ivec2(image.width, image.height);
-    first_sample_ = factor * glm::ivec2(tile_.x, image.height - tile_.y - tile_.height);
+    samples_ = factor * picture;
+    first_sample_ = factor * glm::ivec2(tile_.x, picture.y - tile_.y - tile_.height);
     const block_vectors::Placed placed = placed_by(camera, shape.extent, samples_);
     const std::size_t surface = shape.surface.heights.size();
     const std::size_t sides = shape.sides.heights.size();
@@ -116,8 +107,31 @@ void BlockSamples::place(const BlockShape& shape, const Camera& camera, const Im
     for (std::size_t side = 0; side < shape.side_triangles.size(); ++side)
         parts.push_back({shape.side_triangles[side], surface,
                          static_cast<std::uint32_t>(first_side + side), shape.both_faces});
-    bands_.sort(corners_, std::move(parts), first_sample_.y, factor * tile_.height,
-                factor * band_rows, pool);
+    bands_.sort(corners_, parts, first_sample_.y, factor * tile_.height, factor * band_rows, pool);
+    cut_corners_.resize(0);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        TrianglePart& part = parts[p];
+        cut_[p].clear();
+        const BlockShape::Corners& corners = p == 0 ? shape.surface : shape.sides;
+        for (const std::uint32_t triangle : bands_.unplaced(p)) {
+            std::array<DeepPlace, 3> places{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t corner = part.triangles[std::size_t{3} * triangle + k];
+                const double east = corners.places[std::size_t{2} * corner];
+                const double north = corners.places[std::size_t{2} * corner + 1];
+                const double height = corners.heights[corner];
+                const auto value = [&](const Linear& of) {
+                    return of.east * east + of.north * north + of.height * height + of.constant;
+                };
+                places[k] = {value(placed.x), value(placed.y), value(placed.depth)};
+            }
+            add_cut(places, placed.least_depth, cut_corners_, cut_[p]);
+        }
+        part.triangles = cut_[p];
+        part.first_corner = 0;
+    }
+    cut_bands_.sort(cut_corners_, std::move(parts), first_sample_.y, factor * tile_.height,
+                    factor * band_rows, pool);
 }
 
 void BlockSamples::draw_band(int band, Room& room) const {
@@ -128,13 +142,12 @@ void BlockSamples::draw_band(int band, Room& room) const {
                   first_sample_.x,     first_sample_.x + factor * tile_.width,
                   first_row,           first_row + factor * rows};
     bands_.draw(band, corners_, of);
+    cut_bands_.draw(band, cut_corners_, of);
 }
 
 void BlockSamples::list_runs(Row& row, const std::uint8_t* state, const Edges& edges,
                              std::uint8_t* rgb) const {
-    using block_vectors::finished;
     using block_vectors::mixed;
-    row.runs.clear();
     row.mixed.clear();
     for (std::size_t i = 0; i < edges.count; ++i) {
         const std::int32_t x = edges.pixel[i];
@@ -147,6 +160,12 @@ void BlockSamples::list_runs(Row& row, const std::uint8_t* state, const Edges& e
             rgb[3 * static_cast<std::size_t>(x) + c] =
                 root_of_mean(edges.sums[c][i], Edges::samples);
     }
+    list_unfinished(row, state);
+}
+
+void BlockSamples::list_unfinished(Row& row, const std::uint8_t* state) const {
+    using block_vectors::finished;
+    row.runs.clear();
     const std::uint8_t* end = state + tile_.width;
     for (const std::uint8_t* at = state; at != end;) {
         const std::uint8_t here = *at;
@@ -157,6 +176,36 @@ void BlockSamples::list_runs(Row& row, const std::uint8_t* state, const Edges& e
                 {static_cast<int>(at - state), static_cast<int>(next - state), here});
         at = next;
     }
+}
+
+block_vectors::PixelRow BlockSamples::pixel_row(int row, int band, const Camera& camera,
+                                                const Room& room) const {
+    const std::uint32_t* lower =
+        room.samples.data() + static_cast<std::size_t>(factor * row) * room.stride;
+    const int row_of_samples = first_sample_.y + factor * (band_rows * band + row);
+    block_vectors::PixelRow of{lower, lower + room.stride, first_sample_.x, tile_.width, {},
+                               {},    depths_of(camera)};
+    for (int k = 0; k < factor; ++k) {
+        const int at = row_of_samples + k;
+        of.east[k] = rays_of(camera, 0, -0.5 * extent_.x, extent_.x, at, samples_);
+        of.north[k] = rays_of(camera, 1, -0.5 * extent_.y, extent_.y, at, samples_);
+    }
+    return of;
+}
+
+block_vectors::Rays BlockSamples::height_rays(const Camera& camera, const glm::dvec2& heights,
+                                              int row_of_samples) const {
+    return rays_of(camera, 2, heights.x, heights.y, row_of_samples, samples_);
+}
+
+void BlockSamples::for_bands(WorkerPool& pool,
+                             const std::function<void(int band, Room& room)>& work) const {
+    const int bands = (tile_.height + band_rows - 1) / band_rows;
+    std::atomic<int> next = 0;
+    pool.for_ranges(pool.size(), [&](int, int) {
+        Room room(tile_.width);
+        for (int band = next++; band < bands; band = next++) work(band, room);
+    });
 }
 
 void BlockSamples::colour_band(int band, const Camera& camera, Room& room, Image& image) {
@@ -170,15 +219,7 @@ void BlockSamples::colour_band(int band, const Camera& camera, Room& room, Image
     const int rows = std::min(band_rows, tile_.height - band_rows * band);
     for (int i = 0; i < rows; ++i) {
         const int upward = band_rows * band + i;
-        const std::uint32_t* lower =
-            room.samples.data() + static_cast<std::size_t>(factor * i) * room.stride;
-        const int row_of_samples = first_sample_.y + factor * upward;
-        block_vectors::PixelRow of{lower, lower + room.stride, first_sample_.x, tile_.width, {},
-                                   {},    depths_of(camera)};
-        for (int k = 0; k < factor; ++k) {
-            of.east[k] = rays_of(camera, 0, extent_.x, row_of_samples + k, samples_);
-            of.north[k] = rays_of(camera, 1, extent_.y, row_of_samples + k, samples_);
-        }
+        const block_vectors::PixelRow of = pixel_row(i, band, camera, room);
         block_vectors::colour_row(of, surface,
                                   {room.planes.red.data(), room.planes.green.data(),
                                    room.planes.blue.data(), room.state.data()},
@@ -199,16 +240,11 @@ void BlockSamples::see(const BlockShape& shape, const Camera& camera, const Tile
                        WorkerPool& pool, Image& image) {
     tile_ = tile;
     extent_ = shape.extent;
-    place(shape, camera, image, pool);
+    place(shape, camera, {image.width, image.height}, pool);
     rows_.resize(static_cast<std::size_t>(tile.height));
-    const int bands = (tile.height + band_rows - 1) / band_rows;
-    std::atomic<int> next = 0;
-    pool.for_ranges(pool.size(), [&](int, int) {
-        Room room(tile.width);
-        for (int band = next++; band < bands; band = next++) {
-            draw_band(band, room);
-            colour_band(band, camera, room, image);
-        }
+    for_bands(pool, [&](int band, Room& room) {
+        draw_band(band, room);
+        colour_band(band, camera, room, image);
     });
     find_sides();
 }

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
 
 #include "base/image.h"
 #include "render/samples/block_vectors.h"
+#include "render/samples/pixel_places.h"
 #include "render/samples/sample_vectors.h"
 #include "render/samples/triangle_bands.h"
 #include "render/view/camera.h"
@@ -38,8 +40,9 @@ struct BlockColours {
     std::vector<std::uint32_t> texels;
 };
 
-/// A picture of a dry block, of 2 × 2 samples a pixel: what each of them sees, and pixels from
-/// that. Pixels that see the surface alone get their colours here, from the shaded bed; sides and
+/// A picture of a block, of 2 × 2 samples a pixel: what each of them sees, and pixels from that.
+/// Pixels that see the surface alone get their colours here, from the shaded bed; those of a block
+/// with water are shaded by others, one by one, from the places that they show. Sides and
 /// surroundings are drawn by others, where there is something to be seen of them. What a sample
 /// sees does not depend on tiles, on the order of triangles, on threads and on the processor.
 class BlockSamples {
@@ -56,6 +59,20 @@ class BlockSamples {
     /// block lies before the camera, as lies_before() says.
     void see(const BlockShape& shape, const Camera& camera, const Tile& tile, WorkerPool& pool,
              Image& image);
+
+    /// How the places of a block's surface are found.
+    struct Seeing {
+        const Camera& camera;
+        glm::ivec2 picture;  ///< pixels of the whole of it
+        glm::dvec2 heights;  ///< of the surface: the lowest, and how much higher the highest
+        place_vectors::Rules rules;
+    };
+    /// As see(), of a block whose surface is shaded by its pixels: finds which places these show.
+    /// The block may reach behind a camera in perspective.
+    void see_places(const BlockShape& shape, const Tile& tile, const Seeing& seeing,
+                    WorkerPool& pool, PixelPlaces& out);
+    /// Takes the colours of these, which some of them are mixed from.
+    void put_colours(PixelPlaces& shaded, WorkerPool& pool, Image& image);
 
     /// Rectangles of the tile, rows from above, in which surroundings are seen.
     [[nodiscard]] std::vector<Tile> open_parts() const;
@@ -82,18 +99,50 @@ class BlockSamples {
         std::array<std::uint32_t, 3> sums;
         std::uint32_t kinds;
     };
+    struct Split {
+        std::int32_t pixel;
+        std::array<glm::vec4, 2> places;
+        std::array<float, 2> shares;  // of the samples
+        int first = 0;                // texel of its places; −1: none
+    };
     struct Row {
         std::vector<Run> runs;  // of pixels that are not finished
         std::vector<Mixed> mixed;
+        std::vector<Split> splits;  // pixels that see two places of a surface shaded by pixels
+        glm::ivec2 shown{0};        // from which pixel to which it is seen
     };
     struct Side {
         Tile part;
         std::vector<std::uint32_t> colours;
     };
-    struct Room;
+    /// What a thread works in.
+    struct Room {
+        explicit Room(int pixels);
+
+        std::size_t stride;
+        std::vector<std::uint32_t> samples;
+        ColourPlanes planes;
+        std::vector<std::uint8_t> state;
+        block_vectors::Edges edges;
+        place_vectors::Listed listed;
+    };
+
+    static constexpr int factor = 2;      // samples along each side of a pixel
+    static constexpr int band_rows = 16;  // of pixels: what their samples see stays in a cache
 
     static std::uint8_t root_of_mean(std::uint32_t sum, std::uint32_t count);
-    void place(const BlockShape& shape, const Camera& camera, const Image& image, WorkerPool& pool);
+    static Split split_pixel(const place_vectors::Listed& listed, std::size_t i,
+                             const place_vectors::Rules& rules, const glm::vec3& forward);
+    void place(const BlockShape& shape, const Camera& camera, const glm::ivec2& picture,
+               WorkerPool& pool);
+    void for_bands(WorkerPool& pool, const std::function<void(int band, Room& room)>& work) const;
+    [[nodiscard]] block_vectors::PixelRow pixel_row(int row, int band, const Camera& camera,
+                                                    const Room& room) const;
+    [[nodiscard]] block_vectors::Rays height_rays(const Camera& camera, const glm::dvec2& heights,
+                                                  int row_of_samples) const;
+    void list_unfinished(Row& row, const std::uint8_t* state) const;
+    void place_band(int band, const Seeing& seeing, Room& room, PixelPlaces& out);
+    void frame_shown(PixelPlaces& out);
     void draw_band(int band, Room& room) const;
     void colour_band(int band, const Camera& camera, Room& room, Image& image);
     void list_runs(Row& row, const std::uint8_t* state, const block_vectors::Edges& edges,
@@ -111,8 +160,13 @@ class BlockSamples {
     glm::dvec2 extent_{1.0};
     glm::ivec2 samples_{0};       // of the whole picture
     glm::ivec2 first_sample_{0};  // of the tile, from the picture's lower left
+    int shown_rows_ = 0;          // of pixels that show a surface shaded by pixels
     triangle_vectors::Corners corners_;
     TriangleBands bands_;
+    // Of triangles that reach behind the camera, or far aside: what is left of them.
+    triangle_vectors::Corners cut_corners_;
+    std::array<std::vector<std::uint32_t>, 5> cut_;
+    TriangleBands cut_bands_;
     std::vector<Row> rows_;  // the upper first
     std::array<Side, 4> sides_;
 };

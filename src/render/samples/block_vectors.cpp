@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "render/samples/block_vectors.h"
+#include "render/samples/cut_triangles.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumon::block_vectors {
@@ -35,10 +36,19 @@ HWY_INLINE void place_some(const Placed& placed, const float* places, const floa
                hn::Set(d, of.height) * height + hn::Set(d, of.constant);
     };
     const auto depth = value(placed.depth);
+    const auto least = hn::Set(d, placed.least_depth);
+    const auto before = hn::Ge(depth, least);
+    const auto safe = hn::IfThenElse(before, depth, least);
     const auto half = hn::Set(d, 0.5);
-    hn::StoreU(hn::DemoteTo(integers, hn::Floor(value(placed.x) / depth + half)), integers, x);
-    hn::StoreU(hn::DemoteTo(integers, hn::Floor(value(placed.y) / depth + half)), integers, y);
-    hn::StoreU(hn::DemoteTo(floats, value(placed.nearness) / depth), floats, nearness);
+    const auto at_x = hn::Floor(value(placed.x) / safe + half);
+    const auto at_y = hn::Floor(value(placed.y) / safe + half);
+    const auto farthest = hn::Set(d, farthest_place);
+    const auto inside = hn::And(hn::Le(hn::Abs(at_x), farthest), hn::Le(hn::Abs(at_y), farthest));
+    const auto has_place = hn::And(before, inside);
+    hn::StoreU(hn::DemoteTo(integers, hn::IfThenElseZero(has_place, at_x)), integers, x);
+    hn::StoreU(hn::DemoteTo(integers, hn::IfThenElseZero(has_place, at_y)), integers, y);
+    hn::StoreU(hn::DemoteTo(floats, hn::IfThenElseZero(has_place, value(placed.nearness) / safe)),
+               floats, nearness);
 }
 
 void place_corners(const Placed& placed, const float* places, const float* heights,

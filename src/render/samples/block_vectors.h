@@ -24,9 +24,11 @@ struct Placed {
     Linear y;
     Linear nearness;
     Linear depth;
+    double least_depth;
 };
 
-/// Sets corners first … first + count − 1 from places (east and north by turns) and heights.
+/// Sets corners first … first + count − 1 from places (east and north by turns) and heights. Those
+/// nearer than least_depth, or farther aside than farthest_place, get no place: nearness 0.
 void place_corners(const Placed& placed, const float* places, const float* heights,
                    std::size_t count, triangle_vectors::Corners& corners, std::size_t first);
 

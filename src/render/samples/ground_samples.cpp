@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/worker_pool.h"
+#include "render/samples/cut_triangles.h"
 
 namespace fumon {
 
@@ -17,9 +18,6 @@ using seen_vectors::Perspective;
 
 constexpr int rows_of_band = 16;  // of samples: what they see stays in a cache
 
-/// x and y of a place in the picture times its depth, and the depth.
-using Place = glm::dvec3;
-
 Perspective projection_of(const Camera& camera, const glm::ivec2& picture) {
     const auto row = [&](const glm::dvec3& way) { return seen_vectors::Row{way.x, way.y, way.z}; };
     constexpr double parts = 128.0;  // half of the 256 that a sample has
@@ -28,59 +26,11 @@ Perspective projection_of(const Camera& camera, const glm::ivec2& picture) {
             row(camera.forward), camera.near_depth};
 }
 
-Place place_of(const Perspective& projection, const glm::dvec3& offset) {
+DeepPlace place_of(const Perspective& projection, const glm::dvec3& offset) {
     const auto value = [&](const seen_vectors::Row& row) {
         return row.x * offset.x + row.y * offset.y + row.z * offset.z;
     };
     return {value(projection.x), value(projection.y), value(projection.depth)};
-}
-
-/// How far inside one of the planes that bound places that are numbers: 0 or more inside.
-double inside(int plane, const Place& place, double near_depth) {
-    constexpr double farthest = seen_vectors::farthest_place;
-    switch (plane) {
-        case 0:
-            return place.z - near_depth;
-        case 1:
-            return farthest * place.z - place.x;
-        case 2:
-            return farthest * place.z + place.x;
-        case 3:
-            return farthest * place.z - place.y;
-        default:
-            return farthest * place.z + place.y;
-    }
-}
-
-constexpr int planes = 5;
-
-/// Whether one of them tells all of a triangle from the inside.
-bool lies_outside(const std::array<Place, 3>& corners, double near_depth) {
-    for (int plane = 0; plane < planes; ++plane) {
-        const auto is_out = [&](const Place& place) {
-            return inside(plane, place, near_depth) < 0.0;
-        };
-        if (std::ranges::all_of(corners, is_out)) return true;
-    }
-    return false;
-}
-
-/// What is left of a polygon on the inner side of a plane (Sutherland & Hodgman 1974). An edge is
-/// cut from its inner end, in both triangles that share it.
-std::vector<Place> cut_by(int plane, const std::vector<Place>& polygon, double near_depth) {
-    std::vector<Place> left;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Place& from = polygon[i];
-        const Place& to = polygon[(i + 1) % polygon.size()];
-        const double in_from = inside(plane, from, near_depth);
-        const double in_to = inside(plane, to, near_depth);
-        if (in_from >= 0.0) left.push_back(from);
-        if (in_from >= 0.0 && in_to < 0.0)
-            left.push_back(from + (to - from) * (in_from / (in_from - in_to)));
-        if (in_from < 0.0 && in_to >= 0.0)
-            left.push_back(to + (from - to) * (in_to / (in_to - in_from)));
-    }
-    return left;
 }
 
 LevelRays level_rays(const SampleRays& rays, int row) {
@@ -106,26 +56,12 @@ void GroundSamples::cut(const GroundTriangles& ground, const Perspective& projec
                          std::vector<std::uint32_t>& left) {
         left.clear();
         for (const std::uint32_t triangle : unplaced) {
-            std::array<Place, 3> corners;
+            std::array<DeepPlace, 3> corners;
             for (std::size_t k = 0; k < 3; ++k)
                 corners[k] =
                     place_of(projection,
                              glm::dvec3(ground.places[triangles[std::size_t{3} * triangle + k]]));
-            if (lies_outside(corners, projection.near_depth)) continue;
-            std::vector<Place> polygon(corners.begin(), corners.end());
-            for (int plane = 0; plane < planes; ++plane)
-                polygon = cut_by(plane, polygon, projection.near_depth);
-            const auto first = static_cast<std::uint32_t>(cut_corners_.x.size());
-            for (const Place& place : polygon) {
-                cut_corners_.x.push_back(
-                    static_cast<std::int32_t>(std::floor(place.x / place.z + 0.5)));
-                cut_corners_.y.push_back(
-                    static_cast<std::int32_t>(std::floor(place.y / place.z + 0.5)));
-                cut_corners_.nearness.push_back(
-                    static_cast<float>(projection.near_depth / place.z));
-            }
-            for (std::uint32_t k = 2; k < polygon.size(); ++k)
-                left.insert(left.end(), {first, first + k - 1, first + k});
+            add_cut(corners, projection.near_depth, cut_corners_, left);
         }
     };
     add(bands_.unplaced(0), ground.near, cut_near_);

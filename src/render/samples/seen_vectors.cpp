@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "render/samples/cut_triangles.h"
 #include "render/samples/seen_vectors.h"
 
 HWY_BEFORE_NAMESPACE();

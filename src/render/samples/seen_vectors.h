@@ -23,10 +23,6 @@ struct Perspective {
     double near_depth;
 };
 
-/// How far from the picture's lower left corners have a place: what differs by less than twice as
-/// much is a number of 32 bits, and any picture is smaller.
-constexpr double farthest_place = 16777216.0;
-
 /// Sets corners first … first + count − 1 from offsets (x, y, z by turns). Those nearer than
 /// near_depth, or farther aside than that, get no place: nearness 0.
 void place_corners(const Perspective& projection, const float* offsets, std::size_t count,

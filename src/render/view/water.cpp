@@ -20,6 +20,7 @@ namespace {
 constexpr double gravity = 9.8;        // m/s²
 constexpr double pond_clarity = 0.6;   // of the high depth
 constexpr double film_clarity = 3.4;   // more than a pond's, for a film that is as deep everywhere
+constexpr double deepest_bank = 0.25;  // of a cell: banks this high over water are alike
 constexpr double sheet_begins = 0.25;  // of closed_depth: as in shaders/bed/water.glsl
 
 const Grid& values_of(const Snapshot& snapshot, std::string_view name) {
@@ -130,7 +131,9 @@ Mask grown(const Mask& mask) {
 }
 
 /// The depth on a display bed's cells. Water that lies level ends where its level meets the ground
-/// between the cells, so that it does not climb its banks; on slopes it follows the ground.
+/// between the cells, so that it does not climb its banks; on slopes it follows the ground. Banks
+/// have the depth to which the level lies below them, so that between cells of both a shore is
+/// where the level meets the ground.
 Field<float> shown_depths(const Snapshot& snapshot, const Mask& dry, const Mask& sloping,
                           int refinement) {
     const Grid& depth = values_of(snapshot, "water_depth");
@@ -144,6 +147,7 @@ Field<float> shown_depths(const Snapshot& snapshot, const Mask& dry, const Mask&
     }
     constexpr float unreached = -1e30F;
     const auto least = static_cast<float>(sheet_begins * closed_depth(snapshot.scale));
+    const auto closes = static_cast<float>(0.5 * closed_depth(snapshot.scale));
     Field<float> ground(depth.nx(), depth.ny());
     Field<float> film(depth.nx(), depth.ny());
     Field<float> level(depth.nx(), depth.ny());
@@ -168,10 +172,16 @@ Field<float> shown_depths(const Snapshot& snapshot, const Mask& dry, const Mask&
     const Field<float> below = refined(ground, refinement);
     const Field<float> films = refined(film, refinement);
     const Mask near_lake = refined(grown(sloping), refinement);
+    const auto highest = static_cast<float>(deepest_bank * snapshot.scale.dx);
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        const float lies =
-            near_lake.values()[i] != 0 ? shown.values()[i] - below.values()[i] : 0.0F;
-        shown.values()[i] = std::max({lies, films.values()[i], 0.0F});
+        const float wets = std::max(films.values()[i], 0.0F);
+        if (near_lake.values()[i] == 0) {
+            shown.values()[i] = wets;
+            continue;
+        }
+        const float lies = shown.values()[i] - below.values()[i];
+        const bool is_bank = lies < 0.0F && wets < closes;
+        shown.values()[i] = is_bank ? std::max(lies, -highest) : std::max(lies, wets);
     }
     return shown;
 }

@@ -51,7 +51,8 @@ double water_clarity(const LookSettings& look, const WaterStatistics& water);
 
 /// Water on the cells of a display bed. Cells without data are dry.
 struct DisplayWater {
-    Field<float> depth;       ///< metres, ≥ 0
+    /// Metres; below 0 on a bank, as far as the level beside it lies below it.
+    Field<float> depth;
     Field<float> velocity_x;  ///< m/s
     Field<float> velocity_y;
     /// Of the ground: the root of depth over closed_depth, at most 1, in wet cells, falling to 0

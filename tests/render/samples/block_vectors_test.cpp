@@ -22,7 +22,8 @@ TEST(BlockVectors, CornersStandWhereTheirPlacesAreSeenOnEveryTarget) {
     const Placed placed{{256000.0, 12000.0, -3000.0, 7000.0},
                         {-900.0, 301000.0, 88000.0, 100.0},
                         {0.0, 0.0, 0.0, 1.5},
-                        {0.4, -0.3, 0.2, 2.0}};
+                        {0.4, -0.3, 0.2, 2.0},
+                        0.1};
     const auto value = [](const Linear& of, double east, double north, double height) {
         return of.east * east + of.north * north + of.height * height + of.constant;
     };

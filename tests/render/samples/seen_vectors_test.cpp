@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "render/samples/cut_triangles.h"
 #include "vectors/target.h"
 
 namespace fumon::seen_vectors {

@@ -70,6 +70,29 @@ TEST(DisplayWater, EndsWhereItsLevelMeetsTheGround) {
         EXPECT_NEAR(stream.depth(x, 20 * finer), 0.0005F, 1e-5F) << x;
 }
 
+TEST(DisplayWater, ShoresLieBetweenCells) {
+    // A pond to level 1 before a dry bank, whose shore runs aslant to the grid.
+    constexpr int finer = 2;
+    Snapshot pond = under_water(flat_bed(30, 30), 0.0, 0.0);
+    for (int y = 0; y < 30; ++y) {
+        for (int x = 0; x < 30; ++x) {
+            pond.bed(x, y) = 0.2 * (x + 0.3 * y) - 3.0;
+            pond.fields[0].values(x, y) = std::max(1.0 - pond.bed(x, y), 0.0);
+        }
+    }
+    const Field<float> depth = display_water(pond, finer).depth;
+    for (int y = 10; y < 50; ++y) {
+        int x = 2;
+        while (depth(x, y) > 0.0F) ++x;
+        ASSERT_GT(depth(x - 1, y) - depth(x, y), 0.0F);
+        const float shore =
+            static_cast<float>(x) - 1.0F + depth(x - 1, y) / (depth(x - 1, y) - depth(x, y));
+        // In coarse cells, whose middles are whole numbers: x + 0.3 y = 20.
+        const double in_cells = (static_cast<double>(shore) + 0.5) / finer - 0.5;
+        EXPECT_NEAR(in_cells, 20.0 - 0.3 * ((y + 0.5) / finer - 0.5), 0.05) << y;
+    }
+}
+
 TEST(WaterClarity, FollowsTheDepths) {
     const LookSettings look;
     const WaterStatistics film = water_statistics(under_water(flat_bed(50, 50), 0.01, 0.6));
