@@ -169,9 +169,9 @@ float mean_facing(float n_dot_l, float spread) {
     return 0.5 * (n_dot_l + sqrt(n_dot_l * n_dot_l + 0.7 * (spread * spread + grains * grains)));
 }
 
-// What a rough surface throws to the eye of the sun's light that it gets.
-float roughened(float direct, vec3 normal, vec3 to_eye) {
-    float n_dot_l = max(dot(normal, to_sun), 0.02);
+// What a rough surface throws to the eye of the sun's light that it gets; `least`: of the cosine between normal and sun.
+float roughened(float direct, vec3 normal, vec3 to_eye, float least) {
+    float n_dot_l = max(dot(normal, to_sun), least);
     return direct / n_dot_l * oren_nayar(n_dot_l, max(dot(normal, to_eye), 0.0), dot(to_sun, to_eye));
 }
 

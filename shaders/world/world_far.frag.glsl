@@ -30,7 +30,7 @@ vec4 far_colour(SeenPlace at) {
     if (marks > 1.5 || plain * rock > 0.0) weather(point.normal, albedo, in_metres(at.offset), metres(length(at.along) + length(at.up)), weathered(place));
     float spread = 0.7 * ripple_slope * standing * dot(facing_of(slope), to_sun.xy);
     float n_dot_l = mean_facing(dot(point.normal, to_sun), spread);
-    float direct = roughened(point.sun * n_dot_l, point.normal, to_eye);
+    float direct = roughened(point.sun * n_dot_l, point.normal, to_eye, 0.02);
     return seen(ground_light_of(albedo, direct, point, to_eye, 1.0), at, to_eye, point.sun);
 }
 

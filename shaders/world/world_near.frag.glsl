@@ -209,7 +209,7 @@ vec4 near_colour(SeenPlace at) {
         direct *= shade;
         mean.sun *= shade;
     }
-    direct = roughened(direct, mean.normal, to_eye);
+    direct = roughened(direct, mean.normal, to_eye, mix(0.02, 0.25, rocky));
     // Troughs see less of the sky.
     mean.sky *= 1.0 + 0.4 * ripple_slope * lit.standing * resolved * (lit.trough - 1.0);
     vec3 light = ground_light_of(albedo, direct, mean, to_eye, 1.0);
