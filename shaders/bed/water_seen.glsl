@@ -5,8 +5,8 @@ uniform float samples_along;  // samples along each side of a pixel
 uniform vec2 sample_offset;   // of the first pixel's first sample
 
 // Between samples: up to there, in cells of the maps or in widths of a pixel, one place stands for all.
-const float near_cells = 1.25;
-const float near_widths = 14.0;
+uniform float near_cells;
+uniform float near_widths;
 
 struct SeenSamples {
     vec3 mean;    // their place, 0 … 1, as in `seen`

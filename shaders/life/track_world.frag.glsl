@@ -25,7 +25,7 @@ void main() {
     print.share *= bare_sand(place) * (1.0 - plain * rock) * mix(0.5, 1.0, smoothstep(0.2, 0.7, sand.a));
     if (print.share < 0.004) discard;
     vec3 albedo = albedo_of(sand, grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z);
-    float direct = roughened(point.sun * print.direct, print.normal, to_eye, 0.02);
+    float direct = roughened(point.sun * print.direct, print.normal, to_eye, least_facing(0.0));
     BedPoint within = BedPoint(sky_normal(print, point), point.sun * print.sun, point.sky);
     vec3 light = ground_light_of(albedo, direct, within, to_eye, 1.0) + between_walls(print, albedo, point);
     colour = vec4(seen(light, at, to_eye, point.sun).rgb, print.share);

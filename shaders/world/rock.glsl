@@ -28,11 +28,11 @@ void add_beds(inout Wall wall, vec3 at, float height, vec2 across, float thickne
     float place = height / thickness;
     int bed = int(floor(place));
     float hard = hash(ivec2(bed, 71));
-    float step = hash(ivec2(bed + 1, 71)) - hard;
+    float harder = hash(ivec2(bed + 1, 71)) - hard;  // the next one
     float width = clamp(1.5 * footprint / thickness, 0.3, 1.0);
     float t = clamp((fract(place) - 1.0 + width) / width, 0.0, 1.0);
-    wall.rise += seen * 1.5 * step * t * (1.0 - t) / width;
-    wall.lighter += seen * 0.5 * (hard + step * t * t * (3.0 - 2.0 * t) - 0.5);
+    wall.rise += seen * 1.5 * harder * t * (1.0 - t) / width;
+    wall.lighter += seen * 0.5 * (hard + harder * t * t * (3.0 - 2.0 * t) - 0.5);
 
     float size = thickness * (1.2 + 1.6 * hash(ivec2(bed, 29)));
     vec2 joints = at.xy / size + 40.0 * vec2(hash(ivec2(bed, 5)), hash(ivec2(bed, 11)));

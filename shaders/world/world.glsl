@@ -153,6 +153,9 @@ vec3 albedo_of(vec4 sand, float brighter) { return sand.rgb * sand.rgb * max(1.0
 // How far a place is rock that weathers: as marked, or mountains of a bed that ends in a plain.
 float weathered(vec2 place) { return marks > 1.5 ? rock_share(place) : plain * rock; }
 
+// Whether there is any.
+bool has_rock() { return marks > 1.5 || plain * rock > 0.0; }
+
 // How far ripples stand on bare sand of a steepness that the wind reaches.
 float rippled(float bare, float open, float steep) { return bare * smoothstep(0.15, 0.6, open) * (1.0 - smoothstep(0.52, 0.64, steep)); }
 
@@ -169,7 +172,10 @@ float mean_facing(float n_dot_l, float spread) {
     return 0.5 * (n_dot_l + sqrt(n_dot_l * n_dot_l + 0.7 * (spread * spread + grains * grains)));
 }
 
-// What a rough surface throws to the eye of the sun's light that it gets; `least`: of the cosine between normal and sun.
+// Of the cosine between normal and sun, for the next function: rock's normals vary more than it knows.
+float least_facing(float rocky) { return mix(0.02, 0.25, rocky); }
+
+// What a rough surface throws to the eye of the sun's light that it gets.
 float roughened(float direct, vec3 normal, vec3 to_eye, float least) {
     float n_dot_l = max(dot(normal, to_sun), least);
     return direct / n_dot_l * oren_nayar(n_dot_l, max(dot(normal, to_eye), 0.0), dot(to_sun, to_eye));

@@ -21,16 +21,18 @@ vec4 far_colour(SeenPlace at) {
     vec2 surface = textureGrad(surface_map, place, along, up).rg;
     vec2 share = uneven_share(sand.a, surface.g);
     vec3 uneven = share.x * unevenness(sand.a) * relief(at, sand.a);
-    vec3 albedo = albedo_of(sand, share.y * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z);
+    float rocky = has_rock() ? weathered(place) : 0.0;
     BedPoint point = copied(slanting_bed_point(place, along, up), at, copy);
-    if (clouds > 0.5) point.sun *= cloud_shade(at.offset);
     vec2 slope = -point.normal.xy / max(point.normal.z, 0.1);
+    if (has_rock()) share.y *= level_share(length(slope), rocky);
+    vec3 albedo = albedo_of(sand, share.y * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z);
+    if (clouds > 0.5) point.sun *= cloud_shade(at.offset);
     float standing = rippled(sand.a, surface.r, length(slope));
     point.normal = normalize(vec3(point.normal.xy - uneven.xy * point.normal.z, point.normal.z));
-    if (marks > 1.5 || plain * rock > 0.0) weather(point.normal, albedo, in_metres(at.offset), metres(length(at.along) + length(at.up)), weathered(place));
+    if (has_rock()) weather(point.normal, albedo, in_metres(at.offset), metres(length(at.along) + length(at.up)), rocky);
     float spread = 0.7 * ripple_slope * standing * dot(facing_of(slope), to_sun.xy);
     float n_dot_l = mean_facing(dot(point.normal, to_sun), spread);
-    float direct = roughened(point.sun * n_dot_l, point.normal, to_eye, 0.02);
+    float direct = roughened(point.sun * n_dot_l, point.normal, to_eye, least_facing(rocky));
     return seen(ground_light_of(albedo, direct, point, to_eye, 1.0), at, to_eye, point.sun);
 }
 

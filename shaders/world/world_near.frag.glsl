@@ -15,6 +15,7 @@
 uniform sampler2D wander_map;  // of world/ripple_wander.frag.glsl
 uniform float wander_scale;    // of its side, a ripple's length
 uniform float exaggeration;  // of heights
+uniform float none_slid;     // of ground that is true to nature: on none that falls less sand slid
 uniform float ripple_phase;  // of the eye's place, in turns
 
 // Of pixels that PixelKinds tell apart.
@@ -196,11 +197,10 @@ vec4 near_colour(SeenPlace at) {
     float direct = lit.direct;
     // Crests are of coarser, paler grains.
     float crest = ripple_slope * lit.standing * resolved * lit.trough;
-    bool has_rock = marks > 1.5 || plain * rock > 0.0;
-    float rocky = has_rock ? weathered(place) : 0.0;
-    if (has_rock) share.y *= level_share(slope.steep, rocky);
+    float rocky = has_rock() ? weathered(place) : 0.0;
+    if (has_rock()) share.y *= level_share(slope.steep, rocky);
     vec3 albedo = albedo_of(sand, share.y * grains_of(sand.a) * grain(at, sand.a) + 0.1 * uneven.z + 0.15 * tongue.z + 0.2 * crest);
-    if (has_rock) {
+    if (has_rock()) {
         weather(mean.normal, albedo, in_metres(offset), metres(length(at.along) + length(at.up)), rocky);
         direct = mix(direct, mean.sun * mean_facing(dot(mean.normal, to_sun), 0.25), rocky);
     }
@@ -209,7 +209,7 @@ vec4 near_colour(SeenPlace at) {
         direct *= shade;
         mean.sun *= shade;
     }
-    direct = roughened(direct, mean.normal, to_eye, mix(0.02, 0.25, rocky));
+    direct = roughened(direct, mean.normal, to_eye, least_facing(rocky));
     // Troughs see less of the sky.
     mean.sky *= 1.0 + 0.4 * ripple_slope * lit.standing * resolved * (lit.trough - 1.0);
     vec3 light = ground_light_of(albedo, direct, mean, to_eye, 1.0);

@@ -18,8 +18,6 @@ float fall_at(SeenPlace place) {
     vec3 up = cross(place.along, place.up);
     return length(up.xy) / max(abs(up.z), 1e-20);
 }
-// Of ground that is true to nature: on none that falls less sand slid.
-const float none_slid = 0.3;
 
 // See GroundSamples::see().
 uniform usamplerBuffer seen_numbers;

@@ -4,14 +4,6 @@
 
 namespace fumon {
 
-namespace {
-
-// See shaders/bed/water_seen.glsl.
-constexpr float near_cells = 1.25F;
-constexpr float near_widths = 14.0F;
-
-}  // namespace
-
 bool Renderer::Parts::coloured_by_pixels(const Camera& camera) const {
     const bool alone = !world && !air && !plants && !persons && !tracks && !terrain.has_rim();
     const bool by_pixels = kind == PixelKind::display_8 && view.look.mode == ViewMode::scenic &&
@@ -72,7 +64,7 @@ void Renderer::Parts::shade_block_pixels(const Tile& tile, const Camera& camera,
         {terrain.height_span()},
         {&water_kinds, cells, low - glm::vec3(camera.eye), terrain.high() - low,
          static_cast<float>(2.0 * camera.half.y / static_cast<double>(view.image.height)),
-         camera.perspective, near_cells, near_widths}};
+         camera.perspective, WaterPixels::near_cells, WaterPixels::near_widths}};
     if (!block_samples) block_samples.emplace(0.0F);
     block_samples->see_places(terrain.shape(camera), tile, seeing, pool, block_places);
     gl::functions().BindVertexArray(no_attributes.name());

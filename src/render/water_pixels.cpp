@@ -42,6 +42,12 @@ gl::Constants with(gl::Constants fixed, float under_water, float split) {
     return fixed;
 }
 
+gl::Constants with_limits(gl::Constants fixed) {
+    fixed.push_back({"near_cells", WaterPixels::near_cells});
+    fixed.push_back({"near_widths", WaterPixels::near_widths});
+    return fixed;
+}
+
 gl::TextureLayout layout_of(PixelKind kind) {
     gl::TextureLayout layout = colour_layout(kind);
     layout.filter = GL_NEAREST;
@@ -106,13 +112,13 @@ WaterPixels::WaterPixels(const TilePlan& plan, const gl::Constants& fixed, Pixel
                          bool alike)
     : factor_(plan.factor),
       alike_(alike),
-      fixed_(fixed),
+      fixed_(with_limits(fixed)),
       dry_("common/screen.vert.glsl", "bed/water_pixels.frag.glsl", {},
-           with(fixed, dry_water, 0.0F)),
+           with(fixed_, dry_water, 0.0F)),
       thin_("common/screen.vert.glsl", "bed/water_pixels.frag.glsl", {},
-            with(fixed, thin_water, 0.0F)),
+            with(fixed_, thin_water, 0.0F)),
       deep_("common/screen.vert.glsl", "bed/water_pixels.frag.glsl", {},
-            with(fixed, any_water, 0.0F)),
+            with(fixed_, any_water, 0.0F)),
       depths_(pixels_of(plan.target_width, plan.factor), rows_of(plan)),
       places_(pixels_of(plan.target_width, plan.factor), rows_of(plan), places_layout, &depths_),
       target_(places_.width(), places_.height(), layout_of(kind), &depths_) {}

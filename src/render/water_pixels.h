@@ -31,6 +31,11 @@ class WaterPixels {
     WaterPixels(const TilePlan& plan, const gl::Constants& fixed, PixelKind kind,
                 bool alike = false);
 
+    /// Between the samples of a pixel: up to there, in cells of the maps or in widths of a pixel,
+    /// one place stands for all.
+    static constexpr float near_cells = 1.25F;
+    static constexpr float near_widths = 14.0F;
+
     /// A bed that both have taken, in this light.
     struct Shaded {
         const BedShading& shading;

@@ -35,7 +35,7 @@ constexpr int listed_unit = 12;
 constexpr int slip_unit = 13;
 constexpr GLint near_stencil = 1;
 constexpr GLint far_stencil = 2;
-// Of ground that is true to nature: on none that falls less sand slid (world/world_place.glsl).
+// Of ground that is true to nature: on none that falls less sand slid.
 constexpr double none_slid = 0.3;
 
 constexpr double ripple_metres = 0.12;
@@ -70,6 +70,7 @@ gl::Constant factor_of(const View& view) {
 /// constant 0 is not worked out.
 gl::Constants with_coloured(gl::Constants fixed, const View& view, Coloured coloured) {
     fixed.push_back(factor_of(view));
+    fixed.push_back({"none_slid", static_cast<float>(none_slid)});
     if (view.look.ripples == 0.0) fixed.push_back({"ripple_slope", 0.0F});
     if (view.look.grain == 0.0) fixed.push_back({"sand_grain", 0.0F});
     const bool level = coloured == Coloured::level_pixels;
@@ -102,11 +103,6 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
       copies_(copies),
       seen_program_("world/world.vert.glsl", "world/world_seen.frag.glsl", {"offset"}),
       spread_program_("common/screen.vert.glsl", "world/world_spread.frag.glsl"),
-      level_pixels_("common/screen.vert.glsl", "world/world_near.frag.glsl", {},
-                    with_coloured(fixed, view, Coloured::level_pixels)),
-      steep_pixels_("common/screen.vert.glsl", "world/world_near.frag.glsl", {},
-                    with_coloured(fixed, view, Coloured::steep_pixels)),
-      pixel_colours_(with_coloured(fixed, view, Coloured::pixels)),
       sample_colours_(with_coloured(fixed, view, Coloured::samples)),
       packed_colours_(with_coloured(fixed, view, Coloured::packed_samples)),
       surface_(first.bed.nx() * refinement, first.bed.ny() * refinement, surface_layout),
@@ -117,6 +113,13 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
         seen_.emplace();
         note_program_.emplace("common/screen.vert.glsl", "world/world_noted.frag.glsl",
                               std::initializer_list<const char*>{}, fixed);
+        const auto near = [&](Coloured coloured) {
+            return gl::Program("common/screen.vert.glsl", "world/world_near.frag.glsl", {},
+                               with_coloured(fixed, view, coloured));
+        };
+        pixel_colours_.emplace(PixelColours{near(Coloured::level_pixels),
+                                            near(Coloured::steep_pixels),
+                                            Colours(with_coloured(fixed, view, Coloured::pixels))});
     }
     build();
     draw_relief();
@@ -341,10 +344,10 @@ void WorldLayer::colour_pixels(const PixelSamples& at, const BedShading& shading
         gl.StencilFunc(GL_EQUAL, static_cast<GLint>(kind), 0xFF);
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
     };
-    draw(level_pixels_, pixel_vectors::level);
-    draw(steep_pixels_, pixel_vectors::steep);
-    draw(pixel_colours_.near, pixel_vectors::near);
-    draw(pixel_colours_.far, pixel_vectors::far);
+    draw(pixel_colours_->level, pixel_vectors::level);
+    draw(pixel_colours_->steep, pixel_vectors::steep);
+    draw(pixel_colours_->others.near, pixel_vectors::near);
+    draw(pixel_colours_->others.far, pixel_vectors::far);
     gl.Disable(GL_STENCIL_TEST);
     gl.BindVertexArray(0);
 }

@@ -127,6 +127,11 @@ class WorldLayer {
         gl::Program near;
         gl::Program far;
     };
+    struct PixelColours {
+        gl::Program level;  ///< of near ground, plain ones
+        gl::Program steep;
+        Colours others;
+    };
 
     void build();
     void draw_relief();
@@ -160,9 +165,7 @@ class WorldLayer {
     gl::Program seen_program_;
     std::optional<gl::Program> note_program_;  // after see()
     gl::Program spread_program_;
-    gl::Program level_pixels_;  ///< of near ground, plain ones
-    gl::Program steep_pixels_;
-    Colours pixel_colours_;
+    std::optional<PixelColours> pixel_colours_;  // after see()
     Colours sample_colours_;
     Colours packed_colours_;
     gl::Texture2D surface_;
