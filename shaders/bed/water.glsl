@@ -112,7 +112,8 @@ float foam_lines(vec2 world, Water water, float silt, float width) {
     for (int i = -2; i <= 2; ++i)
         sum += 2.0 * texture(streak_map, (world.yx + float(i) * 1.1 * metre * water.flow.yx) / (noise_repeat * 0.8 * metre)).r - 1.0;
     float lace = 2.0 * texture(streak_map, world / (noise_repeat * 0.16 * metre)).r - 1.0;
-    float line = smoothstep(1.15, 1.9, sum + 0.5 * silt + 0.45 * shown_at(0.16 * metre, width) * lace);
+    float bubbles = shown_noise(world + 0.47, 0.07 * metre, width).x;
+    float line = smoothstep(1.15, 2.3, sum + 0.5 * silt + 0.75 * shown_at(0.16 * metre, width) * lace + 0.75 * bubbles);
     return 0.55 * turbidity * line * smoothstep(0.05, 0.25, water.speed) * smoothstep(thin_share, 12.0, water.depth / closed_depth);
 }
 
@@ -131,8 +132,8 @@ float foam_cover(vec2 world, Water water, float width) {
         patches += 2.0 * texture(streak_map, at / (noise_repeat * 1.5 * metre)).r - 1.0;
         lace += 2.0 * texture(streak_map, at.yx / (noise_repeat * 0.42 * metre)).r - 1.0;
     }
-    float fine = shown_at(0.42 * metre, width);
-    float pattern = 0.5 + 0.26 * patches + 0.22 * fine * lace;
+    float bubbles = shown_noise(world + 0.19, 0.13 * metre, width).x;
+    float pattern = 0.5 + 0.26 * patches + shown_at(0.42 * metre, width) * 0.30 * lace + 0.35 * bubbles;
     float density = shooting * deep * stirred;
-    return 0.9 * sqrt(density) * smoothstep(0.90 - density, 1.40 - density, pattern);
+    return 0.95 * sqrt(density) * smoothstep(0.80 - density, 1.50 - density, pattern);
 }

@@ -58,6 +58,8 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
     // Under water the sun stands higher, bent by the surface, so that small slopes throw less shade.
     float bent = mix(1.0, to_sun.z / sqrt(0.77 + to_sun.z * to_sun.z), seen * water.film * (1.0 - water.thin));
     vec3 normal_below = normalize(vec3(point.normal.xy / max(point.normal.z, 0.05) - bent * soil.slope, 1.0));
+    // Ground behind the sun stands in the shade of its own clods, but for the highest.
+    point.sun *= smoothstep(-0.22, 0.14, dot(point.normal, to_sun));
     point.normal = normal_below;
     point.sky *= clamp(1.0 + 0.10 * soil.height, 0.6, 1.1) * (1.0 - 0.25 * soil.groove);
 
@@ -91,7 +93,7 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
                        sun_light * (point.sun * glint);
 
         float foam = under_water > thin_water ? max(foam_cover(world, water, width), foam_lines(world, water, silt, width)) : 0.0;
-        vec3 foam_light = vec3(0.86, 0.88, 0.88) * (sun_light * point.sun * (0.25 + 0.75 * n_dot_l) + sky_light * point.sky);
+        vec3 foam_light = mix(vec3(0.86, 0.88, 0.88), vec3(0.76, 0.68, 0.56), turbidity) * (sun_light * point.sun * (0.25 + 0.75 * n_dot_l) + sky_light * point.sky);
         surface = mix(surface, foam_light, foam);
         light = mix(light, surface, water.film);
     }
