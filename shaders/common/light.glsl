@@ -77,8 +77,13 @@ vec3 haze_before(vec3 way, float sun) {
 // Share of light that is left after a way through the air near the ground.
 vec3 air_left(float way) { return exp(-max(extinction, 0.0) * way * haze_bands); }
 
+// 0 at the nearest corner of the block, 1 at the farthest; the root of the optical depth where haze goes by distance.
+float haze_depth(vec3 point) {
+    if (extinction >= 0.0) return sqrt(extinction * distance(haze_eye, point));
+    return max(dot(depth_plane.xyz, point) + depth_plane.w, 0.0);
+}
+
 vec3 with_haze(vec3 colour, vec3 point, vec3 view) {
-    float depth = max(dot(depth_plane.xyz, point) + depth_plane.w, 0.0);
-    if (extinction >= 0.0) depth = sqrt(extinction * distance(haze_eye, point));
+    float depth = haze_depth(point);
     return mix(haze_towards(view), colour, exp(haze_log * depth * depth));
 }

@@ -42,7 +42,10 @@ vec3 plain(vec3 point, vec3 view) {
     vec3 light = albedo * (sun_light * max(to_sun.z, 0.0) * light_shares.x + sky_light * light_shares.y);
     // What the sky does not light near the block, the block's sunlit side does a little.
     light += albedo * albedo * 0.08 * sun_light * (1.0 - light_shares.y);
-    return with_haze(light, point, view);
+    // Far behind the block it ends in haze also where there is none around the block, without an edge against the sky.
+    float depth = haze_depth(point);
+    float behind = (1.0 - parallel) * max(depth - 1.0, 0.0);
+    return mix(haze_towards(view), light, exp(min(haze_log * depth * depth, -0.05 * behind * behind)));
 }
 
 void main() {

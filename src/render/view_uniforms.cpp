@@ -22,9 +22,11 @@ namespace {
 constexpr float bloom_of_sun = 1.7e-6F;
 constexpr float bloom_of_moon = 2e-7F;
 
-Tone chosen_tone(const LookSettings& look) {
-    if (look.tone != Tone::automatic) return look.tone;
-    return look.ground == Ground::endless ? Tone::agx_punchy : Tone::filmic;
+Tone chosen_tone(const LookSettings& look, const Light& light) {
+    if (look.tone != Tone::automatic && look.tone != Tone::automatic_0_2) return look.tone;
+    const bool punchy =
+        look.ground == Ground::endless || (look.tone == Tone::automatic && light.atmosphere);
+    return punchy ? Tone::agx_punchy : Tone::filmic;
 }
 
 /// Of light before the tone curve.
@@ -46,8 +48,13 @@ double depth_of_colour(const SandColours& sand) {
 /// sun, night, clouds, red sand and other planets need less.
 Rendering chosen_rendering(const View& view, const Light& light) {
     const LookSettings& look = view.look;
+    if (look.ground != Ground::endless) {
+        constexpr double around_a_block = 0.35;
+        const bool brighter = look.tone == Tone::automatic && light.atmosphere;
+        return {look.contrast.is_word() ? 1.0 : look.contrast.value,
+                look.exposure + (brighter ? around_a_block : 0.0)};
+    }
     if (!look.contrast.is_word()) return {look.contrast.value, look.exposure};
-    if (look.ground != Ground::endless) return {1.0, look.exposure};
     constexpr double low = 0.2;  // sines of elevations
     constexpr double high = 0.5;
     double share =
@@ -100,7 +107,7 @@ gl::Constants fixed_uniforms(const View& view, const Light& light, const Block& 
                              PixelKind kind) {
     constexpr float no_curve = 3.0F;  // of common/colour.glsl
     const bool linear = kind == PixelKind::radiance;
-    const Tone tone = chosen_tone(view.look);
+    const Tone tone = chosen_tone(view.look, light);
     const bool scenic = view.look.mode == ViewMode::scenic;
     gl::Constants constants{
         {"tone", linear ? no_curve : tone_number(tone)},
@@ -136,7 +143,7 @@ double metered_exposure(const View& view, const Light& light, const Camera& came
 
 void set_light(const gl::Program& program, const View& view, const Light& light,
                const Camera& camera, const Block& block) {
-    const Tone tone = chosen_tone(view.look);
+    const Tone tone = chosen_tone(view.look, light);
     program.set("tone", static_cast<int>(tone_number(tone)));
     program.set("punch", switched(tone == Tone::agx_punchy));
     const Rendering rendering = chosen_rendering(view, light);

@@ -101,8 +101,8 @@ struct SunSettings {
     double diameter = 2.5;  ///< apparent, degrees: the width of the penumbra
     double strength = 1.0;  ///< of direct light; 1 is a clear day
     double sky_strength = 1.0;
-    double dust = 1.0;   ///< aerosol of the air against a clear day, for the sky "atmosphere"
-    double haze = 0.35;  ///< aerial perspective at the far edge of the block, 0 … 1
+    double dust = 1.0;  ///< aerosol of the air against a clear day, for the sky "atmosphere"
+    double haze = 0.0;  ///< aerial perspective at the far edge of the block, 0 … 1
 };
 
 enum class Planet { earth, mars };
@@ -127,8 +127,8 @@ enum class Marking { none, last_avalanche, ground };
 enum class Ground { automatic, table, endless };
 enum class FarGround { varied, alike };
 enum class Background { surroundings, transparent };
-enum class SkyModel { automatic, two_colours, atmosphere, overcast };
-enum class Tone { automatic, filmic, agx, agx_punchy, neutral };
+enum class SkyModel { automatic, automatic_0_2, two_colours, atmosphere, overcast };
+enum class Tone { automatic, automatic_0_2, filmic, agx, agx_punchy, neutral };
 enum class BlockSides { soil, layers };
 enum class SandKind { quartz, iron_red, gypsum, carbonate, basalt, martian };
 enum class Datum { automatic, first, mean };

@@ -151,7 +151,9 @@ void list_view_keys(View& view, KeyTable& table) {
                {.range = {0, 100},
                 .help = "aerosol of the air, for the sky \"atmosphere\"; 1 is a clear day"});
     table.real("sun.haze", sun.haze,
-               {.range = {0, 1}, .help = "aerial perspective at the far edge of the block"});
+               {.range = {0, 1},
+                .help = "aerial perspective at the far edge of the block",
+                .earlier = {"0.3.0", "0.35"}});
 
     table.choice("air.planet", view.air.planet,
                  {{Planet::earth, "earth", "blue sky"},
@@ -287,22 +289,30 @@ void list_view_keys(View& view, KeyTable& table) {
                  {.help = "what stands behind the block"});
     table.choice(
         "look.sky", look.sky,
-        {{SkyModel::automatic, "auto",
-          "atmosphere over endless ground, by night and on Mars, else two-colours"},
+        {{SkyModel::automatic, "auto", "atmosphere"},
+         {SkyModel::automatic_0_2, "auto-0.2",
+          "what auto was in version 0.2: atmosphere over endless ground, by night and on Mars, "
+          "else two-colours"},
          {SkyModel::two_colours, "two-colours", "from the horizon's colour to the zenith's"},
          {SkyModel::atmosphere, "atmosphere",
           "sunlight scattered by air, aerosol and ozone (Hillaire 2020)"},
          {SkyModel::overcast, "overcast",
           "an even cover of clouds, next to no sun (the CIE's overcast sky)"}},
-        {.help = "how sky, haze and the light from the sky are made"});
+        {.help = "how sky, haze and the light from the sky are made in scenic views",
+         .earlier = {"0.3.0", "\"auto-0.2\""}});
     table.choice(
         "look.tone", look.tone,
-        {{Tone::automatic, "auto", "agx-punchy over endless ground, else filmic"},
+        {{Tone::automatic, "auto",
+          "agx-punchy over endless ground and, with 0.35 stops more light, under the sky "
+          "\"atmosphere\", else filmic"},
+         {Tone::automatic_0_2, "auto-0.2",
+          "what auto was in version 0.2: agx-punchy over endless ground, else filmic"},
          {Tone::filmic, "filmic", "a curve fitted to the ACES rendering (Narkowicz 2015)"},
          {Tone::agx, "agx", "bright colours turn pale, as on film (AgX, Sobotka)"},
          {Tone::agx_punchy, "agx-punchy", "the same with more contrast and colour"},
          {Tone::neutral, "neutral", "colours stay as they are up to bright ones (Khronos)"}},
-        {.help = "from light to display values, in scenic views"});
+        {.help = "from light to display values, in scenic views",
+         .earlier = {"0.3.0", "\"auto-0.2\""}});
     table.real("look.exposure", look.exposure,
                {.unit = "stops", .range = {-10, 10}, .help = "brighter by a factor of two each"});
     table.word_or_real(

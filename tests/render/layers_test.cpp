@@ -204,6 +204,7 @@ std::array<double, 3> neutral_display(std::array<double, 3> c) {
 TEST(Layers, TheToneCurveMakesThePictureOfTheirLight) {
     View view = small_view(200, 120);
     view.image.supersampling = 1;  // one light a pixel
+    view.look.sky = SkyModel::two_colours;
     view.look.tone = Tone::neutral;
     view.look.exposure = 0.5;
     view.look.grain = 0.0;

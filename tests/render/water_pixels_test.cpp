@@ -205,6 +205,7 @@ TEST(WaterPixels, PixelsSplitBetweenGroundAndWaterMixTheirLight) {
         View view = view_from(-2.0, 4.0);
         view.camera.look_at = {50, 60, 3.0 + 0.02 * tilt};
         view.look.water_clarity = {"", 0.5};
+        view.sun.haze = 0.35;  // the bound is for its contrast
         const Image image = picture(view, bed);
         const auto red = [&](int y) {  // the mean over some columns
             double sum = 0.0;

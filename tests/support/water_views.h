@@ -13,6 +13,8 @@ inline View map_view(int side = 200) {
     view.camera.projection = Projection::map;
     view.camera.margin = 0.0;
     view.look.grain = 0.0;
+    view.look.sky = SkyModel::two_colours;  // in whose light brightnesses are told apart
+    view.look.tone = Tone::filmic;
     view.look.exaggeration = {"", 1.0};
     return view;
 }

@@ -85,15 +85,6 @@ std::shared_ptr<const AirTables> tables_of_air(Planet planet, double dust, Aeros
     return last->tables;
 }
 
-/// With the sun at 45 degrees.
-glm::dvec3 level_light_of_a_clear_day(double eye_height) {
-    constexpr double usual_elevation = 45.0 * degree;
-    const SkyView usual(*tables_of_air(Planet::earth, 1.0, Aerosol::thin), usual_elevation,
-                        eye_height);
-    return srgb_of_wavelengths(usual.sun() * elementary::sin(usual_elevation) +
-                               usual.level_irradiance());
-}
-
 /// Light::sky_lean, by least squares over slopes of up to 45 degrees.
 std::array<glm::vec3, 4> fitted_lean(const SkyView& view) {
     glm::dmat4 products(0.0);
@@ -189,7 +180,7 @@ Light make_atmospheric_light(const SunSettings& settings, Planet planet, double 
                              Aerosol aerosol) {
     constexpr double eye_height = 0.002;  // km
     const double sin_e = elementary::sin(settings.elevation * degree);
-    static const glm::dvec3 day = level_light_of_a_clear_day(eye_height);
+    const glm::dvec3 day = srgb_of_wavelengths(clear_day);
     const bool desert = planet == Planet::earth && aerosol == Aerosol::desert;
     const double dust =
         planet == Planet::earth && !desert ? thin_aerosol * settings.dust : settings.dust;

@@ -36,6 +36,12 @@ struct Light {
     int sky_rows = 1;
 };
 
+/// Irradiance of level ground on a clear day with the sun at 45°, at 680, 550 and 440 nm, against
+/// that of the sun above the air: what is white. By the tables of render/sky, of thin air with dust
+/// 1 and 2 m above the ground; a constant, since these tables take a tenth of a second.
+inline constexpr glm::dvec3 clear_day{0.68625908130460811, 0.64505341022073548,
+                                      0.60816770718851454};
+
 /// The light of a clear day: the lower the sun, the longer its way through the air, the warmer and
 /// weaker its light (extinction in three bands along the optical air mass, Kasten & Young 1989).
 /// The exposure follows a level sand plain, so that a low sun gives a warm picture, not a black

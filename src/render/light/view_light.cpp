@@ -15,11 +15,12 @@ void add_light_from_clouds(Light& light, const AirSettings& air) {
 }  // namespace
 
 Light light_of_view(const View& view) {
-    const bool needed = view.look.ground == Ground::endless ||
-                        view.sun.source == LightSource::moon || view.air.planet != Planet::earth ||
-                        view.air.clouds != Clouds::none;
-    const bool atmosphere =
-        view.look.sky == SkyModel::atmosphere || (view.look.sky == SkyModel::automatic && needed);
+    const bool auto_0_2 = view.look.ground == Ground::endless ||
+                          view.sun.source == LightSource::moon ||
+                          view.air.planet != Planet::earth || view.air.clouds != Clouds::none;
+    const bool atmosphere = view.look.sky == SkyModel::atmosphere ||
+                            view.look.sky == SkyModel::automatic ||
+                            (view.look.sky == SkyModel::automatic_0_2 && auto_0_2);
     if (view.look.sky == SkyModel::overcast && view.look.mode == ViewMode::scenic)
         return make_overcast_light(view.sun);
     if (!atmosphere || view.look.mode != ViewMode::scenic) return make_light(view.sun);

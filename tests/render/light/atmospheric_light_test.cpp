@@ -3,7 +3,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/elementary.h"
+#include "base/units.h"
 #include "render/light/light.h"
+#include "render/sky/atmosphere.h"
+#include "render/sky/sky_tables.h"
 
 namespace fumon {
 namespace {
@@ -23,6 +27,12 @@ TEST(AtmosphericLight, ShadowsAreBlueAndTheSunWarmsAsItSinks) {
     EXPECT_GT(blue_over_red(evening.sky), 3.0 * blue_over_red(evening.sun));
     const glm::vec3 toward_sun = evening.sky_lean[0];
     EXPECT_GT(toward_sun.r, toward_sun.b) << "the sun's side of the sky is the redder";
+}
+
+TEST(AtmosphericLight, AClearDayIsThatOfTheTables) {
+    const AirTables air(dusty_air(1.0, {0.42, 0.30, 0.18}));
+    const SkyView sky(air, 45.0 * degree, 0.002);
+    EXPECT_EQ(clear_day, sky.sun() * elementary::sin(45.0 * degree) + sky.level_irradiance());
 }
 
 TEST(AtmosphericLight, DustTakesTheBlueOutOfTheSky) {
