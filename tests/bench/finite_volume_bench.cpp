@@ -5,9 +5,17 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "base/error.h"
 #include "base/random.h"
+#include "base/state_carrier.h"
 #include "base/worker_pool.h"
 #include "fastest.h"
 #include "models/water/finite_volume_scheme.h"
@@ -76,9 +84,7 @@ void film_with_islands(benchmark::State& state) {
     measure(state, 0.1, EdgeKind::open, false);
 }
 
-void measure_loads(benchmark::State& state, BedLoadLaw bed_load, EntrainmentLaw entrainment) {
-    const int side = static_cast<int>(state.range(0));
-    WorkerPool pool;
+GullyParameters parameters_of_loads(BedLoadLaw bed_load, EntrainmentLaw entrainment) {
     GullyParameters parameters;
     parameters.scheme = WaterScheme::finite_volume;
     parameters.transport = SedimentTransport::loads;
@@ -89,7 +95,32 @@ void measure_loads(benchmark::State& state, BedLoadLaw bed_load, EntrainmentLaw 
     parameters.substeps = Substeps::fixed;
     parameters.loads.bed_load = bed_load;
     parameters.loads.entrainment = entrainment;
+    return parameters;
+}
+
+/// Puts the same load into the water everywhere, m.
+class LoadAll : public StateCarrier {
+  public:
+    explicit LoadAll(double load) : load_(load) {}
+    void values(std::string_view name, std::span<double> values) override {
+        if (name == "suspended_load") std::ranges::fill(values, load_);
+    }
+    void values(std::string_view /*name*/, std::span<std::int64_t> /*values*/) override {}
+    void list(std::string_view /*name*/, std::vector<double>& /*values*/) override {}
+    void list(std::string_view /*name*/, std::vector<std::int64_t>& /*values*/) override {}
+    void text(std::string_view /*name*/, std::string& /*text*/) override {}
+    [[noreturn]] void refuse(const std::string& why) const override { throw Error(why); }
+
+  private:
+    double load_;
+};
+
+void measure_loads(benchmark::State& state, const GullyParameters& parameters, double load = 0.0) {
+    const int side = static_cast<int>(state.range(0));
+    WorkerPool pool;
     Gully gully(parameters, {noise(side, 0.001), {}, {1.0, 1.0, 1.0, true}, 1, pool});
+    LoadAll loaded(load);
+    gully.carry(loaded);
     Fastest fastest;
     for ([[maybe_unused]] auto _ : state)
         state.SetIterationTime(fastest.time([&] { gully.step(); }));
@@ -98,10 +129,24 @@ void measure_loads(benchmark::State& state, BedLoadLaw bed_load, EntrainmentLaw 
 }
 
 void bed_load(benchmark::State& state) {
-    measure_loads(state, BedLoadLaw::meyer_peter_mueller, EntrainmentLaw::none);
+    measure_loads(state,
+                  parameters_of_loads(BedLoadLaw::meyer_peter_mueller, EntrainmentLaw::none));
 }
 void bed_and_suspended_load(benchmark::State& state) {
-    measure_loads(state, BedLoadLaw::meyer_peter_mueller, EntrainmentLaw::excess_shear);
+    measure_loads(
+        state, parameters_of_loads(BedLoadLaw::meyer_peter_mueller, EntrainmentLaw::excess_shear));
+}
+void suspended_load(benchmark::State& state) {
+    measure_loads(state, parameters_of_loads(BedLoadLaw::none, EntrainmentLaw::excess_shear));
+}
+/// Far from where any is taken up, of grains that settle slowly: so little that a processor keeps
+/// it as a subnormal number.
+void faded_load(benchmark::State& state) {
+    GullyParameters parameters =
+        parameters_of_loads(BedLoadLaw::none, EntrainmentLaw::excess_shear);
+    parameters.loads.entrainment_stress = 1000.0;
+    parameters.loads.settling_velocity = {"", 1e-6};
+    measure_loads(state, parameters, 1e-310);
 }
 
 /// A river that winds through dry ground, 5 % of the cells, beside the same ground under water.
@@ -153,6 +198,8 @@ BENCHMARK(bed_and_suspended_load)
     ->Arg(2048)
     ->Unit(benchmark::kMillisecond)
     ->UseManualTime();
+BENCHMARK(suspended_load)->Arg(512)->Unit(benchmark::kMillisecond)->UseManualTime();
+BENCHMARK(faded_load)->Arg(512)->Unit(benchmark::kMillisecond)->UseManualTime();
 BENCHMARK(river)->Arg(512)->Arg(2048)->Unit(benchmark::kMillisecond)->UseManualTime();
 
 }  // namespace

@@ -15,6 +15,7 @@ using namespace vectors::HWY_NAMESPACE;
 constexpr double no_speed = 1e-150;
 constexpr double least_stress = 1e-30;    // θ: below it nothing moves
 constexpr double least_threshold = 1e-3;  // of θ_c down a slope, over θ_c
+constexpr double surely_less = 0.999;     // whatever is rounded
 
 struct Concentrate {
     const double* load;
@@ -75,6 +76,18 @@ struct PickUp {
         const V deep = larger(h, hn::Set(d, thin_water));
         const V square = u * u + v * v;
         V stress = hn::IfThenElseZero(hn::Gt(h, hn::Set(d, thin_water)), square);
+        if constexpr (manning && entrains && !bed_load) {
+            // Most water takes up nothing, which is seen without a root: τ < τ_e where
+            // (friction · U² / (τ_e/ρ))³ < h.
+            const V pull =
+                stress * (hn::LoadU(d, r.friction + x) * hn::Set(d, law.per_entrainment_stress));
+            const auto rests = hn::Lt(pull * pull * pull, hn::Set(d, surely_less) * deep);
+            if (hn::AllTrue(d, rests)) {
+                hn::StoreU(zero, d, out.entrainment + x);
+                hn::StoreU(zero, d, out.pace + x);
+                return;
+            }
+        }
         if constexpr (manning) {
             const V third = hn::Set(d, -1.0 / 3.0);
             stress = stress * hn::LoadU(d, r.friction + x) *
@@ -123,6 +136,20 @@ struct PickUp {
     }
 };
 
+struct HoldAbove {
+    const double* floor;
+    const double* bed;
+    double per_height;
+    double* entrainment;
+
+    template <class D>
+    HWY_INLINE void operator()(D d, std::size_t x) const {
+        const auto above = hn::LoadU(d, bed + x) - hn::LoadU(d, floor + x);
+        const auto most = hn::Set(d, per_height) * larger(above, hn::Zero(d));
+        hn::StoreU(smaller(hn::LoadU(d, entrainment + x), most), d, entrainment + x);
+    }
+};
+
 struct Pace {
     const double* pace;
     template <class D>
@@ -167,7 +194,8 @@ struct Settle {
             with_taken = before + hn::Set(d, f.dt) * hn::LoadU(d, r.entrainment + x);
         const V deep = larger(h, hn::Set(d, thin_water));
         const V kept = with_taken * deep / (deep + hn::Set(d, f.dt * f.settling));
-        const V after = hn::IfThenElse(hn::Gt(h, hn::Set(d, thin_water)), kept, zero);
+        const V counted = hn::IfThenZeroElse(hn::Lt(hn::Abs(kept), hn::Set(d, least_load)), kept);
+        const V after = hn::IfThenElse(hn::Gt(h, hn::Set(d, thin_water)), counted, zero);
         V gain = before - after;
         if constexpr (bed_load) {
             gain = gain -
@@ -216,6 +244,11 @@ void pick_up_row(const PickUpLaw& law, const PickUpRow& row, double per_length, 
     }
 }
 
+void hold_above_row(const double* floor, const double* bed, double per_height, int count,
+                    double* entrainment) {
+    for_each_vector(count, HoldAbove{floor, bed, per_height, entrainment});
+}
+
 double largest_pace(const double* pace, int count) {
     return largest_of_row(count, Pace{pace});
 }
@@ -249,6 +282,7 @@ namespace fumon::loads {
 HWY_EXPORT(concentrate_row);
 HWY_EXPORT(carry_row);
 HWY_EXPORT(pick_up_row);
+HWY_EXPORT(hold_above_row);
 HWY_EXPORT(largest_pace);
 HWY_EXPORT(face_row);
 HWY_EXPORT(settle_row);
@@ -265,6 +299,11 @@ void carry_row(const CarriedRow& row, const double* load, const double* before, 
 void pick_up_row(const PickUpLaw& law, const PickUpRow& row, double per_length, double per_area,
                  int count, const PickedUp& out) {
     HWY_DYNAMIC_DISPATCH(pick_up_row)(law, row, per_length, per_area, count, out);
+}
+
+void hold_above_row(const double* floor, const double* bed, double per_height, int count,
+                    double* entrainment) {
+    HWY_DYNAMIC_DISPATCH(hold_above_row)(floor, bed, per_height, count, entrainment);
 }
 
 double largest_pace(const double* pace, int count) {

@@ -4,6 +4,10 @@ namespace fumon::loads {
 
 /// Grains of water thinner than this settle, and none are taken up, m.
 inline constexpr double thin_water = 1e-6;
+/// Less of a load settles at once, m. It is nothing next to any other, but where the water brings
+/// no grains the load fades for ever, and a processor is a hundred times slower at numbers below
+/// 1e-308 than at others.
+inline constexpr double least_load = 1e-100;
 
 /// C = hC / h of a row; of thin water as if it were thin_water deep.
 void concentrate_row(const double* load, const double* depth, int count, double* concentration);
@@ -65,6 +69,10 @@ struct PickedUp {
 /// law has bed load, and entrainment where it has that.
 void pick_up_row(const PickUpLaw& law, const PickUpRow& row, double per_length, double per_area,
                  int count, const PickedUp& out);
+
+/// Cuts a row's entrainment to `per_height` times what lies above the floor.
+void hold_above_row(const double* floor, const double* bed, double per_height, int count,
+                    double* entrainment);
 
 /// The largest of a row, 0 at least.
 double largest_pace(const double* pace, int count);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "base/elementary.h"
 #include "base/give_up.h"
@@ -65,7 +66,6 @@ SedimentLoads::SedimentLoads(const LoadParameters& parameters, LoadGround ground
       bed_factor_(parameters.morphological_factor / (1.0 - parameters.porosity)),
       suspends_(law_.entrainment > 0.0 || inflow_ > 0.0),
       floor_(floor_of(parameters, ground_)),
-      entrainment_(law_.entrainment > 0.0 ? Grid(ground_.nx, ground_.ny) : Grid()),
       friction_row_(static_cast<std::size_t>(ground_.nx), ground_.friction),
       row_paces_(static_cast<std::size_t>(ground_.ny)) {
     const int nx = ground_.nx;
@@ -81,6 +81,7 @@ SedimentLoads::SedimentLoads(const LoadParameters& parameters, LoadGround ground
         bed_ = along_x_ = along_y_ = down_slope_ = PaddedGrid(nx, ny + 2);
         east_ = Grid(nx + 1, ny);
         north_ = Grid(nx, ny + 1);
+        if (law_.entrainment > 0.0) entrainment_ = Grid(nx, ny);
     }
     if (!floor_.empty() && law_.unit > 0.0) shares_ = Grid(nx, ny, 1.0);
     find_outer_faces();
@@ -108,9 +109,14 @@ void SedimentLoads::find_outer_faces() {
 template <class Body>
 void SedimentLoads::over_rows(const Body& body) {
     pool_.for_ranges(ground_.ny, [&](int begin, int end) {
+        Scratch scratch;
         for (int y = begin; y < end; ++y) {
             give_up_if_asked();
-            body(y);
+            if constexpr (std::is_invocable_v<Body, int, Scratch&>) {
+                body(y, scratch);
+            } else {
+                body(y);
+            }
         }
     });
 }
@@ -146,30 +152,34 @@ void SedimentLoads::begin(const Grid& depth) {
     continue_past_edges(before_, false, inflow_);
 }
 
-void SedimentLoads::carry_stage(int stage, const FaceFlows& flows, double dt) {
+/// Of a row, in a stage whose concentrations are known in it and in those beside it.
+void SedimentLoads::carry_row(int stage, const FaceFlows& flows, double dt, int y) {
     PaddedGrid& concentration = stage == 0 ? before_ : middle_;
     const FaceFlows::Stage& flow = flows.stages[static_cast<std::size_t>(stage)];
+    const double* east = flow.east.row(y).data();
+    const loads::CarriedRow carried{row(concentration, y),
+                                    row(concentration, y - 1),
+                                    row(concentration, y + 1),
+                                    east,
+                                    east + 1,
+                                    flow.north.row(y).data(),
+                                    flow.north.row(y + 1).data()};
+    const double* from = stage == 0 ? load_.row(y).data() : between_.row(y).data();
+    const double* before = stage == 0 ? nullptr : load_.row(y).data();
+    double* to = stage == 0 ? between_.row(y).data() : load_.row(y).data();
+    loads::carry_row(carried, from, before, dt / ground_.dx, dt / ground_.dy, ground_.nx, to);
+    for (int x = 0; x < ground_.nx && !ground_.nodata.empty(); ++x) {
+        if (ground_.outside(x, y)) to[x] = 0.0;
+    }
+}
+
+void SedimentLoads::carry_first(const FaceFlows& flows, double dt) {
     over_rows([&](int y) {
-        const double* east = flow.east.row(y).data();
-        const loads::CarriedRow carried{row(concentration, y),
-                                        row(concentration, y - 1),
-                                        row(concentration, y + 1),
-                                        east,
-                                        east + 1,
-                                        flow.north.row(y).data(),
-                                        flow.north.row(y + 1).data()};
-        const double* from = stage == 0 ? load_.row(y).data() : between_.row(y).data();
-        const double* before = stage == 0 ? nullptr : load_.row(y).data();
-        double* to = stage == 0 ? between_.row(y).data() : load_.row(y).data();
-        loads::carry_row(carried, from, before, dt / ground_.dx, dt / ground_.dy, ground_.nx, to);
-        for (int x = 0; x < ground_.nx && !ground_.nodata.empty(); ++x) {
-            if (ground_.outside(x, y)) to[x] = 0.0;
-        }
-        if (stage == 0) {
-            loads::concentrate_row(to, flows.between->row(y).data(), ground_.nx, row(middle_, y));
-        }
+        carry_row(0, flows, dt, y);
+        loads::concentrate_row(between_.row(y).data(), flows.between->row(y).data(), ground_.nx,
+                               row(middle_, y));
     });
-    if (stage == 0) continue_past_edges(middle_, false, inflow_);
+    continue_past_edges(middle_, false, inflow_);
 }
 
 /// Cells without data take the mean of the cells beside them that have some.
@@ -202,35 +212,31 @@ const double* SedimentLoads::friction_of(int y) const {
     return ground_.friction_map.empty() ? friction_row_.data() : ground_.friction_map.row(y).data();
 }
 
-void SedimentLoads::pick_up(const LoadWater& water) {
+double* SedimentLoads::entrainment_of(int y, Scratch& scratch) {
+    if (law_.entrainment == 0.0) return nullptr;
+    if (!entrainment_.empty()) return entrainment_.row(y).data();
+    scratch.entrainment.resize(static_cast<std::size_t>(ground_.nx));
+    return scratch.entrainment.data();
+}
+
+void SedimentLoads::pick_up_row(const LoadWater& water, int y, Scratch& scratch) {
     const double per_x = 1.0 / ground_.dx;
     const double per_y = 1.0 / ground_.dy;
+    scratch.paces.resize(static_cast<std::size_t>(ground_.nx));
     const bool has_bed_load = law_.unit > 0.0;
-    pool_.for_ranges(ground_.ny, [&](int begin, int end) {
-        std::vector<double> paces(static_cast<std::size_t>(ground_.nx));
-        for (int y = begin; y < end; ++y) {
-            give_up_if_asked();
-            const loads::PickUpRow from{water.depth.row(y).data(),
-                                        water.u.row(y).data(),
-                                        water.v.row(y).data(),
-                                        friction_of(y),
-                                        has_bed_load ? row(bed_, y) : nullptr,
-                                        has_bed_load ? row(bed_, y - 1) : nullptr,
-                                        has_bed_load ? row(bed_, y + 1) : nullptr};
-            const loads::PickedUp to{has_bed_load ? row(along_x_, y) : nullptr,
-                                     has_bed_load ? row(along_y_, y) : nullptr,
-                                     has_bed_load ? row(down_slope_, y) : nullptr,
-                                     entrainment_.empty() ? nullptr : entrainment_.row(y).data(),
-                                     paces.data()};
-            loads::pick_up_row(law_, from, per_x + per_y, per_x * per_x + per_y * per_y, ground_.nx,
-                               to);
-            row_paces_[static_cast<std::size_t>(y)] = loads::largest_pace(paces.data(), ground_.nx);
-        }
-    });
-    pace_ = bed_factor_ * *std::ranges::max_element(row_paces_);
-    if (!has_bed_load) return;
-    for (PaddedGrid* field : {&along_x_, &along_y_, &down_slope_})
-        continue_past_edges(*field, false, 0.0);
+    const loads::PickUpRow from{water.depth.row(y).data(),
+                                water.u.row(y).data(),
+                                water.v.row(y).data(),
+                                friction_of(y),
+                                has_bed_load ? row(bed_, y) : nullptr,
+                                has_bed_load ? row(bed_, y - 1) : nullptr,
+                                has_bed_load ? row(bed_, y + 1) : nullptr};
+    const loads::PickedUp to{has_bed_load ? row(along_x_, y) : nullptr,
+                             has_bed_load ? row(along_y_, y) : nullptr,
+                             has_bed_load ? row(down_slope_, y) : nullptr,
+                             entrainment_of(y, scratch), scratch.paces.data()};
+    loads::pick_up_row(law_, from, per_x + per_y, per_x * per_x + per_y * per_y, ground_.nx, to);
+    row_paces_[static_cast<std::size_t>(y)] = loads::largest_pace(scratch.paces.data(), ground_.nx);
 }
 
 void SedimentLoads::find_faces(const FaceFlows& flows) {
@@ -263,23 +269,19 @@ void SedimentLoads::find_faces(const FaceFlows& flows) {
 }
 
 /// Cuts what leaves a cell to what lies above the base level: bed load may take half of it,
-/// entrainment the other half.
+/// entrainment the other half (hold_row_above_base).
 void SedimentLoads::hold_above_base(const Grid& bed, double dt) {
     const int nx = ground_.nx;
     const int ny = ground_.ny;
-    const double half = 0.5 / (bed_factor_ * dt);
     over_rows([&](int y) {
         for (int x = 0; x < nx; ++x) {
-            const double most = half * std::max(bed(x, y) - floor_(x, y), 0.0);  // m/s of grains
-            if (!entrainment_.empty()) entrainment_(x, y) = std::min(entrainment_(x, y), most);
-            if (shares_.empty()) continue;
+            const double most = above_base_share(dt) * std::max(bed(x, y) - floor_(x, y), 0.0);
             const double out =
                 (std::max(east_(x + 1, y), 0.0) - std::min(east_(x, y), 0.0)) / ground_.dx +
                 (std::max(north_(x, y + 1), 0.0) - std::min(north_(x, y), 0.0)) / ground_.dy;
             shares_(x, y) = out > most ? most / out : 1.0;
         }
     });
-    if (shares_.empty()) return;
     const auto share = [&](int x, int y) {
         if (ground_.periodic_x) x = (x + nx) % nx;
         if (ground_.periodic_y) y = (y + ny) % ny;
@@ -330,45 +332,68 @@ void SedimentLoads::count_outer_faces(const FaceFlows& flows, double dt) {
     entered_.add(entered);
 }
 
-void SedimentLoads::settle(Grid& bed, const LoadWater& water, double dt) {
+/// Takes up, where the base level lets it, and settles.
+void SedimentLoads::settle_row(Grid& bed, const LoadWater& water, double dt, int y,
+                               Scratch& scratch) {
+    const int nx = ground_.nx;
     const loads::SettlingFactors factors{dt, dt / ground_.dx, dt / ground_.dy, settling_,
                                          bed_factor_};
-    const bool has_bed_load = !east_.empty();
-    pool_.for_ranges(ground_.ny, [&](int begin, int end) {
-        std::vector<double> nothing(suspends_ ? 0 : static_cast<std::size_t>(ground_.nx));
-        std::vector<double> kept;  // of a row with cells without data
-        for (int y = begin; y < end; ++y) {
-            give_up_if_asked();
-            if (!ground_.nodata.empty()) kept.assign(bed.row(y).begin(), bed.row(y).end());
-            const double* east = has_bed_load ? east_.row(y).data() : nullptr;
-            const loads::SettledRow from{
-                water.depth.row(y).data(),
-                entrainment_.empty() ? nullptr : entrainment_.row(y).data(),
-                east,
-                has_bed_load ? east + 1 : nullptr,
-                has_bed_load ? north_.row(y).data() : nullptr,
-                has_bed_load ? north_.row(y + 1).data() : nullptr};
-            loads::settle_row(from, factors, ground_.nx,
-                              suspends_ ? load_.row(y).data() : nothing.data(), bed.row(y).data());
-            for (int x = 0; x < ground_.nx && !kept.empty(); ++x) {
-                if (ground_.outside(x, y)) bed(x, y) = kept[static_cast<std::size_t>(x)];
-            }
-        }
-    });
+    const bool has_bed_load = law_.unit > 0.0;
+    double* entrainment = entrainment_of(y, scratch);
+    if (entrainment != nullptr && !floor_.empty()) {
+        loads::hold_above_row(floor_.row(y).data(), bed.row(y).data(), above_base_share(dt), nx,
+                              entrainment);
+    }
+    if (!suspends_) scratch.nothing.assign(static_cast<std::size_t>(nx), 0.0);
+    std::vector<double>& kept = scratch.kept;
+    if (!ground_.nodata.empty()) kept.assign(bed.row(y).begin(), bed.row(y).end());
+    const double* east = has_bed_load ? east_.row(y).data() : nullptr;
+    const loads::SettledRow from{water.depth.row(y).data(),
+                                 entrainment,
+                                 east,
+                                 has_bed_load ? east + 1 : nullptr,
+                                 has_bed_load ? north_.row(y).data() : nullptr,
+                                 has_bed_load ? north_.row(y + 1).data() : nullptr};
+    loads::settle_row(from, factors, nx, suspends_ ? load_.row(y).data() : scratch.nothing.data(),
+                      bed.row(y).data());
+    for (int x = 0; x < nx && !kept.empty(); ++x) {
+        if (ground_.outside(x, y)) bed(x, y) = kept[static_cast<std::size_t>(x)];
+    }
 }
 
+/// Bed load goes through the faces of rows side by side; without it a row is done at once, while it
+/// is in the cache.
 void SedimentLoads::advance(Grid& bed, const LoadWater& water, const FaceFlows& flows, double dt) {
-    if (suspends_) {
-        carry_stage(0, flows, dt);
-        carry_stage(1, flows, dt);
-    }
     const bool has_bed_load = law_.unit > 0.0;
-    if (has_bed_load) copy_bed(bed);
-    if (has_bed_load || law_.entrainment > 0.0) pick_up(water);
-    if (has_bed_load) find_faces(flows);
-    if (!floor_.empty()) hold_above_base(bed, dt);
+    const bool picks_up = has_bed_load || law_.entrainment > 0.0;
+    const auto carry = [&](int y) {
+        if (suspends_) carry_row(1, flows, dt, y);
+    };
+    const auto pick_up = [&](int y, Scratch& scratch) {
+        if (picks_up) pick_up_row(water, y, scratch);
+    };
+    const auto settle = [&](int y, Scratch& scratch) { settle_row(bed, water, dt, y, scratch); };
+    if (suspends_) carry_first(flows, dt);
+    if (has_bed_load) {
+        copy_bed(bed);
+        over_rows([&](int y, Scratch& scratch) {
+            carry(y);
+            pick_up(y, scratch);
+        });
+        for (PaddedGrid* field : {&along_x_, &along_y_, &down_slope_})
+            continue_past_edges(*field, false, 0.0);
+        find_faces(flows);
+        if (!floor_.empty()) hold_above_base(bed, dt);
+        over_rows(settle);
+    } else {
+        over_rows([&](int y, Scratch& scratch) {
+            carry(y);
+            pick_up(y, scratch);
+            settle(y, scratch);
+        });
+    }
+    if (picks_up) pace_ = bed_factor_ * *std::ranges::max_element(row_paces_);
     if (!outer_faces_.empty()) count_outer_faces(flows, dt);
-    settle(bed, water, dt);
 }
 
 double SedimentLoads::suspended() const {

@@ -42,8 +42,9 @@ struct LoadWater {
 /// The load goes through the faces of the cells with the very water that went there, at the
 /// concentration of the cell upstream, in the two stages of the water's scheme: C keeps within
 /// those around it. Settling is implicit; what is in water thinner than a thousandth of a
-/// millimetre lies down. Bed load through a face comes from the cell upstream; down the slope it is
-/// the mean of both. Explicit: sub-steps have to be shorter than half of 1 / pace().
+/// millimetre lies down, and so do loads below loads::least_load. Bed load through a face comes
+/// from the cell upstream; down the slope it is the mean of both. Explicit: sub-steps have to be
+/// shorter than half of 1 / pace().
 ///
 /// Beyond edges: water brings grains at the inflow's concentration, and as much bed load as the
 /// cell at the edge carries, so that the bed there stays; what goes out with water is gone.
@@ -92,18 +93,30 @@ class SedimentLoads {
         [[nodiscard]] int face_y() const { return !along_x && !low ? y + 1 : y; }
     };
 
+    /// What a thread holds while it works on rows.
+    struct Scratch {
+        std::vector<double> entrainment;  ///< of a row, where no others need it
+        std::vector<double> paces;
+        std::vector<double> nothing;  ///< for a load, where nothing is suspended
+        std::vector<double> kept;     ///< the bed of a row with cells without data
+    };
+
     void find_outer_faces();
     template <class Body>
     void over_rows(const Body& body);
     void continue_past_edges(PaddedGrid& field, bool on_the_line, double beyond) const;
     void copy_bed(const Grid& bed);
-    void carry_stage(int stage, const FaceFlows& flows, double dt);
+    void carry_row(int stage, const FaceFlows& flows, double dt, int y);
+    void carry_first(const FaceFlows& flows, double dt);
     [[nodiscard]] const double* friction_of(int y) const;
-    void pick_up(const LoadWater& water);
+    [[nodiscard]] double* entrainment_of(int y, Scratch& scratch);
+    void pick_up_row(const LoadWater& water, int y, Scratch& scratch);
     void find_faces(const FaceFlows& flows);
     void hold_above_base(const Grid& bed, double dt);
     void count_outer_faces(const FaceFlows& flows, double dt);
-    void settle(Grid& bed, const LoadWater& water, double dt);
+    void settle_row(Grid& bed, const LoadWater& water, double dt, int y, Scratch& scratch);
+    /// Of what lies above the base level, what may leave one way, of grains: 1/s.
+    [[nodiscard]] double above_base_share(double dt) const { return 0.5 / (bed_factor_ * dt); }
 
     [[nodiscard]] double* row(PaddedGrid& field, int y) const { return field.row(y + 1); }
 
@@ -126,10 +139,10 @@ class SedimentLoads {
     PaddedGrid along_x_;
     PaddedGrid along_y_;
     PaddedGrid down_slope_;
-    Grid entrainment_;
-    Grid east_;  ///< bed load through the faces, as in FaceFlows, m²/s
+    Grid entrainment_;  ///< m/s; empty without bed load
+    Grid east_;         ///< bed load through the faces, as in FaceFlows, m²/s
     Grid north_;
-    Grid shares_;
+    Grid shares_;                       ///< of its bed load that a cell gives, for the base level
     std::vector<double> friction_row_;  // where it is even
     std::vector<double> row_paces_;
     double pace_ = 0.0;

@@ -9,6 +9,7 @@
 #include "models/water/kernels/finite_volume_vectors.h"
 #include "models/water/kernels/limited_slope_vectors.h"
 #include "models/water/kernels/speed_bound_vectors.h"
+#include "models/water/kernels/update_vectors.h"
 #include "models/water/shore_planes.h"
 #include "models/water/water_settings.h"
 
@@ -21,8 +22,8 @@ using Side = GridSide;
 /// three cells beyond both ends of the block.
 class Strip {
   public:
-    static constexpr int margin = 3;          ///< cells beyond the block that its update reads
-    static constexpr int widest_block = 512;  ///< cells
+    static constexpr int margin = 3;  ///< cells beyond the block that its update reads
+    static constexpr int widest_block = widest_update;
 
     Strip(StoppingSteps steps, const SlopeLimits& limits, ShoreCells shores)
         : steps_(steps),

@@ -6,6 +6,7 @@
 
 #include "base/grid.h"
 #include "models/sediment/face_flows.h"
+#include "models/water/kernels/finite_volume_vectors.h"
 #include "models/water/shallow_water.h"
 #include "models/water/water_edges.h"
 
@@ -121,7 +122,7 @@ class ShorePlanes {
     enum Kind : std::uint8_t { full, core, planed, shore };
 
     static constexpr int pad = 4;
-    static constexpr double dry_depth = 1e-9;  // m, as for the fluxes of all other faces
+    static constexpr double dry_depth = finite_volume::dry_depth;
 
     [[nodiscard]] static std::size_t slot(int y) { return static_cast<std::size_t>(y + 1); }
     [[nodiscard]] Place at(int x, int y) const;

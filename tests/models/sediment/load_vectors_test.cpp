@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "base/random.h"
 #include "base/worker_pool.h"
 #include "models/sediment/bank_collapse.h"
 
@@ -84,6 +86,71 @@ TEST(LoadVectors, PassThroughFacesFromUpstreamAndDownTheSlope) {
                     10.0, -0.5, 2, flux.data());
     EXPECT_DOUBLE_EQ(flux[0], 2.0 - 1.0 * (2.0 - 0.5));
     EXPECT_DOUBLE_EQ(flux[1], -4.0);
+}
+
+// Without bed load the law asks for a root only where the water takes something up.
+TEST(LoadVectors, TakeUpTheSameBesideWaterThatTakesUpNothing) {
+    constexpr int cells = 101;
+    std::array<double, cells> depth{};
+    std::array<double, cells> u{};
+    std::array<double, cells> friction{};
+    const std::array<double, cells> v{};
+    const std::array<double, cells + 2> bed{};
+    RandomStream random(1, 0, 0, Purpose::initial_bed);
+    for (std::size_t x = 0; x < cells; ++x) {
+        depth[x] = x % 7 == 0 ? 0.0 : random.uniform();
+        friction[x] = 0.01 * (0.5 + random.uniform());
+        // τ/ρ from nearly that of entrainment, 0.0025, to a little more, by stretches
+        const double over = x / 20 % 2 == 0 ? 1.0 - 1e-3 * random.uniform()
+                                            : 1.0 + 1e-14 * (random.uniform() - 0.5);
+        u[x] = std::sqrt(0.0025 * over * std::cbrt(depth[x]) / friction[x]);
+    }
+    loads::PickUpLaw law = law_of_sand();
+    law.manning = true;
+    std::array<std::array<double, cells>, 7> out{};
+    const auto pick_up = [&](std::size_t first) {
+        loads::pick_up_row(law,
+                           {depth.data(), u.data(), v.data(), friction.data(), bed.data() + 1,
+                            bed.data(), bed.data()},
+                           2.0, 2.0, cells,
+                           {out[4].data(), out[5].data(), out[6].data(), out[first].data(),
+                            out[first + 1].data()});
+    };
+    pick_up(0);
+    law.unit = 0.0;  // no bed load
+    out[2].fill(1.0);
+    pick_up(2);
+    EXPECT_EQ(out[0], out[2]);
+    const auto moves = [](double entrainment) { return entrainment > 0.0; };
+    const auto moving = std::ranges::count_if(out[2], moves);
+    EXPECT_GT(moving, 5);
+    EXPECT_LT(moving, 40);
+    for (std::size_t x = 0; x < cells; ++x) EXPECT_EQ(out[3][x] > 0.0, moves(out[2][x])) << x;
+}
+
+TEST(LoadVectors, LetAFadedLoadSettleAtOnce) {
+    // What remains of four loads: too little; enough; less than nothing, by rounding; nothing.
+    std::array<double, 4> load{3e-100, 5e-100, -1e-20, 0.0};
+    std::array<double, 4> bed{};
+    const std::array<double, 4> depth{1.0, 1.0, 1.0, 1.0};
+    loads::SettlingFactors factors;
+    factors.dt = 1.0;
+    factors.settling = 3.0;  // a quarter stays
+    loads::settle_row({depth.data(), nullptr, nullptr, nullptr, nullptr, nullptr}, factors, 4,
+                      load.data(), bed.data());
+    EXPECT_EQ(load[0], 0.0);
+    EXPECT_EQ(bed[0], 3e-100) << "all of it, so that nothing is lost";
+    EXPECT_DOUBLE_EQ(load[1], 1.25e-100);
+    EXPECT_DOUBLE_EQ(load[2], -0.25e-20);
+    EXPECT_EQ(load[3], 0.0);
+}
+
+TEST(LoadVectors, HoldEntrainmentAboveAFloor) {
+    const std::array<double, 3> floor{1.0, 1.0, 1.0};
+    const std::array<double, 3> bed{3.0, 1.5, 0.5};
+    std::array<double, 3> entrainment{1.0, 1.0, 1.0};
+    loads::hold_above_row(floor.data(), bed.data(), 0.75, 3, entrainment.data());
+    EXPECT_EQ(entrainment, (std::array<double, 3>{1.0, 0.375, 0.0}));
 }
 
 TEST(BankCollapse, LeavesNoSlopeSteeperThanTheAngleOfReposeWithThePlane) {

@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <utility>
 
+#include "base/random.h"
 #include "files/terrain/terrain_file.h"
+#include "models/water/kernels/finite_volume_vectors.h"
 #include "support/finite_volume_run.h"
 #include "support/grid_values.h"
 
@@ -275,6 +278,30 @@ TEST(FiniteVolume, RainOnARealGullyRunsOffAndIsAccountedFor) {
     const double there = sum(water.depth) * terrain.dx * terrain.dy;
     EXPECT_NEAR((there + scheme.left()) / fallen, 1.0, 1e-12);
     EXPECT_GT(scheme.left(), 0.05 * fallen);
+}
+
+TEST(FiniteVolume, FindsTheSameRatesOnCellsOfAnyWidth) {
+    constexpr int cells = 37;
+    std::array<double, cells> depth{};
+    std::array<double, cells> u{};
+    std::array<double, cells> v{};
+    RandomStream random(1, 0, 0, Purpose::initial_bed);
+    for (const double dx : {0.25, 1.0, 3.0, 4.0, 0.7}) {
+        for (const double dy : {0.5, 2.0, 0.3}) {
+            double largest = 0.0;
+            for (std::size_t x = 0; x < cells; ++x) {
+                depth[x] = random.uniform();
+                u[x] = random.uniform() - 0.5;
+                v[x] = random.uniform() - 0.5;
+                const double c = std::sqrt(9.8 * depth[x]);
+                largest =
+                    std::max(largest, (std::fabs(u[x]) + c) / dx + (std::fabs(v[x]) + c) / dy);
+            }
+            EXPECT_EQ(finite_volume::fastest(depth.data(), u.data(), v.data(), 9.8, dx, dy, cells),
+                      largest)
+                << dx << " x " << dy;
+        }
+    }
 }
 
 }  // namespace

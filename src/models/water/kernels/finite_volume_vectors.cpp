@@ -12,7 +12,6 @@ namespace HWY_NAMESPACE {
 
 using namespace vectors::HWY_NAMESPACE;
 
-constexpr double dry_depth = 1e-9;  // m: thinner water rests, but is kept
 constexpr double no_speed = 1e-300;
 
 struct LoadCells {
@@ -213,75 +212,9 @@ struct CutToShares {
     }
 };
 
-template <bool heun, bool manning, bool bounded>
-struct Update {
-    UpdateInput i;
-    UpdateFactors f;
-    double* depth;
-    double* velocity_x;
-    double* velocity_y;
-
-    template <class D>
-    HWY_INLINE void operator()(D d, std::size_t k) const {
-        using V = hn::Vec<D>;
-        const V zero = hn::Zero(d);
-        const V one = hn::Set(d, 1.0);
-        const V two = hn::Set(d, 2.0);
-        const V dry = hn::Set(d, dry_depth);
-        const V dt_dx = hn::Set(d, f.dt_dx);
-        const V dt_dy = hn::Set(d, f.dt_dy);
-        const V h = hn::LoadU(d, i.cells.depth + k);
-        const V weight = hn::Set(d, 2.0 * f.gravity) * h;
-        const auto load = [&](const double* from) HWY_ATTR { return hn::LoadU(d, from + k); };
-        const V lost = dt_dx * (load(i.east.mass) - load(i.west.mass)) +
-                       dt_dy * (load(i.north.mass) - load(i.south.mass));
-        const V lost_x =
-            dt_dx * ((load(i.east.left) - load(i.west.right)) + weight * load(i.surface_x)) +
-            dt_dy * (load(i.north.transverse) - load(i.south.transverse));
-        const V lost_y =
-            dt_dy * ((load(i.north.left) - load(i.south.right)) + weight * load(i.surface_y)) +
-            dt_dx * (load(i.east.transverse) - load(i.west.transverse));
-        V h1 = larger((h - lost) + hn::Set(d, f.dt) * load(i.rain), zero) * load(i.cells.inside);
-        const V qx = (h * load(i.cells.normal) - lost_x) - hn::Set(d, f.dt * f.pull_x) * h;
-        const V qy = (h * load(i.cells.transverse) - lost_y) - hn::Set(d, f.dt * f.pull) * h;
-        const V per_depth = one / larger(h1, dry);
-        const V ux = qx * per_depth;
-        const V uy = qy * per_depth;
-        const V speed = hn::Sqrt(ux * ux + uy * uy);
-        V drag = hn::Set(d, 4.0 * f.dt) * load(i.friction);
-        if constexpr (manning) {
-            const V third = hn::Set(d, -1.0 / 3.0);
-            drag = drag * vectors::HWY_NAMESPACE::exp(third * log_of_normal(larger(h1, dry)));
-        }
-        const V kept = two / (one + hn::Sqrt(one + drag * (speed * per_depth)));
-        V u1 = hn::IfThenElseZero(hn::Gt(h1, dry), ux * kept);
-        V v1 = hn::IfThenElseZero(hn::Gt(h1, dry), uy * kept);
-        if constexpr (bounded) {
-            const V speed1 = speed * kept;
-            const V most = load(i.most_speed);
-            const auto too_fast = hn::And(hn::Le(h1, load(i.thin)), hn::Gt(speed1, most));
-            const V share = hn::IfThenElse(too_fast, most / speed1, one);
-            u1 = u1 * share;
-            v1 = v1 * share;
-        }
-        if constexpr (heun) {
-            const V half = hn::Set(d, 0.5);
-            const V h0 = load(i.depth_before);
-            const V h_mean = half * (h0 + h1);
-            const V per_mean = half / larger(h_mean, dry);
-            const V ux_mean = (h0 * load(i.x_before) + h1 * u1) * per_mean;
-            const V uy_mean = (h0 * load(i.y_before) + h1 * v1) * per_mean;
-            h1 = h_mean;
-            u1 = hn::IfThenElseZero(hn::Gt(h_mean, dry), ux_mean);
-            v1 = hn::IfThenElseZero(hn::Gt(h_mean, dry), uy_mean);
-        }
-        hn::StoreU(h1, d, depth + k);
-        hn::StoreU(u1, d, velocity_x + k);
-        hn::StoreU(v1, d, velocity_y + k);
-    }
-};
-
 /// Rates as whole numbers: positive doubles order as their bits do, and NaN is above them all.
+/// Where `has_factors`, dx and dy are powers of two, by whose inverses a product has the same bits.
+template <bool has_factors>
 struct Rates {
     const double* depth;
     const double* velocity_x;
@@ -293,8 +226,15 @@ struct Rates {
     template <class D>
     HWY_INLINE hn::Vec<hn::RebindToSigned<D>> operator()(D d, std::size_t k) const {
         const auto c = hn::Sqrt(hn::Set(d, gravity) * hn::LoadU(d, depth + k));
-        const auto rate = (hn::Abs(hn::LoadU(d, velocity_x + k)) + c) / hn::Set(d, dx) +
-                          (hn::Abs(hn::LoadU(d, velocity_y + k)) + c) / hn::Set(d, dy);
+        const auto over = [&](auto speed, double length) HWY_ATTR {
+            if constexpr (has_factors) {
+                return speed * hn::Set(d, 1.0 / length);
+            } else {
+                return speed / hn::Set(d, length);
+            }
+        };
+        const auto rate = over(hn::Abs(hn::LoadU(d, velocity_x + k)) + c, dx) +
+                          over(hn::Abs(hn::LoadU(d, velocity_y + k)) + c, dy);
         return hn::BitCast(hn::RebindToSigned<D>(), hn::Abs(rate));
     }
 };
@@ -341,40 +281,8 @@ void cut_to_shares(const Fluxes& fluxes, const double* left_shares, const double
     for_each_vector(count, CutToShares{fluxes, left_shares, right_shares});
 }
 
-template <bool manning, bool bounded>
-HWY_INLINE void take_update(const UpdateInput& in, const UpdateFactors& factors, double* depth,
-                            double* velocity_x, double* velocity_y, int count) {
-    if (in.depth_before == nullptr) {
-        for_each_vector_anew(
-            count, Update<false, manning, bounded>{in, factors, depth, velocity_x, velocity_y});
-    } else {
-        for_each_vector(count,
-                        Update<true, manning, bounded>{in, factors, depth, velocity_x, velocity_y});
-    }
-}
-
-template <bool manning>
-HWY_INLINE void take_update(const UpdateInput& in, const UpdateFactors& factors, double* depth,
-                            double* velocity_x, double* velocity_y, int count) {
-    if (in.most_speed == nullptr) {
-        take_update<manning, false>(in, factors, depth, velocity_x, velocity_y, count);
-    } else {
-        take_update<manning, true>(in, factors, depth, velocity_x, velocity_y, count);
-    }
-}
-
-void update(const UpdateInput& in, const UpdateFactors& factors, double* depth, double* velocity_x,
-            double* velocity_y, int count) {
-    if (factors.manning) {
-        take_update<true>(in, factors, depth, velocity_x, velocity_y, count);
-    } else {
-        take_update<false>(in, factors, depth, velocity_x, velocity_y, count);
-    }
-}
-
-double fastest(const double* depth, const double* velocity_x, const double* velocity_y,
-               double gravity, double dx, double dy, int count) {
-    const Rates rates{depth, velocity_x, velocity_y, gravity, dx, dy};
+template <class RatesOf>
+HWY_INLINE double largest_rate(const RatesOf& rates, int count) {
     const Doubles doubles;
     const hn::RebindToSigned<Doubles> whole;
     const hn::CappedTag<double, 1> one;
@@ -397,6 +305,19 @@ double fastest(const double* depth, const double* velocity_x, const double* velo
     return std::bit_cast<double>(found);
 }
 
+bool is_power_of_two(double length) {
+    constexpr std::uint64_t mantissa_bits = 0x000fffffffffffff;
+    return (std::bit_cast<std::uint64_t>(length) & mantissa_bits) == 0;
+}
+
+double fastest(const double* depth, const double* velocity_x, const double* velocity_y,
+               double gravity, double dx, double dy, int count) {
+    if (is_power_of_two(dx) && is_power_of_two(dy)) {
+        return largest_rate(Rates<true>{depth, velocity_x, velocity_y, gravity, dx, dy}, count);
+    }
+    return largest_rate(Rates<false>{depth, velocity_x, velocity_y, gravity, dx, dy}, count);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace fumon::finite_volume
 HWY_AFTER_NAMESPACE();
@@ -408,7 +329,6 @@ HWY_EXPORT(load_cells);
 HWY_EXPORT(face_fluxes);
 HWY_EXPORT(payable_shares);
 HWY_EXPORT(cut_to_shares);
-HWY_EXPORT(update);
 HWY_EXPORT(fastest);
 
 void load_cells(const SourceRow& from, double sign_y, const LoadedRow& to, int count) {
@@ -432,11 +352,6 @@ bool payable_shares(const double* depth, const double* mass_west, const double* 
 void cut_to_shares(const Fluxes& fluxes, const double* left_shares, const double* right_shares,
                    int count) {
     HWY_DYNAMIC_DISPATCH(cut_to_shares)(fluxes, left_shares, right_shares, count);
-}
-
-void update(const UpdateInput& in, const UpdateFactors& factors, double* depth, double* velocity_x,
-            double* velocity_y, int count) {
-    HWY_DYNAMIC_DISPATCH(update)(in, factors, depth, velocity_x, velocity_y, count);
 }
 
 double fastest(const double* depth, const double* velocity_x, const double* velocity_y,

@@ -2,6 +2,9 @@
 
 namespace fumon::finite_volume {
 
+/// Thinner water rests, but is kept, m.
+inline constexpr double dry_depth = 1e-9;
+
 /// A row of cells as the kernels see it: what lies outside the domain holds no water.
 struct CellRow {
     const double* depth;       ///< h, m
@@ -72,40 +75,6 @@ bool payable_shares(const double* depth, const double* mass_west, const double* 
 /// Cuts the fluxes to what the cell they come from can pay.
 void cut_to_shares(const Fluxes& fluxes, const double* left_shares, const double* right_shares,
                    int count);
-
-/// What the update of a row of cells reads; each flux at the cell's face on that side.
-struct UpdateInput {
-    CellRow cells{};                    ///< normal: u, transverse: v
-    const double* surface_x = nullptr;  ///< half slopes of the surface
-    const double* surface_y = nullptr;
-    Fluxes west{};
-    Fluxes east{};
-    Fluxes south{};
-    Fluxes north{};
-    const double* rain = nullptr;  ///< m/s
-    /// C_f of τ = ρ · C_f · |u| u, or g n² of τ = ρ · g n² · h^(−1/3) · |u| u
-    const double* friction = nullptr;
-    const double* depth_before = nullptr;  ///< of the step's start, or null
-    const double* x_before = nullptr;
-    const double* y_before = nullptr;
-    const double* most_speed = nullptr;  ///< m/s, of water no deeper than `thin`; null: no bound
-    const double* thin = nullptr;        ///< m
-};
-
-struct UpdateFactors {
-    double dt = 0.0;     ///< s
-    double dt_dx = 0.0;  ///< s/m
-    double dt_dy = 0.0;
-    double gravity = 0.0;  ///< m/s²
-    double pull = 0.0;     ///< g·slope, m/s², toward −y
-    double pull_x = 0.0;   ///< … toward −x
-    bool manning = false;  ///< friction is Manning's
-};
-
-/// Depth and velocities after an Euler step, friction implicit; averaged with the step's start
-/// where it is given (Heun's second stage).
-void update(const UpdateInput& in, const UpdateFactors& factors, double* depth, double* velocity_x,
-            double* velocity_y, int count);
 
 /// The largest (|u| + √(g h))/dx + (|v| + √(g h))/dy of a row, 1/s.
 double fastest(const double* depth, const double* velocity_x, const double* velocity_y,
