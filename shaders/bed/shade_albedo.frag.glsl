@@ -10,14 +10,16 @@
 // Palette places up to which ground is bare floor, and from which it is sand alone; how far there is such ground at all.
 uniform vec3 floor_values;
 
+uniform float own_texels;  // 1: the target has the maps' texels
+
 in vec2 place;
 out vec4 colour;
 
 // How far wind has left coarse grains and crusts between dunes: low and level ground.
-float floor_share(BedPoint point, vec3 noise) {
+float floor_share(BedPoint point, float height, vec3 noise) {
     float level = 1.0 - smoothstep(0.05, 0.16, length(point.normal.xy) / max(point.normal.z, 0.1));
     float span = floor_values.y - floor_values.x;
-    float value = texture(value_map, place).r + span * (0.5 * noise.r + 0.3 * noise.g);
+    float value = height + span * (0.5 * noise.r + 0.3 * noise.g);
     return floor_values.z * natural * (1.0 - rock) * level * (1.0 - smoothstep(floor_values.x, floor_values.y, value));
 }
 
@@ -30,10 +32,12 @@ vec3 floor_albedo(vec3 noise) {
 }
 
 void main() {
-    BedPoint point = bed_point(place);
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    BedPoint point = bed_point(own_texels > 0.5 ? texelFetch(lighting_map, texel, 0) : texture(lighting_map, place));
+    float value = own_texels > 0.5 ? texelFetch(value_map, texel, 0).r : texture(value_map, place).r;
     vec3 noise = 2.0 * texture(noise_map, noise_place(place)).rgb - 1.0;
     float bare = bare_sand(place) * (1.0 - plain * rock);
-    float between = bare * floor_share(point, noise);
-    vec3 albedo = mix(ground_albedo(place, point), floor_albedo(noise), between);
+    float between = bare * floor_share(point, value, noise);
+    vec3 albedo = mix(ground_albedo(place, point, value), floor_albedo(noise), between);
     colour = vec4(sqrt(albedo), bare * (1.0 - 0.85 * between));
 }

@@ -25,13 +25,19 @@ uniform vec3 haze_bands;   // red, green and blue against it, over endless groun
 uniform vec3 haze_eye;
 uniform float shaded_height;  // to which shadows of the ground fill the air with shade, block lengths; 0: not known
 
-// Of sky_map in a direction of view (unit vector); rows below 1.2 degrees are seen through the whole air.
-vec3 scattered_sky(vec3 view) {
-    float across = max(length(view.xy) * length(to_sun.xy), 1e-6);
-    float azimuth = sqrt(acos(clamp(dot(view.xy, to_sun.xy) / across, -1.0, 1.0)) / 3.14159265);
-    float elevation = sqrt(asin(clamp(view.z, 0.021, 1.0)) / 1.57079633);
+// Of sky_map at the cosine of an angle from the sun, over the horizon, and at the sine of an elevation; rows below 1.2 degrees
+// are seen through the whole air.
+vec3 scattered_sky(float towards_sun, float height) {
+    float azimuth = sqrt(acos(clamp(towards_sun, -1.0, 1.0)) / 3.14159265);
+    float elevation = sqrt(asin(clamp(height, 0.021, 1.0)) / 1.57079633);
     vec2 size = vec2(textureSize(sky_map, 0));
     return texture(sky_map, (vec2(azimuth, elevation) * (size - 1.0) + 0.5) / size).rgb;
+}
+
+// In a direction of view (unit vector).
+vec3 scattered_sky(vec3 view) {
+    float across = max(length(view.xy) * length(to_sun.xy), 1e-6);
+    return scattered_sky(dot(view.xy, to_sun.xy) / across, view.z);
 }
 
 // Light of the sun that the eye, or a lens, scatters around it: far around, and a bloom close to the disc, which together fall
@@ -56,21 +62,16 @@ vec3 haze_towards(vec3 view) {
 
 // The same along a way that may lead down: the horizon's at the same angle to the sun, since air scatters by that.
 vec3 haze_along(vec3 way) {
-    vec2 level = normalize(way.xy + 1e-6 * to_sun.xy);
-    if (atmosphere > 0.5) {
-        float sun_across = max(length(to_sun.xy), 0.02);
-        float ahead = clamp(dot(way, to_sun) / (length(way) * sun_across), -1.0, 1.0);
-        level = mat2(to_sun.x, to_sun.y, -to_sun.y, to_sun.x) * vec2(ahead, sqrt(1.0 - ahead * ahead)) / sun_across;
-    }
-    return haze_towards(vec3(level, 0.0));
+    if (atmosphere > 0.5) return scattered_sky(dot(way, to_sun) / (length(way) * max(length(to_sun.xy), 0.02)), 0.0);
+    return haze_towards(vec3(normalize(way.xy + 1e-6 * to_sun.xy), 0.0));
 }
 
 // The same before ground that gets a share of the sun: the last of the way to what is shaded leads through the same shade, where
 // the air has but the sky's light.
 vec3 haze_before(vec3 way, float sun) {
     const float of_sun = 0.7;
-    float steepest = max(to_sun.z / max(length(to_sun.xy), 1e-3), abs(way.z) / max(length(way), 1e-6));
-    float shaded = min(shaded_height / max(steepest * length(way), 1e-6), 1.0);
+    float fall = max(length(way) * (to_sun.z / max(length(to_sun.xy), 1e-3)), abs(way.z));
+    float shaded = min(shaded_height / max(fall, 1e-6), 1.0);
     return haze_along(way) * (1.0 - of_sun * shaded * (1.0 - sun));
 }
 

@@ -16,11 +16,12 @@ uniform sampler2D wander_map;  // of world/ripple_wander.frag.glsl
 uniform float wander_scale;    // of its side, a ripple's length
 uniform float exaggeration;  // of heights
 uniform float none_slid;     // of ground that is true to nature: on none that falls less sand slid
+uniform float sliding_from;  // by its slope in the bed's maps: on none that is less steep
 uniform float ripple_phase;  // of the eye's place, in turns
 
 // Of pixels that PixelKinds tell apart.
 uniform float plain_sand;  // 1: of plain ones alone
-uniform float steep_sand;  // 0: of level ones alone
+uniform float slid_sand;   // 0: of those alone on which no sand slid
 
 const float tau = 6.2831853;
 
@@ -183,9 +184,10 @@ vec4 near_colour(SeenPlace at) {
     Slope slope = slope_at(place + aside, level, at, copy);
     // Wind that reaches a slope smooths it, but not at the angle of repose.
     float smoothed = smoothstep(0.0, 0.3, open) * (1.0 - smoothstep(0.54, 0.64, slope.steep));
-    float slid = surface.g * smoothstep(0.42, 0.56, slope.steep / exaggeration) * smoothstep(none_slid, 0.42, fall_at(at) / exaggeration) * sand.a * (1.0 - 0.85 * smoothed) * (1.0 - plain * rock);
+    float true_size = 1.0 / exaggeration;
+    float slid = surface.g * smoothstep(sliding_from, 0.56, slope.steep * true_size) * smoothstep(none_slid, sliding_from, fall_at(at) * true_size) * sand.a * (1.0 - 0.85 * smoothed) * (1.0 - plain * rock);
     vec3 tongue = vec3(0.0);
-    if (steep_sand > 0.5) tongue = slid * tongues(at, slope.across);
+    if (slid_sand > 0.5) tongue = slid * tongues(at, slope.across);
     Sand here = Sand(wander.height, phase, resolved, sand.a, open, tongue.xy + uneven.xy);
     Lit lit = lit_part(slope, to_half, here, wander);
     if (whole_pixels > 0.5) {

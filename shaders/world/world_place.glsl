@@ -20,28 +20,38 @@ float fall_at(SeenPlace place) {
 }
 
 // See GroundSamples::see().
-uniform usamplerBuffer seen_numbers;
+uniform usamplerBuffer seen_numbers;  // by fours
 uniform vec2 numbers_begin;  // the sample that has the first of them
-uniform float numbers_a_row;
+uniform float fours_a_row;
+uniform float fours;  // of nearnesses, after which those of lengths begin
 uniform vec2 target_begin;  // the picture's sample that is the target's first
 uniform vec3 first_ray;  // over the nearness of what it meets
 uniform vec3 ray_rightward;
 uniform vec3 ray_upward;
 
-uvec2 numbers_at(ivec2 sample_place) {
+// Where a sample's four numbers are: of two samples in a row, and of the two over them.
+int four_of(ivec2 place) { return (place.y >> 1) * int(fours_a_row) + (place.x >> 1); }
+
+uint number_at(ivec2 sample_place, int first_four) {
     ivec2 place = sample_place - ivec2(numbers_begin);
-    return texelFetch(seen_numbers, place.y * int(numbers_a_row) + place.x).xy;
+    uvec4 four = texelFetch(seen_numbers, first_four + four_of(place));
+    uvec2 row = (place.y & 1) == 0 ? four.xy : four.zw;
+    return (place.x & 1) == 0 ? row.x : row.y;
 }
 
-float nearness_at(ivec2 sample_place) { return uintBitsToFloat(numbers_at(sample_place).x & ~7u); }
+float nearness_of(uint number) { return uintBitsToFloat(number & ~7u); }
+float nearness_at(ivec2 sample_place) { return nearness_of(number_at(sample_place, 0)); }
+
+// Of what a sample sees, from the eye.
+vec3 offset_of(ivec2 sample_place, float nearness) {
+    vec2 in_picture = vec2(sample_place) + target_begin;
+    vec3 ray = first_ray + in_picture.x * ray_rightward + in_picture.y * ray_upward;
+    return ray * (nearness > 0.0 ? 1.0 / nearness : 0.0);
+}
 
 vec4 seen_at(ivec2 sample_place) {
-    if (samples_in_buffer > 0.5) {
-        float nearness = nearness_at(sample_place);
-        vec2 in_picture = vec2(sample_place) + target_begin;
-        vec3 ray = first_ray + in_picture.x * ray_rightward + in_picture.y * ray_upward;
-        return vec4(ray * (nearness > 0.0 ? 1.0 / nearness : 0.0), uintBitsToFloat(numbers_at(sample_place).y));
-    }
+    if (samples_in_buffer > 0.5)
+        return vec4(offset_of(sample_place, nearness_at(sample_place)), uintBitsToFloat(number_at(sample_place, int(fours))));
     vec4 texel = texelFetch(offsets, sample_place, 0);
     return vec4(texel.xyz, abs(texel.w));
 }
@@ -58,7 +68,7 @@ const int far_ground = 2;
 
 // What a sample sees: lengths on far ground have a minus sign, even 0.
 int ground_at(ivec2 sample_place) {
-    if (samples_in_buffer > 0.5) return int(numbers_at(sample_place).x & 7u);
+    if (samples_in_buffer > 0.5) return int(number_at(sample_place, 0) & 7u);
     vec4 texel = texelFetch(offsets, sample_place, 0);
     if (texel.xyz == vec3(0.0)) return no_ground;
     return floatBitsToInt(texel.w) < 0 ? far_ground : near_ground;
@@ -79,10 +89,24 @@ bool is_left_out(int ground) { return packed_samples > 0.5 && ground_at(own_samp
 SeenPlace pixel_place(out float slant) {
     ivec2 south_west = ivec2(first_sample) + factor * ivec2(gl_FragCoord.xy);
     int last = factor - 1;
-    vec4 sw = seen_at(south_west);
-    vec4 se = seen_at(south_west + ivec2(last, 0));
-    vec4 nw = seen_at(south_west + ivec2(0, last));
-    vec4 ne = seen_at(south_west + ivec2(last, last));
+    ivec2 south_east = south_west + ivec2(last, 0);
+    ivec2 north_west = south_west + ivec2(0, last);
+    ivec2 north_east = south_west + ivec2(last, last);
+    vec4 sw, se, nw, ne;
+    if (samples_in_buffer > 0.5 && factor == 2) {
+        int four = four_of(south_west - ivec2(numbers_begin));
+        uvec4 numbers = texelFetch(seen_numbers, four);
+        vec4 lengths = uintBitsToFloat(texelFetch(seen_numbers, four + int(fours)));
+        sw = vec4(offset_of(south_west, nearness_of(numbers.x)), lengths.x);
+        se = vec4(offset_of(south_east, nearness_of(numbers.y)), lengths.y);
+        nw = vec4(offset_of(north_west, nearness_of(numbers.z)), lengths.z);
+        ne = vec4(offset_of(north_east, nearness_of(numbers.w)), lengths.w);
+    } else {
+        sw = seen_at(south_west);
+        se = seen_at(south_east);
+        nw = seen_at(north_west);
+        ne = seen_at(north_east);
+    }
     slant = min(min(sw.w, se.w), min(nw.w, ne.w)) * float(factor);
     SeenPlace place;
     float whole = float(factor) / float(last);

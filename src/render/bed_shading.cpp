@@ -36,7 +36,13 @@ const gl::TextureLayout mark_layout{GL_R8,      GL_RED, GL_UNSIGNED_BYTE,
 const gl::TextureLayout palette_layout{GL_RGB8,   GL_RGB, GL_UNSIGNED_BYTE,
                                        GL_LINEAR, 0,      GL_CLAMP_TO_EDGE};
 
-/// Of a bed that is repeated, where it is endless.
+/// Of a bed that is repeated, where it is endless; looked at by texels of the target alone.
+gl::TextureLayout tiled(gl::TextureLayout layout, Ground ground) {
+    if (ground == Ground::endless) layout.wrap = GL_REPEAT;
+    return layout;
+}
+
+/// The same with mipmaps.
 gl::TextureLayout repeated(gl::TextureLayout layout, Ground ground) {
     if (ground == Ground::endless) {
         layout.wrap = GL_REPEAT;
@@ -107,6 +113,14 @@ int shaded_size(int count, const DisplayBed& bed, int samples_across) {
                                         longer_shaded_side(bed, samples_across) / longer));
 }
 
+/// Where the maps have as many texels as the target they are looked up as they are.
+gl::Constants with_own_texels(gl::Constants fixed, const DisplayBed& bed, int samples_across) {
+    const bool own = shaded_size(bed.z.nx(), bed, samples_across) == bed.z.nx() &&
+                     shaded_size(bed.z.ny(), bed, samples_across) == bed.z.ny();
+    fixed.push_back({"own_texels", own ? 1.0F : 0.0F});
+    return fixed;
+}
+
 const char* shader_of(const LookSettings& look, const Snapshot& first) {
     if (look.ground == Ground::endless) return "bed/shade_albedo.frag.glsl";
     if (look.mode == ViewMode::figure) return "bed/shade_figure.frag.glsl";
@@ -171,11 +185,12 @@ BedShading::BedShading(const View& view, const Block& block, const Snapshot& fir
                       longer_shaded_side(first_bed, samples_across) >
                           texels_per_sample * samples_across),
       by_pixels_(shades_pixels(view, first)),
-      program_("common/screen.vert.glsl", shader_of(view.look, first), {}, fixed),
+      program_("common/screen.vert.glsl", shader_of(view.look, first), {},
+               with_own_texels(fixed, first_bed, samples_across)),
       palette_(256, 1, palette_layout, chosen_palette(view.look).data()),
       lighting_(first_bed.z.nx(), first_bed.z.ny(),
                 lighting_layout_of(view.look.ground, by_pixels_)),
-      values_(first_bed.z.nx(), first_bed.z.ny(), repeated(value_layout, view.look.ground)),
+      values_(first_bed.z.nx(), first_bed.z.ny(), tiled(value_layout, view.look.ground)),
       marks_(view.look.mark == Marking::none ? 1 : first.bed.nx(),
              view.look.mark == Marking::none ? 1 : first.bed.ny(), layout_of(view.look)),
       uncoloured_(colours_water(view.look.colour_by) ? first.bed.nx() : 1,
@@ -196,7 +211,7 @@ void BedShading::draw_noise() {
         return std::max(1, static_cast<int>(noise_texels * width));
     };
     noise_.emplace(texels(block_.width_x), texels(block_.width_y),
-                   repeated(by_pixels_ ? coarse_noise_layout : noise_layout, view_.look.ground));
+                   tiled(by_pixels_ ? coarse_noise_layout : noise_layout, view_.look.ground));
     const gl::Program program("common/screen.vert.glsl", "bed/ground_noise.frag.glsl");
     const gl::VertexArray none;
     gl::functions().BindVertexArray(none.name());
@@ -207,7 +222,6 @@ void BedShading::draw_noise() {
     const bool endless = view_.look.ground == Ground::endless;
     program.set("periodic", !endless ? 0 : view_.look.grain > 0.0 ? 1 : 2);
     gl::functions().DrawArrays(GL_TRIANGLES, 0, 3);
-    if (endless) mipmaps_.make(noise_->colour());
     gl::functions().BindVertexArray(0);
 }
 
@@ -257,7 +271,6 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first, const R
     const Field<float> drawn = rolled(values, origin.east, origin.north);
     const Field<float> wide = refined(with_margin(drawn, margin), refinement_);
     values_.upload(palette_places(without_margin(wide, margin * refinement_), range_).data());
-    mipmaps_.make(values_);
     upload_marks(snapshot, origin);
 }
 
@@ -338,7 +351,10 @@ void BedShading::shade(const Light& light, const Camera& camera) {
         gl.Enable(GL_SCISSOR_TEST);
         gl.Scissor(low.x, low.y, extent.x, extent.y);
     }
+    // Texels of the target are no larger than those of the maps, of which no means are looked at.
+    if (view_.look.ground == Ground::endless) lighting_.bind_level(0, 0);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    if (view_.look.ground == Ground::endless) lighting_.bind_all_levels(0);
     gl.Disable(GL_SCISSOR_TEST);
     if (shaded_mipmaps_) mipmaps_.make(target_->colour());
 }

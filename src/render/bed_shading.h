@@ -57,6 +57,7 @@ class BedShading {
     /// The depth of water at which the bed is half hidden there, metres; 1 without water.
     [[nodiscard]] double clarity() const { return water_ ? water_->clarity() : 1.0; }
     [[nodiscard]] const gl::Texture2D& colours() const { return target_->colour(); }
+    [[nodiscard]] const gl::Texture2D& lighting() const { return lighting_; }
     /// Reads them, of 8 bits.
     void read(BlockColours& colours) const;
     /// Cells of its maps, eastward and northward.

@@ -43,7 +43,7 @@ constexpr double ripple_cells = 0.3;  // without metres: a hundredth of a dune o
 constexpr double steepest = 0.2;
 constexpr double steps_a_ripple = 50.0;  // that it takes to move on by its length
 
-enum class Coloured { level_pixels, steep_pixels, pixels, samples, packed_samples };
+enum class Coloured { smooth_pixels, slid_pixels, pixels, samples, packed_samples };
 
 /// Draws in some rows of a target alone, and in some columns.
 class WithinRows {
@@ -71,12 +71,13 @@ gl::Constant factor_of(const View& view) {
 gl::Constants with_coloured(gl::Constants fixed, const View& view, Coloured coloured) {
     fixed.push_back(factor_of(view));
     fixed.push_back({"none_slid", static_cast<float>(none_slid)});
+    fixed.push_back({"sliding_from", sliding_from});
     if (view.look.ripples == 0.0) fixed.push_back({"ripple_slope", 0.0F});
     if (view.look.grain == 0.0) fixed.push_back({"sand_grain", 0.0F});
-    const bool level = coloured == Coloured::level_pixels;
-    const bool plain = level || coloured == Coloured::steep_pixels;
+    const bool smooth = coloured == Coloured::smooth_pixels;
+    const bool plain = smooth || coloured == Coloured::slid_pixels;
     fixed.push_back({"plain_sand", plain ? 1.0F : 0.0F});
-    fixed.push_back({"steep_sand", level ? 0.0F : 1.0F});
+    fixed.push_back({"slid_sand", smooth ? 0.0F : 1.0F});
     fixed.push_back({"whole_pixels", plain || coloured == Coloured::pixels ? 1.0F : 0.0F});
     fixed.push_back({"packed_samples", coloured == Coloured::packed_samples ? 1.0F : 0.0F});
     return fixed;
@@ -117,8 +118,8 @@ WorldLayer::WorldLayer(const View& view, const Block& block, const Snapshot& fir
             return gl::Program("common/screen.vert.glsl", "world/world_near.frag.glsl", {},
                                with_coloured(fixed, view, coloured));
         };
-        pixel_colours_.emplace(PixelColours{near(Coloured::level_pixels),
-                                            near(Coloured::steep_pixels),
+        pixel_colours_.emplace(PixelColours{near(Coloured::smooth_pixels),
+                                            near(Coloured::slid_pixels),
                                             Colours(with_coloured(fixed, view, Coloured::pixels))});
     }
     build();
@@ -174,6 +175,7 @@ void WorldLayer::set_bed(const Snapshot& snapshot, const RepeatedLight& light,
                          std::shared_ptr<const HeightPyramid> heights) {
     surface_.upload(light.surface.data());
     mipmaps_.make(surface_);
+    slid_ = light.slid;
     heights_ = std::move(heights);
     step_ = snapshot.step;
     way_ = prevailing_way(snapshot);
@@ -203,6 +205,7 @@ void WorldLayer::fill_buffers() const {
 
 pixel_vectors::Bounds WorldLayer::pixel_bounds(const Camera& camera) const {
     const glm::dvec2 from_middle = eye_from_middle(camera);
+    const glm::dvec3 eye = reduced_eye(camera);
     return {static_cast<float>(near_to_),
             static_cast<float>(none_slid * block_.exaggeration),
             1.0F / cell_,
@@ -210,19 +213,24 @@ pixel_vectors::Bounds WorldLayer::pixel_bounds(const Camera& camera) const {
             static_cast<float>(block_.width_y),
             copies_.varied(),
             static_cast<float>(from_middle.x),
-            static_cast<float>(from_middle.y)};
+            static_cast<float>(from_middle.y),
+            {slid_.words.data(), slid_.words_a_row(), slid_.nx, slid_.ny, block_.tiles.plain,
+             static_cast<float>(eye.x), static_cast<float>(eye.y)}};
 }
 
 void WorldLayer::see(const Camera& camera, const PixelSamples& at, const glm::ivec2& in_picture,
                      const glm::ivec2& picture, WorkerPool& pool) {
     const GroundMesh& mesh = ground_->mesh;
     const std::span<const std::uint32_t> triangles(mesh.triangles);
-    const glm::ivec2 size(at.factor * at.columns + 2, at.factor * (at.rows + 1) + 1);
-    const glm::ivec2 first = at.first - 1;
+    // From the second sample before the pixels on: their numbers are by fours.
+    const glm::ivec2 before(2);
+    const glm::ivec2 size(at.factor * at.columns + before.x + 1,
+                          at.factor * (at.rows + 1) + before.y);
+    const glm::ivec2 first = at.first - before;
     std::optional<SeenBuffer::Pixels> pixels;
     if (at.factor > 1) {
         pixels.emplace();
-        pixels->grid = {glm::ivec2(1), at.factor, at.columns, at.rows, at.all_rows};
+        pixels->grid = {before, at.factor, at.columns, at.rows, at.all_rows};
         pixels->bounds = pixel_bounds(camera);
     }
     seen_->see(
@@ -330,6 +338,21 @@ void WorldLayer::bind(const gl::Program& program, const gl::Texture2D* seen,
     set_detail(program, camera);
 }
 
+/// Of the maps that plain pixels look at they see texels alone, no means of several; llvmpipe finds
+/// these sooner where there are no others.
+void WorldLayer::look_at_texels(const BedShading& shading, bool alone) const {
+    const auto bind_map = [&](const gl::Texture2D& map, int unit) {
+        if (alone) {
+            map.bind_level(0, unit);
+        } else {
+            map.bind_all_levels(unit);
+        }
+    };
+    bind_map(shading.lighting(), 0);
+    bind_map(surface_, detail_unit);
+    if (shading.colours().width() <= surface_.width()) bind_map(shading.colours(), detail_unit + 1);
+}
+
 void WorldLayer::colour_pixels(const PixelSamples& at, const BedShading& shading,
                                const Light& light, const Camera& camera) const {
     const gl::Functions& gl = gl::functions();
@@ -344,8 +367,10 @@ void WorldLayer::colour_pixels(const PixelSamples& at, const BedShading& shading
         gl.StencilFunc(GL_EQUAL, static_cast<GLint>(kind), 0xFF);
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
     };
-    draw(pixel_colours_->level, pixel_vectors::level);
-    draw(pixel_colours_->steep, pixel_vectors::steep);
+    look_at_texels(shading, true);
+    draw(pixel_colours_->smooth, pixel_vectors::smooth);
+    draw(pixel_colours_->slid, pixel_vectors::slid);
+    look_at_texels(shading, false);
     draw(pixel_colours_->others.near, pixel_vectors::near);
     draw(pixel_colours_->others.far, pixel_vectors::far);
     gl.Disable(GL_STENCIL_TEST);

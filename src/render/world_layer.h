@@ -128,8 +128,8 @@ class WorldLayer {
         gl::Program far;
     };
     struct PixelColours {
-        gl::Program level;  ///< of near ground, plain ones
-        gl::Program steep;
+        gl::Program smooth;  ///< of near ground, plain ones
+        gl::Program slid;
         Colours others;
     };
 
@@ -143,6 +143,7 @@ class WorldLayer {
     /// At the offsets' origin, with depths that hold the fan.
     [[nodiscard]] static Camera at_origin(const Camera& camera, const GroundFan& fan);
     void bind_seen(const gl::Program& program, const gl::Texture2D* seen) const;
+    void look_at_texels(const BedShading& shading, bool alone) const;
     void fill_buffers() const;
     [[nodiscard]] pixel_vectors::Bounds pixel_bounds(const Camera& camera) const;
     /// From the middle of the drawn bed, at most half of it away along each side.
@@ -158,6 +159,7 @@ class WorldLayer {
     DrawnOrigin origin_;
     FarCopies copies_;
     std::shared_ptr<const HeightPyramid> heights_;
+    SlidCells slid_;
     std::int64_t step_ = 0;
     Way way_;
     double sample_angle_ = 0.0;  ///< between two samples in the middle of the picture

@@ -206,6 +206,8 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
         light.surface.push_back(byte_of(wind.values()[i]));
         light.surface.push_back(byte_of(slid.values()[i]));
     }
+    light.slid = slid_cells(light.texels, light.surface, light.z.nx(), light.z.ny(),
+                            sliding_from * static_cast<float>(block.exaggeration), pool);
     return light;
 }
 

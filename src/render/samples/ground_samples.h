@@ -32,9 +32,19 @@ struct SampleRectangle {
         constexpr std::size_t together = 16;
         return (static_cast<std::size_t>(size.x) + together - 1) / together * together;
     }
-    /// Numbers, of which a sample has two.
+    /// Numbers of a kind, one for each sample: by fours, of two samples in a row and of the two
+    /// over them, so that a pixel of so many has them together.
+    [[nodiscard]] std::size_t numbers() const {
+        return stride() * ((static_cast<std::size_t>(size.y) + 1) / 2);
+    }
+    /// From two rows to the next two.
     [[nodiscard]] std::size_t stride() const { return 2 * row(); }
-    [[nodiscard]] std::size_t count() const { return stride() * static_cast<std::size_t>(size.y); }
+    /// Of a sample among them.
+    [[nodiscard]] std::size_t place(std::size_t column, std::size_t row) const {
+        return stride() * (row / 2) + 4 * (column / 2) + 2 * (row % 2) + column % 2;
+    }
+    /// Numbers of both kinds, see GroundSamples::see().
+    [[nodiscard]] std::size_t count() const { return 2 * numbers(); }
 };
 
 /// Where the ground is that a sample sees: (first + column · right + row · up) / nearness from the
@@ -55,9 +65,10 @@ class GroundSamples {
     static constexpr std::uint32_t near_kind = 1;
     static constexpr std::uint32_t far_kind = 2;
 
-    /// Notes for each sample, rows upward, what it sees in two numbers: nearness, a float, whose
+    /// Notes for each sample what it sees in two numbers: nearness, a float, whose
     /// lowest three bits (triangle_vectors::kind_bits) are the kind, 0: nothing; and, as a
-    /// float, over what length on the ground along the view. The camera's eye is the offsets'
+    /// float, over what length on the ground along the view. First all of the one kind, then all of
+    /// the other, each at its SampleRectangle::place(). The camera's eye is the offsets'
     /// origin; ground nearer than its near_depth is left out.
     void see(const GroundTriangles& ground, const Camera& camera, const SampleRectangle& samples,
              WorkerPool& pool, std::uint32_t* out);

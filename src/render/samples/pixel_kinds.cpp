@@ -27,6 +27,7 @@ void PixelKinds::tell(const std::uint32_t* numbers, const SampleRectangle& sampl
     columns_ = pixels.columns;
     const auto columns = static_cast<std::size_t>(pixels.columns);
     const auto factor = static_cast<std::size_t>(pixels.factor);
+    const auto first = static_cast<std::size_t>(pixels.first.x);
     kinds_.resize(columns * static_cast<std::size_t>(pixels.all_rows));
     pool.for_ranges(pixels.all_rows, [&](int begin, int end) {
         for (int y = begin; y < end; ++y) {
@@ -37,12 +38,11 @@ void PixelKinds::tell(const std::uint32_t* numbers, const SampleRectangle& sampl
             }
             const int row = pixels.first.y + pixels.factor * y;
             const int last = row + pixels.factor - 1;
-            const std::uint32_t* lower = numbers +
-                                         static_cast<std::size_t>(row) * samples.stride() +
-                                         2 * static_cast<std::size_t>(pixels.first.x);
-            const std::uint32_t* upper = lower + (factor - 1) * samples.stride();
+            const std::uint32_t* lower = numbers + samples.place(0, static_cast<std::size_t>(row));
+            const std::uint32_t* upper = numbers + samples.place(0, static_cast<std::size_t>(last));
             pixel_vectors::kinds_of_row(
-                {lower, upper, rays_of_row(rays, samples.first.y + row),
+                {lower, upper, static_cast<std::ptrdiff_t>(samples.numbers()), pixels.first.x,
+                 rays_of_row(rays, samples.first.y + row),
                  rays_of_row(rays, samples.first.y + last),
                  static_cast<float>(samples.first.x + pixels.first.x), pixels.factor},
                 bounds, columns, kinds);
@@ -52,7 +52,8 @@ void PixelKinds::tell(const std::uint32_t* numbers, const SampleRectangle& sampl
                 if (kinds[x] >= pixel_vectors::first_whole) continue;
                 for (std::size_t j = 0; j < factor; ++j)
                     for (std::size_t i = 0; i < factor; ++i)
-                        kinds[x] |= lower[j * samples.stride() + 2 * (factor * x + i)] &
+                        kinds[x] |= numbers[samples.place(first + factor * x + i,
+                                                          static_cast<std::size_t>(row) + j)] &
                                     triangle_vectors::kind_bits;
             }
         }

@@ -13,10 +13,12 @@ class WorkerPool;
 
 /// Where pixels lie among samples.
 struct PixelGrid {
-    glm::ivec2 first{0};  ///< the lower left pixel's lower left sample, of a rectangle of samples
-    int factor = 1;       ///< samples along each side of a pixel, 2 or more
-    int columns = 0;      ///< of pixels
-    int rows = 0;         ///< of pixels, from the lowest on, that may see ground
+    /// The lower left pixel's lower left sample, of a rectangle of samples; both even, if a pixel
+    /// has two along its sides.
+    glm::ivec2 first{0};
+    int factor = 1;   ///< samples along each side of a pixel, 2 or more
+    int columns = 0;  ///< of pixels
+    int rows = 0;     ///< of pixels, from the lowest on, that may see ground
     int all_rows = 0;
 };
 

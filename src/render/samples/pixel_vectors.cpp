@@ -28,16 +28,16 @@ struct Seen {
     Number y;
     Number z;
     Number range;
-    Number length;  // see seen_vectors::lengths_of_row()
+    Number length;  // see seen_vectors::note_rows()
     hn::Vec<Words> kind;
 };
 
-HWY_INLINE Seen seen_at(const std::uint32_t* samples, hn::Vec<Integers> at, const Rays& rays,
+/// From the samples' numbers and lengths.
+HWY_INLINE Seen seen_of(hn::Vec<Words> number, hn::Vec<Words> length, const Rays& rays,
                         Number column) {
     const Floats d;
     const Words words;
     const auto one = hn::Set(d, 1.0F);
-    const auto number = hn::GatherIndex(words, samples, at);
     const auto low = hn::Set(words, triangle_vectors::kind_bits);
     const auto nearness = hn::BitCast(d, hn::AndNot(low, number));
     const auto seen = hn::Gt(nearness, hn::Zero(d));
@@ -48,8 +48,74 @@ HWY_INLINE Seen seen_at(const std::uint32_t* samples, hn::Vec<Integers> at, cons
     const auto x = offset(0);
     const auto y = offset(1);
     const auto z = offset(2);
-    const auto length = hn::BitCast(d, hn::GatherIndex(words, samples + 1, at));
-    return {x, y, z, hn::Sqrt(x * x + y * y + z * z), length, hn::And(low, number)};
+    return {x, y, z, hn::Sqrt(x * x + y * y + z * z), hn::BitCast(d, length), hn::And(low, number)};
+}
+
+/// What is known of samples in the corners of pixels: south-western ones, south-eastern,
+/// north-western and north-eastern ones.
+struct Known {
+    hn::Vec<Words> sw;
+    hn::Vec<Words> se;
+    hn::Vec<Words> nw;
+    hn::Vec<Words> ne;
+};
+
+/// Of pixels in those columns; `apart`: from their numbers to what is wanted.
+HWY_INLINE Known known_of(const Corners& corners, hn::Vec<Integers> pixel, std::ptrdiff_t apart) {
+    const Words words;
+    const Integers integers;
+    const auto first = hn::Set(integers, std::int32_t{corners.first}) +
+                       hn::Set(integers, std::int32_t{corners.factor}) * pixel;
+    const auto last = first + hn::Set(integers, std::int32_t{corners.factor - 1});
+    const auto look_up = [&](const std::uint32_t* row, hn::Vec<Integers> column) HWY_ATTR {
+        const auto one = hn::Set(integers, 1);
+        const auto at = hn::ShiftLeft<1>(hn::AndNot(one, column)) + hn::And(column, one);
+        return hn::GatherIndex(words, row + apart, at);
+    };
+    return {look_up(corners.lower, first), look_up(corners.lower, last),
+            look_up(corners.upper, first), look_up(corners.upper, last)};
+}
+
+/// The same where a pixel has these together, of as many pixels as a vector has from the `first`.
+HWY_INLINE Known known_together(const Corners& corners, std::size_t first, std::ptrdiff_t apart) {
+    const Words words;
+    Known known;
+    hn::LoadInterleaved4(words, corners.lower + apart + 2 * corners.first + 4 * first, known.sw,
+                         known.se, known.nw, known.ne);
+    return known;
+}
+
+/// Whether tongues may be at places from the eye.
+HWY_INLINE hn::Mask<Words> may_have_slid(const Bounds& bounds, Number x, Number y) {
+    const Floats d;
+    const Words words;
+    const Integers integers;
+    const Slid& slid = bounds.slid;
+    const auto tiles = [&](Number at, float eye, float extent) HWY_ATTR {
+        return (hn::Set(d, eye) + at) / hn::Set(d, extent) + hn::Set(d, 0.5F);
+    };
+    const auto tiles_east = tiles(x, slid.east, bounds.extent_x);
+    const auto tiles_north = tiles(y, slid.north, bounds.extent_y);
+    const auto whole_east = hn::Floor(tiles_east);
+    const auto whole_north = hn::Floor(tiles_north);
+    auto east = tiles_east - whole_east;
+    const auto north = tiles_north - whole_north;
+    if (slid.plain) {
+        const auto own = hn::And(hn::Eq(whole_east, hn::Zero(d)), hn::Eq(whole_north, hn::Zero(d)));
+        east = hn::Set(d, 0.5F) * (east + hn::IfThenElse(own, hn::Zero(d), hn::Set(d, 1.0F)));
+    }
+    const auto cell = [&](Number share, int cells) HWY_ATTR {
+        const auto at = hn::ConvertTo(integers, share * hn::Set(d, static_cast<float>(cells)));
+        return hn::Min(at, hn::Set(integers, std::int32_t{cells - 1}));
+    };
+    const auto column = cell(east, slid.nx);
+    const auto row = cell(north, slid.ny);
+    const auto word = hn::GatherIndex(
+        words, slid.words,
+        row * hn::Set(integers, std::int32_t{slid.words_a_row}) + hn::ShiftRight<5>(column));
+    const auto bit =
+        hn::Shl(hn::Set(words, 1U), hn::BitCast(words, hn::And(column, hn::Set(integers, 31))));
+    return hn::Ne(hn::And(word, bit), hn::Zero(words));
 }
 
 void kinds_of_row(const Corners& corners, const Bounds& bounds, std::size_t count,
@@ -61,20 +127,24 @@ void kinds_of_row(const Corners& corners, const Bounds& bounds, std::size_t coun
     const auto whole_number = [&](std::uint32_t value) HWY_ATTR { return hn::Set(words, value); };
     const auto factor = static_cast<float>(corners.factor);
     const auto between = static_cast<float>(corners.factor - 1);
-    const auto apart = hn::Set(integers, std::int32_t{2 * (corners.factor - 1)});
     const auto last = static_cast<std::int32_t>(count) - 1;
     const auto squared = [](Number a, Number b) HWY_ATTR { return a * a + b * b; };
     std::uint32_t found[HWY_MAX_BYTES / sizeof(std::uint32_t)];
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
         const auto pixel =
             hn::Min(hn::Iota(integers, static_cast<std::int32_t>(i)), hn::Set(integers, last));
-        const auto at = hn::Set(integers, std::int32_t{2 * corners.factor}) * pixel;
+        const bool together = corners.factor == 2 && i + hn::Lanes(d) <= count;
+        const auto look_up = [&](std::ptrdiff_t apart) HWY_ATTR {
+            return together ? known_together(corners, i, apart) : known_of(corners, pixel, apart);
+        };
+        const Known numbers = look_up(0);
+        const Known lengths = look_up(corners.lengths);
         const auto column = number(corners.first_column) + number(factor) * hn::ConvertTo(d, pixel);
         const auto last_column = column + number(between);
-        const Seen sw = seen_at(corners.lower, at, corners.lower_rays, column);
-        const Seen se = seen_at(corners.lower, at + apart, corners.lower_rays, last_column);
-        const Seen nw = seen_at(corners.upper, at, corners.upper_rays, column);
-        const Seen ne = seen_at(corners.upper, at + apart, corners.upper_rays, last_column);
+        const Seen sw = seen_of(numbers.sw, lengths.sw, corners.lower_rays, column);
+        const Seen se = seen_of(numbers.se, lengths.se, corners.lower_rays, last_column);
+        const Seen nw = seen_of(numbers.nw, lengths.nw, corners.upper_rays, column);
+        const Seen ne = seen_of(numbers.ne, lengths.ne, corners.upper_rays, last_column);
 
         // Where one sees other ground the nearest and the farthest of them are farther apart than
         // the slope that they lie on makes them.
@@ -115,8 +185,11 @@ void kinds_of_row(const Corners& corners, const Bounds& bounds, std::size_t coun
             hn::Gt(squared(normal_x, normal_y),
                    number(bounds.level_fall * bounds.level_fall) * normal_z * normal_z);
 
-        const auto plain_kind = hn::IfThenElse(hn::RebindMask(words, is_steep), whole_number(steep),
-                                               whole_number(level));
+        auto has_tongues = hn::RebindMask(words, is_steep);
+        if (bounds.slid.words != nullptr && !hn::AllFalse(words, has_tongues))
+            has_tongues = hn::And(has_tongues, may_have_slid(bounds, x, y));
+        const auto plain_kind =
+            hn::IfThenElse(has_tongues, whole_number(slid), whole_number(smooth));
         const auto near_kind =
             hn::IfThenElse(hn::RebindMask(words, plain), plain_kind, whole_number(near));
         const auto whole_kind =

@@ -6,26 +6,39 @@
 namespace fumon::pixel_vectors {
 
 // How a pixel of endless ground is coloured. As a whole, where all its samples see the same ground:
-// near ground for which one look at the bed's maps does, level or steep; other near ground; far
-// ground. Of other pixels which samples there are: the sum of these.
+// near ground for which one look at the bed's maps does, without tongues of avalanches or with
+// them; other near ground; far ground. Of other pixels which samples there are: the sum of these.
 constexpr std::uint32_t near_samples = 1;
 constexpr std::uint32_t far_samples = 2;
 constexpr std::uint32_t first_whole = 4;
-constexpr std::uint32_t level = 4;
-constexpr std::uint32_t steep = 5;
+constexpr std::uint32_t smooth = 4;
+constexpr std::uint32_t slid = 5;
 constexpr std::uint32_t near = 6;
 constexpr std::uint32_t far = 7;
+
+/// Where tongues may be, of SlidCells; without words everywhere. Bounds::extent_x and extent_y are
+/// what the maps cover, or half of it where the bed ends in a plain.
+struct Slid {
+    const std::uint32_t* words = nullptr;
+    int words_a_row = 0;
+    int nx = 0;
+    int ny = 0;
+    bool plain = false;  ///< see GroundTiles
+    float east = 0.0F;   ///< the eye's place from the middle of the bed
+    float north = 0.0F;
+};
 
 /// What tells whole pixels apart. Lengths are the block's.
 struct Bounds {
     float near_to;     ///< no ripple is seen beyond
-    float level_fall;  ///< the steepest that level ground is
+    float level_fall;  ///< the steepest ground without tongues, as it is drawn
     float texels;      ///< of the bed's maps to a length
     float extent_x;    ///< of the bed
     float extent_y;
     bool varied;  ///< far copies are unlike it, see FarCopies
     float east;   ///< the eye's place from the middle of what is as it is, periods
     float north;
+    Slid slid{};
 };
 
 /// Rays of a row of samples: through the first one, and how they change rightward.
@@ -34,11 +47,14 @@ struct Rays {
     float right[3];
 };
 
-/// Samples in the corners of a row of pixels, as seen_vectors::lengths_of_row() leaves them, from
-/// the first pixel's on; and the rays of both rows from the picture's first column.
+/// Samples in the corners of a row of pixels, as seen_vectors::note_rows() leaves them; and the
+/// rays of both rows from the picture's first column.
 struct Corners {
-    const std::uint32_t* lower;
+    const std::uint32_t* lower;  ///< of the first sample in its row
     const std::uint32_t* upper;
+    std::ptrdiff_t lengths;  ///< from the number of a sample to its length
+    int first;  ///< the lower left pixel's first sample in its row; even, with two samples a side,
+                ///< which have a pixel's numbers together
     Rays lower_rays;
     Rays upper_rays;
     float first_column;

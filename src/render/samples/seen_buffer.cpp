@@ -11,7 +11,7 @@ namespace fumon {
 bool SeenBuffer::holds(const SampleRectangle& samples) {
     GLint most = 0;
     gl::functions().GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-    return samples.count() / 2 <= static_cast<std::size_t>(most);
+    return samples.count() / 4 <= static_cast<std::size_t>(most);
 }
 
 void SeenBuffer::see(const GroundTriangles& ground, const Camera& camera,
@@ -27,7 +27,7 @@ void SeenBuffer::see(const GroundTriangles& ground, const Camera& camera,
         gl.BufferData(GL_TEXTURE_BUFFER, bytes, nullptr, GL_DYNAMIC_DRAW);
         capacity_ = bytes;
         gl.BindTexture(GL_TEXTURE_BUFFER, texture_.name());
-        gl.TexBuffer(GL_TEXTURE_BUFFER, GL_RG32UI, buffer_.name());
+        gl.TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, buffer_.name());
     }
     void* memory =
         gl.MapBufferRange(GL_TEXTURE_BUFFER, 0, bytes, GL_MAP_READ_BIT | GL_MAP_WRITE_BIT);
@@ -51,7 +51,8 @@ void SeenBuffer::bind(const gl::Program& program, int unit) const {
     program.set("seen_numbers", unit);
     program.set("numbers_begin", glm::vec2(in_target_));
     program.set("target_begin", glm::vec2(samples_.first - in_target_));
-    program.set("numbers_a_row", static_cast<float>(samples_.row()));
+    program.set("fours_a_row", static_cast<float>(samples_.stride() / 4));
+    program.set("fours", static_cast<float>(samples_.numbers() / 4));
     program.set("first_ray", glm::vec3(rays_.first));
     program.set("ray_rightward", glm::vec3(rays_.right));
     program.set("ray_upward", glm::vec3(rays_.up));

@@ -71,37 +71,58 @@ void place_corners(const Perspective& projection, const float* offsets, std::siz
     }
 }
 
-void lengths_of_row(const std::uint32_t* samples, const std::uint32_t* slopes,
-                    const LevelRays& rays, float first_column, std::size_t count,
-                    std::uint32_t* out) {
+/// Of as many samples of a row as a vector has, from the `first` one on.
+HWY_INLINE hn::Vec<Words> lengths_of(const SeenRow& row, float first_column, std::size_t first,
+                                     hn::Vec<Words> sample) {
     const Floats d;
     const Words words;
-    const std::size_t lanes = hn::Lanes(d);
-    const auto upper = hn::Set(words, 0xFFFF0000U);
-    const auto low = hn::Set(words, triangle_vectors::kind_bits);
+    const LevelRays& rays = row.rays;
+    const auto slope = hn::LoadU(words, row.slopes + first);
     const auto right_x = hn::Set(d, rays.right_x);
     const auto right_y = hn::Set(d, rays.right_y);
-    const auto up_x = hn::Set(d, rays.up_x);
-    const auto up_y = hn::Set(d, rays.up_y);
-    const auto zero = hn::Zero(d);
-    const auto least = hn::Set(d, 1e-30F);
-    for (std::size_t i = 0; i < count; i += lanes) {
-        const auto sample = hn::LoadU(words, samples + i);
-        const auto slope = hn::LoadU(words, slopes + i);
-        const auto column = hn::Iota(d, first_column + static_cast<float>(i));
-        const auto x = hn::Set(d, rays.first_x) + column * right_x;
-        const auto y = hn::Set(d, rays.first_y) + column * right_y;
-        const auto level = hn::Max(hn::Sqrt(x * x + y * y), least);
-        const auto nearness = hn::BitCast(d, hn::AndNot(low, sample));
-        const auto seen = hn::Gt(nearness, zero);
-        const auto depth = hn::Set(d, 1.0F) / hn::IfThenElse(seen, nearness, hn::Set(d, 1.0F));
-        const auto by_right = hn::BitCast(d, hn::And(slope, upper)) * depth * level;
-        const auto by_up = hn::BitCast(d, hn::ShiftLeft<16>(slope)) * depth * level;
-        const auto rightward = (right_x * x + right_y * y) / level - by_right;
-        const auto upward = (up_x * x + up_y * y) / level - by_up;
-        const auto length = (hn::Abs(rightward) + hn::Abs(upward)) * depth;
-        const auto bits = hn::BitCast(words, hn::IfThenElseZero(seen, length));
-        hn::StoreInterleaved2(sample, bits, words, out + 2 * i);
+    const auto column = hn::Iota(d, first_column + static_cast<float>(first));
+    const auto x = hn::Set(d, rays.first_x) + column * right_x;
+    const auto y = hn::Set(d, rays.first_y) + column * right_y;
+    const auto level = hn::Max(hn::Sqrt(x * x + y * y), hn::Set(d, 1e-30F));
+    const auto low = hn::Set(words, triangle_vectors::kind_bits);
+    const auto nearness = hn::BitCast(d, hn::AndNot(low, sample));
+    const auto seen = hn::Gt(nearness, hn::Zero(d));
+    const auto depth = hn::Set(d, 1.0F) / hn::IfThenElse(seen, nearness, hn::Set(d, 1.0F));
+    const auto upper = hn::Set(words, 0xFFFF0000U);
+    const auto by_right = hn::BitCast(d, hn::And(slope, upper)) * depth * level;
+    const auto by_up = hn::BitCast(d, hn::ShiftLeft<16>(slope)) * depth * level;
+    const auto rightward = (right_x * x + right_y * y) / level - by_right;
+    const auto upward = (hn::Set(d, rays.up_x) * x + hn::Set(d, rays.up_y) * y) / level - by_up;
+    const auto length = (hn::Abs(rightward) + hn::Abs(upward)) * depth;
+    return hn::BitCast(words, hn::IfThenElseZero(seen, length));
+}
+
+/// Stores numbers of samples from the `first` one of two rows on, by fours.
+HWY_INLINE void store_by_fours(hn::Vec<Words> lower, hn::Vec<Words> upper, std::size_t first,
+                               std::uint32_t* out) {
+    if constexpr (hn::MaxLanes(Words()) == 1) {
+        std::uint32_t* at = out + 4 * (first / 2) + first % 2;
+        at[0] = hn::GetLane(lower);
+        at[2] = hn::GetLane(upper);
+    }
+#if HWY_TARGET != HWY_SCALAR  // which has single numbers alone
+    else {
+        const hn::Repartition<std::uint64_t, Words> pairs;
+        hn::StoreInterleaved2(hn::BitCast(pairs, lower), hn::BitCast(pairs, upper), pairs,
+                              reinterpret_cast<std::uint64_t*>(out + 2 * first));
+    }
+#endif
+}
+
+void note_rows(const SeenRow& lower, const SeenRow& upper, float first_column, std::size_t count,
+               std::uint32_t* numbers, std::uint32_t* lengths) {
+    const Words words;
+    for (std::size_t i = 0; i < count; i += hn::Lanes(words)) {
+        const auto below = hn::LoadU(words, lower.samples + i);
+        const auto above = hn::LoadU(words, upper.samples + i);
+        store_by_fours(below, above, i, numbers);
+        store_by_fours(lengths_of(lower, first_column, i, below),
+                       lengths_of(upper, first_column, i, above), i, lengths);
     }
 }
 
@@ -113,7 +134,7 @@ HWY_AFTER_NAMESPACE();
 namespace fumon::seen_vectors {
 
 HWY_EXPORT(place_corners);
-HWY_EXPORT(lengths_of_row);
+HWY_EXPORT(note_rows);
 
 void place_corners(const Perspective& projection, const float* offsets, std::size_t count,
                    triangle_vectors::Corners& corners, std::size_t first) {
@@ -122,10 +143,9 @@ void place_corners(const Perspective& projection, const float* offsets, std::siz
      corners.nearness.data() + first);
 }
 
-void lengths_of_row(const std::uint32_t* samples, const std::uint32_t* slopes,
-                    const LevelRays& rays, float first_column, std::size_t count,
-                    std::uint32_t* out) {
-    HWY_DYNAMIC_DISPATCH(lengths_of_row)(samples, slopes, rays, first_column, count, out);
+void note_rows(const SeenRow& lower, const SeenRow& upper, float first_column, std::size_t count,
+               std::uint32_t* numbers, std::uint32_t* lengths) {
+    HWY_DYNAMIC_DISPATCH(note_rows)(lower, upper, first_column, count, numbers, lengths);
 }
 
 }  // namespace fumon::seen_vectors

@@ -39,11 +39,18 @@ struct LevelRays {
     float up_y;
 };
 
-/// Of `count` samples of a row from that column on, as a Band has them: their numbers, and the
-/// length on the ground, along the view, from each to the next ones rightward and upward, the sum
-/// of both. A number and a float by turns, `count` of each.
-void lengths_of_row(const std::uint32_t* samples, const std::uint32_t* slopes,
-                    const LevelRays& rays, float first_column, std::size_t count,
-                    std::uint32_t* out);
+/// Samples of a row, as a Band has them.
+struct SeenRow {
+    const std::uint32_t* samples;
+    const std::uint32_t* slopes;
+    LevelRays rays;
+};
+
+/// Of `count` samples of a row and of the next one, from that column on: their numbers; and, as
+/// floats, the length on the ground, along the view, from each to the next ones rightward and
+/// upward, the sum of both. By fours, two of the lower row and two of the upper. `count` is a
+/// multiple of 16.
+void note_rows(const SeenRow& lower, const SeenRow& upper, float first_column, std::size_t count,
+               std::uint32_t* numbers, std::uint32_t* lengths);
 
 }  // namespace fumon::seen_vectors

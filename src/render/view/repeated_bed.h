@@ -1,8 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
-#include <vector>
 
 #include "base/grid.h"
 
@@ -15,13 +13,15 @@ Field<Number> with_margin(const Field<Number>& field, int margin) {
     const int ny = field.ny();
     Field<Number> wide(nx + 2 * margin, ny + 2 * margin);
     const auto within = [](int place, int count) { return (place % count + count) % count; };
-    std::vector<std::size_t> columns(static_cast<std::size_t>(wide.nx()));
-    for (int x = 0; x < wide.nx(); ++x)
-        columns[static_cast<std::size_t>(x)] = static_cast<std::size_t>(within(x - margin, nx));
     for (int y = 0; y < wide.ny(); ++y) {
         const auto from = field.row(within(y - margin, ny));
-        std::ranges::transform(columns, wide.row(y).begin(),
-                               [&](std::size_t column) { return from[column]; });
+        const auto to = wide.row(y);
+        for (int x = 0; x < wide.nx();) {
+            const int first = within(x - margin, nx);
+            const int count = std::min(nx - first, wide.nx() - x);
+            std::copy_n(from.begin() + first, count, to.begin() + x);
+            x += count;
+        }
     }
     return wide;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/worker_pool.h"
@@ -107,25 +108,47 @@ void cells_around(const Field& field, int x, int y, int far, int apart, const Ca
         for (int u = first(x); u <= std::min(x + far, field.nx() - 1); u += apart) call(u, v);
 }
 
+/// Of the slopes around a cell from its own.
+struct Differences {
+    float most = 0.0F;  // square of the largest
+    Products products;
+};
+
+/// Adds those of the cells of another row that stand so far aside to those of a row's cells.
+void add_differences(std::span<const Rise> row, std::span<const Rise> other, int aside, float dx,
+                     float dy, std::vector<Differences>& differences) {
+    const auto nx = static_cast<std::ptrdiff_t>(row.size());
+    const std::ptrdiff_t end = nx - std::max(aside, 0);
+    const Rise* beside = other.data() + aside;
+    for (std::ptrdiff_t x = std::max(-aside, 0); x < end; ++x) {
+        const Rise& own = row[static_cast<std::size_t>(x)];
+        const float east = (beside[x].east - own.east) / dx;
+        const float north = (beside[x].north - own.north) / dy;
+        Differences& sum = differences[static_cast<std::size_t>(x)];
+        sum.most = std::max(sum.most, east * east + north * north);
+        sum.products.east_east += east * east;
+        sum.products.east_north += east * north;
+        sum.products.north_north += north * north;
+    }
+}
+
 Field<Edge> edges(const Field<Rise>& rises, float dx, float dy, WorkerPool& pool) {
     const int nx = rises.nx();
     const int ny = rises.ny();
     Field<Edge> found(nx, ny);
     Field<Products> products(nx, ny);
     pool.for_ranges(ny, [&](int begin, int end) {
+        std::vector<Differences> differences(static_cast<std::size_t>(nx));
         for (int y = begin; y < end; ++y) {
+            std::fill(differences.begin(), differences.end(), Differences{});
+            for (int v = std::max(y - 1, 0); v <= std::min(y + 1, ny - 1); ++v) {
+                for (int aside = -1; aside <= 1; ++aside)
+                    add_differences(rises.row(y), rises.row(v), aside, dx, dy, differences);
+            }
             for (int x = 0; x < nx; ++x) {
-                float most = 0.0F;  // square of a difference of slope
-                Products& sum = products(x, y);
-                cells_around(rises, x, y, 1, 1, [&](int u, int v) {
-                    const float east = (rises(u, v).east - rises(x, y).east) / dx;
-                    const float north = (rises(u, v).north - rises(x, y).north) / dy;
-                    most = std::max(most, east * east + north * north);
-                    sum.east_east += east * east;
-                    sum.east_north += east * north;
-                    sum.north_north += north * north;
-                });
-                const float bend = std::sqrt(most);
+                const Differences& of = differences[static_cast<std::size_t>(x)];
+                products(x, y) = of.products;
+                const float bend = std::sqrt(of.most);
                 const float t = std::clamp((bend - no_edge) / (full_edge - no_edge), 0.0F, 1.0F);
                 found(x, y).share = t * t * (3.0F - 2.0F * t);
                 found(x, y).most = most_cut * bend * std::min(dx, dy);
@@ -133,11 +156,16 @@ Field<Edge> edges(const Field<Rise>& rises, float dx, float dy, WorkerPool& pool
         }
     });
     pool.for_ranges(ny, [&](int begin, int end) {
+        std::vector<float> beside(static_cast<std::size_t>(nx) + 2);  // shares in a column of three
         for (int y = begin; y < end; ++y) {
+            const auto below = found.row(std::max(y - 1, 0));
+            const auto own = found.row(y);
+            const auto above = found.row(std::min(y + 1, ny - 1));
+            for (std::size_t x = 0; x < own.size(); ++x)
+                beside[x + 1] = below[x].share + own[x].share + above[x].share;
             for (int x = 0; x < nx; ++x) {
-                float share = 0.0F;
-                cells_around(found, x, y, 1, 1, [&](int u, int v) { share += found(u, v).share; });
-                if (share == 0.0F) continue;
+                const float* around = beside.data() + x;
+                if (around[0] + around[1] + around[2] == 0.0F) continue;
                 Products sum;
                 cells_around(products, x, y, looked_around, 2, [&](int u, int v) {
                     sum.east_east += products(u, v).east_east;

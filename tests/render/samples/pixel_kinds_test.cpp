@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/worker_pool.h"
+#include "render/view/ground_tiles.h"
 #include "vectors/target.h"
 
 namespace fumon {
@@ -31,8 +32,8 @@ struct Plane {
 struct Picture {
     explicit Picture(int samples_a_pixel) : factor(samples_a_pixel) {
         samples.picture = factor * glm::ivec2(columns, rows);
-        samples.first = glm::ivec2(-1);
-        samples.size = samples.picture + 2;
+        samples.first = glm::ivec2(-2);
+        samples.size = samples.picture + 3;
         const glm::dvec2 step = glm::dvec2(1.2, 0.8) / glm::dvec2(samples.picture);
         rays.first = {0.5 * step.x - 0.6, 1.0, 0.5 * step.y - 0.9};
         rays.right = {step.x, 0.0, 0.0};
@@ -45,17 +46,18 @@ struct Picture {
                                static_cast<double>(row) * rays.up;
         // ray / nearness lies on the plane.
         const double nearness = (ray.z - plane.rise * ray.y) / plane.level;
-        const std::size_t at = static_cast<std::size_t>(row + 1) * samples.stride() +
-                               2 * static_cast<std::size_t>(column + 1);
+        const std::size_t at =
+            samples.place(static_cast<std::size_t>(column + 2), static_cast<std::size_t>(row + 2));
+        const std::size_t length_at = samples.numbers() + at;
         numbers[at] = 0;
-        numbers[at + 1] = 0;
+        numbers[length_at] = 0;
         if (plane.kind == 0 || nearness <= 0.0) return;
         numbers[at] = (std::bit_cast<std::uint32_t>(static_cast<float>(nearness)) &
                        ~triangle_vectors::kind_bits) |
                       plane.kind;
         const double further = nearness - rays.up.z / plane.level;
         const double length = std::abs(ray.y / nearness - ray.y / further);
-        numbers[at + 1] = std::bit_cast<std::uint32_t>(static_cast<float>(length));
+        numbers[length_at] = std::bit_cast<std::uint32_t>(static_cast<float>(length));
     }
     template <class PlaneAt>
     void see_all(const PlaneAt& plane_at) {
@@ -67,7 +69,7 @@ struct Picture {
                                                    int rows_seen = rows, int threads = 2) const {
         WorkerPool pool(threads);
         PixelKinds told;
-        told.tell(numbers.data(), samples, rays, {glm::ivec2(1), factor, columns, rows_seen, rows},
+        told.tell(numbers.data(), samples, rays, {glm::ivec2(2), factor, columns, rows_seen, rows},
                   bounds, pool);
         return told.numbers();
     }
@@ -88,9 +90,53 @@ TEST(PixelKinds, LevelAndSteepGroundAreToldApart) {
     for (const int factor : {2, 4}) {
         Picture picture(factor);
         picture.see_all([](int, int) { return Plane{-1.0, 0.25}; });
-        EXPECT_EQ(count(picture.kinds(all_near), pixel_vectors::level), columns * rows);
+        EXPECT_EQ(count(picture.kinds(all_near), pixel_vectors::smooth), columns * rows);
         picture.see_all([](int, int) { return Plane{-1.0, 0.35}; });
-        EXPECT_EQ(count(picture.kinds(all_near), pixel_vectors::steep), columns * rows);
+        EXPECT_EQ(count(picture.kinds(all_near), pixel_vectors::slid), columns * rows);
+    }
+}
+
+TEST(PixelKinds, SteepGroundHasTonguesWhereItsCellMaySlide) {
+    constexpr int cells = 40;
+    constexpr float extent_x = 3.0F;
+    constexpr float extent_y = 2.0F;
+    std::vector<std::uint32_t> words(std::size_t{2} * cells);
+    const auto may_slide = [](int x, int y) { return (x / 4 + y / 4) % 3 == 0; };
+    for (int y = 0; y < cells; ++y)
+        for (int x = 0; x < cells; ++x)
+            if (may_slide(x, y))
+                words[static_cast<std::size_t>(2 * y + x / 32)] |= 1U
+                                                                   << static_cast<unsigned>(x % 32);
+    Picture picture(2);
+    picture.see_all([](int, int) { return Plane{-1.0, 0.35}; });
+    pixel_vectors::Bounds bounds = all_near;
+    bounds.extent_x = extent_x;
+    bounds.extent_y = extent_y;
+    for (const bool plain : {false, true}) {
+        bounds.slid = {words.data(), 2, cells, cells, plain, 0.4F, -0.3F};
+        const auto kinds = picture.kinds(bounds);
+        int slid = 0;
+        for (int y = 0; y < rows; ++y) {
+            for (int x = 0; x < columns; ++x) {
+                const glm::dvec3 ray = picture.rays.first + (2.0 * x + 0.5) * picture.rays.right +
+                                       (2.0 * y + 0.5) * picture.rays.up;
+                const glm::dvec3 at = ray / (0.35 * ray.y - ray.z);
+                const GroundTiles tiles{plain};
+                glm::dvec2 place =
+                    tiles.in_maps({(at.x + 0.4) / 3.0 + 0.5, (at.y - 0.3) / 2.0 + 0.5});
+                place = static_cast<double>(cells) * (place - glm::floor(place));
+                const glm::dvec2 within = place - glm::floor(place);
+                // The mean of the corners is a little beside the middle's place.
+                if (glm::any(glm::lessThan(glm::min(within, 1.0 - within), glm::dvec2(0.05))))
+                    continue;
+                const bool may = may_slide(static_cast<int>(place.x), static_cast<int>(place.y));
+                EXPECT_EQ(kinds[static_cast<std::size_t>(y * columns + x)],
+                          may ? pixel_vectors::slid : pixel_vectors::smooth)
+                    << plain << " " << x << " " << y;
+                slid += may ? 1 : 0;
+            }
+        }
+        EXPECT_GT(slid, 50);
     }
 }
 
@@ -106,7 +152,7 @@ TEST(PixelKinds, FarGroundAndWhatNeedsMoreLooksAreToldApart) {
                                    (2.0 * y + 0.5) * picture.rays.up;
             const double range = glm::length(ray / ray.z);
             if (std::abs(range - 3.0) < 0.1) continue;
-            const std::uint32_t expected = range > 3.0 ? pixel_vectors::far : pixel_vectors::level;
+            const std::uint32_t expected = range > 3.0 ? pixel_vectors::far : pixel_vectors::smooth;
             EXPECT_EQ(by_distance[static_cast<std::size_t>(y * columns + x)], expected) << range;
         }
     }
@@ -118,7 +164,7 @@ TEST(PixelKinds, FarGroundAndWhatNeedsMoreLooksAreToldApart) {
     bounds.extent_x = bounds.extent_y = 3.0F;
     const auto copies = picture.kinds(bounds);
     EXPECT_GT(count(copies, pixel_vectors::near), 50);
-    EXPECT_GT(count(copies, pixel_vectors::level), 50);
+    EXPECT_GT(count(copies, pixel_vectors::smooth), 50);
     bounds.east = 1.0F;
     EXPECT_EQ(count(picture.kinds(bounds), pixel_vectors::near), columns * rows);
 }
@@ -140,7 +186,7 @@ TEST(PixelKinds, PixelsOfTwoGroundsTellWhichSamplesThereAre) {
         for (int i = 0; i < factor; ++i) at(9, 2, i, 0, far), at(9, 2, i, factor - 1, none);
         const auto kinds = picture.kinds(all_near);
         const auto kind = [&](int x) { return kinds[static_cast<std::size_t>(2 * columns + x)]; };
-        EXPECT_EQ(kind(2), pixel_vectors::level);
+        EXPECT_EQ(kind(2), pixel_vectors::smooth);
         EXPECT_EQ(kind(3), pixel_vectors::near_samples + pixel_vectors::far_samples);
         EXPECT_EQ(kind(5), pixel_vectors::near_samples);
         EXPECT_EQ(kind(7), 0U);
@@ -154,7 +200,7 @@ TEST(PixelKinds, RowsThatSeeNoGroundAreNone) {
     picture.see_all([](int, int) { return Plane{}; });
     const auto kinds = picture.kinds(all_near, 5);
     ASSERT_EQ(kinds.size(), static_cast<std::size_t>(columns * rows));
-    EXPECT_EQ(count(kinds, pixel_vectors::level), 5 * columns);
+    EXPECT_EQ(count(kinds, pixel_vectors::smooth), 5 * columns);
     EXPECT_EQ(count(kinds, 0), (rows - 5) * columns);
 }
 

@@ -76,13 +76,20 @@ TEST(SeenVectors, LengthsFollowFromNearnessAndItsSlopesOnEveryTarget) {
     std::vector<std::uint32_t> expected;
     for (const std::string& target : vectors::targets()) {
         vectors::use_target(target);
-        std::vector<std::uint32_t> out(2 * count);
-        lengths_of_row(samples.data(), slopes.data(), rays, 100.0F, count, out.data());
+        std::vector<std::uint32_t> out(4 * count);
+        // The upper row sees what the lower one does one sample farther to the right.
+        note_rows({samples.data(), slopes.data(), rays},
+                  {samples.data() + 1, slopes.data() + 1, rays}, 100.0F, count, out.data(),
+                  out.data() + 2 * count);
         if (expected.empty()) expected = out;
         EXPECT_EQ(out, expected) << target;
         for (std::size_t i = 0; i < count; ++i) {
-            EXPECT_EQ(out[2 * i], samples[i]);
-            const float length = std::bit_cast<float>(out[2 * i + 1]);
+            const std::size_t at = 4 * (i / 2) + i % 2;
+            EXPECT_EQ(out[at], samples[i]);
+            EXPECT_EQ(out[at + 2], samples[i + 1]);
+            const float length = std::bit_cast<float>(out[2 * count + at]);
+            const float above = std::bit_cast<float>(out[2 * count + at + 2]);
+            EXPECT_EQ(above == 0.0F, i == 4 || i == count - 1) << i;
             if (i == 5) {
                 EXPECT_EQ(length, 0.0F);
                 continue;
