@@ -51,8 +51,10 @@ void SeenBuffer::bind(const gl::Program& program, int unit) const {
     program.set("seen_numbers", unit);
     program.set("numbers_begin", glm::vec2(in_target_));
     program.set("target_begin", glm::vec2(samples_.first - in_target_));
-    program.set("fours_a_row", static_cast<float>(samples_.stride() / 4));
-    program.set("fours", static_cast<float>(samples_.numbers() / 4));
+    const auto fours_a_row = samples_.stride() / 4;
+    const auto fours = samples_.numbers() / 4;
+    program.set("fours_a_row", static_cast<float>(fours_a_row));
+    program.set("fours", static_cast<float>(fours));
     program.set("first_ray", glm::vec3(rays_.first));
     program.set("ray_rightward", glm::vec3(rays_.right));
     program.set("ray_upward", glm::vec3(rays_.up));
