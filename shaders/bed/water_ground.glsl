@@ -58,12 +58,14 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
     // Under water the sun stands higher, bent by the surface, so that small slopes throw less shade.
     float bent = mix(1.0, to_sun.z / sqrt(0.77 + to_sun.z * to_sun.z), seen * water.film * (1.0 - water.thin));
     vec3 normal_below = normalize(vec3(point.normal.xy / max(point.normal.z, 0.05) - bent * soil.slope, 1.0));
-    // Ground behind the sun stands in the shade of its own clods, but for the highest.
+    // Ground behind the sun stands in the shade of its own clods, but for the highest; the water over it does not.
+    float on_water = point.sun;
     point.sun *= smoothstep(-0.22, 0.14, dot(point.normal, to_sun));
     point.normal = normal_below;
     point.sky *= clamp(1.0 + 0.10 * soil.height, 0.6, 1.1) * (1.0 - 0.25 * soil.groove);
 
     vec3 light = ground_light(wetted(albedo, damp), point, to_eye, 1.0 + 2.0 * damp);
+    point.sun = on_water;
     if (under_water > dry_water) {
         vec3 normal = water_normal(world, water, soil, width);
         float thin = water.thin;

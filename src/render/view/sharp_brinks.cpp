@@ -119,11 +119,11 @@ void add_differences(std::span<const Rise> row, std::span<const Rise> other, int
                      float dy, std::vector<Differences>& differences) {
     const auto nx = static_cast<std::ptrdiff_t>(row.size());
     const std::ptrdiff_t end = nx - std::max(aside, 0);
-    const Rise* beside = other.data() + aside;
     for (std::ptrdiff_t x = std::max(-aside, 0); x < end; ++x) {
         const Rise& own = row[static_cast<std::size_t>(x)];
-        const float east = (beside[x].east - own.east) / dx;
-        const float north = (beside[x].north - own.north) / dy;
+        const Rise& beside = other[static_cast<std::size_t>(x + aside)];
+        const float east = (beside.east - own.east) / dx;
+        const float north = (beside.north - own.north) / dy;
         Differences& sum = differences[static_cast<std::size_t>(x)];
         sum.most = std::max(sum.most, east * east + north * north);
         sum.products.east_east += east * east;

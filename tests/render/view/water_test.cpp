@@ -221,6 +221,26 @@ TEST(Water, DeeperWaterIsDarkerAndBluer) {
     EXPECT_LT(muddy[2] / muddy[0], 0.6 * deep[2] / deep[0]);
 }
 
+// Muddy water hides its ground, also how that lies to the sun.
+TEST(Water, IsLitAsItsSurfaceLiesAndNotAsItsGround) {
+    View view = map_view();
+    view.sun.azimuth = 270.0;
+    view.sun.elevation = 15.0;
+    view.look.water_clarity = {"", 0.2};
+    view.look.turbidity = 1.0;
+    const auto shown = [&](double fall) {
+        Snapshot lake = under_water(flat_bed(100, 100), 0.0, 0.0);
+        for (int y = 0; y < 100; ++y) {
+            for (int x = 0; x < 100; ++x) {
+                lake.bed(x, y) = -fall * x;
+                lake.fields[0].values(x, y) = 10.0 - lake.bed(x, y);
+            }
+        }
+        return brightness(mean_between(picture(view, lake), 0.3, 0.7));
+    };
+    EXPECT_NEAR(shown(0.4), shown(0.0), 3.0);
+}
+
 TEST(Water, FoamsWhereItShoots) {
     // Two streams as deep, one at Froude number 0.5, the other at 2.5.
     Snapshot streams = under_water(flat_bed(100, 100), 0.1, 0.5 * std::sqrt(9.8 * 0.1));
