@@ -20,6 +20,35 @@ struct Rises {
     [[nodiscard]] double half() const { return 0.5 * (large + small); }
 };
 
+/// Toward the deepest corner, along the larger and the smaller rise.
+struct Centre {
+    double large;
+    double small;
+};
+
+Centre centre_of(const Rises& rise, double depth) {
+    const double half = rise.half();
+    const double wet = depth + half;
+    const double dry = half - depth;
+    if (!(wet > 0.0)) return {0.0, 0.0};
+    if (!(dry > 0.0)) return {rise.large / (12.0 * depth), rise.small / (12.0 * depth)};
+    const double six = 6.0 * rise.large * rise.small;
+    if (wet < rise.small) return {0.5 - 0.25 * (wet / rise.large), 0.5 - 0.25 * (wet / rise.small)};
+    if (dry < rise.small) {
+        const double lacking = dry * dry * dry / six;
+        const auto moment = [&](double slope) {
+            return slope / 12.0 - lacking * (0.5 - 0.25 * (dry / slope));
+        };
+        return {moment(rise.large) / (depth + lacking), moment(rise.small) / (depth + lacking)};
+    }
+    const double a = wet / rise.large;         // the wet length along the side of the larger rise
+    const double s = rise.small / rise.large;  // by so much it is shorter along the other side
+    const double twice = a * a - a * s + s * s / 3.0;  // of the volume over the larger rise
+    return {
+        0.5 - (a * a * a - 1.5 * (a * a * s) + a * (s * s) - 0.25 * (s * s * s)) / (3.0 * twice),
+        0.5 - (0.5 * (a * a) - 2.0 / 3.0 * (a * s) + 0.25 * (s * s)) / twice};
+}
+
 constexpr int most_steps = 80;  // of Newton's method, which needs 60 for the thinnest wedge
 
 /// The root of s³ = cube below `highest`, whose cube is no less.
@@ -72,12 +101,26 @@ double depth_of_mean(double mean, double rise_x, double rise_y) {
     return half - dry;
 }
 
+Place centre_of_mass(double depth, double rise_x, double rise_y) {
+    const Rises rise(rise_x, rise_y);
+    const Centre centre = centre_of(rise, depth);
+    const double steep_x = std::fabs(rise_x);
+    const double steep_y = std::fabs(rise_y);
+    const double middle = 0.5 * (centre.large + centre.small);  // as mirrored at the diagonal
+    const auto along = [&](double own, double other) {
+        return own == other ? middle : own > other ? centre.large : centre.small;
+    };
+    return {std::copysign(along(steep_x, steep_y), rise_x),
+            std::copysign(along(steep_y, steep_x), rise_y)};
+}
+
 FaceMeans means_along(double depth, double rise) {
     const double size = std::fabs(rise);
     const double deep = depth + 0.5 * size;
     if (!(deep > 0.0)) return {};
-    if (deep >= size) return {depth, depth * depth + size * size / 12.0};
-    return {0.5 * (deep * deep) / size, deep * deep * deep / (3.0 * size)};
+    if (deep >= size) return {depth, depth * depth + size * size / 12.0, rise / (12.0 * depth)};
+    return {0.5 * (deep * deep) / size, deep * deep * deep / (3.0 * size),
+            std::copysign(0.5 - deep / (3.0 * size), rise)};
 }
 
 }  // namespace fumon::clipped_plane

@@ -126,4 +126,18 @@ void FiniteVolumeScheme::put_through(finite_volume::Strip& strip, int k, int y, 
     strip.set_flux(k, y, side, edges_->flux(side, cell, inside, gravity_), inside.depth, gravity_);
 }
 
+/// Cells beside edges over which water may come in.
+void FiniteVolumeScheme::keep_inlets_wet() {
+    for (const EdgeStretch& stretch : domain_.stretches) {
+        if (stretch.kind != EdgeFlow::discharge && stretch.kind != EdgeFlow::level) continue;
+        for (int k = stretch.first; k <= stretch.last; ++k) {
+            const bool across_x = stretch.side == Side::west || stretch.side == Side::east;
+            const int edge = stretch.side == Side::west || stretch.side == Side::south ? 0
+                             : across_x                                                ? nx_ - 1
+                                                                                       : ny_ - 1;
+            tiles_->keep_wet(across_x ? edge : k, across_x ? k : edge);
+        }
+    }
+}
+
 }  // namespace fumon

@@ -76,6 +76,7 @@ void FiniteVolumeScheme::prepare(const Water& water) {
                                         domain_.edges_y == EdgeKind::periodic);
     keep_inlets_wet();
     if (!planes_) return;
+    later_ = {Grid(nx_, ny_), Grid(nx_, ny_), Grid(nx_, ny_)};
     shores_ = std::make_unique<ShorePlanes>(domain_, *edges_, nx_, ny_, gravity_, steepness_);
 }
 
@@ -88,14 +89,20 @@ double FiniteVolumeScheme::advance(Water& water, const Grid& bed, double dt, dou
     prepare(water);
     find_wet(water, rain);
     rain_row_.assign(static_cast<std::size_t>(nx_), rain);
-    run({water, nullptr, between_, bed, dt});
-    run({between_, &water, water, bed, dt});
+    if (shores_ && flows_ == nullptr) {  // Shu & Osher (1988)
+        run({water, nullptr, between_, bed, dt, 0.0, 1.0 / 6.0});
+        run({between_, &water, later_, bed, dt, 0.75, 1.0 / 6.0});
+        run({later_, &water, water, bed, dt, 1.0 / 3.0, 2.0 / 3.0});
+    } else {  // Heun
+        run({water, nullptr, between_, bed, dt, 0.0, 0.5});
+        run({between_, &water, water, bed, dt, 0.5, 0.5});
+    }
     deliver_deficits(water, dt);
     if (flows_ != nullptr) flows_->between = &between_.depth;
     return step_of(row_rates_);
 }
 
-/// Of cells along shores, after both stages.
+/// Of cells along shores, after the last stage.
 void FiniteVolumeScheme::deliver_deficits(Water& water, double dt) {
     if (!shores_) return;
     std::vector<int> changed;
@@ -125,20 +132,6 @@ void FiniteVolumeScheme::carry(StateCarrier& carrier) {
     }
 }
 
-/// Cells beside edges over which water may come in.
-void FiniteVolumeScheme::keep_inlets_wet() {
-    for (const EdgeStretch& stretch : domain_.stretches) {
-        if (stretch.kind != EdgeFlow::discharge && stretch.kind != EdgeFlow::level) continue;
-        for (int k = stretch.first; k <= stretch.last; ++k) {
-            const bool across_x = stretch.side == Side::west || stretch.side == Side::east;
-            const int edge = stretch.side == Side::west || stretch.side == Side::south ? 0
-                             : across_x                                                ? nx_ - 1
-                                                                                       : ny_ - 1;
-            tiles_->keep_wet(across_x ? edge : k, across_x ? k : edge);
-        }
-    }
-}
-
 /// Finds where water is, and clears what the last sub-step left where there is none any more.
 void FiniteVolumeScheme::find_wet(const Water& water, double rain) {
     if (rain > 0.0 || rain_ != nullptr) {
@@ -151,8 +144,12 @@ void FiniteVolumeScheme::find_wet(const Water& water, double rain) {
             for (int y = first_y; y < to_y; ++y)
                 std::fill(grid.row(y).data() + first_x, grid.row(y).data() + to_x, 0.0);
         };
-        for (Grid* grid : {&between_.depth, &between_.velocity_x, &between_.velocity_y})
-            clear(*grid, end_x, end_y);
+        const auto clear_water = [&](Water& water_left) {
+            for (Grid* grid : {&water_left.depth, &water_left.velocity_x, &water_left.velocity_y})
+                clear(*grid, end_x, end_y);
+        };
+        clear_water(between_);
+        if (shores_) clear_water(later_);
         if (flows_ == nullptr) return;
         for (FaceFlows::Stage& flow : flows_->stages) {
             clear(flow.east, end_x == nx_ ? nx_ + 1 : end_x, end_y);
@@ -162,7 +159,7 @@ void FiniteVolumeScheme::find_wet(const Water& water, double rain) {
 }
 
 void FiniteVolumeScheme::run(const Stage& stage) {
-    if (shores_) shores_->find(stage.from, stage.bed, stage.dt, pool_);
+    if (shores_) shores_->find(stage.from, stage.bed, {stage.dt, stage.weight}, pool_);
     std::fill(row_rates_.begin(), row_rates_.end(), 0.0);
     for (std::vector<Outlet>& row : outlets_) {
         for (Outlet& outlet : row) outlet.volume = 0.0;
@@ -182,10 +179,10 @@ void FiniteVolumeScheme::run(const Stage& stage) {
         sum.entered += row.entered;
     }
     if (domain_.stretches.empty()) {
-        left_ += 0.5 * stage.dt * sum.left;
+        left_ += stage.weight * stage.dt * sum.left;
     } else {
-        left_with_flow_.add(0.5 * stage.dt * sum.left);
-        entered_.add(0.5 * stage.dt * sum.entered);
+        left_with_flow_.add(stage.weight * stage.dt * sum.left);
+        entered_.add(stage.weight * stage.dt * sum.entered);
     }
 }
 
@@ -243,7 +240,8 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip&
         gravity_,
         gravity_ * domain_.slope,
         0.0 - gravity_ * domain_.slope_x,  // not −0, which would change the sign of zeros
-        manning_};
+        manning_,
+        stage.kept};
     const int lowest = first_row - finite_volume::Strip::margin;
     const bool flows = edges_->any_flow();
     for (int top = lowest; top < last_row + finite_volume::Strip::margin; ++top) {

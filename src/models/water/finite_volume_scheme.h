@@ -26,7 +26,9 @@ class WorkerPool;
 ///
 /// Limited linear reconstruction of depth, surface and velocities (MUSCL), hydrostatic
 /// reconstruction of the bed's steps (Audusse et al. 2004; Chen & Noelle 2017), HLLC fluxes, Heun's
-/// two stages with friction implicit in each. Water at rest stays at rest, depth never becomes
+/// two stages with friction implicit in each. Where shores have planes (ShorePlanes), cells hold
+/// means (mean_vectors.h), and if no loads are carried a step has three stages of third order (Shu
+/// & Osher 1988). Water at rest stays at rest, depth never becomes
 /// negative (outward fluxes are cut to the water that is there) and no water is lost; a uniform
 /// film at V = √(g h·slope/C_f) stays uniform. Water thinner than 10⁻⁹ m does not move.
 ///
@@ -52,13 +54,16 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     void carry(StateCarrier& carrier) override;
 
   private:
-    /// One Euler step of the two that make a step.
+    /// One of the Euler steps that make a step: two, or three where shores have planes and no loads
+    /// are carried.
     struct Stage {
         const Water& from;
-        const Water* before;  ///< the step's start, with which the second stage is averaged
+        const Water* before;  ///< the step's start, of which later stages keep a share
         Water& to;
         const Grid& bed;
         double dt;
+        double kept;    ///< that share
+        double weight;  ///< of what the stage changes, in what the step does
     };
 
     /// A face of a cell through which water leaves the domain, or where it flows over an edge.
@@ -123,6 +128,7 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     int nx_ = 0;
     int ny_ = 0;
     Water between_;                             // after the first stage
+    Water later_;                               // after the second of three
     std::vector<std::vector<Outlet>> outlets_;  // of each row
     std::unique_ptr<WetTiles> tiles_;           // of the grid's size
     std::vector<double> row_rates_;             // of the water that the last step left, 1/s

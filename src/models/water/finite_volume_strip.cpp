@@ -46,22 +46,41 @@ void Strip::take_slopes(const CellRow& back, const CellRow& here, const CellRow&
     if (partly_wet_) shore_half_slopes(back, here, forward, limits_.gravity, out, count);
 }
 
+MeanRow Strip::means(Kind kind, int y, int from) {
+    return {row(kind, y) + from, row(kind + 1, y) + from, row(kind + 2, y) + from,
+            row(kind + 3, y) + from, row(kind + 4, y) + from};
+}
+
+/// Cells as their faces see them.
+CellRow Strip::at_faces(Kind kind, const CellRow& cells, int y, int from) {
+    if (!hold_means_) return cells;
+    const MeanRow row = means(kind, y, from);
+    return {row.depth, row.surface, row.normal, row.transverse, cells.inside};
+}
+
 void Strip::take_x_fluxes(int y, double gravity) {
     take_slopes(across_x(y, 0), across_x(y, 1), across_x(y, 2), slopes(x_slopes, y, 1),
                 padded() - 2);
-    face_fluxes(across_x(y, 1), slopes(x_slopes, y, 1), across_x(y, 2), slopes(x_slopes, y, 2),
-                gravity, partly_wet_, fluxes(x_fluxes, y, 1), padded() - 3);
+    if (hold_means_)
+        means_to_faces(across_x(y, 0), across_x(y, 1), across_x(y, 2), slopes(x_slopes, y, 1),
+                       means(x_means, y, 1), padded() - 2);
+    face_fluxes(at_faces(x_means, across_x(y, 1), y, 1), slopes(x_slopes, y, 1),
+                at_faces(x_means, across_x(y, 2), y, 2), slopes(x_slopes, y, 2), gravity,
+                partly_wet_, fluxes(x_fluxes, y, 1), padded() - 3);
 }
 
 void Strip::take_y_slopes(int y) {
     take_slopes(across_y(y - 1, 2), across_y(y, 2), across_y(y + 1, 2), slopes(y_slopes, y, 2),
                 padded() - 4);
+    if (hold_means_)
+        means_to_faces(across_y(y - 1, 2), across_y(y, 2), across_y(y + 1, 2),
+                       slopes(y_slopes, y, 2), means(y_means, y, 2), padded() - 4);
 }
 
 void Strip::take_y_fluxes(int y, double gravity) {
-    face_fluxes(across_y(y, 2), slopes(y_slopes, y, 2), across_y(y + 1, 2),
-                slopes(y_slopes, y + 1, 2), gravity, partly_wet_, fluxes(y_fluxes, y, 2),
-                padded() - 4);
+    face_fluxes(at_faces(y_means, across_y(y, 2), y, 2), slopes(y_slopes, y, 2),
+                at_faces(y_means, across_y(y + 1, 2), y + 1, 2), slopes(y_slopes, y + 1, 2),
+                gravity, partly_wet_, fluxes(y_fluxes, y, 2), padded() - 4);
 }
 
 InvariantRow Strip::invariant_row(int y, int from) {
@@ -124,12 +143,17 @@ void Strip::set_y_fluxes(int y, const std::vector<ShorePlanes::Face>& faces, int
     set_fluxes(y_fluxes, y, faces, shift);
 }
 
+double* Strip::surface_slopes(bool across_x, int y) {
+    if (hold_means_) return row((across_x ? x_means : y_means) + 4, y);
+    return row((across_x ? x_slopes : y_slopes) + 1, y);
+}
+
 void Strip::set_slopes(int y, const std::vector<ShorePlanes::Slope>& slopes) {
     auto slope = std::ranges::lower_bound(slopes, first_x_, {}, &ShorePlanes::Slope::x);
     for (; slope != slopes.end() && slope->x < first_x_ + count_; ++slope) {
         const int k = slope->x - first_x_ + margin;
-        row(x_slopes + 1, y)[k] = 0.5 * slope->surface_x;
-        row(y_slopes + 1, y)[k] = 0.5 * slope->surface_y;
+        surface_slopes(true, y)[k] = 0.5 * slope->surface_x;
+        surface_slopes(false, y)[k] = 0.5 * slope->surface_y;
     }
 }
 
@@ -145,8 +169,8 @@ void Strip::bound_speeds_beside(int y, const std::vector<ShorePlanes::Slope>& sh
 UpdateInput Strip::update_input(int y) {
     UpdateInput in;
     in.cells = across_x(y, margin);
-    in.surface_x = row(x_slopes + 1, y) + margin;
-    in.surface_y = row(y_slopes + 1, y) + margin;
+    in.surface_x = surface_slopes(true, y) + margin;
+    in.surface_y = surface_slopes(false, y) + margin;
     in.west = fluxes(x_fluxes, y, margin - 1);
     in.east = fluxes(x_fluxes, y, margin);
     in.south = fluxes(y_fluxes, y - 1, margin);

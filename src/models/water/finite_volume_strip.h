@@ -8,6 +8,7 @@
 #include "models/water/gully_parameters.h"
 #include "models/water/kernels/finite_volume_vectors.h"
 #include "models/water/kernels/limited_slope_vectors.h"
+#include "models/water/kernels/mean_vectors.h"
 #include "models/water/kernels/speed_bound_vectors.h"
 #include "models/water/kernels/update_vectors.h"
 #include "models/water/shore_planes.h"
@@ -29,6 +30,7 @@ class Strip {
         : steps_(steps),
           limits_(limits),
           partly_wet_(shores != ShoreCells::whole),
+          hold_means_(shores == ShoreCells::planes),
           values_(static_cast<std::size_t>(fields) * kept * stride) {}
 
     /// Starts a block of `count` columns from column `first_x` on. Where `edge_west` or
@@ -80,7 +82,7 @@ class Strip {
     [[nodiscard]] double outward(int x, int y, Side side) const;
 
   private:
-    static constexpr int fields = 27;
+    static constexpr int fields = 37;
     static constexpr int kept = 4;  // rows; a power of two
     static constexpr int stride = widest_block + 2 * margin + 2;
 
@@ -92,7 +94,9 @@ class Strip {
         y_fluxes = 19,
         shares = 23,
         bounds = 24,
-        invariants = 26
+        invariants = 26,
+        x_means = 27,
+        y_means = 32
     };
 
     [[nodiscard]] std::size_t place(int field, int y) const {
@@ -112,12 +116,17 @@ class Strip {
     [[nodiscard]] CellRow across_x(int y, int from);
     [[nodiscard]] InvariantRow invariant_row(int y, int from);
     [[nodiscard]] CellRow across_y(int y, int from);
+    [[nodiscard]] MeanRow means(Kind kind, int y, int from);
+    [[nodiscard]] CellRow at_faces(Kind kind, const CellRow& cells, int y, int from);
+    /// Half of the surface's slopes, as the cells' own water feels them.
+    double* surface_slopes(bool across_x, int y);
     [[nodiscard]] HalfSlopes slopes(Kind kind, int y, int from);
     [[nodiscard]] Fluxes fluxes(Kind kind, int y, int from);
 
     StoppingSteps steps_;
     SlopeLimits limits_;
     bool partly_wet_;
+    bool hold_means_;
     std::vector<double> values_;
     std::array<bool, kept> short_of_water_{};
     int first_x_ = 0;

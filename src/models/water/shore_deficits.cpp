@@ -1,11 +1,11 @@
 // What thin cells at a falling shore have still to deliver after a step.
 //
-// A cell that the shore leaves runs dry within the first of Heun's two stages, which cuts the
-// fluxes to the water that is there; the mean of start and end would keep half of it, and half of
-// that after the next step: a film that stays behind the shore, comes down the slope later and
-// sends waves. What the fluxes ask for beyond the cell's water is its deficit, halved as in the
-// mean. After the step that is delivered from what the cell has kept, through the same faces and
-// with the cell's own velocity. Water and momentum are conserved.
+// A cell that the shore leaves runs dry within the first of a step's stages, which cuts the fluxes
+// to the water that is there; the mean of the stages would keep a part of it (Heun's half), and a
+// part of that after the next step: a film that stays behind the shore, comes down the slope later
+// and sends waves. What the fluxes ask for beyond the cell's water is its deficit, with the stage's
+// weight in the mean. After the step that is delivered from what the cell has kept, through the
+// same faces and with the cell's own velocity. Water and momentum are conserved.
 
 #include <algorithm>
 #include <tuple>
@@ -63,11 +63,11 @@ void take(std::vector<Delivery> deliveries, Water& water, double dry_depth) {
 
 }  // namespace
 
-/// From what passes the faces of row y in a stage of `dt` seconds.
-void ShorePlanes::add_deficits(int y, double dt) {
+/// From what passes the faces of row y in a stage.
+void ShorePlanes::add_deficits(int y, const StageOfStep& stage) {
     Row& row = rows_[slot(y)];
-    const double per_x = dt / domain_.dx;
-    const double per_y = dt / domain_.dy;
+    const double per_x = stage.dt / domain_.dx;
+    const double per_y = stage.dt / domain_.dy;
     const int south_y = y == 0 && domain_.edges_y == EdgeKind::periodic ? ny_ - 1 : y - 1;
     const std::vector<Face>& south = rows_[slot(south_y)].north;
     const auto through = [](const std::vector<Face>& faces, int x) {
@@ -85,12 +85,12 @@ void ShorePlanes::add_deficits(int y, double dt) {
         const double asked = sum_of_pairs(deficit.to);
         const double there = water_->depth(x, y);
         if (!(asked > there)) continue;
-        for (double& to : deficit.to) to *= 0.5 * (1.0 - there / asked);
+        for (double& to : deficit.to) to *= stage.weight * (1.0 - there / asked);
         row.deficits.push_back(deficit);
     }
 }
 
-/// Of both stages, one of each cell.
+/// Of all stages, one of each cell.
 void ShorePlanes::merge_deficits(std::vector<Deficit>& deficits) {
     std::ranges::stable_sort(deficits, {}, &Deficit::x);
     std::size_t kept = 0;

@@ -68,11 +68,18 @@ bool ShorePlanes::is_film(const Place& place, const Plane& own, const Plane& bes
 ShorePlanes::Side ShorePlanes::side_of(const Plane& plane, bool across_x, double sign, double bed,
                                        double bed_rise) {
     const double half = 0.5 * sign;
-    const double over = plane.level + half * (across_x ? plane.level_x : plane.level_y) - bed;
+    const double level = plane.level + half * (across_x ? plane.level_x : plane.level_y) +
+                         (across_x ? plane.level_xx : plane.level_yy) / 12.0;
+    const double over = level - bed;
     const double rise = (across_x ? plane.level_y : plane.level_x) - bed_rise;
     const auto means = clipped_plane::means_along(over, rise);
-    const double u = plane.u + half * (across_x ? plane.u_x : plane.u_y);
-    const double v = plane.v + half * (across_x ? plane.v_x : plane.v_y);
+    const auto carried = [&](double middle, double along_x, double along_y) {
+        const double across = across_x ? along_x : along_y;
+        const double along = across_x ? along_y : along_x;
+        return (middle + half * across) + means.centre * along;
+    };
+    const double u = carried(plane.u, plane.u_x, plane.u_y);
+    const double v = carried(plane.v, plane.v_x, plane.v_y);
     return {means.depth, means.square, across_x ? u : v, across_x ? v : u};
 }
 
@@ -87,8 +94,12 @@ ShorePlanes::Face ShorePlanes::face_between(int x, int y, bool across_x) const {
     };
     const Plane left = plane_of(back);
     const Plane right = plane_of(forward);
-    const double bed_left = left.bed + 0.5 * (across_x ? left.bed_x : left.bed_y);
-    const double bed_right = right.bed - 0.5 * (across_x ? right.bed_x : right.bed_y);
+    const auto bed_at = [&](const Plane& plane, double sign) {
+        return plane.bed + 0.5 * sign * (across_x ? plane.bed_x : plane.bed_y) +
+               (across_x ? plane.bed_xx : plane.bed_yy) / 12.0;
+    };
+    const double bed_left = bed_at(left, 1.0);
+    const double bed_right = bed_at(right, -1.0);
     const double rise_left = across_x ? left.bed_y : left.bed_x;
     const double rise_right = across_x ? right.bed_y : right.bed_x;
     Side l;

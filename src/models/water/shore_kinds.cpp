@@ -1,4 +1,5 @@
-// Which cells are full of water, and which have only such ones around them.
+// Which cells are full of water, which have only such ones around them, and which of those are
+// outermost.
 
 #include <algorithm>
 
@@ -85,6 +86,21 @@ void ShorePlanes::find_core(int y) {
         std::uint8_t all = 1;
         for (int to = x - 1; to <= x + 1; ++to) all &= here[to] & south[to] & north[to];
         out[x] = all;
+    }
+}
+
+/// The cells of the core that have others beside them.
+void ShorePlanes::find_inner(int y) {
+    std::vector<Plane>& inner = rows_[slot(y)].inner;
+    inner.clear();
+    const std::uint8_t* here = flags_of(core, y);
+    const std::uint8_t* south = flags_of(core, y - 1);
+    const std::uint8_t* north = flags_of(core, y + 1);
+    const auto [begin, end] = wet_[static_cast<std::size_t>(y)];
+    for (int x = begin; x < end; ++x) {
+        std::uint8_t all = 1;
+        for (int to = x - 1; to <= x + 1; ++to) all &= here[to] & south[to] & north[to];
+        if (here[x] != 0 && all == 0) inner.push_back(compute_inside(x, y));
     }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/worker_pool.h"
+#include "numerics/cell_means.h"
 #include "numerics/clipped_plane.h"
 
 namespace fumon {
@@ -69,7 +70,8 @@ ShorePlanes::ShorePlanes(const WaterDomain& domain, const WaterEdges& edges, int
     }
 }
 
-void ShorePlanes::find(const Water& water, const Grid& bed, double dt, WorkerPool& pool) {
+void ShorePlanes::find(const Water& water, const Grid& bed, const StageOfStep& stage,
+                       WorkerPool& pool) {
     find_deep(water, bed, pool);
     const auto in_rows = [&](int first, auto of_row) {
         pool.for_ranges(ny_ - first, [&](int begin, int end) {
@@ -79,7 +81,7 @@ void ShorePlanes::find(const Water& water, const Grid& bed, double dt, WorkerPoo
     in_rows(0, [&](int y) { find_planes(y); });
     in_rows(0, [&](int y) { find_shore(y); });
     in_rows(-1, [&](int y) { find_faces(y); });
-    in_rows(0, [&](int y) { add_deficits(y, dt); });
+    in_rows(0, [&](int y) { add_deficits(y, stage); });
 }
 
 void ShorePlanes::find_deep(const Water& water, const Grid& bed, WorkerPool& pool) {
@@ -93,6 +95,7 @@ void ShorePlanes::find_deep(const Water& water, const Grid& bed, WorkerPool& poo
     in_rows([&](int y) { find_full(y); });
     copy_full_beyond();
     in_rows([&](int y) { find_core(y); });
+    in_rows([&](int y) { find_inner(y); });
 }
 
 void ShorePlanes::take_means(Water& water, const Grid& bed, WorkerPool& pool) {
@@ -150,10 +153,7 @@ bool ShorePlanes::is(Kind kind, const Place& place) const {
 }
 
 double ShorePlanes::limited(double back, double forward) const {
-    if (!(back * forward > 0.0)) return 0.0;
-    const double middle = 0.5 * (back + forward);
-    const double most = steepest_ * std::min(std::fabs(back), std::fabs(forward));
-    return std::fabs(middle) < most ? middle : std::copysign(most, middle);
+    return cell_means::limited_slope(back, forward, steepest_);
 }
 
 /// Limited, over a cell, along x and y.
@@ -165,6 +165,23 @@ std::array<double, 2> ShorePlanes::slopes_of(const Value& value, int x, int y) c
         return there.outside ? 0.0 : value(there) - here;
     };
     return {limited(0.0 - to(-1, 0), to(1, 0)), limited(0.0 - to(0, -1), to(0, 1))};
+}
+
+/// Second differences, limited as those of whole cells are (mean_vectors.h).
+template <class Value>
+std::array<double, 2> ShorePlanes::bends_of(const Value& value, int x, int y) const {
+    const double here = value(at(x, y));
+    const auto along = [&](int dx, int dy) {
+        const auto ahead = [&](int sign) {
+            const Place there = at(x + sign * dx, y + sign * dy);
+            return there.outside ? 0.0 : value(there) - here;
+        };
+        const double back = ahead(-1);
+        const double forward = ahead(1);
+        const double most = 2.0 * std::min(std::fabs(back), std::fabs(forward));
+        return std::clamp(forward + back, 0.0 - most, most);
+    };
+    return {along(1, 0), along(0, 1)};
 }
 
 void ShorePlanes::find_planes(int y) {
@@ -208,8 +225,7 @@ void ShorePlanes::find_shore(int y) {
         }
     }
     std::ranges::sort(row.cells, {}, &Plane::x);
-    for (const Plane& plane : row.cells)
-        row.slopes.push_back({plane.x, plane.level_x, plane.level_y});
+    for (const Plane& plane : row.cells) row.slopes.push_back(slope_of(plane));
 }
 
 double ShorePlanes::surface(const Place& place) const {
@@ -223,6 +239,9 @@ void ShorePlanes::put_bed(Plane& plane, int x, int y) const {
     const auto [along_x, along_y] = slopes_of(bed, x, y);
     plane.bed_x = along_x;
     plane.bed_y = along_y;
+    const auto [bend_x, bend_y] = bends_of(bed, x, y);
+    plane.bed_xx = bend_x;
+    plane.bed_yy = bend_y;
 }
 
 bool ShorePlanes::is_resolved(int x, int y) const {
@@ -245,26 +264,56 @@ bool ShorePlanes::is_resolved(int x, int y) const {
            is_smooth(x, y + 1);
 }
 
+/// Of a cell of the core.
 ShorePlanes::Plane ShorePlanes::plane_inside(int x, int y) const {
+    const std::vector<Plane>& inner = rows_[slot(y)].inner;
+    const auto known = std::ranges::lower_bound(inner, x, {}, &Plane::x);
+    return known != inner.end() && known->x == x ? *known : compute_inside(x, y);
+}
+
+ShorePlanes::Plane ShorePlanes::compute_inside(int x, int y) const {
     Plane plane;
     put_bed(plane, x, y);
     const auto of_surface = [&](const Place& place) { return surface(place); };
-    const auto of_u = [&](const Place& place) {
-        return place.sign_x * water_->velocity_x(place.x, place.y);
+    const auto take = [&](const cell_means::Linear& velocity, double& value, double& value_x,
+                          double& value_y) {
+        value = velocity.middle;
+        value_x = velocity.along_x;
+        value_y = velocity.along_y;
     };
-    const auto of_v = [&](const Place& place) {
-        return place.sign_y * water_->velocity_y(place.x, place.y);
+    plane.level = of_surface(at(x, y));
+    const auto [along_x, along_y] = slopes_of(of_surface, x, y);
+    plane.level_x = along_x;
+    plane.level_y = along_y;
+    const auto [bend_x, bend_y] = bends_of(of_surface, x, y);
+    plane.level_xx = bend_x;
+    plane.level_yy = bend_y;
+    const auto around = [&](const auto& value) {
+        cell_means::Patch patch;
+        for (std::size_t k = 0; k < patch.size(); ++k) {
+            const Place place =
+                at(x - 1 + static_cast<int>(k % 3), y - 1 + static_cast<int>(k / 3));
+            patch[k] = value(place.outside ? at(x, y) : place);
+        }
+        return patch;
     };
-    const auto take = [&](const auto& of, double& value, double& value_x, double& value_y) {
-        value = of(at(x, y));
-        const auto [along_x, along_y] = slopes_of(of, x, y);
-        value_x = along_x;
-        value_y = along_y;
-    };
-    take(of_surface, plane.level, plane.level_x, plane.level_y);
-    take(of_u, plane.u, plane.u_x, plane.u_y);
-    take(of_v, plane.v, plane.v_x, plane.v_y);
+    const cell_means::Patch depth =
+        around([&](const Place& place) { return water_->depth(place.x, place.y); });
+    const cell_means::Patch along_x_carried = around(
+        [&](const Place& place) { return place.sign_x * water_->velocity_x(place.x, place.y); });
+    const cell_means::Patch along_y_carried = around(
+        [&](const Place& place) { return place.sign_y * water_->velocity_y(place.x, place.y); });
+    take(cell_means::velocity_of(depth, along_x_carried, steepest_), plane.u, plane.u_x, plane.u_y);
+    take(cell_means::velocity_of(depth, along_y_carried, steepest_), plane.v, plane.v_x, plane.v_y);
     return plane;
+}
+
+/// As the cell's water feels it in the mean: where its centre of mass is.
+ShorePlanes::Slope ShorePlanes::slope_of(const Plane& plane) {
+    const auto centre = clipped_plane::centre_of_mass(
+        plane.level - plane.bed, plane.level_x - plane.bed_x, plane.level_y - plane.bed_y);
+    return {plane.x, plane.level_x + plane.level_xx * centre.x,
+            plane.level_y + plane.level_yy * centre.y};
 }
 
 /// The plane that the nearest cells inside, in the mean, give a cell of a smooth bed. Sums are in
@@ -351,6 +400,8 @@ bool ShorePlanes::extend(Plane& plane, int x, int y) const {
     plane.v = sum[6];
     plane.v_x = sum[7];
     plane.v_y = sum[8];
+    plane.level_xx = bend_x.value;
+    plane.level_yy = bend_y.value;
     return true;
 }
 

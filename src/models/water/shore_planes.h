@@ -21,10 +21,11 @@ class WorkerPool;
 /// all eight neighbours of a full cell are full too, surface and velocities have slopes as
 /// elsewhere. In the other wet cells, up to three from such ones, these give them: surface and
 /// velocities go on linearly, the surface's slope with its second differences, each the smallest
-/// of theirs if they agree in sign. The surface's height follows from the cell's own mean depth
-/// (clipped_plane.h), so that a shore may lie anywhere in the cell and aslant. Fluxes through the
-/// faces are HLLC ones of the mean depth along the face, with the mean of its square for the
-/// pressure; into or out of a dry cell, of the water at the shore itself.
+/// of theirs if they agree in sign; velocities are those of which momenta are means (cell_means.h).
+/// The surface's height follows from the cell's own mean depth (clipped_plane.h), so that a shore
+/// may lie anywhere in the cell and aslant. Fluxes through the faces, with a parabola's term as
+/// elsewhere (mean_vectors.h), are HLLC ones of the mean depth along the face, with the mean of its
+/// square for the pressure; into or out of a dry cell, of the water at the shore itself.
 ///
 /// What such a cell could not give within a stage, as where a falling shore leaves it, it gives
 /// after the step (shore_deficits.cpp).
@@ -54,8 +55,14 @@ class ShorePlanes {
     ShorePlanes(const WaterDomain& domain, const WaterEdges& edges, int nx, int ny, double gravity,
                 double steepness);
 
-    /// Finds the shore's cells and what passes their faces, in a stage of `dt` seconds.
-    void find(const Water& water, const Grid& bed, double dt, WorkerPool& pool);
+    /// One of the Euler steps of which a step is a mean.
+    struct StageOfStep {
+        double dt = 0.0;  ///< s
+        double weight = 1.0;
+    };
+
+    /// Finds the shore's cells and what passes their faces, in a stage.
+    void find(const Water& water, const Grid& bed, const StageOfStep& stage, WorkerPool& pool);
 
     /// Lets cells deliver what they could not in the stages since the last call, which make a step
     /// of `dt` seconds (shore_deficits.cpp). Adds it to the last stage's `flow`, where there is
@@ -89,6 +96,10 @@ class ShorePlanes {
         double bed = 0.0;
         double bed_x = 0.0;
         double bed_y = 0.0;
+        double level_xx = 0.0;  ///< second differences
+        double level_yy = 0.0;
+        double bed_xx = 0.0;
+        double bed_yy = 0.0;
     };
     /// What a cell failed to deliver to those west, east, south and north of it, m.
     struct Deficit {
@@ -96,6 +107,7 @@ class ShorePlanes {
         std::array<double, 4> to{};
     };
     struct Row {
+        std::vector<Plane> inner;  ///< the core's outermost cells, which give others theirs
         std::vector<Plane> outer;  ///< planed cells
         std::vector<Plane> cells;  ///< a shore's
         std::vector<Slope> slopes;
@@ -133,21 +145,26 @@ class ShorePlanes {
     [[nodiscard]] double limited(double back, double forward) const;
     template <class Value>
     [[nodiscard]] std::array<double, 2> slopes_of(const Value& value, int x, int y) const;
+    template <class Value>
+    [[nodiscard]] std::array<double, 2> bends_of(const Value& value, int x, int y) const;
 
     void find_deep(const Water& water, const Grid& bed, WorkerPool& pool);
     void find_full(int y);
     void copy_full_beyond();
     void find_core(int y);
+    void find_inner(int y);
     void find_planes(int y);
     void find_shore(int y);
     void find_faces(int y);
-    void add_deficits(int y, double dt);
+    void add_deficits(int y, const StageOfStep& stage);
     static void merge_deficits(std::vector<Deficit>& deficits);
 
     [[nodiscard]] double surface(const Place& place) const;
     void put_bed(Plane& plane, int x, int y) const;
     [[nodiscard]] bool is_resolved(int x, int y) const;
     [[nodiscard]] Plane plane_inside(int x, int y) const;
+    [[nodiscard]] Plane compute_inside(int x, int y) const;
+    [[nodiscard]] static Slope slope_of(const Plane& plane);
     [[nodiscard]] bool extend(Plane& plane, int x, int y) const;
     [[nodiscard]] bool take_own_level(Plane& plane, double depth) const;
     [[nodiscard]] Plane plane_of(const Place& place) const;

@@ -17,7 +17,7 @@ class WetTiles {
     static constexpr int width = 64;  ///< cells eastward
     static constexpr int height = 8;
     /// Cells a side of the squares in which water is looked for. That in a square next to a tile
-    /// counts as near it; in a sub-step of two stages it passes two faces at most.
+    /// counts as near it; in a sub-step of three stages it passes three faces at most.
     static constexpr int square = 4;
 
     WetTiles(int nx, int ny, bool periodic_x, bool periodic_y);

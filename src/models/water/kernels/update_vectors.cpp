@@ -48,7 +48,10 @@ struct Exponential {
     }
 };
 
-template <bool heun, bool manning, bool bounded>
+/// What a stage gives: its own end; the mean with the step's start; or shares of both.
+enum class Mix : std::uint8_t { none, half, shares };
+
+template <Mix mix, bool manning, bool bounded>
 struct Update {
     UpdateInput i;
     UpdateFactors f;
@@ -94,13 +97,27 @@ struct Update {
             u1 = u1 * share;
             v1 = v1 * share;
         }
-        if constexpr (heun) {
-            const V half = hn::Set(d, 0.5);
+        if constexpr (mix != Mix::none) {
             const V h0 = load(i.depth_before);
-            const V h_mean = half * (h0 + h1);
-            const V per_mean = half / larger(h_mean, dry);
-            const V ux_mean = (h0 * load(i.x_before) + h1 * u1) * per_mean;
-            const V uy_mean = (h0 * load(i.y_before) + h1 * v1) * per_mean;
+            V h_mean;
+            V whole;  // of which the momenta are shares
+            V of_start;
+            V of_stage;
+            if constexpr (mix == Mix::half) {
+                const V half = hn::Set(d, 0.5);
+                h_mean = half * (h0 + h1);
+                whole = half / larger(h_mean, dry);
+                of_start = h0;
+                of_stage = h1;
+            } else {
+                const V added = one - hn::Set(d, f.kept);
+                h_mean = h0 + added * (h1 - h0);  // no drift where the two are the same
+                whole = one / larger(h_mean, dry);
+                of_start = hn::Set(d, f.kept) * h0;
+                of_stage = added * h1;
+            }
+            const V ux_mean = (of_start * load(i.x_before) + of_stage * u1) * whole;
+            const V uy_mean = (of_start * load(i.y_before) + of_stage * v1) * whole;
             h1 = h_mean;
             u1 = hn::IfThenElseZero(hn::Gt(h_mean, dry), ux_mean);
             v1 = hn::IfThenElseZero(hn::Gt(h_mean, dry), uy_mean);
@@ -124,11 +141,14 @@ HWY_INLINE void take_update(const UpdateInput& in, const UpdateFactors& factors,
         roughness = some;
     }
     if (in.depth_before == nullptr) {
-        for_each_vector_anew(count, Update<false, manning, bounded>{in, factors, roughness, depth,
-                                                                    velocity_x, velocity_y});
+        for_each_vector_anew(count, Update<Mix::none, manning, bounded>{
+                                        in, factors, roughness, depth, velocity_x, velocity_y});
+    } else if (factors.kept == 0.5) {
+        for_each_vector(count, Update<Mix::half, manning, bounded>{in, factors, roughness, depth,
+                                                                   velocity_x, velocity_y});
     } else {
-        for_each_vector(count, Update<true, manning, bounded>{in, factors, roughness, depth,
-                                                              velocity_x, velocity_y});
+        for_each_vector(count, Update<Mix::shares, manning, bounded>{in, factors, roughness, depth,
+                                                                     velocity_x, velocity_y});
     }
 }
 

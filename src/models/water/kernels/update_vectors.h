@@ -31,13 +31,14 @@ struct UpdateFactors {
     double pull = 0.0;     ///< g·slope, m/s², toward −y
     double pull_x = 0.0;   ///< … toward −x
     bool manning = false;  ///< friction is Manning's
+    double kept = 0.5;     ///< of the step's start, where that is given
 };
 
 /// The most cells that `update` takes.
 inline constexpr int widest_update = 512;
 
-/// Depth and velocities after an Euler step, friction implicit; averaged with the step's start
-/// where it is given (Heun's second stage).
+/// Depth and velocities after an Euler step, friction implicit; where the step's start is
+/// given, mixed with it: `kept` of it and 1 − `kept` of the Euler step's (Heun; Shu & Osher 1988).
 void update(const UpdateInput& in, const UpdateFactors& factors, double* depth, double* velocity_x,
             double* velocity_y, int count);
 
