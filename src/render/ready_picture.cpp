@@ -29,7 +29,8 @@ std::shared_ptr<const LitBed> Renderer::Parts::lit_bed(const ReadyPicture& pictu
                                     prevailing_way(shown), with);
         if (view.streamers.strength > 0.0)
             lit->blown = blown_sand(shown, view, picture.framed, sun);
-        lit->heights = std::make_shared<const HeightPyramid>(std::move(lit->light.z), framed.tiles);
+        lit->heights = std::make_shared<const HeightPyramid>(std::move(lit->light.z), framed.tiles,
+                                                             lit->light.walls);
     } else {
         lit->bed = display_bed(shown, picture.framed, refinement);
         if (!water) {

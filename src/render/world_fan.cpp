@@ -15,6 +15,7 @@ constexpr double nearest_share = 0.2;    // of the eye's height above the ground
 constexpr double least_nearest = 1e-6;   // block lengths
 constexpr double earth_radius = 6360.0;  // km
 constexpr double pixels_a_ray = 3.0;
+constexpr double wall_slope = 1.2;    // twice that of sand
 constexpr double longest_turn = 0.3;  // of a ripple, between two samples, at which it is not seen
 
 /// How far a camera's rays within `half` of its axis turn aside, and how far they run, seen from
@@ -98,6 +99,7 @@ GroundFan WorldLayer::fan_of(const Camera& camera, const HeightPyramid& heights)
     fan.eye = reduced_eye(camera);
     fan.extent = glm::dvec2(block_.width_x, block_.width_y);
     fan.cell = static_cast<double>(cell_);
+    if (heights.has_walls()) fan.wall_slope = wall_slope * block_.exaggeration;
     fan.curvature = static_cast<double>(curvature());
     fan.strength = copies_.strength();
     fan.eye_from_middle = eye_from_middle(camera);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -83,6 +85,80 @@ TEST(Rock, DoesNotSparkleInASunAlongIt) {
         }
     }
     EXPECT_LT(brightest, 1.55 * sum / (70.0 * 140.0));
+}
+
+/// A table of rock, 12 m high, one of whose walls runs oblique to the cells by 20 degrees through
+/// (40, 40) and faces south, and a floor before it. `block`: a rock at (28, 20) that is 9 m high.
+Snapshot table(bool block) {
+    Snapshot bed;
+    bed.bed = Grid(96, 96);
+    for (int y = 0; y < 96; ++y) {
+        for (int x = 0; x < 96; ++x) {
+            const double across = 0.940 * (y - 40) - 0.342 * (x - 40);
+            const bool on_block = block && x > 15 && x < 40 && std::abs(y - 20) < 3;
+            const bool inside = x > 6 && x < 90;
+            bed.bed(x, y) = inside && across > 0.3 && across < 30.0 ? 12.0 : on_block ? 9.0 : 0.0;
+        }
+    }
+    bed.scale = {1.0, 1.0, 1.0, true, {}};
+    bed.periodic = true;
+    bed.fields = {{"sand", "", "m", Grid(96, 96, 0.0)}};
+    return bed;
+}
+
+/// How far rows found in columns of a picture stray from the straight line that fits them best.
+double strays_from_line(const std::vector<double>& rows) {
+    const auto count = static_cast<double>(rows.size());
+    double mean = 0.0;
+    double lean = 0.0;
+    double spread = 0.0;
+    for (const double row : rows) mean += row / count;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double along = static_cast<double>(i) - 0.5 * (count - 1.0);
+        lean += along * rows[i];
+        spread += along * along;
+    }
+    double most = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double along = static_cast<double>(i) - 0.5 * (count - 1.0);
+        most = std::max(most, std::abs(rows[i] - mean - lean / spread * along));
+    }
+    return most;
+}
+
+/// In each of some columns the first row, between two, at which a measure of pixels is above 0.
+template <class Measure>
+std::vector<double> rows_above(const Image& image, int first, int last, int from,
+                               const Measure& measure) {
+    std::vector<double> rows;
+    for (int x = first; x < last; ++x) {
+        const auto of = [&](int y) {
+            return static_cast<double>(measure(image.row(y) + 3 * static_cast<std::size_t>(x)));
+        };
+        int y = from;
+        while (y + 1 < image.height && of(y) <= 0.0) ++y;
+        rows.push_back(y - of(y) / (of(y) - of(y - 1)));
+    }
+    return rows;
+}
+
+// The cells know on which side of a wall they lie, and no more.
+TEST(Rock, HasAStraightRimWhereItRunsObliqueToTheCells) {
+    View view = from({40.0, 2.0, 4.0}, {40.0, 40.0, 11.0});
+    view.sun.azimuth = 150.0;
+    view.sun.elevation = 40.0;
+    const Image image = picture(view, table(false));
+    const auto not_sky = [](const std::uint8_t* pixel) { return pixel[0] - pixel[2]; };
+    EXPECT_LT(strays_from_line(rows_above(image, 20, 300, 5, not_sky)), 0.8);
+}
+
+TEST(Rock, HasNoTeethInTheEdgeOfAShadowThatClimbsIt) {
+    View view = from({52.0, 6.0, 9.0}, {34.0, 38.0, 5.0});
+    view.sun.azimuth = 190.0;
+    view.sun.elevation = 12.0;
+    const Image image = picture(view, table(true));
+    const auto in_shadow = [](const std::uint8_t* pixel) { return 85 - pixel[1]; };
+    EXPECT_LT(strays_from_line(rows_above(image, 120, 230, 90, in_shadow)), 2.4);
 }
 
 }  // namespace

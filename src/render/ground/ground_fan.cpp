@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <tuple>
 
 #include "base/elementary.h"
 #include "base/elementary_angle.h"
 #include "base/worker_pool.h"
 #include "render/ground/ground_vectors.h"
+#include "render/ground/wall_places.h"
 
 namespace fumon {
 
@@ -155,6 +157,9 @@ class PlacesAlong {
     [[nodiscard]] double radius(std::size_t place) const { return radii_[place]; }
     [[nodiscard]] double over(std::size_t place) const { return over_[place]; }
     [[nodiscard]] double tangent(std::size_t place) const { return tangents_[place]; }
+    [[nodiscard]] RayPlace at(std::size_t place) const {
+        return {radii_[place], over_[place], tangents_[place]};
+    }
 
   private:
     using Numbers =
@@ -173,8 +178,8 @@ using Tangents = std::vector<float>;
 
 /// Returns the direction of the highest. `along_ray` is room for it.
 glm::vec3 place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::vector<Ring>& all,
-                    const AtEdges& edges, int ray, PlacesAlong& along_ray, glm::vec3* places,
-                    float* tangents) {
+                    const AtEdges& edges, int ray, PlacesAlong& along_ray, WallPlaces& walls,
+                    glm::vec3* places, float* tangents) {
     const double angle = fan.half_angle * (2.0 * ray / (fan.rays - 1) - 1.0);
     const double c = elementary::cos(angle);
     const double s = elementary::sin(angle);
@@ -195,6 +200,7 @@ glm::vec3 place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::v
         bool in_middle;  ///< alone
     };
     std::array<Looked, rings_at_once> looked{};
+    walls.begin_ray();
     for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
         const int level = all[begin].level;
         along_ray.clear();
@@ -228,7 +234,17 @@ glm::vec3 place_ray(const GroundFan& fan, const HeightPyramid& bed, const std::v
             places[ring] =
                 glm::vec3(glm::dvec3(along_ray.radius(highest) * along, along_ray.over(highest)));
             tangents[ring] = static_cast<float>(tangent);
+            if (fan.wall_slope == 0.0) continue;
+            std::array<RayPlace, most_places> in_ring{};
+            const std::size_t count = at.in_middle ? 1 : all[ring].count;
+            for (std::size_t k = 0; k < count; ++k) in_ring[k] = along_ray.at(at.first + k);
+            walls.take(std::span(in_ring).first(count), highest - at.first);
         }
+    }
+    for (std::size_t ring = 0; ring < walls.chosen().size(); ++ring) {
+        const RayPlace& chosen = walls.chosen()[ring];
+        places[ring] = glm::vec3(glm::dvec3(chosen.radius * along, chosen.over));
+        tangents[ring] = static_cast<float>(chosen.tangent);
     }
     return {glm::dvec3(along, highest_before)};
 }
@@ -239,18 +255,28 @@ struct RingRange {
     int last;
 };
 
-void add_quad(std::size_t ray, std::size_t ring, std::vector<std::uint32_t>& triangles) {
+/// Two triangles between two neighbouring rays and rings. `over_walls`: they meet where their
+/// corners differ the less in height, so that a wall's rim runs on from one ring to the next.
+void add_quad(std::size_t ray, std::size_t ring, bool over_walls, GroundMesh& mesh) {
     const auto a0 = static_cast<std::uint32_t>(ray * rings + ring);
+    const std::uint32_t a1 = a0 + 1;
     const std::uint32_t b0 = a0 + rings;
-    for (const std::uint32_t corner : {a0, b0, a0 + 1, b0, b0 + 1, a0 + 1})
-        triangles.push_back(corner);
+    const std::uint32_t b1 = b0 + 1;
+    const auto apart = [&](std::uint32_t one, std::uint32_t other) {
+        return std::abs(mesh.places[one].z - mesh.places[other].z);
+    };
+    if (over_walls && apart(a0, b1) < apart(b0, a1)) {
+        mesh.triangles.insert(mesh.triangles.end(), {a0, b0, b1, a0, b1, a1});
+    } else {
+        mesh.triangles.insert(mesh.triangles.end(), {a0, b0, a1, b0, b1, a1});
+    }
 }
 
 /// Between two neighbouring rays, those that begin in a range of rings. At any azimuth between them
 /// the ground looks at least as high as the lower of both at the same ring. `hiding`: how high what
 /// stands before looks, between these two rays.
-void add_visible(int ray, const RingRange& among, const Tangents& tangents, float& hiding,
-                 std::vector<std::uint32_t>& triangles) {
+void add_visible(int ray, const RingRange& among, bool over_walls, const Tangents& tangents,
+                 float& hiding, GroundMesh& mesh) {
     const auto a = static_cast<std::size_t>(ray) * rings;
     const std::size_t b = a + rings;
     for (auto ring = static_cast<std::size_t>(among.first);
@@ -259,7 +285,7 @@ void add_visible(int ray, const RingRange& among, const Tangents& tangents, floa
         const float next = std::max(tangents[a + ring + 1], tangents[b + ring + 1]);
         hiding = std::max(hiding, std::min(tangents[a + ring], tangents[b + ring]));
         if (std::max(here, next) >= hiding)
-            add_quad(static_cast<std::size_t>(ray), ring, triangles);
+            add_quad(static_cast<std::size_t>(ray), ring, over_walls, mesh);
     }
 }
 
@@ -313,10 +339,11 @@ GroundMesh ground_mesh(const GroundFan& fan, const HeightPyramid& bed, WorkerPoo
     Tangents tangents(mesh.places.size());
     pool.for_ranges(fan.rays, [&](int begin, int end) {
         PlacesAlong along_ray;
+        WallPlaces walls(fan.wall_slope);
         for (int ray = begin; ray < end; ++ray) {
             const std::size_t first = static_cast<std::size_t>(ray) * rings;
             mesh.skyline[static_cast<std::size_t>(ray)] =
-                place_ray(fan, bed, all, edges, ray, along_ray, mesh.places.data() + first,
+                place_ray(fan, bed, all, edges, ray, along_ray, walls, mesh.places.data() + first,
                           tangents.data() + first);
         }
     });
@@ -327,16 +354,17 @@ GroundMesh ground_mesh(const GroundFan& fan, const HeightPyramid& bed, WorkerPoo
     std::vector<float> hiding(static_cast<std::size_t>(fan.rays), -1e30F);
     std::vector<bool> seen;
     if (fan.lens > 0.0) seen = seen_through_lens(fan, mesh, tangents);
+    const bool over_walls = fan.wall_slope > 0.0;
     const auto add_all = [&](const RingRange& among) {
         for (int ray = 0; ray + 1 < fan.rays; ++ray) {
             const auto number = static_cast<std::size_t>(ray);
             if (seen.empty()) {
-                add_visible(ray, among, tangents, hiding[number], mesh.triangles);
+                add_visible(ray, among, over_walls, tangents, hiding[number], mesh);
                 continue;
             }
             for (auto ring = static_cast<std::size_t>(among.first);
                  ring < static_cast<std::size_t>(among.last); ++ring) {
-                if (seen[number * (rings - 1) + ring]) add_quad(number, ring, mesh.triangles);
+                if (seen[number * (rings - 1) + ring]) add_quad(number, ring, over_walls, mesh);
             }
         }
     };

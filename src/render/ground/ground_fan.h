@@ -24,9 +24,10 @@ struct GroundFan {
     double strength = 0.0;
     glm::dvec2 eye_from_middle{0.0};
     double mean = 0.0;
-    double cell = 1.0;       ///< of the bed
-    double curvature = 0.0;  ///< by which the planet sinks at a distance of 1
-    double near_to = 0.0;    ///< the distance that divides near ground from far
+    double cell = 1.0;        ///< of the bed
+    double curvature = 0.0;   ///< by which the planet sinks at a distance of 1
+    double wall_slope = 0.0;  ///< by which or more walls rise; 0 where the bed has none
+    double near_to = 0.0;     ///< the distance that divides near ground from far
     double lens = 0.0;  ///< radius of a lens around the eye, all of whose points see the ground
 };
 

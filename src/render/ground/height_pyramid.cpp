@@ -56,8 +56,8 @@ Field<float> halved(const Field<float>& fine) {
 
 }  // namespace
 
-HeightPyramid::HeightPyramid(Field<float> heights, const GroundTiles& tiles)
-    : tiles_(tiles), highest_(*std::ranges::max_element(heights.values())) {
+HeightPyramid::HeightPyramid(Field<float> heights, const GroundTiles& tiles, bool walls)
+    : tiles_(tiles), highest_(*std::ranges::max_element(heights.values())), walls_(walls) {
     levels_.push_back(std::move(heights));
     while (levels_.back().nx() > 1 || levels_.back().ny() > 1)
         levels_.push_back(halved(levels_.back()));

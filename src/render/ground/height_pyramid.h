@@ -14,7 +14,8 @@ namespace fumon {
 /// 2, 4, 8 … cells.
 class HeightPyramid {
   public:
-    explicit HeightPyramid(Field<float> heights, const GroundTiles& tiles = {});
+    /// `walls`: whether the bed has walls of rock, see with_straight_walls().
+    explicit HeightPyramid(Field<float> heights, const GroundTiles& tiles = {}, bool walls = false);
 
     [[nodiscard]] const Field<float>& finest() const { return levels_.front(); }
     [[nodiscard]] int levels() const { return static_cast<int>(levels_.size()); }
@@ -36,6 +37,7 @@ class HeightPyramid {
         return south + y.share * (over - south);
     }
     [[nodiscard]] float highest() const { return highest_; }
+    [[nodiscard]] bool has_walls() const { return walls_; }
 
   private:
     struct Between {
@@ -54,6 +56,7 @@ class HeightPyramid {
     GroundTiles tiles_;
     std::vector<Field<float>> levels_;
     float highest_ = 0.0F;
+    bool walls_ = false;
 };
 
 }  // namespace fumon

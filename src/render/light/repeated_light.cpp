@@ -2,22 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "base/rounding.h"
 #include "base/worker_pool.h"
 #include "numerics/resampling.h"
+#include "render/edges/sharp_brinks.h"
+#include "render/edges/straight_walls.h"
 #include "render/light/lighting.h"
 #include "render/light/sky_visibility.h"
 #include "render/light/tiled_light.h"
 #include "render/view/display_bed.h"
 #include "render/view/repeated_bed.h"
-#include "render/view/sharp_brinks.h"
 
 namespace fumon {
 
 namespace {
 
-constexpr int read_around = 9;  // cells that the refinement and slopes look at
+constexpr int read_around = 9;          // cells that the refinement and slopes look at
+constexpr float shade_averaged = 2.0F;  // cells along a wall to either side
 
 /// A periodic field on finer cells, with a margin of so many of them.
 Field<float> refined_around(const Field<float>& field, int refinement, int margin) {
@@ -116,6 +120,25 @@ float smooth_step(float from, float to, float value) {
     return t * t * (3.0F - 2.0F * t);
 }
 
+/// The edges of walls that turn away from the sun. Their own shade begins at the rim, between two
+/// cells, of which the one is far below the other: what these see of the sun is nothing to go by.
+Field<Edge> shaded_walls(const Field<Edge>& walls, const Field<float>& z, float dx, float dy,
+                         const SunDirection& sun) {
+    const Field<float> around = with_margin(z, 1);
+    const float grazing = 0.5F * (sun.lower_limb + sun.upper_limb);
+    Field<Edge> shaded = walls;
+    for (int y = 0; y < z.ny(); ++y) {
+        for (int x = 0; x < z.nx(); ++x) {
+            if (walls(x, y).share == 0.0F) continue;
+            const float east = (around(x + 2, y + 1) - around(x, y + 1)) / (2.0F * dx);
+            const float north = (around(x + 1, y + 2) - around(x + 1, y)) / (2.0F * dy);
+            const float rise = east * sun.east + north * sun.north;
+            shaded(x, y).share *= smooth_step(0.5F * grazing, grazing, rise);
+        }
+    }
+    return shaded;
+}
+
 /// How far a face of that slope is in the lee of one of the winds, 0 … 1. A bed in metres keeps the
 /// angle of repose, which no wind steepens a face to that it blows against: there all faces are.
 float in_lee(const Snapshot& snapshot, float east, float north) {
@@ -178,12 +201,29 @@ RepeatedLight repeated_light(const Snapshot& snapshot, const Block& block, int r
     wide.dy = coarse.dy / static_cast<float>(refinement);
     RepeatedLight light;
     light.z = without_margin(wide.z, 1);
+    std::optional<StraightWalls> walls;
+    if (snapshot.scale.in_metres) {  // other beds are of sand alone, which some rules leave steep
+        const auto exaggeration = static_cast<float>(block.exaggeration);
+        walls = with_straight_walls(coarse.z, light.z, exaggeration * coarse.dx,
+                                    exaggeration * coarse.dy, pool);
+    }
+    light.walls = walls.has_value();
+    if (walls) {
+        coarse.z = std::move(walls->coarse);
+        light.z = std::move(walls->fine);
+        wide.z = with_margin(light.z, 1);
+    }
+    Field<float> sun_share =
+        with_later_shadows(sun_over_tiles(light.z, wide, block.tiles, sun, sun_bounds), light.z,
+                           wide.dx, wide.dy, sun, pool);
+    if (walls) {
+        const Field<Edge> shaded = shaded_walls(walls->edges, coarse.z, coarse.dx, coarse.dy, sun);
+        sun_share = averaged_along(shaded, shade_averaged, sun_share, pool);
+    }
 
-    LightShares shares{
-        with_margin(with_later_shadows(sun_over_tiles(light.z, wide, block.tiles, sun, sun_bounds),
-                                       light.z, wide.dx, wide.dy, sun, pool),
-                    1),
-        refined_around(sky_over_tiles(coarse, block.tiles, pool), refinement, 1), sun_bounds};
+    LightShares shares{with_margin(sun_share, 1),
+                       refined_around(sky_over_tiles(coarse, block.tiles, pool), refinement, 1),
+                       sun_bounds};
     for (float& share : shares.sky.values()) share = std::clamp(share, 0.0F, 1.0F);
     light.texels = lighting_texels(wide, shares, 1, pool);
 

@@ -25,6 +25,7 @@ struct RepeatedLight {
     /// cell around them; where the bed is not in metres, in the lee of a wind alone.
     std::vector<std::uint8_t> surface;
     SlidCells slid;
+    bool walls = false;  ///< whether there are walls of rock, see with_straight_walls()
 };
 
 /// Bounds of the sun's share in RepeatedLight::texels.

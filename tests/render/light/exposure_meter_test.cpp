@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "base/worker_pool.h"
 #include "gl/context.h"
+#include "render/ready_picture.h"
 #include "render/renderer.h"
 #include "render/view/framing.h"
 #include "support/drawn_picture.h"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "base/worker_pool.h"
@@ -81,6 +82,67 @@ TEST(RepeatedLight, TheTrueSlopeTellsWhereSandSlid) {
     EXPECT_GE(slid_at(bed, 0.5, 22), 250);
     for (double& height : bed.bed.values()) height *= 0.4;
     EXPECT_EQ(slid_at(bed, 3.0, 22), 0);
+}
+
+/// A table of rock in metres, 12 m high, whose wall faces south and runs oblique to the cells by 20
+/// degrees through the middle of the bed.
+Snapshot table_of_rock() {
+    Snapshot snapshot;
+    snapshot.bed = Grid(64, 64);
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            const double across = 0.940 * (y - 32) - 0.342 * (x - 32);
+            snapshot.bed(x, y) =
+                across > 0.3 && across < 20.0 && std::abs(x - 32) < 26 ? 12.0 : 0.0;
+        }
+    }
+    snapshot.scale = {1.0, 1.0, 1.0, true, {}};
+    snapshot.periodic = true;
+    return snapshot;
+}
+
+// Cells at the rim see all of the sun, those below the rim nothing.
+TEST(RepeatedLight, AWallThatTurnsAwayFromTheSunIsInShadeFromALineOn) {
+    View view = small_view();
+    view.look.ground = Ground::endless;
+    view.look.exaggeration = {"", 1.0};
+    view.sun.azimuth = 340.0;
+    view.sun.elevation = 20.0;
+    const Snapshot bed = table_of_rock();
+    WorkerPool pool(1);
+    constexpr int refinement = 3;
+    const RepeatedLight light = repeated_light(bed, framed_block(view, bed), refinement, {},
+                                               sun_direction(view.sun), {1.0, 0.0}, pool);
+    EXPECT_TRUE(light.walls);
+    const auto share = [&](double x, double y) {  // between fine cells; metres
+        const double u = refinement * (x + 0.5) - 0.5;
+        const double v = refinement * (y + 0.5) - 0.5;
+        const auto of = [&](int column, int row) {
+            const auto cell = static_cast<std::size_t>(row * light.z.nx() + column);
+            const double texel = light.texels[4 * cell + 2] / 65535.0;
+            return sun_bounds.lowest + texel * (sun_bounds.highest - sun_bounds.lowest);
+        };
+        const int west = static_cast<int>(u);
+        const int south = static_cast<int>(v);
+        const double low = of(west, south) + (u - west) * (of(west + 1, south) - of(west, south));
+        const double high =
+            of(west, south + 1) + (u - west) * (of(west + 1, south + 1) - of(west, south + 1));
+        return low + (v - south) * (high - low);
+    };
+    double least = 1e6;
+    double most = -1e6;
+    for (int step = -40; step < 40; ++step) {
+        const double along = 0.2 * step;
+        double across = 4.0;
+        while (across > -4.0 && share(32.0 + 0.940 * along - 0.342 * across,
+                                      32.0 + 0.342 * along + 0.940 * across) > 0.5)
+            across -= 0.02;
+        least = std::min(least, across);
+        most = std::max(most, across);
+    }
+    EXPECT_GT(least, -1.0);
+    EXPECT_LT(most, 1.5);
+    EXPECT_LT(most - least, 0.2);
 }
 
 }  // namespace

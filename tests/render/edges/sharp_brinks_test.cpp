@@ -1,4 +1,4 @@
-#include "render/view/sharp_brinks.h"
+#include "render/edges/sharp_brinks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,16 +1,15 @@
-#include "render/view/sharp_brinks.h"
+#include "render/edges/sharp_brinks.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "base/worker_pool.h"
 #include "numerics/resampling.h"
-#include "render/view/brink_vectors.h"
+#include "render/edges/edges.h"
 
 namespace fumon {
 
@@ -58,15 +57,6 @@ Field<Rise> smoother_rises(const Field<float>& heights, WorkerPool& pool) {
     });
     return rises;
 }
-
-/// What the ground about a cell has of an edge: how much of one, 0 … 1, how much a bicubic may cut
-/// off it, and where it runs.
-struct Edge {
-    float share = 0.0F;
-    float most = 0.0F;
-    float east = 0.0F;  // along it, the longer the straighter it is: at most 1
-    float north = 0.0F;
-};
 
 /// Sums of products of differences of slope.
 struct Products {
@@ -241,103 +231,7 @@ void cut_edges(const Field<float>& heights, const Field<Rise>& rises, const Fiel
     });
 }
 
-/// Some way from an edge to another, whose vector may point to either end.
-Edge between(const Edge& edge, const Edge& other, float away) {
-    const bool turned = edge.east * other.east + edge.north * other.north < 0.0F;
-    const float sign = turned ? -1.0F : 1.0F;
-    return {edge.share + away * (other.share - edge.share), 0.0F,
-            edge.east + away * (sign * other.east - edge.east),
-            edge.north + away * (sign * other.north - edge.north)};
-}
-
-/// The edges about the fine cells of a row, between those about coarse ones.
-class EdgesOfRow {
-  public:
-    EdgesOfRow(const Field<Edge>& edge, int refinement)
-        : edge_(edge),
-          refinement_(refinement),
-          coarse_(static_cast<std::size_t>(edge.nx())),
-          share_(size()),
-          east_(size()),
-          north_(size()) {}
-
-    /// Of a fine row; whether there is any.
-    bool take(int v) {
-        const int y = v / refinement_;
-        const float away = part(v % refinement_);
-        const auto own = edge_.row(y);
-        const auto other = edge_.row(std::clamp(y + (away < 0.0F ? -1 : 1), 0, edge_.ny() - 1));
-        bool any = false;
-        for (std::size_t x = 0; x < coarse_.size(); ++x) {
-            if (own[x].share == 0.0F && other[x].share == 0.0F) {
-                coarse_[x] = own[x];
-                continue;
-            }
-            any = true;
-            coarse_[x] = between(own[x], other[x], std::abs(away));
-        }
-        if (any) {
-            for (std::size_t x = 0; x < coarse_.size(); ++x) fill(x);
-        }
-        return any;
-    }
-    [[nodiscard]] brink_vectors::RowOfEdges row() const {
-        return {share_.data(), east_.data(), north_.data()};
-    }
-
-  private:
-    /// The fine cells of a coarse one.
-    void fill(std::size_t x) {
-        const std::size_t before = x == 0 ? 0 : x - 1;
-        const std::size_t after = std::min(x + 1, coarse_.size() - 1);
-        const bool none = coarse_[before].share == 0.0F && coarse_[x].share == 0.0F &&
-                          coarse_[after].share == 0.0F;
-        for (int i = 0; i < refinement_; ++i) {
-            const float away = part(i);
-            const Edge at =
-                none ? Edge{}
-                     : between(coarse_[x], coarse_[away < 0.0F ? before : after], std::abs(away));
-            const std::size_t u =
-                x * static_cast<std::size_t>(refinement_) + static_cast<std::size_t>(i);
-            share_[u] = at.share;
-            east_[u] = at.east;
-            north_[u] = at.north;
-        }
-    }
-    [[nodiscard]] std::size_t size() const {
-        return coarse_.size() * static_cast<std::size_t>(refinement_);
-    }
-    /// From a coarse cell's middle to that of one of its fine cells, coarse cells.
-    [[nodiscard]] float part(int i) const {
-        return (static_cast<float>(i) + 0.5F) / static_cast<float>(refinement_) - 0.5F;
-    }
-
-    const Field<Edge>& edge_;
-    int refinement_;
-    std::vector<Edge> coarse_;
-    std::vector<float> share_;
-    std::vector<float> east_;
-    std::vector<float> north_;
-};
-
 constexpr float averaged_aside = 3.0F;  // cells along an edge to either side
-
-/// Heights with means along each edge, which runs on where the lattice breaks it up.
-void smooth_along_edges(const Field<Edge>& edge, int refinement, Field<float>& fine,
-                        WorkerPool& pool) {
-    const float step = averaged_aside * static_cast<float>(refinement) /
-                       static_cast<float>(brink_vectors::places_aside);
-    const std::vector<std::uint64_t> pairs =
-        brink_vectors::pairs_of(fine.data(), static_cast<int>(fine.size()));
-    pool.for_ranges(fine.ny(), [&](int begin, int end) {
-        EdgesOfRow edges(edge, refinement);
-        for (int v = begin; v < end; ++v) {
-            if (!edges.take(v)) continue;
-            brink_vectors::mix_means_along({pairs.data(), fine.nx(), fine.ny()}, v, edges.row(),
-                                           step, fine.row(v).data());
-        }
-    });
-}
 
 }  // namespace
 
@@ -348,7 +242,7 @@ Field<float> refined_with_brinks(const Field<float>& heights, float dx, float dy
     const Field<Rise> rises = smoother_rises(heights, pool);
     const Field<Edge> edge = edges(rises, dx, dy, pool);
     cut_edges(heights, rises, edge, refinement, fine, pool);
-    smooth_along_edges(edge, refinement, fine, pool);
+    smooth_along_edges(edge, refinement, averaged_aside, fine, pool);
     return fine;
 }
 

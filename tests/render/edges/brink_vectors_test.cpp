@@ -1,4 +1,4 @@
-#include "render/view/brink_vectors.h"
+#include "render/edges/brink_vectors.h"
 
 #include <gtest/gtest.h>
 

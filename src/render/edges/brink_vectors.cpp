@@ -1,5 +1,5 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "render/view/brink_vectors.cpp"
+#define HWY_TARGET_INCLUDE "render/edges/brink_vectors.cpp"
 #include <hwy/foreach_target.h>
 // Those below are included once for each target.
 #include <hwy/highway.h>
@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "render/view/brink_vectors.h"
+#include "render/edges/brink_vectors.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace fumon::brink_vectors {
