@@ -9,8 +9,15 @@ uniform float closed_depth;    // from which water covers what stands out of the
 uniform float metre;           // block lengths
 uniform float steepening;      // of heights, as drawn
 
+uniform sampler2D ring_map;    // rings of drops of rain: slopes of the surface around ½, and their mean square
+uniform int ring_layers;       // of it, over each other; 0 where no rain falls
+uniform float ring_tile;       // how long it is, block lengths
+uniform vec2 ring_ends;        // of its slopes, and of their mean square
+uniform float ring_mean;       // of the mean square, in parts of that end
+
 const float gravity = 9.8;
 const float shore_level = 1.0;
+const float widest_ring = 0.3;  // m
 
 struct Water {
     float depth;     // m
@@ -22,6 +29,7 @@ struct Water {
     float fall;      // how steep that is in truth
     float thin;      // 0 … 1: a film as drawn, that what stands out of the ground breaks
     float front;     // how steeply its depth changes
+    float ringed;    // how steep rings of drops are on it, in parts of those on ring_map
 };
 
 // A shore goes from cell to cell of the grid in steps: it is looked at over more than one.
@@ -42,6 +50,7 @@ Water water_at(vec2 place, float level) {
     water.fall = length(surface.xy) / steepening;
     water.thin = 1.0 - smoothstep(1.0, 8.0, steepening * water.depth / closed_depth);
     water.front = surface.z;
+    water.ringed = surface.w;
     water.film = 0.0;
     return water;
 }
@@ -83,11 +92,35 @@ vec2 wave_slope(vec2 world, Water water, float width) {
     return mix(slope, 0.15 * slope + 0.45 * strength * lines * across, shallow);
 }
 
+// Rings of drops: the slope of those that are wide enough to be seen, and the mean square slope of the others.
+struct Rings {
+    vec2 slope;
+    float rough;
+};
+
+// None is seen on water that shoots, and but low ones on a film.
+Rings drop_rings(vec2 world, Water water, float width) {
+    Rings rings = Rings(vec2(0.0), 0.0);
+    float level = log2(max(width * float(textureSize(ring_map, 0).x) / ring_tile, 1.0));
+    float shown = shown_at(widest_ring * metre, width);  // else a pixel may see one or two of them, and sparkle
+    for (int i = 0; i < ring_layers; ++i) {
+        vec2 turn = i == 0 ? vec2(1.0, 0.0) : vec2(0.8, 0.6);
+        vec2 at = vec2(turn.x * world.x - turn.y * world.y, turn.y * world.x + turn.x * world.y);
+        vec3 texel = textureLod(ring_map, at / ring_tile + 0.37 * float(i), level).xyz;
+        vec2 slope = ring_ends.x * shown * (2.0 * texel.xy - 1.0);
+        rings.slope += vec2(turn.x * slope.x + turn.y * slope.y, turn.x * slope.y - turn.y * slope.x);
+        rings.rough += max(ring_ends.y * mix(ring_mean, texel.z, shown) - dot(slope, slope), 0.0);
+    }
+    float height = water.ringed * (1.0 - 0.7 * water.thin) * (1.0 - smoothstep(0.6, 1.2, water.froude));
+    return Rings(height * rings.slope, height * height * rings.rough);
+}
+
 // The normal of its surface, waves on it.
-vec3 water_normal(vec2 world, Water water, Soil soil, float width) {
+vec3 water_normal(vec2 world, Water water, Soil soil, vec2 rings, float width) {
     vec2 slope = water.slope;
     slope /= 1.0 + 1.2 * length(slope);  // an exaggerated surface, or a fall, does not mirror the zenith alone
     slope += (1.0 - 0.6 * water.thin) * wave_slope(world, water, width) + 0.7 * water.thin * soil.slope;  // a film wraps the ground
+    slope += rings;
     return normalize(vec3(-slope, 1.0));
 }
 

@@ -67,9 +67,11 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
     vec3 light = ground_light(wetted(albedo, damp), point, to_eye, 1.0 + 2.0 * damp);
     point.sun = on_water;
     if (under_water > dry_water) {
-        vec3 normal = water_normal(world, water, soil, width);
+        Rings rings = drop_rings(world, water, width);
+        vec3 normal = water_normal(world, water, soil, rings.slope, width);
         float thin = water.thin;
-        float n_dot_v = max(dot(normal, to_eye), 0.10 + 0.14 * max(thin, smoothstep(0.9, 1.6, water.froude)));
+        float rough = sqrt(rings.rough);
+        float n_dot_v = max(dot(normal, to_eye), 0.10 + 0.14 * max(thin, smoothstep(0.9, 1.6, water.froude)) + 0.5 * rough);
         float n_dot_l = max(dot(normal, to_sun), 0.0);
         // Down with the sun, up to the eye, both bent towards the vertical by refraction.
         float up = sqrt(1.0 - (1.0 - n_dot_v * n_dot_v) / 1.77);
@@ -85,12 +87,13 @@ vec4 water_ground(vec2 place, vec3 world_point, float width, float level) {
         fresnel *= 0.3 + 0.7 * max(calm, 1.0 - thin);
         vec3 halfway = normalize(to_sun + to_eye);
         float off = 1.0 - max(dot(normal, halfway), 0.0);
-        float lobe = 1.0 / (1.0 + 220.0 * off);
-        float glint = lobe * lobe * lobe;
+        float spread = 1.0 + 60.0 * rings.rough;
+        float lobe = 1.0 / (1.0 + 220.0 / spread * off);
+        float glint = lobe * lobe * lobe / spread;
         vec3 mirrored = reflect(-to_eye, normal);
         mirrored.z = max(abs(mirrored.z), 0.5 * to_eye.z);  // waves hide what of them turns away from the eye
         vec3 reflected = mirrored_light(mirrored, albedo, point);
-        reflected = mix(reflected, point.sky * haze_towards(-to_eye), 0.5 * thin);  // from a wide part of the sky
+        reflected = mix(reflected, point.sky * haze_towards(-to_eye), max(0.5 * thin, min(3.0 * rough, 0.7)));  // from a wide part of the sky
         vec3 surface = mix(below, reflected, fresnel) +
                        sun_light * (point.sun * glint);
 

@@ -23,7 +23,8 @@ enum class Purpose : std::uint32_t {
     plants = 10,
     plain = 11,
     footprints = 12,
-    ravines = 13
+    ravines = 13,
+    raindrops = 14
 };
 
 /// Philox4x32-10 (Salmon, Moraes, Dror & Shaw 2011): ten rounds on a 128-bit counter under a 64-bit

@@ -85,6 +85,9 @@ struct Snapshot {
     /// over level ground: asked for where it is shown. Empty where no wind moves sand. Throws Error
     /// where the snapshot lacks a field for it.
     std::function<Grid(const Snapshot&)> saltation_flux{};
+    /// The rain between two times of the run, metres: of every cell, or one value for all of them.
+    /// Asked for where it is shown. Empty where the model knows no rain.
+    std::function<Grid(double from, double until)> rain{};
 };
 
 }  // namespace fumon

@@ -41,13 +41,13 @@ class Stage {
         if (compiled == GL_TRUE) return;
         GLint length = 0;
         gl.GetShaderiv(shader_, GL_INFO_LOG_LENGTH, &length);
-        std::vector<char> log(static_cast<std::size_t>(length) + 1);
-        gl.GetShaderInfoLog(shader_, length, nullptr, log.data());
+        std::vector<char> report(static_cast<std::size_t>(length) + 1);
+        gl.GetShaderInfoLog(shader_, length, nullptr, report.data());
         gl.DeleteShader(shader_);
         std::string key;
         if (names == LineNames::numbers)
             key = fmt::format(" (files by number: {})", fmt::join(source.files, ", "));
-        throw Error(fmt::format("shaders/{} does not compile{}: {}", file, key, log.data()));
+        throw Error(fmt::format("shaders/{} does not compile{}: {}", file, key, report.data()));
     }
     ~Stage() {
         if (!drivers_are_left_alone()) functions().DeleteShader(shader_);
@@ -79,10 +79,10 @@ Program::Program(std::string_view vertex_file, std::string_view fragment_file,
     if (linked == GL_TRUE) return;
     GLint length = 0;
     gl.GetProgramiv(program_.name(), GL_INFO_LOG_LENGTH, &length);
-    std::vector<char> log(static_cast<std::size_t>(length) + 1);
-    gl.GetProgramInfoLog(program_.name(), length, nullptr, log.data());
+    std::vector<char> report(static_cast<std::size_t>(length) + 1);
+    gl.GetProgramInfoLog(program_.name(), length, nullptr, report.data());
     throw Error(fmt::format("shaders/{} and shaders/{} do not link: {}", vertex_file, fragment_file,
-                            log.data()));
+                            report.data()));
 }
 
 void Program::use() const {

@@ -9,6 +9,7 @@
 
 #include "base/rounding.h"
 #include "render/colour/grain.h"
+#include "render/rain/drop_rings.h"
 
 namespace fumon {
 
@@ -32,6 +33,11 @@ gl::TextureLayout with_mipmaps(gl::TextureLayout layout, const gl::MipmapMaker* 
 }
 
 const gl::TextureLayout streak_layout{GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_LINEAR, 0, GL_REPEAT};
+
+const gl::TextureLayout ring_layout{
+    GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_LINEAR, GL_LINEAR_MIPMAP_NEAREST, GL_REPEAT};
+
+constexpr int ring_unit = 14;  // sand that blows has it elsewhere
 
 /// A seamless square of noise for streaks and ripples, four bytes a texel: the noise, its
 /// differences to the next texels east and north, halved around 128, and 255.
@@ -140,13 +146,14 @@ std::vector<std::uint8_t> wet_ground_texels(const DisplayWater& water, const Fie
     return texels;
 }
 
-/// Three numbers and a 0 a texel.
-std::vector<float> interleaved(const std::array<const Field<float>*, 3>& fields) {
+/// Three numbers a texel, and one more or, where there is none, a 1.
+std::vector<float> interleaved(const std::array<const Field<float>*, 3>& fields,
+                               const Field<float>& more = {}) {
     std::vector<float> texels;
     texels.reserve(4 * fields[0]->size());
     for (std::size_t i = 0; i < fields[0]->size(); ++i) {
         for (const Field<float>* field : fields) texels.push_back(field->values()[i]);
-        texels.push_back(0.0F);
+        texels.push_back(more.empty() ? 1.0F : more.values()[i]);
     }
     return texels;
 }
@@ -165,7 +172,10 @@ WaterShading::WaterShading(const View& view, const Block& block, int nx, int ny,
       water_(nx, ny, with_mipmaps(map_layout, mipmaps)),
       surface_(nx, ny, with_mipmaps(map_layout, mipmaps)),
       streaks_(grain_size, grain_size, streak_layout, streak_texels().data()),
-      rills_(grain_size, grain_size, streak_layout, rill_texels(streak_texels()).data()) {}
+      rills_(grain_size, grain_size, streak_layout, rill_texels(streak_texels()).data()),
+      rings_(ring_texels, ring_texels, ring_layout) {
+    rings_.make_room_for_mipmaps();
+}
 
 void WaterShading::upload(const Snapshot& snapshot, const Snapshot& first,
                           const DisplayWater& water, const Field<std::uint16_t>& values) {
@@ -186,8 +196,12 @@ void WaterShading::upload(const Snapshot& snapshot, const Snapshot& first,
     const Field<float> fronts = depth_slopes(standing, rise / cell_x_, rise / cell_y_);
     const double whole = std::max(layers_laid * closed_depth_, least_laid);
     const Field<float> worked = worked_bed(snapshot, first, whole, refinement_);
-    surface_.upload(interleaved({&slope_x, &slope_y, &fronts}).data());
+    surface_.upload(interleaved({&slope_x, &slope_y, &fronts}, water.ringed).data());
     ground_.upload(wet_ground_texels(water, worked, values).data());
+    rains_ = !water.rings.empty();
+    ring_mean_ = rains_ ? static_cast<float>(water.rings.back()[2]) / 255.0F : 0.0F;
+    for (std::size_t level = 0; level < water.rings.size(); ++level)
+        rings_.set_mipmap(static_cast<int>(level), water.rings[level].data());
     if (mipmaps_ != nullptr) {
         mipmaps_->make(ground_);
         mipmaps_->make(water_);
@@ -202,11 +216,17 @@ void WaterShading::set_uniforms(const gl::Program& program, int unit, const Came
     streaks_.bind(unit + 2);
     ground_.bind(unit + 3);
     rills_.bind(unit + 4);
+    rings_.bind(ring_unit);
     program.set("water_map", unit);
     program.set("surface_map", unit + 1);
     program.set("streak_map", unit + 2);
     program.set("ground_map", unit + 3);
     program.set("rill_map", unit + 4);
+    program.set("ring_map", ring_unit);
+    program.set("ring_layers", rains_ ? ring_layers : 0);
+    program.set("ring_tile", static_cast<float>(ring_tile / block_.side));
+    program.set("ring_ends", glm::vec2(steepest_ring, roughest_ring));
+    program.set("ring_mean", ring_mean_);
     program.set("clarity", static_cast<float>(clarity_));
     program.set("turbidity", static_cast<float>(view_.look.turbidity));
     program.set("usual_froude", static_cast<float>(usual_froude_));

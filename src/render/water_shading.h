@@ -47,6 +47,9 @@ class WaterShading {
     gl::Texture2D surface_;
     gl::Texture2D streaks_;
     gl::Texture2D rills_;
+    gl::Texture2D rings_;  ///< of drops, while it rains
+    bool rains_ = false;
+    float ring_mean_ = 0.0F;  ///< their mean square slope, in parts of roughest_ring
     double clarity_ = 1.0;
     double usual_froude_ = 0.0;
     double closed_depth_ = 1.0;  ///< m

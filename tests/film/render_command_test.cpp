@@ -87,11 +87,14 @@ TEST_F(RenderCommandTest, UnderMpirunTheLastProgramMakesTheMovie) {
     EXPECT_FALSE(fs::exists(*folder_ / "ranks/movie.mp4.lock"));
 }
 
-TEST_F(RenderCommandTest, PlotsOverTheFramesAndWater) {
-    write_text(*folder_ / "water.toml",
-               "seed = 3\n[model]\nname = \"gully\"\n[grid]\nnx = 24\nny = 20\n[run]\nsteps = "
-               "20\n[frames]\nevery = 5\n[image]\nwidth = 240\nheight = 180\n[[overlay]]\nkind = "
-               "\"plot\"\ny = \"mean_height\"\n[[overlay]]\nkind = \"time\"\n");
+TEST_F(RenderCommandTest, PlotsOverTheFramesAndWaterInRain) {
+    write_text(
+        *folder_ / "water.toml",
+        "seed = 3\n[model]\nname = \"gully\"\nslope = 0\nrain = 80\ninitial_water = "
+        "\"film\"\ndepth = 0.2\n[camera]\nat = [12, 1, 1.2]\nlook_at = [12, 3, 0]\n[grid]\nnx = "
+        "24\nny = 20\n[run]\nsteps = 20\n[frames]\nevery = 5\n[image]\nwidth = 240\nheight = "
+        "180\n[[overlay]]\nkind = "
+        "\"plot\"\ny = \"mean_height\"\n[[overlay]]\nkind = \"time\"\n");
     const Ended whole = run("water.toml", "water");
     ASSERT_EQ(whole.status, 0) << whole.errors;
     ASSERT_EQ(run("water.toml", "water-beds", beds_alone()).status, 0);

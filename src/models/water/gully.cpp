@@ -153,7 +153,7 @@ Gully::Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool)
       wet_area_(cell_area_ * sum_of(bed_, domain_.nodata, [](double) { return 1.0; })),
       first_water_(water_volume()),
       first_bed_volume_(bed_volume()),
-      rain_(parameters_, start.rain_maps) {
+      rain_(std::make_shared<Rain>(parameters_, start.rain_maps)) {
     if (loads_) scheme_->record(flows_);
     check_time_step(parameters_,
                     std::min(step_at_courant_one_, scheme_->edge_step_at_courant_one(0.0, bed_)));
@@ -211,7 +211,7 @@ double Gully::sub_step_size(double remaining, double elapsed) const {
 }
 
 void Gully::sub_step(double dt, double& elapsed) {
-    const Rain::Step rain = rain_.over(elapsed, dt);
+    const Rain::Step rain = rain_->over(elapsed, dt);
     scheme_->set_rain(rain.by_cell);
     scheme_->set_time(elapsed + 0.5 * dt);
     infiltration_.advance(water_.depth, elapsed, dt);
@@ -309,6 +309,9 @@ Snapshot Gully::snapshot() const {
     snapshot.numbers = budgets();
     add_loads(snapshot);
     std::ranges::move(gauges_.read(water_, bed_), std::back_inserter(snapshot.numbers));
+    snapshot.rain = [rain = std::shared_ptr<const Rain>(rain_)](double from, double until) {
+        return rain->between(from, until);
+    };
     return snapshot;
 }
 

@@ -85,7 +85,7 @@ class Gully : public Model {
     double wet_area_;  ///< of all cells with data, m²
     double first_water_;
     double first_bed_volume_;
-    Rain rain_;
+    std::shared_ptr<Rain> rain_;        ///< snapshots ask it too
     CompensatedSum fallen_;             ///< rain since the start, m³
     std::array<double, 3> counters_{};  ///< rain, left, sediment removed: m³
     std::int64_t steps_ = 0;

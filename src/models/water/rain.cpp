@@ -29,6 +29,25 @@ double Rain::even_rate(double time, double dt) const {
     return raining * rate_ * millimetre_per_hour;
 }
 
+Grid Rain::between(double from, double until) const {
+    if (maps_.empty()) {
+        Grid even(1, 1);
+        if (until > from) even(0, 0) = (until - from) * even_rate(from, until - from);
+        return even;
+    }
+    constexpr double never = std::numeric_limits<double>::infinity();
+    Grid fallen(maps_.front().rate.nx(), maps_.front().rate.ny());
+    for (std::size_t k = 0; k < maps_.size(); ++k) {
+        const double next = k + 1 < maps_.size() ? maps_[k + 1].from : never;
+        const double end = std::min({until, next, until_ > 0.0 ? until_ : never});
+        const double seconds = end - std::max(from, maps_[k].from);
+        if (!(seconds > 0.0)) continue;
+        for (std::size_t cell = 0; cell < fallen.size(); ++cell)
+            fallen.values()[cell] += seconds * maps_[k].rate.values()[cell];
+    }
+    return fallen;
+}
+
 Rain::Step Rain::of_maps(double time, double dt) {
     constexpr double never = std::numeric_limits<double>::infinity();
     const double last = until_ > 0.0 ? until_ : never;

@@ -30,6 +30,9 @@ class Rain {
     /// Of the `dt` seconds after a time, s. What it points to stays until the next call.
     Step over(double time, double dt);
 
+    /// What falls between two times, s, in metres: on every cell, or one value for all.
+    [[nodiscard]] Grid between(double from, double until) const;
+
   private:
     [[nodiscard]] double even_rate(double time, double dt) const;
     Step of_maps(double time, double dt);

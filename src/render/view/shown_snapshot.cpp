@@ -52,6 +52,12 @@ Snapshot as_strip(const Snapshot& snapshot, const LookSettings& look) {
                 shown.nodata(x, y) = snapshot.nodata((start + x) % snapshot.bed.nx(), 0);
         }
     }
+    if (snapshot.rain) {
+        shown.rain = [rain = snapshot.rain, start, sites, proportion](double from, double until) {
+            const Grid fallen = rain(from, until);
+            return fallen.size() == 1 ? fallen : strip_of(fallen, start, sites, proportion);
+        };
+    }
     return shown;
 }
 
@@ -114,6 +120,13 @@ Snapshot coarser(const Snapshot& snapshot, int k) {
     shown.section = snapshot.section;
     shown.landform = snapshot.landform;
     shown.winds = snapshot.winds;
+    if (snapshot.rain) {
+        shown.rain = [rain = snapshot.rain, nodata = snapshot.nodata, k](double from,
+                                                                         double until) {
+            Grid fallen = rain(from, until);
+            return fallen.size() == 1 ? fallen : averaged(fallen, nodata, k);
+        };
+    }
     return shown;
 }
 

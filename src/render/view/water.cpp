@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "base/compensated_sum.h"
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/snapshot_lookup.h"
 #include "numerics/percentile.h"
 #include "numerics/resampling.h"
+#include "render/rain/drop_rings.h"
 
 namespace fumon {
 
@@ -21,7 +23,9 @@ constexpr double gravity = 9.8;        // m/s²
 constexpr double pond_clarity = 0.6;   // of the high depth
 constexpr double film_clarity = 3.4;   // more than a pond's, for a film that is as deep everywhere
 constexpr double deepest_bank = 0.25;  // of a cell: banks this high over water are alike
-constexpr double sheet_begins = 0.25;  // of closed_depth: as in shaders/bed/water.glsl
+constexpr double wetting_rain = 0.0005;  // m: what soil has in its crust while it darkens
+constexpr double rained_on = 0.75;       // dampness of ground in lasting rain
+constexpr double sheet_begins = 0.25;    // of closed_depth: as in shaders/bed/water.glsl
 
 const Grid& values_of(const Snapshot& snapshot, std::string_view name) {
     const Grid* field = field_of(snapshot.fields, name);
@@ -186,6 +190,40 @@ Field<float> shown_depths(const Snapshot& snapshot, const Mask& dry, const Mask&
     return shown;
 }
 
+/// The rain of the last `seconds`, m: of every cell, or one value for all; 0 where nothing is known
+/// of it, or lengths are in sites.
+Grid rain_of_last(const Snapshot& snapshot, double seconds) {
+    if (!snapshot.rain || !snapshot.scale.in_metres) return Grid(1, 1);
+    return snapshot.rain(std::max(snapshot.time - seconds, 0.0), snapshot.time);
+}
+
+/// Ground is as wet as the rain of the last hour has made it, if nothing lies on it.
+void wet_by_rain(const Snapshot& snapshot, int refinement, Field<float>& damp) {
+    constexpr double hour = 3600.0;  // s
+    const Grid fallen = rain_of_last(snapshot, hour);
+    Field<float> wet(fallen.nx(), fallen.ny());
+    for (std::size_t i = 0; i < wet.size(); ++i)
+        wet.values()[i] = static_cast<float>(
+            rained_on * (1.0 - elementary::exp(-fallen.values()[i] / wetting_rain)));
+    if (wet.size() > 1) wet = refined(wet, refinement);
+    for (std::size_t i = 0; i < damp.size(); ++i)
+        damp.values()[i] = std::max(damp.values()[i], wet.values()[wet.size() > 1 ? i : 0]);
+}
+
+/// Rings of drops on the water, by the rain of the second before.
+void add_rings(const Snapshot& snapshot, int refinement, DisplayWater& water) {
+    constexpr double to_rate = 1000.0 * 3600.0;  // m in a second to mm/h
+    const Grid fallen = rain_of_last(snapshot, 1.0);
+    const double most = *std::ranges::max_element(fallen.values());
+    if (!(most > 0.0)) return;
+    water.rings = ring_tile_levels(snapshot.time, most * to_rate);
+    if (fallen.size() == 1) return;
+    Field<float> steep(fallen.nx(), fallen.ny());
+    for (std::size_t i = 0; i < steep.size(); ++i)
+        steep.values()[i] = static_cast<float>(std::sqrt(fallen.values()[i] / most));
+    water.ringed = refined(steep, refinement);
+}
+
 }  // namespace
 
 bool has_water(const Snapshot& snapshot) {
@@ -301,6 +339,8 @@ DisplayWater display_water(const Snapshot& snapshot, int refinement) {
         refined(dampness(values_of(snapshot, "water_depth"), dry, closed_depth(snapshot.scale)),
                 refinement);
     for (float& damp : water.damp.values()) damp = std::clamp(damp, 0.0F, 1.0F);
+    wet_by_rain(snapshot, refinement, water.damp);
+    add_rings(snapshot, refinement, water);
     return water;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "base/grid.h"
 #include "base/snapshot.h"
 #include "scene/scene.h"
@@ -56,12 +59,18 @@ struct DisplayWater {
     Field<float> velocity_x;  ///< m/s
     Field<float> velocity_y;
     /// Of the ground: the root of depth over closed_depth, at most 1, in wet cells, falling to 0
-    /// within two cells around them.
+    /// within two cells around them; in rain all ground is damp.
     Field<float> damp;
     /// The slopes of its surface eastward and northward, from neighbours that are under a closed
     /// sheet too: across a channel of one cell, whose banks have a film of rain, it lies level.
     Field<float> slope_x;
     Field<float> slope_y;
+    /// The rings that the drops of the last second have left, as ring_tile_levels() has them for
+    /// the heaviest rain on any cell; empty where none fell, or lengths are in sites.
+    std::vector<std::vector<std::uint8_t>> rings;
+    /// How steep they are on each cell, of the tile's: the root of its share of that rain. Empty
+    /// where it is even.
+    Field<float> ringed;
 };
 
 DisplayWater display_water(const Snapshot& snapshot, int refinement);

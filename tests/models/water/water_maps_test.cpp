@@ -134,6 +134,10 @@ TEST(WaterMaps, RainFallsWhereAndWhenTheyHaveIt) {
     run.to(20.0);
     EXPECT_NEAR(run.number("rain_volume"), first + east * 2e-4 * 3.25, 1e-12);
     EXPECT_LT(std::fabs(run.number("water_budget_error")), 1e-13);
+    const Grid fallen = run.gully.snapshot().rain(5.0, 11.0);
+    EXPECT_NEAR(fallen(1, 3), 5.0 * 1e-4, 1e-15);
+    EXPECT_NEAR(fallen(map_columns - 1, 3), 1.0 * 2e-4, 1e-15);
+    EXPECT_EQ(run.gully.snapshot().rain(14.0, 20.0)(map_columns - 1, 3), 0.0);
     const Grid depth = run.gully.snapshot().fields[0].values;
     EXPECT_GT(depth(2, 10), 7e-4);
     EXPECT_LT(depth(2, 10), 8e-4);

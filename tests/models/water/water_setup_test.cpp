@@ -167,6 +167,19 @@ TEST(WaterSetup, RainFollowsItsTable) {
     run.to(100.0);
     EXPECT_NEAR(run.number("rain_volume"), 20.0 * (10.0 * 1e-5 + 30.0 * 2e-5), 1e-15);
     EXPECT_NEAR(run.number("water_volume"), run.number("rain_volume"), 1e-15);
+    const Snapshot snapshot = run.gully.snapshot();
+    EXPECT_EQ(snapshot.rain(0.0, 10.0)(0, 0), 0.0);
+    EXPECT_NEAR(snapshot.rain(15.0, 25.0)(0, 0), 5.0 * 1e-5 + 5.0 * 2e-5, 1e-18);
+    EXPECT_EQ(snapshot.rain(30.0, 30.0)(0, 0), 0.0);
+    EXPECT_EQ(snapshot.rain(50.0, 100.0)(0, 0), 0.0);
+}
+
+TEST(WaterSetup, RainEndsWhereItIsToldTo) {
+    WaterParameters water;
+    water.rain = 36.0;
+    water.rain_until = 30.0;
+    const GullyRun run(water, Grid(5, 4), 1);
+    EXPECT_NEAR(run.gully.snapshot().rain(20.0, 40.0)(0, 0), 10.0 * 1e-5, 1e-18);
 }
 
 TEST(WaterSetup, TheGroundTakesWaterByThreeLaws) {

@@ -117,5 +117,24 @@ TEST(WaterRelief, AFilmsChannelsAreExaggeratedAndKeepTheirRoom) {
     EXPECT_GT(block.base, -0.2);
 }
 
+TEST(DisplayWater, RainWetsTheGroundForAnHour) {
+    Snapshot dry = under_water(flat_bed(8, 6), 0.0, 0.0);
+    dry.rain = [](double from, double until) {  // of 36 mm/h, from 100 s until 1000 s
+        const double seconds = std::clamp(until, 100.0, 1000.0) - std::clamp(from, 100.0, 1000.0);
+        return Grid(1, 1, 1e-5 * seconds);
+    };
+    const auto dampness = [&](double time) {
+        dry.time = time;
+        return display_water(dry, 2).damp(5, 4);
+    };
+    EXPECT_EQ(dampness(100.0), 0.0F);
+    EXPECT_NEAR(dampness(150.0), 0.75 * (1.0 - std::exp(-1.0)), 1e-6);
+    EXPECT_NEAR(dampness(1000.0), 0.75, 1e-3);
+    EXPECT_GT(dampness(4000.0), 0.7F);
+    EXPECT_EQ(dampness(4600.0), 0.0F);
+    dry.scale.in_metres = false;
+    EXPECT_EQ(dampness(1000.0), 0.0F);
+}
+
 }  // namespace
 }  // namespace fumon
