@@ -8,7 +8,7 @@ vec3 rock_roughness(vec2 p, float footprint) {
     for (int octave = 0; octave < 4; ++octave) {
         float k = 0.45 * exp2(1.7 * float(octave));
         float seen = 1.0 - smoothstep(0.2, 0.7, footprint * k);
-        vec3 noise = sloped_noise(p * k + 17.0 * float(octave));
+        vec3 noise = sloped_gradient_noise(p * k + 17.4 * float(octave));
         sum += seen * vec3(0.17 * noise.yz, 0.30 * noise.x);
     }
     return sum;
