@@ -123,20 +123,20 @@ Edge along_wall(const Field<float>& soft, int x, int y) {
         }
     }
     const float half = 0.5F * (east_east - north_north);
-    const float apart = std::sqrt(half * half + east_north * east_north);
+    const float split = std::sqrt(half * half + east_north * east_north);
     const float both = east_east + north_north;
-    if (apart <= 0.0F) return {least_aside, 0.0F, 0.0F, 0.0F};
-    // Across the wall lies (half + apart, east_north), or as well (east_north, apart - half): the
+    if (split <= 0.0F) return {least_aside, 0.0F, 0.0F, 0.0F};
+    // Across the wall lies (half + split, east_north), or as well (east_north, split - half): the
     // longer one has the fewer rounding errors.
     float east = -east_north;
-    float north = half + apart;
+    float north = half + split;
     if (half < 0.0F) {
-        east = half - apart;
+        east = half - split;
         north = east_north;
     }
     const float length = std::sqrt(east * east + north * north);
     const float far = least_aside + (1.0F - least_aside) * smooth_step(no_direction, one_direction,
-                                                                       2.0F * apart / both);
+                                                                       2.0F * split / both);
     return {far, 0.0F, east / length, north / length};
 }
 
@@ -147,10 +147,10 @@ float far_along(const Field<float>& far, int x, int y) {
     float least = 1.0F;
     for (int j = -reach; j <= reach; ++j) {
         for (int i = -reach; i <= reach; ++i) {
-            const float beside = far(x + reach + i, y + reach + j);
-            if (beside >= least) continue;
+            const float there = far(x + reach + i, y + reach + j);
+            if (there >= least) continue;
             const float away = std::sqrt(static_cast<float>(i * i + j * j)) / averaged;
-            least = std::min(least, beside + away);
+            least = std::min(least, there + away);
         }
     }
     return least;
