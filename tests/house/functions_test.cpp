@@ -36,7 +36,8 @@ TEST(FunctionsTest, AreOurOwnWhereTheSystemsDifferBetweenProcessors) {
     for (const auto& entry : fs::recursive_directory_iterator(FUMON_SOURCES_FOLDER)) {
         const std::string name = entry.path().filename().string();
         if (!name.ends_with(".h") && !name.ends_with(".cpp")) continue;
-        if (name.starts_with("elementary") || name.ends_with("-inl.h")) continue;  // which define them
+        if (name.starts_with("elementary") || name.ends_with("-inl.h"))
+            continue;  // which define them
         ++files;
         std::ifstream file(entry.path());
         int number = 0;
