@@ -101,17 +101,21 @@ struct Rings {
 // None is seen on water that shoots, and but low ones on a film.
 Rings drop_rings(vec2 world, Water water, float width) {
     Rings rings = Rings(vec2(0.0), 0.0);
-    float level = log2(max(width * float(textureSize(ring_map, 0).x) / ring_tile, 1.0));
-    float shown = shown_at(widest_ring * metre, width);  // else a pixel may see one or two of them, and sparkle
-    for (int i = 0; i < ring_layers; ++i) {
-        vec2 turn = i == 0 ? vec2(1.0, 0.0) : vec2(0.8, 0.6);
-        vec2 at = vec2(turn.x * world.x - turn.y * world.y, turn.y * world.x + turn.x * world.y);
-        vec3 texel = textureLod(ring_map, at / ring_tile + 0.37 * float(i), level).xyz;
-        vec2 slope = ring_ends.x * shown * (2.0 * texel.xy - 1.0);
-        rings.slope += vec2(turn.x * slope.x + turn.y * slope.y, turn.x * slope.y - turn.y * slope.x);
-        rings.rough += max(ring_ends.y * mix(ring_mean, texel.z, shown) - dot(slope, slope), 0.0);
-    }
     float height = water.ringed * (1.0 - 0.7 * water.thin) * (1.0 - smoothstep(0.6, 1.2, water.froude));
+    float shown = shown_at(widest_ring * metre, width);  // else a pixel may see one or two of them, and sparkle
+    if (shown > 0.0) {
+        float level = log2(max(width * float(textureSize(ring_map, 0).x) / ring_tile, 1.0));
+        for (int i = 0; i < ring_layers; ++i) {
+            vec2 turn = i == 0 ? vec2(1.0, 0.0) : vec2(0.8, 0.6);
+            vec2 at = vec2(turn.x * world.x - turn.y * world.y, turn.y * world.x + turn.x * world.y);
+            vec3 texel = textureLod(ring_map, at / ring_tile + 0.37 * float(i), level).xyz;
+            vec2 slope = ring_ends.x * shown * (2.0 * texel.xy - 1.0);
+            rings.slope += vec2(turn.x * slope.x + turn.y * slope.y, turn.x * slope.y - turn.y * slope.x);
+            rings.rough += max(ring_ends.y * mix(ring_mean, texel.z, shown) - dot(slope, slope), 0.0);
+        }
+    } else {
+        rings.rough = float(ring_layers) * ring_ends.y * ring_mean;
+    }
     return Rings(height * rings.slope, height * height * rings.rough);
 }
 

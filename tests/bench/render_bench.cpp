@@ -112,8 +112,8 @@ void world_of_barchans(benchmark::State& state) {
          {test::barchan_field(cells, 0.0), test::barchan_field(cells, 2.0)});
 }
 
-/// A block with a gully, dry (0) or in rain with a stream at its bottom (1), from over its mouth
-/// (0) and as a whole (1).
+/// A block with a gully, dry (0), after rain with a stream at its bottom (1) or in rain of 60 mm/h
+/// whose drops are seen (2), from over its mouth (0) and as a whole (1).
 void water(benchmark::State& state) {
     View view = view_of(Ground::table);
     view.look.exaggeration = {"", 1.0};
@@ -129,9 +129,18 @@ void water(benchmark::State& state) {
     }
     if (state.range(0) == 0) {
         draw(state, view, {test::dry_gully(0.0), test::dry_gully(0.1)});
-    } else {
-        draw(state, view, {test::rained_gully(0.0), test::rained_gully(0.1)});
+        return;
     }
+    const auto gully = [&](double phase) {
+        Snapshot rained = test::rained_gully(phase);
+        rained.time = 600.0;
+        if (state.range(0) == 2)
+            rained.rain = [](double from, double until) {
+                return Grid(1, 1, (until - from) / 6e4);
+            };
+        return rained;
+    };
+    draw(state, view, {gully(0.0), gully(0.1)});
 }
 
 /// The sky alone, over a whole picture, of the sun where it is (0) or of another sun each time, for
@@ -210,7 +219,7 @@ BENCHMARK(world_of_barchans)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK(water)
-    ->ArgsProduct({{0, 1}, {0, 1}})
+    ->ArgsProduct({{0, 1, 2}, {0, 1}})
     ->ArgNames({"wet", "whole"})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
