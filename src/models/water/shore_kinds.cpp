@@ -60,10 +60,11 @@ void ShorePlanes::find_full(int y) {
     }
 }
 
-void ShorePlanes::copy_full_beyond() {
+/// Beyond an edge over which water falls all is taken to be of the kind.
+void ShorePlanes::copy_beyond(Kind kind) {
     const auto copy = [&](int x, int y) {
         const Place from = at(x, y);
-        flags_of(full, y)[x] = from.outside ? std::uint8_t{1} : flags_of(full, from.y)[from.x];
+        flags_of(kind, y)[x] = from.outside ? std::uint8_t{1} : flags_of(kind, from.y)[from.x];
     };
     for (int y = -1; y <= ny_; ++y) {
         copy(-1, y);

@@ -93,8 +93,9 @@ void ShorePlanes::find_deep(const Water& water, const Grid& bed, WorkerPool& poo
         });
     };
     in_rows([&](int y) { find_full(y); });
-    copy_full_beyond();
+    copy_beyond(full);
     in_rows([&](int y) { find_core(y); });
+    copy_beyond(core);
     in_rows([&](int y) { find_inner(y); });
 }
 
@@ -152,26 +153,11 @@ bool ShorePlanes::is(Kind kind, const Place& place) const {
     return !place.outside && flags_[kind][flag_of(place.x, place.y)] != 0;
 }
 
-double ShorePlanes::limited(double back, double forward) const {
-    return cell_means::limited_slope(back, forward, steepest_);
-}
-
-/// Limited, over a cell, along x and y.
+/// Limited as those of whole cells are (mean_vectors.h).
 template <class Value>
-std::array<double, 2> ShorePlanes::slopes_of(const Value& value, int x, int y) const {
+ShorePlanes::Shape ShorePlanes::shape_of(const Value& value, int x, int y) const {
     const double here = value(at(x, y));
-    const auto to = [&](int dx, int dy) {
-        const Place there = at(x + dx, y + dy);
-        return there.outside ? 0.0 : value(there) - here;
-    };
-    return {limited(0.0 - to(-1, 0), to(1, 0)), limited(0.0 - to(0, -1), to(0, 1))};
-}
-
-/// Second differences, limited as those of whole cells are (mean_vectors.h).
-template <class Value>
-std::array<double, 2> ShorePlanes::bends_of(const Value& value, int x, int y) const {
-    const double here = value(at(x, y));
-    const auto along = [&](int dx, int dy) {
+    const auto along = [&](int dx, int dy) -> std::array<double, 2> {
         const auto ahead = [&](int sign) {
             const Place there = at(x + sign * dx, y + sign * dy);
             return there.outside ? 0.0 : value(there) - here;
@@ -179,9 +165,12 @@ std::array<double, 2> ShorePlanes::bends_of(const Value& value, int x, int y) co
         const double back = ahead(-1);
         const double forward = ahead(1);
         const double most = 2.0 * std::min(std::fabs(back), std::fabs(forward));
-        return std::clamp(forward + back, 0.0 - most, most);
+        return {cell_means::limited_slope(0.0 - back, forward, steepest_),
+                std::clamp(forward + back, 0.0 - most, most)};
     };
-    return {along(1, 0), along(0, 1)};
+    const auto [slope_x, bend_x] = along(1, 0);
+    const auto [slope_y, bend_y] = along(0, 1);
+    return {slope_x, slope_y, bend_x, bend_y};
 }
 
 void ShorePlanes::find_planes(int y) {
@@ -236,12 +225,11 @@ void ShorePlanes::put_bed(Plane& plane, int x, int y) const {
     const auto bed = [&](const Place& place) { return (*bed_)(place.x, place.y); };
     plane.x = x;
     plane.bed = bed(at(x, y));
-    const auto [along_x, along_y] = slopes_of(bed, x, y);
-    plane.bed_x = along_x;
-    plane.bed_y = along_y;
-    const auto [bend_x, bend_y] = bends_of(bed, x, y);
-    plane.bed_xx = bend_x;
-    plane.bed_yy = bend_y;
+    const Shape shape = shape_of(bed, x, y);
+    plane.bed_x = shape.slope_x;
+    plane.bed_y = shape.slope_y;
+    plane.bed_xx = shape.bend_x;
+    plane.bed_yy = shape.bend_y;
 }
 
 bool ShorePlanes::is_resolved(int x, int y) const {
@@ -282,12 +270,11 @@ ShorePlanes::Plane ShorePlanes::compute_inside(int x, int y) const {
         value_y = velocity.along_y;
     };
     plane.level = of_surface(at(x, y));
-    const auto [along_x, along_y] = slopes_of(of_surface, x, y);
-    plane.level_x = along_x;
-    plane.level_y = along_y;
-    const auto [bend_x, bend_y] = bends_of(of_surface, x, y);
-    plane.level_xx = bend_x;
-    plane.level_yy = bend_y;
+    const Shape shape = shape_of(of_surface, x, y);
+    plane.level_x = shape.slope_x;
+    plane.level_y = shape.slope_y;
+    plane.level_xx = shape.bend_x;
+    plane.level_yy = shape.bend_y;
     const auto around = [&](const auto& value) {
         cell_means::Patch patch;
         for (std::size_t k = 0; k < patch.size(); ++k) {

@@ -101,6 +101,13 @@ class ShorePlanes {
         double bed_xx = 0.0;
         double bed_yy = 0.0;
     };
+    /// Of a cell and those beside it: slopes over a cell, and second differences.
+    struct Shape {
+        double slope_x = 0.0;
+        double slope_y = 0.0;
+        double bend_x = 0.0;
+        double bend_y = 0.0;
+    };
     /// What a cell failed to deliver to those west, east, south and north of it, m.
     struct Deficit {
         int x = 0;
@@ -142,15 +149,12 @@ class ShorePlanes {
     [[nodiscard]] bool is_beside_outside(int x, int y) const;
     [[nodiscard]] bool is(Kind kind, const Place& place) const;
     std::uint8_t* flags_of(Kind kind, int y) { return flags_[kind].data() + flag_of(0, y); }
-    [[nodiscard]] double limited(double back, double forward) const;
     template <class Value>
-    [[nodiscard]] std::array<double, 2> slopes_of(const Value& value, int x, int y) const;
-    template <class Value>
-    [[nodiscard]] std::array<double, 2> bends_of(const Value& value, int x, int y) const;
+    [[nodiscard]] Shape shape_of(const Value& value, int x, int y) const;
 
     void find_deep(const Water& water, const Grid& bed, WorkerPool& pool);
     void find_full(int y);
-    void copy_full_beyond();
+    void copy_beyond(Kind kind);
     void find_core(int y);
     void find_inner(int y);
     void find_planes(int y);

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "base/worker_pool.h"
+#include "numerics/smooth_step.h"
 #include "render/view/repeated_bed.h"
 
 namespace fumon {
@@ -21,11 +22,6 @@ constexpr float least_aside = 0.15F;  // of a wall that runs nowhere
 // By how much more heights vary across than along it, of both.
 constexpr float no_direction = 0.6F;
 constexpr float one_direction = 0.95F;
-
-float smooth_step(float from, float to, float value) {
-    const float t = std::clamp((value - from) / (to - from), 0.0F, 1.0F);
-    return t * t * (3.0F - 2.0F * t);
-}
 
 bool may_have_walls(const Field<float>& z, float dx, float dy) {
     int steep = 0;  // found without branches, for which the loop would be slower

@@ -8,6 +8,7 @@
 #include "base/rounding.h"
 #include "base/worker_pool.h"
 #include "numerics/resampling.h"
+#include "numerics/smooth_step.h"
 #include "render/edges/sharp_brinks.h"
 #include "render/edges/straight_walls.h"
 #include "render/light/lighting.h"
@@ -113,11 +114,6 @@ Field<float> with_later_shadows(const Field<float>& share, const Field<float>& z
         }
     });
     return later;
-}
-
-float smooth_step(float from, float to, float value) {
-    const float t = std::clamp((value - from) / (to - from), 0.0F, 1.0F);
-    return t * t * (3.0F - 2.0F * t);
 }
 
 /// The edges of walls that turn away from the sun. Their own shade begins at the rim, between two

@@ -12,6 +12,7 @@
 #include "base/random.h"
 #include "base/worker_pool.h"
 #include "numerics/plane_filter.h"
+#include "numerics/smooth_step.h"
 #include "numerics/tension_surface.h"
 #include "render/view/drawn_height.h"
 
@@ -86,11 +87,6 @@ Grid smoothed(const Grid& field, const Grid& weight, int radius) {
     for (std::size_t i = 0; i < mean.size(); ++i)
         mean.values()[i] = sum.values()[i] > 1e-6 ? mean.values()[i] / sum.values()[i] : 0.0;
     return mean;
-}
-
-double smooth_step(double from, double to, double at) {
-    const double t = std::clamp((at - from) / (to - from), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Gives a plane's Fourier modes phases by chance.
