@@ -39,9 +39,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fumon-data (= ${PROJECT_VERSION}-${revision}), ${by_name}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "fonts-ipaexfont-gothic")
-if(FUMON_GDAL)  # likewise loaded by its name, for GeoTIFF alone
-    string(APPEND CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS ", ${FUMON_GDAL_PACKAGE}")
-endif()
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgdal32 | libgdal36 | libgdal34t64")  # likewise loaded by its name
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "sand and water landforms, simulated and rendered
 Ripples, dunes, barchans, sandpiles, gullies and rain on real terrain,
 computed reproducibly to the bit and drawn as pictures, movies and paper

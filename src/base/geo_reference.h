@@ -18,4 +18,13 @@ struct GeoReference {
     friend bool operator==(const GeoReference&, const GeoReference&) = default;
 };
 
+/// The coordinate reference system that is written for a grid in degrees whose file named none: it
+/// says so, and takes the ellipsoid of WGS 84.
+inline constexpr const char* degrees_of_unknown_datum =
+    R"(GEOGCRS["degrees, datum not said",DATUM["not said, taken for WGS 84",)"
+    R"(ELLIPSOID["WGS 84",6378137,298.257223563,LENGTHUNIT["metre",1]]],)"
+    R"(PRIMEM["Greenwich",0,ANGLEUNIT["degree",0.0174532925199433]],CS[ellipsoidal,2],)"
+    R"(AXIS["longitude",east,ORDER[1],ANGLEUNIT["degree",0.0174532925199433]],)"
+    R"(AXIS["latitude",north,ORDER[2],ANGLEUNIT["degree",0.0174532925199433]]])";
+
 }  // namespace fumon

@@ -236,10 +236,8 @@ void check_kind(const ExportOptions& options, const ExportKind& kind) {
     }
     if (kind.terrain.empty()) return;
     const TerrainFormat& format = *find_written_format(kind.terrain);
-    if (!format.lacks.empty()) {
-        throw InputError(fmt::format("{}: {} needs GDAL, and this fumon was built without it; {}",
-                                     options.output, format.title, format.lacks));
-    }
+    if (const std::string missing = format.missing(); !missing.empty())
+        throw InputError(fmt::format("{}: {} {}", options.output, format.title, missing));
 }
 
 int perform(const ExportOptions& options) {

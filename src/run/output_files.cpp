@@ -58,12 +58,8 @@ void check_map_files(const Scene& scene, const Snapshot& first) {
     if (scene.output.world_files) map_frame(scene.view, first, world_files_key);
     if (!scene.output.geotiff_frames) return;
     map_frame(scene.view, first, geotiff_frames_key);
-    const TerrainFormat& geotiff = *find_written_format("geotiff");
-    if (!geotiff.lacks.empty()) {
-        throw KeyError(geotiff_frames_key,
-                       fmt::format("{} needs GDAL, and this fumon was built without it; {}",
-                                   geotiff_frames_key, geotiff.lacks));
-    }
+    if (const std::string missing = find_written_format("geotiff")->missing(); !missing.empty())
+        throw KeyError(geotiff_frames_key, fmt::format("{} {}", geotiff_frames_key, missing));
 }
 
 std::vector<std::filesystem::path> map_file_names(const Scene& scene,

@@ -72,10 +72,8 @@ void check_bed_formats(const Scene& scene, Faults& faults) {
                                                     names[k], written_terrain_formats()));
             continue;
         }
-        if (!format->lacks.empty()) {
-            refuse("output.bed_format",
-                   fmt::format("this fumon was built without \"{}\"; {}", names[k], format->lacks));
-        }
+        if (const std::string missing = format->missing(); !missing.empty())
+            refuse("output.bed_format", fmt::format("\"{}\" {}", names[k], missing));
         if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(k), names[k]) !=
             names.begin() + static_cast<std::ptrdiff_t>(k))
             refuse("output.bed_format",

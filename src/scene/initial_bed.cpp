@@ -198,10 +198,12 @@ void refine(const Scene& scene, Terrain& terrain) {
     }
 }
 
-TerrainQuery query_of(const BedSettings& bed) {
+TerrainQuery query_of(const Scene& scene) {
+    const BedSettings& bed = scene.bed;
     TerrainQuery query{.png_heights = bed.heights, .variable = bed.variable, .band = bed.band};
     if (bed.window.size() == 4)
         query.window = {bed.window[0], bed.window[1], bed.window[2], bed.window[3]};
+    query.trusted = may_tell_of_bed(scene);
     return query;
 }
 
@@ -257,7 +259,7 @@ InputError no_bed_in(const Scene& scene, const std::filesystem::path& file) {
 /// is in it, nor whether it is there.
 Terrain read_bed_file(const Scene& scene, const std::filesystem::path& file) {
     try {
-        return read_terrain(file, query_of(scene.bed));
+        return read_terrain(file, query_of(scene));
     } catch (const InputError&) {
         if (may_tell_of_bed(scene)) throw;
         throw no_bed_in(scene, file);

@@ -72,6 +72,7 @@ Terrain read_map(const Scene& scene, const KeyTable& keys, std::size_t number,
     query.record = value_of<std::int64_t>(keys, number, "record");
     query.must_name_record = value_text(*keys.find(map_key(number, "quantity"))) == "\"rain\"";
     query.any_unit = true;
+    query.trusted = mine;
     try {
         return read_terrain(file, query);
     } catch (const InputError& refusal) {

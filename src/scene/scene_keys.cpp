@@ -105,7 +105,7 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
     table.text(
         "bed.crs", scene.bed.crs,
         {.help = "\"utm\", or a reference system in metres as \"EPSG:32613\", onto whose even "
-                 "cells a terrain file is brought (with GDAL); empty: its own"});
+                 "cells a terrain file is brought; empty: its own"});
     table.real("bed.resample", scene.bed.resample,
                {.unit = "m",
                 .range = {0, 1e7},
@@ -161,7 +161,7 @@ void list_output_keys(OutputSettings& output, KeyTable& table) {
                            "and the reference system (.png.aux.xml), for GIS"});
     table.boolean("output.geotiff_frames", output.geotiff_frames,
                   {.help = "beside each frame of camera.projection = \"map\" the same pixels as a "
-                           "GeoTIFF (.tif; with GDAL), for GIS"});
+                           "GeoTIFF (.tif), for GIS"});
     table.boolean("output.exr_frames", output.exr_frames,
                   {.help = "beside each frame its linear light before exposure and tone curve as "
                            "OpenEXR (.exr), without overlays"});

@@ -73,7 +73,7 @@ TEST_F(BedFormat, FramesOfMapsAreGeoTiffsToo) {
               "--set 3:23: output.geotiff_frames belongs to camera.projection = \"map\"\n");
     EXPECT_FALSE(fs::exists(folder_ / "map.png"));
     const Ended ended = still({"--set", "camera.projection=map"});
-    if (!find_written_format("geotiff")->lacks.empty()) {
+    if (!find_written_format("geotiff")->missing().empty()) {
         EXPECT_EQ(ended.status, 2);
         EXPECT_NE(ended.errors.find("needs GDAL"), std::string::npos) << ended.errors;
         return;
@@ -119,7 +119,7 @@ TEST_F(BedFormat, ResampledCellsAreTheModels) {
 }
 
 TEST_F(BedFormat, GeotiffAndEsriGridHoldTheSameBed) {
-    if (!find_written_format("geotiff")->lacks.empty()) GTEST_SKIP() << "built without GDAL";
+    if (!find_written_format("geotiff")->missing().empty()) GTEST_SKIP() << "GDAL is not installed";
     const Ended ended = run("", "bed_format = [\"geotiff\", \"esri-ascii\"]\n");
     ASSERT_EQ(ended.status, 0) << ended.errors;
     for (const std::string name : {"bed_00000000", "bed_00000002"}) {

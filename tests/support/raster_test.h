@@ -1,9 +1,6 @@
 #pragma once
 
-#include <gdal.h>
-#include <gdal_frmts.h>
 #include <gtest/gtest.h>
-#include <ogr_srs_api.h>
 
 #include <filesystem>
 #include <functional>
@@ -12,6 +9,7 @@
 
 #include "base/error.h"
 #include "files/terrain/terrain_file.h"
+#include "support/gdal_more.h"
 #include "support/temporary_folder.h"
 
 namespace fumon::test {
@@ -26,14 +24,15 @@ struct Raster {
     GDALDataType type = GDT_Float64;
     int bands = 1;
     std::vector<const char*> options{};
+    const char* driver = "GTiff";
     std::function<void(GDALDatasetH)> more = [](GDALDatasetH) {};
 };
 
 inline std::filesystem::path write(const std::filesystem::path& file, const Raster& raster) {
-    GDALRegister_GTiff();
+    GDALAllRegister();
     std::vector<const char*> options = raster.options;
     options.push_back(nullptr);
-    GDALDatasetH dataset = GDALCreate(GDALGetDriverByName("GTiff"), file.c_str(), raster.nx,
+    GDALDatasetH dataset = GDALCreate(GDALGetDriverByName(raster.driver), file.c_str(), raster.nx,
                                       raster.ny, raster.bands, raster.type, options.data());
     std::vector<double> transform = raster.transform;
     if (!transform.empty()) GDALSetGeoTransform(dataset, transform.data());

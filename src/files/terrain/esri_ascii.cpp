@@ -125,16 +125,8 @@ Terrain parse_esri_ascii(const TextSource& source, const std::optional<TerrainWi
         source.fail(
             header.end, "every cell is no-data",
             fmt::format("at least one height must differ from the NODATA_value {}", header.nodata));
-    const bool degrees = is_geographic(extent);
-    terrain.place = {header.west, header.south, header.dx, header.dy, degrees};
+    terrain.place = {header.west, header.south, header.dx, header.dy, is_geographic(extent)};
     crop(terrain, window, source.name);
-    if (degrees) {
-        const double middle = terrain.place->south + 0.5 * header.dy * terrain.heights.ny();
-        const MetricCells cells = cells_from_degrees(header.dx, header.dy, middle);
-        terrain.dx = cells.dx;
-        terrain.dy = cells.dy;
-        terrain.note = cells.note;
-    }
     return terrain;
 }
 

@@ -69,6 +69,7 @@ Terrain read_esri_ascii(const std::filesystem::path& file, const TerrainQuery& q
 bool reads_back(const TerrainOutput& terrain) {
     const WorldScale& scale = terrain.scale;
     const GeoReference& place = *scale.place;
+    if (!place.crs.empty()) return true;  // by its .prj
     if (!place.degrees) {
         constexpr double tolerance = 1e-6;
         return std::abs(place.dx / scale.dx - 1.0) < tolerance &&
@@ -84,11 +85,11 @@ std::vector<TerrainBytes> write_esri_ascii(const TerrainOutput& terrain) {
     if (!scale.in_metres || !scale.place || !reads_back(terrain))
         return {{".asc", esri_ascii(heights, nodata, scale.dx, scale.dy)}};
     const GeoReference& place = *scale.place;
-    const double dx = place.degrees ? place.dx : scale.dx;
-    const double dy = place.degrees ? place.dy : scale.dy;
     std::vector<TerrainBytes> files{
-        {".asc", esri_ascii(heights, nodata, dx, dy, place.west, place.south)}};
-    if (!place.crs.empty()) files.push_back({".prj", esri_projection(place.crs) + "\n"});
+        {".asc", esri_ascii(heights, nodata, place.dx, place.dy, place.west, place.south)}};
+    const std::string crs =
+        place.degrees && place.crs.empty() ? degrees_of_unknown_datum : place.crs;
+    if (!crs.empty()) files.push_back({".prj", esri_projection(crs) + "\n"});
     return files;
 }
 

@@ -8,35 +8,15 @@
 #include <vector>
 
 #include "base/error.h"
+#include "files/gdal/gdal_functions.h"
+#include "files/gdal/gdal_session.h"
+#include "files/gdal/spatial_reference.h"
 #include "files/terrain/esri_ascii.h"
-#include "files/terrain/gdal_dataset.h"
-#include "files/terrain/gdal_functions.h"
 #include "files/terrain/geotiff.h"
 
 namespace fumon {
 
 namespace {
-
-/// A coordinate reference system read from WKT of any kind; holds none where it is not understood.
-class SpatialReference {
-  public:
-    explicit SpatialReference(const std::string& text)
-        : handle_(gdal().OSRNewSpatialReference(nullptr)) {
-        std::string copy = text;  // which the call moves through
-        char* place = copy.data();
-        understood_ = gdal().OSRImportFromWkt(handle_, &place) == OGRERR_NONE;
-    }
-    ~SpatialReference() { gdal().OSRDestroySpatialReference(handle_); }
-    SpatialReference(const SpatialReference&) = delete;
-    SpatialReference& operator=(const SpatialReference&) = delete;
-
-    [[nodiscard]] OGRSpatialReferenceH get() const { return handle_; }
-    [[nodiscard]] bool understood() const { return understood_; }
-
-  private:
-    OGRSpatialReferenceH handle_;
-    bool understood_ = false;
-};
 
 /// A file in memory, under a name that is in use while GDAL is locked.
 class MemoryFile {
@@ -49,7 +29,7 @@ class MemoryFile {
     [[nodiscard]] const char* name() const { return name_; }
     [[nodiscard]] std::string bytes() const {
         vsi_l_offset length = 0;
-        const GByte* begin = gdal().VSIGetMemFileBuffer(name_, &length, FALSE);
+        const GByte* begin = gdal().VSIGetMemFileBuffer(name_, &length, 0);
         if (begin == nullptr) return {};
         return {begin, begin + length};
     }
@@ -62,8 +42,8 @@ void place_at(GDALDatasetH dataset, const GeoReference& place, int rows) {
     const double north = place.south + place.dy * rows;
     std::array<double, 6> transform{place.west, place.dx, 0.0, north, 0.0, -place.dy};
     gdal().GDALSetGeoTransform(dataset, transform.data());
-    if (place.crs.empty()) return;
-    const SpatialReference crs(place.crs);
+    if (place.crs.empty() && !place.degrees) return;
+    const SpatialReference crs(place.crs.empty() ? degrees_of_unknown_datum : place.crs);
     if (crs.understood()) gdal().GDALSetSpatialRef(dataset, crs.get());
 }
 
@@ -153,8 +133,7 @@ std::vector<TerrainBytes> write_cloud_geotiff(const TerrainOutput& terrain) {
                                          drivers.data(), nullptr, nullptr));
     if (source.get() != nullptr) {
         GdalDataset copy(gdal().GDALCreateCopy(gdal().GDALGetDriverByName("COG"), tiled.name(),
-                                               source.get(), FALSE, options.data(), nullptr,
-                                               nullptr));
+                                               source.get(), 0, options.data(), nullptr, nullptr));
         copy.close();
     }
     return written(".cog.tif", tiled.bytes(), session);
@@ -180,17 +159,12 @@ std::string geotiff_picture(const Image& picture, const GeoReference& place) {
 
 std::string esri_projection(const std::string& crs) {
     // WKT 1, as .prj files have it, stays as it is: its words do not end in CRS.
-    if (crs.substr(0, crs.find('[')).find("CRS") == std::string::npos) return crs;
+    if (crs.substr(0, crs.find('[')).find("CRS") == std::string::npos || !has_gdal()) return crs;
     const GdalSession session;
     const SpatialReference reference(crs);
     if (!reference.understood()) return crs;
-    constexpr std::array<const char*, 3> form{"FORMAT=WKT1_ESRI", "MULTILINE=NO", nullptr};
-    char* text = nullptr;
-    std::string projection = crs;
-    if (gdal().OSRExportToWktEx(reference.get(), &text, form.data()) == OGRERR_NONE)
-        projection = text;
-    gdal().VSIFree(text);
-    return projection;
+    const std::string projection = reference.esri_wkt();
+    return projection.empty() ? crs : projection;
 }
 
 }  // namespace fumon

@@ -21,12 +21,6 @@ namespace fumon {
 
 namespace {
 
-void add_note(Terrain& terrain, const std::string& note) {
-    if (note.empty()) return;
-    if (!terrain.note.empty()) terrain.note += "; ";
-    terrain.note += note;
-}
-
 void check_size(const NetcdfInput& input, const BedVariable& bed) {
     const std::size_t nx = input.dimension_length(bed.x);
     const std::size_t ny = input.dimension_length(bed.y);
@@ -219,22 +213,6 @@ std::optional<GeoReference> place_of_grid(const NetcdfInput& input, const BedVar
                         y.spacing,   in_degrees,   crs_of(input, bed.variable)};
 }
 
-void set_cell_sizes(const NetcdfInput& input, Terrain& terrain) {
-    if (!terrain.place) return;
-    const GeoReference& place = *terrain.place;
-    terrain.dx = place.dx;
-    terrain.dy = place.dy;
-    if (!place.degrees) return;
-    const double middle = place.south + 0.5 * place.dy * terrain.heights.ny();
-    if (std::abs(middle) >= 90.0)
-        input.refuse(fmt::format("the middle latitude is {:.6g}°", middle),
-                     "latitudes lie between -90 and 90");
-    const MetricCells cells = cells_from_degrees(place.dx, place.dy, middle);
-    terrain.dx = cells.dx;
-    terrain.dy = cells.dy;
-    add_note(terrain, cells.note);
-}
-
 Terrain read_bed(const NetcdfInput& input, const TerrainQuery& query) {
     const BedVariable bed =
         choose_bed_variable(input, query.variable, {query.record, query.must_name_record});
@@ -249,7 +227,10 @@ Terrain read_bed(const NetcdfInput& input, const TerrainQuery& query) {
     complete_spacing(x, y);
     terrain.place = place_of_grid(input, bed, x, y, terrain);
     crop(terrain, query.window, input.name());
-    set_cell_sizes(input, terrain);
+    if (terrain.place) {
+        terrain.dx = terrain.place->dx;
+        terrain.dy = terrain.place->dy;
+    }
     return terrain;
 }
 
@@ -278,7 +259,7 @@ Terrain read_netcdf_bed(const std::filesystem::path& file, const TerrainQuery& q
 }
 
 TerrainFormat netcdf_format() {
-    return {.name = "netcdf",
+    return {.name = netcdf_name,
             .title = "a NetCDF file",
             .is_one =
                 [](const std::filesystem::path& file, std::string_view start) {

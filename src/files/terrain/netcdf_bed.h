@@ -31,4 +31,6 @@ Terrain read_netcdf_bed(const std::filesystem::path& file, const TerrainQuery& q
 /// NetCDF files as a terrain format.
 TerrainFormat netcdf_format();
 
+inline constexpr std::string_view netcdf_name = "netcdf";
+
 }  // namespace fumon

@@ -10,42 +10,18 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "files/gdal/gdal_functions.h"
+#include "files/gdal/gdal_session.h"
+#include "files/gdal/spatial_reference.h"
 #include "files/terrain/esri_ascii.h"
-#include "files/terrain/gdal_dataset.h"
-#include "files/terrain/gdal_functions.h"
 
 namespace fumon {
 
 namespace {
 
-/// A coordinate reference system as GDAL knows it; empty where it does not.
-class ReferenceSystem {
-  public:
-    explicit ReferenceSystem(const std::string& text)
-        : handle_(gdal().OSRNewSpatialReference(nullptr)),
-          known_(gdal().OSRSetFromUserInput(handle_, text.c_str()) == OGRERR_NONE) {}
-    ~ReferenceSystem() { gdal().OSRDestroySpatialReference(handle_); }
-    ReferenceSystem(const ReferenceSystem&) = delete;
-    ReferenceSystem& operator=(const ReferenceSystem&) = delete;
-
-    [[nodiscard]] bool known() const { return known_; }
-    [[nodiscard]] bool in_metres() const {
-        return gdal().OSRIsProjected(handle_) != 0 &&
-               gdal().OSRGetLinearUnits(handle_, nullptr) == 1.0;
-    }
-    [[nodiscard]] std::string wkt() const {
-        constexpr std::array<const char*, 3> form{"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
-        char* text = nullptr;
-        std::string result;
-        if (gdal().OSRExportToWktEx(handle_, &text, form.data()) == OGRERR_NONE) result = text;
-        gdal().VSIFree(text);
-        return result;
-    }
-
-  private:
-    OGRSpatialReferenceH handle_;
-    bool known_;
-};
+bool in_metres(const SpatialReference& crs) {
+    return crs.is_projected() && crs.length().metres == 1.0;
+}
 
 /// The zone of WGS 84 / UTM in which the middle of a grid in degrees lies.
 std::string utm_zone(const GeoReference& place, const Grid& heights) {
@@ -144,19 +120,19 @@ Terrain reprojected(const Terrain& terrain, const std::string& crs) {
     }
     const GdalSession session;
     const std::string wanted = wanted_system(terrain, crs);
-    const ReferenceSystem to(wanted);
-    if (!to.known()) {
+    const SpatialReference to(wanted);
+    if (!to.understood()) {
         throw InputError(
             fmt::format("\"{}\" is no reference system that PROJ knows; write \"utm\" or one like "
                         "\"EPSG:32613\"",
                         crs));
     }
-    if (!to.in_metres()) {
+    if (!in_metres(to)) {
         throw InputError(fmt::format(
             "\"{}\" does not count metres; choose a projected system that does, or \"utm\"", crs));
     }
     const std::string to_wkt = to.wkt();
-    const ReferenceSystem from(terrain.place->crs.empty() ? "EPSG:4326" : terrain.place->crs);
+    const SpatialReference from(terrain.place->crs.empty() ? "EPSG:4326" : terrain.place->crs);
     const std::string from_wkt = from.wkt();
     const double missing = unused_height(terrain.heights);
     GdalDataset source(gdal().GDALCreate(gdal().GDALGetDriverByName("MEM"), "",

@@ -6,6 +6,8 @@
 
 #include "base/error.h"
 #include "files/input_file.h"
+#include "files/terrain/ground_lengths.h"
+#include "files/terrain/netcdf_bed.h"
 #include "files/terrain/terrain_format.h"
 
 namespace fumon {
@@ -30,8 +32,16 @@ void check_query(const std::filesystem::path& file, const TerrainFormat& format,
 
 }  // namespace
 
+void add_note(Terrain& terrain, const std::string& remark) {
+    if (remark.empty()) return;
+    if (!terrain.note.empty()) terrain.note += "; ";
+    terrain.note += remark;
+}
+
 Terrain read_terrain(const std::filesystem::path& file, const TerrainQuery& query) {
-    const std::string start = start_of_input_file(file, TerrainFormat::signature_length);
+    const bool folder = std::filesystem::is_directory(file) && file.extension() == ".zarr";
+    const std::string start =
+        folder ? "" : start_of_input_file(file, TerrainFormat::signature_length);
     const auto formats = terrain_formats();
     const auto format = std::ranges::find_if(
         formats, [&](const TerrainFormat& one) { return one.is_one(file, start); });
@@ -42,6 +52,7 @@ Terrain read_terrain(const std::filesystem::path& file, const TerrainQuery& quer
     }
     Terrain terrain = format->read(file, query);  // the last format is every other file's
     check_query(file, *format, query);
+    make_true_lengths(terrain, format->name != netcdf_name, file.string());
     return terrain;
 }
 

@@ -22,15 +22,19 @@ struct Terrain {
     std::optional<GeoReference> place{};  ///< where it lies; none where the file does not say
 };
 
+/// Adds a remark to a terrain's note, after "; "; nothing where it is empty.
+void add_note(Terrain& terrain, const std::string& remark);
+
 /// What a scene says of how its terrain file is to be read.
 struct TerrainQuery {
     std::vector<double> png_heights{};  ///< metres of black and of white of a PNG; else empty
-    std::string variable{};             ///< of a NetCDF file; empty for what it suggests itself
-    std::int64_t band = 0;              ///< of a GeoTIFF, from 1; 0 for its only or first one
+    std::string variable{};  ///< of a NetCDF file or a container; empty for what it suggests itself
+    std::int64_t band = 0;   ///< of a raster, from 1; 0 for its only or first one
     std::int64_t record = 0;        ///< of a NetCDF variable over time, from 1; 0 for its last one
     bool must_name_record = false;  ///< where it has several
     std::optional<TerrainWindow> window{};  ///< the part to read; none for all
     bool any_unit = false;  ///< the numbers are no heights: they are taken as they stand
+    bool trusted = true;    ///< its user named it; else its format may name no other file
 };
 
 /// Reads a terrain file of any of the formats in terrain_format.h, told by its first bytes: the

@@ -8,12 +8,14 @@
 #include "files/terrain/geotiff.h"
 #include "files/terrain/netcdf_bed.h"
 #include "files/terrain/png_heights.h"
+#include "files/terrain/raster.h"
 
 namespace fumon {
 
 std::span<const TerrainFormat> terrain_formats() {
-    static const std::array formats{netcdf_format(), geotiff_format(), cloud_geotiff_format(),
-                                    png_heights_format(), esri_ascii_format()};
+    static const std::array formats{netcdf_format(),        geotiff_format(),
+                                    cloud_geotiff_format(), png_heights_format(),
+                                    other_raster_format(),  esri_ascii_format()};
     return formats;
 }
 

@@ -39,7 +39,8 @@ struct TerrainFormat {
     bool has_heights = true;     ///< its numbers are metres: it takes no bed.heights
     bool has_variables = false;  ///< it takes bed.variable
     bool has_bands = false;      ///< it takes bed.band
-    std::string_view lacks{};    ///< what to do where this fumon was built without it; else empty
+    /// What it needs and is not installed, with the remedy; empty where nothing is missing.
+    std::string (*missing)() = [] { return std::string(); };
 
     static constexpr std::size_t signature_length = 8;  // bytes
 };

@@ -40,7 +40,8 @@ const std::string all_words =
     "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize (or dx and dy), "
     "NODATA_value";
 const std::string use_instead =
-    "; terrain is a NetCDF file, a GeoTIFF, a PNG image or an ESRI ASCII grid (gdal_translate -of "
+    "; terrain is a NetCDF file, a GeoTIFF, a PNG image, another raster that GDAL reads or an ESRI "
+    "ASCII grid (gdal_translate -of "
     "AAIGrid makes one)";
 
 const std::vector<BrokenFile> broken_files{

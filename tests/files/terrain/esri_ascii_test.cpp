@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "files/terrain/ground_lengths.h"
+
 namespace fumon {
 namespace {
 
@@ -150,8 +152,9 @@ TEST(EsriAscii, RoundTripKeepsEveryBit) {
 }
 
 TEST(EsriAscii, ConvertsDegreesAtTheMiddleLatitude) {
-    const Terrain terrain = parse(
+    Terrain terrain = parse(
         "ncols 2\nnrows 2\nxllcorner -105.5\nyllcorner 44.9\ncellsize 0.1\n2000 2100\n2200 2300\n");
+    make_true_lengths(terrain, true, "grid.asc");
     // WGS84 at 45°: a degree of latitude is 111,131.777 m, of longitude 78,846.835 m.
     EXPECT_NEAR(terrain.dx, 7884.6835, 0.0005);
     EXPECT_NEAR(terrain.dy, 11113.1777, 0.0005);

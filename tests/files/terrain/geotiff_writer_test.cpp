@@ -1,8 +1,6 @@
 // GeoTIFFs and ESRI grids that fumon writes, read by GDAL and by fumon.
 
-#include <gdal.h>
 #include <gtest/gtest.h>
-#include <ogr_srs_api.h>
 
 #include <array>
 #include <cmath>
@@ -61,7 +59,8 @@ TEST_F(WrittenRaster, AWrittenBedReadsBackTheSame) {
 TEST_F(WrittenRaster, GdalFindsAWrittenBedWhereItLies) {
     const Written written(*read({}).place);
     const std::string file = folder_.file("bed.tif", written.files("geotiff")[0].bytes).string();
-    GDALDatasetH dataset = GDALOpen(file.c_str(), GA_ReadOnly);
+    GDALDatasetH dataset =
+        GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr);
     ASSERT_NE(dataset, nullptr);
     std::array<double, 6> transform{};
     EXPECT_EQ(GDALGetGeoTransform(dataset, transform.data()), CE_None);
@@ -85,7 +84,8 @@ TEST_F(WrittenRaster, APictureLiesWhereItWasTakenFrom) {
     place.dx = 4.0;
     const std::string bytes = geotiff_picture(picture, place);
     EXPECT_EQ(geotiff_picture(picture, place), bytes) << "the same bytes every time";
-    GDALDatasetH dataset = GDALOpen(folder_.file("picture.tif", bytes).c_str(), GA_ReadOnly);
+    GDALDatasetH dataset = GDALOpenEx(folder_.file("picture.tif", bytes).c_str(),
+                                      GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr);
     ASSERT_NE(dataset, nullptr);
     std::array<double, 6> transform{};
     EXPECT_EQ(GDALGetGeoTransform(dataset, transform.data()), CE_None);
@@ -148,7 +148,8 @@ TEST_F(WrittenRaster, ACloudOptimizedOneHasTilesAndOverviewsAndTheSameHeights) {
     std::ofstream(file, std::ios::binary) << files[0].bytes;
     EXPECT_EQ(values_of(read_terrain(file).heights), values_of(terrain.heights));
     EXPECT_EQ(read_terrain(file).place, terrain.place);
-    GDALDatasetH dataset = GDALOpen(file.c_str(), GA_ReadOnly);
+    GDALDatasetH dataset =
+        GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr);
     ASSERT_NE(dataset, nullptr);
     EXPECT_STREQ(GDALGetMetadataItem(dataset, "LAYOUT", "IMAGE_STRUCTURE"), "COG");
     EXPECT_EQ(GDALGetOverviewCount(GDALGetRasterBand(dataset, 1)), 1);

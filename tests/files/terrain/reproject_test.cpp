@@ -1,7 +1,6 @@
 #include "files/terrain/reproject.h"
 
 #include <gtest/gtest.h>
-#include <ogr_srs_api.h>
 
 #include <array>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "files/gdal/gdal_functions.h"
 #include "files/terrain/terrain_file.h"
 #include "support/temporary_folder.h"
 

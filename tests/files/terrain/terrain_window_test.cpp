@@ -80,7 +80,9 @@ TEST(TerrainFormats, EveryQueryKeyBelongsToAFormat) {
 
 TEST(TerrainFormats, WrittenOnesHaveNamesAndEndingsOfTheirOwn) {
     EXPECT_EQ(written_terrain_formats(), "geotiff, cloud-optimized-geotiff, esri-ascii");
-    EXPECT_EQ(terrain_titles(), "a NetCDF file, a GeoTIFF, a PNG image or an ESRI ASCII grid");
+    EXPECT_EQ(terrain_titles(),
+              "a NetCDF file, a GeoTIFF, a PNG image, another raster that GDAL reads or an ESRI "
+              "ASCII grid");
     EXPECT_EQ(find_written_format("netcdf"), nullptr) << "beds are not written so";
     EXPECT_EQ(find_written_format("esri-ascii")->endings.front(), ".asc");
 }

@@ -1,25 +1,33 @@
 #pragma once
 
-#include <gdal.h>
-
 #include <mutex>
 #include <string>
+
+#include "files/gdal/gdal_types.h"
 
 namespace fumon {
 
 /// Held around every use of GDAL, whose settings and messages belong to the thread that it runs on:
-/// registers the drivers in use once, keeps GDAL from printing, collects what it says, and lets it
-/// read and write the named file alone, no other one beside it, unless it is a VRT that names
-/// others.
+/// registers its drivers once, keeps GDAL from printing and from the network, and collects what it
+/// says.
 class GdalSession {
   public:
-    GdalSession();
+    /// Which files GDAL may open beside the named one.
+    enum class Siblings {
+        none,     ///< for files of unknown origin
+        by_name,  ///< those that belong to it by their names: .msk, .aux.xml, .hdr, .tfw
+    };
+
+    /// Throws InputError where GDAL is not installed.
+    explicit GdalSession(Siblings siblings = Siblings::none);
     ~GdalSession();
     GdalSession(const GdalSession&) = delete;
     GdalSession& operator=(const GdalSession&) = delete;
 
     /// The first thing that went wrong, in GDAL's words as one line; empty where nothing did.
     [[nodiscard]] const std::string& fault() const { return fault_; }
+    /// Forgets what went wrong so far.
+    void forget() { fault_.clear(); }
 
   private:
     static void collect(CPLErr kind, CPLErrorNum number, const char* message);
@@ -35,6 +43,15 @@ class GdalDataset {
     ~GdalDataset() { close(); }
     GdalDataset(const GdalDataset&) = delete;
     GdalDataset& operator=(const GdalDataset&) = delete;
+    GdalDataset(GdalDataset&& other) noexcept : handle_(other.handle_) { other.handle_ = nullptr; }
+    GdalDataset& operator=(GdalDataset&& other) noexcept {
+        if (this != &other) {
+            close();
+            handle_ = other.handle_;
+            other.handle_ = nullptr;
+        }
+        return *this;
+    }
 
     [[nodiscard]] GDALDatasetH get() const { return handle_; }
     void close();  ///< writes what is not yet written

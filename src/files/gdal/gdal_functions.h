@@ -1,12 +1,8 @@
 #pragma once
 
-#include <cpl_conv.h>
-#include <cpl_error.h>
-#include <cpl_vsi.h>
-#include <gdal.h>
-#include <gdal_frmts.h>
-#include <gdalwarper.h>
-#include <ogr_srs_api.h>
+#include <string>
+
+#include "files/gdal/gdal_declarations.h"
 
 namespace fumon {
 
@@ -21,46 +17,60 @@ struct GdalFunctions {
     FUMON_GDAL(CPLPopErrorHandler);
     FUMON_GDAL(CPLPushErrorHandlerEx);
     FUMON_GDAL(CPLSetConfigOption);
+    FUMON_GDAL(CSLDestroy);
+    FUMON_GDAL(GDALAllRegister);
     FUMON_GDAL(GDALAutoCreateWarpedVRT);
     FUMON_GDAL(GDALClose);
     FUMON_GDAL(GDALCreate);
     FUMON_GDAL(GDALCreateCopy);
     FUMON_GDAL(GDALDataTypeIsComplex);
+    FUMON_GDAL(GDALGetDatasetDriver);
+    FUMON_GDAL(GDALGetDescription);
     FUMON_GDAL(GDALGetDriverByName);
     FUMON_GDAL(GDALGetGCPCount);
     FUMON_GDAL(GDALGetGeoTransform);
     FUMON_GDAL(GDALGetMaskBand);
     FUMON_GDAL(GDALGetMaskFlags);
+    FUMON_GDAL(GDALGetMetadata);
+    FUMON_GDAL(GDALGetMetadataItem);
     FUMON_GDAL(GDALGetRasterBand);
     FUMON_GDAL(GDALGetRasterColorInterpretation);
     FUMON_GDAL(GDALGetRasterCount);
     FUMON_GDAL(GDALGetRasterDataType);
     FUMON_GDAL(GDALGetRasterNoDataValue);
+    FUMON_GDAL(GDALGetRasterNoDataValueAsInt64);
+    FUMON_GDAL(GDALGetRasterNoDataValueAsUInt64);
     FUMON_GDAL(GDALGetRasterOffset);
     FUMON_GDAL(GDALGetRasterScale);
     FUMON_GDAL(GDALGetRasterUnitType);
     FUMON_GDAL(GDALGetRasterXSize);
     FUMON_GDAL(GDALGetRasterYSize);
     FUMON_GDAL(GDALGetSpatialRef);
+    FUMON_GDAL(GDALIdentifyDriverEx);
     FUMON_GDAL(GDALOpenEx);
     FUMON_GDAL(GDALRasterIO);
-    FUMON_GDAL(GDALRegister_COG);
-    FUMON_GDAL(GDALRegister_GTiff);
-    FUMON_GDAL(GDALRegister_MEM);
-    FUMON_GDAL(GDALRegister_VRT);
     FUMON_GDAL(GDALSetGeoTransform);
     FUMON_GDAL(GDALSetRasterNoDataValue);
     FUMON_GDAL(GDALSetRasterUnitType);
     FUMON_GDAL(GDALSetSpatialRef);
+    FUMON_GDAL(OCTDestroyCoordinateTransformation);
+    FUMON_GDAL(OCTNewCoordinateTransformation);
+    FUMON_GDAL(OCTTransform);
+    FUMON_GDAL(OSRCloneGeogCS);
     FUMON_GDAL(OSRDestroySpatialReference);
     FUMON_GDAL(OSRExportToWktEx);
     FUMON_GDAL(OSRGetAngularUnits);
+    FUMON_GDAL(OSRGetAxis);
+    FUMON_GDAL(OSRGetInvFlattening);
     FUMON_GDAL(OSRGetLinearUnits);
-    FUMON_GDAL(OSRImportFromWkt);
+    FUMON_GDAL(OSRGetSemiMajor);
+    FUMON_GDAL(OSRGetTargetLinearUnits);
+    FUMON_GDAL(OSRIsCompound);
     FUMON_GDAL(OSRIsGeographic);
     FUMON_GDAL(OSRIsLocal);
     FUMON_GDAL(OSRIsProjected);
     FUMON_GDAL(OSRNewSpatialReference);
+    FUMON_GDAL(OSRSetAxisMappingStrategy);
     FUMON_GDAL(OSRSetFromUserInput);
     FUMON_GDAL(VSIFree);
     FUMON_GDAL(VSIGetMemFileBuffer);
@@ -68,7 +78,14 @@ struct GdalFunctions {
 #undef FUMON_GDAL
 };
 
-/// Throws Error where GDAL cannot be loaded.
+/// Throws InputError where GDAL is not installed, with the package to install.
 const GdalFunctions& gdal();
+
+/// Whether GDAL can be loaded.
+bool has_gdal();
+
+/// "needs GDAL, which is not installed: apt-get install libgdal32 (Debian 12) …"; empty where it
+/// is.
+std::string missing_gdal();
 
 }  // namespace fumon

@@ -1,0 +1,435 @@
+// Rasters as people have them: one row a variant, written by GDAL and read by fumon.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "files/terrain/raster.h"
+#include "files/terrain/terrain_file.h"
+#include "support/grid_values.h"
+#include "support/raster_test.h"
+
+namespace fumon::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A raster of 4 × 3 cells, north first, whose south-western cell holds 9.
+struct Variant {
+    const char* name;
+    const char* driver;
+    const char* file;
+    GDALDataType type = GDT_Float32;
+    const char* crs = "EPSG:32613";
+    std::vector<double> transform{500000, 10, 0, 4000030, 0, -10};
+    std::vector<const char*> options{};
+    double hole = std::nan("");  ///< the no-data value, which the north-eastern cell then holds
+    // as read
+    double dx = 10.0;  ///< metres
+    double dy = 10.0;
+    double corner = 9.0;  ///< the south-western height
+    double tolerance = 1e-9;
+};
+
+std::ostream& operator<<(std::ostream& out, const Variant& variant) {
+    return out << variant.name;
+}
+
+std::vector<double> values_north_first() {
+    return {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+}
+
+/// In memory, as GDAL's copying drivers want it.
+GDALDatasetH memory_raster(const Variant& variant) {
+    GDALDatasetH dataset =
+        GDALCreate(GDALGetDriverByName("MEM"), "", 4, 3, 1, variant.type, nullptr);
+    std::vector<double> transform = variant.transform;
+    if (!transform.empty()) GDALSetGeoTransform(dataset, transform.data());
+    if (*variant.crs != '\0') {
+        OGRSpatialReferenceH crs = OSRNewSpatialReference(nullptr);
+        EXPECT_EQ(OSRSetFromUserInput(crs, variant.crs), OGRERR_NONE);
+        GDALSetSpatialRef(dataset, crs);
+        OSRDestroySpatialReference(crs);
+    }
+    std::vector<double> values = values_north_first();
+    GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
+    if (!std::isnan(variant.hole)) {
+        values[3] = variant.hole;
+        GDALSetRasterNoDataValue(band, variant.hole);
+    }
+    EXPECT_EQ(GDALRasterIO(band, GF_Write, 0, 0, 4, 3, values.data(), 4, 3, GDT_Float64, 0, 0),
+              CE_None);
+    return dataset;
+}
+
+class RasterVariant : public ::testing::TestWithParam<Variant> {
+  protected:
+    fs::path written() const {
+        GDALAllRegister();
+        const Variant& variant = GetParam();
+        std::vector<const char*> options = variant.options;
+        options.push_back(nullptr);
+        const fs::path file = folder_.path() / variant.file;
+        GDALDatasetH source = memory_raster(variant);
+        GDALDriverH driver = GDALGetDriverByName(variant.driver);
+        if (driver != nullptr) {
+            GDALDatasetH copy =
+                GDALCreateCopy(driver, file.c_str(), source, 0, options.data(), nullptr, nullptr);
+            EXPECT_NE(copy, nullptr);
+            if (copy != nullptr) GDALClose(copy);
+        }
+        GDALClose(source);
+        return file;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_P(RasterVariant, IsReadWhereItLiesWithItsValuesAndHoles) {
+    const Variant& variant = GetParam();
+    GDALAllRegister();
+    if (GDALGetDriverByName(variant.driver) == nullptr)
+        GTEST_SKIP() << "this GDAL has no driver " << variant.driver;
+    const Terrain terrain = read_terrain(written());
+    ASSERT_EQ(terrain.heights.nx(), 4);
+    ASSERT_EQ(terrain.heights.ny(), 3);
+    EXPECT_NEAR(terrain.heights(0, 0), variant.corner, variant.tolerance);
+    EXPECT_NEAR(terrain.heights(1, 2), variant.corner * 2.0 / 9.0, variant.tolerance);
+    if (!variant.transform.empty()) {
+        ASSERT_TRUE(terrain.place);
+        EXPECT_NEAR(terrain.place->west, variant.transform[0], 1e-6);
+        EXPECT_NEAR(terrain.place->south, variant.transform[3] + 3 * variant.transform[5], 1e-6);
+        EXPECT_NEAR(terrain.dx, variant.dx, 1e-5 * variant.dx) << terrain.note;
+        EXPECT_NEAR(terrain.dy, variant.dy, 1e-5 * variant.dy);
+    }
+    EXPECT_EQ(std::ranges::count(terrain.nodata.values(), 1), std::isnan(variant.hole) ? 0 : 1);
+    if (!std::isnan(variant.hole)) {
+        EXPECT_EQ(terrain.nodata(3, 2), 1);
+    }
+}
+
+constexpr double foot = 0.3048;
+constexpr double us_foot = 1200.0 / 3937.0;
+
+const std::vector<double> flat_degrees{-105.55, 0.001, 0, 40.051, 0, -0.001};
+// at 40.0495° on WGS 84 (Snyder 1987, eqs. 4-18 to 4-21), metres a degree
+constexpr double east_degree = 85332.16425;
+constexpr double north_degree = 111035.58398;
+// At y = 4 800 015, φ = atan(sinh(y/a)) = 39.5448°: N cos φ / a eastward, M cos φ / a northward.
+const std::vector<double> web_mercator{-11700000, 10, 0, 4800030, 0, -10};
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, RasterVariant,
+    ::testing::Values(
+        Variant{.name = "GeoTIFF", .driver = "GTiff", .file = "a.tif"},
+        Variant{.name = "BigTIFF", .driver = "GTiff", .file = "a.tif", .options = {"BIGTIFF=YES"}},
+        Variant{.name = "TiledDeflate",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .options = {"TILED=YES", "COMPRESS=DEFLATE", "PREDICTOR=3"}},
+        Variant{.name = "Zstd", .driver = "GTiff", .file = "a.tif", .options = {"COMPRESS=ZSTD"}},
+        Variant{.name = "Lerc", .driver = "GTiff", .file = "a.tif", .options = {"COMPRESS=LERC"}},
+        Variant{
+            .name = "BigEndian", .driver = "GTiff", .file = "a.tif", .options = {"ENDIANNESS=BIG"}},
+        Variant{.name = "HalfFloats", .driver = "GTiff", .file = "a.tif", .options = {"NBITS=16"}},
+        Variant{.name = "TwelveBits",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .type = GDT_UInt16,
+                .options = {"NBITS=12"}},
+        Variant{.name = "Bytes", .driver = "GTiff", .file = "a.tif", .type = GDT_Byte, .hole = 255},
+        Variant{.name = "Int16Hole",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .type = GDT_Int16,
+                .hole = -32768},
+        Variant{.name = "UInt16Hole",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .type = GDT_UInt16,
+                .hole = 65535},
+        Variant{.name = "Int32Hole",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .type = GDT_Int32,
+                .hole = -2147483648.0},
+        Variant{.name = "UInt32Hole",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .type = GDT_UInt32,
+                .hole = 4294967295.0},
+        Variant{.name = "FloatLowestHole",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .type = GDT_Float32,
+                .hole = -3.4028234663852886e38},
+        Variant{.name = "DoubleHole",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .type = GDT_Float64,
+                .hole = -1.7976931348623157e308},
+        Variant{.name = "Cog", .driver = "COG", .file = "a.tif"},
+        Variant{.name = "Erdas", .driver = "HFA", .file = "a.img", .hole = -9999},
+        Variant{.name = "ErdasCompressed",
+                .driver = "HFA",
+                .file = "a.img",
+                .options = {"COMPRESSED=YES"}},
+        Variant{.name = "Envi", .driver = "ENVI", .file = "a.bsq", .hole = -9999},
+        Variant{.name = "EnviDoubles",
+                .driver = "ENVI",
+                .file = "a.bil",
+                .type = GDT_Float64,
+                .options = {"INTERLEAVE=BIL"}},
+        Variant{.name = "EsriFloats", .driver = "EHdr", .file = "a.flt", .hole = -9999},
+        Variant{
+            .name = "EsriBil", .driver = "EHdr", .file = "a.bil", .type = GDT_Int16, .hole = -9999},
+        Variant{.name = "Surfer6Ascii",
+                .driver = "GSAG",
+                .file = "a.grd",
+                .crs = "",
+                .tolerance = 1e-6},
+        Variant{.name = "Surfer6Binary", .driver = "GSBG", .file = "a.grd", .crs = ""},
+        Variant{
+            .name = "Surfer7", .driver = "GS7BG", .file = "a.grd", .type = GDT_Float64, .crs = ""},
+        Variant{.name = "Xyz", .driver = "XYZ", .file = "a.xyz", .crs = ""},
+        Variant{.name = "XyzCommas",
+                .driver = "XYZ",
+                .file = "a.xyz",
+                .crs = "",
+                .options = {"COLUMN_SEPARATOR=,"}},
+        Variant{.name = "XyzNamed",
+                .driver = "XYZ",
+                .file = "a.xyz",
+                .crs = "",
+                .options = {"ADD_HEADER_LINE=YES"}},
+        Variant{.name = "Jpeg2000",
+                .driver = "JP2OpenJPEG",
+                .file = "a.jp2",
+                .type = GDT_UInt16,
+                .options = {"REVERSIBLE=YES", "QUALITY=100"}},
+        Variant{.name = "GeoPackage", .driver = "GPKG", .file = "a.gpkg", .type = GDT_Int16},
+        Variant{
+            .name = "GeoPackageFloats", .driver = "GPKG", .file = "a.gpkg", .type = GDT_Float32},
+        Variant{.name = "Saga", .driver = "SAGA", .file = "a.sdat", .hole = -99999},
+        Variant{.name = "Idrisi", .driver = "RST", .file = "a.rst"},
+        Variant{.name = "PcRaster",
+                .driver = "PCRaster",
+                .file = "a.map",
+                .crs = "",
+                .options = {"PCRASTER_VALUESCALE=VS_SCALAR"}},
+        Variant{.name = "ErMapper", .driver = "ERS", .file = "a.ers"},
+        Variant{.name = "Zarr", .driver = "Zarr", .file = "a.zarr"},
+        Variant{.name = "EsriAsciiWithPrj", .driver = "AAIGrid", .file = "a.asc", .hole = -9999},
+        Variant{.name = "EsriAsciiUsFeet",
+                .driver = "AAIGrid",
+                .file = "a.asc",
+                .crs = "EPSG:2231",
+                .transform = {3000000, 10, 0, 1700030, 0, -10},
+                .dx = 10 * us_foot,
+                .dy = 10 * us_foot},
+        Variant{.name = "EsriAsciiFlatDegrees",
+                .driver = "AAIGrid",
+                .file = "a.asc",
+                .crs = "EPSG:4326",
+                .transform = flat_degrees,
+                .dx = 0.001 * east_degree,
+                .dy = 0.001 * north_degree},
+        Variant{.name = "UsFeet",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .crs = "EPSG:2231",
+                .transform = {3000000, 10, 0, 1700030, 0, -10},
+                .dx = 10 * us_foot,
+                .dy = 10 * us_foot},
+        Variant{.name = "InternationalFeet",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .crs = "EPSG:2222",
+                .transform = {700000, 10, 0, 1000030, 0, -10},
+                .dx = 10 * foot,
+                .dy = 10 * foot},
+        Variant{.name = "FlatDegrees",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .crs = "EPSG:4326",
+                .transform = flat_degrees,
+                .dx = 0.001 * east_degree,
+                .dy = 0.001 * north_degree},
+        Variant{.name = "Nad83Degrees",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .crs = "EPSG:4269",
+                .transform = flat_degrees,
+                .dx = 0.001 * east_degree,
+                .dy = 0.001 * north_degree},
+        Variant{.name = "CompoundUsFeet",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .crs = "EPSG:2231+6360",
+                .transform = {3000000, 10, 0, 1700030, 0, -10},
+                .dx = 10 * us_foot,
+                .dy = 10 * us_foot,
+                .corner = 9 * us_foot,
+                .tolerance = 1e-6},
+        Variant{
+            .name = "CompoundMetres", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:32613+5703"},
+        Variant{.name = "CompoundDepth",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .crs = "EPSG:32613+5715",
+                .corner = -9.0},
+        Variant{.name = "WebMercator",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .crs = "EPSG:3857",
+                .transform = web_mercator,
+                .dx = 7.7217524,
+                .dy = 7.6909306},
+        Variant{.name = "WebMercatorErdas",
+                .driver = "HFA",
+                .file = "a.img",
+                .crs = "EPSG:3857",
+                .transform = web_mercator,
+                .dx = 7.7217524,
+                .dy = 7.6909306},
+        Variant{.name = "WebMercatorAscii",
+                .driver = "AAIGrid",
+                .file = "a.asc",
+                .crs = "EPSG:3857",
+                .transform = web_mercator,
+                .dx = 7.7217524,
+                .dy = 7.6909306},
+        Variant{.name = "Lambert93",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .crs = "EPSG:2154",
+                .transform = {700000, 10, 0, 6600030, 0, -10}},
+        Variant{.name = "PolarStereographic",
+                .driver = "GTiff",
+                .file = "a.tif",
+                .crs = "EPSG:3031",
+                .transform = {1000000, 100, 0, 1000300, 0, -100},
+                .dx = 101.489263,
+                .dy = 101.489263,
+                .tolerance = 1e-9}),
+    [](const auto& info) { return info.param.name; });
+
+/// A band as one likes, with what only GDAL's calls can add.
+class RasterSays : public RasterTest {};
+
+TEST_F(RasterSays, AMaskBesideTheFileHidesCells) {
+    Raster raster;
+    raster.more = [](GDALDatasetH dataset) {
+        CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", "NO");
+        GDALCreateDatasetMaskBand(dataset, GMF_PER_DATASET);
+        std::array<std::uint8_t, 6> shown{255, 255, 0, 0, 255, 255};
+        EXPECT_EQ(GDALRasterIO(GDALGetMaskBand(GDALGetRasterBand(dataset, 1)), GF_Write, 0, 0, 3, 2,
+                               shown.data(), 3, 2, GDT_Byte, 0, 0),
+                  CE_None);
+        CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", nullptr);
+    };
+    const Terrain terrain = read(raster);
+    ASSERT_TRUE(fs::exists(folder_.path() / "dem.tif.msk"));
+    ASSERT_FALSE(terrain.nodata.empty());
+    EXPECT_EQ(std::ranges::count(terrain.nodata.values(), 1), 2);
+    EXPECT_EQ(terrain.nodata(0, 0), 1);
+    EXPECT_EQ(terrain.nodata(2, 1), 1);
+}
+
+TEST_F(RasterSays, SignedBytesKeepTheirSign) {
+    Raster raster;
+    raster.type = GDT_Byte;
+    raster.options = {"PIXELTYPE=SIGNEDBYTE"};
+    raster.values = {128, 255, 0, 1, 127, 129};
+    EXPECT_EQ(values_of(read(raster).heights), (std::vector<double>{1, 127, -127, -128, -1, 0}));
+}
+
+TEST_F(RasterSays, AlphaHidesCells) {
+    Raster raster;
+    raster.bands = 2;
+    raster.type = GDT_UInt16;
+    raster.options = {"ALPHA=YES"};
+    raster.more = [](GDALDatasetH dataset) {
+        GDALSetRasterColorInterpretation(GDALGetRasterBand(dataset, 2), GCI_AlphaBand);
+    };
+    raster.values = {1, 2, 3, 4, 5, 6};
+    const fs::path file = write(folder_.path() / "dem.tif", raster);
+    GDALDatasetH dataset = GDALOpenEx(file.c_str(), GDAL_OF_RASTER | 1U, nullptr, nullptr, nullptr);
+    std::array<double, 6> alpha{65535, 0, 65535, 65535, 65535, 65535};
+    EXPECT_EQ(GDALRasterIO(GDALGetRasterBand(dataset, 2), GF_Write, 0, 0, 3, 2, alpha.data(), 3, 2,
+                           GDT_Float64, 0, 0),
+              CE_None);
+    GDALClose(dataset);
+    const Terrain terrain = read_terrain(file);
+    ASSERT_FALSE(terrain.nodata.empty());
+    EXPECT_EQ(terrain.nodata(1, 1), 1);
+    EXPECT_EQ(std::ranges::count(terrain.nodata.values(), 1), 1);
+}
+
+TEST_F(RasterSays, OneOfSeveralPagesIsNamed) {
+    Raster raster;
+    const fs::path file = write(folder_.path() / "pages.tif", raster);
+    Raster second;
+    second.values = {7, 8, 9, 10, 11, 12};
+    second.options = {"APPEND_SUBDATASET=YES"};
+    write(file, second);
+    const std::string message = message_of<InputError>([&] { (void)read_terrain(file); });
+    EXPECT_EQ(message, file.string() + ": holds 2 grids: 1, 2; choose one by bed.variable");
+    EXPECT_EQ(read_terrain(file, {.variable = "2"}).heights(0, 0), 10.0);
+    EXPECT_EQ(message_of<InputError>([&] { (void)read_terrain(file, {.variable = "dem"}); }),
+              file.string() + ": holds no grid \"dem\"; write bed.variable as one of 1, 2");
+}
+
+TEST_F(RasterSays, MercatorsLengthsAreTrueAndSaid) {
+    Raster raster;
+    raster.crs = "EPSG:3857";
+    raster.transform = {-11700000, 10, 0, 4800020, 0, -10};
+    const Terrain terrain = read(raster);
+    EXPECT_EQ(terrain.note,
+              "cells of 10 m × 10 m in the projection are 7.72176 m × 7.69093 m on the ground, "
+              "which counts");
+    EXPECT_EQ(terrain.place->dx, 10.0) << "what is written keeps the file's coordinates";
+    Raster far = raster;  // from the middle of zone 13: 1.00159
+    far.crs = "EPSG:32613";
+    far.transform = {90000, 10, 0, 4000020, 0, -10};
+    const Terrain left = read(far);
+    EXPECT_EQ(left.dx, 10.0);
+    EXPECT_NE(left.note.find("which is left as it is"), std::string::npos) << left.note;
+}
+
+TEST_F(RasterSays, OthersFilesNameNoFile) {
+    write(folder_.path() / "private.tif", {});
+    const auto vrt = [&](const std::string& source) {
+        const fs::path file = folder_.path() / "view.vrt";
+        std::ofstream(file) << "<VRTDataset rasterXSize=\"3\" rasterYSize=\"2\"><VRTRasterBand "
+                               "dataType=\"Float64\" band=\"1\"><SimpleSource><SourceFilename>"
+                            << source
+                            << "</SourceFilename><SourceBand>1</SourceBand></SimpleSource>"
+                               "</VRTRasterBand></VRTDataset>";
+        return file;
+    };
+    const fs::path mine = vrt((folder_.path() / "private.tif").string());
+    EXPECT_EQ(read_terrain(mine).heights(0, 0), 4.0);
+    for (const std::string& source :
+         {(folder_.path() / "private.tif").string(), std::string("/vsicurl/http://localhost/a.tif"),
+          (folder_.path() / "view.vrt").string()}) {
+        const fs::path file = vrt(source);
+        EXPECT_NE(message_of<InputError>([&] { (void)read_terrain(file, {.trusted = false}); }), "")
+            << source;
+    }
+    for (const std::string& source :
+         {std::string("/vsicurl/http://localhost/a.tif"), (folder_.path() / "view.vrt").string()}) {
+        const fs::path file = vrt(source);
+        EXPECT_NE(message_of<InputError>([&] { (void)read_terrain(file); }), "") << source;
+    }
+}
+
+}  // namespace
+}  // namespace fumon::test
