@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "files/length_unit.h"
+#include "files/unit_conversion.h"
 
 namespace fumon {
 

@@ -11,7 +11,7 @@
 
 #include "base/limits.h"
 #include "files/input_file.h"
-#include "files/length_unit.h"
+#include "files/unit_conversion.h"
 #include "files/netcdf/netcdf_axis.h"
 #include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_variable.h"

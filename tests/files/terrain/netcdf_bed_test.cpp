@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
-#include "files/length_unit.h"
+#include "files/unit_conversion.h"
 #include "files/netcdf/netcdf_fields.h"
 #include "files/terrain/geographic.h"
 #include "scene/initial_bed.h"
