@@ -39,6 +39,12 @@ std::string_view ChoiceTarget::word() const {
     return words[static_cast<std::size_t>(found - enumerators.begin())].word;
 }
 
+std::string_view ChoiceTarget::unit() const {
+    const auto found = std::find(enumerators.begin(), enumerators.end(), get());
+    if (found == enumerators.end()) throw std::logic_error("an enumerator has no word");
+    return words[static_cast<std::size_t>(found - enumerators.begin())].unit;
+}
+
 bool ChoiceTarget::choose(std::string_view word) const {
     const auto found = std::find_if(words.begin(), words.end(),
                                     [&](const KeyWord& known) { return known.word == word; });

@@ -49,6 +49,7 @@ struct KeyNotes {
 struct KeyWord {
     std::string_view word;
     std::string_view help;
+    std::string_view unit{};  ///< of what it chooses, where that is a quantity
 };
 
 /// An enumerator, and the word by which scenes call it.
@@ -57,6 +58,7 @@ struct Choice {
     Enumeration enumerator;
     std::string_view word;
     std::string_view help;
+    std::string_view unit{};  ///< of what it chooses, where that is a quantity
 };
 
 /// An enumeration bound by its words.
@@ -68,6 +70,8 @@ struct ChoiceTarget {
 
     /// The word of the present value. Throws std::logic_error for an enumerator without one.
     [[nodiscard]] std::string_view word() const;
+    /// The unit of the present word; empty where it chooses no quantity.
+    [[nodiscard]] std::string_view unit() const;
     /// Sets the value by its word; false where no enumerator has it.
     [[nodiscard]] bool choose(std::string_view word) const;
 };
@@ -147,8 +151,8 @@ class KeyTable {
                             [&value](int number) { value = static_cast<Enumeration>(number); },
                             {},
                             {}};
-        for (const auto& [enumerator, word, help] : choices) {
-            target.words.push_back({word, help});
+        for (const auto& [enumerator, word, help, unit] : choices) {
+            target.words.push_back({word, help, unit});
             target.enumerators.push_back(static_cast<int>(enumerator));
         }
         add(std::move(path), std::move(notes), std::move(target));

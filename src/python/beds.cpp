@@ -8,6 +8,8 @@
 
 #include "base/error.h"
 #include "files/terrain/geographic.h"
+#include "files/terrain/wanted_unit.h"
+#include "files/unit_conversion.h"
 #include "measure/suite.h"
 #include "python/arrays.h"
 #include "python/drawer.h"
@@ -159,6 +161,15 @@ void define_beds(py::module_& core) {
             return std::pair(lengths.east, lengths.north);
         },
         py::arg("latitude"));
+    core.def(
+        "metres_per_unit", [](const std::string& unit) { return metres_per_unit(unit); },
+        py::arg("unit"));
+    core.def(
+        "metres_per_height", [](const std::string& unit) { return metres_per_height(unit); },
+        py::arg("unit"));
+    core.def(
+        "is_degrees", [](const std::string& unit) { return is_degrees(unit); }, py::arg("unit"));
+    core.def("grows_downward", &grows_downward, py::arg("positive"), py::arg("standard_name"));
 }
 
 }  // namespace fumon::python

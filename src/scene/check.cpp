@@ -47,6 +47,10 @@ void check_raster_keys(const Scene& scene, bool from_file, const Refuse& refuse)
                            key));
     };
     belongs_to_file("bed.band", bed.band != 0);
+    belongs_to_file("bed.record", bed.record != 0);
+    belongs_to_file("bed.height_unit", !bed.height_unit.empty());
+    belongs_to_file("bed.height_factor", bed.height_factor != 1.0);
+    belongs_to_file("bed.height_sign", bed.height_sign != HeightSign::automatic);
     belongs_to_file("bed.window", !bed.window.empty());
     belongs_to_file("bed.crs", !bed.crs.empty());
     belongs_to_file("bed.resample", bed.resample != 0.0);

@@ -11,6 +11,7 @@
 #include "base/limits.h"
 #include "base/random.h"
 #include "files/hash.h"
+#include "files/terrain/doubtful_heights.h"
 #include "files/terrain/reproject.h"
 #include "files/terrain/terrain_file.h"
 #include "models/registry.h"
@@ -91,15 +92,18 @@ WorldScale scale_of(const Scene& scene, double file_dx, double file_dy) {
     return scale;
 }
 
-/// Takes the cells of height bed.nodata_value out of a terrain.
+/// Takes the cells of height bed.nodata_value, in metres or as the file has it, out of a terrain.
 void take_out_nodata_value(const Scene& scene, Terrain& terrain) {
     const WordOrReal& value = scene.bed.nodata_value;
     if (value.is_word()) return;
     std::int64_t cells = 0;
+    const double of_file = value.value * terrain.metres_per_number;
     const bool masked = !terrain.nodata.empty();
     for (std::size_t cell = 0; cell < terrain.heights.size(); ++cell) {
         double& height = terrain.heights.values()[cell];
-        if (height != value.value || (masked && terrain.nodata.values()[cell] != 0)) continue;
+        if ((height != value.value && height != of_file) ||
+            (masked && terrain.nodata.values()[cell] != 0))
+            continue;
         if (terrain.nodata.empty())
             terrain.nodata = Mask(terrain.heights.nx(), terrain.heights.ny());
         terrain.nodata.values()[cell] = 1;
@@ -116,42 +120,6 @@ void take_out_nodata_value(const Scene& scene, Terrain& terrain) {
         throw InputError(fmt::format("{}bed.nodata_value is {:g} m, the height of every cell of {}",
                                      scene.at("bed.nodata_value"), value.value, scene.bed.file));
     }
-}
-
-/// One line on heights that no ground has and no file has declared as no data; or empty.
-std::string heights_in_doubt(const Terrain& terrain) {
-    constexpr double beyond_all_ground = 3e4;  // m; the highest mountain known, on Mars, has 22 km
-    constexpr double customary = -9999.0;      // for no data
-    constexpr double far_below = 1000.0;       // m, from other ground
-    bool all_usual = true;
-    for (const double height : terrain.heights.values())
-        all_usual &= (std::abs(height) < beyond_all_ground) & (height != customary);
-    if (all_usual) return {};
-    double lowest = beyond_all_ground;
-    for (std::size_t cell = 0; cell < terrain.heights.size(); ++cell) {
-        const double height = terrain.heights.values()[cell];
-        const bool known = terrain.nodata.empty() || terrain.nodata.values()[cell] == 0;
-        if (known && height > -beyond_all_ground && height != customary)
-            lowest = std::min(lowest, height);
-    }
-    std::int64_t cells = 0;
-    std::size_t first = 0;
-    for (std::size_t cell = 0; cell < terrain.heights.size(); ++cell) {
-        if (!terrain.nodata.empty() && terrain.nodata.values()[cell] != 0) continue;
-        const double height = terrain.heights.values()[cell];
-        const bool strange = std::abs(height) >= beyond_all_ground ||
-                             (height == customary && lowest - height > far_below);
-        if (!strange) continue;
-        if (cells == 0) first = cell;
-        ++cells;
-    }
-    if (cells == 0) return {};
-    const auto nx = static_cast<std::size_t>(terrain.heights.nx());
-    return fmt::format(
-        "{} of {} cells have heights that no ground has, the first {:g} m at cell ({}, {}): where "
-        "they stand for no data, say so by bed.nodata_value = {:g}",
-        cells, terrain.heights.size(), terrain.heights.values()[first], first % nx, first / nx,
-        terrain.heights.values()[first]);
 }
 
 /// One line on cells whose size nobody said, in a model that lives in metres; or empty.
@@ -200,7 +168,13 @@ void refine(const Scene& scene, Terrain& terrain) {
 
 TerrainQuery query_of(const Scene& scene) {
     const BedSettings& bed = scene.bed;
-    TerrainQuery query{.png_heights = bed.heights, .variable = bed.variable, .band = bed.band};
+    TerrainQuery query{.png_heights = bed.heights,
+                       .variable = bed.variable,
+                       .band = bed.band,
+                       .record = bed.record,
+                       .height_unit = bed.height_unit,
+                       .height_factor = bed.height_factor,
+                       .height_sign = bed.height_sign};
     if (bed.window.size() == 4)
         query.window = {bed.window[0], bed.window[1], bed.window[2], bed.window[3]};
     query.trusted = may_tell_of_bed(scene);
@@ -266,6 +240,17 @@ Terrain read_bed_file(const Scene& scene, const std::filesystem::path& file) {
     }
 }
 
+/// As heights_in_doubt(); of a file that others named a refusal tells nothing of what is in it.
+std::string doubts_of(const Scene& scene, const Terrain& terrain,
+                      const std::filesystem::path& file) {
+    try {
+        return heights_in_doubt(terrain, file.string());
+    } catch (const InputError&) {
+        if (may_tell_of_bed(scene)) throw;
+        throw no_bed_in(scene, file);
+    }
+}
+
 /// Brings the terrain to the reference system of bed.crs.
 void reproject(const Scene& scene, Terrain& terrain) {
     if (scene.bed.crs.empty()) return;
@@ -294,9 +279,9 @@ InitialBed bed_from_file(const Scene& scene) {
     }
     Terrain terrain = read_bed_file(scene, file);
     take_out_nodata_value(scene, terrain);
+    const std::string doubt = doubts_of(scene, terrain, file);
     reproject(scene, terrain);
-    if (const std::string doubt = heights_in_doubt(terrain); !doubt.empty())
-        terrain.note += (terrain.note.empty() ? "" : "; ") + doubt;
+    if (!doubt.empty()) terrain.note += (terrain.note.empty() ? "" : "; ") + doubt;
     InitialBed initial;
     initial.scale = scale_of(scene, terrain.dx, terrain.dy);
     if (const std::string guess = guessed_cells(scene, terrain, initial.scale); !guess.empty())

@@ -45,6 +45,15 @@ std::string of_map(std::string message, std::size_t number) {
     return message;
 }
 
+/// The unit of what a map gives: that of its quantity, or of the law whose coefficient it is.
+std::string unit_of_map(const KeyTable& keys, std::size_t number) {
+    const auto unit_of = [&](const std::string& path) {
+        return std::string(std::get<ChoiceTarget>(keys.find(path)->target).unit());
+    };
+    const std::string unit = unit_of(map_key(number, "quantity"));
+    return unit.empty() ? unit_of("model.friction") : unit;
+}
+
 /// A map's file as it is asked for. Where others named it, what is wrong with it tells nothing of
 /// what is in it, nor whether it is there.
 Terrain read_map(const Scene& scene, const KeyTable& keys, std::size_t number,
@@ -73,6 +82,7 @@ Terrain read_map(const Scene& scene, const KeyTable& keys, std::size_t number,
     query.must_name_record = value_text(*keys.find(map_key(number, "quantity"))) == "\"rain\"";
     query.any_unit = true;
     query.trusted = mine;
+    query.wanted_unit = unit_of_map(keys, number);
     try {
         return read_terrain(file, query);
     } catch (const InputError& refusal) {

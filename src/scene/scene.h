@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "files/terrain/resample_terrain.h"
+#include "files/terrain/terrain_file.h"
 #include "keys/word_or_real.h"
 #include "scene/figure/figure_settings.h"
 
@@ -38,7 +39,11 @@ struct BedSettings {
     std::vector<double> heights;   ///< file, PNG: metres of black and of white
     std::string variable;          ///< file, NetCDF: the variable to read; empty for the file's own
     std::int64_t band = 0;         ///< file, GeoTIFF: the band to read; 0: the only or first one
-    std::vector<double> window;    ///< file: west, south, east, north of the part to read, or none
+    std::int64_t record = 0;       ///< file, NetCDF: of a variable with records; 0: the last one
+    std::string height_unit;       ///< file: instead of the unit that it names; empty: its own
+    double height_factor = 1.0;    ///< file: by which its heights are multiplied
+    HeightSign height_sign = HeightSign::automatic;  ///< file: heights or depths
+    std::vector<double> window;  ///< file: west, south, east, north of the part to read, or none
     WordOrReal nodata{"mask", 0.0};
     WordOrReal nodata_value{"auto", 0.0};  ///< m, that stands for no data; auto: the file says
     std::string crs;        ///< file: the reference system to bring it to; empty: its own

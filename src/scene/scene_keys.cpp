@@ -86,10 +86,26 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
     table.real_list("bed.heights", scene.bed.heights, 0, 2,
                     {.unit = "m", .help = "[low, high]: heights of black and white in a PNG bed"});
     table.text("bed.variable", scene.bed.variable,
-               {.help = "variable of a NetCDF bed, of which the last record is taken; needed where "
-                        "the file has several and no bed_height"});
+               {.help = "variable of a NetCDF bed; needed where the file has several and no "
+                        "bed_height"});
+    table.integer("bed.record", scene.bed.record,
+                  {.range = {0, 1000000000},
+                   .help = "record of a NetCDF variable that has several (over time, band …), from "
+                           "1; 0: its last one"});
     table.integer("bed.band", scene.bed.band,
                   {.range = {0, 65535}, .help = "band of a GeoTIFF bed; 0: its only or first one"});
+    table.text("bed.height_unit", scene.bed.height_unit,
+               {.help = "unit of a terrain file's heights in place of the one that it names: any "
+                        "length of UDUNITS, GDAL or PROJ (\"ft\", \"US survey foot\", \"cm\"); "
+                        "empty: the file's own, else metres"});
+    table.real(
+        "bed.height_factor", scene.bed.height_factor,
+        {.range = {1e-9, 1e9}, .help = "by which a terrain file's heights are multiplied besides"});
+    table.choice("bed.height_sign", scene.bed.height_sign,
+                 {{HeightSign::automatic, "auto", "as the file says; heights where it does not"},
+                  {HeightSign::up, "up", "heights"},
+                  {HeightSign::down, "down", "depths, which are heights below 0"}},
+                 {.help = "whether a terrain file's numbers are heights or depths"});
     table.real_list("bed.window", scene.bed.window, 0, 4,
                     {.help = "[west, south, east, north]: the part of a terrain file to read, in "
                              "the file's coordinates, or in cells from its south-west corner where "
@@ -101,7 +117,9 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
         {.unit = "m", .help = "cells without data: masked, filled, or set to a height"});
     table.word_or_real(
         "bed.nodata_value", scene.bed.nodata_value, {{"auto", "what the file itself says"}},
-        {.unit = "m", .help = "the height that stands for no data in a terrain file"});
+        {.unit = "m",
+         .help = "the height that stands for no data in a terrain file, in metres or as the file "
+                 "has it"});
     table.text(
         "bed.crs", scene.bed.crs,
         {.help = "\"utm\", or a reference system in metres as \"EPSG:32613\", onto whose even "

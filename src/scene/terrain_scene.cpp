@@ -64,8 +64,6 @@ manning = 0.05
 time_step = 10
 [run]
 steps = 360
-[frames]
-every = 4
 [output]
 fields_every = 60
 [[overlay]]
@@ -75,6 +73,8 @@ text = "t = {time}"
 kind = "scale-bar"
 corner = "lower-left"
 )";
+
+constexpr const char* its_frames = "[frames]\nevery = 4\n";
 
 constexpr const char* terrain_alone = R"([model]
 name = "static"
@@ -97,11 +97,14 @@ bool is_terrain_name(const std::string& file, const std::vector<std::string>& se
 }
 
 Scene terrain_run(const std::string& file, const std::vector<std::string>& settings) {
-    if (begins_any(settings, {"model.name=water", "model.name=gully"}))
-        return scene_over(file, hour_of_water, settings);
+    const auto water = [&] {
+        const bool chosen = begins_any(settings, {"frames."});  // one way to choose frames
+        return scene_over(file, std::string(hour_of_water) + (chosen ? "" : its_frames), settings);
+    };
+    if (begins_any(settings, {"model.name=water", "model.name=gully"})) return water();
     if (begins_any(settings, {"model.name="})) return scene_over(file, another_model, settings);
     const bool has_water = begins_any(settings, {"model.", "water.", "edge.", "gauge."});
-    return scene_over(file, has_water ? hour_of_water : terrain_alone, settings);
+    return has_water ? water() : scene_over(file, terrain_alone, settings);
 }
 
 Scene terrain_scene(const std::string& file, const std::string& heights,

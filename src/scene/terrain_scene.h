@@ -19,8 +19,8 @@ bool is_terrain_name(const std::string& file, const std::vector<std::string>& se
 /// A terrain file alone as a run. With settings model.…, water.…, edge.… or gauge.… that do not
 /// name another model: an hour of water over it (model "water", or "gully") in steps of ten
 /// seconds, with Manning's friction of bare ground and a frame every 40 seconds, and its fields
-/// every ten minutes. Else the terrain as it is, in one frame. What the settings say goes before
-/// all that. Throws InputError.
+/// every ten minutes; settings frames.… choose frames instead. Else the terrain as it is, in one
+/// frame. What the settings say goes before all that. Throws InputError.
 Scene terrain_run(const std::string& file, const std::vector<std::string>& settings);
 
 }  // namespace fumon

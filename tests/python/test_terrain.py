@@ -161,11 +161,31 @@ def test_degrees_become_metres_at_the_middle_latitude():
     assert np.array_equal(bed.heights, HILLS)
 
 
+def test_units_are_those_of_files():
+    for unit, metres in (("ft", 0.3048), ("US survey foot", 1200 / 3937), ("km", 1000.0)):
+        assert bed_of(array_with(X, Y, units=unit)).cell_size == pytest.approx((2.0 * metres, 3.0 * metres))
+    array = array_with(X, Y)
+    for attributes, factor in (({"units": "ft"}, 0.3048), ({"units": "cm"}, 0.01), ({"units": "m above sea level"}, 1.0),
+                               ({"positive": "down"}, -1.0), ({"positive": "up"}, 1.0),
+                               ({"standard_name": "sea_floor_depth_below_geoid", "units": "ft"}, -0.3048)):
+        array.attrs = attributes
+        assert np.allclose(bed_of(array).heights, factor * HILLS, rtol=1e-15), attributes
+    array.attrs = {"units": "K"}
+    with pytest.raises(ValueError, match="unit of length"):
+        bed_of(array)
+
+
+def test_longitudes_in_single_precision_are_even():
+    lon = (-105.5 + np.arange(20) / 3600).astype(np.float32)
+    lat = (40.0 + np.arange(14) / 3600).astype(np.float32)
+    assert bed_of(array_with(lon, lat, dims=("lat", "lon"))).cell_size[1] == pytest.approx(30.8, abs=0.3)
+
+
 def test_odd_coordinates_are_refused():
     with pytest.raises(ValueError, match="evenly"):
         array_with(X**2, Y).fumon.render()
-    with pytest.raises(ValueError, match="'ft'"):
-        array_with(X, Y, units="ft").fumon.render()
+    with pytest.raises(ValueError, match="'K'"):
+        array_with(X, Y, units="K").fumon.render()
     sites = array_with(np.arange(20) + 0.5, np.arange(14) + 0.5, units="1")
     assert bed_of(sites).cell_size is None
     with pytest.raises(ValueError, match="north and east"):

@@ -167,7 +167,7 @@ TEST_F(InitialBedTest, HeightsThatNoGroundHasAreToldAndCanBeTakenOut) {
     EXPECT_EQ(told("8000 2 3\n4 -9999 6\n").note,
               "1 of 6 cells have heights that no ground has, the first -9999 m at cell (1, 0): "
               "where they stand for no data, say so by bed.nodata_value = -9999");
-    for (const char* value : {"1e+30", "-32768", "32767", "-99999"}) {
+    for (const char* value : {"9999", "-32768", "32767", "-99999"}) {
         const std::string cells = std::string("1 2 ") + value + "\n4 " + value + " 6\n";
         const std::string note = told(cells).note;
         EXPECT_NE(note.find("2 of 6 cells"), std::string::npos) << note;
@@ -181,6 +181,16 @@ TEST_F(InitialBedTest, HeightsThatNoGroundHasAreToldAndCanBeTakenOut) {
         EXPECT_EQ(taken.nodata(2, 1), 1);
         EXPECT_EQ(taken.nodata(0, 0), 0);
     }
+    EXPECT_EQ(test::message_of<InputError>([&] { (void)told("1 2 1e30\n4 5 6\n"); }),
+              (folder_ / "odd.asc").string() +
+                  ": 1 of 6 cells have heights beyond ±1e+06 m, the first 1e+30 m at cell (2, 1); "
+                  "where they stand for no data, write bed.nodata_value = 1e+30, and where they "
+                  "are in another unit, bed.height_unit");
+    EXPECT_EQ(told("1 2 1e30\n4 5 6\n", "nodata_value = 1e30\n").nodata(2, 1), 1);
+    const InitialBed feet =
+        told("10 -9999 30\n40 50 60\n", "height_unit = \"ft\"\nnodata_value = -9999\n");
+    EXPECT_EQ(feet.nodata(1, 1), 1) << "as the file has it";
+    EXPECT_DOUBLE_EQ(feet.bed(0, 1), 3.048);
     EXPECT_EQ(refusal("[bed]\nfile = \"bed.asc\"\nnodata_value = 77\n"),
               "scene.toml:7:16: bed.nodata_value is 77 m, but no cell of bed.asc has that height; "
               "leave the key out");

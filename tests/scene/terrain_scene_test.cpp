@@ -35,6 +35,16 @@ TEST(TerrainRun, IsAnHourOfWaterWhereASettingSaysSomethingOfIt) {
     EXPECT_EQ(terrain_run("dem.asc", {"model.name=gully"}).model.name, "gully");
 }
 
+TEST(TerrainRun, ItsFramesGiveWayToThoseOfASetting) {
+    EXPECT_EQ(terrain_run("dem.asc", {"model.rain=30"}).frames.every, 4);
+    for (const char* name : {"model.rain=30", "model.name=gully"}) {
+        const FrameSettings at = terrain_run("dem.asc", {name, "frames.at=[60]"}).frames;
+        EXPECT_EQ(at.every, 0);
+        EXPECT_EQ(at.at, (std::vector<std::int64_t>{60}));
+        EXPECT_EQ(terrain_run("dem.asc", {name, "frames.logarithmic=9"}).frames.logarithmic, 9);
+    }
+}
+
 TEST(TerrainRun, LeavesOtherModelsToThemselves) {
     const Scene scene = terrain_run("dem.asc", {"model.name=sand", "run.steps=5"});
     EXPECT_EQ(scene.model.name, "sand");

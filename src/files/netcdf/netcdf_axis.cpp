@@ -7,20 +7,30 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
+#include <utility>
 
-#include "files/length_unit.h"
+#include "files/unit_conversion.h"
 
 namespace fumon {
 
 namespace {
 
-/// The one-dimensional numeric variable that bears a dimension's name.
+bool is_over(const NetcdfInput& input, int variable, int dimension) {
+    return input.is_numeric(variable) && input.dimensions(variable) == std::vector<int>{dimension};
+}
+
+/// The one-dimensional numeric variable that bears a dimension's name; else one over it that calls
+/// itself a coordinate.
 std::optional<int> coordinate_variable(const NetcdfInput& input, int dimension) {
-    const auto variable = input.find_variable(input.dimension_name(dimension));
-    if (!variable || !input.is_numeric(*variable)) return std::nullopt;
-    if (input.dimensions(*variable) != std::vector<int>{dimension}) return std::nullopt;
-    return variable;
+    const auto named = input.find_variable(input.dimension_name(dimension));
+    if (named && is_over(input, *named, dimension)) return named;
+    for (int variable = 0; variable < input.variables(); ++variable) {
+        if (!is_over(input, variable, dimension)) continue;
+        if (input.text(variable, "axis") || variable_says_eastward(input, variable) ||
+            variable_says_northward(input, variable))
+            return variable;
+    }
+    return std::nullopt;
 }
 
 std::string coordinate_text(const NetcdfInput& input, int dimension, const char* attribute) {
@@ -58,15 +68,11 @@ Unit unit_of(const NetcdfInput& input, int variable, const std::string& name) {
 }
 
 void check_even(const NetcdfInput& input, const NetcdfAxis& axis,
-                const std::vector<double>& coordinates, bool single_precision) {
-    constexpr double even = 1e-6;  // of the way from first to last
+                const std::vector<double>& coordinates) {
     const double first = coordinates.front();
     const double way = coordinates.back() - first;
-    const double largest = std::max(std::abs(first), std::abs(coordinates.back()));
-    const double rounding = single_precision ? std::numeric_limits<float>::epsilon() * largest
-                                             : std::numeric_limits<double>::epsilon() * largest;
-    const double tolerance = even * std::abs(way) + 2.0 * rounding;
     const auto intervals = static_cast<double>(coordinates.size() - 1);
+    const double tolerance = evenness * std::abs(way) / intervals;
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
         const double expected = first + way * (static_cast<double>(i) / intervals);
         if (std::abs(coordinates[i] - expected) <= tolerance) continue;
@@ -80,63 +86,97 @@ void check_even(const NetcdfInput& input, const NetcdfAxis& axis,
 }  // namespace
 
 NetcdfAxis read_netcdf_axis(const NetcdfInput& input, int dimension) {
-    NetcdfAxis axis;
-    axis.name = input.dimension_name(dimension);
-    axis.count = input.dimension_length(dimension);
     const auto variable = coordinate_variable(input, dimension);
-    if (!variable || axis.count == 0) return axis;
-    axis.has_coordinates = true;
-    const Unit unit = unit_of(input, *variable, axis.name);
-    axis.unit = unit.kind;
-
-    std::vector<double> coordinates(axis.count);
+    if (!variable || input.dimension_length(dimension) == 0) {
+        NetcdfAxis axis;
+        axis.name = input.dimension_name(dimension);
+        axis.count = input.dimension_length(dimension);
+        return axis;
+    }
+    std::vector<double> coordinates(input.dimension_length(dimension));
     check_netcdf(nc_get_var_double(input.id(), *variable, coordinates.data()));
-    const auto scale = input.numbers(*variable, "scale_factor");
-    const auto offset = input.numbers(*variable, "add_offset");
+    return netcdf_axis(input, *variable, std::move(coordinates));
+}
+
+NetcdfAxis netcdf_axis(const NetcdfInput& input, int variable, std::vector<double> coordinates) {
+    NetcdfAxis axis;
+    axis.name = input.variable_name(variable);
+    axis.count = coordinates.size();
+    axis.has_coordinates = true;
+    const Unit unit = unit_of(input, variable, axis.name);
+    axis.unit = unit.kind;
+    axis.metres = unit.metres;
+    const auto scale = input.numbers(variable, "scale_factor");
+    const auto offset = input.numbers(variable, "add_offset");
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
         double& value = coordinates[i];
         if (!scale.empty()) value *= scale.front();
         if (!offset.empty()) value += offset.front();
-        value *= unit.metres;
         if (!std::isfinite(value))
             input.refuse(fmt::format("{}[{}] is not a finite number", axis.name, i),
                          "every coordinate must be one");
     }
-    axis.lowest = std::min(coordinates.front(), coordinates.back());
+    axis.lowest = std::min(coordinates.front(), coordinates.back()) * unit.metres;
     if (axis.count == 1) return axis;
 
     const double way = coordinates.back() - coordinates.front();
     if (way == 0.0)
         input.refuse(fmt::format("{} begins and ends at {:.9g}", axis.name, coordinates.front()),
                      "coordinates must rise or fall evenly");
-    const bool single_precision = input.type(*variable) == NC_FLOAT;
-    check_even(input, axis, coordinates, single_precision);
+    check_even(input, axis, coordinates);
     axis.descending = way < 0.0;
     axis.spacing = std::abs(way) / static_cast<double>(axis.count - 1);
-    if (!single_precision) axis.spacing = rounded(axis.spacing);
+    if (input.type(variable) != NC_FLOAT) axis.spacing = rounded(axis.spacing);
+    axis.spacing *= unit.metres;
     return axis;
 }
 
+bool variable_says_eastward(const NetcdfInput& input, int variable) {
+    const std::string standard = input.text(variable, "standard_name").value_or("");
+    const std::string unit = input.text(variable, "units").value_or("");
+    const std::string name = input.variable_name(variable);
+    constexpr std::array<std::string_view, 6> names{"lon",     "longitude", "nav_lon",
+                                                    "lon_rho", "XLONG",     "XLONG_M"};
+    constexpr std::array<std::string_view, 6> units{"degrees_east", "degree_east", "degrees_E",
+                                                    "degree_E",     "degreesE",    "degreeE"};
+    return standard == "longitude" || standard == "projection_x_coordinate" ||
+           is_among(units, unit) || is_among(names, name);
+}
+
+bool variable_says_northward(const NetcdfInput& input, int variable) {
+    const std::string standard = input.text(variable, "standard_name").value_or("");
+    const std::string unit = input.text(variable, "units").value_or("");
+    const std::string name = input.variable_name(variable);
+    constexpr std::array<std::string_view, 6> names{"lat",     "latitude", "nav_lat",
+                                                    "lat_rho", "XLAT",     "XLAT_M"};
+    constexpr std::array<std::string_view, 6> units{"degrees_north", "degree_north", "degrees_N",
+                                                    "degree_N",      "degreesN",     "degreeN"};
+    return standard == "latitude" || standard == "projection_y_coordinate" ||
+           is_among(units, unit) || is_among(names, name);
+}
+
 bool says_eastward(const NetcdfInput& input, int dimension) {
-    constexpr std::array<std::string_view, 8> names{"x",   "X",         "lon",     "Lon",
-                                                    "LON", "longitude", "easting", "east"};
-    const std::string standard = coordinate_text(input, dimension, "standard_name");
+    constexpr std::array<std::string_view, 10> names{
+        "x", "X", "lon", "Lon", "LON", "longitude", "Longitude", "easting", "east", "west_east"};
+    const auto variable = coordinate_variable(input, dimension);
     return is_among(names, input.dimension_name(dimension)) ||
-           coordinate_text(input, dimension, "axis") == "X" || standard == "longitude" ||
-           standard == "projection_x_coordinate";
+           coordinate_text(input, dimension, "axis") == "X" ||
+           (variable && variable_says_eastward(input, *variable));
 }
 
 bool says_northward(const NetcdfInput& input, int dimension) {
-    constexpr std::array<std::string_view, 8> names{"y",   "Y",        "lat",      "Lat",
-                                                    "LAT", "latitude", "northing", "north"};
-    const std::string standard = coordinate_text(input, dimension, "standard_name");
+    constexpr std::array<std::string_view, 10> names{
+        "y", "Y", "lat", "Lat", "LAT", "latitude", "Latitude", "northing", "north", "south_north"};
+    const auto variable = coordinate_variable(input, dimension);
     return is_among(names, input.dimension_name(dimension)) ||
-           coordinate_text(input, dimension, "axis") == "Y" || standard == "latitude" ||
-           standard == "projection_y_coordinate";
+           coordinate_text(input, dimension, "axis") == "Y" ||
+           (variable && variable_says_northward(input, *variable));
 }
 
 bool says_not_horizontal(const NetcdfInput& input, int dimension) {
-    constexpr std::array<std::string_view, 6> names{"time", "Time", "t", "step", "record", "z"};
+    constexpr std::array<std::string_view, 14> names{"time", "Time",   "t",        "step", "record",
+                                                     "z",    "band",   "bnds",     "nbnd", "bnd",
+                                                     "nv",   "bounds", "vertices", "nb2"};
     const std::string axis = coordinate_text(input, dimension, "axis");
     return is_among(names, input.dimension_name(dimension)) || axis == "T" || axis == "Z" ||
            coordinate_text(input, dimension, "units").find(" since ") != std::string::npos;

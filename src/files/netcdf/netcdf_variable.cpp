@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 
+#include <algorithm>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -13,20 +15,72 @@ namespace fumon {
 
 namespace {
 
+/// The dimensions of a variable that are a map's sides, and the one along which it has records.
+struct Sides {
+    int y = -1;
+    int x = -1;
+    std::optional<int> records{};
+    std::string obstacle{};  ///< why it is no bed; or empty
+};
+
+/// The last of some dimensions but one that has more than one cell, else the last but it.
+int last_but(const NetcdfInput& input, const std::vector<int>& dimensions, int other) {
+    int found = -1;
+    for (const int dimension : dimensions) {
+        const bool is_longer = input.dimension_length(dimension) != 1 || found < 0 ||
+                               input.dimension_length(found) == 1;
+        if (dimension != other && is_longer) found = dimension;
+    }
+    return found;
+}
+
+/// By what names and attributes say, else by their order: rows before columns. Dimensions of length
+/// 1 are passed over where there are others.
+Sides sides_of(const NetcdfInput& input, int variable) {
+    Sides sides;
+    const std::vector<int> over = input.dimensions(variable);
+    std::vector<int> level;  // the horizontal ones
+    for (const int dimension : over) {
+        if (!says_not_horizontal(input, dimension)) level.push_back(dimension);
+    }
+    for (const int dimension : level) {
+        const bool east = says_eastward(input, dimension);
+        const bool north = says_northward(input, dimension);
+        if (east && !north) sides.x = dimension;
+        if (north && !east) sides.y = dimension;
+    }
+    if (sides.x < 0) sides.x = last_but(input, level, sides.y);
+    if (sides.y < 0) sides.y = last_but(input, level, sides.x);
+    if (over.size() < 2) {
+        sides.obstacle = fmt::format("has {} dimensions", over.size());
+        return sides;
+    }
+    if (sides.x < 0 || sides.y < 0 || std::ranges::count(over, sides.x) > 1 ||
+        std::ranges::count(over, sides.y) > 1) {
+        sides.obstacle = fmt::format("is over {} and {}, which is no map",
+                                     input.dimension_name(over[over.size() - 2]),
+                                     input.dimension_name(over.back()));
+        return sides;
+    }
+    for (const int dimension : over) {
+        if (dimension == sides.x || dimension == sides.y) continue;
+        const bool is_long = input.dimension_length(dimension) != 1;
+        const bool has_long = sides.records && input.dimension_length(*sides.records) != 1;
+        if (is_long && has_long) {
+            sides.obstacle = fmt::format(
+                "has records along {} ({}) and {} ({})", input.dimension_name(*sides.records),
+                input.dimension_length(*sides.records), input.dimension_name(dimension),
+                input.dimension_length(dimension));
+        }
+        if (is_long || !sides.records) sides.records = dimension;
+    }
+    return sides;
+}
+
 /// Why a variable is no bed; empty where it may be one.
 std::string obstacle(const NetcdfInput& input, int variable) {
     if (!input.is_numeric(variable)) return "does not hold numbers";
-    const std::vector<int> over = input.dimensions(variable);
-    if (over.size() < 2 || over.size() > 3) return fmt::format("has {} dimensions", over.size());
-    const int x = over[over.size() - 1];
-    const int y = over[over.size() - 2];
-    if (x == y || says_not_horizontal(input, x) || says_not_horizontal(input, y))
-        return fmt::format("is over {} and {}, which is no map", input.dimension_name(y),
-                           input.dimension_name(x));
-    if (says_northward(input, x) || says_eastward(input, y))
-        return fmt::format("is over ({}, {}), columns before rows", input.dimension_name(y),
-                           input.dimension_name(x));
-    return "";
+    return sides_of(input, variable).obstacle;
 }
 
 /// Variables that only say where others lie.
@@ -47,7 +101,10 @@ std::vector<int> candidates(const NetcdfInput& input) {
     const std::set<std::string> not_these = helpers(input);
     std::vector<int> found;
     for (int variable = 0; variable < input.variables(); ++variable) {
-        if (!not_these.contains(input.variable_name(variable)) && obstacle(input, variable).empty())
+        const bool says_where =
+            variable_says_eastward(input, variable) || variable_says_northward(input, variable);
+        if (!says_where && !not_these.contains(input.variable_name(variable)) &&
+            obstacle(input, variable).empty())
             found.push_back(variable);
     }
     return found;
@@ -69,7 +126,7 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 constexpr std::string_view what_fits =
-    "a bed is a numeric variable over (y, x), or over (time, y, x)";
+    "a bed is a numeric variable over y and x, or over these and one of time, band or the like";
 
 int choose(const NetcdfInput& input, const std::string& wanted) {
     if (!wanted.empty()) {
@@ -97,14 +154,15 @@ BedVariable choose_bed_variable(const NetcdfInput& input, const std::string& wan
     bed.name = input.variable_name(bed.variable);
     if (const std::string why = obstacle(input, bed.variable); !why.empty())
         input.refuse(fmt::format("{} {}", bed.name, why), what_fits);
-    const std::vector<int> over = input.dimensions(bed.variable);
-    bed.x = over[over.size() - 1];
-    bed.y = over[over.size() - 2];
-    bed.has_records = over.size() == 3;
+    const Sides sides = sides_of(input, bed.variable);
+    bed.x = sides.x;
+    bed.y = sides.y;
+    bed.has_records = sides.records.has_value();
+    bed.records = sides.records.value_or(-1);
     if (!bed.has_records && record.number > 0)
         input.refuse(fmt::format("{} has no records", bed.name), "leave bed.record out");
     if (!bed.has_records) return bed;
-    const std::size_t records = input.dimension_length(over.front());
+    const std::size_t records = input.dimension_length(bed.records);
     if (records == 0)
         input.refuse(fmt::format("{} has no record yet", bed.name), "let the run write one first");
     const auto number = static_cast<std::size_t>(record.number);

@@ -14,7 +14,8 @@ struct BedVariable {
     int variable = 0;
     int y = 0;  ///< its dimensions, by their NetCDF numbers
     int x = 0;
-    bool has_records = false;  ///< a dimension before y and x
+    bool has_records = false;  ///< along a third dimension
+    int records = -1;          ///< that dimension, or -1
     std::size_t record = 0;    ///< from 0
     std::string note;          ///< what was chosen of several records; or empty
 };
@@ -27,9 +28,10 @@ struct WantedRecord {
 };
 
 /// The variable `wanted`; where that is empty bed_height, else the only numeric variable over two
-/// horizontal dimensions, alone or behind a third. Not among the candidates are the bounds and the
-/// two-dimensional coordinates of others. Throws InputError, which lists the candidates, where the
-/// name is unknown or does not fit, for none or several, and for a record that it does not have.
+/// horizontal dimensions in either order, alone or with a third. Further dimensions have length 1.
+/// Not among the candidates are the bounds and the two-dimensional coordinates of others. Throws
+/// InputError, which lists the candidates, where the name is unknown or does not fit, for none or
+/// several, and for a record that it does not have.
 BedVariable choose_bed_variable(const NetcdfInput& input, const std::string& wanted,
                                 const WantedRecord& record = {});
 

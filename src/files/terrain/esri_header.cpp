@@ -7,9 +7,11 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "base/limits.h"
 #include "files/terrain/terrain_format.h"
+#include "files/terrain/text_grid.h"
 
 namespace fumon {
 
@@ -37,6 +39,8 @@ constexpr std::string_view all_words =
     "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize (or dx and dy), "
     "NODATA_value";
 
+constexpr std::size_t looked_at = 4096;  // bytes; other formats betray themselves sooner
+
 struct Entry {
     std::string_view text;  ///< the value as written
     double value = 0.0;
@@ -54,6 +58,11 @@ std::optional<Word> known_word(std::string_view written) {
     if (lower == "nodata") return nodata_value;
     if (lower == "xllcentre") return xllcenter;
     if (lower == "yllcentre") return yllcenter;
+    // GeoClaw's, whose corner is the first point, not an edge.
+    if (lower == "mx") return ncols;
+    if (lower == "my") return nrows;
+    if (lower == "xlower" || lower == "xll") return xllcenter;
+    if (lower == "ylower" || lower == "yll") return yllcenter;
     const auto* found = std::find(word_names.begin(), word_names.end(), lower);
     if (found == word_names.end()) return std::nullopt;
     return static_cast<Word>(found - word_names.begin());
@@ -67,6 +76,24 @@ std::size_t skip_spaces(std::string_view text, std::size_t offset) {
 std::size_t skip_blanks(std::string_view text, std::size_t offset) {
     while (offset < text.size() && is_blank(text[offset])) ++offset;
     return offset;
+}
+
+/// The word of a line that has its number first, as GeoClaw writes headers ("20 ncols"), and with
+/// it the number as the line's entry; nothing where the line is no such one.
+std::optional<std::pair<Word, Entry>> value_first(const TextSource& source, std::size_t& offset) {
+    const std::string_view number_text = word_at(source.text, offset);
+    const ParsedNumber number = parse_number(number_text);
+    if (number.kind != NumberKind::finite && number.kind != NumberKind::not_a_number)
+        return std::nullopt;
+    const std::size_t at = skip_blanks(source.text, offset + number_text.size());
+    if (at >= source.text.size() || is_line_end(source.text[at])) return std::nullopt;
+    const std::string_view word = word_at(source.text, at);
+    const auto known = known_word(word);
+    if (!known) return std::nullopt;
+    const Entry entry{number_text, number.value, number.kind == NumberKind::not_a_number, offset};
+    offset = at + word.size();
+    while (offset < source.text.size() && !is_line_end(source.text[offset])) ++offset;  // a comment
+    return std::pair(*known, entry);
 }
 
 /// The value of a header word, which stands on the rest of its line and alone there.
@@ -97,7 +124,6 @@ void refuse_what_is_no_grid(const TextSource& source, std::size_t start) {
     if (skip_spaces(source.text, start) == source.text.size())
         source.fail(start, "the file is empty", "an ESRI ASCII grid starts with its ncols line");
     constexpr char end_of_dos_text = '\x1A';
-    constexpr std::size_t looked_at = 4096;  // bytes; binary formats betray themselves sooner
     for (std::size_t i = start; i < std::min(source.text.size(), start + looked_at); ++i) {
         const auto code = static_cast<unsigned char>(source.text[i]);
         if (code < 0x20 && !is_space(source.text[i]) && source.text[i] != end_of_dos_text)
@@ -107,12 +133,34 @@ void refuse_what_is_no_grid(const TextSource& source, std::size_t start) {
     }
 }
 
+[[noreturn]] void refuse_again(const TextSource& source, std::size_t offset, std::string_view word,
+                               std::size_t first) {
+    source.fail(
+        offset,
+        fmt::format("{} stands here again (first on line {})", word, line_of(source.text, first)),
+        "keep one of the two lines");
+}
+
+void check_number(const TextSource& source, const Entry& entry, Word known, std::string_view word) {
+    if (entry.is_nan && known != nodata_value)
+        source.fail(entry.offset, fmt::format("{} is not a number", word),
+                    fmt::format("write one number after {}", word));
+}
+
 /// Reads all header lines; returns the offset of the first height.
 std::size_t read_entries(const TextSource& source, std::size_t offset, Entries& entries) {
     bool first = true;
     for (;; first = false) {
         offset = skip_spaces(source.text, offset);
         const std::string_view word = word_at(source.text, offset);
+        const std::size_t line = offset;
+        if (auto turned = value_first(source, offset)) {
+            auto& entry = entries[turned->first];
+            if (entry) refuse_again(source, line, word_names[turned->first], entry->offset);
+            entry = turned->second;
+            check_number(source, *entry, turned->first, word_names[turned->first]);
+            continue;
+        }
         if (word.empty() || parse_number(word).kind != NumberKind::none) return offset;
         const bool is_name = std::all_of(word.begin(), word.end(), [](char c) {
             return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
@@ -127,15 +175,9 @@ std::size_t read_entries(const TextSource& source, std::size_t offset, Entries& 
             source.fail(offset, fmt::format("unknown header word {}", shown(word)),
                         fmt::format("known are {}", all_words));
         auto& entry = entries[*known];
-        if (entry)
-            source.fail(offset,
-                        fmt::format("{} stands here again (first on line {})", word,
-                                    line_of(source.text, entry->offset)),
-                        "keep one of the two lines");
+        if (entry) refuse_again(source, offset, word, entry->offset);
         entry = read_value(source, word, offset);
-        if (entry->is_nan && *known != nodata_value)
-            source.fail(entry->offset, fmt::format("{} is not a number", word),
-                        fmt::format("write one number after {}", word));
+        check_number(source, *entry, *known, word);
     }
 }
 
@@ -182,6 +224,8 @@ double read_edge(const Entries& entries, Word corner, Word centre, double cell) 
 EsriHeader read_esri_header(const TextSource& source) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     const std::size_t start = source.text.starts_with(byte_order_mark) ? 3 : 0;
+    if (const auto other = other_text_grid(source.text.substr(0, looked_at)))
+        source.fail(0, fmt::format("this is {}", other->title), other->remedy);
     refuse_what_is_no_grid(source, start);
 
     Entries entries;

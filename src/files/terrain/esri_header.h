@@ -21,9 +21,11 @@ struct EsriHeader {
 /// Reads the header as real files have it: words in any case and order, corner or centre
 /// registration (a missing origin is 0), `cellsize` or `dx` and `dy`, NODATA_value (or NODATA) or
 /// none, a byte-order mark, LF, CRLF or CR. Source of the format: Esri, "ASCII raster format"; the
-/// dx and dy lines are GDAL's. Throws InputError "file:line: what; remedy" for a missing, doubled,
-/// unknown or contradictory word, for a value that is no number or out of range, and for more than
-/// `largest_grid_cells` cells.
+/// dx and dy lines are GDAL's. A header may have its numbers first, as GeoClaw writes it ("20 mx";
+/// mx, my, xlower, ylower, xll, yll, of which the latter four are the first point, a cell's
+/// centre). Source: Clawpack's documentation, "Topography data", topotypes 2 and 3. Throws
+/// InputError "file:line: what; remedy" for a missing, doubled, unknown or contradictory word, for
+/// a value that is no number or out of range, and for more than `largest_grid_cells` cells.
 EsriHeader read_esri_header(const TextSource& source);
 
 }  // namespace fumon

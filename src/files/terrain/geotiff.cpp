@@ -14,6 +14,7 @@ TerrainFormat geotiff_format() {
             .read = read_raster,
             .write = write_geotiff,
             .endings = {".tif"},
+            .has_units = true,
             .has_variables = true,
             .has_bands = true,
             .missing = missing_gdal};
@@ -26,6 +27,7 @@ TerrainFormat cloud_geotiff_format() {
             .read = read_raster,
             .write = write_cloud_geotiff,
             .endings = {".cog.tif"},
+            .has_units = true,
             .has_bands = true,
             .missing = missing_gdal};
 }

@@ -90,7 +90,9 @@ void make_true_lengths(Terrain& terrain, bool unit_counts, const std::string& fi
         terrain.dy *= words.metres;
         add_note(terrain, fmt::format("cell size converted to metres from {}", words.unit));
     }
-    if (inside_utm_zone(terrain, words) || (!unit_counts && words.metres != 1.0)) return;
+    constexpr double alike = 1e-6;
+    const bool in_system = std::abs(grid.dx * words.metres / terrain.dx - 1.0) < alike;
+    if (inside_utm_zone(terrain, words) || !in_system) return;
     if (!has_gdal() && words.mercator) {
         throw InputError(
             fmt::format("{}: lies in Mercator's projection, which stretches lengths; to know by "

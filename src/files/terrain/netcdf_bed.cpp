@@ -1,21 +1,25 @@
 #include "files/terrain/netcdf_bed.h"
 
 #include <fmt/format.h>
-#include <netcdf.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <limits>
-#include <vector>
+#include <locale>
+#include <sstream>
+#include <utility>
 
 #include "base/limits.h"
 #include "files/input_file.h"
-#include "files/length_unit.h"
 #include "files/netcdf/netcdf_axis.h"
+#include "files/netcdf/netcdf_cells.h"
 #include "files/netcdf/netcdf_input.h"
+#include "files/netcdf/netcdf_planes.h"
 #include "files/netcdf/netcdf_variable.h"
 #include "files/terrain/geographic.h"
+#include "files/terrain/wanted_unit.h"
+#include "files/unit_conversion.h"
 
 namespace fumon {
 
@@ -34,91 +38,6 @@ void check_size(const NetcdfInput& input, const BedVariable& bed) {
             fmt::format("at most {} are read; cut out or coarsen the part you need", most));
 }
 
-/// "m" of "m above sea level" and "meters (NAVD88)".
-std::string without_datum(const std::string& unit) {
-    std::size_t end = unit.size();
-    for (const char* begin : {" above ", " (", " a.s.l", " asl", " amsl"})
-        end = std::min(end, unit.find(begin));
-    return unit.substr(0, end);
-}
-
-/// Metres per unit of the variable's heights.
-double height_factor(const NetcdfInput& input, const BedVariable& bed) {
-    const std::string unit = input.text(bed.variable, "units").value_or("");
-    if (unit.empty() || unit == "1") return 1.0;
-    if (const auto metres = metres_per_unit(without_datum(unit))) return *metres;
-    input.refuse(fmt::format("{} is in \"{}\"", bed.name, unit),
-                 "heights are in a unit of length (\"m\"); name another variable by bed.variable");
-}
-
-/// Which raw values of a variable stand for no data.
-struct MissingValues {
-    std::vector<double> values;
-    double lowest = -std::numeric_limits<double>::infinity();
-    double highest = std::numeric_limits<double>::infinity();
-
-    [[nodiscard]] bool holds(double raw) const {
-        if (std::isnan(raw) || raw < lowest || raw > highest) return true;
-        return std::find(values.begin(), values.end(), raw) != values.end();
-    }
-};
-
-/// The default fill value of a type, as a double; none for bytes, which use every value.
-std::vector<double> default_fill(int type) {
-    switch (type) {
-        case NC_SHORT:
-            return {NC_FILL_SHORT};
-        case NC_USHORT:
-            return {NC_FILL_USHORT};
-        case NC_INT:
-            return {NC_FILL_INT};
-        case NC_UINT:
-            return {NC_FILL_UINT};
-        case NC_INT64:
-            return {static_cast<double>(NC_FILL_INT64)};
-        case NC_UINT64:
-            return {static_cast<double>(NC_FILL_UINT64)};
-        case NC_FLOAT:
-            return {static_cast<double>(NC_FILL_FLOAT)};
-        case NC_DOUBLE:
-            return {NC_FILL_DOUBLE};
-        default:
-            return {};
-    }
-}
-
-MissingValues missing_values(const NetcdfInput& input, int variable) {
-    MissingValues missing{input.numbers(variable, "_FillValue")};
-    if (missing.values.empty()) missing.values = default_fill(input.type(variable));
-    for (const double value : input.numbers(variable, "missing_value"))
-        missing.values.push_back(value);
-    const auto range = input.numbers(variable, "valid_range");
-    const auto low = input.numbers(variable, "valid_min");
-    const auto high = input.numbers(variable, "valid_max");
-    if (range.size() == 2) {
-        missing.lowest = range[0];
-        missing.highest = range[1];
-    }
-    if (low.size() == 1) missing.lowest = low[0];
-    if (high.size() == 1) missing.highest = high[0];
-    return missing;
-}
-
-/// The raw values of the chosen record, in the file's order.
-Grid read_values(const NetcdfInput& input, const BedVariable& bed) {
-    const std::size_t nx = input.dimension_length(bed.x);
-    const std::size_t ny = input.dimension_length(bed.y);
-    Grid values(static_cast<int>(nx), static_cast<int>(ny));
-    const std::vector<std::size_t> start = bed.has_records
-                                               ? std::vector<std::size_t>{bed.record, 0, 0}
-                                               : std::vector<std::size_t>{0, 0};
-    const std::vector<std::size_t> count =
-        bed.has_records ? std::vector<std::size_t>{1, ny, nx} : std::vector<std::size_t>{ny, nx};
-    check_netcdf(
-        nc_get_vara_double(input.id(), bed.variable, start.data(), count.data(), values.data()));
-    return values;
-}
-
 void turn_north_up(Grid& values, bool rows_fall, bool columns_fall) {
     const int ny = values.ny();
     for (int y = 0; rows_fall && y < ny / 2; ++y)
@@ -126,14 +45,37 @@ void turn_north_up(Grid& values, bool rows_fall, bool columns_fall) {
     for (int y = 0; columns_fall && y < ny; ++y) std::ranges::reverse(values.row(y));
 }
 
-void convert_values(const NetcdfInput& input, const BedVariable& bed, bool any_unit,
+/// From raw numbers to what is asked for: packing, unit and direction.
+UnitConversion conversion_of(const NetcdfInput& input, const BedVariable& bed,
+                             const TerrainQuery& query, Terrain& terrain) {
+    const std::string unit = input.text(bed.variable, "units").value_or("");
+    auto conversion = conversion_for(query, unit);
+    if (!conversion)
+        input.refuse(fmt::format("{} is in \"{}\"", bed.name, unit),
+                     wanted_units(query, "name another variable by bed.variable"));
+    if (const std::string note = conversion_note(query, unit, *conversion); !note.empty())
+        add_note(terrain, note);
+    if (!query.any_unit && query.height_sign == HeightSign::automatic &&
+        grows_downward(input.text(bed.variable, "positive").value_or(""),
+                       input.text(bed.variable, "standard_name").value_or(""))) {
+        conversion->factor = -conversion->factor;
+        conversion->offset = -conversion->offset;
+        add_note(terrain, fmt::format("{} grows downward: its numbers are taken as depths "
+                                      "(bed.height_sign says otherwise)",
+                                      bed.name));
+    }
+    return *conversion;
+}
+
+void convert_values(const NetcdfInput& input, const BedVariable& bed, const TerrainQuery& query,
                     Terrain& terrain) {
     const MissingValues missing = missing_values(input, bed.variable);
     const auto scales = input.numbers(bed.variable, "scale_factor");
     const auto offsets = input.numbers(bed.variable, "add_offset");
     const double scale = scales.empty() ? 1.0 : scales.front();
     const double offset = offsets.empty() ? 0.0 : offsets.front();
-    const double metres = any_unit ? 1.0 : height_factor(input, bed);
+    const UnitConversion conversion = conversion_of(input, bed, query, terrain);
+    terrain.metres_per_number = conversion.factor;
     Grid& heights = terrain.heights;
     bool any_data = false;
     for (std::size_t cell = 0; cell < heights.size(); ++cell) {
@@ -145,7 +87,7 @@ void convert_values(const NetcdfInput& input, const BedVariable& bed, bool any_u
             continue;
         }
         any_data = true;
-        height = (height * scale + offset) * metres;
+        height = conversion(height * scale + offset);
         if (!std::isfinite(height)) {
             const auto nx = static_cast<std::size_t>(heights.nx());
             input.refuse(fmt::format("{} is infinite at row {}, column {} from the south-west",
@@ -156,9 +98,6 @@ void convert_values(const NetcdfInput& input, const BedVariable& bed, bool any_u
     if (!any_data)
         input.refuse(fmt::format("{} holds no data in any cell", bed.name),
                      "at least one height must differ from the _FillValue");
-    if (metres != 1.0)
-        add_note(terrain, fmt::format("heights converted to metres from {}",
-                                      *input.text(bed.variable, "units")));
 }
 
 /// A single row or column says nothing of its width: its cells are taken for square.
@@ -173,13 +112,88 @@ void complete_spacing(NetcdfAxis& x, NetcdfAxis& y) {
     borrow(y, x);
 }
 
-/// The coordinate reference system of a variable as CF tells it; empty where it does not.
+/// The variable that holds a bed's coordinate reference system.
+std::optional<int> crs_holder(const NetcdfInput& input, int variable) {
+    std::string mapping = input.text(variable, "grid_mapping").value_or("");
+    mapping = mapping.substr(0, mapping.find_first_of(": "));  // "crs: x y" names axes, too
+    if (!mapping.empty()) return input.find_variable(mapping);
+    for (const char* usual : {"spatial_ref", "crs"}) {  // which xarray does not point at
+        if (const auto holder = input.find_variable(usual);
+            holder && input.dimensions(*holder).empty())
+            return holder;
+    }
+    return std::nullopt;
+}
+
 std::string crs_of(const NetcdfInput& input, int variable) {
-    const auto mapping = input.text(variable, "grid_mapping");
-    const auto holder = mapping ? input.find_variable(*mapping) : std::nullopt;
-    if (!holder) return {};
-    const auto crs = input.text(*holder, "crs_wkt");
-    return crs ? *crs : input.text(*holder, "spatial_ref").value_or("");
+    const auto holder = crs_holder(input, variable);
+    for (const char* attribute : {"crs_wkt", "spatial_ref"}) {
+        const std::string text = holder ? input.text(*holder, attribute).value_or("") : "";
+        if (!text.empty()) return text;
+    }
+    return input.text(variable, "esri_pe_string").value_or("");
+}
+
+void refuse_rotated_pole(const NetcdfInput& input, const BedVariable& bed) {
+    const auto holder = crs_holder(input, bed.variable);
+    if (!holder ||
+        input.text(*holder, "grid_mapping_name").value_or("") != "rotated_latitude_longitude")
+        return;
+    input.refuse(fmt::format("{} lies on a grid with a rotated pole", bed.name),
+                 "bring it onto an even grid first (cdo remapbil, gdalwarp or xESMF)");
+}
+
+/// The axes by the six numbers of GDAL's GeoTransform, of a grid without coordinates.
+void place_by_transform(const NetcdfInput& input, const BedVariable& bed, NetcdfAxis& x,
+                        NetcdfAxis& y) {
+    const auto holder = crs_holder(input, bed.variable);
+    if (!holder || x.has_coordinates || y.has_coordinates) return;
+    std::istringstream text(input.text(*holder, "GeoTransform").value_or(""));
+    text.imbue(std::locale::classic());
+    std::array<double, 6> transform{};
+    for (double& number : transform) text >> number;
+    if (!text || transform[1] == 0.0 || transform[5] == 0.0) return;
+    if (transform[2] != 0.0 || transform[4] != 0.0)
+        input.refuse(fmt::format("{} has rotated or skewed cells", bed.name),
+                     "turn it to north first (gdalwarp)");
+    const auto set = [](NetcdfAxis& axis, double edge, double step) {
+        const double far = edge + step * static_cast<double>(axis.count);
+        axis.has_coordinates = true;
+        axis.descending = step < 0.0;
+        axis.spacing = std::abs(step);
+        axis.lowest = std::min(edge, far) + 0.5 * axis.spacing;
+    };
+    set(x, transform[0], transform[1]);
+    set(y, transform[3], transform[5]);
+}
+
+/// Axes by coordinates of one dimension, by such of two, or by GDAL's transform.
+std::pair<NetcdfAxis, NetcdfAxis> axes_of(const NetcdfInput& input, const BedVariable& bed) {
+    refuse_rotated_pole(input, bed);
+    NetcdfAxis x = read_netcdf_axis(input, bed.x);
+    NetcdfAxis y = read_netcdf_axis(input, bed.y);
+    const bool says_where = x.has_coordinates && y.has_coordinates && x.unit != AxisUnit::unsaid &&
+                            y.unit != AxisUnit::unsaid;
+    if (!says_where) {
+        if (auto planes = axes_of_planes(input, bed)) return std::move(*planes);
+    }
+    place_by_transform(input, bed, x, y);
+    return {std::move(x), std::move(y)};
+}
+
+/// Whether a coordinate reference system in WKT counts in a unit of so many metres.
+bool counts_in(const std::string& crs, double metres) {
+    for (std::size_t at = crs.find("UNIT["); at != std::string::npos;
+         at = crs.find("UNIT[", at + 1)) {
+        const std::size_t number = crs.find("\",", at);
+        if (number == std::string::npos) return false;
+        double factor = 0.0;
+        const char* begin = crs.data() + number + 2;
+        while (begin != crs.data() + crs.size() && *begin == ' ') ++begin;
+        std::from_chars(begin, crs.data() + crs.size(), factor);
+        if (std::abs(factor / metres - 1.0) < 1e-8) return true;
+    }
+    return false;
 }
 
 /// Where the grid lies, in metres or degrees; none of one in sites or without coordinates.
@@ -209,27 +223,30 @@ std::optional<GeoReference> place_of_grid(const NetcdfInput& input, const BedVar
                             relief(terrain.heights, terrain.nodata)};
     const bool in_degrees =
         x.unit == AxisUnit::degrees || (x.unit == AxisUnit::unsaid && is_geographic(extent));
-    return GeoReference{extent.west, extent.south, x.spacing,
-                        y.spacing,   in_degrees,   crs_of(input, bed.variable)};
+    std::string crs = crs_of(input, bed.variable);
+    // Places are in the system's own unit: of kilometres of a system in metres these are metres.
+    const bool own = x.metres != 1.0 && x.metres == y.metres && counts_in(crs, x.metres);
+    const double unit = own ? x.metres : 1.0;
+    return GeoReference{extent.west / unit, extent.south / unit, x.spacing / unit,
+                        y.spacing / unit,   in_degrees,          std::move(crs)};
 }
 
 Terrain read_bed(const NetcdfInput& input, const TerrainQuery& query) {
     const BedVariable bed =
         choose_bed_variable(input, query.variable, {query.record, query.must_name_record});
     check_size(input, bed);
-    NetcdfAxis x = read_netcdf_axis(input, bed.x);
-    NetcdfAxis y = read_netcdf_axis(input, bed.y);
+    auto [x, y] = axes_of(input, bed);
     Terrain terrain;
     terrain.note = bed.note;
-    terrain.heights = read_values(input, bed);
+    terrain.heights = read_cells(input, bed);
     turn_north_up(terrain.heights, y.descending, x.descending);
-    convert_values(input, bed, query.any_unit, terrain);
+    convert_values(input, bed, query, terrain);
     complete_spacing(x, y);
     terrain.place = place_of_grid(input, bed, x, y, terrain);
     crop(terrain, query.window, input.name());
     if (terrain.place) {
-        terrain.dx = terrain.place->dx;
-        terrain.dy = terrain.place->dy;
+        terrain.dx = x.spacing;
+        terrain.dy = y.spacing;
     }
     return terrain;
 }
@@ -267,6 +284,7 @@ TerrainFormat netcdf_format() {
                     return is_netcdf(start) || ending == ".nc" || ending == ".nc4";
                 },
             .read = read_netcdf_format,
+            .has_units = true,
             .has_variables = true};
 }
 

@@ -16,12 +16,12 @@
 #include "files/gdal/gdal_functions.h"
 #include "files/gdal/gdal_session.h"
 #include "files/input_file.h"
-#include "files/length_unit.h"
 #include "files/open_files.h"
 #include "files/terrain/geographic.h"
 #include "files/terrain/raster_choice.h"
 #include "files/terrain/raster_kinds.h"
 #include "files/terrain/raster_place.h"
+#include "files/terrain/wanted_unit.h"
 
 namespace fumon {
 
@@ -218,7 +218,7 @@ class RasterReader {
     }
 
     void read_heights(GDALRasterBandH band, const CellBlock& block, const RasterPlace& place) {
-        const double factor = height_factor(band, place);
+        const UnitConversion conversion = conversion_of(band, place);
         terrain_.heights = read_block<double>(band, block, place, GDT_Float64);
         Mask shown;  // 0 where the file's own mask hides a cell
         const int flags = gdal().GDALGetMaskFlags(band);
@@ -243,7 +243,7 @@ class RasterReader {
                 ++holes;
                 continue;
             }
-            height = (height * scale + offset) * factor;
+            height = conversion(height * scale + offset);
             if (!std::isfinite(height)) refuse_infinite(cell);
         }
         if (holes == heights.size())
@@ -251,27 +251,30 @@ class RasterReader {
                    "at least one height must differ from the no-data value");
     }
 
-    /// Metres per unit of the band, negative for depths.
-    double height_factor(GDALRasterBandH band, const RasterPlace& place) {
-        if (query_.any_unit) return 1.0;
-        const std::string unit = gdal().GDALGetRasterUnitType(band);
+    /// From the band's numbers to metres of height, or to the unit that a query wants.
+    UnitConversion conversion_of(GDALRasterBandH band, const RasterPlace& place) {
         constexpr std::array<std::string_view, 3> none{"", "unspecified", "unknown"};
-        const bool unsaid = std::ranges::find(none, unit) != none.end();
-        std::optional<double> metres = unsaid ? place.metres_per_height : metres_per_unit(unit);
-        if (!metres && unit == place.height_unit) metres = place.metres_per_height;
-        if (!metres)
+        std::string unit = gdal().GDALGetRasterUnitType(band);
+        if (std::ranges::find(none, unit) != none.end())
+            unit = query_.any_unit ? "" : place.height_unit;
+        std::optional<UnitConversion> conversion = conversion_for(query_, unit);
+        if (!conversion && !query_.any_unit && unit == place.height_unit)
+            conversion = UnitConversion{place.metres_per_height, 0.0};
+        if (!conversion)
             refuse(
-                fmt::format("its heights are in \"{}\"", unit),
-                "heights are in a unit of length (\"m\"); another band may hold them (bed.band)");
-        if (*metres != 1.0)
-            add_note(terrain_, fmt::format("heights converted to metres from {}",
-                                           unsaid ? place.height_unit : unit));
-        if (!place.heights_point_down) return *metres;
-        add_note(
-            terrain_,
-            "depths below a level are read as negative heights, since the file's vertical axis "
-            "points down");
-        return -*metres;
+                fmt::format("its {} are in \"{}\"", query_.any_unit ? "numbers" : "heights", unit),
+                wanted_units(query_, "another band may hold them (bed.band)"));
+        add_note(terrain_, conversion_note(query_, unit, *conversion));
+        if (query_.any_unit) return *conversion;
+        if (place.heights_point_down && query_.height_sign == HeightSign::automatic) {
+            add_note(terrain_,
+                     "depths are read as negative heights, since the file's vertical axis points "
+                     "down");
+            conversion->factor = -conversion->factor;
+            conversion->offset = -conversion->offset;
+        }
+        terrain_.metres_per_number = conversion->factor;
+        return *conversion;
     }
 
     [[noreturn]] void refuse_infinite(std::size_t cell) const {
@@ -304,6 +307,7 @@ TerrainFormat other_raster_format() {
             .title = "another raster that GDAL reads",
             .is_one = is_other_raster,
             .read = read_raster,
+            .has_units = true,
             .has_variables = true,
             .has_bands = true};
 }

@@ -9,8 +9,15 @@
 #include "files/terrain/ground_lengths.h"
 #include "files/terrain/netcdf_bed.h"
 #include "files/terrain/terrain_format.h"
+#include "files/terrain/wanted_unit.h"
 
 namespace fumon {
+
+void add_note(Terrain& terrain, const std::string& remark) {
+    if (remark.empty()) return;
+    if (!terrain.note.empty()) terrain.note += "; ";
+    terrain.note += remark;
+}
 
 namespace {
 
@@ -27,18 +34,36 @@ void check_query(const std::filesystem::path& file, const TerrainFormat& format,
         refuse("a variable was named", "has none", "bed.variable");
     if (!format.has_variables && query.record != 0)
         refuse("a record was named", "has none", "bed.record");
+    if (!format.has_heights && !query.height_unit.empty())
+        refuse("a unit of heights was named", "holds shades", "bed.height_unit");
     if (!format.has_bands && query.band != 0) refuse("a band was named", "has none", "bed.band");
+}
+
+/// What the scene says of all formats alike, and a unit where the format itself has none.
+void apply_to_heights(const TerrainFormat& format, const TerrainQuery& query, Terrain& terrain) {
+    double factor = query.height_factor;
+    if (!format.has_units && !query.height_unit.empty()) {
+        const auto conversion = conversion_for(query, "");
+        factor *= conversion->factor;
+        add_note(terrain, conversion_note(query, "", *conversion));
+    }
+    if (query.height_sign == HeightSign::down) factor = -factor;
+    if (factor == 1.0) return;
+    terrain.metres_per_number *= factor;
+    for (std::size_t cell = 0; cell < terrain.heights.size(); ++cell) {
+        if (terrain.nodata.empty() || terrain.nodata.values()[cell] == 0)
+            terrain.heights.values()[cell] *= factor;
+    }
 }
 
 }  // namespace
 
-void add_note(Terrain& terrain, const std::string& remark) {
-    if (remark.empty()) return;
-    if (!terrain.note.empty()) terrain.note += "; ";
-    terrain.note += remark;
-}
-
 Terrain read_terrain(const std::filesystem::path& file, const TerrainQuery& query) {
+    if (!query.any_unit && !conversion_for(query, "")) {
+        throw InputError(fmt::format("{}: heights are said to be in \"{}\"; {}", file.string(),
+                                     query.height_unit,
+                                     wanted_units(query, "write bed.height_unit = \"ft\", say")));
+    }
     const bool folder = std::filesystem::is_directory(file) && file.extension() == ".zarr";
     const std::string start =
         folder ? "" : start_of_input_file(file, TerrainFormat::signature_length);
@@ -52,6 +77,7 @@ Terrain read_terrain(const std::filesystem::path& file, const TerrainQuery& quer
     }
     Terrain terrain = format->read(file, query);  // the last format is every other file's
     check_query(file, *format, query);
+    if (!query.any_unit) apply_to_heights(*format, query, terrain);
     make_true_lengths(terrain, format->name != netcdf_name, file.string());
     return terrain;
 }

@@ -37,6 +37,7 @@ struct TerrainFormat {
     /// Every ending of a written file; one name takes one place in a folder.
     std::vector<std::string_view> endings{};
     bool has_heights = true;     ///< its numbers are metres: it takes no bed.heights
+    bool has_units = false;      ///< it says units, and its reader heeds TerrainQuery::height_unit
     bool has_variables = false;  ///< it takes bed.variable
     bool has_bands = false;      ///< it takes bed.band
     /// What it needs and is not installed, with the remedy; empty where nothing is missing.

@@ -37,13 +37,13 @@ void list_ground_keys(GullyParameters& gully, KeyTable& table) {
                {.unit = "m", .range = {0, 100}, .help = "psi of green-ampt"});
     table.real("model.moisture_deficit", gully.moisture_deficit,
                {.range = {0, 1}, .help = "dtheta of green-ampt: porosity less water content"});
-    table.choice(
-        "model.friction", gully.friction,
-        {{FrictionLaw::full, "full", "tau = rho C_f |u| u (eq. 6)"},
-         {FrictionLaw::half, "half", "tau = rho C_f |u| u / 2 (eq. 9)"},
-         {FrictionLaw::chezy, "chezy", "tau = rho g |u| u / C^2"},
-         {FrictionLaw::manning, "manning", "tau = rho g n^2 |u| u / h^(1/3); of finite volumes"}},
-        {.help = "full and half are the paper's, which has both"});
+    table.choice("model.friction", gully.friction,
+                 {{FrictionLaw::full, "full", "tau = rho C_f |u| u (eq. 6)", "1"},
+                  {FrictionLaw::half, "half", "tau = rho C_f |u| u / 2 (eq. 9)", "1"},
+                  {FrictionLaw::chezy, "chezy", "tau = rho g |u| u / C^2", "m^(1/2)/s"},
+                  {FrictionLaw::manning, "manning",
+                   "tau = rho g n^2 |u| u / h^(1/3); of finite volumes", "s/m^(1/3)"}},
+                 {.help = "full and half are the paper's, which has both"});
     table.real("model.friction_coefficient", gully.friction_coefficient,
                {.range = {0, 10}, .help = "C_f of full and half"});
     table.real("model.chezy", gully.chezy,

@@ -82,26 +82,30 @@ void list_gauge(GaugeSettings& gauge, const std::string& path, KeyTable& table) 
 void list_map(MapSettings& map, const std::string& path, KeyTable& table) {
     table.choice(
         path + ".quantity", map.quantity,
-        {{MapQuantity::rain, "rain", "mm/h, from map.from on until the next map of rain begins"},
+        {{MapQuantity::rain, "rain", "mm/h, from map.from on until the next map of rain begins",
+          "mm/h"},
          {MapQuantity::roughness, "roughness",
           "the coefficient of model.friction: n (s/m^(1/3)), C (m^(1/2)/s) or C_f"},
          {MapQuantity::infiltration_rate, "infiltration_rate",
-          "mm/h, instead of model.infiltration_rate"},
+          "mm/h, instead of model.infiltration_rate", "mm/h"},
          {MapQuantity::infiltration_start, "infiltration_start",
-          "mm/h, instead of model.infiltration_start"},
-         {MapQuantity::suction_head, "suction_head", "m, instead of model.suction_head"},
+          "mm/h, instead of model.infiltration_start", "mm/h"},
+         {MapQuantity::suction_head, "suction_head", "m, instead of model.suction_head", "m"},
          {MapQuantity::moisture_deficit, "moisture_deficit",
-          "0 to 1, instead of model.moisture_deficit"},
-         {MapQuantity::depth, "depth", "h at the start, m"},
+          "0 to 1, instead of model.moisture_deficit", "1"},
+         {MapQuantity::depth, "depth", "h at the start, m", "m"},
          {MapQuantity::level, "level",
-          "height of the water's surface at the start, m; higher ground is dry"},
-         {MapQuantity::velocity_x, "velocity_x", "eastward at the start, m/s"},
-         {MapQuantity::velocity_y, "velocity_y", "northward at the start, m/s"}},
+          "height of the water's surface at the start, m; higher ground is dry", "m"},
+         {MapQuantity::velocity_x, "velocity_x", "eastward at the start, m/s", "m/s"},
+         {MapQuantity::velocity_y, "velocity_y", "northward at the start, m/s", "m/s"}},
         {.help = "what the file gives for each cell"});
-    table.text(path + ".file", map.file,
-               {.help = "a grid as bed.file reads it (no PNG): brought to the bed's cells, linear "
-                        "in between, where both say where they lie, else with as many cells as "
-                        "the bed"});
+    table.text(
+        path + ".file", map.file,
+        {.help =
+             "a grid as bed.file reads it (no PNG), in the quantity's unit or, where it names its "
+             "own, in one that converts to that: brought to the bed's cells, linear "
+             "in between, where both say where they lie, else with as many cells as "
+             "the bed"});
     table.text(path + ".variable", map.variable,
                {.help = "the variable of a NetCDF file; empty: its only one"});
     table.integer(path + ".band", map.band,

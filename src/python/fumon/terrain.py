@@ -18,7 +18,7 @@ Origin = Literal["lower", "upper"]
 
 _names_of_y = {"y", "lat", "latitude", "northing", "north", "projection_y_coordinate"}
 _names_of_x = {"x", "lon", "longitude", "easting", "east", "projection_x_coordinate"}
-_metres = {"m": 1.0, "metre": 1.0, "metres": 1.0, "meter": 1.0, "meters": 1.0, "km": 1000.0}
+_evenness = 0.05  # of a cell, by which coordinates may stand off the even line, as of files
 
 
 @dataclass
@@ -188,18 +188,30 @@ def _bed_of_dataarray(array: Any, size: tuple[float, float] | None, origin: Orig
         is_upper = bool(y.values[-1] < y.values[0])
     if size is None and x is not None and y is not None:
         size = _size_of_coordinates(x, y)
-    return _bed_of_array(values, size, is_upper)
+    factor = _height_factor(array)
+    return _bed_of_array(values if factor == 1.0 else values * factor, size, is_upper)
+
+
+def _height_factor(array: Any) -> float:
+    """What heights are multiplied by: metres of their unit, negative where they are depths, as of NetCDF files."""
+    unit = str(array.attrs.get("units", ""))
+    metres = _core.metres_per_height(unit)
+    if metres is None:
+        raise ValueError(f"{array.name or 'the heights'}: in {unit!r}; heights are in a unit of length (\"m\")")
+    positive, standard = (str(array.attrs.get(name, "")) for name in ("positive", "standard_name"))
+    return -metres if _core.grows_downward(positive, standard) else metres
 
 
 def _spacing(coordinate: Any) -> float | None:
     values = np.asarray(coordinate.values)
     if values.size < 2 or values.dtype.kind not in "iuf":
         return None
-    steps = np.diff(values.astype(float))
-    mean = float(np.mean(steps))
-    if mean == 0.0 or not np.all(np.abs(steps - mean) < 1e-3 * abs(mean)):
+    values = values.astype(float)
+    even = np.linspace(values[0], values[-1], values.size)
+    spacing = abs(values[-1] - values[0]) / (values.size - 1)
+    if spacing == 0.0 or not np.all(np.abs(values - even) <= _evenness * spacing):
         raise ValueError(f"{coordinate.name} is not evenly spaced; bring the heights onto an even grid")
-    return abs(mean)
+    return float(spacing)
 
 
 def _size_of_coordinates(x: Any, y: Any) -> tuple[float, float] | None:
@@ -218,8 +230,9 @@ def _unit(coordinate: Any) -> float | str:
     """Metres of the coordinate's unit, or "degrees"."""
     unit = str(coordinate.attrs.get("units", ""))
     name = str(coordinate.name).lower()
-    if unit.startswith("degree") or (not unit and name in {"lat", "latitude", "lon", "longitude"}):
+    if _core.is_degrees(unit) or (not unit and name in {"lat", "latitude", "lon", "longitude"}):
         return "degrees"
-    if unit and unit not in _metres:
+    metres = _core.metres_per_unit(unit) if unit else 1.0
+    if metres is None:
         raise ValueError(f"{coordinate.name} is in {unit!r}; give cell_size in metres")
-    return _metres.get(unit, 1.0)
+    return metres

@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "base/error.h"
-#include "files/length_unit.h"
 #include "files/netcdf/netcdf_fields.h"
 #include "files/terrain/geographic.h"
+#include "files/unit_conversion.h"
 #include "scene/initial_bed.h"
 #include "scene/read.h"
 #include "support/netcdf_beds.h"
@@ -182,9 +182,9 @@ TEST_F(NetcdfBed, OtherLengthsBecomeMetres) {
 }
 
 TEST_F(NetcdfBed, CoordinatesMustBeEven) {
-    make_bed(path, {.x = {0, 10, 20.001}});
+    make_bed(path, {.x = {0, 10, 22.2}});
     EXPECT_EQ(refusal(),
-              "x is not evenly spaced: x[1] is 10 where even spacing has 10.0005; put the heights "
+              "x is not evenly spaced: x[1] is 10 where even spacing has 11.1; put the heights "
               "on an even grid first");
     make_bed(path, {.x = {0, 10, 20.000001}});
     EXPECT_EQ(read().dx, 10.0000005);
@@ -245,8 +245,10 @@ TEST_F(NetcdfBed, TheVariableIsNamedOrTheOnlyOne) {
               "holds 2 variables that may be the bed; name one by bed.variable: z, slope");
     EXPECT_EQ(read("z").heights(0, 0), 1.0);
     EXPECT_EQ(refusal("slpoe"), "has no variable \"slpoe\"; did you mean \"slope\"?");
-    EXPECT_EQ(refusal("x"),
-              "x has 1 dimensions; a bed is a numeric variable over (y, x), or over (time, y, x)");
+    EXPECT_EQ(
+        refusal("x"),
+        "x has 1 dimensions; a bed is a numeric variable over y and x, or over these and one of "
+        "time, band or the like");
     EXPECT_EQ(refusal("slope"),
               "slope holds no data in any cell; at least one height must differ "
               "from the _FillValue");
@@ -266,13 +268,12 @@ TEST_F(NetcdfBed, WhatIsNoBedIsRefused) {
         const int x = maker.dimension("x", 3);
         const int y = maker.dimension("y", 2);
         (void)maker.variable("profile", NC_DOUBLE, {time, x});
-        (void)maker.variable("turned", NC_DOUBLE, {x, y});
         (void)maker.variable("words", NC_CHAR, {y, x});
     }
-    EXPECT_EQ(refusal(),
-              "holds no bed; a bed is a numeric variable over (y, x), or over (time, y, x)");
-    EXPECT_NE(refusal("turned").find("turned is over (x, y), columns before rows; "),
-              std::string::npos);
+    EXPECT_EQ(
+        refusal(),
+        "holds no bed; a bed is a numeric variable over y and x, or over these and one of time, "
+        "band or the like");
     EXPECT_NE(refusal("profile").find("profile is over time and x, which is no map; "),
               std::string::npos);
     EXPECT_NE(refusal("words").find("words does not hold numbers; "), std::string::npos);
