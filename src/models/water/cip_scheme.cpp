@@ -93,10 +93,13 @@ double CipScheme::advance(Water& water, const Grid& bed, double dt, double rain)
     if (as_published_) {
         thin_as_published(step, water, rain);
     } else if (overdrawn) {
-        share_depth({water.depth, next_.velocity_x, next_.velocity_y}, dt / domain_.dx,
-                    dt / domain_.dy, rain * dt, next_.depth);
+        const PassedDepth passed =
+            share_depth({water.depth, next_.velocity_x, next_.velocity_y}, dt / domain_.dx,
+                        dt / domain_.dy, rain * dt, next_.depth);
+        if (watched_ != nullptr) count_shared(passed);
     }
     std::swap(water, next_);
+    if (as_published_ && watched_ != nullptr) count_as_published(water, dt);
     for (Gradient* gradient : {&of_u_, &of_v_, &of_depth_}) {
         std::swap(gradient->x, gradient->next_x);
         std::swap(gradient->y, gradient->next_y);
@@ -218,6 +221,7 @@ void CipScheme::carry_depth(const cip::SubStep& step, double rain, const Block& 
     const bool overdrawn =
         cip::settle_row(depth(y), east, strip.row(cip::Strip::faces_north, y - 1), north,
                         rain * step.dt, block.count, next_.depth.row(y).data() + block.first_x);
+    if (watched_ != nullptr) count_watched(block, y, strip);
     const auto row = static_cast<std::size_t>(y);
     if (overdrawn) overdrawn_[row] = 1;
     rates_[row] =
