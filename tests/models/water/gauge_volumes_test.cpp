@@ -214,6 +214,7 @@ TEST(GaugeVolumes, CipPassesWhatItsDepthsLack) {
     gully.scheme = WaterScheme::cip;
     gully.rain = 20.0;
     gully.depth = 0.003;
+    gully.time_step = 1.0;
     constexpr int nx = 22;
     constexpr int ny = 18;
     gully.gauges = {line_gauge({8.0, 0.0}, {8.0, 27.0}, "west"),    // westward
