@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -121,22 +121,16 @@ void check_persons_and_files(const Scene& scene, const Snapshot& first) {
 void read_edge_table(const std::filesystem::path& file, std::vector<double>& times,
                      std::vector<double>& values) {
     const std::string text = read_input_file(file);
-    const Table table = parse_csv_table({file.string(), text});
+    const TextSource source{file.string(), text};
+    const std::string help = "it takes two columns: seconds, and m3/s or metres";
+    const Table table = parse_csv_table(source, {{"seconds", "value"}, help});
     if (table.columns.size() != 2 || table.rows() == 0) {
-        throw InputError(
-            fmt::format("{}: {} columns and {} rows; it takes two columns, seconds "
-                        "and discharge or level, under a line with their names",
-                        file.string(), table.columns.size(), table.rows()));
+        throw InputError(fmt::format("{}: {} columns and {} rows; {}", file.string(),
+                                     table.columns.size(), table.rows(), help));
     }
-    for (const TableColumn& column : table.columns) {
-        for (std::size_t row = 0; row < table.rows(); ++row) {
-            if (std::isfinite(column.values[row])) continue;
-            throw InputError(fmt::format("{}: \"{}\" in row {} of \"{}\" is no number",
-                                         file.string(), column.text(row), row + 1, column.name));
-        }
-    }
-    times = table.columns[0].values;
-    values = table.columns[1].values;
+    constexpr double most = std::numeric_limits<double>::max();
+    times = numbers_of(source, table, table.columns[0], -most, most);
+    values = numbers_of(source, table, table.columns[1], -most, most);
 }
 
 /// Puts the tables that [[edge]] names in their place, so that a resolved scene needs no file.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "base/error.h"
@@ -28,19 +29,6 @@ const TableColumn& column_of(const TextSource& source, const Table& table, std::
     throw InputError(fmt::format("{}: has no column \"{}\"; {}", source.name, name, header_help));
 }
 
-/// A column whose numbers all lie from `low` to `high`.
-const std::vector<double>& numbers(const TextSource& source, const TableColumn& column, double low,
-                                   double high) {
-    for (std::size_t row = 0; row < column.values.size(); ++row) {
-        const double value = column.values[row];
-        if (value >= low && value <= high) continue;
-        throw InputError(fmt::format("{}: row {}: {} is {}; it takes a number from {:g} to {:g}",
-                                     source.name, row + 1, column.name, shown(column.text(row)),
-                                     low, high));
-    }
-    return column.values;
-}
-
 /// The share of the time of each row.
 std::vector<double> shares(const TextSource& source, const Table& table) {
     const auto given = std::ranges::count_if(table.columns, [](const TableColumn& column) {
@@ -52,14 +40,14 @@ std::vector<double> shares(const TextSource& source, const Table& table) {
     std::vector<double> values(table.rows(), 1.0);
     double whole = static_cast<double>(table.rows());
     if (const TableColumn* frequency = table.find("frequency")) {
-        values = numbers(source, *frequency, 0.0, 1.0);
+        values = numbers_of(source, table, *frequency, 0.0, 1.0);
         whole = 1.0;
     } else if (const TableColumn* percent = table.find("percent")) {
         constexpr double all = 100.0;
-        values = numbers(source, *percent, 0.0, all);
+        values = numbers_of(source, table, *percent, 0.0, all);
         whole = all;
     } else if (const TableColumn* hours = table.find("hours")) {
-        values = numbers(source, *hours, 0.0, largest_number);
+        values = numbers_of(source, table, *hours, 0.0, largest_number);
         whole = 0.0;
         for (const double value : values) whole += value;
     }
@@ -81,7 +69,7 @@ double direction_of(double degrees) {
 }  // namespace
 
 WindTable read_wind_table(const TextSource& source) {
-    const Table table = parse_csv_table(source);
+    const Table table = parse_csv_table(source, {{}, std::string(header_help)});
     for (const TableColumn& column : table.columns) {
         constexpr std::array<std::string_view, 7> known{
             "direction", "speed", "speed_knots", "frequency", "percent", "hours", "flux"};
@@ -90,7 +78,7 @@ WindTable read_wind_table(const TextSource& source) {
                 fmt::format("{}: column {}: {}", source.name, shown(column.name), header_help));
     }
     const std::vector<double>& from =
-        numbers(source, column_of(source, table, "direction"), 0.0, full_turn);
+        numbers_of(source, table, column_of(source, table, "direction"), 0.0, full_turn);
     const bool in_knots = table.find("speed_knots") != nullptr;
     const TableColumn* flux = table.find("flux");
     if (flux != nullptr && table.columns.size() > 2)
@@ -101,7 +89,7 @@ WindTable read_wind_table(const TextSource& source) {
             fmt::format("{}: speed and speed_knots say the same; keep one", source.name));
     WindTable read;
     if (flux != nullptr) {
-        const std::vector<double>& amounts = numbers(source, *flux, 0.0, largest_number);
+        const std::vector<double>& amounts = numbers_of(source, table, *flux, 0.0, largest_number);
         for (std::size_t row = 0; row < amounts.size(); ++row) {
             if (amounts[row] > 0.0)
                 read.fluxes.push_back({opposite(direction_of(from[row])), amounts[row]});
@@ -109,8 +97,8 @@ WindTable read_wind_table(const TextSource& source) {
     } else {
         const double unit = in_knots ? metres_per_second_of_a_knot : 1.0;
         const std::vector<double>& speeds =
-            numbers(source, column_of(source, table, in_knots ? "speed_knots" : "speed"), 0.0,
-                    highest_speed / unit);
+            numbers_of(source, table, column_of(source, table, in_knots ? "speed_knots" : "speed"),
+                       0.0, highest_speed / unit);
         const std::vector<double> share = shares(source, table);
         for (std::size_t row = 0; row < speeds.size(); ++row) {
             if (speeds[row] > 0.0 && share[row] > 0.0)

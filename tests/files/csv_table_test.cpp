@@ -65,8 +65,83 @@ TEST(CsvTable, SaysWhatIsWrong) {
     EXPECT_EQ(refusal("\n# nothing\n"),
               "points.csv:2: there is no header line; begin with the columns' names");
     EXPECT_EQ(refusal("x,x\n"), "points.csv:1: column 'x' is there twice; rename one");
-    EXPECT_EQ(refusal("x,y\n1,2\n1\n"), "points.csv:3: 1 cells; the header has 2 columns");
+    EXPECT_EQ(refusal("x,y\n1,2\n1\n"), "points.csv:3: 1 cell; the header has 2 columns");
+    EXPECT_EQ(refusal("x\n1,5\n"),
+              "points.csv:2: 2 cells; the header has 1 column; decimal commas take semicolons or "
+              "tabs between cells");
+    EXPECT_EQ(refusal("x;y\n1;2;3\n"), "points.csv:2: 3 cells; the header has 2 columns");
+    EXPECT_EQ(refusal("x;y\n1,5;2\n1.5;2\n"),
+              "points.csv:3: numbers have decimal commas and decimal points; write one of them");
+    EXPECT_EQ(refusal("\xFF\xFEx\n"), "points.csv:1: the text is UTF-16; save it as UTF-8");
     EXPECT_EQ(refusal("x\n\"1\n"), "points.csv:2: a quote has no end; close it");
+}
+
+/// Two columns, t and q, with 0 to 10 s and 0 to 2.5.
+void expect_hydrograph(std::string_view text, const WantedHeader& wanted = {}) {
+    SCOPED_TRACE(text);
+    const Table table = parse_csv_table({"flood.csv", text}, wanted);
+    EXPECT_EQ(table.names(), (std::vector<std::string>{"t", "q"}));
+    ASSERT_EQ(table.columns.size(), 2U);
+    EXPECT_EQ(table.columns[0].values, (std::vector<double>{0.0, 10.0}));
+    EXPECT_EQ(table.columns[1].values, (std::vector<double>{0.0, 2.5}));
+    EXPECT_TRUE(table.columns[1].words.empty());
+}
+
+TEST(CsvTable, CellsStandBetweenCommasSemicolonsOrTabs) {
+    expect_hydrograph("t,q\n0,0\n10,2.5\n");
+    expect_hydrograph("t, q\r\n0, 0\r\n10, 2.5\r\n \r\n");
+    expect_hydrograph("t;q\n0;0\n10;2.5\n");
+    expect_hydrograph("t;q\n0;0,0\n10,0;2,5\n");
+    expect_hydrograph("t\tq\r0\t0\r10\t2,5\r");
+    expect_hydrograph("\xEF\xBB\xBF# from a gauge; daily\n\"t\";q\n0;\"0\"\n# later\n10;2,5");
+    EXPECT_EQ(read("t (s), since noon;q\n0;1,5\n").columns[1].values, std::vector<double>{1.5});
+    EXPECT_EQ(read("what;why,n\na;b,3\n").columns[1].values, std::vector<double>{3.0});
+}
+
+TEST(CsvTable, AFirstLineOfNumbersIsDataWhereTheOrderIsClear) {
+    const WantedHeader wanted{{"t", "q"}, "it takes two columns"};
+    expect_hydrograph("0,0\n10,2.5\n", wanted);
+    expect_hydrograph("# t, q\n0,0\n10,2.5\n", wanted);
+    expect_hydrograph("0;0,0\n10;2,5\n", wanted);
+    expect_hydrograph("0\t0,0\n10\t2,5\n", wanted);
+    expect_hydrograph("t,q\n0,0\n10,2.5\n", wanted);
+    const auto refusal = [&](std::string_view text, const WantedHeader& header) {
+        return message_of<InputError>([&] { parse_csv_table({"flood.csv", text}, header); });
+    };
+    EXPECT_EQ(refusal("0,0,0\n", wanted),
+              "flood.csv:1: 3 columns of numbers and no header line; it takes two columns");
+    EXPECT_EQ(refusal("\n0,nan\n", {}),
+              "flood.csv:2: 2 columns of numbers and no header line; begin with the columns' "
+              "names");
+}
+
+TEST(CsvTable, NumbersThatAreNoneAreNamed) {
+    const auto refusal = [](std::string_view text) {
+        return message_of<InputError>([&] {
+            const TextSource source{"flood.csv", text};
+            const Table table = parse_csv_table(source);
+            numbers_of(source, table, table.columns[1], 0.0, 10.0);
+        });
+    };
+    EXPECT_EQ(refusal("t,q\n0,1\n# a gap\n\n1,inf\n"),
+              "flood.csv:5: q is 'inf'; it takes a number from 0 to 10");
+    EXPECT_EQ(refusal("t,q\r\n0,1\r\n1,NaN\r\n"),
+              "flood.csv:3: q is 'NaN'; it takes a number from 0 to 10");
+    EXPECT_EQ(refusal("t,q\n0,\n"), "flood.csv:2: q is empty; it takes a number from 0 to 10");
+    EXPECT_EQ(refusal("t;q\n0;11,5\n"), "flood.csv:2: q is '11.5'; it takes a number from 0 to 10");
+    EXPECT_EQ(refusal("t,q\n0,high\n"), "flood.csv:2: q is 'high'; it takes a number from 0 to 10");
+    EXPECT_EQ(refusal("t,q\n0,1\n"), "");
+}
+
+TEST(CsvTable, WhatIsWrittenIsReadAgainWhateverItsCellsHold) {
+    for (const std::vector<std::string>& cells : {std::vector<std::string>{"a;b"},
+                                                  {"a\tb"},
+                                                  {"a;b", "c"},
+                                                  {" a", "b "},
+                                                  {"a\tb", "c\td"}}) {
+        EXPECT_EQ(read(csv_line(cells)).names(), cells);
+        EXPECT_EQ(read(csv_line(cells) + csv_line(cells)).columns[0].words.front(), cells[0]);
+    }
 }
 
 TEST(CsvTable, AFirstCellThatWouldHideItsLineIsQuoted) {

@@ -50,7 +50,7 @@ TEST(WindRose, MayGiveTheSandItself) {
 TEST(WindRose, RefusesWhatIsNone) {
     EXPECT_NE(refused("speed,frequency\n1,1\n").find("no column \"direction\""), std::string::npos);
     EXPECT_NE(refused("direction,speed,gusts\n1,1,1\n").find("'gusts'"), std::string::npos);
-    EXPECT_NE(refused("direction,speed\n1,3\n361,3\n").find("row 2: direction is '361'"),
+    EXPECT_NE(refused("direction,speed\n1,3\n361,3\n").find("rose.csv:3: direction is '361'"),
               std::string::npos);
     EXPECT_NE(refused("direction,speed\nnorth,3\n").find("direction is 'north'"),
               std::string::npos);

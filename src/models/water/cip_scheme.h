@@ -30,6 +30,8 @@ class CipScheme : public ShallowWaterScheme {
     [[nodiscard]] double step_at_courant_one(const Water& water) const override;
     /// `water` must be what the last call left, or what the scheme was built on.
     double advance(Water& water, const Grid& bed, double dt, double rain) override;
+    /// As published, where no water passes faces: h u of the cells beside them, in the mean.
+    void watch(WatchedFaces& faces) override { watched_ = &faces; }
     [[nodiscard]] std::vector<StateField> state() const override;
     void carry(StateCarrier& carrier) override;
 
@@ -61,6 +63,9 @@ class CipScheme : public ShallowWaterScheme {
                      cip::Strip& strip);
     void advect_depth(const cip::SubStep& step, const Block& block, int y, cip::Strip& strip);
     void thin_as_published(const cip::SubStep& step, const Water& before, double rain);
+    void count_watched(const Block& block, int y, cip::Strip& strip) const;
+    void count_shared(const PassedDepth& passed) const;
+    void count_as_published(const Water& water, double dt) const;
     [[nodiscard]] int wrapped(int y) const { return ((y % ny_) + ny_) % ny_; }
     [[nodiscard]] cip::Stencil around(const PaddedGrid& grid, int y, int first_x = 0) const;
     [[nodiscard]] cip::SubStep sub_step(double dt) const;
@@ -73,6 +78,7 @@ class CipScheme : public ShallowWaterScheme {
     double gravity_;
     double friction_;
     WorkerPool& pool_;
+    WatchedFaces* watched_ = nullptr;  ///< by gauges
     Gradient of_u_;
     Gradient of_v_;
     Gradient of_depth_;  ///< as published only

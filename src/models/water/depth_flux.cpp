@@ -1,6 +1,7 @@
 #include "models/water/depth_flux.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/give_up.h"
 #include "models/shared/padded_grid.h"
@@ -50,8 +51,8 @@ Grid faces_north(const CarriedDepth& carried, double per_y) {
 
 }  // namespace
 
-void share_depth(const CarriedDepth& carried, double per_x, double per_y, double fallen,
-                 Grid& after) {
+PassedDepth share_depth(const CarriedDepth& carried, double per_x, double per_y, double fallen,
+                        Grid& after) {
     constexpr double whole = 1.0 - 0x1p-50;  // so that rounding cannot take more than there is
     const Grid& before = carried.before;
     const int nx = before.nx();
@@ -90,6 +91,7 @@ void share_depth(const CarriedDepth& carried, double per_x, double per_y, double
             after(x, y) = std::max(before(x, y) - out, 0.0) + fallen;
         }
     }
+    return {std::move(east), std::move(north)};
 }
 
 }  // namespace fumon

@@ -38,6 +38,17 @@ void FiniteVolumeScheme::find_outlets() {
     }
 }
 
+void FiniteVolumeScheme::count_watched(const Stage& stage, const finite_volume::Strip& strip,
+                                       int y) const {
+    const int first = strip.first_x();
+    for (WatchedFace& face : watched_->rows[static_cast<std::size_t>(y)]) {
+        if (face.x < first || face.x >= first + strip.count()) continue;
+        const bool along_y = face.side == Side::west || face.side == Side::east;
+        const double width = along_y ? domain_.dy : domain_.dx;
+        face.volume += stage.weight * stage.dt * (strip.outward(face.x, y, face.side) * width);
+    }
+}
+
 /// A row beyond an edge with stretches.
 void FiniteVolumeScheme::load_row_beyond(const Stage& stage, finite_volume::Strip& strip,
                                          int y) const {

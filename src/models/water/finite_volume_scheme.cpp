@@ -106,7 +106,8 @@ double FiniteVolumeScheme::advance(Water& water, const Grid& bed, double dt, dou
 void FiniteVolumeScheme::deliver_deficits(Water& water, double dt) {
     if (!shores_) return;
     std::vector<int> changed;
-    shores_->deliver_deficits(water, dt, flows_ == nullptr ? nullptr : &flows_->stages[1], changed);
+    shores_->deliver_deficits(
+        water, dt, {flows_ == nullptr ? nullptr : &flows_->stages[1], watched_}, changed);
     for (const int y : changed) {
         row_rates_[static_cast<std::size_t>(y)] = finite_volume::fastest(
             water.depth.row(y).data(), water.velocity_x.row(y).data(),
@@ -276,6 +277,7 @@ void FiniteVolumeScheme::advance_block(const Stage& stage, finite_volume::Strip&
                               stage.to.velocity_x.row(y).data() + strip.first_x(),
                               stage.to.velocity_y.row(y).data() + strip.first_x(), strip.count());
         count_left(strip, y);
+        if (watched_ != nullptr) count_watched(stage, strip, y);
         if (flows_ != nullptr) keep_flows(stage, strip, y);
         if (stage.before != nullptr) rate_row(stage.to, strip, y);
     }

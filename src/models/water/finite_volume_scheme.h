@@ -47,6 +47,7 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     [[nodiscard]] double left() const override { return left_ + left_with_flow_.value(); }
     [[nodiscard]] double entered() const override { return entered_.value(); }
     void record(FaceFlows& flows) override { flows_ = &flows; }
+    void watch(WatchedFaces& faces) override { watched_ = &faces; }
     void take_means(Water& water, const Grid& bed) override;
     void set_rain(const Grid* rain) override { rain_ = rain; }
     void set_time(double time) override;
@@ -111,6 +112,7 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     void bound_speeds(const Stage& stage, finite_volume::Strip& strip, int y) const;
     void keep_flows(const Stage& stage, finite_volume::Strip& strip, int y) const;
     void count_left(const finite_volume::Strip& strip, int y);
+    void count_watched(const Stage& stage, const finite_volume::Strip& strip, int y) const;
     [[nodiscard]] Volumes volumes_of_row(int y) const;
     void rate_row(const Water& water, const finite_volume::Strip& strip, int y);
 
@@ -136,6 +138,7 @@ class FiniteVolumeScheme : public ShallowWaterScheme {
     CompensatedSum left_with_flow_;  // where edges have stretches, over which much flows
     CompensatedSum entered_;
     FaceFlows* flows_ = nullptr;                // where they are recorded
+    WatchedFaces* watched_ = nullptr;           // by gauges
     double time_ = 0.0;                         // of the discharges and levels at the edges, s
     std::unique_ptr<WaterEdges> edges_;         // of the grid's size
     std::unique_ptr<ShorePlanes> shores_;       // likewise, where shores have planes

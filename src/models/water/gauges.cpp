@@ -14,8 +14,6 @@ namespace fumon {
 
 namespace {
 
-constexpr double pieces_a_cell = 16.0;  // of a line: the width of a cell is then known to 6 %
-
 std::string key_of(std::size_t number, const char* key) {
     return fmt::format("gauge.{}.{}", number, key);
 }
@@ -56,25 +54,50 @@ std::array<double, 2> place_in_grid(const GaugeSettings& gauge, std::size_t numb
     return {(place[0] - map.west) / map.dx * scale.dx, (place[1] - map.south) / map.dy * scale.dy};
 }
 
+GridSide side_of(GaugeSide side) {
+    switch (side) {
+        case GaugeSide::east:
+            return GridSide::east;
+        case GaugeSide::south:
+            return GridSide::south;
+        case GaugeSide::north:
+            return GridSide::north;
+        case GaugeSide::none:
+        case GaugeSide::west:
+        case GaugeSide::all:
+            break;
+    }
+    return GridSide::west;
+}
+
+/// The line between cells next to a place, from 0 to `count`.
+int nearest_line(double place, double size, int count) {
+    return std::clamp(static_cast<int>(std::floor(place / size + 0.5)), 0, count);
+}
+
 }  // namespace
 
 Gauges::Gauges(const GullyParameters& parameters, const WaterDomain& domain,
                const WorldScale& scale, int nx, int ny)
-    : domain_(domain) {
+    : domain_(domain), nx_(nx), ny_(ny), time_step_(parameters.time_step) {
     std::set<std::string> taken;
     for (std::size_t n = 0; n < parameters.gauges.size(); ++n) {
         const GaugeSettings& settings = parameters.gauges[n];
-        Gauge gauge{name_of(settings, n, taken), 0, 0, {}};
+        gauges_.push_back({name_of(settings, n, taken)});
+        Gauge& gauge = gauges_.back();
         const bool at_side = settings.side != GaugeSide::none;
         if (at_side != settings.at.empty()) {
             throw KeyError(key_of(n, at_side ? "side" : "at"),
                            "a gauge stands at a point or line, or at a side: give gauge.at or "
                            "gauge.side");
         }
+        const bool is_line = !settings.to.empty();
         const auto locate = [&](const char* key, const std::vector<double>& place) {
             const auto metres = place_in_grid(settings, n, key, place, scale);
-            if (metres[0] >= 0.0 && metres[0] < domain.dx * nx && metres[1] >= 0.0 &&
-                metres[1] < domain.dy * ny)
+            const auto lies_in = [&](double at, double end) {
+                return at >= 0.0 && (is_line ? at <= end : at < end);
+            };
+            if (lies_in(metres[0], domain.dx * nx) && lies_in(metres[1], domain.dy * ny))
                 return metres;
             throw KeyError(
                 key_of(n, key),
@@ -83,86 +106,159 @@ Gauges::Gauges(const GullyParameters& parameters, const WaterDomain& domain,
                             place[0], place[1], metres[0], metres[1], domain.dx * nx,
                             domain.dy * ny));
         };
-        if (at_side) {
-            gauge.crossings = over(settings.side, nx, ny);
-            if (gauge.crossings.empty())
+        if (settings.side == GaugeSide::all) {
+            if (!watch_all())
+                throw KeyError(key_of(n, "side"),
+                               "nothing leaves: all edges are periodic and all cells have data");
+        } else if (at_side) {
+            if (!watch_side(side_of(settings.side)))
                 throw KeyError(key_of(n, "side"), "no cell along that side has data");
-            gauges_.push_back(std::move(gauge));
-            continue;
-        }
-        const auto at = locate("at", settings.at);
-        if (settings.to.empty()) {
-            gauge.x = static_cast<int>(at[0] / domain.dx);
-            gauge.y = static_cast<int>(at[1] / domain.dy);
-            if (!domain.nodata.empty() && domain.nodata(gauge.x, gauge.y) != 0)
-                throw KeyError(key_of(n, "at"), "there is no data there; choose another place");
+        } else if (is_line) {
+            const auto at = locate("at", settings.at);
+            if (!watch_line(at, locate("to", settings.to)))
+                throw KeyError(key_of(n, "to"),
+                               "the line has no length, or no data along it: it takes at least a "
+                               "cell's");
         } else {
-            const auto to = locate("to", settings.to);
-            gauge.crossings = along(nx, ny, at[0], at[1], to[0], to[1]);
-            if (gauge.crossings.empty())
-                throw KeyError(key_of(n, "to"), "the line has no length, or no data along it");
+            const auto at = locate("at", settings.at);
+            gauge.is_point = true;
+            gauge.x = std::min(static_cast<int>(at[0] / domain.dx), nx - 1);
+            gauge.y = std::min(static_cast<int>(at[1] / domain.dy), ny - 1);
+            if (!has_data(gauge.x, gauge.y))
+                throw KeyError(key_of(n, "at"), "there is no data there; choose another place");
         }
-        gauges_.push_back(std::move(gauge));
     }
 }
 
-std::vector<Gauges::Crossing> Gauges::along(int nx, int ny, double from_x, double from_y,
-                                            double to_x, double to_y) const {
-    const double way_x = to_x - from_x;
-    const double way_y = to_y - from_y;
-    const double length = std::sqrt(way_x * way_x + way_y * way_y);
-    const double pieces = std::ceil(pieces_a_cell * length / std::min(domain_.dx, domain_.dy));
-    std::vector<Crossing> crossings;
-    for (double piece = 0.0; piece < pieces; ++piece) {
-        const double share = (piece + 0.5) / pieces;
-        const int x = std::min(static_cast<int>((from_x + share * way_x) / domain_.dx), nx - 1);
-        const int y = std::min(static_cast<int>((from_y + share * way_y) / domain_.dy), ny - 1);
-        if (!domain_.nodata.empty() && domain_.nodata(x, y) != 0) continue;
-        if (crossings.empty() || crossings.back().x != x || crossings.back().y != y)
-            crossings.push_back({x, y, 0.0, 0.0});
-        crossings.back().width_x -= way_y / pieces;
-        crossings.back().width_y += way_x / pieces;
-    }
-    return crossings;
+bool Gauges::has_data(int x, int y) const {
+    return domain_.nodata.empty() || domain_.nodata(x, y) == 0;
 }
 
-std::vector<Gauges::Crossing> Gauges::over(GaugeSide side, int nx, int ny) const {
-    const bool across_x = side == GaugeSide::west || side == GaugeSide::east;
-    const bool outward = side == GaugeSide::east || side == GaugeSide::north;
-    const int cells = across_x ? ny : nx;
-    std::vector<Crossing> crossings;
-    for (int cell = 0; cell < cells; ++cell) {
-        const int x = across_x ? (outward ? nx - 1 : 0) : cell;
-        const int y = across_x ? cell : (outward ? ny - 1 : 0);
-        if (!domain_.nodata.empty() && domain_.nodata(x, y) != 0) continue;
-        const double width = (across_x ? domain_.dy : domain_.dx) * (outward ? 1.0 : -1.0);
-        crossings.push_back({x, y, across_x ? width : 0.0, across_x ? 0.0 : width});
+/// Watches a face of a cell for the last gauge; whether the cell has data.
+bool Gauges::watch(int x, int y, GridSide side, double sign) {
+    if (!has_data(x, y)) return false;
+    faces_.rows.resize(static_cast<std::size_t>(ny_));
+    faces_.rows[static_cast<std::size_t>(y)].push_back({x, side, sign, gauges_.size() - 1});
+    return true;
+}
+
+/// Walks along the sides of cells, always to that of the two next corners which lies nearer to the
+/// line, from its western end (of two above one another: the southern) whichever is its first.
+bool Gauges::watch_line(std::array<double, 2> from, std::array<double, 2> to) {
+    double sign = 1.0;
+    if (to < from) {
+        std::swap(from, to);
+        sign = -1.0;
     }
-    return crossings;
+    const auto corner_of = [&](const std::array<double, 2>& place) {
+        return std::array{nearest_line(place[0], domain_.dx, nx_),
+                          nearest_line(place[1], domain_.dy, ny_)};
+    };
+    const auto distance = [&](int column, int row) {
+        return std::fabs((column * domain_.dx - from[0]) * (to[1] - from[1]) -
+                         (row * domain_.dy - from[1]) * (to[0] - from[0]));
+    };
+    auto [column, row] = corner_of(from);
+    const auto end = corner_of(to);
+    const int up = end[1] < row ? -1 : 1;
+    bool any = false;
+    while (column != end[0] || row != end[1]) {
+        const bool may_rise = row != end[1];
+        const bool along_x = column != end[0] &&
+                             (!may_rise || distance(column + 1, row) <= distance(column, row + up));
+        bool has_face = false;
+        if (along_x) {  // what passes northward, to the left of the way
+            has_face = (row > 0 && watch(column, row - 1, GridSide::north, sign)) ||
+                       (row < ny_ && watch(column, row, GridSide::south, -sign));
+            ++column;
+        } else {  // what passes westward on the way north
+            const int y = up > 0 ? row : row - 1;
+            has_face = (column > 0 && watch(column - 1, y, GridSide::east, -up * sign)) ||
+                       (column < nx_ && watch(column, y, GridSide::west, up * sign));
+            row += up;
+        }
+        any = has_face || any;
+    }
+    return any;
+}
+
+bool Gauges::watch_side(GridSide side) {
+    const bool across_x = side == GridSide::west || side == GridSide::east;
+    bool any = false;
+    for (int cell = 0; cell < (across_x ? ny_ : nx_); ++cell) {
+        const int x = across_x ? (side == GridSide::east ? nx_ - 1 : 0) : cell;
+        const int y = across_x ? cell : (side == GridSide::north ? ny_ - 1 : 0);
+        any = watch(x, y, side, 1.0) || any;
+    }
+    return any;
+}
+
+bool Gauges::watch_all() {
+    const bool wraps_x = domain_.edges_x == EdgeKind::periodic;
+    const bool wraps_y = domain_.edges_y == EdgeKind::periodic;
+    const auto is_outside = [&](int x, int y) {
+        if ((!wraps_x && (x < 0 || x >= nx_)) || (!wraps_y && (y < 0 || y >= ny_))) return true;
+        return !has_data((x + nx_) % nx_, (y + ny_) % ny_);
+    };
+    bool any = false;
+    for (int y = 0; y < ny_; ++y) {
+        for (int x = 0; x < nx_; ++x) {
+            const auto look = [&](GridSide side, int to_x, int to_y) {
+                if (is_outside(to_x, to_y)) any = watch(x, y, side, 1.0) || any;
+            };
+            look(GridSide::west, x - 1, y);
+            look(GridSide::east, x + 1, y);
+            look(GridSide::south, x, y - 1);
+            look(GridSide::north, x, y + 1);
+        }
+    }
+    return any;
+}
+
+void Gauges::begin_step() {
+    for (Gauge& gauge : gauges_) gauge.step_volume = 0.0;
+}
+
+void Gauges::end_sub_step() {
+    std::vector<CompensatedSum> passed(faces_.rows.empty() ? 0 : gauges_.size());
+    for (std::vector<WatchedFace>& row : faces_.rows) {
+        for (WatchedFace& face : row) {
+            passed[face.gauge].add(face.sign * face.volume);
+            face.volume = 0.0;
+        }
+    }
+    for (std::size_t n = 0; n < passed.size(); ++n) {
+        gauges_[n].volume.add(passed[n].value());
+        gauges_[n].step_volume += passed[n].value();
+    }
 }
 
 std::vector<SnapshotNumber> Gauges::read(const Water& water, const Grid& bed) const {
     std::vector<SnapshotNumber> numbers;
     for (const Gauge& gauge : gauges_) {
-        if (gauge.crossings.empty()) {
-            const double depth = water.depth(gauge.x, gauge.y);
-            const double u = water.velocity_x(gauge.x, gauge.y);
-            const double v = water.velocity_y(gauge.x, gauge.y);
-            numbers.push_back({gauge.name + "_depth_m", "m", depth});
-            numbers.push_back({gauge.name + "_level_m", "m", bed(gauge.x, gauge.y) + depth});
+        if (!gauge.is_point) {
             numbers.push_back(
-                {gauge.name + "_unit_discharge_m2s", "m2/s", depth * std::sqrt(u * u + v * v)});
+                {gauge.name + "_discharge_m3s", "m3/s", gauge.step_volume / time_step_});
+            numbers.push_back({gauge.name + "_volume_m3", "m3", gauge.volume.value()});
             continue;
         }
-        double discharge = 0.0;
-        for (const Crossing& cell : gauge.crossings) {
-            discharge +=
-                water.depth(cell.x, cell.y) * (water.velocity_x(cell.x, cell.y) * cell.width_x +
-                                               water.velocity_y(cell.x, cell.y) * cell.width_y);
-        }
-        numbers.push_back({gauge.name + "_discharge_m3s", "m3/s", discharge});
+        const double depth = water.depth(gauge.x, gauge.y);
+        const double u = water.velocity_x(gauge.x, gauge.y);
+        const double v = water.velocity_y(gauge.x, gauge.y);
+        numbers.push_back({gauge.name + "_depth_m", "m", depth});
+        numbers.push_back({gauge.name + "_level_m", "m", bed(gauge.x, gauge.y) + depth});
+        numbers.push_back(
+            {gauge.name + "_unit_discharge_m2s", "m2/s", depth * std::sqrt(u * u + v * v)});
     }
     return numbers;
+}
+
+void Gauges::carry(StateCarrier& carrier) {
+    for (Gauge& gauge : gauges_) {
+        if (gauge.is_point) continue;
+        gauge.volume.carry(gauge.name + "_volume", carrier);
+        carrier.value(gauge.name + "_step_volume", gauge.step_volume);
+    }
 }
 
 }  // namespace fumon

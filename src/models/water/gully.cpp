@@ -155,6 +155,7 @@ Gully::Gully(const GullyStart& start, const WorldScale& scale, WorkerPool& pool)
       first_bed_volume_(bed_volume()),
       rain_(std::make_shared<Rain>(parameters_, start.rain_maps)) {
     if (loads_) scheme_->record(flows_);
+    if (WatchedFaces* faces = gauges_.faces()) scheme_->watch(*faces);
     check_time_step(parameters_,
                     std::min(step_at_courant_one_, scheme_->edge_step_at_courant_one(0.0, bed_)));
 }
@@ -163,6 +164,7 @@ void Gully::step() {
     double remaining = parameters_.time_step;
     double elapsed = time();
     substeps_ = 0;
+    gauges_.begin_step();
     while (remaining > 0.0) {
         give_up_if_asked();
         const double dt = sub_step_size(remaining, elapsed);
@@ -218,6 +220,7 @@ void Gully::sub_step(double dt, double& elapsed) {
     const bool carrying = carries();
     if (carrying) loads_->begin(water_.depth);
     step_at_courant_one_ = scheme_->advance(water_, bed_, dt, rain.even);
+    gauges_.end_sub_step();
     fallen_.add(rain.by_cell == nullptr ? rain.even * dt * wet_area_ : rain.volume);
     if (carrying || !loads_)
         sediment_.advance(bed_, water_, loads_ ? dt * parameters_.loads.morphological_factor : dt);
@@ -372,6 +375,7 @@ void Gully::carry(StateCarrier& carrier) {
     if (loads_) loads_->carry(carrier);
     infiltration_.carry(carrier);
     fallen_.carry("rain_volume", carrier);
+    gauges_.carry(carrier);
     carrier.values("counters", counters_);
     step_at_courant_one_ = scheme_->step_at_courant_one(water_);
 }

@@ -7,6 +7,7 @@
 #include "models/sediment/face_flows.h"
 #include "models/shared/model.h"
 #include "models/water/gully_parameters.h"
+#include "models/water/watched_faces.h"
 #include "models/water/water_settings.h"
 
 namespace fumon {
@@ -77,6 +78,9 @@ class ShallowWaterScheme {
 
     /// From now on writes into `flows` what passes the faces; of finite volumes.
     virtual void record(FaceFlows& /*flows*/) {}
+
+    /// From now on adds to `faces` what passes them in each sub-step.
+    virtual void watch(WatchedFaces& faces) = 0;
 
     /// From now on rain falls as this grid has it, m/s, and not evenly; null: evenly. It is read as
     /// long as it is set; of finite volumes.

@@ -105,7 +105,7 @@ void ShorePlanes::merge_deficits(std::vector<Deficit>& deficits) {
     deficits.resize(kept);
 }
 
-void ShorePlanes::deliver_deficits(Water& water, double dt, FaceFlows::Stage* flow,
+void ShorePlanes::deliver_deficits(Water& water, double dt, const DeliveryNotes& notes,
                                    std::vector<int>& changed_rows) {
     std::vector<Delivery> deliveries;
     for (int y = 0; y < ny_; ++y) {
@@ -125,10 +125,13 @@ void ShorePlanes::deliver_deficits(Water& water, double dt, FaceFlows::Stage* fl
                 const Place to = at(x + dx, y + dy);
                 deliveries.push_back(
                     {to.y, to.x, side ^ 1U, part, water.velocity_x(x, y), water.velocity_y(x, y)});
-                if (flow == nullptr) return;
+                if (notes.faces != nullptr)
+                    notes.faces->add(x, y, static_cast<GridSide>(side), to.x, to.y,
+                                     part * (domain_.dx * domain_.dy));
+                if (notes.flow == nullptr) return;
                 const double passed = 2.0 * part / dt;  // a stage counts for half in the mean
-                if (dx != 0) flow->east(x + (dx + 1) / 2, y) += dx * (passed * domain_.dx);
-                if (dy != 0) flow->north(x, y + (dy + 1) / 2) += dy * (passed * domain_.dy);
+                if (dx != 0) notes.flow->east(x + (dx + 1) / 2, y) += dx * (passed * domain_.dx);
+                if (dy != 0) notes.flow->north(x, y + (dy + 1) / 2) += dy * (passed * domain_.dy);
             };
             deliver(0, -1, 0);
             deliver(1, 1, 0);

@@ -61,13 +61,18 @@ class ShorePlanes {
         double weight = 1.0;
     };
 
+    /// Where deliveries are noted too; null: nowhere.
+    struct DeliveryNotes {
+        FaceFlows::Stage* flow = nullptr;  ///< of the last stage
+        WatchedFaces* faces = nullptr;
+    };
+
     /// Finds the shore's cells and what passes their faces, in a stage.
     void find(const Water& water, const Grid& bed, const StageOfStep& stage, WorkerPool& pool);
 
     /// Lets cells deliver what they could not in the stages since the last call, which make a step
-    /// of `dt` seconds (shore_deficits.cpp). Adds it to the last stage's `flow`, where there is
-    /// one, and lists the rows that changed.
-    void deliver_deficits(Water& water, double dt, FaceFlows::Stage* flow,
+    /// of `dt` seconds (shore_deficits.cpp). Adds it to `notes`, and lists the rows that changed.
+    void deliver_deficits(Water& water, double dt, const DeliveryNotes& notes,
                           std::vector<int>& changed_rows);
 
     /// Changes depths at the cells' middles to the means over them along shores, and gives cells

@@ -62,8 +62,8 @@ void list_gauge(GaugeSettings& gauge, const std::string& path, KeyTable& table) 
                              "stream, seen downstream"});
     table.real_list(path + ".to", gauge.to, 0, 2,
                     {.unit = "m, or degrees",
-                     .help = "[x, y] of the line's right end, whose discharge is noted then; "
-                             "empty: a point"});
+                     .help = "[x, y] of the line's right end: what passes the cells' faces along "
+                             "the line is noted then; empty: a point"});
     table.choice(path + ".coordinates", gauge.coordinates,
                  {{GaugeCoordinates::grid, "grid", "m from the grid's south-west corner"},
                   {GaugeCoordinates::map, "map",
@@ -75,8 +75,12 @@ void list_gauge(GaugeSettings& gauge, const std::string& path, KeyTable& table) 
                   {GaugeSide::west, "west", "x = 0"},
                   {GaugeSide::east, "east", "the largest x"},
                   {GaugeSide::south, "south", "y = 0"},
-                  {GaugeSide::north, "north", "the largest y"}},
-                 {.help = "the side of the grid over which the discharge outward is noted"});
+                  {GaugeSide::north, "north", "the largest y"},
+                  {GaugeSide::all, "all",
+                   "every side that is not periodic, and the borders of cells without data: all "
+                   "that leaves, less what comes in"}},
+                 {.help = "the side of the grid over which the discharge outward is noted: the "
+                          "mean over the last step, and the volume since the start"});
 }
 
 void list_map(MapSettings& map, const std::string& path, KeyTable& table) {

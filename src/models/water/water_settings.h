@@ -32,11 +32,11 @@ struct RegionSettings {
     double velocity_y = 0.0;
 };
 
-enum class GaugeSide { none, west, east, south, north };
+enum class GaugeSide { none, west, east, south, north, all };
 enum class GaugeCoordinates { grid, map };
 
-/// Where a run notes the water: at a point, through a line across a stream, or over a side of the
-/// grid: [[gauge]].
+/// Where a run notes the water: at a point, through a line across a stream, over a side of the
+/// grid, or all that leaves: [[gauge]].
 struct GaugeSettings {
     std::string name;        ///< begins its columns; empty: "gauge_1" by its place in the list
     std::vector<double> at;  ///< x, y of the point, or of the line's left end; empty: a side's

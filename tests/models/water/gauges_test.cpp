@@ -30,7 +30,8 @@ GaugeSettings at(std::vector<double> place, std::vector<double> to = {}) {
     return gauge;
 }
 
-/// What one gauge reads under a column in water half a metre deep that flows at (3, 4) m/s.
+/// What one gauge at a point reads under a column in water half a metre deep that flows at (3, 4)
+/// m/s.
 double reading(const GaugeSettings& gauge, const std::string& column,
                const WaterDomain& domain = domain_of_gauges()) {
     GullyParameters parameters;
@@ -70,29 +71,6 @@ TEST(Gauges, APointReadsItsCell) {
     EXPECT_EQ(reading(at({13.9, 15.1}), "gauge_1_unit_discharge_m2s"), 2.5);
 }
 
-TEST(Gauges, ALineReadsWhatCrossesItWhicheverWayItRuns) {
-    const std::string column = "gauge_1_discharge_m3s";
-    EXPECT_NEAR(reading(at({1.0, 20.0}, {31.0, 20.0}), column), 0.5 * 4.0 * 30.0, 1e-10);
-    EXPECT_NEAR(reading(at({31.0, 20.0}, {1.0, 20.0}), column), -0.5 * 4.0 * 30.0, 1e-10);
-    EXPECT_NEAR(reading(at({9.0, 40.0}, {9.0, 10.0}), column), 0.5 * 3.0 * 30.0, 1e-10);
-    // n of the way (10, 20) is (−20, 10) / |…|
-    EXPECT_NEAR(reading(at({5.0, 5.0}, {15.0, 25.0}), column), 0.5 * (-20.0 * 3.0 + 10.0 * 4.0),
-                1e-10);
-    WaterDomain masked = domain_of_gauges();
-    masked.nodata = Mask(nx, ny);
-    masked.nodata(5, 4) = 1;  // from 10 m to 12 m
-    EXPECT_NEAR(reading(at({1.0, 20.0}, {31.0, 20.0}), column, masked), 0.5 * 4.0 * 28.0, 0.25);
-}
-
-TEST(Gauges, ASideReadsWhatLeaves) {
-    const std::string column = "gauge_1_discharge_m3s";
-    GaugeSettings side;
-    side.side = GaugeSide::east;
-    EXPECT_NEAR(reading(side, column), 0.5 * 3.0 * 50.0, 1e-10);
-    side.side = GaugeSide::south;
-    EXPECT_NEAR(reading(side, column), -0.5 * 4.0 * 40.0, 1e-10);
-}
-
 TEST(Gauges, StandWhereTheMapSays) {
     GaugeSettings gauge = at({501.3, 301.6});
     gauge.coordinates = GaugeCoordinates::map;
@@ -106,6 +84,9 @@ TEST(Gauges, RefuseToStandNowhere) {
     EXPECT_EQ(refusal({at({1.0})}), "gauge.0.at");
     EXPECT_EQ(refusal({at({1.0, 1.0})}), "gauge.0.at");  // no data
     EXPECT_EQ(refusal({at({1.0, 6.0}, {1.0, 6.0})}), "gauge.0.to");
+    EXPECT_EQ(refusal({at({1.0, 50.0}, {39.0, 50.0})}), "gauge.0.to");  // no data
+    EXPECT_EQ(refusal({at({1.0, 6.0}, {41.0, 6.0})}), "gauge.0.to");    // beyond the grid
+    EXPECT_EQ(refusal({at({40.0, 0.0}, {40.0, 50.0})}), "");            // its eastern side
     EXPECT_EQ(refusal({GaugeSettings{}}), "gauge.0.at");
     GaugeSettings named = at({1.0, 6.0});
     named.name = "2 rivers";
@@ -121,6 +102,8 @@ TEST(Gauges, RefuseToStandNowhere) {
     EXPECT_EQ(refusal({side}), "");
     side.side = GaugeSide::north;
     EXPECT_EQ(refusal({side}), "gauge.0.side");  // no data
+    side.side = GaugeSide::all;
+    EXPECT_EQ(refusal({side}), "");
 }
 
 }  // namespace
