@@ -4,6 +4,7 @@
 #include <netcdf.h>
 
 #include <array>
+#include <optional>
 #include <set>
 #include <string_view>
 
@@ -103,6 +104,12 @@ int define_axis(int file, int dimension, int length, bool eastward, const WorldS
     return variable;
 }
 
+/// A row or column alone that lies on no map has none: VTK divides by the number of its intervals
+/// and finds no place for it.
+bool has_coordinate(int cells, const WorldScale& scale) {
+    return cells > 1 || scale.place.has_value();
+}
+
 void put_centres(int file, int variable, int count, double begin, double cell_size) {
     std::vector<double> centres(count_of(count));
     for (std::size_t i = 0; i < centres.size(); ++i)
@@ -180,8 +187,12 @@ FieldsLayout define_fields(int file, const Snapshot& first, const FieldsText& te
     layout.step = define_over_time(file, dimensions, "step");
     describe(file, layout.step, "steps done", "1");
     const FilePlace place = place_in_file(first.scale);
-    const int y = define_axis(file, dimensions.y, bed.ny(), false, first.scale, place);
-    const int x = define_axis(file, dimensions.x, bed.nx(), true, first.scale, place);
+    std::optional<int> y;
+    if (has_coordinate(bed.ny(), first.scale))
+        y = define_axis(file, dimensions.y, bed.ny(), false, first.scale, place);
+    std::optional<int> x;
+    if (has_coordinate(bed.nx(), first.scale))
+        x = define_axis(file, dimensions.x, bed.nx(), true, first.scale, place);
     if (place.has_crs) define_crs(file, first.scale);
     layout.bed = define_field(file, cells, "bed_height", bed);
     describe(file, layout.bed, "height of the bed", in_metres ? "m" : "model heights");
@@ -200,8 +211,8 @@ FieldsLayout define_fields(int file, const Snapshot& first, const FieldsText& te
         for (const int field : layout.fields) put_grid_mapping(file, field, first.scale);
     }
     check_netcdf(nc_enddef(file));
-    put_centres(file, y, bed.ny(), place.south, place.dy);
-    put_centres(file, x, bed.nx(), place.west, place.dx);
+    if (y) put_centres(file, *y, bed.ny(), place.south, place.dy);
+    if (x) put_centres(file, *x, bed.nx(), place.west, place.dx);
     if (layout.section) put_section_coordinates(file, *layout.section, *first.section);
     return layout;
 }

@@ -27,7 +27,8 @@ struct FieldsLayout {
 /// x and y are the centres of the cells, (i + 0.5)·dx and (j + 0.5)·dy, both ascending: in "m" with
 /// standard names where the scale is in metres, else in sites with unit "1"; counted from the
 /// south-west corner, or, where the terrain lies on a map in metres or degrees, in that map's
-/// coordinates, whose reference system is the grid mapping `crs` (netcdf_place.h). bed_height is in
+/// coordinates, whose reference system is the grid mapping `crs` (netcdf_place.h). A row or column
+/// alone that lies on no map has no coordinate. bed_height is in
 /// metres ("m", standard name surface_altitude) or else in model heights
 /// ("1"): heights × height_unit in both cases, as the beds that a run writes and reads. Cells
 /// without data are NaN, the _FillValue, in every field.

@@ -183,7 +183,7 @@ void complete_spacing(NetcdfAxis& x, NetcdfAxis& y) {
 std::string crs_of(const NetcdfInput& input, int variable) {
     const auto mapping = input.text(variable, "grid_mapping");
     const auto holder = mapping ? input.find_variable(*mapping) : std::nullopt;
-    if (!holder) return {};
+    if (!holder) return input.text(variable, "spatial_ref").value_or("");
     const auto crs = input.text(*holder, "crs_wkt");
     return crs ? *crs : input.text(*holder, "spatial_ref").value_or("");
 }

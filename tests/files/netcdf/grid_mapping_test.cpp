@@ -39,8 +39,8 @@ std::string version_1(const std::string& method, const std::string& parameters,
 }
 
 std::string version_2(const std::string& method, const std::string& parameters) {
-    return R"(PROJCRS["a map",)" + wgs84_2 + R"(,CONVERSION["c",METHOD[")" + method + R"("],)" +
-           parameters + R"(],CS[Cartesian,2],AXIS["(E)",east],LENGTHUNIT["metre",1]])";
+    return R"(PROJCRS["a map",)" + wgs84_2 + R"(,CONVERSION["c",METHOD[")" + method + R"--("],)--" +
+           parameters + R"--(],CS[Cartesian,2],AXIS["(E)",east],LENGTHUNIT["metre",1]])--";
 }
 
 std::string angle(const std::string& name, const std::string& degrees) {

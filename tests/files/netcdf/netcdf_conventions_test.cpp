@@ -118,8 +118,8 @@ TEST(NetcdfConventions, AGridMappingHasItsNameAndParametersOrIsNone) {
 TEST(NetcdfConventions, UdunitsKnowsEveryUnitThatModelsGive) {
     if (std::system("command -v udunits2 > /dev/null") != 0) GTEST_SKIP() << "no udunits2 here";
     for (const char* unit :
-         {"steps", "sites", "heights", "grains", "per mm", "deg", "degrees", "m",    "m/s", "Pa",
-          "s-1",   "1/s",   "m3",      "m2/yr",  "m3/s",   "yr",  "1",       "mm/h", "mm",  "m2"}) {
+         {"steps", "sites", "heights", "grains", "per mm", "deg", "degrees", "m", "m/s", "Pa",
+          "s-1", "m3", "m2/yr", "m3/s", "yr", "1", "mm/h", "mm", "m2"}) {
         const std::string in_file = unit_in_file(unit);
         const auto spoken =
             test::run_command("udunits2 -H '" + in_file + "' -W '" + in_file + "' 2>&1");

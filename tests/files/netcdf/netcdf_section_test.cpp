@@ -320,7 +320,7 @@ with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
     air = xarray.open_dataset(sys.argv[1]).load()
 assert not caught, [str(w.message) for w in caught]
-assert set(air.coords) == {"date", "y", "x", "z", "section_x"}, air.coords
+assert set(air.coords) == {"date", "x", "z", "section_x"}, air.coords
 assert air.velocity_x.dims == ("date", "z", "section_x"), air.velocity_x.dims
 assert float(air.velocity_x.isel(date=1).sel(z=0.25, section_x=0.75)) == 25.5
 assert air.section_bed_height.dims == ("date", "section_x")
