@@ -245,7 +245,7 @@ TEST(ColouredMesh, IsAPlyAndAnObjFile) {
     EXPECT_EQ(number_at<std::uint8_t>(ply, body + 13), 51);
     const std::string obj = obj_file(mesh, colours);
     EXPECT_NE(obj.find("v 1 1.5 50 0.0000 0.2000 1.0000\n"), std::string::npos) << obj;
-    EXPECT_NE(obj.find("\nf 1 2 3\n"), std::string::npos) << obj;
+    EXPECT_NE(obj.find("\nf 1 2 4\n"), std::string::npos) << obj;
 }
 
 }  // namespace

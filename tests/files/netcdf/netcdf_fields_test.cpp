@@ -98,14 +98,15 @@ TEST(NetcdfFields, LiesWhereItsTerrainLay) {
     EXPECT_EQ(metric.values("y").back(), 4400013.5);
     EXPECT_EQ(metric.text("x", "units"), "m");
     EXPECT_EQ(metric.text("crs", "crs_wkt"), "PROJCRS[\"a\"]");
-    EXPECT_EQ(metric.text("bed_height", "grid_mapping"), "crs");
-    EXPECT_EQ(metric.text("water_depth", "grid_mapping"), "crs");
+    EXPECT_EQ(metric.text("water_depth", "spatial_ref"), "PROJCRS[\"a\"]");
     const NetcdfContent degrees = write({-105.5, 40.0, 0.25, 0.125, true, ""});
     EXPECT_EQ(degrees.values("x").back(), -105.5 + 6.5 * 0.25);
     EXPECT_EQ(degrees.values("y").front(), 40.0625);
     EXPECT_EQ(degrees.text("x", "standard_name"), "longitude");
     EXPECT_EQ(degrees.text("y", "units"), "degrees_north");
     EXPECT_EQ(degrees.text("crs", "grid_mapping_name"), "latitude_longitude");
+    EXPECT_EQ(degrees.text("bed_height", "grid_mapping"), "crs");
+    EXPECT_EQ(degrees.text("x", "axis"), "X");
     const NetcdfContent feet = write({1000.0, 2000.0, 2.0 / 0.3048, 3.0 / 0.3048, false, "feet"});
     EXPECT_EQ(feet.values("x").front(), 1.0) << "from the south-west corner";
     EXPECT_EQ(feet.text("bed_height", "grid_mapping"), "");
