@@ -21,10 +21,12 @@
 #include "files/atomic_file.h"
 #include "files/netcdf/netcdf_record.h"
 #include "files/terrain/terrain_format.h"
+#include "mesh/coloured_mesh.h"
 #include "mesh/glb.h"
 #include "mesh/height_mesh.h"
 #include "mesh/stl.h"
 #include "mesh/vtk.h"
+#include "mesh/vtk_section.h"
 #include "outputs/output_claims.h"
 #include "picture/png.h"
 #include "run/drawing.h"
@@ -43,11 +45,13 @@ struct ExportKind {
     std::string_view terrain{};
 };
 
-constexpr std::array<ExportKind, 7> export_kinds{
+constexpr std::array<ExportKind, 9> export_kinds{
     {{"vts", ".vts"},
      {"pvd", ".pvd"},
      {"glb", ".glb"},
      {"stl", ".stl"},
+     {"ply", ".ply"},
+     {"obj", ".obj"},
      {"cloud-optimized-geotiff", ".cog.tif", "cloud-optimized-geotiff"},
      {"geotiff", ".tif", "geotiff"},
      {"esri-ascii", ".asc", "esri-ascii"}}};
@@ -74,7 +78,8 @@ void declare(CLI::App& command, ExportOptions& options) {
         .add_option(
             "-o,--output", options.output,
             "VTK for ParaView (.vts, or .pvd with a .vts for each record of fields.nc), GLB "
-            "for slides (.glb), STL for printing (.stl), a grid of heights (.asc, .tif, .cog.tif); "
+            "for slides (.glb), STL for printing (.stl), a coloured mesh (.ply, .obj), a grid of "
+            "heights (.asc, .tif, .cog.tif); "
             "- is standard output")
         ->type_name("FILE")
         ->required();
@@ -91,20 +96,21 @@ void declare(CLI::App& command, ExportOptions& options) {
     add_number(command, "--base", options.base, 0.1, largest,
                "millimetres below its lowest point (default 4)");
     constexpr double most = 5e7;
-    add_number(command, "--triangles", options.triangles, 2, most,
-               "of the surface of a GLB or STL at most, else it gets coarser (default 500000)");
+    add_number(
+        command, "--triangles", options.triangles, 2, most,
+        "of the surface of a GLB, STL, PLY or OBJ at most, else it gets coarser (default 500000)");
     add_heights(command, options.heights);
     add_force(command, options.force);
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
-    add_examples(
-        command,
-        {{"fumon export dem.asc -o dem.stl --size 200 --exaggeration 2", "to be printed"},
-         {"fumon export out/rain -o rain.pvd", "a run, for ParaView"},
-         {"fumon export out/dunes -o bed.tif", "its last bed, for GIS"},
-         {"fumon export out/dunes -o - | awk 'NR > 6' > bed.txt", "to a program"}},
-        "A GLB has the colours of a picture from above: --set look.palette=… and all other "
-        "looks change it.");
+    add_examples(command,
+                 {{"fumon export dem.asc -o dem.stl --size 200 --exaggeration 2", "to be printed"},
+                  {"fumon export out/rain -o rain.pvd", "a run, for ParaView"},
+                  {"fumon export out/dunes -o bed.tif", "its last bed, for GIS"},
+                  {"fumon export out/dunes -o - | awk 'NR > 6' > bed.txt", "to a program"}},
+                 "GLB, PLY and OBJ have the colours of a picture from above: --set look.palette=… "
+                 "and all other "
+                 "looks change it.");
 }
 
 /// A surface as it is printed: its longer side `size` millimetres, standing on z = 0.
@@ -127,8 +133,8 @@ Mesh printed(const HeightMesh& surface, double size, double base) {
 }
 
 /// The bed from above, as far as it reaches and with nothing over it.
-std::vector<std::uint8_t> texture_of(const ExportOptions& options, const std::string& input,
-                                     const Snapshot& snapshot) {
+Image picture_from_above(const ExportOptions& options, const std::string& input,
+                         const Snapshot& snapshot) {
     constexpr double longer_side = 2048.0;  // pixels
     Scene scene = terrain_scene(input, options.heights, options.work.settings);
     scene.view.overlays.clear();
@@ -144,7 +150,22 @@ std::vector<std::uint8_t> texture_of(const ExportOptions& options, const std::st
     WorkerPool pool(options.work.threads, "fumon-render");
     const auto painter =
         make_frame_painter(scene, snapshot, options.work.backend, pool, PaintedFrames::one_picture);
-    return encode_png(painter->paint(snapshot, {}), screen_dots_per_inch, own_text());
+    return painter->paint(snapshot, {});
+}
+
+/// Of each point of a surface, in a picture from above.
+std::vector<PointColour> colours_of(const HeightMesh& mesh, const Image& picture) {
+    std::vector<PointColour> colours;
+    colours.reserve(mesh.places.size());
+    const auto pixel = [](double place, int pixels) {
+        return std::clamp(static_cast<int>(place * pixels), 0, pixels - 1);
+    };
+    for (const auto& [east, north] : mesh.places) {
+        const std::uint8_t* rgb = picture.row(pixel(1.0 - north, picture.height)) +
+                                  3 * static_cast<std::size_t>(pixel(east, picture.width));
+        colours.push_back({rgb[0], rgb[1], rgb[2]});
+    }
+    return colours;
 }
 
 void tell_coarser(const HeightMesh& mesh) {
@@ -155,25 +176,46 @@ void tell_coarser(const HeightMesh& mesh) {
                     mesh.top.triangles.size(), mesh.cells_a_point, mesh.cells_a_point));
 }
 
-/// NAME_000000.vts … beside NAME.pvd.
-std::filesystem::path moment_file(const std::string& output, std::size_t number) {
+/// NAME_000000.vts … beside NAME.pvd; NAME_air_000000.vts and NAME_paths_000000.vtp.
+std::filesystem::path moment_file(const std::string& output, std::size_t number,
+                                  const char* part = "", const char* ending = ".vts") {
     std::filesystem::path file = output;
-    const std::string name = fmt::format("{}_{:06}.vts", file.stem().string(), number);
+    const std::string name =
+        fmt::format("{}{}_{:06}{}", file.stem().string(), part, number, ending);
     return file.replace_filename(name);
 }
 
 void write_series(const ExportOptions& options, const std::string& input, OutputClaims& claims) {
     const std::vector<FieldsMoment> moments = read_fields_moments(input);
-    for (std::size_t n = 0; n < moments.size(); ++n) claims.writes(moment_file(options.output, n));
     const Snapshot outline = read_snapshot(input, options.heights, options.work.settings);
+    const bool has_paths = outline.section && !outline.section->paths.empty();
+    const auto air_file = [&](std::size_t n) { return moment_file(options.output, n, "_air"); };
+    const auto paths_file = [&](std::size_t n) {
+        return moment_file(options.output, n, "_paths", ".vtp");
+    };
+    for (std::size_t n = 0; n < moments.size(); ++n) {
+        claims.writes(moment_file(options.output, n));
+        if (outline.section) claims.writes(air_file(n));
+        if (has_paths) claims.writes(paths_file(n));
+    }
     std::vector<VtkMoment> written;
     for (std::size_t n = 0; n < moments.size(); ++n) {
-        const std::filesystem::path file = moment_file(options.output, n);
-        write_file(file, vts_file(read_fields_snapshot(input, moments[n].step, outline),
-                                  options.exaggeration));
-        written.push_back({moments[n].time, file.filename().string()});
+        const Snapshot snapshot = read_fields_snapshot(input, moments[n].step, outline);
+        const double time = moments[n].time;
+        written.push_back({time, {}});
+        const auto write = [&](const std::filesystem::path& file, const std::string& bytes) {
+            write_file(file, bytes);
+            written.back().files.push_back(file.filename().string());
+        };
+        write(moment_file(options.output, n), vts_file(snapshot, options.exaggeration));
+        if (!snapshot.section) continue;
+        write(air_file(n), vts_section_file(*snapshot.section, time, options.exaggeration));
+        if (has_paths)
+            write(paths_file(n), vtp_paths_file(*snapshot.section, time, options.exaggeration));
     }
     write_file(options.output, pvd_file(written));
+    tell(fmt::format("{}: {} record{} of {}\n", options.output, written.size(),
+                     written.size() == 1 ? "" : "s", input));
 }
 
 bool to_standard_output(const ExportOptions& options) {
@@ -201,6 +243,20 @@ const ExportKind& kind_of(const ExportOptions& options) {
                                  options.output, endings));
 }
 
+std::string mesh_file(const ExportOptions& options, const ExportKind& kind, const HeightMesh& mesh,
+                      const std::string& input, const Snapshot& snapshot) {
+    if (kind.name == "stl") return stl_file(printed(mesh, options.size, options.base));
+    const Image picture = picture_from_above(options, input, snapshot);
+    if (kind.name == "glb")
+        return glb_file(mesh, encode_png(picture, screen_dots_per_inch, own_text()));
+    const std::vector<PointColour> colours = colours_of(mesh, picture);
+    return kind.name == "ply" ? ply_file(mesh.top, colours) : obj_file(mesh.top, colours);
+}
+
+bool is_coloured(const ExportKind& kind) {
+    return kind.name == "glb" || kind.name == "ply" || kind.name == "obj";
+}
+
 /// The files of a kind that is not a series: the first is FILE itself, others stand beside it.
 std::vector<TerrainBytes> exported(const ExportOptions& options, const ExportKind& kind,
                                    const std::string& input) {
@@ -214,10 +270,7 @@ std::vector<TerrainBytes> exported(const ExportOptions& options, const ExportKin
     const HeightMesh mesh =
         height_mesh(snapshot, options.exaggeration, static_cast<std::size_t>(options.triangles));
     tell_coarser(mesh);
-    const bool prints = kind.name == "stl";
-    files.push_back(
-        {std::string(kind.ending), prints ? stl_file(printed(mesh, options.size, options.base))
-                                          : glb_file(mesh, texture_of(options, input, snapshot))});
+    files.push_back({std::string(kind.ending), mesh_file(options, kind, mesh, input, snapshot)});
     return files;
 }
 
@@ -246,7 +299,7 @@ int perform(const ExportOptions& options) {
     const std::string input = last_state_of(terrain_argument(options.input)).string();
     OutputClaims claims(options.force);
     claims.reads(input);
-    if (kind.name == "glb") prepare_drawing(options.work);
+    if (is_coloured(kind)) prepare_drawing(options.work);
     if (to_standard_output(options)) {
         const std::string bytes = exported(options, kind, input).front().bytes;
         std::fwrite(bytes.data(), 1, bytes.size(), stdout);  // looked at when the program ends
@@ -269,10 +322,10 @@ int perform(const ExportOptions& options) {
 }  // namespace
 
 Command export_command() {
-    return make_command<ExportOptions>(
-        "export",
-        "a bed, or a run's fields, for ParaView (VTK), slides (GLB), printers (STL) and GIS",
-        declare, perform);
+    return make_command<ExportOptions>("export",
+                                       "a bed, or a run's fields, for ParaView (VTK), slides "
+                                       "(GLB), printers (STL), meshes (PLY, OBJ) and GIS",
+                                       declare, perform);
 }
 
 }  // namespace fumon

@@ -1,6 +1,7 @@
 // Surfaces and solids made of beds: closed, turned outward, within their limits; and their files.
 
 #include <gtest/gtest.h>
+#include <libdeflate.h>
 
 #include <cmath>
 #include <cstring>
@@ -12,10 +13,12 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "mesh/coloured_mesh.h"
 #include "mesh/glb.h"
 #include "mesh/height_mesh.h"
 #include "mesh/stl.h"
 #include "mesh/vtk.h"
+#include "mesh/vtk_section.h"
 
 namespace fumon::test {
 namespace {
@@ -145,29 +148,104 @@ TEST(Glb, IsOneBufferThatItsJsonDescribes) {
     EXPECT_NEAR(number_at<float>(bytes, binary + places + 4), 1.0 - 0.5 / 7.0, 1e-6);
 }
 
-TEST(Vtk, OffsetsPointAtTheArrays) {
-    Snapshot snapshot = ragged_bed(4, 3, 0.0);
+/// The values of an array of a VTK file, taken apart as vtkZLibDataCompressor's format has it.
+std::string vtk_array(const std::string& file, const std::string& name) {
+    const std::size_t data = file.find("\n_") + 2;
+    const std::size_t at = file.find("offset=\"", file.find("Name=\"" + name + "\"")) + 8;
+    std::size_t place = data + static_cast<std::size_t>(std::stoll(file.substr(at)));
+    const auto next = [&] {
+        const auto number = number_at<std::uint64_t>(file, place);
+        place += 8;
+        return number;
+    };
+    const std::uint64_t blocks = next();
+    const std::uint64_t block = next();
+    const std::uint64_t last = next();
+    std::vector<std::uint64_t> lengths;
+    for (std::uint64_t i = 0; i < blocks; ++i) lengths.push_back(next());
+    libdeflate_decompressor* decompressor = libdeflate_alloc_decompressor();
+    std::string values;
+    for (std::uint64_t i = 0; i < blocks; ++i) {
+        std::string bytes(i + 1 == blocks && last > 0 ? last : block, '\0');
+        std::size_t made = 0;
+        EXPECT_EQ(libdeflate_zlib_decompress(decompressor, file.data() + place, lengths[i],
+                                             bytes.data(), bytes.size(), &made),
+                  LIBDEFLATE_SUCCESS);
+        EXPECT_EQ(made, bytes.size());
+        place += lengths[i];
+        values += bytes;
+    }
+    libdeflate_free_decompressor(decompressor);
+    return values;
+}
+
+TEST(Vtk, HoldsCompressedArrays) {
+    Snapshot snapshot = ragged_bed(400, 300, 0.0);
     snapshot.nodata(1, 1) = 1;
     snapshot.time = 60.0;
-    snapshot.fields = {{"water_depth", "", "m", Grid(4, 3, 0.25)}};
+    snapshot.fields = {{"water_depth", "", "m", Grid(400, 300, 0.25)},
+                       {"velocity_x", "", "m/s", Grid(400, 300, 2.0)},
+                       {"velocity_y", "", "m/s", Grid(400, 300, 3.0)}};
     snapshot.scale.place = GeoReference{1000.0, 2000.0, 2.0, 3.0, false, ""};
     const std::string file = vts_file(snapshot, 2.0);
-    const std::size_t data = file.find("\n_") + 2;
-    const auto array = [&](const std::string& name) {
-        const std::size_t at = file.find("offset=\"", file.find("Name=\"" + name)) + 8;
-        return data + static_cast<std::size_t>(std::stoll(file.substr(at)));
-    };
-    const std::size_t points = array("points");
-    EXPECT_EQ(number_at<std::uint64_t>(file, points), 4U * 3 * 3 * 8);
-    EXPECT_EQ(number_at<double>(file, points + 8), 1001.0);
-    EXPECT_EQ(number_at<double>(file, points + 16), 2001.5);
-    EXPECT_EQ(number_at<double>(file, points + 24), 2.0 * 0.5 * snapshot.bed(0, 0));
-    EXPECT_EQ(number_at<double>(file, array("water_depth") + 8), 0.25);
-    EXPECT_TRUE(std::isnan(number_at<double>(file, array("bed_height") + 8 + 5 * 8)));
-    EXPECT_EQ(number_at<std::uint8_t>(file, array("vtkGhostType") + 8 + 5), 2);
+    const std::string points = vtk_array(file, "points");
+    ASSERT_EQ(points.size(), 400U * 300 * 3 * 8) << "three blocks, the last shorter";
+    EXPECT_EQ(number_at<double>(points, 0), 1001.0);
+    EXPECT_EQ(number_at<double>(points, 8), 2001.5);
+    EXPECT_EQ(number_at<double>(points, 16), 2.0 * 0.5 * snapshot.bed(0, 0));
+    EXPECT_EQ(number_at<double>(points, points.size() - 24), 1799.0);
+    EXPECT_EQ(number_at<double>(vtk_array(file, "water_depth"), 0), 0.25);
+    EXPECT_EQ(number_at<double>(vtk_array(file, "velocity"), 8), 3.0);
+    EXPECT_TRUE(std::isnan(number_at<double>(vtk_array(file, "bed_height"), 401 * 8)));
+    EXPECT_EQ(number_at<std::uint8_t>(vtk_array(file, "vtkGhostType"), 401), 2);
     EXPECT_NE(file.find(">60</DataArray>"), std::string::npos);
-    EXPECT_NE(pvd_file(std::vector<VtkMoment>{{1.5, "a.vts"}}).find("timestep=\"1.5\""),
-              std::string::npos);
+    EXPECT_LT(file.size(), 400U * 300 * 30) << "of 81 bytes a point";
+}
+
+TEST(Vtk, ASeriesTellsItsRecordsAndTheirParts) {
+    const std::string text =
+        pvd_file(std::vector<VtkMoment>{{1.5, {"a.vts", "b.vts", "c.vtp"}}, {2.5, {"d.vts"}}});
+    EXPECT_NE(text.find("records: 2"), std::string::npos);
+    EXPECT_NE(text.find("timestep=\"1.5\" part=\"2\" file=\"c.vtp\""), std::string::npos);
+    EXPECT_NE(text.find("timestep=\"2.5\" part=\"0\" file=\"d.vts\""), std::string::npos);
+}
+
+TEST(Vtk, ASectionHasItsFieldsAndItsPaths) {
+    SnapshotSection section;
+    section.dx = 0.5;
+    section.dz = 0.25;
+    section.fields = {{"velocity_x", "", "m/s", Grid(4, 3, 5.0)},
+                      {"velocity_z", "", "m/s", Grid(4, 3, 1.0)},
+                      {"vorticity", "", "s-1", Grid(4, 3, 7.0)}};
+    section.curves = {{"bed_height", "", "m", {0.1, 0.3, 0.1, 0.1}}};
+    section.paths = {
+        {40.0, {0.0, 0.1, 0.2}, {0.0, 0.2, 0.1}}, {20.0, {}, {}}, {10.0, {1, 2}, {3, 4}}};
+    const std::string air = vts_section_file(section, 2.0, 1.0);
+    EXPECT_NE(air.find("WholeExtent=\"0 3 0 0 0 2\""), std::string::npos);
+    const std::string points = vtk_array(air, "points");
+    EXPECT_EQ(number_at<double>(points, points.size() - 24), 1.5);
+    EXPECT_EQ(number_at<double>(points, points.size() - 8), 0.5);
+    EXPECT_EQ(number_at<double>(vtk_array(air, "velocity"), 16), 1.0) << "upward";
+    EXPECT_EQ(number_at<double>(vtk_array(air, "vorticity"), 8), 7.0);
+    EXPECT_EQ(vtk_array(air, "vtkGhostType"), std::string("\2\2\2\2\0\2\0\0\0\0\0\0", 12));
+    const std::string paths = vtp_paths_file(section, 2.0, 1.0);
+    EXPECT_NE(paths.find("NumberOfPoints=\"5\" NumberOfLines=\"2\""), std::string::npos);
+    EXPECT_EQ(number_at<std::int64_t>(vtk_array(paths, "offsets"), 8), 5);
+    EXPECT_EQ(number_at<double>(vtk_array(paths, "launch_angle"), 8), 10.0);
+}
+
+TEST(ColouredMesh, IsAPlyAndAnObjFile) {
+    const Mesh mesh = height_mesh(ragged_bed(3, 2, 0.0), 1.0, 1000).top;
+    std::vector<PointColour> colours(mesh.points.size(), PointColour{0, 51, 255});
+    const std::string ply = ply_file(mesh, colours);
+    EXPECT_TRUE(ply.starts_with("ply\nformat binary_little_endian 1.0\n"));
+    const std::size_t body = ply.find("end_header\n") + 11;
+    EXPECT_EQ(ply.size() - body, 15 * mesh.points.size() + 13 * mesh.triangles.size());
+    EXPECT_EQ(number_at<float>(ply, body), 1.0F);
+    EXPECT_EQ(number_at<std::uint8_t>(ply, body + 13), 51);
+    const std::string obj = obj_file(mesh, colours);
+    EXPECT_NE(obj.find("v 1 1.5 50 0.0000 0.2000 1.0000\n"), std::string::npos) << obj;
+    EXPECT_NE(obj.find("\nf 1 2 4\n"), std::string::npos) << obj;
 }
 
 }  // namespace

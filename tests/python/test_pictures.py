@@ -125,5 +125,5 @@ def test_the_fields_of_a_run_are_a_dataset_to_film(tmp_path, barchans):
                     "output.frames=false", "--set", "output.movie=false", "--set", "output.fields_every=20"], check=True)
     with xarray.open_dataset(tmp_path / "out/fields.nc") as fields:
         assert fumon.movie(fields, tmp_path / "m.mp4", **LOOK).frames == 3
-        one = fields["bed_height"].isel(time=0)
+        one = fields["bed_height"].isel(date=0)
         assert np.array_equal(one.fumon.render(**LOOK), fumon.render(next(barchans.run(every=20)).bed, **LOOK))

@@ -136,7 +136,7 @@ def test_the_bed_is_that_of_the_program(barchans, tmp_path):
     xarray = pytest.importorskip("xarray")
     with xarray.open_dataset(tmp_path / "out/fields.nc") as fields:
         for index, step in enumerate(barchans.run(every=20)):
-            assert np.array_equal(fields["bed_height"].isel(time=index).values, step.bed)
+            assert np.array_equal(fields["bed_height"].isel(date=index).values, step.bed)
 
 
 def test_a_picture_after_later_steps_is_the_same(barchans):

@@ -12,11 +12,17 @@ namespace fumon {
 
 namespace {
 
-void copy_number(const NetcdfInput& from, std::size_t record, RecordValues& to, int variable,
-                 std::size_t at) {
+double number_at(const NetcdfInput& from, int variable, std::size_t record) {
     double value = 0.0;
     check_netcdf(nc_get_var1_double(from.id(), variable, &record, &value));
-    to.put(variable, at, value);
+    return value;
+}
+
+int variable_of(const NetcdfInput& from, const std::string& name, std::size_t dimensions) {
+    const auto variable = from.find_variable(name);
+    if (!variable || from.dimensions(*variable).size() != dimensions)
+        throw NetcdfFault("it has no " + name);
+    return *variable;
 }
 
 bool fits(const SnapshotSection* section, const SectionLayout& layout) {
@@ -27,10 +33,23 @@ bool fits(const SnapshotSection* section, const SectionLayout& layout) {
 
 }  // namespace
 
-void copy_record(const NetcdfInput& from, std::size_t record, RecordValues& to,
-                 const FieldsLayout& layout, int nx, int ny, std::size_t at) {
+SourceVariables source_variables(const NetcdfInput& from, const std::vector<std::string>& fields,
+                                 const std::vector<std::string>& numbers) {
+    constexpr std::size_t over_cells = 3;
+    SourceVariables source;
+    source.bed = variable_of(from, "bed_height", over_cells);
+    for (const std::string& name : fields)
+        source.fields.push_back(variable_of(from, name, over_cells));
+    for (const std::string& name : numbers) source.numbers.push_back(variable_of(from, name, 1));
+    source.step = variable_of(from, "step", 1);
+    source.time = variable_of(from, "time", 1);
+    return source;
+}
+
+void copy_record(const NetcdfInput& from, const SourceVariables& source, std::size_t record,
+                 RecordValues& to, const FieldsLayout& layout, int nx, int ny, std::size_t at) {
     std::vector<double> block;
-    const auto copy_field = [&](int variable) {
+    const auto copy_field = [&](int variable, int target_variable) {
         for (int y = 0; y < ny; y += layout.rows) {
             const auto rows = static_cast<std::size_t>(std::min(layout.rows, ny - y));
             const auto cells = static_cast<std::size_t>(nx);
@@ -40,21 +59,25 @@ void copy_record(const NetcdfInput& from, std::size_t record, RecordValues& to,
             check_netcdf(
                 nc_get_vara_double(from.id(), variable, start.data(), count.data(), block.data()));
             const std::array<std::size_t, 3> target{at, start[1], 0};
-            to.put(variable, target, count, block.data());
+            to.put(target_variable, target, count, block.data());
         }
     };
-    copy_field(layout.bed);
-    for (const int field : layout.fields) copy_field(field);
-    for (const int number : layout.numbers) copy_number(from, record, to, number, at);
+    copy_field(source.bed, layout.bed);
+    for (std::size_t i = 0; i < layout.fields.size(); ++i)
+        copy_field(source.fields[i], layout.fields[i]);
+    for (std::size_t i = 0; i < layout.numbers.size(); ++i)
+        to.put(layout.numbers[i], at, number_at(from, source.numbers[i], record));
     if (layout.section) {
         const auto section = read_section(from, record);
         if (!fits(section.get(), *layout.section)) throw NetcdfFault("it has another section");
         write_section(to, *layout.section, at, *section);
     }
     long long step = 0;
-    check_netcdf(nc_get_var1_longlong(from.id(), layout.step, &record, &step));
+    check_netcdf(nc_get_var1_longlong(from.id(), source.step, &record, &step));
     to.put(layout.step, at, step);
-    copy_number(from, record, to, layout.time, at);
+    const double time = number_at(from, source.time, record);
+    to.put_derived(layout.date, at, time * layout.date_factor);
+    to.put(layout.time, at, time);
 }
 
 }  // namespace fumon

@@ -28,13 +28,13 @@ void put_number(int file, int variable, const char* name, double value) {
 
 std::string unit_in_file(const std::string& unit) {
     using Known = std::pair<std::string_view, const char*>;
-    constexpr std::array<Known, 21> known{{
-        {"", "1"},          {"step", "1"},   {"steps", "1"},         {"site", "1"},
-        {"sites", "1"},     {"height", "1"}, {"heights", "1"},       {"model height", "1"},
-        {"cell", "1"},      {"cells", "1"},  {"model heights", "1"}, {"grain", "1"},
-        {"grains", "1"},    {"round", "1"},  {"rounds", "1"},        {"times", "1"},
-        {"seconds", "s"},   {"hours", "h"},  {"minutes", "min"},     {"days", "d"},
-        {"per mm", "mm-1"},
+    constexpr std::array<Known, 22> known{{
+        {"", "1"},          {"step", "1"},      {"steps", "1"},         {"site", "1"},
+        {"sites", "1"},     {"height", "1"},    {"heights", "1"},       {"model height", "1"},
+        {"cell", "1"},      {"cells", "1"},     {"model heights", "1"}, {"grain", "1"},
+        {"grains", "1"},    {"round", "1"},     {"rounds", "1"},        {"times", "1"},
+        {"seconds", "s"},   {"hours", "h"},     {"minutes", "min"},     {"days", "d"},
+        {"per mm", "mm-1"}, {"deg", "degrees"},
     }};
     const auto* found = find_by(known, &Known::first, unit);
     return found == nullptr ? unit : found->second;
@@ -72,6 +72,18 @@ void compress(int file, int variable) {
     check_netcdf(nc_def_var_deflate(file, variable, shuffle, deflate, level));
 }
 
+void protect(int file, int variable) {
+    check_netcdf(nc_def_var_fletcher32(file, variable, NC_FLETCHER32));
+}
+
+int define_coordinate(int file, const char* name, int dimension, std::size_t length) {
+    int variable = 0;
+    check_netcdf(nc_def_var(file, name, NC_DOUBLE, 1, &dimension, &variable));
+    check_netcdf(nc_def_var_chunking(file, variable, NC_CHUNKED, &length));
+    protect(file, variable);
+    return variable;
+}
+
 int define_field(int file, const std::array<int, 3>& over, const std::string& name,
                  const Grid& field) {
     int variable = 0;
@@ -80,6 +92,7 @@ int define_field(int file, const std::array<int, 3>& over, const std::string& na
                                            static_cast<std::size_t>(field.nx())};
     check_netcdf(nc_def_var_chunking(file, variable, NC_CHUNKED, chunk.data()));
     compress(file, variable);
+    protect(file, variable);
     fill_with_nan(file, variable, chunk[1] * chunk[2]);
     return variable;
 }

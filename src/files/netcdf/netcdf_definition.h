@@ -32,6 +32,13 @@ void fill_with_nan(int file, int variable, std::size_t chunk_values);
 /// Has a variable's chunks shuffled and deflated.
 void compress(int file, int variable);
 
+/// Gives every chunk of a variable a checksum (Fletcher's, of 32 bits), which a reader of NetCDF-4
+/// compares: bytes that have changed are an error, not values.
+void protect(int file, int variable);
+
+/// Defines a coordinate variable, float64, in one chunk with its checksum.
+int define_coordinate(int file, const char* name, int dimension, std::size_t length);
+
 /// Defines a float64 field over (time, row, column), compressed in chunks of rows_of_chunk.
 int define_field(int file, const std::array<int, 3>& over, const std::string& name,
                  const Grid& field);

@@ -63,11 +63,13 @@ std::int64_t read_records(const fs::path& file, std::int64_t most, const Snapsho
                           Sha256Stream& hash) {
     const FieldsLayout layout = layout_of(first);
     const NetcdfInput input(file);
-    const std::vector<int> over = input.dimensions(layout.time);
+    const RecordForm form = record_form(first);
+    const SourceVariables source = source_variables(input, form.fields, form.numbers);
+    const std::vector<int> over = input.dimensions(source.time);
     const std::size_t there = over.size() == 1 ? input.dimension_length(over.front()) : 0;
     RecordValues values(std::nullopt, hash);
     for (std::size_t record = 0; record < there && std::cmp_less(record, most); ++record)
-        copy_record(input, record, values, layout, first.bed.nx(), first.bed.ny(), record);
+        copy_record(input, source, record, values, layout, first.bed.nx(), first.bed.ny(), record);
     return static_cast<std::int64_t>(there);
 }
 

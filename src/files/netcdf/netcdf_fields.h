@@ -24,8 +24,8 @@ struct FieldsBeginning {
     Sha256 hash{};              ///< of their values (RecordValues)
 };
 
-/// A NetCDF-4 file of a run's fields over (time, y, x), and of its section's over (time, z,
-/// section_x), record by record, by the CF conventions 1.9 (1.8 has no 64-bit integers); the names,
+/// A NetCDF-4 file of a run's fields over (date, y, x), and of its section's over (date, z,
+/// section_x), record by record, by the CF conventions 1.8; the names,
 /// units and attributes are those of netcdf_layout.h and netcdf_section.h.
 ///
 /// The file is made as NAME.part and gets its name by commit(). HDF5 changes a file in places that

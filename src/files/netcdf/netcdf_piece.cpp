@@ -60,10 +60,11 @@ class FieldsPiece::Parts {
         const NetcdfLock lock;
         try {
             const NetcdfInput input(from);
+            const SourceVariables source = source_variables(input, form_.fields, form_.numbers);
             for (std::int64_t record = 0; record < count; ++record, ++records_) {
                 reserve(record_room_);
-                copy_record(input, static_cast<std::size_t>(record), *values_, layout_, form_.nx,
-                            form_.ny, static_cast<std::size_t>(records_));
+                copy_record(input, source, static_cast<std::size_t>(record), *values_, layout_,
+                            form_.nx, form_.ny, static_cast<std::size_t>(records_));
                 check_netcdf(nc_sync(netcdf_.id()));
             }
         } catch (const NetcdfFault& fault) {
@@ -174,6 +175,7 @@ class FieldsPiece::Parts {
             values_->put(layout_.numbers[i], record, snapshot.numbers[i].value);
         if (layout_.section) write_section(*values_, *layout_.section, record, *snapshot.section);
         values_->put(layout_.step, record, static_cast<long long>(snapshot.step));
+        values_->put_derived(layout_.date, record, snapshot.time * layout_.date_factor);
         values_->put(layout_.time, record, snapshot.time);
         check_netcdf(nc_sync(netcdf_.id()));
     }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "files/netcdf/grid_mapping.h"
 #include "files/netcdf/netcdf_calls.h"
 #include "files/netcdf/netcdf_definition.h"
 
@@ -18,6 +19,16 @@ bool counts_metres(const GeoReference& place, const WorldScale& scale) {
     constexpr double tolerance = 1e-6;
     return std::abs(place.dx / scale.dx - 1.0) < tolerance &&
            std::abs(place.dy / scale.dy - 1.0) < tolerance;
+}
+
+std::optional<GridMapping> mapping_of(const GeoReference& place) {
+    auto mapping = grid_mapping_of(place.crs);
+    if (place.degrees && (!mapping || mapping->name != "latitude_longitude")) {
+        mapping.emplace();
+        mapping->name = "latitude_longitude";
+    }
+    if (!place.degrees && mapping && mapping->name == "latitude_longitude") return std::nullopt;
+    return mapping;
 }
 
 }  // namespace
@@ -35,14 +46,23 @@ void define_crs(int file, const WorldScale& scale) {
     int variable = 0;
     check_netcdf(nc_def_var(file, crs_name, NC_INT, 0, nullptr, &variable));
     put_text(file, variable, "long_name", "coordinate reference system");
-    if (scale.place->degrees) put_text(file, variable, "grid_mapping_name", "latitude_longitude");
+    if (const auto mapping = mapping_of(*scale.place)) {
+        put_text(file, variable, "grid_mapping_name", mapping->name);
+        for (const auto& [name, values] : mapping->attributes)
+            check_netcdf(nc_put_att_double(file, variable, name.c_str(), NC_DOUBLE, values.size(),
+                                           values.data()));
+    }
     if (scale.place->crs.empty()) return;
     put_text(file, variable, "crs_wkt", scale.place->crs);
     put_text(file, variable, "spatial_ref", scale.place->crs);
 }
 
-void put_grid_mapping(int file, int field) {
-    put_text(file, field, "grid_mapping", crs_name);
+void put_grid_mapping(int file, int field, const WorldScale& scale) {
+    if (mapping_of(*scale.place)) {
+        put_text(file, field, "grid_mapping", crs_name);
+    } else {
+        put_text(file, field, "spatial_ref", scale.place->crs);
+    }
 }
 
 }  // namespace fumon

@@ -21,12 +21,14 @@ struct FilePlace {
 /// (sites, feet, or nowhere) from its south-west corner.
 FilePlace place_in_file(const WorldScale& scale);
 
-/// Defines the scalar variable `crs` of a scale whose place has one: grid_mapping_name where CF has
-/// one for it without parameters, and the whole system as WKT in crs_wkt, which CF knows, and
-/// spatial_ref, which GDAL writes. The caller holds the NetcdfLock. Throws NetcdfFault.
+/// Defines the scalar variable `crs` of a scale whose place has one: grid_mapping_name and its
+/// parameters (grid_mapping.h) where CF knows the projection, and the whole system as WKT in
+/// crs_wkt, which CF knows, and spatial_ref, which GDAL writes. The caller holds the NetcdfLock.
+/// Throws NetcdfFault.
 void define_crs(int file, const WorldScale& scale);
 
-/// Says that a field lies in that system.
-void put_grid_mapping(int file, int field);
+/// Says that a field lies in that system. A grid_mapping without a grid_mapping_name is none by CF,
+/// so where CF does not know the projection the field says by its own spatial_ref where it lies.
+void put_grid_mapping(int file, int field, const WorldScale& scale);
 
 }  // namespace fumon

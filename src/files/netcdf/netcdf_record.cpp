@@ -65,7 +65,8 @@ std::optional<FieldsRecord> read_record(const NetcdfInput& input) {
         if (over == over_bed && variable != *bed) {
             found.fields.push_back({name, input.text(variable, "long_name").value_or(name), unit,
                                     field_values(input, variable, records - 1)});
-        } else if (over == std::vector{over_bed.front()} && name != "time" && name != "step") {
+        } else if (over == std::vector{over_bed.front()} && name != "date" && name != "time" &&
+                   name != "step") {
             const std::size_t last = records - 1;
             double value = 0.0;
             check_netcdf(nc_get_var1_double(input.id(), variable, &last, &value));

@@ -39,21 +39,13 @@ std::size_t curve_records(std::size_t columns) {
     return std::max(std::size_t{1}, curve_values / columns);
 }
 
-int define_coordinate(int file, const char* name, int dimension, const char* long_name,
-                      const char* axis) {
-    int variable = 0;
-    check_netcdf(nc_def_var(file, name, NC_DOUBLE, 1, &dimension, &variable));
-    describe(file, variable, long_name, "m");
-    put_text(file, variable, "axis", axis);
-    return variable;
-}
-
 int define_curve(int file, int time, int x, const std::string& name, std::size_t columns) {
     const std::array<int, 2> over{time, x};
     int variable = 0;
     check_netcdf(nc_def_var(file, name.c_str(), NC_DOUBLE, 2, over.data(), &variable));
     const std::array<std::size_t, 2> chunk{curve_records(columns), columns};
     check_netcdf(nc_def_var_chunking(file, variable, NC_CHUNKED, chunk.data()));
+    protect(file, variable);
     fill_with_nan(file, variable, chunk[0] * chunk[1]);
     return variable;
 }
@@ -65,6 +57,7 @@ int define_path_axis(int file, const std::array<int, 3>& over, const char* name,
     const std::array<std::size_t, 3> chunk{1, std::min(paths, chunk_paths), chunk_points};
     check_netcdf(nc_def_var_chunking(file, variable, NC_CHUNKED, chunk.data()));
     compress(file, variable);
+    protect(file, variable);
     fill_with_nan(file, variable, chunk[1] * chunk[2]);
     describe(file, variable, long_name, "m");
     return variable;
@@ -129,7 +122,10 @@ std::size_t whole_chunks(std::size_t count, std::size_t chunk) {
 }  // namespace
 
 std::string section_name_in_file(const std::string& name) {
-    return name == own_bed ? std::string(own_bed_in_file) : name;
+    if (name == own_bed) return std::string(own_bed_in_file);
+    std::string in_file = name;
+    std::ranges::replace(in_file, '.', '_');
+    return in_file;
 }
 
 std::string section_name_in_snapshot(const std::string& name) {
@@ -154,9 +150,12 @@ SectionLayout define_section(int file, int time, const SnapshotSection& section)
     check_netcdf(nc_def_dim(file, "z", as_count(section.fields.front().values.ny()), &z));
     check_netcdf(nc_def_dim(file, "section_x", columns, &x));
     SectionLayout layout;
-    layout.z = define_coordinate(file, "z", z, "height", "Z");
+    layout.z = define_coordinate(file, "z", z, as_count(section.fields.front().values.ny()));
+    describe(file, layout.z, "height", "m");
+    put_text(file, layout.z, "axis", "Z");
     put_text(file, layout.z, "positive", "up");
-    layout.x = define_coordinate(file, "section_x", x, "distance along the section", "X");
+    layout.x = define_coordinate(file, "section_x", x, columns);
+    describe(file, layout.x, "distance along the section", "m");
     for (const SnapshotField& field : section.fields) {
         layout.fields.push_back(
             define_field(file, {time, z, x}, section_name_in_file(field.name), field.values));
@@ -165,6 +164,8 @@ SectionLayout define_section(int file, int time, const SnapshotSection& section)
     for (const SectionCurve& curve : section.curves) {
         layout.curves.push_back(
             define_curve(file, time, x, section_name_in_file(curve.name), columns));
+        if (curve.name.find('.') != std::string::npos)
+            put_text(file, layout.curves.back(), own_name_attribute, curve.name);
         describe(file, layout.curves.back(), curve.long_name, curve.unit);
     }
     if (!section.paths.empty()) layout.paths = define_paths(file, time, section.paths.size());

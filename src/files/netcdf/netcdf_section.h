@@ -15,19 +15,22 @@ namespace fumon {
 struct SectionLayout {
     int x = 0;                ///< section_x(section_x): the columns, i·dx; the file's x is centres
     int z = 0;                ///< z(z): the nodes, k·dz, positive up
-    std::vector<int> fields;  ///< one each of SnapshotSection::fields, over (time, z, section_x)
-    std::vector<int> curves;  ///< one each of SnapshotSection::curves, over (time, section_x)
+    std::vector<int> fields;  ///< one each of SnapshotSection::fields, over (date, z, section_x)
+    std::vector<int> curves;  ///< one each of SnapshotSection::curves, over (date, section_x)
     /// Where the section has paths. `path_point` is unlimited: a shorter path ends in _FillValue.
     struct Paths {
-        int launch_angle = 0;  ///< launch_angle(time, path), degrees to the local bed
-        int x = 0;             ///< path_x(time, path, path_point)
-        int z = 0;             ///< path_z(time, path, path_point)
+        int launch_angle = 0;  ///< launch_angle(date, path), degrees to the local bed
+        int x = 0;             ///< path_x(date, path, path_point)
+        int z = 0;             ///< path_z(date, path, path_point)
     };
     std::optional<Paths> paths{};
 };
 
 /// A curve or field has its own name in the file, but the section's own "bed_height" is
-/// "section_bed_height", beside the file's bed_height(time, y, x).
+/// "section_bed_height", beside the file's bed_height(date, y, x), and a point becomes an
+/// underscore ("flight_length_12_5"): CF knows no points. The curve's attribute
+/// own_name_attribute keeps its name then.
+inline constexpr const char* own_name_attribute = "fumon_name";
 std::string section_name_in_file(const std::string& name);
 /// The other way round.
 std::string section_name_in_snapshot(const std::string& name);

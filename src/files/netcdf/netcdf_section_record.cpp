@@ -80,7 +80,9 @@ std::shared_ptr<const SnapshotSection> read_section(const NetcdfInput& input, st
         const bool is_field = over.size() == 3 && over[1] == up && over[2] == along;
         const bool is_curve = over.size() == 2 && over[1] == along;
         if (!is_field && !is_curve) continue;
-        const std::string name = section_name_in_snapshot(input.variable_name(variable));
+        const std::string name =
+            input.text(variable, own_name_attribute)
+                .value_or(section_name_in_snapshot(input.variable_name(variable)));
         const std::string long_name = input.text(variable, "long_name").value_or(name);
         const std::string unit = input.text(variable, "units").value_or("1");
         std::vector<double> values = values_of(input, variable, record);

@@ -29,6 +29,10 @@ void RecordValues::put(int variable, std::size_t record, double value) {
     put(variable, std::span(&record, 1), one, &value);
 }
 
+void RecordValues::put_derived(int variable, std::size_t record, double value) const {
+    if (file_) check_netcdf(nc_put_var1_double(*file_, variable, &record, &value));
+}
+
 void RecordValues::put(int variable, std::size_t record, long long value) {
     if (file_) check_netcdf(nc_put_var1_longlong(*file_, variable, &record, &value));
     hash_.add_little_endian(static_cast<std::uint64_t>(value));

@@ -21,6 +21,8 @@ class RecordValues {
              const double* values);
     void put(int variable, std::size_t record, double value);
     void put(int variable, std::size_t record, long long value);
+    /// A number that follows from others of its record: put, and not hashed.
+    void put_derived(int variable, std::size_t record, double value) const;
 
   private:
     std::optional<int> file_;

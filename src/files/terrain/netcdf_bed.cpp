@@ -131,7 +131,11 @@ std::string crs_of(const NetcdfInput& input, int variable) {
         const std::string text = holder ? input.text(*holder, attribute).value_or("") : "";
         if (!text.empty()) return text;
     }
-    return input.text(variable, "esri_pe_string").value_or("");
+    for (const char* attribute : {"spatial_ref", "esri_pe_string"}) {
+        const std::string text = input.text(variable, attribute).value_or("");
+        if (!text.empty()) return text;
+    }
+    return {};
 }
 
 void refuse_rotated_pole(const NetcdfInput& input, const BedVariable& bed) {

@@ -42,7 +42,7 @@ TEST(NetcdfFields, BearsItsNameOnlyOnceCommitted) {
     EXPECT_EQ(bytes_of(folder / "fields.nc"), "old");
     write_records(folder / "fields.nc", 1);
     EXPECT_EQ(folder.entries(), 1);
-    EXPECT_EQ(NetcdfContent(folder / "fields.nc").length("time"), 1U);
+    EXPECT_EQ(NetcdfContent(folder / "fields.nc").length("date"), 1U);
 }
 
 class KilledRun : public ::testing::TestWithParam<int> {};
@@ -61,7 +61,7 @@ TEST_P(KilledRun, LeavesAFileThatOpens) {
     ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
     EXPECT_FALSE(std::filesystem::exists(folder / "fields.nc"));
     const NetcdfContent content(folder / "fields.nc.part");
-    ASSERT_EQ(content.length("time"), static_cast<std::size_t>(records));
+    ASSERT_EQ(content.length("date"), static_cast<std::size_t>(records));
     const auto steps = content.values("step");
     const auto bed = content.values("bed_height");
     for (int i = 0; i < records; ++i) {
@@ -88,7 +88,7 @@ void fill_up(const std::filesystem::path& path, const std::string& reason) {
     EXPECT_NE(message_of<Error>([&] { file.add(snapshot(0, 50, 50)); }), "") << "still full";
     file.commit();
     const NetcdfContent content(path);
-    EXPECT_EQ(content.length("time"), static_cast<std::size_t>(records));
+    EXPECT_EQ(content.length("date"), static_cast<std::size_t>(records));
     EXPECT_EQ(content.values("step").back(), static_cast<double>(records - 1));
     EXPECT_EQ(content.values("bed_height").back(), 0.25 * height(records - 1, 49, 49));
 }

@@ -28,7 +28,7 @@ TEST(NetcdfFields, HoldsEveryRecord) {
     const TemporaryFolder folder;
     write_records(folder / "fields.nc", 3);
     const NetcdfContent content(folder / "fields.nc");
-    EXPECT_EQ(content.length("time"), 3U);
+    EXPECT_EQ(content.length("date"), 3U);
     EXPECT_EQ(content.length("y"), 5U);
     EXPECT_EQ(content.length("x"), 7U);
     EXPECT_EQ(content.values("step"), (std::vector<double>{0, 10, 20}));
@@ -60,7 +60,7 @@ TEST(NetcdfFields, SaysWhatItHolds) {
     const TemporaryFolder folder;
     write_records(folder / "fields.nc", 1);
     const NetcdfContent content(folder / "fields.nc");
-    EXPECT_EQ(content.text("", "Conventions"), "CF-1.9");
+    EXPECT_EQ(content.text("", "Conventions"), "CF-1.8");
     EXPECT_EQ(content.text("", "title"), "a title");
     EXPECT_EQ(content.text("", "source"), "fumon " FUMON_VERSION);
     EXPECT_EQ(content.text("", "scene"), fields_text.scene);
@@ -71,9 +71,9 @@ TEST(NetcdfFields, SaysWhatItHolds) {
     EXPECT_EQ(content.text("", "periodic"), "no");
     EXPECT_EQ(content.text("x", "units"), "m");
     EXPECT_EQ(content.text("x", "standard_name"), "projection_x_coordinate");
-    EXPECT_EQ(content.text("x", "axis"), "X");
+    EXPECT_EQ(content.text("x", "axis"), "") << "a longitude to VTK";
     EXPECT_EQ(content.text("y", "standard_name"), "projection_y_coordinate");
-    EXPECT_EQ(content.text("y", "axis"), "Y");
+    EXPECT_EQ(content.text("y", "axis"), "");
     EXPECT_EQ(content.text("bed_height", "units"), "m");
     EXPECT_EQ(content.text("bed_height", "standard_name"), "surface_altitude");
     EXPECT_EQ(content.text("time", "units"), "s");
@@ -98,14 +98,15 @@ TEST(NetcdfFields, LiesWhereItsTerrainLay) {
     EXPECT_EQ(metric.values("y").back(), 4400013.5);
     EXPECT_EQ(metric.text("x", "units"), "m");
     EXPECT_EQ(metric.text("crs", "crs_wkt"), "PROJCRS[\"a\"]");
-    EXPECT_EQ(metric.text("bed_height", "grid_mapping"), "crs");
-    EXPECT_EQ(metric.text("water_depth", "grid_mapping"), "crs");
+    EXPECT_EQ(metric.text("water_depth", "spatial_ref"), "PROJCRS[\"a\"]");
     const NetcdfContent degrees = write({-105.5, 40.0, 0.25, 0.125, true, ""});
     EXPECT_EQ(degrees.values("x").back(), -105.5 + 6.5 * 0.25);
     EXPECT_EQ(degrees.values("y").front(), 40.0625);
     EXPECT_EQ(degrees.text("x", "standard_name"), "longitude");
     EXPECT_EQ(degrees.text("y", "units"), "degrees_north");
     EXPECT_EQ(degrees.text("crs", "grid_mapping_name"), "latitude_longitude");
+    EXPECT_EQ(degrees.text("bed_height", "grid_mapping"), "crs");
+    EXPECT_EQ(degrees.text("x", "axis"), "X");
     const NetcdfContent feet = write({1000.0, 2000.0, 2.0 / 0.3048, 3.0 / 0.3048, false, "feet"});
     EXPECT_EQ(feet.values("x").front(), 1.0) << "from the south-west corner";
     EXPECT_EQ(feet.text("bed_height", "grid_mapping"), "");
@@ -159,7 +160,7 @@ TEST(NetcdfFields, ALongSceneTextFits) {
     FieldsFile(folder / "fields.nc", snapshot(0), much).commit();
     const NetcdfContent content(folder / "fields.nc");
     EXPECT_EQ(content.text("", "scene"), much.scene);
-    EXPECT_EQ(content.length("time"), 0U);
+    EXPECT_EQ(content.length("date"), 0U);
 }
 
 TEST(NetcdfFields, SameRecordsGiveTheSameBytes) {
@@ -247,12 +248,13 @@ TEST(NetcdfFields, NcdumpShowsIt) {
     const auto spoken = test::run_command("ncdump -h " + (folder / "fields.nc").string());
     EXPECT_EQ(spoken.status, 0);
     for (const char* line :
-         {"time = UNLIMITED ; // (2 currently)", "double time(time) ;", "int64 step(time) ;",
-          "double bed_height(time, y, x) ;", "bed_height:_FillValue = NaN ;",
+         {"date = UNLIMITED ; // (2 currently)", "double date(date) ;", "double time(date) ;",
+          "double step(date) ;", "date:units = \"seconds since 2000-01-01 00:00:00\" ;",
+          "double bed_height(date, y, x) ;", "bed_height:_FillValue = NaN ;",
           "bed_height:units = \"m\" ;", "bed_height:standard_name = \"surface_altitude\" ;",
-          "double water_depth(time, y, x) ;", "double lost_grains(time) ;",
-          "x:standard_name = \"projection_x_coordinate\" ;", ":Conventions = \"CF-1.9\" ;",
-          ":seed = 7LL ;", ":title = \"a title\" ;"})
+          "double water_depth(date, y, x) ;", "double lost_grains(date) ;",
+          "x:standard_name = \"projection_x_coordinate\" ;", ":Conventions = \"CF-1.8\" ;",
+          ":seed = 7 ;", ":title = \"a title\" ;"})
         EXPECT_NE(spoken.words.find(line), std::string::npos) << line << " in\n" << spoken.words;
 }
 
@@ -275,18 +277,19 @@ with warnings.catch_warnings(record=True) as caught:
     metres = xarray.open_dataset(sys.argv[1]).load()
     sites = xarray.open_dataset(sys.argv[2]).load()
 assert not caught, [str(w.message) for w in caught]
-assert metres.bed_height.dims == ("time", "y", "x"), metres.bed_height.dims
-assert dict(metres.sizes) == {"time": 3, "y": 5, "x": 7}, metres.sizes
-assert set(metres.coords) == {"time", "y", "x"}, metres.coords
+assert metres.bed_height.dims == ("date", "y", "x"), metres.bed_height.dims
+assert dict(metres.sizes) == {"date": 3, "y": 5, "x": 7}, metres.sizes
+assert set(metres.coords) == {"date", "y", "x"}, metres.coords
 assert metres.time.values.tolist() == [0.0, 5.0, 10.0], metres.time
 assert metres.time.dtype == "float64" and metres.time.attrs["units"] == "s"
-assert metres.step.values.tolist() == [0, 10, 20] and metres.step.dtype == "int64"
+assert metres.step.values.tolist() == [0, 10, 20] and metres.step.dtype == "float64"
+assert str(metres.date.values[2]) == "2000-01-01T00:00:10.000000000", metres.date
 assert metres.x.attrs["units"] == "m" and metres.bed_height.attrs["units"] == "m"
-value = float(metres.bed_height.sel(time=10.0, x=13.0, y=4.5))
+value = float(metres.bed_height.sel(date="2000-01-01T00:00:10", x=13.0, y=4.5))
 assert abs(value - 0.25 * (math.sin(0.3 * 6 + 0.7 * 1) + 0.2)) < 1e-15, value
 assert int(metres.bed_height.isnull().sum()) == 3
-assert float(metres.water_depth.isel(time=0, y=2, x=3)) == 302.0
-assert metres.lost_grains.dims == ("time",)
+assert float(metres.water_depth.isel(date=0, y=2, x=3)) == 302.0
+assert metres.lost_grains.dims == ("date",)
 assert metres.attrs["seed"] == 7 and metres.attrs["scene"].startswith("seed = 7\n")
 assert sites.time.values.tolist() == [0.0] and sites.time.dtype == "float64"
 assert sites.x.values[0] == 0.5 and sites.x.attrs["units"] == "1"

@@ -1,0 +1,232 @@
+// What a checker of the CF conventions 1.8 and VTK's reader look at, in files of every kind of
+// scale; checksums; and files of earlier versions.
+
+#include <gtest/gtest.h>
+#include <netcdf.h>
+
+#include <array>
+#include <fstream>
+#include <string>
+
+#include "base/error.h"
+#include "files/netcdf/netcdf_definition.h"
+#include "files/netcdf/netcdf_fields.h"
+#include "files/netcdf/netcdf_record.h"
+#include "support/command.h"
+#include "support/netcdf_file.h"
+#include "support/netcdf_records.h"
+#include "support/temporary_folder.h"
+
+namespace fumon {
+namespace {
+
+using test::bytes_of;
+using test::fields_text;
+using test::message_of;
+using test::NetcdfContent;
+using test::snapshot;
+using test::TemporaryFolder;
+
+void write(const std::filesystem::path& path, const Snapshot& first) {
+    FieldsFile file(path, first, fields_text);
+    file.add(first);
+    file.commit();
+}
+
+Snapshot at_time(const std::string& unit, double time) {
+    Snapshot first = snapshot(3);
+    first.time_unit = unit;
+    first.time = time;
+    return first;
+}
+
+TEST(NetcdfConventions, ARecordHasADateAndTheModelsTime) {
+    struct Expected {
+        const char* unit;
+        const char* date_unit;
+        const char* time_unit;
+        double date;
+    };
+    for (const auto& [unit, date_unit, time_unit, date] :
+         {Expected{"s", "seconds since 2000-01-01 00:00:00", "s", 2.0},
+          Expected{"steps", "seconds since 2000-01-01 00:00:00", "1", 2.0},
+          Expected{"grains", "seconds since 2000-01-01 00:00:00", "1", 2.0},
+          Expected{"h", "hours since 2000-01-01 00:00:00", "h", 2.0},
+          Expected{"yr", "days since 2000-01-01 00:00:00", "yr", 730.484397562}}) {
+        const TemporaryFolder folder;
+        write(folder / "fields.nc", at_time(unit, 2.0));
+        const NetcdfContent content(folder / "fields.nc");
+        EXPECT_EQ(content.text("date", "units"), date_unit) << unit;
+        EXPECT_EQ(content.text("date", "calendar"), "standard");
+        EXPECT_EQ(content.text("date", "standard_name"), "time");
+        EXPECT_EQ(content.text("date", "axis"), "T");
+        EXPECT_DOUBLE_EQ(content.values("date").front(), date) << unit;
+        EXPECT_EQ(content.text("time", "units"), time_unit);
+        EXPECT_EQ(content.text("time", "axis"), "") << "no second time coordinate";
+        EXPECT_EQ(content.values("time").front(), 2.0);
+    }
+}
+
+TEST(NetcdfConventions, NoIntegerIsWiderThan32Bits) {
+    const TemporaryFolder folder;
+    Snapshot late = snapshot(0);
+    late.step = (std::int64_t{1} << 52) + 1;
+    FieldsText text = fields_text;
+    text.seed = std::int64_t{1} << 40;
+    FieldsFile file(folder / "fields.nc", late, text);
+    file.add(late);
+    file.commit();
+    int id = 0;
+    test::must(nc_open((folder / "fields.nc").c_str(), NC_NOWRITE, &id));
+    int variables = 0;
+    test::must(nc_inq_nvars(id, &variables));
+    for (int variable = 0; variable < variables; ++variable) {
+        int type = 0;
+        test::must(nc_inq_vartype(id, variable, &type));
+        EXPECT_TRUE(type == NC_DOUBLE || type == NC_INT) << variable;
+    }
+    nc_close(id);
+    EXPECT_EQ(read_fields_moments(folder / "fields.nc").front().step, late.step);
+    EXPECT_EQ(NetcdfContent(folder / "fields.nc").text("", "seed"), "1099511627776");
+}
+
+TEST(NetcdfConventions, AGridMappingHasItsNameAndParametersOrIsNone) {
+    const TemporaryFolder folder;
+    const auto written = [&](const std::string& crs) {
+        Snapshot first = snapshot(0);
+        first.scale.place = {500000.0, 4400000.0, 2.0, 3.0, false, crs};
+        write(folder / "fields.nc", first);
+        return NetcdfContent(folder / "fields.nc");
+    };
+    const std::string utm =
+        R"(PROJCS["UTM",GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],)"
+        R"(PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]],)"
+        R"(PROJECTION["Transverse_Mercator"],PARAMETER["central_meridian",-105],)"
+        R"(PARAMETER["scale_factor",0.9996],PARAMETER["false_easting",500000],UNIT["metre",1]])";
+    const NetcdfContent known = written(utm);
+    EXPECT_EQ(known.text("bed_height", "grid_mapping"), "crs");
+    EXPECT_EQ(known.text("crs", "grid_mapping_name"), "transverse_mercator");
+    EXPECT_EQ(known.number("crs", "longitude_of_central_meridian"), -105.0);
+    EXPECT_EQ(known.number("crs", "inverse_flattening"), 298.257223563);
+    EXPECT_EQ(known.text("crs", "crs_wkt"), utm);
+    const NetcdfContent unknown = written("PROJCRS[\"a\"]");
+    EXPECT_EQ(unknown.text("bed_height", "grid_mapping"), "");
+    EXPECT_EQ(unknown.text("water_depth", "spatial_ref"), "PROJCRS[\"a\"]");
+    EXPECT_EQ(unknown.text("crs", "grid_mapping_name"), "");
+}
+
+TEST(NetcdfConventions, UdunitsKnowsEveryUnitThatModelsGive) {
+    if (std::system("command -v udunits2 > /dev/null") != 0) GTEST_SKIP() << "no udunits2 here";
+    for (const char* unit :
+         {"steps", "sites", "heights", "grains", "per mm", "deg", "degrees", "m", "m/s", "Pa",
+          "s-1", "m3", "m2/yr", "m3/s", "yr", "1", "mm/h", "mm", "m2"}) {
+        const std::string in_file = unit_in_file(unit);
+        const auto spoken =
+            test::run_command("udunits2 -H '" + in_file + "' -W '" + in_file + "' 2>&1");
+        EXPECT_EQ(spoken.words.find("Don't recognize"), std::string::npos) << unit;
+        EXPECT_NE(spoken.words.find("1 "), std::string::npos) << unit << spoken.words;
+    }
+}
+
+/// Damages bytes of a file at places that a sequence of its own gives.
+void damage(const std::filesystem::path& path, const std::string& bytes, unsigned seed, int count) {
+    std::string damaged = bytes;
+    std::uint64_t state = seed;
+    for (int i = 0; i < count; ++i) {
+        state = state * 6364136223846793005U + 1442695040888963407U;
+        char& byte = damaged[(state >> 33) % damaged.size()];
+        byte = static_cast<char>(byte ^ static_cast<char>(1 + (state >> 20) % 255));
+    }
+    std::ofstream(path, std::ios::binary) << damaged;
+}
+
+TEST(NetcdfConventions, ADamagedFileIsReportedAndNotReadAsSound) {
+    const TemporaryFolder folder;
+    Snapshot first = snapshot(0, 90, 70);
+    {
+        FieldsFile file(folder / "fields.nc", first, fields_text);
+        for (int step = 0; step < 4; ++step) file.add(snapshot(step, 90, 70));
+        file.commit();
+    }
+    const std::string bytes = bytes_of(folder / "fields.nc");
+    int reported = 0;
+    constexpr unsigned files = 60;
+    for (unsigned seed = 1; seed <= files; ++seed) {
+        damage(folder / "damaged.nc", bytes, seed, 64);
+        try {
+            bool same = true;
+            for (int step = 0; step < 4; ++step) {
+                const Snapshot good = read_fields_snapshot(folder / "fields.nc", step, first);
+                const Snapshot read = read_fields_snapshot(folder / "damaged.nc", step, first);
+                same = same && good.bed == read.bed && good.time == read.time &&
+                       good.fields[0].values == read.fields[0].values &&
+                       good.fields[1].values == read.fields[1].values;
+            }
+            EXPECT_TRUE(same) << "file " << seed << " is read as sound";
+        } catch (const InputError&) {
+            ++reported;
+        }
+    }
+    EXPECT_GE(reported, 55) << "of 60; the others' damage lies where nothing is kept";
+}
+
+/// Two records as fumon 0.2 wrote them: over a dimension `time`, with 64-bit steps and no date.
+void write_as_before(const std::filesystem::path& path, const Snapshot& first,
+                     const std::vector<Snapshot>& records) {
+    const test::NetcdfMaker maker(path);
+    const int time = maker.dimension("time", NC_UNLIMITED);
+    const int y = maker.dimension("y", static_cast<std::size_t>(first.bed.ny()));
+    const int x = maker.dimension("x", static_cast<std::size_t>(first.bed.nx()));
+    maker.text(NC_GLOBAL, "source", "fumon 0.2.0");
+    const int times = maker.variable("time", NC_DOUBLE, {time});
+    const int steps = maker.variable("step", NC_INT64, {time});
+    const int bed = maker.variable("bed_height", NC_DOUBLE, {time, y, x});
+    std::vector<double> all_times;
+    std::vector<double> all_steps;
+    std::vector<double> heights;
+    for (const Snapshot& record : records) {
+        all_times.push_back(record.time);
+        all_steps.push_back(static_cast<double>(record.step));
+        for (const double height : record.bed.values())
+            heights.push_back(height * record.scale.height_unit);
+    }
+    maker.values(bed,
+                 {records.size(), static_cast<std::size_t>(first.bed.ny()),
+                  static_cast<std::size_t>(first.bed.nx())},
+                 heights);
+    maker.values(times, {records.size()}, all_times);
+    maker.values(steps, {records.size()}, all_steps);
+}
+
+Snapshot bare(std::int64_t step) {
+    Snapshot made = snapshot(step);
+    made.fields.clear();
+    made.numbers.clear();
+    made.nodata = {};
+    return made;
+}
+
+TEST(NetcdfConventions, AnOlderFileIsReadAndGoneOnWithInOneLayout) {
+    const TemporaryFolder folder;
+    FieldsBeginning former;
+    {
+        FieldsFile file(folder / "new.nc", bare(0), fields_text);
+        for (const std::int64_t step : {0, 10}) file.add(bare(step));
+        former = file.sync();
+        file.add(bare(20));
+        file.commit();
+    }
+    write_as_before(folder / "old.nc", bare(0), {bare(0), bare(10)});
+    EXPECT_EQ(read_fields_moments(folder / "old.nc").back().step, 10);
+    EXPECT_EQ(read_fields_snapshot(folder / "old.nc", 10, bare(0)).bed, bare(10).bed);
+    ASSERT_TRUE(read_fields_record(folder / "old.nc"));
+    EXPECT_TRUE(read_fields_record(folder / "old.nc")->numbers.empty());
+    EXPECT_TRUE(read_fields_record(folder / "new.nc")->numbers.empty()) << "a date is none";
+    FieldsFile file(folder / "old.nc", bare(0), fields_text, former);
+    file.add(bare(20));
+    file.commit();
+    EXPECT_TRUE(bytes_of(folder / "old.nc") == bytes_of(folder / "new.nc"));
+}
+
+}  // namespace
+}  // namespace fumon
