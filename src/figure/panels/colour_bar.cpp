@@ -133,7 +133,10 @@ void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& sc
         canvas.stroke(
             std::array<CanvasPoint, 2>{{{x, y}, {x + tick_mark * dx, y + tick_mark * dy}}}, thin,
             ink);
-        canvas.write(layout.ticks.labels[i], {x + to_tick_text * dx, y + to_tick_text * dy},
+        // The range of one of many frames may have labels that reach beyond the picture.
+        const double half = 0.5 * canvas.text_size(layout.ticks.labels[i], bar_tick_text)[0];
+        const double middle = upright ? x : std::max(half, std::min(x, canvas.width() - half));
+        canvas.write(layout.ticks.labels[i], {middle + to_tick_text * dx, y + to_tick_text * dy},
                      upright ? CanvasPoint{0.0, 0.5} : CanvasPoint{0.5, 0.0}, ink, bar_tick_text);
     }
     if (scale.label.empty()) return;
