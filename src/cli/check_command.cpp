@@ -9,8 +9,10 @@
 #include "base/tell.h"
 #include "cli/command.h"
 #include "cli/examples.h"
+#include "cli/remark.h"
 #include "cli/scene_argument.h"
 #include "cli/shared_options.h"
+#include "cli/standard_input.h"
 #include "film/film_read.h"
 #include "film/timeline.h"
 #include "paper/figure_plan.h"
@@ -30,7 +32,10 @@ struct CheckOptions {
 };
 
 void declare(CLI::App& command, CheckOptions& options) {
-    command.add_option("SCENE", options.scenes, "scene files, and film files")->required();
+    command
+        .add_option("SCENE", options.scenes,
+                    "scene files, and film files; - is a scene on standard input")
+        ->required();
     command.add_flag("--json", options.as_json, "as JSON");
     add_settings(command, options.settings, "override a scene key");
     add_examples(
@@ -62,11 +67,25 @@ std::optional<Fine> checked_film(const std::string& file,
                 {{"kind", "film"}, {"frames", timeline.frames()}, {"seconds", seconds}}};
 }
 
+/// Of standard input.
+Scene given_scene(const std::vector<std::string>& settings) {
+    const StandardInput input;
+    if (!input.is_scene())
+        throw InputError("-: standard input is terrain; `fumon check` takes scenes");
+    return parse_scene(input.scene(), read_settings(settings));
+}
+
 Fine checked(const std::string& file, const std::vector<std::string>& settings, FigureRuns& runs) {
-    if (auto film = checked_film(file, settings)) return *std::move(film);
-    const PreparedRun prepared = prepare_run(read_scene(file, settings), 1);
+    const bool given = is_standard_input(file);
+    if (!given) {
+        if (auto film = checked_film(file, settings)) return *std::move(film);
+    }
+    const PreparedRun prepared =
+        prepare_run(given ? given_scene(settings) : read_scene(file, settings), 1);
     const Scene& scene = prepared.scene;
     const bool has_figure = !scene.figure.panels.empty();
+    if (has_figure && given)
+        throw InputError("-: is a figure's scene; name its file, beside which its runs are kept");
     if (has_figure) {
         FigureSources sources;
         plan_figure(file, settings, sources, runs, nullptr);
@@ -90,12 +109,13 @@ int perform(const CheckOptions& options) {
     for (const std::string& given : options.scenes) {
         Json one{{"file", given}};
         try {
-            const std::string file = scene_argument(given);
+            const std::string file = is_standard_input(given) ? given : scene_argument(given);
             one["file"] = file;
             const Fine fine = checked(file, options.settings, runs);
             one["fine"] = true;
             one.update(fine.facts);
-            if (!options.as_json) fmt::print("{}: fine ({})\n", file, fine.words);
+            if (!options.as_json && !makes_no_remarks())
+                fmt::print("{}: fine ({})\n", file, fine.words);
         } catch (const InputError& fault) {
             one["fine"] = false;
             one["faults"] = fault.lines();

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/give_up.h"
 #include "cli/commands.h"
+#include "cli/remark.h"
 #include "cli/usage.h"
 #include "run/build_identity.h"
 #include "run/terminal/interrupt.h"
@@ -35,7 +36,7 @@ constexpr const char* examples =
     "  fumon describe camera                                     the keys of a section\n\n"
     "Commands replace what fumon made, never what they read, and files of others only with "
     "--force.\n"
-    "`fumon COMMAND --help` says more about one command.\n";
+    "`fumon help COMMAND` says more about one command.\n";
 
 /// All commands, and the body of the one that was given.
 struct CommandLine {
@@ -52,6 +53,7 @@ struct CommandLine {
         for (const Command& command : commands()) {
             CLI::App& added = *app.add_subcommand(command.name, command.help);
             added.callback([this, body = command.declare(added)] { chosen = body; });
+            if (added.get_option_no_throw("--quiet") == nullptr) add_quiet(added);
         }
     }
 };

@@ -24,7 +24,8 @@
     COMMAND(scenes)             \
     COMMAND(new)                \
     COMMAND(completion)         \
-    COMMAND(man)
+    COMMAND(man)                \
+    COMMAND(help)
 
 namespace fumon {
 

@@ -6,6 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/examples.h"
+#include "cli/remark.h"
 #include "cli/shared_options.h"
 #include "files/atomic_file.h"
 #include "outputs/output_claims.h"
@@ -101,14 +102,14 @@ int perform(const CompareOptions& options) {
                 ? as_json(options, std::nullopt, Likeness::different)
                 : fmt::format("{}: {} x {} against {} x {} pixels\n", name_of(Likeness::different),
                               first.width, first.height, second.width, second.height);
-        std::fputs(text.c_str(), stdout);
+        if (options.as_json || !makes_no_remarks()) std::fputs(text.c_str(), stdout);
         return 1;
     }
     const Comparison comparison = compare(first, second);
     const Likeness found = likeness(comparison);
     if (options.as_json) {
         std::fputs(as_json(options, comparison, found).c_str(), stdout);
-    } else {
+    } else if (!makes_no_remarks()) {
         print(comparison);
         fmt::print("{}\n", name_of(found));
     }

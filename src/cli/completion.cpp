@@ -91,7 +91,7 @@ Completion positionals(CLI::App& command) {
         add_scenes(shipped_folders);
     } else if (name == "completion") {
         found.words = {"bash", "zsh", "fish"};
-    } else if (name == "man") {
+    } else if (name == "man" || name == "help") {
         for (const CLI::App* one : command.get_parent()->get_subcommands({}))
             found.words.push_back(one->get_name());
     } else if (name == "figure") {

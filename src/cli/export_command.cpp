@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/tell.h"
 #include "base/worker_pool.h"
 #include "cli/command.h"
 #include "cli/examples.h"
+#include "cli/remark.h"
 #include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
@@ -170,7 +170,7 @@ std::vector<PointColour> colours_of(const HeightMesh& mesh, const Image& picture
 
 void tell_coarser(const HeightMesh& mesh) {
     if (mesh.cells_a_point == 1) return;
-    tell(
+    remark(
         fmt::format("{} triangles: each point is the mean of {} x {} cells (--triangles allows "
                     "more)\n",
                     mesh.top.triangles.size(), mesh.cells_a_point, mesh.cells_a_point));

@@ -6,9 +6,9 @@
 
 #include "base/data_files.h"
 #include "base/error.h"
-#include "base/tell.h"
 #include "cli/command.h"
 #include "cli/examples.h"
+#include "cli/remark.h"
 #include "cli/shared_options.h"
 #include "files/atomic_file.h"
 #include "files/input_file.h"
@@ -99,7 +99,7 @@ int perform(const GalleryOptions& options) {
         }
     }
     write_file(folder / "index.html", page);
-    tell(
+    remark(
         fmt::format("{}: {} pictures and films\n", (folder / "index.html").string(), items.size()));
     return 0;
 }

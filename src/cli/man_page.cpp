@@ -33,9 +33,9 @@ std::string head(const std::string& name, int section, const std::string& what) 
     std::ranges::transform(title, title.begin(), [](unsigned char letter) {
         return static_cast<char>(std::toupper(letter));
     });
-    return fmt::format("{}{}\n.TH {} {} \"\" \"fumon {}\" \"fumon\"\n.SH NAME\n{} \\- {}\n",
-                       own_man_page_mark, FUMON_VERSION, escaped(title), section, FUMON_VERSION,
-                       escaped(name), escaped(what));
+    return fmt::format("{}{}\n.TH {} {} \"{}\" \"fumon {}\" \"fumon\"\n.SH NAME\n{} \\- {}\n",
+                       own_man_page_mark, FUMON_VERSION, escaped(title), section, FUMON_DATE,
+                       FUMON_VERSION, escaped(name), escaped(what));
 }
 
 std::vector<std::string> lines_of(const std::string& text) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/error.h"
 #include "base/limits.h"
@@ -12,6 +13,7 @@
 #include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
+#include "cli/standard_input.h"
 #include "files/avalanche_table.h"
 #include "files/terrain/terrain_format.h"
 #include "measure/pile/avalanche_report.h"
@@ -40,7 +42,7 @@ void declare(CLI::App& command, MeasureOptions& options) {
         .add_option("BED", options.bed,
                     terrain_titles() +
                         " (a run's fields.nc: its last record, water too); or a run's "
-                        "avalanches.csv")
+                        "avalanches.csv; - is terrain on standard input")
         ->required();
     command.add_flag("--json", options.as_json, "as JSON");
     add_word(command, "--as", options.as, {"bed", "profile", "pile"},
@@ -201,7 +203,13 @@ int measure_avalanches(const MeasureOptions& options) {
     return 0;
 }
 
-int perform(const MeasureOptions& options) {
+int perform(const MeasureOptions& asked) {
+    MeasureOptions options = asked;
+    std::optional<StandardInput> given;
+    if (is_standard_input(options.bed)) {
+        given.emplace();
+        options.bed = given->terrain().string();
+    }
     if (std::filesystem::path(options.bed).extension() == ".csv")
         return measure_avalanches(options);
     if (options.earlier.empty() != (options.steps_between == 0)) {
@@ -210,6 +218,7 @@ int perform(const MeasureOptions& options) {
             "between the two");
     }
     const std::vector<MeasuredValue> all = measured(options);
+    options.bed = asked.bed;
     std::fputs((options.as_json ? as_json(options, all) : as_text(all)).c_str(), stdout);
     return 0;
 }

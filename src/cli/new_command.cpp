@@ -2,9 +2,9 @@
 
 #include <cstdio>
 
-#include "base/tell.h"
 #include "cli/command.h"
 #include "cli/examples.h"
+#include "cli/remark.h"
 #include "cli/shared_options.h"
 #include "cli/shipped_scenes.h"
 #include "files/atomic_file.h"
@@ -52,7 +52,7 @@ int perform(const NewOptions& options) {
         std::string others;
         for (std::size_t k = 1; k < meant.size(); ++k)
             others += (others.empty() ? "" : ", ") + meant[k].name;
-        tell(fmt::format("this is {}; there are also {}\n", meant.front().name, others));
+        remark(fmt::format("this is {}; there are also {}\n", meant.front().name, others));
     }
     return 0;
 }

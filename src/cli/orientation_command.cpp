@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/tell.h"
 #include "cli/command.h"
 #include "cli/examples.h"
+#include "cli/remark.h"
 #include "cli/shared_options.h"
 #include "files/input_file.h"
 #include "measure/bed/crest_orientation.h"
@@ -128,7 +128,7 @@ std::optional<Measured> measured(const OrientationOptions& options) {
     if (options.bed.empty()) return std::nullopt;
     const InitialBed initial =
         make_initial_bed(terrain_scene(options.bed, options.heights, options.settings));
-    if (!initial.note.empty()) tell(initial.note + "\n");
+    if (!initial.note.empty()) remark(initial.note + "\n");
     if (!initial.nodata.empty())
         throw InputError(
             fmt::format("{}: has cells without data; crests are measured of whole beds "

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "cli/completion.h"
+#include "cli/remark.h"
 
 namespace fumon {
 
@@ -51,7 +52,12 @@ void add_thread_options(CLI::App& command, WorkOptions& work) {
                "threads to compute with (default: one per processor)")
         ->type_name("N");
     auto* quiet = command.add_flag_callback(
-        "-q,--quiet", [&work] { work.verbosity = Verbosity::quiet; }, "print errors only");
+        "-q,--quiet",
+        [&work] {
+            work.verbosity = Verbosity::quiet;
+            make_no_remarks();
+        },
+        "print errors only");
     command
         .add_flag_callback(
             "-v,--verbose", [&work] { work.verbosity = Verbosity::verbose; }, "say more")

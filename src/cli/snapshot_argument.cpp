@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/tell.h"
+#include "cli/remark.h"
 #include "files/netcdf/netcdf_record.h"
 #include "measure/suite.h"
 #include "models/shared/check_finite.h"
@@ -59,7 +59,7 @@ Snapshot read_snapshot(const std::string& file, const std::string& heights,
                        const std::vector<std::string>& settings) {
     const Scene scene = terrain_scene(file, heights, settings);
     InitialBed initial = make_initial_bed(scene);
-    if (!initial.note.empty()) tell(initial.note + "\n");
+    if (!initial.note.empty()) remark(initial.note + "\n");
     Snapshot snapshot;
     snapshot.time_unit = "steps";
     snapshot.bed = std::move(initial.bed);

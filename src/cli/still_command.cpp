@@ -10,6 +10,7 @@
 #include "cli/examples.h"
 #include "cli/scene_argument.h"
 #include "cli/shared_options.h"
+#include "cli/standard_input.h"
 #include "files/terrain/terrain_format.h"
 #include "outputs/output_claims.h"
 #include "outputs/own_file.h"
@@ -37,7 +38,10 @@ struct StillOptions {
 };
 
 void declare(CLI::App& command, StillOptions& options) {
-    command.add_option("INPUT", options.input, "a scene (.toml), or terrain: " + terrain_titles())
+    command
+        .add_option(
+            "INPUT", options.input,
+            "a scene (.toml), or terrain: " + terrain_titles() + "; - is either on standard input")
         ->required();
     command
         .add_option("-o,--output", options.output,
@@ -70,19 +74,27 @@ void declare(CLI::App& command, StillOptions& options) {
 
 namespace fs = std::filesystem;
 
+constexpr const char* heights_of_scene =
+    "--heights belongs to a PNG terrain; in a scene write bed.heights = [low, high]";
+
 /// A file without an ending is no terrain, and may be the name of a scene that fumon ships.
 bool is_scene(const fs::path& file) {
     std::error_code fault;
     return file.extension() == ".toml" || (!file.has_extension() && !fs::exists(file, fault));
 }
 
-Scene scene_of(const StillOptions& options) {
+Scene scene_of(const StillOptions& options, const StandardInput* given) {
+    if (given != nullptr && given->is_scene()) {
+        if (!options.heights.empty()) throw InputError(heights_of_scene);
+        return parse_scene(given->scene(), read_settings(options.work.settings));
+    }
+    if (given != nullptr)
+        return terrain_scene(given->terrain().string(), options.heights, options.work.settings);
     if (!is_scene(options.input))
         return terrain_scene(terrain_argument(options.input), options.heights,
                              options.work.settings);
     if (!options.heights.empty()) {
-        throw InputError(
-            "--heights belongs to a PNG terrain; in a scene write bed.heights = [low, high]");
+        throw InputError(heights_of_scene);
     }
     return read_scene(scene_argument(options.input), options.work.settings);
 }
@@ -98,9 +110,9 @@ std::int64_t step_of(const StillOptions& options, const Scene& scene) {
     return *options.step;
 }
 
-PreparedRun prepare(const StillOptions& options) {
+PreparedRun prepare(const StillOptions& options, const StandardInput* given) {
     const EndAtOnce nothing_is_written;
-    return prepare_run(scene_of(options), options.work.threads);
+    return prepare_run(scene_of(options, given), options.work.threads);
 }
 
 void claim_outputs(OutputClaims& claims, const Scene& scene, const std::string& picture) {
@@ -119,9 +131,11 @@ int perform(const StillOptions& options) {
         check_ending(options.output, "a picture", picture_endings);
     }
     prepare_drawing(options.work);
-    PreparedRun prepared = prepare(options);
+    std::optional<StandardInput> given;
+    if (is_standard_input(options.input)) given.emplace();
+    PreparedRun prepared = prepare(options, given ? &*given : nullptr);
     OutputClaims claims(options.force);
-    claims.reads(options.input);
+    if (!given) claims.reads(options.input);
     claims.reads(scene_files(prepared.scene));
     check_still(prepared, options.output);
     if (!to_standard_output) claim_outputs(claims, prepared.scene, options.output);

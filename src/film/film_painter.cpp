@@ -160,8 +160,7 @@ void FilmPainter::fix_ranges(const std::set<Moment>& shown) {
 
 void FilmPainter::fix_colours(const std::set<Moment>& shown) {
     LookSettings& look = stage_.scene.view.look;
-    const bool ranged =
-        look.colour_by != Colouring::natural && (look.low.is_word() || look.high.is_word());
+    const bool ranged = ranges_by_values(look) && look.range == ColourSpan::run;
     const bool watery = look.water && look.water_clarity.is_word() &&
                         runs_.first().first().landform == Landform::water;
     if (!ranged && !watery) return;
@@ -340,7 +339,7 @@ Image FilmPainter::picture(std::size_t run, const PartOfFrame& shown) {
         const std::size_t number = bed_of(run, sight.moment);
         const Camera camera = camera_of(stage_, sight.pose);
         pane.overlays->draw(image, {*pane.beds->snapshot(number), pane.rows[number],
-                                    pane.renderer->colour_range(), &camera});
+                                    pane.renderer->drawn_colours(), &camera});
     }
     return image;
 }
@@ -371,7 +370,7 @@ void FilmPainter::write_over(Image& image, const PartOfFrame& shown) {
     const Pane& pane = panes_.front();
     const Camera camera = camera_of(stage_, shot.pose_at(shown.share));
     overlays_->draw(image, {*pane.beds->snapshot(number), pane.rows[number],
-                            pane.renderer->colour_range(), &camera, layout_.size().height});
+                            pane.renderer->drawn_colours(), &camera, layout_.size().height});
 }
 
 Image FilmPainter::paint(std::int64_t frame) {

@@ -229,9 +229,14 @@ void BedShading::draw_noise() {
 Field<float> BedShading::ranged_values(const Snapshot& snapshot, const Snapshot& first) {
     const bool natural = view_.look.colour_by == Colouring::natural;
     Field<float> values = coloured_values(view_.look.colour_by, snapshot, first);
-    range_ = natural ? natural_range(snapshot, block_) : colour_range(view_.look, snapshot, values);
+    if (natural) {
+        const auto [low, high] = natural_range(snapshot, block_);
+        range_ = {low, high};
+    } else {
+        range_ = drawn_colours(view_.look, snapshot, values, range_, keeps_range_);
+    }
     const Mask without = uncoloured_cells(view_.look.colour_by, snapshot);
-    if (!without.empty()) continue_outward(values, without, static_cast<float>(range_.first));
+    if (!without.empty()) continue_outward(values, without, static_cast<float>(range_.low));
     return values;
 }
 
@@ -252,7 +257,8 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first,
     }
     lighting_.upload(lighting.data());
     const Field<float> values = ranged_values(snapshot, first);
-    const Field<std::uint16_t> places = palette_places(refined(values, refinement_), range_);
+    const Field<std::uint16_t> places =
+        palette_places(refined(values, refinement_), {range_.low, range_.high});
     values_.upload(places.data());
     upload_marks(snapshot, {});
     if (water_) water_->upload(snapshot, first, *water, places);
@@ -267,10 +273,12 @@ void BedShading::upload(const Snapshot& snapshot, const Snapshot& first, const R
     lighting_.upload(light.texels.data());
     constexpr int margin = 2;  // cells that the refinement looks at
     const Field<float> values = ranged_values(snapshot, first);
-    floor_places_ = floor_places(values, range_);
+    floor_places_ = floor_places(values, {range_.low, range_.high});
     const Field<float> drawn = rolled(values, origin.east, origin.north);
     const Field<float> wide = refined(with_margin(drawn, margin), refinement_);
-    values_.upload(palette_places(without_margin(wide, margin * refinement_), range_).data());
+    values_.upload(
+        palette_places(without_margin(wide, margin * refinement_), {range_.low, range_.high})
+            .data());
     upload_marks(snapshot, origin);
 }
 

@@ -9,6 +9,7 @@
 #include "gl/mipmaps.h"
 #include "gl/program.h"
 #include "gl/texture.h"
+#include "render/colour/colouring.h"
 #include "render/colour/pixel_kind.h"
 #include "render/light/light.h"
 #include "render/light/repeated_light.h"
@@ -53,7 +54,10 @@ class BedShading {
                   double texel) const;
 
     /// The values at the palette's ends in what was shaded last.
-    [[nodiscard]] std::pair<double, double> range() const { return range_; }
+    [[nodiscard]] const DrawnColours& range() const { return range_; }
+    /// Keeps the range of the first snapshot whose values differ for all later ones, unless
+    /// look.range is "frame".
+    void keep_range() { keeps_range_ = true; }
     /// The depth of water at which the bed is half hidden there, metres; 1 without water.
     [[nodiscard]] double clarity() const { return water_ ? water_->clarity() : 1.0; }
     [[nodiscard]] const gl::Texture2D& colours() const { return target_->colour(); }
@@ -76,7 +80,8 @@ class BedShading {
     const gl::MipmapMaker& mipmaps_;
     bool shaded_mipmaps_;
     bool by_pixels_;  ///< see shades_pixels()
-    std::pair<double, double> range_{0.0, 1.0};
+    DrawnColours range_;
+    bool keeps_range_ = false;
     glm::vec2 noise_origin_{0.0F};  ///< where the drawn bed begins
     glm::vec3 floor_places_{0.0F};  ///< of palette places, of endless ground
     gl::Program program_;

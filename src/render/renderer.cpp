@@ -26,7 +26,11 @@ double Renderer::exaggeration() const {
     return parts_->block.exaggeration;
 }
 
-std::pair<double, double> Renderer::colour_range() const {
+void Renderer::keep_colours() {
+    parts_->shading.keep_range();
+}
+
+const DrawnColours& Renderer::drawn_colours() const {
     return parts_->shading.range();
 }
 

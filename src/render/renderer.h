@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <utility>
 
 #include "base/image.h"
 #include "base/snapshot.h"
+#include "render/colour/colouring.h"
 #include "render/colour/pixel_kind.h"
 #include "render/view/camera.h"
 #include "scene/scene.h"
@@ -80,8 +80,11 @@ class Renderer {
 
     /// The vertical exaggeration in use.
     [[nodiscard]] double exaggeration() const;
-    /// The values at the two ends of the palette in the last picture, see colour_range().
-    [[nodiscard]] std::pair<double, double> colour_range() const;
+    /// Keeps the colours of the first picture whose values differ for all later ones, unless
+    /// look.range is "frame".
+    void keep_colours();
+    /// The colours of the last picture.
+    [[nodiscard]] const DrawnColours& drawn_colours() const;
 
   private:
     [[nodiscard]] ReadyPicture ready_at_step(const Snapshot& snapshot) const;

@@ -52,9 +52,11 @@ class BedPainter : public FramePainter {
     LayeredImage paint_layers(const Snapshot& snapshot) override {
         return layers_->render_layers(snapshot, places_);
     }
-    [[nodiscard]] std::pair<double, double> colour_range() const override {
-        return any().colour_range();
+    void keep_colours() override {
+        if (pictures_) pictures_->keep_colours();
+        if (layers_) layers_->keep_colours();
     }
+    [[nodiscard]] DrawnColours drawn_colours() const override { return any().drawn_colours(); }
     [[nodiscard]] DrawingRecord record() const override {
         const std::string name = context_->renderer_name();
         const std::string obstacle = gl::rendering_is_pinned() ? gl::why_not_pinned(name) : "";
@@ -107,7 +109,7 @@ class OverlayPainter : public FramePainter {
         Image image = under_->paint(snapshot, rows);
         const std::vector<std::uint8_t> before =
             image.rgb16.empty() ? std::vector<std::uint8_t>{} : image.rgb;
-        overlays_.draw(image, {snapshot, rows, under_->colour_range()});
+        overlays_.draw(image, {snapshot, rows, under_->drawn_colours()});
         // Overlays are of 8 bits.
         for (std::size_t i = 0; i < image.rgb16.size(); ++i) {
             if (image.rgb[i] != before[i])
@@ -118,9 +120,8 @@ class OverlayPainter : public FramePainter {
     LayeredImage paint_layers(const Snapshot& snapshot) override {
         return under_->paint_layers(snapshot);
     }
-    [[nodiscard]] std::pair<double, double> colour_range() const override {
-        return under_->colour_range();
-    }
+    void keep_colours() override { under_->keep_colours(); }
+    [[nodiscard]] DrawnColours drawn_colours() const override { return under_->drawn_colours(); }
     [[nodiscard]] DrawingRecord record() const override {
         DrawingRecord record = under_->record();
         record.text_library = figure_library();

@@ -2,13 +2,13 @@
 
 #include <memory>
 #include <string>
-#include <utility>
 
 #include "base/image.h"
 #include "base/snapshot.h"
 #include "gl/context.h"
 #include "measure/measured_rows.h"
 #include "picture/environment.h"
+#include "render/colour/colouring.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -37,8 +37,10 @@ class FramePainter {
     virtual Image paint(const Snapshot& snapshot, const MeasuredRows& rows) = 0;
     /// Its light and layers, without overlays, where they were asked for.
     virtual LayeredImage paint_layers(const Snapshot& snapshot) = 0;
-    /// The values at the palette's ends in the last frame, where it has one palette.
-    [[nodiscard]] virtual std::pair<double, double> colour_range() const { return {0.0, 1.0}; }
+    /// Before the first of a run's frames: see Renderer::keep_colours().
+    virtual void keep_colours() {}
+    /// The colours of the last frame, where it has one palette.
+    [[nodiscard]] virtual DrawnColours drawn_colours() const { return {}; }
     [[nodiscard]] virtual DrawingRecord record() const = 0;
 };
 

@@ -29,6 +29,7 @@ FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Pi
                         const PictureFacts& facts) {
     const Snapshot& snapshot = *picture.snapshot;
     const Sha256 pixels = pixel_hash(*picture.image);
+    const std::string& resolved = picture.resolved ? *picture.resolved : facts.resolved;
     Sha256 written{};
     const auto write = [&](const std::filesystem::path& file, const PictureText& texts) {
         const std::vector<std::uint8_t> bytes =
@@ -38,18 +39,21 @@ FrameRecord write_frame(const RunFolder* folder, const RunParts& parts, const Pi
     };
     if (parts.frames) {
         if (picture.layers) {  // first: a frame that is there is whole
-            write_file(
-                folder->frame(picture.number).replace_extension(exr_ending.front()),
-                encode_exr(*picture.layers, facts.scene.view.image.dots_per_inch,
-                           picture_text(facts.resolved, facts.scene, snapshot.step, facts.inputs,
-                                        layers_hash(*picture.layers), facts.environment)));
+            write_file(folder->frame(picture.number).replace_extension(exr_ending.front()),
+                       encode_exr(*picture.layers, facts.scene.view.image.dots_per_inch,
+                                  picture_text(resolved, facts.scene, snapshot.step, facts.inputs,
+                                               layers_hash(*picture.layers), facts.environment)));
         }
-        write(folder->frame(picture.number),
-              picture_text(facts.resolved, facts.scene, snapshot.step, facts.inputs, pixels,
-                           facts.environment));
+        write(folder->frame(picture.number), picture_text(resolved, facts.scene, snapshot.step,
+                                                          facts.inputs, pixels, facts.environment));
         write_map_files(facts.scene, snapshot, *picture.image, folder->frame(picture.number));
     }
-    if (parts.movie_frames) write(folder->movie_frame(picture.number), {});
+    if (parts.movie_frames) {  // of which one to go on from must tell its colours
+        write(folder->movie_frame(picture.number),
+              picture.resolved ? picture_text(resolved, facts.scene, snapshot.step, facts.inputs,
+                                              pixels, facts.environment)
+                               : PictureText{});
+    }
     return {picture.number, snapshot.step, snapshot.time, pixels, written};
 }
 

@@ -24,6 +24,9 @@ struct Picture {
     SharedSnapshot snapshot;
     std::shared_ptr<const Image> image;
     std::shared_ptr<const LayeredImage> layers;  ///< null: none are asked for
+    /// The scene as TOML that makes this picture alone, where it is not the run's: with the colours
+    /// that the run's first pictures gave it.
+    std::shared_ptr<const std::string> resolved{};
 };
 
 /// What a run's pictures say of their making.

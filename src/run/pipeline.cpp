@@ -15,6 +15,8 @@
 #include "models/shared/check_finite.h"
 #include "models/shared/state_hash.h"
 #include "picture/movie.h"
+#include "picture/png.h"
+#include "render/colour/colouring.h"
 #include "run/bounded_queue.h"
 #include "run/output_files.h"
 #include "run/picture_text.h"
@@ -22,6 +24,7 @@
 #include "run/step_observers.h"
 #include "run/terminal/interrupt.h"
 #include "run/written_outputs.h"
+#include "scene/read.h"
 
 namespace fumon {
 
@@ -173,11 +176,19 @@ class Pipeline {
     void draw(std::promise<void> ready) {
         WorkerPool pool(options_.threads, "fumon-render");
         const bool layers = parts_.frames && scene_.output.exr_frames;
+        Scene drawn = scene_;
+        std::shared_ptr<const std::string> resolved;  // with colours that are kept
         std::unique_ptr<FramePainter> painter;
         try {
+            if (const auto former = former_look()) {
+                drawn.view.look.low = former->low;
+                drawn.view.look.high = former->high;
+                resolved = std::make_shared<const std::string>(resolved_scene(drawn, inputs_));
+            }
             painter = make_frame_painter(
-                scene_, first_, options_.backend, pool,
+                drawn, first_, options_.backend, pool,
                 layers ? PaintedFrames::pictures_and_layers : PaintedFrames::pictures);
+            painter->keep_colours();
             outcome_.drawing = painter->record();
             ready.set_value();
         } catch (...) {
@@ -190,7 +201,14 @@ class Pipeline {
             Picture picture{
                 number++, frame->snapshot,
                 std::make_shared<const Image>(painter->paint(*frame->snapshot, frame->rows)),
-                nullptr};
+                nullptr, resolved};
+            if (const DrawnColours colours = painter->drawn_colours(); colours.kept && !resolved) {
+                Scene kept = scene_;
+                kept.view.look.low = colours.low;
+                kept.view.look.high = colours.high;
+                resolved = std::make_shared<const std::string>(resolved_scene(kept, inputs_));
+                picture.resolved = resolved;
+            }
             if (layers)
                 picture.layers =
                     std::make_shared<const LayeredImage>(painter->paint_layers(*frame->snapshot));
@@ -278,6 +296,21 @@ class Pipeline {
         facts.drawing = environment_text(outcome_.drawing.environment);
         facts.resumed_at = outcome_.resumed_at;
         return facts;
+    }
+
+    /// The look of the last frame of a former run, where it has a range of colours that this one
+    /// goes on with.
+    [[nodiscard]] std::optional<LookSettings> former_look() const {
+        const LookSettings& look = scene_.view.look;
+        const bool kept = ranges_by_values(look) && look.range == ColourSpan::run;
+        if (!kept || former_frames_.frames == 0) return std::nullopt;
+        const std::int64_t last = former_frames_.frames - 1;
+        const std::filesystem::path file =
+            parts_.frames ? folder_->frame(last) : folder_->movie_frame(last);
+        if (!parts_.frames && read_png_texts(file).empty()) return std::nullopt;
+        const LookSettings then = parse_scene(read_origin(file).scene, file.string(), "").view.look;
+        if (then.low.is_word() || then.high.is_word()) return std::nullopt;
+        return then;
     }
 
     void stop() {

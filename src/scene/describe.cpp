@@ -9,9 +9,12 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "files/terrain/terrain_format.h"
 #include "keys/describe_key.h"
 #include "keys/keys.h"
+#include "keys/look_presets.h"
 #include "models/registry.h"
+#include "scene/palette_names.h"
 #include "scene/scene_keys.h"
 
 namespace fumon {
@@ -200,6 +203,14 @@ std::string summary_lines(const std::string& name, const std::vector<std::string
     return text + line + "\n";
 }
 
+std::vector<std::string> bed_format_names() {
+    std::vector<std::string> names;
+    for (const TerrainFormat& format : terrain_formats()) {
+        if (format.write != nullptr) names.emplace_back(format.name);
+    }
+    return names;
+}
+
 }  // namespace
 
 std::vector<std::string> described_names() {
@@ -277,6 +288,9 @@ std::vector<KeyWords> scene_key_words(const std::string& model) {
     };
     add(*scene_section());
     for (KeyWords& key : all) {
+        if (key.path == "look.palette") key.words = palette_names();
+        if (key.path == "look.preset") key.words = look_preset_names();
+        if (key.path == "output.bed_format") key.words = bed_format_names();
         if (key.path != "model.name") continue;
         for (const ModelEntry& entry : models()) key.words.emplace_back(entry.name);
     }

@@ -198,13 +198,26 @@ class Reader {
             size = node.as_array()->size();
             check_size(list, counted + size, locate(node.node()->source()));
         }
-        for (const Setting& setting : settings_) {  // one may add an item behind the last
+        for (const Setting& setting : settings_) {
+            if (clears(setting, list.path)) size = 0;
+            // One may add an item behind the last.
             if (setting.given.path.starts_with(fmt::format("{}.{}.", list.path, size))) {
                 check_size(list, counted + ++size, setting.locate_key());
             }
         }
         counted += size;
         return size;
+    }
+
+    /// Whether a setting is that of a whole list, which takes "[]" alone.
+    static bool clears(const Setting& setting, const std::string& list) {
+        const toml::array* items = setting.value().as_array();
+        return setting.given.path == list && items != nullptr && items->empty();
+    }
+
+    [[nodiscard]] bool is_cleared(const std::string& list) const {
+        return std::ranges::any_of(settings_,
+                                   [&](const Setting& setting) { return clears(setting, list); });
     }
 
     static void check_size(const TableList& list, std::size_t size, const std::string& place) {
@@ -253,7 +266,7 @@ class Reader {
                 attempt(path, [&, &value = value] { read_value(*key, value, place); });
                 scene_.locations[path] = locate(value.source());
             } else if (value.is_array() && table_.find_list(path) != nullptr) {
-                read_items(*value.as_array(), path);
+                if (!is_cleared(path)) read_items(*value.as_array(), path);
             } else if (value.is_table() && is_section(path) && table_.find_list(path) == nullptr) {
                 read_section(*value.as_table(), path + ".");
             } else {
@@ -281,6 +294,12 @@ class Reader {
             assign(*key, setting.value(), locate_value);
         } else if (const auto item = list_item(setting.given.path)) {
             assign_item(*item->first, item->second, setting.value(), locate_value);
+        } else if (table_.find_list(setting.given.path) != nullptr) {
+            if (clears(setting, setting.given.path)) return;
+            throw InputError(fmt::format(
+                "{}: {} is a list of sections: {}=[] clears it, and {}.0.KEY=VALUE sets a key of "
+                "its first",
+                setting.locate_key(), setting.given.path, setting.given.path, setting.given.path));
         } else {
             refuse_unknown(setting.given.path, setting.locate_key());
         }

@@ -136,6 +136,7 @@ enum class SkyModel { automatic, automatic_0_2, two_colours, atmosphere, overcas
 enum class Tone { automatic, automatic_0_2, filmic, agx, agx_punchy, neutral };
 enum class BlockSides { soil, layers };
 enum class SandKind { quartz, iron_red, gypsum, carbonate, basalt, martian };
+enum class ColourSpan { run, frame };
 enum class Datum { automatic, first, mean };
 
 struct LookSettings {
@@ -146,6 +147,7 @@ struct LookSettings {
     bool palette_reversed = false;
     WordOrReal low{"auto", 0.0};           ///< value at the palette's start
     WordOrReal high{"auto", 0.0};          ///< value at its end
+    ColourSpan range = ColourSpan::run;    ///< where low or high is "auto"
     WordOrReal exaggeration{"auto", 0.0};  ///< vertical
     Ground ground = Ground::automatic;
     FarGround far_copies = FarGround::varied;

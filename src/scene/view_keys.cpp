@@ -251,10 +251,20 @@ void list_view_keys(View& view, KeyTable& table) {
                         "change), or any NAME of assets/palettes/NAME.txt"});
     table.boolean("look.palette_reversed", look.palette_reversed,
                   {.help = "reversed, such as dark for deep with grey"});
-    table.word_or_real("look.low", look.low, {{"auto", "from the frame"}},
+    table.word_or_real("look.low", look.low, {{"auto", "see look.range"}},
                        {.help = "value at the palette's start, in the unit of colour_by"});
-    table.word_or_real("look.high", look.high, {{"auto", "from the frame"}},
+    table.word_or_real("look.high", look.high, {{"auto", "see look.range"}},
                        {.help = "value at the palette's end"});
+    table.choice(
+        "look.range", look.range,
+        {{ColourSpan::run, "run",
+          "for all frames: films, and frames that `fumon render` draws, take all that they show; a "
+          "run that draws while it computes takes its first frame whose values differ, and a "
+          "colour bar has a triangle at an end beyond which a frame's values lie; a still takes "
+          "its own"},
+         {ColourSpan::frame, "frame", "for each frame its own, as its colour bar says"}},
+        {.help = "whose values give look.low and look.high where they are \"auto\"",
+         .earlier = {"0.3.0", "\"frame\""}});
     table.word_or_real("look.exaggeration", look.exaggeration,
                        {{"auto",
                          "a round number that shows the relief and keeps 99 % of real terrain "

@@ -5,6 +5,8 @@
 #include <memory>
 #include <thread>
 
+#include "run/picture_text.h"
+#include "scene/read.h"
 #include "support/program.h"
 
 namespace fumon::test {
@@ -73,6 +75,47 @@ TEST_F(RenderCommandTest, TheRunsFramesAndMovieForAnyNumberOfShards) {
         EXPECT_EQ(merged.errors, "5 frames: " + output + "/movie.mp4\n");
         expect_the_runs_files(output);
     }
+}
+
+/// look.low and look.high as a frame's scene has them.
+std::string colours_of(const fs::path& frame) {
+    const std::string scene = read_origin(frame).scene;
+    const LookSettings look = parse_scene(scene, frame.string(), "").view.look;
+    const auto text = [](const WordOrReal& end) {
+        return end.is_word() ? end.word : std::to_string(end.value);
+    };
+    return text(look.low) + " to " + text(look.high);
+}
+
+TEST_F(RenderCommandTest, AllFramesHaveOneRangeOfColours) {
+    const std::vector<std::string> coloured{"look.colour_by=height", "overlay.0.kind=colour-bar",
+                                            "image.width=320", "image.height=240"};
+    std::vector<std::string> alone = coloured;
+    for (const std::string& setting : beds_alone()) alone.push_back(setting);
+    ASSERT_EQ(run("scene.toml", "coloured", coloured).status, 0);
+    ASSERT_EQ(run("scene.toml", "coloured-beds", alone).status, 0);
+    ASSERT_EQ(render("coloured-later", {}, "coloured-beds").status, 0);
+    const auto frame = [&](const std::string& folder, int number) {
+        return *folder_ / folder / ("frames/frame_00000" + std::to_string(number) + ".png");
+    };
+    const std::string first = colours_of(frame("coloured", 0));
+    const std::string all = colours_of(frame("coloured-later", 0));
+    EXPECT_EQ(first.find("auto"), std::string::npos);
+    EXPECT_EQ(all.find("auto"), std::string::npos);
+    EXPECT_NE(first, all) << "of the first frame, and of all";
+    for (int number = 1; number < 5; ++number) {
+        EXPECT_EQ(colours_of(frame("coloured", number)), first);
+        EXPECT_EQ(colours_of(frame("coloured-later", number)), all);
+    }
+    for (const char* folder : {"coloured", "coloured-later"}) {
+        const Ended again =
+            fumon({"again", frame(folder, 4).string(), "-o", "again.png"}, folder_->path());
+        EXPECT_NE(again.errors.find("the same pixels"), std::string::npos) << again.errors;
+    }
+    std::vector<std::string> each = coloured;
+    each.emplace_back("look.range=frame");
+    ASSERT_EQ(run("scene.toml", "coloured-each", each).status, 0);
+    EXPECT_EQ(colours_of(frame("coloured-each", 4)), "auto to auto");
 }
 
 TEST_F(RenderCommandTest, UnderMpirunTheLastProgramMakesTheMovie) {

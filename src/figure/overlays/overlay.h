@@ -5,12 +5,12 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "base/snapshot.h"
 #include "figure/canvas/canvas.h"
 #include "figure/canvas/furniture.h"
 #include "measure/measured_rows.h"
+#include "render/colour/colouring.h"
 #include "render/view/camera.h"
 #include "scene/figure/overlay_kinds.h"
 #include "scene/scene.h"
@@ -32,8 +32,7 @@ struct OverlayScene {
 struct OverlayFrame {
     const Snapshot& snapshot;  ///< as the model gives it
     const MeasuredRows& rows;  ///< up to it
-    /// The values at the palette's ends in the frame, as colour_range() gives them.
-    std::pair<double, double> colours{0.0, 1.0};
+    DrawnColours colours{};
     /// Its camera, where it is not the one of the scene's view.
     const Camera* camera = nullptr;
     /// The height in pixels of that camera's picture, where it is not the scene's: films of several

@@ -56,7 +56,9 @@ class ColourBarOverlay : public Overlay {
     ColourBarOverlay(const OverlayScene& on, double length, const std::string& called)
         : quantity_(quantity_of(on.scene.view.look.colour_by, on.shown, called)), length_(length) {
         scale_.palette = chosen_palette(on.scene.view.look);
-        scale_.label = quantity_.label;
+        const LookSettings& look = on.scene.view.look;
+        const bool of_frame = look.range == ColourSpan::frame && ranges_by_values(look);
+        scale_.label = quantity_.label + (of_frame ? ", ends of this frame" : "");
     }
 
     [[nodiscard]] FurnitureSize size(const Canvas& canvas) const override {
@@ -66,13 +68,17 @@ class ColourBarOverlay : public Overlay {
         return {length_ + 2.0 * ends * font, margins.above + thick * font + margins.below};
     }
     [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
-        return fmt::format("{} {}", frame.colours.first, frame.colours.second);
+        const DrawnColours& colours = frame.colours;
+        return fmt::format("{} {} {} {}", colours.low, colours.high, colours.values_below,
+                           colours.values_above);
     }
     void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const override {
         const double font = canvas.font_size();
         ColourScale scale = scale_;
-        scale.low = quantity_.factor * frame.colours.first;
-        scale.high = quantity_.factor * frame.colours.second;
+        scale.low = quantity_.factor * frame.colours.low;
+        scale.high = quantity_.factor * frame.colours.high;
+        scale.values_below = frame.colours.values_below;
+        scale.values_above = frame.colours.values_above;
         const CanvasBox bar{box.x + ends * font, box.y + 0.5 * canvas.line_width(), length_,
                             thick * font};
         draw_colour_bar(canvas, bar, scale, BarDirection::level);

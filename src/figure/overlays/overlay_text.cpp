@@ -54,6 +54,15 @@ std::optional<std::string> shown_value(const Scene& scene, const std::string& ke
     return text;
 }
 
+/// Times of which one has the longest text of a run. Where the length of a step is not known, those
+/// below 1 and below 10 have decimals, and the run may end among them.
+std::vector<double> times_of_widest(const TimeText& times, const std::optional<double>& known_end) {
+    std::vector<double> found{times.end.value_or(static_cast<double>(times.last))};
+    if (known_end) found.push_back(*known_end);
+    if (times.decimals == TimeText::by_size) found.insert(found.end(), {0.88, 8.8});
+    return found;
+}
+
 class TextOverlay : public Overlay {
   public:
     TextOverlay(const OverlayScene& on, std::size_t number, std::string text, double text_size,
@@ -64,33 +73,40 @@ class TextOverlay : public Overlay {
           text_size_(text_size),
           bold_(bold) {
         try {
-            begin_ = filled_text(text_, scene_, times_, 0, 0.0);
-            end_ = filled_text(text_, scene_, times_, times_.last,
-                               times_.end.value_or(static_cast<double>(times_.last)));
+            widest_.push_back(filled_text(text_, scene_, times_, 0, 0.0));
+            for (const double time : times_of_widest(times_, on.end_time))
+                widest_.push_back(filled_text(text_, scene_, times_, times_.last, time));
         } catch (const InputError& fault) {
             throw KeyError(overlay_key(number, "text"), fault.what());
         }
     }
 
     [[nodiscard]] FurnitureSize size(const Canvas& canvas) const override {
-        const auto begin = canvas.text_size(begin_, text_size_, bold_);
-        const auto end = canvas.text_size(end_, text_size_, bold_);
-        return {std::max(begin[0], end[0]), std::max(begin[1], end[1])};
+        FurnitureSize most;
+        for (const std::string& text : widest_) {
+            const auto [width, height] = canvas.text_size(text, text_size_, bold_);
+            most = {std::max(most.width, width), std::max(most.height, height)};
+        }
+        return most;
     }
     [[nodiscard]] std::string look_in(const OverlayFrame& frame) const override {
         return filled_text(text_, scene_, times_, frame.snapshot.step, frame.snapshot.time);
     }
     void draw(Canvas& canvas, const CanvasBox& box, const OverlayFrame& frame) const override {
-        canvas.write(look_in(frame), {box.x, box.y + 0.5 * box.height}, {0.0, 0.5}, black_ink,
-                     text_size_, false, bold_);
+        const std::string text = look_in(frame);
+        const auto [width, height] = canvas.text_size(text, text_size_, bold_);
+        // A frame beyond the scene's end may say more than any that the plate was measured for.
+        const double fits =
+            std::min({1.0, box.width / std::max(width, 1.0), box.height / std::max(height, 1.0)});
+        canvas.write(text, {box.x, box.y + 0.5 * box.height}, {0.0, 0.5}, black_ink,
+                     fits * text_size_, false, bold_);
     }
 
   private:
     const Scene& scene_;
     TimeText times_;
     std::string text_;
-    std::string begin_;
-    std::string end_;
+    std::vector<std::string> widest_;  ///< of the texts of all frames, one of these
     double text_size_;
     bool bold_;
 };

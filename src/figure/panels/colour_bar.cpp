@@ -61,6 +61,22 @@ BarLayout lay_out_bar(const Canvas& canvas, double length, const ColourScale& sc
     return layout;
 }
 
+/// A triangle in the end colour, pointing beyond the bar's end.
+void draw_triangle(Canvas& canvas, const CanvasBox& bar, const ColourScale& scale, bool upright,
+                   bool at_high, const Ink& ink) {
+    const double length = 0.8 * (upright ? bar.width : bar.height);
+    const double end = upright ? (at_high ? bar.y : bar.bottom()) : (at_high ? bar.right() : bar.x);
+    const double tip = end + (at_high == upright ? -length : length);  // y points down
+    const std::array<CanvasPoint, 3> corners =
+        upright ? std::array<CanvasPoint, 3>{{{bar.x, end},
+                                              {bar.x + 0.5 * bar.width, tip},
+                                              {bar.right(), end}}}
+                : std::array<CanvasPoint, 3>{
+                      {{end, bar.y}, {tip, bar.y + 0.5 * bar.height}, {end, bar.bottom()}}};
+    canvas.fill(corners, scale.ink(at_high ? scale.high : scale.low));
+    canvas.stroke(corners, canvas.line_width(), ink);
+}
+
 /// The palette from one end to the other: two pixels a colour, one at the ends, as place() rounds.
 Image gradient(const ColourScale& scale, BarDirection direction) {
     constexpr int pixels = 510;
@@ -124,6 +140,8 @@ void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& sc
         std::array<CanvasPoint, 5>{
             {{bar.x, bar.y}, {right, bar.y}, {right, bottom}, {bar.x, bottom}, {bar.x, bar.y}}},
         thin, ink);
+    if (scale.values_below) draw_triangle(canvas, bar, scale, upright, false, ink);
+    if (scale.values_above) draw_triangle(canvas, bar, scale, upright, true, ink);
     for (std::size_t i = 0; i < layout.ticks.values.size(); ++i) {
         const double share = (layout.ticks.values[i] - scale.low) / (scale.high - scale.low);
         const double x = upright ? right : bar.x + bar.width * share;
@@ -133,7 +151,10 @@ void draw_colour_bar(Canvas& canvas, const CanvasBox& bar, const ColourScale& sc
         canvas.stroke(
             std::array<CanvasPoint, 2>{{{x, y}, {x + tick_mark * dx, y + tick_mark * dy}}}, thin,
             ink);
-        canvas.write(layout.ticks.labels[i], {x + to_tick_text * dx, y + to_tick_text * dy},
+        // The range of one of many frames may have labels that reach beyond the picture.
+        const double half = 0.5 * canvas.text_size(layout.ticks.labels[i], bar_tick_text)[0];
+        const double middle = upright ? x : std::max(half, std::min(x, canvas.width() - half));
+        canvas.write(layout.ticks.labels[i], {middle + to_tick_text * dx, y + to_tick_text * dy},
                      upright ? CanvasPoint{0.0, 0.5} : CanvasPoint{0.5, 0.0}, ink, bar_tick_text);
     }
     if (scale.label.empty()) return;

@@ -13,7 +13,9 @@ struct ColourScale {
     Palette palette{};
     double low = 0.0;
     double high = 1.0;
-    std::string label;  ///< the quantity and its unit
+    std::string label;          ///< the quantity and its unit
+    bool values_below = false;  ///< there are some, which a triangle at the bar's end says
+    bool values_above = false;
 
     /// The place of a value in the palette, 0 … 255.
     [[nodiscard]] std::size_t place(double value) const;

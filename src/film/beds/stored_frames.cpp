@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -13,6 +14,8 @@
 #include "files/file_lock.h"
 #include "picture/movie.h"
 #include "picture/png.h"
+#include "render/colour/colouring.h"
+#include "render/view/shown_snapshot.h"
 #include "run/frame_list.h"
 #include "run/frame_painter.h"
 #include "run/output_files.h"
@@ -77,7 +80,6 @@ StoredFrames::StoredFrames(const StoredBeds& beds, fs::path folder,
         if (!speaks_of(settings, "output.frames")) output.frames = true;
         if (!speaks_of(settings, "output.movie")) output.movie = true;
     }
-    resolved_ = resolved_scene(scene_, beds.inputs());
     const Schedule schedule = frame_schedule(scene_);
     for (std::int64_t step = 0; step <= scene_.run.steps; ++step) {
         if (!schedule.due(step)) continue;
@@ -85,6 +87,31 @@ StoredFrames::StoredFrames(const StoredBeds& beds, fs::path folder,
         steps_.push_back(step);
         places_.push_back(found == beds.beds().end() ? -1 : found - beds.beds().begin());
     }
+    fix_colours();
+    resolved_ = resolved_scene(scene_, beds.inputs());
+}
+
+void StoredFrames::fix_colours() {
+    LookSettings& look = scene_.view.look;
+    if (!ranges_by_values(look) || look.range == ColourSpan::frame) return;
+    const std::optional<Snapshot> changed = shown_snapshot(beds_.first(), scene_.view);
+    const Snapshot& first = changed ? *changed : beds_.first();
+    double low = INFINITY;
+    double high = -INFINITY;
+    for (const std::ptrdiff_t place : places_) {
+        if (place < 0) continue;
+        const SharedSnapshot bed = beds_.snapshot(static_cast<std::size_t>(place));
+        const std::optional<Snapshot> reshaped = shown_snapshot(*bed, scene_.view);
+        const Snapshot& shown = reshaped ? *reshaped : *bed;
+        const DrawnColours colours =
+            drawn_colours(look, shown, coloured_values(look.colour_by, shown, first), {}, true);
+        if (!colours.kept) continue;  // its values are one
+        low = std::min(low, colours.low);
+        high = std::max(high, colours.high);
+    }
+    if (!(low < high)) return;
+    look.low = low;
+    look.high = high;
 }
 
 fs::path StoredFrames::frame(std::int64_t number) const {

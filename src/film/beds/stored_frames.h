@@ -19,7 +19,8 @@ class StoredFrames {
   public:
     /// Frames go to FOLDER/frames, the movie to FOLDER/movie.mp4. A run that wrote no frames is
     /// drawn as if its scene asked for frames and a movie, unless `settings` speak of them. Beds
-    /// outlive it.
+    /// outlive it. The look's range, where it is left to the values (look.range = "run"), is that
+    /// of all frames together.
     StoredFrames(const StoredBeds& beds, std::filesystem::path folder,
                  const std::vector<std::string>& settings);
 
@@ -51,6 +52,7 @@ class StoredFrames {
     void write_movie(StatusLine& status) const;
 
   private:
+    void fix_colours();
     [[nodiscard]] bool is_there(std::int64_t number, const std::string& environment) const;
 
     const StoredBeds& beds_;

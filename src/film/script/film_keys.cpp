@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -319,11 +320,31 @@ std::string describe_film_json(const std::string& part) {
     return all.dump(2) + "\n";
 }
 
+namespace {
+
+/// The items of a list with commas, without what stands in brackets behind them.
+std::vector<std::string> items_of(const std::string& list) {
+    std::vector<std::string> items;
+    for (std::size_t begin = 0; begin < list.size();) {
+        const std::size_t end = std::min(list.find(", ", begin), list.size());
+        const std::string item = list.substr(begin, end - begin);
+        items.push_back(item.substr(0, item.find(" (")));
+        begin = end + 2;
+    }
+    return items;
+}
+
+}  // namespace
+
 std::vector<KeyWords> film_key_words() {
     Film film = film_of_all_keys();
     const KeyTable table = film_keys(film);
     std::vector<KeyWords> all;
-    for (const Key& key : table.keys()) all.push_back(key_words(key));
+    for (const Key& key : table.keys()) {
+        all.push_back(key_words(key));
+        if (key.path == "film.format") all.back().words = items_of(movie_format_names());
+        if (key.path == "film.size") all.back().words = items_of(film_size_names());
+    }
     return all;
 }
 

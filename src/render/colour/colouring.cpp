@@ -92,9 +92,15 @@ Field<float> coloured_values(Colouring colour_by, const Snapshot& snapshot, cons
     return result;
 }
 
-std::pair<double, double> colour_range(const LookSettings& look, const Snapshot& snapshot,
-                                       const Field<float>& values) {
-    if (!look.low.is_word() && !look.high.is_word()) return {look.low.value, look.high.value};
+bool ranges_by_values(const LookSettings& look) {
+    return look.colour_by != Colouring::natural && (look.low.is_word() || look.high.is_word());
+}
+
+namespace {
+
+/// The ends of the range, in no order where the values do not differ.
+std::pair<double, double> ends_of_values(const LookSettings& look, const Snapshot& snapshot,
+                                         const Field<float>& values) {
     std::vector<float> known;
     known.reserve(values.size());
     const Mask without = uncoloured_cells(look.colour_by, snapshot);
@@ -110,11 +116,39 @@ std::pair<double, double> colour_range(const LookSettings& look, const Snapshot&
     }
     if (!look.low.is_word()) low = look.low.value;
     if (!look.high.is_word()) high = look.high.value;
+    return {low, high};
+}
+
+}  // namespace
+
+std::pair<double, double> colour_range(const LookSettings& look, const Snapshot& snapshot,
+                                       const Field<float>& values) {
+    if (!look.low.is_word() && !look.high.is_word()) return {look.low.value, look.high.value};
+    const auto [low, high] = ends_of_values(look, snapshot, values);
     if (!(high > low)) {  // a flat bed: any range that holds its one value in the middle
         const double middle = 0.5 * (low + high);
         return {middle - 0.5, middle + 0.5};
     }
     return {low, high};
+}
+
+DrawnColours drawn_colours(const LookSettings& look, const Snapshot& snapshot,
+                           const Field<float>& values, const DrawnColours& former, bool keeps) {
+    DrawnColours drawn = former;
+    if (!former.kept) {
+        const auto [low, high] = colour_range(look, snapshot, values);
+        drawn = {low, high};
+    }
+    if (look.colour_by == Colouring::natural || look.range == ColourSpan::frame) return drawn;
+    LookSettings alone = look;
+    alone.low = {"auto", 0.0};
+    alone.high = {"auto", 0.0};
+    const auto [low, high] = ends_of_values(alone, snapshot, values);
+    const bool differ = high > low;
+    drawn.values_below = differ && low < drawn.low;
+    drawn.values_above = differ && high > drawn.high;
+    drawn.kept = former.kept || (keeps && differ && ranges_by_values(look));
+    return drawn;
 }
 
 Palette chosen_palette(const LookSettings& look) {

@@ -32,6 +32,26 @@ Field<float> coloured_values(Colouring colour_by, const Snapshot& snapshot, cons
 std::pair<double, double> colour_range(const LookSettings& look, const Snapshot& snapshot,
                                        const Field<float>& values);
 
+/// Whether look.low or look.high is left to the values that are coloured.
+bool ranges_by_values(const LookSettings& look);
+
+/// The colours of a picture: the values at the palette's ends, as colour_range() has them, and
+/// whether those of the picture alone would reach further.
+struct DrawnColours {
+    double low = 0.0;
+    double high = 1.0;
+    bool values_below = false;
+    bool values_above = false;
+    /// They stand for all later pictures too; not before the values of one differ.
+    bool kept = false;
+};
+
+/// The range of a snapshot, or `former` where that is kept. Where look.range is "frame", a picture
+/// has its own, without a word on values beyond. `keeps`: later pictures take the range of this
+/// one, if its values differ.
+DrawnColours drawn_colours(const LookSettings& look, const Snapshot& snapshot,
+                           const Field<float>& values, const DrawnColours& former, bool keeps);
+
 /// The look's palette, the way round that it wants. Throws as read_palette.
 Palette chosen_palette(const LookSettings& look);
 

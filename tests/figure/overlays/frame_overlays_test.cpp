@@ -112,6 +112,51 @@ TEST(FrameOverlays, APlateIsBlendedInDisplayValues) {
     }
 }
 
+/// Pixels on the two outermost columns of a box that are not those of its plate.
+int inked_at_ends(const Image& image, const CanvasBox& box) {
+    int count = 0;
+    const int right = static_cast<int>(box.right()) - 1;
+    for (int y = static_cast<int>(box.y); y < static_cast<int>(box.bottom()); ++y) {
+        for (const int x : {static_cast<int>(box.x), right - 1, right}) {
+            if (image.row(y)[3 * x] < 120) ++count;
+        }
+    }
+    return count;
+}
+
+TEST(FrameOverlays, ATimeIsWholeHoweverLongItsText) {
+    struct Case {
+        std::int64_t last;
+        std::int64_t step;
+        double time;
+    };
+    // Years of dunes: of a length that the scene does not say, with decimals below 10.
+    for (const auto& [last, step, time] :
+         {Case{20, 20, 0.13}, Case{1, 1, 0.01}, Case{20, 20, 7.5}, Case{8000, 8000, 53.0},
+          Case{20, 999'999, 0.99}, Case{7, 123'456'789, 123'456'789.0}}) {
+        for (const auto& [width, height] :
+             {std::pair{1920, 1080}, std::pair{641, 357}, std::pair{333, 222}}) {
+            for (const char* text :
+                 {"", "text = \"{time}\"", "text = \"{time} after {step} of it\""}) {
+                const Scene scene = parse_scene(
+                    fmt::format("[model]\nname = \"dunes\"\n[run]\nsteps = {}\n[image]\n"
+                                "width = {}\nheight = {}\n{}",
+                                last, width, height, overlay("time", "upper-left", text)),
+                    "test.toml", "");
+                Snapshot frame = overlay_bed(60, 40, 0.5);
+                frame.time_unit = "yr";
+                FrameOverlays over(scene, frame);
+                frame.step = step;
+                frame.time = time;
+                Image image = grey(width, height);
+                over.draw(image, {frame, {}, {}});
+                EXPECT_EQ(inked_at_ends(image, over.placed()[0].box), 0)
+                    << last << ' ' << time << ' ' << width << ' ' << text;
+            }
+        }
+    }
+}
+
 /// The longest run of black pixels of a row.
 int longest_dark_run(const Image& image) {
     int longest = 0;
