@@ -9,13 +9,13 @@
 #include "base/limits.h"
 #include "cli/command.h"
 #include "cli/examples.h"
-#include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
 #include "files/avalanche_table.h"
 #include "files/terrain/terrain_format.h"
 #include "measure/pile/avalanche_report.h"
 #include "measure/suite.h"
+#include "run/inputs/scene_argument.h"
 
 namespace fumon {
 

@@ -3,10 +3,10 @@
 #include <variant>
 
 #include "base/nearest_name.h"
-#include "cli/scene_argument.h"
 #include "models/registry.h"
 #include "python/module.h"
 #include "python/scene_value.h"
+#include "run/inputs/scene_argument.h"
 #include "scene/scene_keys.h"
 #include "scene/schedule.h"
 #include "scene/write.h"
