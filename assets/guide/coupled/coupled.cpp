@@ -16,8 +16,8 @@ int main(int count, char** arguments) try {
         for (double& height : bed) height += 0.1;
         model->SetValue("land_surface__elevation", bed.data());
     }
-    std::printf("%s: %zu cells at time %g %s\n", model->GetComponentName().c_str(), bed.size(), model->GetCurrentTime(),
-                model->GetTimeUnits().c_str());
+    std::printf("%s: %zu cells at time %g %s\n", model->GetComponentName().c_str(), bed.size(),
+                model->GetCurrentTime(), model->GetTimeUnits().c_str());
     bmi_model_destroy(model);
 } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
