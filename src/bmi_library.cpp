@@ -1,20 +1,26 @@
 // The library libfumonbmi: what a program that couples models loads. It makes components of the
 // Basic Model Interface and takes them back.
 
+#include "bmi/bmi_library.h"
+
+#include <mutex>
+
+#include "base/data_files.h"
+#include "base/platform.h"
 #include "bmi/component.h"
 
 extern "C" {
 
-// The names are those by which frameworks look for them.
-// NOLINTBEGIN(readability-identifier-naming)
-
-__attribute__((visibility("default"))) bmi::Bmi* bmi_model_create() {
+bmi::Bmi* bmi_model_create() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        fumon::add_data_of_library(
+            fumon::platform::file_with(reinterpret_cast<const void*>(&bmi_model_create)));
+    });
     return new fumon::BmiComponent;
 }
 
-__attribute__((visibility("default"))) void bmi_model_destroy(bmi::Bmi* component) {
+void bmi_model_destroy(bmi::Bmi* component) {
     delete component;
 }
-
-// NOLINTEND(readability-identifier-naming)
 }

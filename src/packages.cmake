@@ -1,5 +1,5 @@
 # Debian packages, made by `cpack -G DEB` in a build folder: fumon (program, manual pages, completion), fumon-data
-# (shaders, palettes, scenes, the guide, icon), python3-fumon. Configure with --preset package, which sets the prefix /usr.
+# (shaders, palettes, scenes, the guide, icon), fumon-bmi (libfumonbmi with what programs are built by), python3-fumon. Configure with --preset package, which sets the prefix /usr.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME fumon)
@@ -51,6 +51,17 @@ set(CPACK_DEBIAN_DATA_PACKAGE_ARCHITECTURE all)
 set(CPACK_COMPONENT_DATA_DESCRIPTION "shaders, palettes, scenes and guide of fumon
 Sand and water landforms, simulated and rendered without a display: this
 package holds what the program and the Python module read, and the guide.")
+
+if(FUMON_BMI_LIBRARY)
+    list(APPEND CPACK_COMPONENTS_ALL bmi)
+    set(CPACK_DEBIAN_BMI_PACKAGE_NAME fumon-bmi)
+    set(CPACK_DEBIAN_BMI_PACKAGE_SECTION libdevel)
+    set(CPACK_DEBIAN_BMI_PACKAGE_SHLIBDEPS ON)
+    set(CPACK_DEBIAN_BMI_PACKAGE_DEPENDS "fumon-data (= ${PROJECT_VERSION}-${revision})")
+    set(CPACK_COMPONENT_BMI_DESCRIPTION "models of fumon for programs that couple models
+Sand and water landforms as components of the Basic Model Interface: the
+library libfumonbmi, its headers, and what pkg-config and CMake find it by.")
+endif()
 
 if(FUMON_PYTHON_MODULE)
     list(APPEND CPACK_COMPONENTS_ALL python)

@@ -55,6 +55,17 @@ void add_data_folder(std::filesystem::path folder) {
     added_folders().push_back(std::move(folder));
 }
 
+void add_data_of_library(const std::filesystem::path& library) {
+    std::error_code ignored;
+    for (std::filesystem::path above = library.parent_path(); !above.empty();
+         above = above.parent_path()) {
+        std::filesystem::path folder = above / FUMON_SHARE_FOLDER;
+        if (std::filesystem::is_directory(folder / "shaders", ignored))
+            return add_data_folder(std::move(folder));
+        if (above == above.root_path()) return;
+    }
+}
+
 std::optional<std::filesystem::path> find_data_file(std::string_view relative) {
     return found_in(data_roots(), relative);
 }

@@ -10,6 +10,10 @@ namespace fumon {
 /// after $FUMON_DATA_DIR. Call it before other threads start.
 void add_data_folder(std::filesystem::path folder);
 
+/// The same of the files that were installed with a library: in share/fumon below a folder above
+/// it. Without them nothing is named.
+void add_data_of_library(const std::filesystem::path& library);
+
 /// The path of a file that fumon ships ("shaders/block/terrain.frag.glsl",
 /// "assets/palettes/viridis.txt"). Looked for in $FUMON_DATA_DIR, then in folders that were added,
 /// beside the installed program

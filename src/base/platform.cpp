@@ -1,5 +1,6 @@
 #include "base/platform.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
 #include <unistd.h>
@@ -28,6 +29,13 @@ bool begins_as_one(std::string_view name, const std::vector<std::string_view>& p
 }
 
 }  // namespace
+
+std::filesystem::path file_with(const void* address) {
+    Dl_info found{};
+    if (dladdr(address, &found) == 0 || found.dli_fname == nullptr) return {};
+    std::error_code ignored;
+    return std::filesystem::canonical(found.dli_fname, ignored);
+}
 
 #ifdef __APPLE__  // written from Apple's documentation, never tried: see the guide's page on
                   // platforms

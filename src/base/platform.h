@@ -13,6 +13,10 @@ namespace fumon::platform {
 /// The file of the program that runs; empty where it is not known.
 std::filesystem::path program_file();
 
+/// The file of the library or program that holds a function or an object; empty where it is not
+/// known.
+std::filesystem::path file_with(const void* address);
+
 /// How many letters of a thread's name the system keeps.
 std::size_t longest_thread_name();
 

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "run/inputs/scene_argument.h"
 
 namespace fumon {
 
@@ -45,7 +46,7 @@ const Variable& BmiComponent::variable(const std::string& name) {
 }
 
 void BmiComponent::Initialize(std::string config_file) {
-    auto next = std::make_unique<CoupledModel>(config_file);
+    auto next = std::make_unique<CoupledModel>(scene_argument(config_file));
     Finalize();
     model_ = std::move(next);
 }

@@ -11,7 +11,8 @@
 namespace fumon {
 
 /// Any model of fumon as a component of the Basic Model Interface: Initialize() takes a scene's
-/// file. Members throw Error, of what is asked wrongly InputError.
+/// file, or the name of a scene that fumon ships. Members throw Error, of what is asked wrongly
+/// InputError.
 ///
 ///     grid 0   "uniform_rectilinear": the cells' centres, rank 2, (ny, nx), row 0 southernmost;
 ///              its spacing and origin in metres, or sites

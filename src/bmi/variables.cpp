@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "bmi/udunits_unit.h"
 #include "scene/scene_keys.h"
 
 namespace fumon {
@@ -31,10 +32,6 @@ std::string name_of(const std::string& own) {
     return found == standard_names.end() ? own : std::string(found->standard);
 }
 
-std::string unit_of(const std::string& unit) {
-    return unit.empty() ? "1" : unit;
-}
-
 }  // namespace
 
 bool is_counted(std::string_view time_unit) {
@@ -43,26 +40,28 @@ bool is_counted(std::string_view time_unit) {
 
 std::vector<Variable> variables_of(const Scene& scene, const Snapshot& first) {
     const bool bed_is_state = first.landform != Landform::air;
-    const std::string height = first.scale.in_metres ? "m" : "1";
+    const bool in_metres = first.scale.in_metres;
+    const std::string height = in_metres ? "m" : "1";
     std::vector<Variable> variables;
     variables.push_back(
         {std::string(elevation_name), height, VariableKind::bed, "", bed_is_state, true});
     if (bed_is_state) {
-        const std::string per = is_counted(first.time_unit) ? "" : "/" + first.time_unit;
-        variables.push_back(
-            {std::string(uplift_name), height + per, VariableKind::uplift, "", true, false});
+        const std::string rate =
+            is_counted(first.time_unit) ? height : height + "/" + first.time_unit;
+        variables.push_back({std::string(uplift_name), udunits_unit(rate, in_metres),
+                             VariableKind::uplift, "", true, false});
     }
     for (const SnapshotField& field : first.fields) {
-        variables.push_back({name_of(field.name), unit_of(field.unit), VariableKind::field,
-                             field.name, false, true});
+        variables.push_back({name_of(field.name), udunits_unit(field.unit, in_metres),
+                             VariableKind::field, field.name, false, true});
     }
     Scene copy = scene;
     const KeyTable table = scene_keys(copy);
     for (const Key& key : table.keys()) {
         const bool of_model = key.path.starts_with("model.") || key.path.starts_with("wind.");
         if (!of_model || !std::holds_alternative<double*>(key.target)) continue;
-        variables.push_back({name_of(key.path), unit_of(key.notes.unit), VariableKind::parameter,
-                             key.path, true, false});
+        variables.push_back({name_of(key.path), udunits_unit(key.notes.unit, in_metres),
+                             VariableKind::parameter, key.path, true, false});
     }
     return variables;
 }

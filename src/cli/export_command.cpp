@@ -15,7 +15,6 @@
 #include "cli/command.h"
 #include "cli/examples.h"
 #include "cli/remark.h"
-#include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
 #include "files/atomic_file.h"
@@ -31,6 +30,7 @@
 #include "picture/png.h"
 #include "run/drawing.h"
 #include "run/frame_painter.h"
+#include "run/inputs/scene_argument.h"
 #include "run/still.h"
 #include "scene/terrain_scene.h"
 

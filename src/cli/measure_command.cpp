@@ -10,7 +10,6 @@
 #include "base/limits.h"
 #include "cli/command.h"
 #include "cli/examples.h"
-#include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
 #include "cli/standard_input.h"
@@ -18,6 +17,7 @@
 #include "files/terrain/terrain_format.h"
 #include "measure/pile/avalanche_report.h"
 #include "measure/suite.h"
+#include "run/inputs/scene_argument.h"
 
 namespace fumon {
 

@@ -17,7 +17,6 @@
 #include "base/snapshot_lookup.h"
 #include "cli/command.h"
 #include "cli/examples.h"
-#include "cli/scene_argument.h"
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
 #include "figure/page/page.h"
@@ -28,6 +27,7 @@
 #include "measure/network/stream_path.h"
 #include "outputs/output_claims.h"
 #include "picture/png.h"
+#include "run/inputs/scene_argument.h"
 #include "run/still.h"
 
 namespace fumon {

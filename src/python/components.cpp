@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "bmi/component.h"
-#include "cli/scene_argument.h"
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/process.h"
@@ -24,7 +23,7 @@ using Indices = py::array_t<int, py::array::c_style | py::array::forcecast>;
 /// What Python's component is built on: the C++ one, its arrays with their sizes checked.
 class Component {
   public:
-    void initialize(const std::string& scene) { bmi().Initialize(scene_argument(scene)); }
+    void initialize(const std::string& scene) { bmi().Initialize(scene); }
     /// Throws Error in a fork, where its threads are not.
     BmiComponent& bmi() {
         process_.check();

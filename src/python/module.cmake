@@ -38,6 +38,10 @@ file(CONFIGURE OUTPUT ${about}/METADATA CONTENT "Metadata-Version: 2.1
 Name: fumon
 Version: @PROJECT_VERSION@
 Summary: @summary@
+Author: The fumon developers
+License: MIT
+Classifier: License :: OSI Approved :: MIT License
+Classifier: Typing :: Typed
 Requires-Python: @python_versions@
 Requires-Dist: numpy
 " @ONLY)

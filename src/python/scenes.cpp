@@ -3,10 +3,10 @@
 #include <variant>
 
 #include "base/nearest_name.h"
-#include "cli/scene_argument.h"
 #include "models/registry.h"
 #include "python/module.h"
 #include "python/scene_value.h"
+#include "run/inputs/scene_argument.h"
 #include "scene/scene_keys.h"
 #include "scene/schedule.h"
 #include "scene/write.h"
@@ -119,6 +119,15 @@ void define_scenes(py::module_& core) {
         .def("toml", [](const SceneValue& value) { return to_toml(value.scene()); })
         .def_property_readonly("source",
                                [](const SceneValue& value) { return value.text().source; })
+        .def("parts",
+             [](const SceneValue& value) {
+                 std::vector<Setting> settings;
+                 settings.reserve(value.overrides().size());
+                 for (const Override& one : value.overrides())
+                     settings.emplace_back(one.path, one.value);
+                 const SceneText& text = value.text();
+                 return py::make_tuple(text.text, text.source, text.directory.string(), settings);
+             })
         .def("copy", [](const SceneValue& value) { return SceneValue(value); });
 }
 

@@ -16,11 +16,16 @@ PARTS_WITHOUT = {"shaders": (), "assets": ("guide",), "scenes": ("pictures", "*.
 
 
 class BuildByCMake(build_ext):
-    def build_extension(self, ext: Extension) -> None:
+    def build_module(self) -> pathlib.Path:
         build = SOURCE / "build" / "python"
         subprocess.run(["cmake", "--preset", "release", "-S", SOURCE, "-B", build, "-DFUMON_PYTHON=ON",
                         f"-DPython_EXECUTABLE={sys.executable}"], check=True, cwd=SOURCE)
         subprocess.run(["cmake", "--build", build, "--target", "fumon_python_module"], check=True)
+        return build
+
+    def build_extension(self, ext: Extension) -> None:
+        given = os.environ.get("FUMON_BUILD")  # a build folder with the module in it, absolute
+        build = pathlib.Path(given) if given else self.build_module()
         made = pathlib.Path(self.get_ext_fullpath(ext.name))
         made.parent.mkdir(parents=True, exist_ok=True)
         built, = (build / "python" / "fumon").glob("_core.*.so")
@@ -28,6 +33,7 @@ class BuildByCMake(build_ext):
         for part, without in PARTS_WITHOUT.items():
             shutil.copytree(SOURCE / part, made.parent / "share" / part, dirs_exist_ok=True,
                             ignore=shutil.ignore_patterns(*without))
+        shutil.copyfile(SOURCE / "LICENSE", made.parent / "share" / "LICENSE")
 
 
 def version() -> str:
@@ -35,5 +41,12 @@ def version() -> str:
     return re.search(r"project\(fumon VERSION ([0-9.]+)", text)[1]
 
 
+def readme() -> str:
+    """The first paragraphs of the guide's page on Python."""
+    page = (SOURCE / "assets" / "guide" / "python.md").read_text(encoding="utf-8")
+    return page[:page.index("\n## ")].replace("# Python", "# fumon", 1)
+
+
 os.chdir(pathlib.Path(__file__).parent)
-setup(version=version(), ext_modules=[Extension("fumon._core", [])], cmdclass={"build_ext": BuildByCMake})
+setup(version=version(), long_description=readme(), long_description_content_type="text/markdown",
+      ext_modules=[Extension("fumon._core", [])], cmdclass={"build_ext": BuildByCMake})

@@ -1,6 +1,10 @@
 """Models as components of the Basic Model Interface: every function for every model, values set between steps, and a
 model coupled with a diffusion in NumPy."""
 
+import re
+import shutil
+import subprocess
+
 import numpy as np
 import pytest
 
@@ -19,6 +23,10 @@ SCENES = {
     "static": '[model]\nname = "static"\n[grid]\nnx = 24\nny = 16\ncell_size = 2\n[bed]\nkind = "noise"\nhigh = 1\n[run]\nsteps = 6\n',
 }
 CHANGING = ["sand", "dunes", "gully", "water", "sandpile", "static"]  # whose bed can be set
+
+# "1", or symbols that UDUNITS has, with whole powers.
+_SYMBOL = "(m|mm|km|kg|s|min|h|d|yr|Pa|degree)(-?[0-9])?"
+UNITS = re.compile(f"1|{_SYMBOL}( {_SYMBOL})*")
 
 # Of the specification, in its order.
 FUNCTIONS = """initialize update update_until finalize get_component_name get_input_item_count get_output_item_count
@@ -96,6 +104,55 @@ def test_every_model_answers(component, name):
         model.update()
 
 
+@pytest.mark.parametrize("name", SCENES)
+def test_it_keeps_the_rules_of_bmi_tester(component, name):
+    """What the tester of CSDMS asks of a component, in its words; each variable and grid."""
+    model = component(name)
+    start, end, now, step = model.get_start_time(), model.get_end_time(), model.get_current_time(), model.get_time_step()
+    assert all(type(value) is float for value in (start, end, now, step))
+    assert start == 0.0 and step > 0 and start <= now <= end
+    assert model.get_time_units() in ("1", "s", "yr")
+    inputs, outputs = model.get_input_var_names(), model.get_output_var_names()
+    assert isinstance(inputs, tuple) and isinstance(outputs, tuple)
+    for variable in {*inputs, *outputs}:
+        size = model.get_grid_size(model.get_var_grid(variable))
+        dtype = np.dtype(model.get_var_type(variable))
+        assert model.get_var_itemsize(variable) == dtype.itemsize
+        assert model.get_var_nbytes(variable) == dtype.itemsize * size
+        assert model.get_var_location(variable) in ("node", "edge", "face", "none")
+        assert UNITS.fullmatch(model.get_var_units(variable)), (variable, model.get_var_units(variable))
+        dest = np.full(size, np.nan)
+        assert model.get_value(variable, dest) is dest and np.all(np.isfinite(dest))
+        assert np.array_equal(model.get_value_ptr(variable), dest)
+        if variable in inputs:  # what it is may be set
+            model.set_value(variable, dest)
+            assert np.array_equal(model.get_value_ptr(variable), dest)
+            model.set_value_at_indices(variable, [0], dest[:1])
+    for grid in (0, 1):
+        rank = model.get_grid_rank(grid)
+        assert type(rank) is int and type(model.get_grid_size(grid)) is int and model.get_grid_size(grid) > 0
+        assert model.get_grid_type(grid) == {0: "scalar", 2: "uniform_rectilinear"}[rank]
+        if rank:
+            shape, spacing, origin = np.empty(rank, np.int32), np.empty(rank), np.full(rank, np.nan)
+            assert model.get_grid_shape(grid, shape) is shape and np.all(shape > 0)
+            assert model.get_grid_spacing(grid, spacing) is spacing and np.all(spacing > 0)
+            assert model.get_grid_origin(grid, origin) is origin and np.all(np.isfinite(origin))
+    model.update()
+    assert model.get_current_time() == pytest.approx(step)
+    model.finalize()
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_udunits_reads_every_unit(component, name):
+    if not shutil.which("udunits2"):
+        pytest.skip("udunits2 is not installed (udunits-bin)")
+    model = component(name)
+    units = {model.get_var_units(one) for one in {*model.get_input_var_names(), *model.get_output_var_names()}}
+    for unit in {*units, model.get_time_units()}:
+        told = subprocess.run(["udunits2", "-A", "-H", unit, "-W", unit], capture_output=True, text=True)
+        assert "= 1" in told.stdout and not told.stderr, (unit, told.stderr)
+
+
 @pytest.mark.parametrize("name", CHANGING)
 def test_it_steps_as_a_run_does_and_a_bed_set_to_itself_changes_nothing(component, name):
     model = component(name)
@@ -115,7 +172,7 @@ def test_it_steps_as_a_run_does_and_a_bed_set_to_itself_changes_nothing(componen
 def test_what_is_set_is_what_the_model_goes_on_with(component):
     model = component("water")
     rain = "atmosphere_water__rainfall_volume_flux"
-    assert value(model, rain) == 30 and model.get_var_units(rain) == "mm/h"
+    assert value(model, rain) == 30 and model.get_var_units(rain) == "mm h-1"
     model.update()
     depth = value(model, "land_surface_water__depth").sum()
     model.set_value(rain, [0.0])

@@ -55,7 +55,8 @@ def test_the_block_in_cpp_runs(tmp_path):
     (program,) = re.findall(r"^```cpp\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
     (tmp_path / "coupled.cpp").write_text(program)
     (tmp_path / "fumon").mkdir()
-    shutil.copy(GUIDE.parents[2] / "src/bmi/bmi.h", tmp_path / "fumon")
+    for header in ("bmi.h", "bmi_library.h"):
+        shutil.copy(GUIDE.parents[2] / "src/bmi" / header, tmp_path / "fumon")
     (tmp_path / "my.toml").write_text('[model]\nname = "sand"\n[grid]\nnx = 12\nny = 8\n[run]\nsteps = 4\n')
     folder = os.path.dirname(library)
     subprocess.run(["c++", "-std=c++20", "-I.", "coupled.cpp", "-L" + folder, "-lfumonbmi", "-Wl,-rpath," + folder, "-o",

@@ -117,10 +117,13 @@ import multiprocessing
 def hash_of(seed):
     scene["seed"] = seed
     return fumon.fingerprint(scene.at(10).image())["pixels_sha256"]
+def bed_of(sent):
+    return sent.at(10).bed.tobytes()
 if __name__ == "__main__":
     here = hash_of(3)
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         assert pool.map(hash_of, [3]) == [here]
+        assert pool.map(bed_of, [scene]) == [bed_of(scene)]  # sent as it is
 """
     import tempfile
     with tempfile.NamedTemporaryFile("w", suffix=".py") as file:

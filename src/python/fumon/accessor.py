@@ -11,8 +11,12 @@ from .measures import Measures
 from .movies import Movie, movie
 from .terrain import CellSize, Origin, measure, render
 
+# Versions of xarray differ in whether these have types.
+_register_dataarray_accessor: Any = xarray.register_dataarray_accessor
+_register_dataset_accessor: Any = xarray.register_dataset_accessor
 
-@xarray.register_dataarray_accessor("fumon")
+
+@_register_dataarray_accessor("fumon")
 class TerrainAccessor:
     """Heights: ``array.fumon.render(camera_azimuth=160)``. The cell size is that of its coordinates."""
 
@@ -23,7 +27,7 @@ class TerrainAccessor:
         """A picture, see fumon.render()."""
         return render(self._array, cell_size, origin=origin, **look)
 
-    def measure(self, cell_size: CellSize = None, *, origin: Origin = "lower", periodic: bool = False,
+    def measure(self, cell_size: CellSize = None, *, origin: Origin = "lower", periodic: bool = True,
                 channel_area: float = 0.0) -> Measures:
         """Its measures, see fumon.measure()."""
         return measure(self._array, cell_size, origin=origin, periodic=periodic, channel_area=channel_area)
@@ -33,7 +37,7 @@ class TerrainAccessor:
         return movie(self._array, file, **options)
 
 
-@xarray.register_dataset_accessor("fumon")
+@_register_dataset_accessor("fumon")
 class DatasetAccessor:
     """``dataset.fumon.movie("growth.mp4")``."""
 

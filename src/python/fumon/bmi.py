@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import os
+from typing import NoReturn, SupportsIndex
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _core
+from .arrays import Array
 from .images import PathLike
 
 
@@ -27,6 +30,9 @@ class Bmi:
 
     def __init__(self) -> None:
         self._core = _core.Component()
+
+    def __reduce_ex__(self, protocol: SupportsIndex) -> NoReturn:
+        raise TypeError("a model under way belongs to its process; initialize another where it is needed")
 
     def initialize(self, config_file: PathLike) -> None:
         """Reads a scene's file, or one that fumon ships by its name, and makes its model ready."""
@@ -77,7 +83,8 @@ class Bmi:
         return "float64"
 
     def get_var_units(self, name: str) -> str:
-        """As UDUNITS has them; "1" for a pure number, and for sites and model heights."""
+        """As UDUNITS has them; "1" for a pure number, for sites, model heights and shares of them, and for what has
+        no whole power (Manning's n). The guide's page on coupling tells what "1" means where."""
         return self._core.var_units(name)
 
     def get_var_itemsize(self, name: str) -> int:
@@ -108,22 +115,22 @@ class Bmi:
         """What the next step takes, found by taking it on a copy of the model."""
         return self._core.time_step()
 
-    def get_value(self, name: str, dest: np.ndarray) -> np.ndarray:
+    def get_value(self, name: str, dest: Array) -> Array:
         dest[:] = self._core.value(name)
         return dest
 
-    def get_value_ptr(self, name: str) -> np.ndarray:
+    def get_value_ptr(self, name: str) -> Array:
         """The component's own array, which follows the model and cannot be written to; set_value() does that."""
         return self._core.value_pointer(name)
 
-    def get_value_at_indices(self, name: str, dest: np.ndarray, inds: np.ndarray) -> np.ndarray:
+    def get_value_at_indices(self, name: str, dest: Array, inds: npt.ArrayLike) -> Array:
         dest[:] = self._core.value(name)[np.asarray(inds)]
         return dest
 
-    def set_value(self, name: str, src: np.ndarray) -> None:
+    def set_value(self, name: str, src: npt.ArrayLike) -> None:
         self._core.set(name, np.asarray(src, dtype=float).ravel())
 
-    def set_value_at_indices(self, name: str, inds: np.ndarray, src: np.ndarray) -> None:
+    def set_value_at_indices(self, name: str, inds: npt.ArrayLike, src: npt.ArrayLike) -> None:
         self._core.set_at(name, np.asarray(inds, dtype=np.intc), np.asarray(src, dtype=float))
 
     def get_grid_rank(self, grid: int) -> int:
@@ -135,32 +142,32 @@ class Bmi:
     def get_grid_type(self, grid: int) -> str:
         return self._core.grid_type(grid)
 
-    def get_grid_shape(self, grid: int, shape: np.ndarray) -> np.ndarray:
+    def get_grid_shape(self, grid: int, shape: Array) -> Array:
         """(rows, columns)."""
         shape[:] = self._core.grid_shape(grid)
         return shape
 
-    def get_grid_spacing(self, grid: int, spacing: np.ndarray) -> np.ndarray:
+    def get_grid_spacing(self, grid: int, spacing: Array) -> Array:
         """(northward, eastward), metres or sites."""
         spacing[:] = self._core.grid_spacing(grid)
         return spacing
 
-    def get_grid_origin(self, grid: int, origin: np.ndarray) -> np.ndarray:
+    def get_grid_origin(self, grid: int, origin: Array) -> Array:
         """(northward, eastward) of the south-western cell's centre, from the bed's corner."""
         origin[:] = self._core.grid_origin(grid)
         return origin
 
-    def get_grid_x(self, grid: int, x: np.ndarray) -> np.ndarray:
+    def get_grid_x(self, grid: int, x: Array) -> Array:
         """Of the columns' centres."""
         x[:] = self._core.grid_x(grid)
         return x
 
-    def get_grid_y(self, grid: int, y: np.ndarray) -> np.ndarray:
+    def get_grid_y(self, grid: int, y: Array) -> Array:
         """Of the rows' centres."""
         y[:] = self._core.grid_y(grid)
         return y
 
-    def get_grid_z(self, grid: int, z: np.ndarray) -> np.ndarray:
+    def get_grid_z(self, grid: int, z: Array) -> Array:
         """Raises InputError: the grid lies in the plane."""
         z[:] = self._core.grid_z(grid)
         return z
@@ -174,21 +181,21 @@ class Bmi:
     def get_grid_face_count(self, grid: int) -> int:
         return self._core.grid_face_count(grid)
 
-    def get_grid_edge_nodes(self, grid: int, edge_nodes: np.ndarray) -> np.ndarray:
+    def get_grid_edge_nodes(self, grid: int, edge_nodes: Array) -> Array:
         """Both ends of each edge: those along x row by row, then those along y."""
         edge_nodes[:] = self._core.grid_edge_nodes(grid)
         return edge_nodes
 
-    def get_grid_face_edges(self, grid: int, face_edges: np.ndarray) -> np.ndarray:
+    def get_grid_face_edges(self, grid: int, face_edges: Array) -> Array:
         """The edges of each square between four centres, counterclockwise from the south."""
         face_edges[:] = self._core.grid_face_edges(grid)
         return face_edges
 
-    def get_grid_face_nodes(self, grid: int, face_nodes: np.ndarray) -> np.ndarray:
+    def get_grid_face_nodes(self, grid: int, face_nodes: Array) -> Array:
         """Their corners, counterclockwise from the south-west."""
         face_nodes[:] = self._core.grid_face_nodes(grid)
         return face_nodes
 
-    def get_grid_nodes_per_face(self, grid: int, nodes_per_face: np.ndarray) -> np.ndarray:
+    def get_grid_nodes_per_face(self, grid: int, nodes_per_face: Array) -> Array:
         nodes_per_face[:] = self._core.grid_nodes_per_face(grid)
         return nodes_per_face

@@ -4,18 +4,26 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, field
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _core
+from .arrays import Array, Bytes
 
 PathLike = Union[str, "os.PathLike[str]"]
 
 
-class Image(np.ndarray):
+if TYPE_CHECKING:
+    _Pixels = npt.NDArray[Any]
+else:
+    _Pixels = np.ndarray
+
+
+class Image(_Pixels):
     """A picture: uint8 (height, width, 3), top row first; (height, width, 4) where it has alpha, by which colours are not
-    multiplied. A NumPy array in all it does; notebooks show it."""
+    multiplied. A NumPy array in all it does; notebooks show it. A number reckoned of it (``image.mean()``) is NumPy's."""
 
     environment: str  #: what drew it, as one line of JSON; empty where that is not known
 
@@ -25,8 +33,21 @@ class Image(np.ndarray):
     def __array_finalize__(self, other: Any) -> None:
         self.environment = ""
 
+    def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = True) -> Any:
+        wrapped = super().__array_wrap__(array)
+        return wrapped if wrapped.ndim else np.asarray(wrapped)[()]
+
+    def __copy__(self) -> Image:
+        return self.__deepcopy__()
+
+    def __deepcopy__(self, memo: dict[int, Any] | None = None) -> Image:
+        return _image_of(type(self), np.array(self), self.environment)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _image_of, (type(self), np.array(self), self.environment)
+
     @classmethod
-    def drawn(cls, drawn: tuple[np.ndarray, str]) -> Image:
+    def drawn(cls, drawn: tuple[Bytes, str]) -> Image:
         image = drawn[0].view(cls)
         image.environment = drawn[1]
         return image
@@ -50,6 +71,12 @@ class Image(np.ndarray):
         return f"<fumon.Image, {self.shape[1]} x {self.shape[0]} pixels>"
 
 
+def _image_of(kind: type[Image], pixels: Array, environment: str) -> Image:
+    image: Image = pixels.view(kind)
+    image.environment = environment
+    return image
+
+
 def write_png(file: PathLike, data: bytes) -> None:
     name = os.fspath(file)
     if not name.lower().endswith(".png"):
@@ -57,7 +84,7 @@ def write_png(file: PathLike, data: bytes) -> None:
     _core.write_file(name, data)
 
 
-def checked_pixels(pixels: Any) -> np.ndarray:
+def checked_pixels(pixels: Any) -> Bytes:
     """Pixels as they come, as a packed array."""
     array = np.asarray(pixels)
     if array.dtype != np.uint8:
@@ -67,7 +94,7 @@ def checked_pixels(pixels: Any) -> np.ndarray:
     return np.ascontiguousarray(array)
 
 
-def _pixels_of(picture: Any) -> np.ndarray:
+def _pixels_of(picture: Any) -> Bytes:
     if isinstance(picture, (str, os.PathLike)):
         return _core.read_png(os.fspath(picture))
     return checked_pixels(picture)

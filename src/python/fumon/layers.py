@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 
 
-class Layers(dict[str, np.ndarray]):
+class Layers(dict[str, "npt.NDArray[np.float32]"]):
     """Channels of a picture by name, each float32 (height, width), top row first: "R", "G" and "B", linear light before
     exposure and tone curve; "A" where the background is transparent, by which they are multiplied; "Z", "normal.X",
     "position.X", "field.height" and others, as the guide's table in movies.md tells them. A dict in all it does."""
@@ -14,7 +15,7 @@ class Layers(dict[str, np.ndarray]):
     environment: str  #: what drew it, as one line of JSON
 
     @classmethod
-    def drawn(cls, drawn: tuple[list[tuple[str, str, np.ndarray]], str]) -> Layers:
+    def drawn(cls, drawn: tuple[list[tuple[str, str, npt.NDArray[np.float32]]], str]) -> Layers:
         channels, environment = drawn
         layers = cls({name: values for name, _, values in channels})
         layers.units = {name: unit for name, unit, _ in channels}
@@ -22,7 +23,7 @@ class Layers(dict[str, np.ndarray]):
         return layers
 
     @property
-    def light(self) -> np.ndarray:
+    def light(self) -> npt.NDArray[np.float32]:
         """R, G, B as one array (height, width, 3)."""
         return np.stack([self["R"], self["G"], self["B"]], axis=-1)
 

@@ -11,6 +11,7 @@ from typing import Any, Iterator
 import numpy as np
 
 from . import _core
+from .arrays import Bytes
 from .images import Image, PathLike, checked_pixels
 from .progress import Progress
 from .scene import Run, Step
@@ -76,8 +77,10 @@ def movie(frames: Any, file: PathLike, *, rate: float = 30.0, quality: int = 18,
 
 
 def _items(frames: Any, variable: str | None) -> tuple[Iterator[Any], int]:
-    if isinstance(frames, (Run, Step)):
-        return iter([frames] if isinstance(frames, Step) else frames), 0
+    if isinstance(frames, Step):
+        return iter([frames]), 0
+    if isinstance(frames, Run):
+        return frames, 0
     if hasattr(frames, "data_vars"):
         frames = frames[variable or _heights_of(frames)]
     elif variable is not None:
@@ -102,7 +105,7 @@ def _heights_of(dataset: Any) -> str:
     return names[0]
 
 
-def _picture(item: Any, painter: Painter, cell_size: CellSize, origin: Origin, look: dict[str, Any]) -> np.ndarray:
+def _picture(item: Any, painter: Painter, cell_size: CellSize, origin: Origin, look: dict[str, Any]) -> Bytes:
     is_picture = isinstance(item, Image) or (getattr(item, "dtype", None) == np.uint8 and getattr(item, "ndim", 0) == 3)
     if (is_picture or isinstance(item, Step)) and look:
         raise TypeError(f"{next(iter(look))} changes beds that are drawn; these are pictures, or steps with a scene")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import sys
 import time
 from types import TracebackType
@@ -62,9 +63,9 @@ class Progress:
             sys.stderr.flush()
 
     def _show_in_notebook(self, done: int, text: str) -> None:
-        from IPython.display import HTML, display
-        page = HTML(f"<progress value='{done}' max='{max(self.total, 1)}'></progress> {text}" if text else "")
+        ipython = importlib.import_module("IPython.display")
+        page = ipython.HTML(f"<progress value='{done}' max='{max(self.total, 1)}'></progress> {text}" if text else "")
         if self._handle is None:
-            self._handle = display(page, display_id=True)
+            self._handle = ipython.display(page, display_id=True)
         else:
             self._handle.update(page)  # type: ignore[attr-defined]

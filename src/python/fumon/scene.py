@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+import copy
 import os
 import warnings
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Iterable, Iterator, Sequence, Union
-
-import numpy as np
+from typing import TYPE_CHECKING, Any, Iterable, Iterator, NoReturn, Sequence, SupportsIndex, Union
 
 from . import _core
+from .arrays import Bytes, Numbers
 from .images import Image, PathLike, write_png
 from .layers import Layers
 from .measures import Measures
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     import xarray
 
 
-class Scene(Mapping):
+class Scene(Mapping[str, Any]):
     """What to simulate and how to show it: a mapping of every key ("model.creep_rate") to its value.
 
     ``Scene("dunes.toml")`` reads a file, ``Scene("terada-barchans")`` a scene that fumon ships. Keywords set keys,
@@ -61,10 +61,28 @@ class Scene(Mapping):
     __hash__ = None  # type: ignore[assignment]
 
     def copy(self) -> Scene:
-        """Another scene with the same values."""
+        """Another scene with the same values. copy.copy and copy.deepcopy give the same: nothing is shared."""
+        return copy.copy(self)
+
+    def __copy__(self) -> Scene:
         scene = type(self).__new__(type(self))
-        scene._value = self._value.copy()
+        scene.__dict__.update(self.__dict__, _value=self._value.copy())
         return scene
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Scene:
+        scene = type(self).__new__(type(self))
+        memo[id(self)] = scene
+        own = {name: value for name, value in self.__dict__.items() if name != "_value"}
+        scene.__dict__.update(copy.deepcopy(own, memo), _value=self._value.copy())
+        return scene
+
+    def __getstate__(self) -> dict[str, Any]:
+        """For pickle: its text and what was set, with the folder from which files that it names are looked for."""
+        text, source, directory, settings = self._value.parts()
+        return {**self.__dict__, "_value": (text, source, os.path.abspath(directory), settings)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state, _value=_core.SceneValue.parse(*state["_value"]))
 
     def to_toml(self) -> str:
         """The scene as TOML, every key with its value."""
@@ -127,6 +145,9 @@ class Run:
     def __iter__(self) -> Run:
         return self
 
+    def __reduce_ex__(self, protocol: SupportsIndex) -> NoReturn:
+        raise TypeError("a Run belongs to its process; copy, pickle or send its Scene and run that")
+
     def __next__(self) -> Step:
         if self._due is None:
             self._due = next(self._steps, None)
@@ -178,6 +199,9 @@ class Step:
     def __init__(self, core: _core.Step) -> None:
         self._core = core
 
+    def __reduce_ex__(self, protocol: SupportsIndex) -> NoReturn:
+        raise TypeError("a Step belongs to its run; copy, pickle or send its bed, measures or image")
+
     @property
     def step(self) -> int:
         return self._core.step
@@ -192,13 +216,13 @@ class Step:
         return self._core.time_unit
 
     @property
-    def bed(self) -> np.ndarray:
+    def bed(self) -> Numbers:
         """Heights (ny, nx), float64, row 0 southernmost; model heights, see ``height_unit``. A view that cannot be
         written to and keeps what it shows; ``.copy()`` gives one of your own."""
         return self._core.bed
 
     @property
-    def fields(self) -> dict[str, np.ndarray]:
+    def fields(self) -> dict[str, Numbers]:
         """What else the model shows ("water_depth"), by name: views as ``bed``."""
         return self._core.fields
 
@@ -213,7 +237,7 @@ class Step:
         return self._core.numbers
 
     @property
-    def nodata(self) -> np.ndarray | None:
+    def nodata(self) -> Bytes | None:
         """1 in cells outside the domain, (ny, nx); None where there are none."""
         return self._core.nodata
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Iterator, Mapping, Sequence, Union
 import numpy as np
 
 from . import _core
+from .arrays import Array
 from .images import PathLike
 from .progress import Progress
 from .settings import key_of, toml_of
@@ -24,7 +25,7 @@ Over = Mapping[Union[str, "tuple[str, ...]"], Sequence[Any]]
 def sweep(scene: _core.SceneValue, over: Over | None, seeds: int | range | None, folder: PathLike | None, threads: int,
           progress: bool | None) -> xarray.Dataset:
     """See Scene.sweep()."""
-    import xarray  # before hours of work
+    import xarray  # noqa: F401  before hours of work
 
     axes = {_keys(names): list(values) for names, values in (over or {}).items()}
     for keys, values in axes.items():
@@ -39,7 +40,7 @@ def sweep(scene: _core.SceneValue, over: Over | None, seeds: int | range | None,
 
         result = _core.sweep(scene, texts, _seeds(seeds), place, threads, tell)
     names = [names if isinstance(names, str) else names[0] for names in over] if over else None
-    return _dataset(xarray, result, names, list(axes.values()))
+    return _dataset(result, names, list(axes.values()))
 
 
 def _keys(names: str | tuple[str, ...]) -> tuple[str, ...]:
@@ -65,7 +66,9 @@ def _folder(folder: PathLike | None) -> Iterator[str]:
         yield place
 
 
-def _dataset(xarray: Any, result: dict[str, Any], names: list[str] | None, values: list[list[Any]]) -> xarray.Dataset:
+def _dataset(result: dict[str, Any], names: list[str] | None, values: list[list[Any]]) -> xarray.Dataset:
+    import xarray
+
     if names is None:  # the scene's own sweep
         names = [keys[0] for keys, _ in result["axes"]]
         values = [[_number(text) for text in texts] for _, texts in result["axes"]]
@@ -101,7 +104,7 @@ def _attributes(column: tuple[str, str] | None) -> dict[str, str]:
     return {} if column is None else {"units": column[0] or "1", "long_name": column[1]}
 
 
-def _coordinate(values: list[Any]) -> np.ndarray:
+def _coordinate(values: list[Any]) -> Array:
     """Numbers and texts as they are; lists as their text."""
     if all(isinstance(value, (bool, int, float, str, np.generic)) for value in values):
         return np.array(values)

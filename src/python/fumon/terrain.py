@@ -8,6 +8,7 @@ from typing import Any, Literal, Union
 import numpy as np
 
 from . import _core
+from .arrays import Bytes, Numbers
 from .images import Image
 from .layers import Layers
 from .measures import Measures
@@ -25,8 +26,8 @@ _evenness = 0.05  # of a cell, by which coordinates may stand off the even line,
 class Bed:
     """Heights as the core takes them: float64 (ny, nx), row 0 southernmost, and what lies outside."""
 
-    heights: np.ndarray
-    nodata: np.ndarray | None
+    heights: Numbers
+    nodata: Bytes | None
     cell_size: tuple[float, float] | None
 
 
@@ -61,11 +62,12 @@ def render_layers(data: Any, cell_size: CellSize = None, *, origin: Origin = "lo
 
 
 def measure(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
-            periodic: bool = False, channel_area: float = 0.0) -> Measures:
+            periodic: bool = True, channel_area: float = 0.0) -> Measures:
     """The measures of a terrain, as ``fumon measure`` has them: wavelengths, crests, slopes, dunes. In metres where
     there is a cell size, else in cells. data, cell_size, origin, field: as for render(). periodic: the bed goes on
-    past its edges with its other side. channel_area: above 0, the network of channels through which at least this
-    area drains (m², or cells) is measured too."""
+    past its edges with its other side, as for the command; False, its ``--open``, for terrain that ends there.
+    channel_area: above 0, the network of channels through which at least this area drains (m², or cells) is measured
+    too."""
     if not 0.0 <= channel_area < float("inf"):
         raise ValueError(f"channel_area is {channel_area}; it takes 0 or an area above it")
     bed = bed_of(data, cell_size, origin, field)
@@ -116,8 +118,8 @@ def _checked_size(cell_size: CellSize) -> tuple[float, float] | None:
 
 
 def _bed_of_array(data: Any, size: tuple[float, float] | None, flipped: bool) -> Bed:
-    masked = np.ma.getmask(data)
-    values = np.ma.getdata(data) if isinstance(data, np.ma.MaskedArray) else np.asarray(data)
+    masked = data.mask if isinstance(data, np.ma.MaskedArray) else np.ma.nomask
+    values = data.data if isinstance(data, np.ma.MaskedArray) else np.asarray(data)
     if values.dtype.kind not in "iuf":
         raise TypeError(f"heights are real numbers, not {values.dtype}")
     if values.ndim != 2:

@@ -1,7 +1,9 @@
-#include "cli/scene_argument.h"
+#include "run/inputs/scene_argument.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <system_error>
 #include <vector>
@@ -9,7 +11,6 @@
 #include "base/data_files.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "cli/shipped_scenes.h"
 
 namespace fumon {
 
@@ -17,11 +18,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The names of scenes that a command may be given alone.
+constexpr std::array argument_folders{"scenes/", "scenes/figures/"};
+
+/// The names of scenes that may be given alone.
 std::vector<std::string> shipped_names() {
     std::vector<std::string> names;
-    for (const ShippedScene& scene : shipped_scenes({"", "figures"}))
-        names.push_back(scene.file.stem().string());
+    for (const char* folder : argument_folders) {
+        const auto place = find_data_file(folder);
+        if (!place) continue;
+        std::error_code fault;
+        for (const auto& entry : fs::directory_iterator(*place, fault)) {
+            if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+        }
+    }
+    std::ranges::sort(names);
     return names;
 }
 
@@ -37,7 +47,7 @@ std::string scene_argument(const std::string& given) {
     if (!is_bare_name(given) || fs::is_regular_file(path, fault)) return given;
     const bool is_word = path.extension() != ".toml";
     const std::string file = is_word ? given + ".toml" : given;
-    for (const char* folder : {"scenes/", "scenes/figures/"}) {
+    for (const char* folder : argument_folders) {
         if (const auto shipped = find_data_file(folder + file)) return shipped->string();
     }
     if (!is_word || path.has_extension() || fs::exists(path, fault)) return given;
