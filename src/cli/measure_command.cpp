@@ -12,12 +12,12 @@
 #include "cli/examples.h"
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
-#include "cli/standard_input.h"
 #include "files/avalanche_table.h"
 #include "files/terrain/terrain_format.h"
 #include "measure/pile/avalanche_report.h"
 #include "measure/suite.h"
 #include "run/inputs/scene_argument.h"
+#include "run/inputs/standard_input.h"
 
 namespace fumon {
 

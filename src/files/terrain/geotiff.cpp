@@ -1,9 +1,9 @@
 #include "files/terrain/geotiff.h"
 
 #include "files/gdal/gdal_functions.h"
+#include "files/gdal/raster_kinds.h"
 #include "files/terrain/geotiff_writer.h"
 #include "files/terrain/raster.h"
-#include "files/terrain/raster_kinds.h"
 
 namespace fumon {
 

@@ -10,8 +10,8 @@
 #include "files/gdal/gdal_functions.h"
 #include "files/gdal/gdal_session.h"
 #include "files/gdal/spatial_reference.h"
+#include "files/gdal/wkt_words.h"
 #include "files/terrain/geographic.h"
-#include "files/terrain/wkt_words.h"
 
 namespace fumon {
 

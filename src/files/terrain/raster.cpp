@@ -15,12 +15,13 @@
 #include "base/limits.h"
 #include "files/gdal/gdal_functions.h"
 #include "files/gdal/gdal_session.h"
+#include "files/gdal/raster_choice.h"
+#include "files/gdal/raster_kinds.h"
+#include "files/gdal/raster_place.h"
 #include "files/input_file.h"
 #include "files/open_files.h"
 #include "files/terrain/geographic.h"
-#include "files/terrain/raster_choice.h"
-#include "files/terrain/raster_kinds.h"
-#include "files/terrain/raster_place.h"
+#include "files/terrain/text_grid.h"
 #include "files/terrain/wanted_unit.h"
 
 namespace fumon {
@@ -112,6 +113,13 @@ class RasterReader {
 
     [[noreturn]] void refuse_damage() const {
         if (dataset_.get() == nullptr) refuse_shortage_of_open_files(path_);
+        constexpr std::size_t looked_at = 4096;  // bytes
+        if (!std::filesystem::is_directory(path_)) {
+            const auto text = other_text_grid(start_of_input_file(path_, looked_at));
+            if (text && text->is_list)
+                refuse("is a list of points (XYZ) that fill no even grid",
+                       "write a point for each cell, or make a grid of scattered ones (gdal_grid)");
+        }
         std::string fault = session_.fault();
         for (const std::string& part : {path_ + ": ", path_}) {  // which the line begins with
             for (std::size_t at = 0; (at = fault.find(part, at)) != std::string::npos;)

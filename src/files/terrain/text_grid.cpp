@@ -82,7 +82,8 @@ std::optional<OtherTextGrid> other_text_grid(std::string_view text) {
     if (!is_list) return std::nullopt;
     return OtherTextGrid{"a list of points (XYZ)",
                          "make a grid of it: gdal_translate -of AAIGrid IN OUT.asc of points that "
-                         "fill an even grid, gdal_grid of scattered ones"};
+                         "fill an even grid, gdal_grid of scattered ones",
+                         true};
 }
 
 }  // namespace fumon

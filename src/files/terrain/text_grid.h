@@ -9,6 +9,7 @@ namespace fumon {
 struct OtherTextGrid {
     std::string_view title;   ///< "a Surfer ASCII grid (DSAA)"
     std::string_view remedy;  ///< how it becomes one
+    bool is_list = false;     ///< of points
 };
 
 /// What a text (its first kilobytes suffice) is by its beginning: a grid of Surfer ("DSAA"), or a

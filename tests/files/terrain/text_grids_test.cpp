@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "files/terrain/doubtful_heights.h"
+#include "files/terrain/esri_ascii.h"
 #include "files/terrain/terrain_file.h"
 #include "files/terrain/text_grid.h"
 #include "support/temporary_folder.h"
@@ -52,20 +53,19 @@ TEST(TextGrids, GeoclawsHeadersHaveTheirNumbersFirst) {
 
 TEST(TextGrids, OthersAreNamedWithTheirRemedy) {
     const TemporaryFolder folder;
-    for (const char* text : {"DSAA\n3 2\n0 2\n0 1\n1 6\n1 2 3\n4 5 6\n"}) {
-        const auto file = folder.file("grid.grd", text);
-        EXPECT_EQ(message_of<InputError>([&] { (void)read_terrain(file); }),
-                  file.string() +
-                      ":1: this is a Surfer ASCII grid (DSAA); make an ESRI ASCII grid or a "
-                      "GeoTIFF of it (gdal_translate -of AAIGrid IN OUT.asc)");
-    }
-    for (const char* text : {"0 0 1\n1 0 2\n0 1 3\n", "x,y,z\n0,0,1\n1,0,2\n",
-                             "# points\nLon;Lat;Height\n7;46;800.5\n8;46;nan\n",
-                             "\"X\"\t\"Y\"\t\"Z\"\r\n0\t0\t1\r\n1\t0\t2\r\n"}) {
+    const auto surfer = folder.file("grid.grd", "DSAA\n3 2\n0 2\n0 1\n1 6\n1 2 3\n4 5\n");
+    EXPECT_EQ(message_of<InputError>([&] {
+                  (void)parse_esri_ascii({"grid.grd", "DSAA\n3 2\n"});
+              }),
+              "grid.grd:1: this is a Surfer ASCII grid (DSAA); make an ESRI ASCII grid or a "
+              "GeoTIFF of it (gdal_translate -of AAIGrid IN OUT.asc)");
+    EXPECT_NE(message_of<InputError>([&] { (void)read_terrain(surfer); }), "") << "cut short";
+    for (const char* text :
+         {"x,y,z\n0,0,1\n1,0,2\n", "# points\nLon;Lat;Height\n7;46;800.5\n8;46;nan\n",
+          "\"X\"\t\"Y\"\t\"Z\"\r\n0\t0\t1\r\n1\t0\t2\r\n"}) {
         const auto file = folder.file("points.xyz", text);
         const std::string message = message_of<InputError>([&] { (void)read_terrain(file); });
-        EXPECT_NE(message.find(":1: this is a list of points (XYZ); make a grid of it: "
-                               "gdal_translate -of AAIGrid"),
+        EXPECT_NE(message.find(": is a list of points (XYZ) that fill no even grid; "),
                   std::string::npos)
             << message;
     }

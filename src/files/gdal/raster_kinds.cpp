@@ -1,4 +1,4 @@
-#include "files/terrain/raster_kinds.h"
+#include "files/gdal/raster_kinds.h"
 
 #include <algorithm>
 #include <array>

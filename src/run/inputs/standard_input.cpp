@@ -1,4 +1,4 @@
-#include "cli/standard_input.h"
+#include "run/inputs/standard_input.h"
 
 #include <unistd.h>
 

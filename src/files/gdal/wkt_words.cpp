@@ -1,4 +1,4 @@
-#include "files/terrain/wkt_words.h"
+#include "files/gdal/wkt_words.h"
 
 #include <array>
 #include <cctype>

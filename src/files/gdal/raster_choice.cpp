@@ -1,4 +1,4 @@
-#include "files/terrain/raster_choice.h"
+#include "files/gdal/raster_choice.h"
 
 #include <string_view>
 

@@ -1,4 +1,4 @@
-#include "files/terrain/raster_place.h"
+#include "files/gdal/raster_place.h"
 
 #include <fmt/format.h>
 
