@@ -153,6 +153,7 @@ int perform(const StillOptions& options) {
                            : advance_to(prepared, step_of(options, prepared.scene), progress);
     if (signal != 0) return exit_status_of_signal(signal);
     const Snapshot present = prepared.model->snapshot();
+    if (first) stand_on_drawn_ground(prepared.scene.view, *first, present);
     prepared.model.reset();  // a large bed is then in memory once
     draw_still(prepared, first ? *first : present, present, options.output, options.work, progress);
     return 0;

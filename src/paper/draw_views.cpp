@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "figure/panels/view_panel.h"
-#include "files/terrain/esri_ascii.h"
+#include "files/terrain/terrain_format.h"
 #include "paper/panel_look.h"
 #include "paper/panel_makers.h"
 #include "render/renderer.h"
@@ -10,13 +13,6 @@
 namespace fumon {
 
 namespace {
-
-/// Metres where the snapshot has them, else model heights.
-Grid heights_of(const Snapshot& snapshot) {
-    Grid heights = snapshot.bed;
-    for (double& height : heights.values()) height *= snapshot.scale.height_unit;
-    return heights;
-}
 
 /// The view of a panel's scene, in the panel's look and as many pixels as its place on the page
 /// has.
@@ -53,8 +49,8 @@ std::vector<MadePanel> make_views(const PanelSubject& subject, PanelTools& tools
             std::make_unique<ViewPanel>(view_picture(view, renderer.render(snapshot), subject.first,
                                                      renderer.exaggeration(), progress),
                                         std::move(shown));
-        one.data = {{".asc", esri_ascii(heights_of(snapshot), snapshot.nodata, snapshot.scale.dx,
-                                        snapshot.scale.dy)}};
+        for (TerrainBytes& file : bed_files(snapshot, std::array{std::string("esri-ascii")}))
+            one.data.push_back({std::move(file.ending), std::move(file.bytes)});
         made.push_back(std::move(one));
     }
     return made;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,8 @@
 #include "outputs/output_claims.h"
 #include "picture/exr.h"
 #include "picture/png.h"
+#include "render/view/framing.h"
+#include "render/view/shown_snapshot.h"
 #include "run/drawing.h"
 #include "run/output_files.h"
 #include "run/picture_text.h"
@@ -140,6 +143,12 @@ bool is_exr_name(const std::string& file) {
 }
 
 }  // namespace
+
+void stand_on_drawn_ground(View& view, const Snapshot& first, const Snapshot& drawn) {
+    const std::optional<Snapshot> shown = shown_snapshot(first, view);
+    const std::optional<Snapshot> present = shown_snapshot(drawn, view);
+    view = standing_on(view, shown ? *shown : first, present ? *present : drawn);
+}
 
 void check_still(const PreparedRun& prepared, const std::string& file) {
     if (!is_exr_name(file)) return;

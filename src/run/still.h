@@ -60,6 +60,10 @@ struct LayersDrawing {
 std::vector<std::uint8_t> layers_file(const Scene& scene, const std::vector<InputFile>& inputs,
                                       std::int64_t step, const LayersDrawing& drawing);
 
+/// Lets camera.at and camera.look_at count from the ground of the snapshot that a still draws, see
+/// standing_on(). Both snapshots as the model gives them.
+void stand_on_drawn_ground(View& view, const Snapshot& first, const Snapshot& drawn);
+
 /// Throws InputError where a still cannot be what the ending of its file says.
 void check_still(const PreparedRun& prepared, const std::string& file);
 

@@ -101,7 +101,9 @@ void list_view_keys(View& view, KeyTable& table) {
     table.real(
         "camera.margin", camera.margin,
         {.range = {0, 0.4}, .help = "free border around the fitted block, share of the picture"});
-    const char* place = "east and north of the bed's south-western corner, and above the bed there";
+    const char* place =
+        "east and north of the bed's south-western corner, and above the bed there: in `fumon "
+        "still` that of its step, elsewhere that of the first frame";
     table.real_list("camera.at", camera.at, 0, 3,
                     {.unit = "m or sites", .range = {-1e9, 1e9}, .help = place});
     table.real_list("camera.look_at", camera.look_at, 0, 3,

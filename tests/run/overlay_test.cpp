@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "picture/png.h"
+#include "render/view/framing.h"
+#include "run/still.h"
 #include "support/program.h"
 
 namespace fumon::test {
@@ -78,6 +80,28 @@ TEST_F(OverlayTest, SwitchedOffTheyLeaveTheFrameAlone) {
     ASSERT_EQ(fumon_with({"still", "scene.toml", "-o", "on.png", "-q"}, {}).status, 0);
     EXPECT_EQ(read_png(folder_ / "off.png"), read_png(folder_ / "bare.png"));
     EXPECT_NE(read_png(folder_ / "on.png"), read_png(folder_ / "bare.png"));
+}
+
+TEST(StillCamera, AStillStandsOnTheGroundThatItDraws) {
+    // A flat bed of which every cell has risen or fallen is looked at as the first one was.
+    View view;
+    view.look.exaggeration = 1.0;
+    view.camera.projection = Projection::perspective;
+    view.camera.at = {10.0, 12.0, 2.2};
+    view.camera.look_at = {30.0, 20.0, 0.5};
+    Snapshot first;
+    first.bed = Grid(40, 30);
+    first.scale = {1.0, 1.0, 0.5, true};
+    for (const double rise : {7.0, -7.0}) {
+        Snapshot later = first;
+        for (double& height : later.bed.values()) height += rise;
+        View still = view;
+        stand_on_drawn_ground(still, first, later);
+        EXPECT_NEAR(still.camera.look_at[2], 0.5 + 0.5 * rise, 1e-9);
+        const Block block = framed_block(still, first);
+        const Camera camera = above_ground(camera_at_step(still, block, 0, 1), block, later, {});
+        EXPECT_NEAR(camera.eye.z / block.height_scale * 0.5, 0.5 * rise + 2.2, 1e-9);
+    }
 }
 
 TEST_F(OverlayTest, AnErrorNamesItsPlaceAndNothingIsWritten) {

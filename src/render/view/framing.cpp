@@ -248,6 +248,24 @@ Camera above_ground(Camera camera, const Block& block, const Snapshot& snapshot,
     return camera;
 }
 
+View standing_on(View view, const Snapshot& first, const Snapshot& drawn) {
+    CameraSettings& camera = view.camera;
+    if (camera.at.empty() && camera.look_at.empty()) return view;
+    const Block block = framed_block(view, first);
+    const Block framed = block_of_frame(block, view.look, first, drawn);
+    const FarCopies copies = far_copies_of(view, block, first);
+    const auto rise_at = [&](const glm::dvec3& point) {
+        const glm::dvec2 place(point);
+        const double rise =
+            ground_at(drawn, framed, place, copies) - ground_at(first, block, place, copies);
+        return rise / block.height_scale * first.scale.height_unit;
+    };
+    // Over ground that has risen above_ground() lifts the camera.
+    if (!camera.at.empty()) camera.at[2] += std::min(0.0, rise_at(*block.eye));
+    if (!camera.look_at.empty()) camera.look_at[2] += rise_at(*block.look_at);
+    return view;
+}
+
 double pixels_per_length(const Camera& camera, const View& view) {
     const double depth = camera.perspective ? camera.focus : 1.0;
     return 0.5 * static_cast<double>(view.image.height) / (camera.half.y * std::max(depth, 0.05));

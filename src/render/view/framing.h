@@ -25,6 +25,11 @@ Camera camera_at_step(const View& view, const Block& block, std::int64_t step,
 Camera above_ground(Camera camera, const Block& block, const Snapshot& snapshot,
                     const FarCopies& copies = {});
 
+/// The view whose camera.at and camera.look_at count from the ground of a picture's snapshot, where
+/// those of `view` count from that of the run's first, as all framing does: the same places, with
+/// heights over the first bed. Both snapshots as they are shown.
+View standing_on(View view, const Snapshot& first, const Snapshot& drawn);
+
 /// Pixels that one length of the block spans across the picture at the block's middle.
 double pixels_per_length(const Camera& camera, const View& view);
 
