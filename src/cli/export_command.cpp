@@ -214,8 +214,8 @@ void write_series(const ExportOptions& options, const std::string& input, Output
             write(paths_file(n), vtp_paths_file(*snapshot.section, time, options.exaggeration));
     }
     write_file(options.output, pvd_file(written));
-    tell(fmt::format("{}: {} record{} of {}\n", options.output, written.size(),
-                     written.size() == 1 ? "" : "s", input));
+    remark(fmt::format("{}: {} record{} of {}\n", options.output, written.size(),
+                       written.size() == 1 ? "" : "s", input));
 }
 
 bool to_standard_output(const ExportOptions& options) {
