@@ -128,11 +128,11 @@ std::optional<int> crs_holder(const NetcdfInput& input, int variable) {
 std::string crs_of(const NetcdfInput& input, int variable) {
     const auto holder = crs_holder(input, variable);
     for (const char* attribute : {"crs_wkt", "spatial_ref"}) {
-        const std::string text = holder ? input.text(*holder, attribute).value_or("") : "";
+        std::string text = holder ? input.text(*holder, attribute).value_or("") : "";
         if (!text.empty()) return text;
     }
     for (const char* attribute : {"spatial_ref", "esri_pe_string"}) {
-        const std::string text = input.text(variable, attribute).value_or("");
+        std::string text = input.text(variable, attribute).value_or("");
         if (!text.empty()) return text;
     }
     return {};
