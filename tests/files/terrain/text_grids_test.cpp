@@ -140,9 +140,9 @@ TEST(DoubtfulHeights, NoGroundIsAThousandKilometresHigh) {
              {-1.7976931348623157e308, "-1.7976931348623157e+308"},
              {3.4028234663852886e38, "3.4028234663852886e+38"},
              {1.1e6, "1100000"}}) {
-        const std::string message = message_of<InputError>([&] {
-            (void)heights_in_doubt(of_heights({1, height, 3}), "bed.asc");
-        });
+        const Terrain terrain = of_heights({1, height, 3});
+        const std::string message =
+            message_of<InputError>([&] { (void)heights_in_doubt(terrain, "bed.asc"); });
         EXPECT_TRUE(
             message.starts_with("bed.asc: 1 of 3 cells have heights beyond ±1e+06 m, the first "))
             << message;
