@@ -128,49 +128,50 @@ TEST(NetcdfConventions, UdunitsKnowsEveryUnitThatModelsGive) {
     }
 }
 
-/// Damages bytes of a file at places that a sequence of its own gives.
-void damage(const std::filesystem::path& path, const std::string& bytes, unsigned seed, int count) {
-    std::string damaged = bytes;
-    std::uint64_t state = seed;
-    for (int i = 0; i < count; ++i) {
-        state = state * 6364136223846793005U + 1442695040888963407U;
-        char& byte = damaged[(state >> 33) % damaged.size()];
-        byte = static_cast<char>(byte ^ static_cast<char>(1 + (state >> 20) % 255));
-    }
-    std::ofstream(path, std::ios::binary) << damaged;
+/// Where a file's compressed pieces begin: zlib streams of its level.
+std::vector<std::size_t> compressed_pieces(const std::string& bytes) {
+    std::vector<std::size_t> places;
+    for (std::size_t at = 0; (at = bytes.find("\x78\x01", at)) != std::string::npos; ++at)
+        places.push_back(at);
+    return places;
 }
 
-TEST(NetcdfConventions, ADamagedFileIsReportedAndNotReadAsSound) {
-#ifdef FUMON_SANITIZED
-    GTEST_SKIP() << "HDF5 itself frees what a damaged header points at";
-#endif
+/// Its headers are left alone: HDF5 frees what a damaged one points at.
+TEST(NetcdfConventions, ADamagedRecordIsReportedAndNotReadAsSound) {
     const TemporaryFolder folder;
-    Snapshot first = snapshot(0, 90, 70);
+    const Snapshot first = snapshot(0, 90, 70);
+    constexpr int records = 4;
+    std::vector<Snapshot> sound;
     {
         FieldsFile file(folder / "fields.nc", first, fields_text);
-        for (int step = 0; step < 4; ++step) file.add(snapshot(step, 90, 70));
+        for (int step = 0; step < records; ++step) file.add(snapshot(step, 90, 70));
         file.commit();
     }
+    for (int step = 0; step < records; ++step)
+        sound.push_back(read_fields_snapshot(folder / "fields.nc", step, first));
     const std::string bytes = bytes_of(folder / "fields.nc");
+    const std::vector<std::size_t> pieces = compressed_pieces(bytes);
+    ASSERT_GE(pieces.size(), std::size_t{3 * records}) << "a bed and two fields a record";
     int reported = 0;
-    constexpr unsigned files = 60;
-    for (unsigned seed = 1; seed <= files; ++seed) {
-        damage(folder / "damaged.nc", bytes, seed, 64);
-        try {
-            bool same = true;
-            for (int step = 0; step < 4; ++step) {
-                const Snapshot good = read_fields_snapshot(folder / "fields.nc", step, first);
+    for (std::size_t n = 0; n < pieces.size(); ++n) {
+        std::string damaged = bytes;
+        char& byte = damaged.at(pieces[n] + 9 + n);
+        byte = static_cast<char>(byte ^ '\x10');
+        std::ofstream(folder / "damaged.nc", std::ios::binary) << damaged;
+        for (int step = 0; step < records; ++step) {
+            try {
+                const Snapshot& good = sound[static_cast<std::size_t>(step)];
                 const Snapshot read = read_fields_snapshot(folder / "damaged.nc", step, first);
-                same = same && good.bed == read.bed && good.time == read.time &&
-                       good.fields[0].values == read.fields[0].values &&
-                       good.fields[1].values == read.fields[1].values;
+                EXPECT_TRUE(good.bed == read.bed && good.time == read.time &&
+                            good.fields[0].values == read.fields[0].values &&
+                            good.fields[1].values == read.fields[1].values)
+                    << "piece " << n << " is read as sound in record " << step;
+            } catch (const InputError&) {
+                ++reported;
             }
-            EXPECT_TRUE(same) << "file " << seed << " is read as sound";
-        } catch (const InputError&) {
-            ++reported;
         }
     }
-    EXPECT_GE(reported, 55) << "of 60; the others' damage lies where nothing is kept";
+    EXPECT_GE(reported, 3 * records);
 }
 
 /// Two records as fumon 0.2 wrote them: over a dimension `time`, with 64-bit steps and no date.
