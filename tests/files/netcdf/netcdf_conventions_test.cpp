@@ -174,6 +174,31 @@ TEST(NetcdfConventions, ADamagedRecordIsReportedAndNotReadAsSound) {
     EXPECT_GE(reported, 3 * records);
 }
 
+/// A record's numbers lie in the file as they are, so that only their checksum tells of damage.
+TEST(NetcdfConventions, ADamagedNumberIsReported) {
+    const TemporaryFolder folder;
+    Snapshot record = snapshot(0);
+    record.time = 1234.567890123;
+    {
+        FieldsFile file(folder / "fields.nc", record, fields_text);
+        file.add(record);
+        file.commit();
+    }
+    std::string bytes = bytes_of(folder / "fields.nc");
+    std::string number(sizeof record.time, '\0');
+    std::memcpy(number.data(), &record.time, sizeof record.time);
+    std::size_t places = 0;
+    for (std::size_t at = 0; (at = bytes.find(number, at)) != std::string::npos; at += 8) {
+        bytes[at + 3] = static_cast<char>(bytes[at + 3] ^ '\x10');
+        ++places;
+    }
+    ASSERT_GE(places, std::size_t{1});
+    std::ofstream(folder / "damaged.nc", std::ios::binary) << bytes;
+    const std::string message = message_of<InputError>(
+        [&] { (void)read_fields_snapshot(folder / "damaged.nc", 0, record); });
+    EXPECT_NE(message.find("checksum"), std::string::npos) << message;
+}
+
 /// Two records as fumon 0.2 wrote them: over a dimension `time`, with 64-bit steps and no date.
 void write_as_before(const std::filesystem::path& path, const Snapshot& first,
                      const std::vector<Snapshot>& records) {
