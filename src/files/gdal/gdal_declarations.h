@@ -77,6 +77,7 @@ double OSRGetInvFlattening(OGRSpatialReferenceH crs, OGRErr* fault);
 double OSRGetLinearUnits(OGRSpatialReferenceH crs, char** name);
 double OSRGetSemiMajor(OGRSpatialReferenceH crs, OGRErr* fault);
 double OSRGetTargetLinearUnits(OGRSpatialReferenceH crs, const char* key, char** name);
+OGRErr OSRImportFromESRI(OGRSpatialReferenceH crs, char** lines);
 int OSRIsCompound(OGRSpatialReferenceH crs);
 int OSRIsGeographic(OGRSpatialReferenceH crs);
 int OSRIsLocal(OGRSpatialReferenceH crs);

@@ -65,6 +65,7 @@ struct GdalFunctions {
     FUMON_GDAL(OSRGetLinearUnits);
     FUMON_GDAL(OSRGetSemiMajor);
     FUMON_GDAL(OSRGetTargetLinearUnits);
+    FUMON_GDAL(OSRImportFromESRI);
     FUMON_GDAL(OSRIsCompound);
     FUMON_GDAL(OSRIsGeographic);
     FUMON_GDAL(OSRIsLocal);

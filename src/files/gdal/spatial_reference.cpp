@@ -43,6 +43,15 @@ SpatialReference::SpatialReference(const std::string& text)
     gdal().OSRSetAxisMappingStrategy(handle_, OAMS_TRADITIONAL_GIS_ORDER);
 }
 
+SpatialReference::SpatialReference(std::vector<std::string> lines)
+    : handle_(gdal().OSRNewSpatialReference(nullptr)) {
+    std::vector<char*> texts;
+    for (std::string& line : lines) texts.push_back(line.data());
+    texts.push_back(nullptr);
+    understood_ = gdal().OSRImportFromESRI(handle_, texts.data()) == OGRERR_NONE;
+    gdal().OSRSetAxisMappingStrategy(handle_, OAMS_TRADITIONAL_GIS_ORDER);
+}
+
 SpatialReference::~SpatialReference() {
     gdal().OSRDestroySpatialReference(handle_);
 }

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "files/gdal/gdal_types.h"
 
@@ -19,6 +20,8 @@ class SpatialReference {
   public:
     /// From WKT of any kind (also a .prj file's), "EPSG:32613", or a PROJ string.
     explicit SpatialReference(const std::string& text);
+    /// From the lines of words of an ARC/INFO projection file ("Projection    UTM").
+    explicit SpatialReference(std::vector<std::string> lines);
     ~SpatialReference();
     SpatialReference(const SpatialReference&) = delete;
     SpatialReference& operator=(const SpatialReference&) = delete;

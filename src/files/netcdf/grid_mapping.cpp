@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/find_named.h"
-#include "files/netcdf/wkt.h"
+#include "files/wkt.h"
 
 namespace fumon {
 

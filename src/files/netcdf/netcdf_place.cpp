@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "files/crs_kind.h"
 #include "files/netcdf/grid_mapping.h"
 #include "files/netcdf/netcdf_calls.h"
 #include "files/netcdf/netcdf_definition.h"
@@ -14,9 +15,12 @@ namespace {
 
 constexpr const char* crs_name = "crs";
 
-/// Whether a grid's place counts metres, as its scale does.
+/// Whether a grid's place counts metres: as its scale does, or those of a projection, which need
+/// not be the ground's.
 bool counts_metres(const GeoReference& place, const WorldScale& scale) {
     constexpr double tolerance = 1e-6;
+    const CrsKind kind = crs_kind(place.crs);
+    if (kind.projected) return kind.metres == 1.0;
     return std::abs(place.dx / scale.dx - 1.0) < tolerance &&
            std::abs(place.dy / scale.dy - 1.0) < tolerance;
 }

@@ -17,8 +17,9 @@ struct FilePlace {
     bool has_crs = false;  ///< a variable `crs` tells the coordinate reference system
 };
 
-/// Where a grid lies in a file: in its reference system where that counts metres or degrees, else
-/// (sites, feet, or nowhere) from its south-west corner.
+/// Where a grid lies in a file: in its reference system where that counts metres or degrees (its
+/// cells are then the system's, not the ground's), else (sites, feet, or nowhere) from its
+/// south-west corner.
 FilePlace place_in_file(const WorldScale& scale);
 
 /// Defines the scalar variable `crs` of a scale whose place has one: grid_mapping_name and its

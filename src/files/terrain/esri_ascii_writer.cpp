@@ -9,6 +9,7 @@
 #include "files/terrain/esri_ascii.h"
 #include "files/terrain/geographic.h"
 #include "files/terrain/geotiff.h"
+#include "files/terrain/prj_file.h"
 
 namespace fumon {
 
@@ -41,27 +42,10 @@ void append_line(std::string& text, std::string_view word, Number value) {
     text += '\n';
 }
 
-/// The .prj beside a grid.
-std::filesystem::path prj_of(std::filesystem::path grid) {
-    return grid.replace_extension(".prj");
-}
-
-/// The coordinate reference system that stands beside a grid; empty where there is none.
-std::string crs_beside(const std::filesystem::path& grid) {
-    constexpr std::size_t longest = 65536;  // bytes; a system takes a few thousand at most
-    std::error_code fault;
-    if (!std::filesystem::is_regular_file(prj_of(grid), fault)) return {};
-    const std::string text = start_of_input_file(prj_of(grid), longest);
-    const auto is_printed = [](char letter) { return static_cast<unsigned char>(letter) >= 0x20; };
-    const auto first = std::ranges::find_if(text, is_printed);
-    const auto end = std::ranges::find_if_not(first, text.end(), is_printed);  // of its one line
-    return {first, end};
-}
-
 Terrain read_esri_ascii(const std::filesystem::path& file, const TerrainQuery& query) {
     const std::string bytes = read_input_file(file);
     Terrain terrain = parse_esri_ascii({file.string(), bytes}, query.window);
-    if (std::string crs = crs_beside(file); !crs.empty()) terrain.place->crs = std::move(crs);
+    terrain.place->crs = crs_beside(file, terrain);
     return terrain;
 }
 

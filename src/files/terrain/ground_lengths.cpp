@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "base/error.h"
+#include "files/crs_kind.h"
 #include "files/gdal/gdal_functions.h"
 #include "files/gdal/gdal_session.h"
 #include "files/gdal/spatial_reference.h"
-#include "files/gdal/wkt_words.h"
 #include "files/terrain/geographic.h"
 
 namespace fumon {
@@ -32,12 +32,12 @@ void convert_degrees(Terrain& terrain, const std::string& file) {
 
 /// Whether a grid lies where UTM keeps lengths to .1 %, from 180 km to 320 km off the middle of its
 /// zone on either side (scale .9996 in the middle).
-bool inside_utm_zone(const Terrain& terrain, const WktWords& words) {
+bool inside_utm_zone(const Terrain& terrain, const CrsKind& kind) {
     constexpr double first = 180000.0;  // m of easting; the middle has 500 km
     constexpr double last = 820000.0;
     const GeoReference& grid = *terrain.place;
     const double middle = grid.west + 0.5 * grid.dx * terrain.heights.nx();
-    return words.utm && words.metres == 1.0 && middle > first && middle < last;
+    return kind.utm && kind.metres == 1.0 && middle > first && middle < last;
 }
 
 /// The projection's scale at the middle of the grid; none where it cannot be known.
@@ -77,23 +77,23 @@ void apply_scale(Terrain& terrain, const SpatialReference::Scale& scale) {
 void make_true_lengths(Terrain& terrain, bool unit_counts, const std::string& file) {
     if (!terrain.place) return;
     GeoReference& grid = *terrain.place;
-    const WktWords words = wkt_words(grid.crs);
-    if (words.geographic) grid.degrees = true;
-    if (words.projected) grid.degrees = false;
+    const CrsKind kind = crs_kind(grid.crs);
+    if (kind.geographic) grid.degrees = true;
+    if (kind.projected) grid.degrees = false;
     if (grid.degrees) {
         convert_degrees(terrain, file);
         return;
     }
-    if (!words.projected) return;
-    if (unit_counts && words.metres != 1.0) {
-        terrain.dx *= words.metres;
-        terrain.dy *= words.metres;
-        add_note(terrain, fmt::format("cell size converted to metres from {}", words.unit));
+    if (!kind.projected) return;
+    if (unit_counts && kind.metres != 1.0) {
+        terrain.dx *= kind.metres;
+        terrain.dy *= kind.metres;
+        add_note(terrain, fmt::format("cell size converted to metres from {}", kind.unit));
     }
     constexpr double alike = 1e-6;
-    const bool in_system = std::abs(grid.dx * words.metres / terrain.dx - 1.0) < alike;
-    if (inside_utm_zone(terrain, words) || !in_system) return;
-    if (!has_gdal() && words.mercator) {
+    const bool in_system = std::abs(grid.dx * kind.metres / terrain.dx - 1.0) < alike;
+    if (inside_utm_zone(terrain, kind) || !in_system) return;
+    if (!has_gdal() && kind.mercator) {
         throw InputError(
             fmt::format("{}: lies in Mercator's projection, which stretches lengths; to know by "
                         "how much fumon {}",

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <locale>
 #include <sstream>
 #include <utility>
 
 #include "base/limits.h"
+#include "files/crs_kind.h"
 #include "files/input_file.h"
 #include "files/netcdf/netcdf_axis.h"
 #include "files/netcdf/netcdf_cells.h"
@@ -185,19 +185,10 @@ std::pair<NetcdfAxis, NetcdfAxis> axes_of(const NetcdfInput& input, const BedVar
     return {std::move(x), std::move(y)};
 }
 
-/// Whether a coordinate reference system in WKT counts in a unit of so many metres.
+/// Whether a projected system counts in a unit of so many metres.
 bool counts_in(const std::string& crs, double metres) {
-    for (std::size_t at = crs.find("UNIT["); at != std::string::npos;
-         at = crs.find("UNIT[", at + 1)) {
-        const std::size_t number = crs.find("\",", at);
-        if (number == std::string::npos) return false;
-        double factor = 0.0;
-        const char* begin = crs.data() + number + 2;
-        while (begin != crs.data() + crs.size() && *begin == ' ') ++begin;
-        std::from_chars(begin, crs.data() + crs.size(), factor);
-        if (std::abs(factor / metres - 1.0) < 1e-8) return true;
-    }
-    return false;
+    const CrsKind kind = crs_kind(crs);
+    return kind.projected && std::abs(kind.metres / metres - 1.0) < 1e-8;
 }
 
 /// Where the grid lies, in metres or degrees; none of one in sites or without coordinates.

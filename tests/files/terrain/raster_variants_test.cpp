@@ -409,6 +409,37 @@ TEST_F(RasterSays, MercatorsLengthsAreTrueAndSaid) {
     EXPECT_NE(left.note.find("which is left as it is"), std::string::npos) << left.note;
 }
 
+TEST_F(RasterSays, APrjOfSeveralLinesOrOfWordsCounts) {
+    const std::string grid =
+        "ncols 2\nnrows 2\nxllcorner 3000000\nyllcorner 1700000\ncellsize 10\n1 2\n3 4\n";
+    const auto with_prj = [&](const std::string& prj) {
+        folder_.file("dem.prj", prj);
+        return read_terrain(folder_.file("dem.asc", grid));
+    };
+    const Terrain lines = with_prj(
+        "PROJCS[\"a\",\r\n    GEOGCS[\"b\",\r\n        DATUM[\"D_North_American_1983\",\n"
+        "            SPHEROID[\"GRS_1980\",6378137,298.257222101]],\n        "
+        "PRIMEM[\"Greenwich\",0],\n"
+        "        UNIT[\"Degree\",0.0174532925199433]],\n    "
+        "PROJECTION[\"Lambert_Conformal_Conic\"],\n"
+        "    PARAMETER[\"False_Easting\",3000000],\n    PARAMETER[\"False_Northing\",1000000],\n"
+        "    PARAMETER[\"Central_Meridian\",-105.5],\n    "
+        "PARAMETER[\"Standard_Parallel_1\",39.7],\n"
+        "    PARAMETER[\"Standard_Parallel_2\",40.8],\n    "
+        "PARAMETER[\"Latitude_Of_Origin\",39.3],\n"
+        "    UNIT[\"Foot_US\",0.304800609601219]]\n");
+    EXPECT_NEAR(lines.dx, 10 * survey_foot, 1e-9);
+    EXPECT_EQ(lines.note, "cell size converted to metres from Foot_US");
+    const Terrain words = with_prj(
+        "Projection    UTM\nZone          13\nDatum         WGS84\nUnits         METERS\n"
+        "Spheroid      WGS84\nZunits        NO\nParameters\n");
+    EXPECT_NE(words.place->crs.find("UTM"), std::string::npos) << words.note;
+    const Terrain unread = with_prj("nothing that is known");
+    EXPECT_EQ(unread.place->crs, "");
+    EXPECT_EQ(unread.note, (folder_.path() / "dem.prj").string() +
+                               " holds no reference system that can be read, and is passed over");
+}
+
 TEST_F(RasterSays, OthersFilesNameNoFile) {
     write(folder_.path() / "private.tif", {});
     const auto vrt = [&](const std::string& source) {

@@ -1,4 +1,4 @@
-#include "files/netcdf/wkt.h"
+#include "files/wkt.h"
 
 #include <algorithm>
 #include <charconv>
