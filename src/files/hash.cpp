@@ -1,10 +1,13 @@
 #include "files/hash.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "base/error.h"
 #include "files/input_file.h"
@@ -32,8 +35,36 @@ Sha256 bytes_hash(std::span<const std::uint8_t> bytes) {
     return hasher.finish();
 }
 
-Sha256 file_hash(const std::filesystem::path& file) {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The files below a folder, by their names within it.
+std::vector<std::string> files_below(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) names.push_back(entry.path().lexically_relative(folder));
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+}  // namespace
+
+bool is_zarr(const fs::path& path) {
+    std::error_code fault;
+    return path.extension() == ".zarr" && fs::is_directory(path, fault);
+}
+
+Sha256 file_hash(const fs::path& file) {
     Sha256Stream hasher;
+    if (is_zarr(file)) {
+        for (const std::string& name : files_below(file)) {
+            const std::string line = name + '\n' + hex(file_hash(file / name)) + '\n';
+            hasher.add(line.data(), line.size());
+        }
+        return hasher.finish();
+    }
     stream_input_file(file, std::numeric_limits<std::int64_t>::max(),
                       [&](std::string_view bytes) { hasher.add(bytes.data(), bytes.size()); });
     return hasher.finish();
@@ -41,10 +72,10 @@ Sha256 file_hash(const std::filesystem::path& file) {
 
 bool has_hash(const std::filesystem::path& file, const std::string& hash) {
     std::error_code fault;
-    if (!std::filesystem::is_regular_file(file, fault)) return false;
+    if (!fs::is_regular_file(file, fault) && !is_zarr(file)) return false;
     try {
         return hex(file_hash(file)) == hash;
-    } catch (const Error&) {
+    } catch (const std::exception&) {
         return false;  // it cannot be read
     }
 }

@@ -19,10 +19,15 @@ Sha256 text_hash(std::string_view text);
 /// SHA-256 of bytes.
 Sha256 bytes_hash(std::span<const std::uint8_t> bytes);
 
-/// SHA-256 of a file's bytes, however many. Throws as read_input_file otherwise.
+/// Whether a path leads to a folder that is one Zarr store, by its ending.
+bool is_zarr(const std::filesystem::path& path);
+
+/// SHA-256 of a file's bytes, however many; of a Zarr store that of its files' names and hashes,
+/// sorted by name. Throws as read_input_file otherwise.
 Sha256 file_hash(const std::filesystem::path& file);
 
-/// Whether a path leads to a regular file of this SHA-256 (hexadecimal) that can be read.
+/// Whether a path leads to a regular file or Zarr store of this SHA-256 (hexadecimal) that can be
+/// read.
 bool has_hash(const std::filesystem::path& file, const std::string& hash);
 
 std::string hex(const Sha256& hash);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -52,6 +53,18 @@ inline std::filesystem::path write(const std::filesystem::path& file, const Rast
     }
     GDALClose(dataset);
     return file;
+}
+
+/// Gives a raster of 3 × 2 cells a mask, which lies inside its file or beside it; 0 hides a cell.
+inline std::function<void(GDALDatasetH)> with_mask(bool inside, std::array<std::uint8_t, 6> shown) {
+    return [inside, shown](GDALDatasetH dataset) mutable {
+        CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", inside ? "YES" : "NO");
+        GDALCreateDatasetMaskBand(dataset, GMF_PER_DATASET);
+        EXPECT_EQ(GDALRasterIO(GDALGetMaskBand(GDALGetRasterBand(dataset, 1)), GF_Write, 0, 0, 3, 2,
+                               shown.data(), 3, 2, GDT_Byte, 0, 0),
+                  CE_None);
+        CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", nullptr);
+    };
 }
 
 /// Reads what GDAL wrote.

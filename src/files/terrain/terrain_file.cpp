@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "files/hash.h"
 #include "files/input_file.h"
 #include "files/terrain/ground_lengths.h"
 #include "files/terrain/netcdf_bed.h"
@@ -64,9 +65,8 @@ Terrain read_terrain(const std::filesystem::path& file, const TerrainQuery& quer
                                      query.height_unit,
                                      wanted_units(query, "write bed.height_unit = \"ft\", say")));
     }
-    const bool folder = std::filesystem::is_directory(file) && file.extension() == ".zarr";
     const std::string start =
-        folder ? "" : start_of_input_file(file, TerrainFormat::signature_length);
+        is_zarr(file) ? "" : start_of_input_file(file, TerrainFormat::signature_length);
     const auto formats = terrain_formats();
     const auto format = std::ranges::find_if(
         formats, [&](const TerrainFormat& one) { return one.is_one(file, start); });

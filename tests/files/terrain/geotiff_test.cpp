@@ -119,15 +119,7 @@ TEST_F(Geotiff, CellsWithoutDataAreMasked) {
 
 TEST_F(Geotiff, TheFilesOwnMaskHidesCells) {
     Raster raster;
-    raster.more = [](GDALDatasetH dataset) {
-        CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", "YES");
-        GDALCreateDatasetMaskBand(dataset, GMF_PER_DATASET);
-        std::array<std::uint8_t, 6> shown{255, 255, 0, 255, 255, 255};
-        EXPECT_EQ(GDALRasterIO(GDALGetMaskBand(GDALGetRasterBand(dataset, 1)), GF_Write, 0, 0, 3, 2,
-                               shown.data(), 3, 2, GDT_Byte, 0, 0),
-                  CE_None);
-        CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", nullptr);
-    };
+    raster.more = with_mask(true, {255, 255, 0, 255, 255, 255});
     const Terrain terrain = read(raster);
     ASSERT_FALSE(terrain.nodata.empty());
     EXPECT_EQ(terrain.nodata(2, 1), 1);

@@ -125,347 +125,63 @@ constexpr double north_degree = 111035.58398;
 // At y = 4 800 015, φ = atan(sinh(y/a)) = 39.5448°: N cos φ / a eastward, M cos φ / a northward.
 const std::vector<double> web_mercator{-11700000, 10, 0, 4800030, 0, -10};
 
+// clang-format off
 INSTANTIATE_TEST_SUITE_P(
     Kinds, RasterVariant,
     ::testing::Values(
         RasterCase{.name = "GeoTIFF", .driver = "GTiff", .file = "a.tif"},
-        RasterCase{
-            .name = "BigTIFF", .driver = "GTiff", .file = "a.tif", .options = {"BIGTIFF=YES"}},
-        RasterCase{.name = "TiledDeflate",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .options = {"TILED=YES", "COMPRESS=DEFLATE", "PREDICTOR=3"}},
-        RasterCase{
-            .name = "Zstd", .driver = "GTiff", .file = "a.tif", .options = {"COMPRESS=ZSTD"}},
-        RasterCase{
-            .name = "Lerc", .driver = "GTiff", .file = "a.tif", .options = {"COMPRESS=LERC"}},
-        RasterCase{
-            .name = "BigEndian", .driver = "GTiff", .file = "a.tif", .options = {"ENDIANNESS=BIG"}},
-        RasterCase{
-            .name = "HalfFloats", .driver = "GTiff", .file = "a.tif", .options = {"NBITS=16"}},
-        RasterCase{.name = "TwelveBits",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .type = GDT_UInt16,
-                   .options = {"NBITS=12"}},
-        RasterCase{
-            .name = "Bytes", .driver = "GTiff", .file = "a.tif", .type = GDT_Byte, .hole = 255},
-        RasterCase{.name = "Int16Hole",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .type = GDT_Int16,
-                   .hole = -32768},
-        RasterCase{.name = "UInt16Hole",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .type = GDT_UInt16,
-                   .hole = 65535},
-        RasterCase{.name = "Int32Hole",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .type = GDT_Int32,
-                   .hole = -2147483648.0},
-        RasterCase{.name = "UInt32Hole",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .type = GDT_UInt32,
-                   .hole = 4294967295.0},
-        RasterCase{.name = "FloatLowestHole",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .type = GDT_Float32,
-                   .hole = -3.4028234663852886e38},
-        RasterCase{.name = "DoubleHole",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .type = GDT_Float64,
-                   .hole = -1.7976931348623157e308},
+        RasterCase{ .name = "BigTIFF", .driver = "GTiff", .file = "a.tif", .options = {"BIGTIFF=YES"}},
+        RasterCase{.name = "TiledDeflate", .driver = "GTiff", .file = "a.tif", .options = {"TILED=YES", "COMPRESS=DEFLATE", "PREDICTOR=3"}},
+        RasterCase{ .name = "Zstd", .driver = "GTiff", .file = "a.tif", .options = {"COMPRESS=ZSTD"}},
+        RasterCase{ .name = "Lerc", .driver = "GTiff", .file = "a.tif", .options = {"COMPRESS=LERC"}},
+        RasterCase{ .name = "BigEndian", .driver = "GTiff", .file = "a.tif", .options = {"ENDIANNESS=BIG"}},
+        RasterCase{ .name = "HalfFloats", .driver = "GTiff", .file = "a.tif", .options = {"NBITS=16"}},
+        RasterCase{.name = "TwelveBits", .driver = "GTiff", .file = "a.tif", .type = GDT_UInt16, .options = {"NBITS=12"}},
+        RasterCase{ .name = "Bytes", .driver = "GTiff", .file = "a.tif", .type = GDT_Byte, .hole = 255},
+        RasterCase{.name = "Int16Hole", .driver = "GTiff", .file = "a.tif", .type = GDT_Int16, .hole = -32768},
+        RasterCase{.name = "UInt16Hole", .driver = "GTiff", .file = "a.tif", .type = GDT_UInt16, .hole = 65535},
+        RasterCase{.name = "Int32Hole", .driver = "GTiff", .file = "a.tif", .type = GDT_Int32, .hole = -2147483648.0},
+        RasterCase{.name = "UInt32Hole", .driver = "GTiff", .file = "a.tif", .type = GDT_UInt32, .hole = 4294967295.0},
+        RasterCase{.name = "FloatLowestHole", .driver = "GTiff", .file = "a.tif", .type = GDT_Float32, .hole = -3.4028234663852886e38},
+        RasterCase{.name = "DoubleHole", .driver = "GTiff", .file = "a.tif", .type = GDT_Float64, .hole = -1.7976931348623157e308},
         RasterCase{.name = "Cog", .driver = "COG", .file = "a.tif"},
         RasterCase{.name = "Erdas", .driver = "HFA", .file = "a.img", .hole = -9999},
-        RasterCase{.name = "ErdasCompressed",
-                   .driver = "HFA",
-                   .file = "a.img",
-                   .options = {"COMPRESSED=YES"}},
+        RasterCase{.name = "ErdasCompressed", .driver = "HFA", .file = "a.img", .options = {"COMPRESSED=YES"}},
         RasterCase{.name = "Envi", .driver = "ENVI", .file = "a.bsq", .hole = -9999},
-        RasterCase{.name = "EnviDoubles",
-                   .driver = "ENVI",
-                   .file = "a.bil",
-                   .type = GDT_Float64,
-                   .options = {"INTERLEAVE=BIL"}},
+        RasterCase{.name = "EnviDoubles", .driver = "ENVI", .file = "a.bil", .type = GDT_Float64, .options = {"INTERLEAVE=BIL"}},
         RasterCase{.name = "EsriFloats", .driver = "EHdr", .file = "a.flt", .hole = -9999},
-        RasterCase{
-            .name = "EsriBil", .driver = "EHdr", .file = "a.bil", .type = GDT_Int16, .hole = -9999},
-        RasterCase{.name = "Surfer6Ascii",
-                   .driver = "GSAG",
-                   .file = "a.grd",
-                   .crs = "",
-                   .tolerance = 1e-6},
+        RasterCase{ .name = "EsriBil", .driver = "EHdr", .file = "a.bil", .type = GDT_Int16, .hole = -9999},
+        RasterCase{.name = "Surfer6Ascii", .driver = "GSAG", .file = "a.grd", .crs = "", .tolerance = 1e-6},
         RasterCase{.name = "Surfer6Binary", .driver = "GSBG", .file = "a.grd", .crs = ""},
-        RasterCase{
-            .name = "Surfer7", .driver = "GS7BG", .file = "a.grd", .type = GDT_Float64, .crs = ""},
+        RasterCase{ .name = "Surfer7", .driver = "GS7BG", .file = "a.grd", .type = GDT_Float64, .crs = ""},
         RasterCase{.name = "Xyz", .driver = "XYZ", .file = "a.xyz", .crs = ""},
-        RasterCase{.name = "XyzCommas",
-                   .driver = "XYZ",
-                   .file = "a.xyz",
-                   .crs = "",
-                   .options = {"COLUMN_SEPARATOR=,"}},
-        RasterCase{.name = "XyzNamed",
-                   .driver = "XYZ",
-                   .file = "a.xyz",
-                   .crs = "",
-                   .options = {"ADD_HEADER_LINE=YES"}},
-        RasterCase{.name = "Jpeg2000",
-                   .driver = "JP2OpenJPEG",
-                   .file = "a.jp2",
-                   .type = GDT_UInt16,
-                   .options = {"REVERSIBLE=YES", "QUALITY=100"}},
+        RasterCase{.name = "XyzCommas", .driver = "XYZ", .file = "a.xyz", .crs = "", .options = {"COLUMN_SEPARATOR=,"}},
+        RasterCase{.name = "XyzNamed", .driver = "XYZ", .file = "a.xyz", .crs = "", .options = {"ADD_HEADER_LINE=YES"}},
+        RasterCase{.name = "Jpeg2000", .driver = "JP2OpenJPEG", .file = "a.jp2", .type = GDT_UInt16, .options = {"REVERSIBLE=YES", "QUALITY=100"}},
         RasterCase{.name = "GeoPackage", .driver = "GPKG", .file = "a.gpkg", .type = GDT_Int16},
-        RasterCase{
-            .name = "GeoPackageFloats", .driver = "GPKG", .file = "a.gpkg", .type = GDT_Float32},
+        RasterCase{ .name = "GeoPackageFloats", .driver = "GPKG", .file = "a.gpkg", .type = GDT_Float32},
         RasterCase{.name = "Saga", .driver = "SAGA", .file = "a.sdat", .hole = -99999},
         RasterCase{.name = "Idrisi", .driver = "RST", .file = "a.rst"},
-        RasterCase{.name = "PcRaster",
-                   .driver = "PCRaster",
-                   .file = "a.map",
-                   .crs = "",
-                   .options = {"PCRASTER_VALUESCALE=VS_SCALAR"}},
+        RasterCase{.name = "PcRaster", .driver = "PCRaster", .file = "a.map", .crs = "", .options = {"PCRASTER_VALUESCALE=VS_SCALAR"}},
         RasterCase{.name = "ErMapper", .driver = "ERS", .file = "a.ers"},
         RasterCase{.name = "Zarr", .driver = "Zarr", .file = "a.zarr"},
         RasterCase{.name = "EsriAsciiWithPrj", .driver = "AAIGrid", .file = "a.asc", .hole = -9999},
-        RasterCase{.name = "EsriAsciiUsFeet",
-                   .driver = "AAIGrid",
-                   .file = "a.asc",
-                   .crs = "EPSG:2231",
-                   .transform = {3000000, 10, 0, 1700030, 0, -10},
-                   .dx = 10 * survey_foot,
-                   .dy = 10 * survey_foot},
-        RasterCase{.name = "EsriAsciiFlatDegrees",
-                   .driver = "AAIGrid",
-                   .file = "a.asc",
-                   .crs = "EPSG:4326",
-                   .transform = flat_degrees,
-                   .dx = 0.001 * east_degree,
-                   .dy = 0.001 * north_degree},
-        RasterCase{.name = "UsFeet",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .crs = "EPSG:2231",
-                   .transform = {3000000, 10, 0, 1700030, 0, -10},
-                   .dx = 10 * survey_foot,
-                   .dy = 10 * survey_foot},
-        RasterCase{.name = "InternationalFeet",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .crs = "EPSG:2222",
-                   .transform = {700000, 10, 0, 1000030, 0, -10},
-                   .dx = 10 * international_foot,
-                   .dy = 10 * international_foot},
-        RasterCase{.name = "FlatDegrees",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .crs = "EPSG:4326",
-                   .transform = flat_degrees,
-                   .dx = 0.001 * east_degree,
-                   .dy = 0.001 * north_degree},
-        RasterCase{.name = "Nad83Degrees",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .crs = "EPSG:4269",
-                   .transform = flat_degrees,
-                   .dx = 0.001 * east_degree,
-                   .dy = 0.001 * north_degree},
-        RasterCase{.name = "CompoundUsFeet",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .crs = "EPSG:2231+6360",
-                   .transform = {3000000, 10, 0, 1700030, 0, -10},
-                   .dx = 10 * survey_foot,
-                   .dy = 10 * survey_foot,
-                   .corner = 9 * survey_foot,
-                   .tolerance = 1e-6},
-        RasterCase{
-            .name = "CompoundMetres", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:32613+5703"},
-        RasterCase{.name = "CompoundDepth",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .crs = "EPSG:32613+5715",
-                   .corner = -9.0},
-        RasterCase{.name = "WebMercator",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .crs = "EPSG:3857",
-                   .transform = web_mercator,
-                   .dx = 7.7217524,
-                   .dy = 7.6909306},
-        RasterCase{.name = "WebMercatorErdas",
-                   .driver = "HFA",
-                   .file = "a.img",
-                   .crs = "EPSG:3857",
-                   .transform = web_mercator,
-                   .dx = 7.7217524,
-                   .dy = 7.6909306},
-        RasterCase{.name = "WebMercatorAscii",
-                   .driver = "AAIGrid",
-                   .file = "a.asc",
-                   .crs = "EPSG:3857",
-                   .transform = web_mercator,
-                   .dx = 7.7217524,
-                   .dy = 7.6909306},
-        RasterCase{.name = "Lambert93",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .crs = "EPSG:2154",
-                   .transform = {700000, 10, 0, 6600030, 0, -10}},
-        RasterCase{.name = "PolarStereographic",
-                   .driver = "GTiff",
-                   .file = "a.tif",
-                   .crs = "EPSG:3031",
-                   .transform = {1000000, 100, 0, 1000300, 0, -100},
-                   .dx = 101.489263,
-                   .dy = 101.489263,
-                   .tolerance = 1e-9}),
+        RasterCase{.name = "EsriAsciiUsFeet", .driver = "AAIGrid", .file = "a.asc", .crs = "EPSG:2231", .transform = {3000000, 10, 0, 1700030, 0, -10}, .dx = 10 * survey_foot, .dy = 10 * survey_foot},
+        RasterCase{.name = "EsriAsciiFlatDegrees", .driver = "AAIGrid", .file = "a.asc", .crs = "EPSG:4326", .transform = flat_degrees, .dx = 0.001 * east_degree, .dy = 0.001 * north_degree},
+        RasterCase{.name = "UsFeet", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:2231", .transform = {3000000, 10, 0, 1700030, 0, -10}, .dx = 10 * survey_foot, .dy = 10 * survey_foot},
+        RasterCase{.name = "InternationalFeet", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:2222", .transform = {700000, 10, 0, 1000030, 0, -10}, .dx = 10 * international_foot, .dy = 10 * international_foot},
+        RasterCase{.name = "FlatDegrees", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:4326", .transform = flat_degrees, .dx = 0.001 * east_degree, .dy = 0.001 * north_degree},
+        RasterCase{.name = "Nad83Degrees", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:4269", .transform = flat_degrees, .dx = 0.001 * east_degree, .dy = 0.001 * north_degree},
+        RasterCase{.name = "CompoundUsFeet", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:2231+6360", .transform = {3000000, 10, 0, 1700030, 0, -10}, .dx = 10 * survey_foot, .dy = 10 * survey_foot, .corner = 9 * survey_foot, .tolerance = 1e-6},
+        RasterCase{ .name = "CompoundMetres", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:32613+5703"},
+        RasterCase{.name = "CompoundDepth", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:32613+5715", .corner = -9.0},
+        RasterCase{.name = "WebMercator", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:3857", .transform = web_mercator, .dx = 7.7217524, .dy = 7.6909306},
+        RasterCase{.name = "WebMercatorErdas", .driver = "HFA", .file = "a.img", .crs = "EPSG:3857", .transform = web_mercator, .dx = 7.7217524, .dy = 7.6909306},
+        RasterCase{.name = "WebMercatorAscii", .driver = "AAIGrid", .file = "a.asc", .crs = "EPSG:3857", .transform = web_mercator, .dx = 7.7217524, .dy = 7.6909306},
+        RasterCase{.name = "Lambert93", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:2154", .transform = {700000, 10, 0, 6600030, 0, -10}},
+        RasterCase{.name = "PolarStereographic", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:3031", .transform = {1000000, 100, 0, 1000300, 0, -100}, .dx = 101.489263, .dy = 101.489263, .tolerance = 1e-9}),
     [](const auto& info) { return info.param.name; });
-
-/// A band as one likes, with what only GDAL's calls can add.
-class RasterSays : public RasterTest {};
-
-TEST_F(RasterSays, AMaskBesideTheFileHidesCells) {
-    Raster raster;
-    raster.more = [](GDALDatasetH dataset) {
-        CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", "NO");
-        GDALCreateDatasetMaskBand(dataset, GMF_PER_DATASET);
-        std::array<std::uint8_t, 6> shown{255, 255, 0, 0, 255, 255};
-        EXPECT_EQ(GDALRasterIO(GDALGetMaskBand(GDALGetRasterBand(dataset, 1)), GF_Write, 0, 0, 3, 2,
-                               shown.data(), 3, 2, GDT_Byte, 0, 0),
-                  CE_None);
-        CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", nullptr);
-    };
-    const Terrain terrain = read(raster);
-    ASSERT_TRUE(fs::exists(folder_.path() / "dem.tif.msk"));
-    ASSERT_FALSE(terrain.nodata.empty());
-    EXPECT_EQ(std::ranges::count(terrain.nodata.values(), 1), 2);
-    EXPECT_EQ(terrain.nodata(0, 0), 1);
-    EXPECT_EQ(terrain.nodata(2, 1), 1);
-}
-
-TEST_F(RasterSays, SignedBytesKeepTheirSign) {
-    Raster raster;
-    raster.type = GDT_Byte;
-    raster.options = {"PIXELTYPE=SIGNEDBYTE"};
-    raster.values = {128, 255, 0, 1, 127, 129};
-    EXPECT_EQ(values_of(read(raster).heights), (std::vector<double>{1, 127, -127, -128, -1, 0}));
-}
-
-TEST_F(RasterSays, AlphaHidesCells) {
-    Raster raster;
-    raster.bands = 2;
-    raster.type = GDT_UInt16;
-    raster.options = {"ALPHA=YES"};
-    raster.more = [](GDALDatasetH dataset) {
-        GDALSetRasterColorInterpretation(GDALGetRasterBand(dataset, 2), GCI_AlphaBand);
-    };
-    raster.values = {1, 2, 3, 4, 5, 6};
-    const fs::path file = write(folder_.path() / "dem.tif", raster);
-    GDALDatasetH dataset = GDALOpenEx(file.c_str(), GDAL_OF_RASTER | 1U, nullptr, nullptr, nullptr);
-    std::array<double, 6> alpha{65535, 0, 65535, 65535, 65535, 65535};
-    EXPECT_EQ(GDALRasterIO(GDALGetRasterBand(dataset, 2), GF_Write, 0, 0, 3, 2, alpha.data(), 3, 2,
-                           GDT_Float64, 0, 0),
-              CE_None);
-    GDALClose(dataset);
-    const Terrain terrain = read_terrain(file);
-    ASSERT_FALSE(terrain.nodata.empty());
-    EXPECT_EQ(terrain.nodata(1, 1), 1);
-    EXPECT_EQ(std::ranges::count(terrain.nodata.values(), 1), 1);
-}
-
-TEST_F(RasterSays, OneOfSeveralPagesIsNamed) {
-    Raster raster;
-    const fs::path file = write(folder_.path() / "pages.tif", raster);
-    Raster second;
-    second.values = {7, 8, 9, 10, 11, 12};
-    second.options = {"APPEND_SUBDATASET=YES"};
-    write(file, second);
-    const std::string message = message_of<InputError>([&] { (void)read_terrain(file); });
-    EXPECT_EQ(message, file.string() + ": holds 2 grids: 1, 2; choose one by bed.variable");
-    EXPECT_EQ(read_terrain(file, {.variable = "2"}).heights(0, 0), 10.0);
-    EXPECT_EQ(message_of<InputError>([&] { (void)read_terrain(file, {.variable = "dem"}); }),
-              file.string() + ": holds no grid \"dem\"; write bed.variable as one of 1, 2");
-}
-
-TEST_F(RasterSays, MercatorsLengthsAreTrueAndSaid) {
-    Raster raster;
-    raster.crs = "EPSG:3857";
-    raster.transform = {-11700000, 10, 0, 4800020, 0, -10};
-    const Terrain terrain = read(raster);
-    EXPECT_EQ(terrain.note,
-              "cells of 10 m × 10 m in the projection are 7.72176 m × 7.69093 m on the ground, "
-              "which counts");
-    EXPECT_EQ(terrain.place->dx, 10.0) << "what is written keeps the file's coordinates";
-    Raster far = raster;  // from the middle of zone 13: 1.00159
-    far.crs = "EPSG:32613";
-    far.transform = {90000, 10, 0, 4000020, 0, -10};
-    const Terrain left = read(far);
-    EXPECT_EQ(left.dx, 10.0);
-    EXPECT_NE(left.note.find("which is left as it is"), std::string::npos) << left.note;
-}
-
-TEST_F(RasterSays, APrjOfSeveralLinesOrOfWordsCounts) {
-    const std::string grid =
-        "ncols 2\nnrows 2\nxllcorner 3000000\nyllcorner 1700000\ncellsize 10\n1 2\n3 4\n";
-    const auto with_prj = [&](const std::string& prj) {
-        folder_.file("dem.prj", prj);
-        return read_terrain(folder_.file("dem.asc", grid));
-    };
-    const Terrain lines = with_prj(
-        "PROJCS[\"a\",\r\n    GEOGCS[\"b\",\r\n        DATUM[\"D_North_American_1983\",\n"
-        "            SPHEROID[\"GRS_1980\",6378137,298.257222101]],\n        "
-        "PRIMEM[\"Greenwich\",0],\n"
-        "        UNIT[\"Degree\",0.0174532925199433]],\n    "
-        "PROJECTION[\"Lambert_Conformal_Conic\"],\n"
-        "    PARAMETER[\"False_Easting\",3000000],\n    PARAMETER[\"False_Northing\",1000000],\n"
-        "    PARAMETER[\"Central_Meridian\",-105.5],\n    "
-        "PARAMETER[\"Standard_Parallel_1\",39.7],\n"
-        "    PARAMETER[\"Standard_Parallel_2\",40.8],\n    "
-        "PARAMETER[\"Latitude_Of_Origin\",39.3],\n"
-        "    UNIT[\"Foot_US\",0.304800609601219]]\n");
-    EXPECT_NEAR(lines.dx, 10 * survey_foot, 1e-9);
-    EXPECT_EQ(lines.note, "cell size converted to metres from Foot_US");
-    const Terrain words = with_prj(
-        "Projection    UTM\nZone          13\nDatum         WGS84\nUnits         METERS\n"
-        "Spheroid      WGS84\nZunits        NO\nParameters\n");
-    EXPECT_NE(words.place->crs.find("UTM"), std::string::npos) << words.note;
-    const Terrain unread = with_prj("nothing that is known");
-    EXPECT_EQ(unread.place->crs, "");
-    EXPECT_EQ(unread.note, (folder_.path() / "dem.prj").string() +
-                               " holds no reference system that can be read, and is passed over");
-}
-
-TEST_F(RasterSays, OthersFilesNameNoFile) {
-    write(folder_.path() / "private.tif", {});
-    const auto vrt = [&](const std::string& source) {
-        const fs::path file = folder_.path() / "view.vrt";
-        std::ofstream(file) << "<VRTDataset rasterXSize=\"3\" rasterYSize=\"2\"><VRTRasterBand "
-                               "dataType=\"Float64\" band=\"1\"><SimpleSource><SourceFilename>"
-                            << source
-                            << "</SourceFilename><SourceBand>1</SourceBand></SimpleSource>"
-                               "</VRTRasterBand></VRTDataset>";
-        return file;
-    };
-    const fs::path mine = vrt((folder_.path() / "private.tif").string());
-    EXPECT_EQ(read_terrain(mine).heights(0, 0), 4.0);
-    for (const std::string& source :
-         {(folder_.path() / "private.tif").string(), std::string("/vsicurl/http://localhost/a.tif"),
-          (folder_.path() / "view.vrt").string()}) {
-        const fs::path file = vrt(source);
-        EXPECT_NE(message_of<InputError>([&] { (void)read_terrain(file, {.trusted = false}); }), "")
-            << source;
-    }
-    for (const std::string& source :
-         {std::string("/vsicurl/http://localhost/a.tif"), (folder_.path() / "view.vrt").string()}) {
-        const fs::path file = vrt(source);
-        EXPECT_NE(message_of<InputError>([&] { (void)read_terrain(file); }), "") << source;
-    }
-}
+// clang-format on
 
 }  // namespace
 }  // namespace fumon::test

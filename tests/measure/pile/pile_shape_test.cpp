@@ -36,12 +36,12 @@ TEST(PileShape, AConeOnTheDropPointHasNoOffset) {
     EXPECT_NEAR(shape.axis_ratio, 1.0, 1e-12);
 }
 
-struct Drift {
+struct CentreShift {
     const char* name;
     double east, north, azimuth;
 };
 
-class DriftedPile : public ::testing::TestWithParam<Drift> {};
+class DriftedPile : public ::testing::TestWithParam<CentreShift> {};
 
 TEST_P(DriftedPile, SaysHowFarAndWhereTo) {
     const auto [name, east, north, azimuth] = GetParam();
@@ -54,11 +54,12 @@ TEST_P(DriftedPile, SaysHowFarAndWhereTo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Directions, DriftedPile,
-                         ::testing::Values(Drift{"NorthEast", 8.0, 8.0, 45.0},
-                                           Drift{"SouthEast", 7.5, -7.5, 135.0},
-                                           Drift{"South", 0.25, -9.0, 178.4088597},
-                                           Drift{"West", -10.0, 0.0, 270.0},
-                                           Drift{"NorthWest", -5.0, 5.0 * std::sqrt(3.0), 330.0}),
+                         ::testing::Values(CentreShift{"NorthEast", 8.0, 8.0, 45.0},
+                                           CentreShift{"SouthEast", 7.5, -7.5, 135.0},
+                                           CentreShift{"South", 0.25, -9.0, 178.4088597},
+                                           CentreShift{"West", -10.0, 0.0, 270.0},
+                                           CentreShift{"NorthWest", -5.0, 5.0 * std::sqrt(3.0),
+                                                       330.0}),
                          [](const auto& drift) { return drift.param.name; });
 
 TEST(PileShape, ABareBedHasNoShape) {

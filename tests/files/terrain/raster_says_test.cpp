@@ -1,0 +1,156 @@
+// What a raster says of itself beside its values, and files of unknown origin.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "files/terrain/terrain_file.h"
+#include "support/grid_values.h"
+#include "support/raster_test.h"
+
+namespace fumon::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A band as one likes, with what only GDAL's calls can add.
+class RasterSays : public RasterTest {};
+
+TEST_F(RasterSays, AMaskBesideTheFileHidesCells) {
+    Raster raster;
+    raster.more = with_mask(false, {255, 255, 0, 0, 255, 255});
+    const Terrain terrain = read(raster);
+    ASSERT_TRUE(fs::exists(folder_.path() / "dem.tif.msk"));
+    ASSERT_FALSE(terrain.nodata.empty());
+    EXPECT_EQ(std::ranges::count(terrain.nodata.values(), 1), 2);
+    EXPECT_EQ(terrain.nodata(0, 0), 1);
+    EXPECT_EQ(terrain.nodata(2, 1), 1);
+}
+
+TEST_F(RasterSays, SignedBytesKeepTheirSign) {
+    Raster raster;
+    raster.type = GDT_Byte;
+    raster.options = {"PIXELTYPE=SIGNEDBYTE"};
+    raster.values = {128, 255, 0, 1, 127, 129};
+    EXPECT_EQ(values_of(read(raster).heights), (std::vector<double>{1, 127, -127, -128, -1, 0}));
+}
+
+TEST_F(RasterSays, AlphaHidesCells) {
+    Raster raster;
+    raster.bands = 2;
+    raster.type = GDT_UInt16;
+    raster.options = {"ALPHA=YES"};
+    raster.more = [](GDALDatasetH dataset) {
+        GDALSetRasterColorInterpretation(GDALGetRasterBand(dataset, 2), GCI_AlphaBand);
+    };
+    raster.values = {1, 2, 3, 4, 5, 6};
+    const fs::path file = write(folder_.path() / "dem.tif", raster);
+    GDALDatasetH dataset = GDALOpenEx(file.c_str(), GDAL_OF_RASTER | 1U, nullptr, nullptr, nullptr);
+    std::array<double, 6> alpha{65535, 0, 65535, 65535, 65535, 65535};
+    EXPECT_EQ(GDALRasterIO(GDALGetRasterBand(dataset, 2), GF_Write, 0, 0, 3, 2, alpha.data(), 3, 2,
+                           GDT_Float64, 0, 0),
+              CE_None);
+    GDALClose(dataset);
+    const Terrain terrain = read_terrain(file);
+    ASSERT_FALSE(terrain.nodata.empty());
+    EXPECT_EQ(terrain.nodata(1, 1), 1);
+    EXPECT_EQ(std::ranges::count(terrain.nodata.values(), 1), 1);
+}
+
+TEST_F(RasterSays, OneOfSeveralPagesIsNamed) {
+    Raster raster;
+    const fs::path file = write(folder_.path() / "pages.tif", raster);
+    Raster second;
+    second.values = {7, 8, 9, 10, 11, 12};
+    second.options = {"APPEND_SUBDATASET=YES"};
+    write(file, second);
+    const std::string message = message_of<InputError>([&] { (void)read_terrain(file); });
+    EXPECT_EQ(message, file.string() + ": holds 2 grids: 1, 2; choose one by bed.variable");
+    EXPECT_EQ(read_terrain(file, {.variable = "2"}).heights(0, 0), 10.0);
+    EXPECT_EQ(message_of<InputError>([&] { (void)read_terrain(file, {.variable = "dem"}); }),
+              file.string() + ": holds no grid \"dem\"; write bed.variable as one of 1, 2");
+}
+
+TEST_F(RasterSays, MercatorsLengthsAreTrueAndSaid) {
+    Raster raster;
+    raster.crs = "EPSG:3857";
+    raster.transform = {-11700000, 10, 0, 4800020, 0, -10};
+    const Terrain terrain = read(raster);
+    EXPECT_EQ(terrain.note,
+              "cells of 10 m × 10 m in the projection are 7.72176 m × 7.69093 m on the ground, "
+              "which counts");
+    EXPECT_EQ(terrain.place->dx, 10.0) << "what is written keeps the file's coordinates";
+    Raster far = raster;  // from the middle of zone 13: 1.00159
+    far.crs = "EPSG:32613";
+    far.transform = {90000, 10, 0, 4000020, 0, -10};
+    const Terrain left = read(far);
+    EXPECT_EQ(left.dx, 10.0);
+    EXPECT_NE(left.note.find("which is left as it is"), std::string::npos) << left.note;
+}
+
+TEST_F(RasterSays, APrjOfSeveralLinesOrOfWordsCounts) {
+    const std::string grid =
+        "ncols 2\nnrows 2\nxllcorner 3000000\nyllcorner 1700000\ncellsize 10\n1 2\n3 4\n";
+    const auto with_prj = [&](const std::string& prj) {
+        folder_.file("dem.prj", prj);
+        return read_terrain(folder_.file("dem.asc", grid));
+    };
+    const Terrain lines = with_prj(
+        "PROJCS[\"a\",\r\n    GEOGCS[\"b\",\r\n        DATUM[\"D_North_American_1983\",\n"
+        "            SPHEROID[\"GRS_1980\",6378137,298.257222101]],\n        "
+        "PRIMEM[\"Greenwich\",0],\n"
+        "        UNIT[\"Degree\",0.0174532925199433]],\n    "
+        "PROJECTION[\"Lambert_Conformal_Conic\"],\n"
+        "    PARAMETER[\"False_Easting\",3000000],\n    PARAMETER[\"False_Northing\",1000000],\n"
+        "    PARAMETER[\"Central_Meridian\",-105.5],\n    "
+        "PARAMETER[\"Standard_Parallel_1\",39.7],\n"
+        "    PARAMETER[\"Standard_Parallel_2\",40.8],\n    "
+        "PARAMETER[\"Latitude_Of_Origin\",39.3],\n"
+        "    UNIT[\"Foot_US\",0.304800609601219]]\n");
+    EXPECT_NEAR(lines.dx, 10 * 1200.0 / 3937.0, 1e-9);
+    EXPECT_EQ(lines.note, "cell size converted to metres from Foot_US");
+    const Terrain words = with_prj(
+        "Projection    UTM\nZone          13\nDatum         WGS84\nUnits         METERS\n"
+        "Spheroid      WGS84\nZunits        NO\nParameters\n");
+    EXPECT_NE(words.place->crs.find("UTM"), std::string::npos) << words.note;
+    const Terrain unread = with_prj("nothing that is known");
+    EXPECT_EQ(unread.place->crs, "");
+    EXPECT_EQ(unread.note, (folder_.path() / "dem.prj").string() +
+                               " holds no reference system that can be read, and is passed over");
+}
+
+TEST_F(RasterSays, OthersFilesNameNoFile) {
+    write(folder_.path() / "private.tif", {});
+    const auto vrt = [&](const std::string& source) {
+        const fs::path file = folder_.path() / "view.vrt";
+        std::ofstream(file) << "<VRTDataset rasterXSize=\"3\" rasterYSize=\"2\"><VRTRasterBand "
+                               "dataType=\"Float64\" band=\"1\"><SimpleSource><SourceFilename>"
+                            << source
+                            << "</SourceFilename><SourceBand>1</SourceBand></SimpleSource>"
+                               "</VRTRasterBand></VRTDataset>";
+        return file;
+    };
+    const fs::path mine = vrt((folder_.path() / "private.tif").string());
+    EXPECT_EQ(read_terrain(mine).heights(0, 0), 4.0);
+    for (const std::string& source :
+         {(folder_.path() / "private.tif").string(), std::string("/vsicurl/http://localhost/a.tif"),
+          (folder_.path() / "view.vrt").string()}) {
+        const fs::path file = vrt(source);
+        EXPECT_NE(message_of<InputError>([&] { (void)read_terrain(file, {.trusted = false}); }), "")
+            << source;
+    }
+    for (const std::string& source :
+         {std::string("/vsicurl/http://localhost/a.tif"), (folder_.path() / "view.vrt").string()}) {
+        const fs::path file = vrt(source);
+        EXPECT_NE(message_of<InputError>([&] { (void)read_terrain(file); }), "") << source;
+    }
+}
+
+}  // namespace
+}  // namespace fumon::test
