@@ -1,5 +1,7 @@
 // The habits of a command line: pages on keys, completion, manual pages, JSON, shipped scenes.
 
+#include "support/habits.h"
+
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -14,50 +16,12 @@
 #include "cli/commands.h"
 #include "cli/completion.h"
 #include "picture/png.h"
-#include "support/command.h"
-#include "support/program.h"
 
 namespace fumon::test {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-
-class HabitsTest : public ::testing::Test {
-  protected:
-    void SetUp() override { write_text(folder_ / "scene.toml", small_scene()); }
-
-    Ended said(const std::vector<std::string>& arguments) {
-        return fumon(arguments, folder_.path());
-    }
-
-    Json json_of(const std::vector<std::string>& arguments, int status = 0) {
-        const Ended ended = said(arguments);
-        EXPECT_EQ(ended.status, status) << ended.errors;
-        return Json::parse(ended.output);
-    }
-
-    /// What a shell says of a text of its own, with fumon on its path.
-    Spoken shell(const std::string& program, const std::string& text) {
-        write_text(folder_ / "script", text);
-        return run_command("cd " + folder_.path().string() +
-                           " && PATH=" + fs::path(FUMON_PROGRAM).parent_path().string() +
-                           ":$PATH " + program + " script");
-    }
-
-    static bool has(const std::string& program) {
-        return std::system(("command -v " + program + " > /dev/null").c_str()) == 0;
-    }
-
-    ScratchFolder folder_;
-};
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
 
 // ---- describe ----
 
@@ -136,96 +100,6 @@ TEST_F(HabitsTest, ShippedTerrainIsFoundByItsBareNameUnlessAFileHereHasIt) {
     EXPECT_NE(json_of({"measure", hill, "--json"})["measures"], measured["measures"])
         << "what lies here comes first";
     EXPECT_EQ(said({"measure", "./no_such_hill.asc"}).status, 2);
-}
-
-// ---- completion ----
-
-TEST_F(HabitsTest, CompletionKnowsCommandsOptionsKeysAndValues) {
-    const auto found = [&](std::vector<std::string> words) {
-        words.insert(words.begin(), {"completion", "--line", "--"});
-        return lines_of(said(words).output);
-    };
-    using Words = std::vector<std::string>;
-    EXPECT_EQ(found({"sw"}), (Words{"sweep"}));
-    EXPECT_EQ(found({"sweep", "--sh"}), (Words{"--shard"}));
-    EXPECT_EQ(found({"run", "--set", "camera.az"}), (Words{"camera.azimuth="}));
-    EXPECT_EQ(found({"run", "--set", "look.mode="}),
-              (Words{"look.mode=figure", "look.mode=scenic"}));
-    EXPECT_EQ(found({"run", "--set=look.mode=f"}), (Words{"--set=look.mode=figure"}));
-    EXPECT_EQ(found({"run", "scene.toml", "--set", "output.movie="}),
-              (Words{"output.movie=false", "output.movie=true"}));
-    EXPECT_EQ(found({"sweep", "x.toml", "--over", "model.creep_r"}), (Words{"model.creep_rate="}));
-    EXPECT_EQ(found({"still", "x", "--gl", ""}), (Words{"auto", "egl", "osmesa"}));
-    EXPECT_EQ(found({"measure", "--as", "pi"}), (Words{"pile"}));
-    EXPECT_EQ(found({"run", "terada-ri"}), (Words{"terada-ripples", ":files"}));
-    EXPECT_EQ(found({"describe", "camera.az"}), (Words{"camera.azimuth"}));
-    EXPECT_EQ(found({"film", "out", "x", "--set", "film.siz"}), (Words{"film.size="}));
-    EXPECT_EQ(found({"run", "--set", "model.name=sandp"}), (Words{"model.name=sandpile"}));
-    EXPECT_EQ(found({"run", "-o", "x"}), (Words{":files"}));
-    EXPECT_EQ(found({"run", "scene.toml", "--set", "model.topple"}), Words{})
-        << "no key of the scene's model";
-    EXPECT_EQ(said({"completion", "tcsh"}).status, 2);
-}
-
-TEST_F(HabitsTest, BashCompletes) {
-    write_text(folder_ / "stone.toml", "");
-    const std::string head =
-        "source <(fumon completion bash)\n"
-        "ask() {\n"
-        "    COMP_LINE=$1 COMP_POINT=${#1} COMPREPLY=()\n"
-        "    _fumon\n"
-        "    printf '%s\\n' \"${COMPREPLY[*]}\"\n"
-        "}\n";
-    const Spoken spoken = shell("bash", head +
-                                            "ask 'fumon sw'\n"
-                                            "ask 'fumon run --set look.mode='\n"
-                                            "ask 'fumon run --set camera.az'\n"
-                                            "ask 'fumon check sto'\n"
-                                            "ask 'fumon run terada-ri'\n"
-                                            "complete -p fumon\n");
-    EXPECT_EQ(spoken.words,
-              "sweep\nfigure scenic\ncamera.azimuth=\nstone.toml\nterada-ripples\n"
-              "complete -F _fumon fumon\n");
-}
-
-TEST_F(HabitsTest, ZshAndFishReadTheirScripts) {
-    bool any = false;
-    if (has("zsh")) {
-        any = true;
-        ASSERT_EQ(said({"completion", "zsh"}).status, 0);
-        const Spoken spoken = shell("zsh",
-                                    "fumon completion zsh > _fumon\n"
-                                    "fpath=($PWD $fpath)\nautoload -Uz compinit\ncompinit -u -D\n"
-                                    "compadd() { shift $@[(i)--]; print -r -- \"$@\" }\n"
-                                    "_files() { print files }\ncompset() { : }\n"
-                                    "words=(fumon run --set look.mode=) CURRENT=4\n"
-                                    "autoload +X _fumon\n_fumon\nprint $_comps[fumon]\n");
-        EXPECT_NE(spoken.words.find("look.mode=figure look.mode=scenic"), std::string::npos)
-            << spoken.words;
-    }
-    if (has("fish")) {
-        any = true;
-        const Spoken spoken = shell("fish",
-                                    "fumon completion fish | source\n"
-                                    "complete -C 'fumon run --set look.mode='\n");
-        EXPECT_NE(spoken.words.find("look.mode=scenic"), std::string::npos) << spoken.words;
-    }
-    if (!any) GTEST_SKIP() << "neither zsh nor fish is installed";
-}
-
-TEST_F(HabitsTest, CompletionOffersWhatLiesInFiles) {
-    const auto found = [&](std::vector<std::string> words) {
-        words.insert(words.begin(), {"completion", "--line", "--"});
-        return lines_of(said(words).output);
-    };
-    using Words = std::vector<std::string>;
-    EXPECT_EQ(found({"still", "x", "--set", "look.palette=vi"}),
-              (Words{"look.palette=vik", "look.palette=viridis"}));
-    EXPECT_EQ(found({"run", "--set=look.preset=golden"}), (Words{"--set=look.preset=golden-hour"}));
-    EXPECT_EQ(found({"run", "--set", "output.bed_format=esri"}),
-              (Words{"output.bed_format=esri-ascii"}));
-    EXPECT_EQ(found({"film", "x", "--set", "film.format=av"}), (Words{"film.format=av1"}));
-    EXPECT_EQ(found({"help", "swe"}), (Words{"sweep"}));
 }
 
 // ---- help, standard input, quiet ----
