@@ -143,6 +143,16 @@ TEST_F(HabitsTest, ScenesAndTerrainComeOnStandardInput) {
               std::string::npos);
 }
 
+TEST_F(HabitsTest, QuietCommandsSayNothingButErrors) {
+    write_text(folder_ / "degrees.asc",
+               "ncols 2\nnrows 2\nxllcorner 7\nyllcorner 46\ncellsize 0.01\n100 200\n300 400\n");
+    EXPECT_NE(said({"measure", "degrees.asc"}).errors, "") << "degrees become metres";
+    const Ended quiet = said({"measure", "degrees.asc", "-q"});
+    EXPECT_EQ(quiet.status, 0);
+    EXPECT_EQ(quiet.errors, "");
+    EXPECT_NE(said({"measure", "none.asc", "-q"}).errors, "");
+}
+
 TEST_F(HabitsTest, AListOfSectionsIsCleared) {
     write_text(folder_ / "overlaid.toml",
                small_scene() +

@@ -119,6 +119,17 @@ TEST_F(RasterSays, APrjOfSeveralLinesOrOfWordsCounts) {
         "Projection    UTM\nZone          13\nDatum         WGS84\nUnits         METERS\n"
         "Spheroid      WGS84\nZunits        NO\nParameters\n");
     EXPECT_NE(words.place->crs.find("UTM"), std::string::npos) << words.note;
+    const std::string flat =
+        "ncols 2\nnrows 2\nxllcorner 7\nyllcorner 53\ncellsize 0.01\n0.001 0.002\n0.003 0.001\n";
+    EXPECT_EQ(read_terrain(folder_.file("coast.asc", flat)).dx, 0.01)
+        << "as metres it is no needle";
+    folder_.file(
+        "coast.prj",
+        "GEOGCS[\"WGS 84\",DATUM[\"D_WGS_1984\",SPHEROID[\"WGS_1984\",6378137,298.257223563]],"
+        "PRIMEM[\"Greenwich\",0],UNIT[\"Degree\",0.0174532925199433]]");
+    const Terrain coast = read_terrain(folder_.path() / "coast.asc");
+    EXPECT_TRUE(coast.place->degrees);
+    EXPECT_NEAR(coast.dx, 671.2171, 1e-3) << "a hundredth of a degree at 53°";
     const Terrain unread = with_prj("nothing that is known");
     EXPECT_EQ(unread.place->crs, "");
     EXPECT_EQ(unread.note, (folder_.path() / "dem.prj").string() +
