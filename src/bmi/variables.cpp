@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "bmi/udunits_unit.h"
+#include "files/udunits_unit.h"
 #include "scene/scene_keys.h"
 
 namespace fumon {

@@ -4,6 +4,7 @@
 
 #include "models/shared/state_hash.h"
 #include "python/patience.h"
+#include "run/still.h"
 
 namespace fumon::python {
 
@@ -54,6 +55,16 @@ Step LiveRun::present() {
     }
     if (prepared_->plotted) step.plotted = prepared_->plotted->rows();
     step.drawer = drawer_;
+    return step;
+}
+
+Step LiveRun::present_as_still() {
+    Step step = present();
+    const SharedSnapshot first = step.drawer->first();
+    if (step.snapshot->step == first->step) return step;
+    Scene scene = step.drawer->scene();
+    stand_on_drawn_ground(scene.view, *first, *step.snapshot);
+    step.drawer = std::make_shared<Drawer>(std::move(scene), step.drawer->inputs(), first);
     return step;
 }
 

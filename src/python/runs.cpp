@@ -121,6 +121,11 @@ void define_runs(py::module_& core) {
                  const py::gil_scoped_release unlocked;
                  return std::make_shared<Step>(run.present());
              })
+        .def("present_as_still",
+             [](LiveRun& run) {
+                 const py::gil_scoped_release unlocked;
+                 return std::make_shared<Step>(run.present_as_still());
+             })
         .def("state_hash", &LiveRun::state_hash, py::call_guard<py::gil_scoped_release>())
         .def_property_readonly("steps_done",
                                [](LiveRun& run) {

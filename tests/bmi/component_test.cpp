@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "bmi/udunits_unit.h"
+#include "files/udunits_unit.h"
 #include "models/shared/state_hash.h"
 #include "support/program.h"
 
@@ -90,9 +90,10 @@ TEST(BmiComponent, UnitsAreThoseOfUdunits) {
     EXPECT_EQ(udunits_unit("1/(m^2 yr)", true), "m-2 yr-1");
     EXPECT_EQ(udunits_unit("m2", true), "m2");
     EXPECT_EQ(udunits_unit("m/m", true), "1");
+    EXPECT_EQ(udunits_unit("per mm", true), "mm-1");
     EXPECT_EQ(udunits_unit("deg", true), "degree");
     EXPECT_EQ(udunits_unit("degrees", true), "degree");
-    for (const char* counted : {"share per step", "sites", "heights", "per mm", "sites per height",
+    for (const char* counted : {"share per step", "sites", "heights", "per site", "sites per height",
                                 "s/m^(1/3)", "m^(1/2)/s", "steps", "m^", "(m", "m)", "m/"})
         EXPECT_EQ(udunits_unit(counted, true), "1") << counted;
     EXPECT_EQ(udunits_unit("m or sites", true), "m");

@@ -46,6 +46,7 @@ SpatialReference::SpatialReference(const std::string& text)
 SpatialReference::SpatialReference(std::vector<std::string> lines)
     : handle_(gdal().OSRNewSpatialReference(nullptr)) {
     std::vector<char*> texts;
+    texts.reserve(lines.size() + 1);
     for (std::string& line : lines) texts.push_back(line.data());
     texts.push_back(nullptr);
     understood_ = gdal().OSRImportFromESRI(handle_, texts.data()) == OGRERR_NONE;

@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
-#include "base/find_named.h"
 #include "files/netcdf/netcdf_calls.h"
+#include "files/udunits_unit.h"
 
 namespace fumon {
 
@@ -27,17 +26,9 @@ void put_number(int file, int variable, const char* name, double value) {
 }
 
 std::string unit_in_file(const std::string& unit) {
-    using Known = std::pair<std::string_view, const char*>;
-    constexpr std::array<Known, 22> known{{
-        {"", "1"},          {"step", "1"},      {"steps", "1"},         {"site", "1"},
-        {"sites", "1"},     {"height", "1"},    {"heights", "1"},       {"model height", "1"},
-        {"cell", "1"},      {"cells", "1"},     {"model heights", "1"}, {"grain", "1"},
-        {"grains", "1"},    {"round", "1"},     {"rounds", "1"},        {"times", "1"},
-        {"seconds", "s"},   {"hours", "h"},     {"minutes", "min"},     {"days", "d"},
-        {"per mm", "mm-1"}, {"deg", "degrees"},
-    }};
-    const auto* found = find_by(known, &Known::first, unit);
-    return found == nullptr ? unit : found->second;
+    const std::string by_symbols = udunits_unit(unit, true);
+    const bool reads_as_it_is = by_symbols != "1" && !unit.starts_with("per ") && unit != "deg";
+    return reads_as_it_is ? unit : by_symbols;
 }
 
 void describe(int file, int variable, const std::string& long_name, const std::string& unit) {

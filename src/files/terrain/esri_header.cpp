@@ -96,6 +96,25 @@ std::optional<std::pair<Word, Entry>> value_first(const TextSource& source, std:
     return std::pair(*known, entry);
 }
 
+/// GeoClaw's line of two sizes, "10 20 cellsize": those of dx and dy lines.
+bool read_two_sizes(const TextSource& source, std::size_t& offset, Entries& entries) {
+    std::array<Entry, 2> sizes;
+    std::size_t at = offset;
+    for (Entry& size : sizes) {
+        const std::string_view text = word_at(source.text, at);
+        const ParsedNumber number = parse_number(text);
+        if (number.kind != NumberKind::finite) return false;
+        size = {text, number.value, false, at};
+        at = skip_blanks(source.text, at + text.size());
+    }
+    const std::string_view word = word_at(source.text, at);
+    if (known_word(word) != cellsize) return false;
+    entries[dx] = sizes[0];
+    entries[dy] = sizes[1];
+    offset = at + word.size();
+    return true;
+}
+
 /// The value of a header word, which stands on the rest of its line and alone there.
 Entry read_value(const TextSource& source, std::string_view word, std::size_t& offset) {
     const std::size_t word_offset = offset;
@@ -154,6 +173,7 @@ std::size_t read_entries(const TextSource& source, std::size_t offset, Entries& 
         offset = skip_spaces(source.text, offset);
         const std::string_view word = word_at(source.text, offset);
         const std::size_t line = offset;
+        if (read_two_sizes(source, offset, entries)) continue;
         if (auto turned = value_first(source, offset)) {
             auto& entry = entries[turned->first];
             if (entry) refuse_again(source, line, word_names[turned->first], entry->offset);

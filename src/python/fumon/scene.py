@@ -102,9 +102,10 @@ class Scene(Mapping[str, Any]):
         return Run(self, every, at, measures, threads, progress)
 
     def at(self, step: int | None = None, *, threads: int = 0, progress: bool | None = None) -> Step:
-        """Runs it to a step, by default the run's last one."""
+        """Runs it to a step, by default the run's last one. Its picture is that of ``fumon still``: ``camera.at`` and
+        ``camera.look_at`` count from the ground of that step, where those of run() count from that of the first."""
         wanted = self["run.steps"] if step is None else step
-        return next(self.run(at=[wanted], threads=threads, progress=progress))
+        return Run(self, None, [wanted], True, threads, progress).present_as_still()
 
     def sweep(self, over: Mapping[Union[str, tuple[str, ...]], Sequence[Any]] | None = None,
               seeds: int | range | None = None, *, folder: PathLike | None = None, threads: int = 0,
@@ -149,6 +150,15 @@ class Run:
         raise TypeError("a Run belongs to its process; copy, pickle or send its Scene and run that")
 
     def __next__(self) -> Step:
+        self._advance()
+        return Step(self._live.present())
+
+    def present_as_still(self) -> Step:
+        """Steps to the next of its steps, which is drawn as ``fumon still`` draws it."""
+        self._advance()
+        return Step(self._live.present_as_still())
+
+    def _advance(self) -> None:
         if self._due is None:
             self._due = next(self._steps, None)
         if self._due is None:
@@ -162,7 +172,6 @@ class Run:
             raise
         self._due = None
         self._progress.tell(step)
-        return Step(self._live.present())
 
     @property
     def steps_done(self) -> int:

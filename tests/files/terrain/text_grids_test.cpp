@@ -45,6 +45,13 @@ TEST(TextGrids, GeoclawsHeadersHaveTheirNumbersFirst) {
         EXPECT_EQ(terrain.nodata(2, 0), 1) << row.name;
         EXPECT_EQ(terrain.heights(2, 1), 6.0) << row.name;
     }
+    const Terrain oblong =
+        read_terrain(folder.file("oblong.tt3",
+                                 "3 ncols\n2 nrows\n105 xlower\n210 ylower\n10 20 cellsize\n-9 "
+                                 "nodata_value\n4 5 6\n1 2 -9\n"));
+    EXPECT_EQ(oblong.dx, 10.0);
+    EXPECT_EQ(oblong.dy, 20.0);
+    EXPECT_EQ(oblong.place->south, 200.0);
     const auto twice = folder.file("twice.asc", "3 ncols\n3 mx\n");
     EXPECT_EQ(message_of<InputError>([&] { (void)read_terrain(twice); }),
               twice.string() +

@@ -1,4 +1,4 @@
-#include "bmi/udunits_unit.h"
+#include "files/udunits_unit.h"
 
 #include <fmt/format.h>
 
@@ -112,7 +112,10 @@ class Reader {
 
 std::string udunits_unit(std::string_view unit, bool in_metres) {
     if (unit == "m or sites" || unit == "m, or sites") return in_metres ? "m" : "1";
-    const auto factors = Reader(unit).factors();
+    constexpr std::string_view per = "per ";
+    std::string quotient;
+    if (unit.starts_with(per)) quotient = fmt::format("1/({})", unit.substr(per.size()));
+    const auto factors = Reader(quotient.empty() ? unit : quotient).factors();
     std::string text;
     for (const Factor& factor : factors.value_or(std::vector<Factor>{})) {
         if (factor.power == 0) continue;
