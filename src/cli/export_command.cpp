@@ -18,6 +18,8 @@
 #include "cli/shared_options.h"
 #include "cli/snapshot_argument.h"
 #include "files/atomic_file.h"
+#include "files/input_file.h"
+#include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_record.h"
 #include "files/terrain/terrain_format.h"
 #include "mesh/coloured_mesh.h"
@@ -186,6 +188,12 @@ std::filesystem::path moment_file(const std::string& output, std::size_t number,
 }
 
 void write_series(const ExportOptions& options, const std::string& input, OutputClaims& claims) {
+    if (!is_netcdf(start_of_input_file(input, netcdf_signature_length))) {
+        throw InputError(fmt::format(
+            "{}: has one moment, and a .pvd is a series of a run's; export it as .vts, or name a "
+            "run's folder or fields.nc",
+            input));
+    }
     const std::vector<FieldsMoment> moments = read_fields_moments(input);
     const Snapshot outline = read_snapshot(input, options.heights, options.work.settings);
     const bool has_paths = outline.section && !outline.section->paths.empty();

@@ -101,6 +101,11 @@ TEST_F(BedFormat, ABedIsExportedAsAGridOfItsFormatOrToStandardOutput) {
         0);
     EXPECT_EQ(read_text(folder_ / "bed.txt"), told.output);
     EXPECT_EQ(fumon({"export", "dem.asc", "-o", "-", "--as", "pvd"}, folder_.path()).status, 2);
+    const Ended series = fumon({"export", "dem.asc", "-o", "dem.pvd"}, folder_.path());
+    EXPECT_EQ(series.status, 2);
+    EXPECT_EQ(series.errors,
+              "dem.asc: has one moment, and a .pvd is a series of a run's; export it as .vts, or "
+              "name a run's folder or fields.nc\n");
     const Ended solid = fumon({"export", "dem.asc", "-o", "-", "--as", "stl"}, folder_.path());
     EXPECT_EQ(fumon({"export", "dem.asc", "-o", "dem.stl"}, folder_.path()).status, 0);
     EXPECT_TRUE(solid.output == read_text(folder_ / "dem.stl"));
