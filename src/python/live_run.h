@@ -40,8 +40,8 @@ class LiveRun {
     /// The present state, measured as rows of measurements.csv are: celerities since the last one.
     [[nodiscard]] Step present();
 
-    /// The same, drawn as `fumon still` draws it: camera.at and camera.look_at count from the ground
-    /// of the present state.
+    /// The same, drawn as `fumon still` draws it: camera.at and camera.look_at count from the
+    /// ground of the present state.
     [[nodiscard]] Step present_as_still();
 
     /// SHA-256 of the model's state, hexadecimal: that of run.json at the same step.

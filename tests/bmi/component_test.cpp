@@ -93,8 +93,9 @@ TEST(BmiComponent, UnitsAreThoseOfUdunits) {
     EXPECT_EQ(udunits_unit("per mm", true), "mm-1");
     EXPECT_EQ(udunits_unit("deg", true), "degree");
     EXPECT_EQ(udunits_unit("degrees", true), "degree");
-    for (const char* counted : {"share per step", "sites", "heights", "per site", "sites per height",
-                                "s/m^(1/3)", "m^(1/2)/s", "steps", "m^", "(m", "m)", "m/"})
+    for (const char* counted :
+         {"share per step", "sites", "heights", "per site", "sites per height", "s/m^(1/3)",
+          "m^(1/2)/s", "steps", "m^", "(m", "m)", "m/"})
         EXPECT_EQ(udunits_unit(counted, true), "1") << counted;
     EXPECT_EQ(udunits_unit("m or sites", true), "m");
     EXPECT_EQ(udunits_unit("m or sites", false), "1");
