@@ -39,7 +39,14 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fumon-data (= ${PROJECT_VERSION}-${revision}), ${by_name}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "fonts-ipaexfont-gothic")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgdal32 | libgdal36 | libgdal34t64")  # likewise loaded by its name
+
+# GDAL is loaded by its name too: this release's is what apt takes, others do as well.
+set(gdal libgdal32 libgdal34t64 libgdal36)
+execute_process(COMMAND dpkg-query -W -f "\${Package};" "libgdal[0-9]*" OUTPUT_VARIABLE installed ERROR_QUIET)
+list(PREPEND gdal ${installed})
+list(REMOVE_DUPLICATES gdal)
+list(JOIN gdal " | " gdal)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "${gdal}")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "sand and water landforms, simulated and rendered
 Ripples, dunes, barchans, sandpiles, gullies and rain on real terrain,
 computed reproducibly to the bit and drawn as pictures, movies and paper
