@@ -9,7 +9,7 @@ function(fumon_sources root variable)
         set(watched "")
     endif()
     file(GLOB_RECURSE sources ${watched} RELATIVE ${root}
-         ${root}/src/*.cpp ${root}/src/*.h ${root}/shaders/* ${root}/assets/palettes/*.txt)
+         ${root}/src/*.cpp ${root}/src/*.h ${root}/shaders/* ${root}/assets/palettes/*.txt ${root}/assets/fonts/*.txt)
     list(APPEND sources CMakeLists.txt src/CMakeLists.txt)
     list(FILTER sources EXCLUDE REGEX "^src/python")  # which computes and draws nothing itself
     list(SORT sources)

@@ -125,8 +125,10 @@ class OverlayPainter : public FramePainter {
     [[nodiscard]] DrawingRecord record() const override {
         DrawingRecord record = under_->record();
         record.text_library = figure_library();
-        record.environment.pinned = false;
-        if (gl::rendering_is_pinned()) record.why_not_pinned = text_is_not_pinned;
+        if (overlays_.uses_system_fonts()) {
+            record.environment.pinned = false;
+            if (gl::rendering_is_pinned()) record.why_not_pinned = text_is_not_pinned;
+        }
         return record;
     }
 

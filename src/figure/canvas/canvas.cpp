@@ -169,7 +169,7 @@ void Canvas::write(const std::string& text, const CanvasPoint& at, const CanvasP
     if (upright) cairo_rotate(drawing, quarter_turn);
     parts_->use(ink);
     cairo_move_to(drawing, 0.0, 0.0);
-    pango_cairo_show_layout(drawing, parts_->layout.get());
+    parts_->show_text();
     cairo_restore(drawing);
     parts_->note_missing(text);
     parts_->texts.push_back({read_marked_text(text).letters, box});
@@ -185,7 +185,7 @@ void Canvas::write_turned(const std::string& text, const CanvasPoint& middle, do
     cairo_rotate(drawing, angle);
     parts_->use(ink);
     cairo_move_to(drawing, -0.5 * length, -0.5 * height);
-    pango_cairo_show_layout(drawing, parts_->layout.get());
+    parts_->show_text();
     cairo_restore(drawing);
     parts_->note_missing(text);
     const double across = std::abs(elementary::cos(angle));
@@ -226,6 +226,10 @@ const std::vector<PlacedText>& Canvas::texts() const {
 
 const std::string& Canvas::missing_letters() const {
     return parts_->missing;
+}
+
+bool Canvas::uses_system_fonts() const {
+    return parts_->system_fonts;
 }
 
 Image Canvas::image() const {

@@ -103,6 +103,9 @@ class Canvas {
     /// One line for the user where no font has a letter of a text, naming the text and the package
     /// to install; else empty.
     [[nodiscard]] const std::string& missing_letters() const;
+    /// Whether a text that was measured or written is set in the system's fonts. Frames' texts are
+    /// so where they have letters that fumon does not ship, a page's always.
+    [[nodiscard]] bool uses_system_fonts() const;
 
     /// The pixels of an image or of a PNG page. Throws Error for other pages.
     [[nodiscard]] Image image() const;

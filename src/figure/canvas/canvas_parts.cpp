@@ -87,24 +87,26 @@ cairo_surface_t* Canvas::Parts::new_surface() {
         pixels(height));
 }
 
-void Canvas::Parts::set_text(const std::string& text, double size, bool bold) const {
-    constexpr double small = 0.7;     // raised and lowered letters, of the font size
-    constexpr double raised = 0.35;   // of the font size
-    constexpr double lowered = -0.2;  // of the font size
+void Canvas::Parts::set_text(const std::string& text, double size, bool bold) {
+    const MarkedText marked = read_marked_text(text);
+    outlines.reset();
+    if (!format) outlines = OutlineText::set(marked, size * font_size, bold);
+    if (outlines) return;
+    system_fonts = true;
     const double pixels = size * font_size * PANGO_SCALE;
     const Font font(pango_font_description_from_string("DejaVu Sans"));
     if (bold) pango_font_description_set_weight(font.get(), PANGO_WEIGHT_BOLD);
     pango_font_description_set_absolute_size(font.get(), pixels);
     pango_layout_set_font_description(layout.get(), font.get());
-    const MarkedText marked = read_marked_text(text);
     const Attributes attributes(pango_attr_list_new());
     // Letters that run into one are another letter to whoever searches a page.
     if (format)
         pango_attr_list_insert(attributes.get(), pango_attr_font_features_new("liga=0, clig=0"));
     for (const RaisedPart& part : marked.parts) {
         for (PangoAttribute* attribute :
-             {pango_attr_scale_new(small),
-              pango_attr_rise_new(static_cast<int>(pixels * (part.raised ? raised : lowered)))}) {
+             {pango_attr_scale_new(RaisedLetters::size),
+              pango_attr_rise_new(static_cast<int>(
+                  pixels * (part.raised ? RaisedLetters::raised : RaisedLetters::lowered)))}) {
             attribute->start_index = static_cast<guint>(part.begin);
             attribute->end_index = static_cast<guint>(part.end);
             pango_attr_list_insert(attributes.get(), attribute);
@@ -113,6 +115,13 @@ void Canvas::Parts::set_text(const std::string& text, double size, bool bold) co
     pango_layout_set_attributes(layout.get(), attributes.get());
     pango_layout_set_text(layout.get(), marked.letters.c_str(),
                           static_cast<int>(marked.letters.size()));
+}
+
+void Canvas::Parts::show_text() const {
+    if (outlines)
+        outlines->fill(drawing.get());
+    else
+        pango_cairo_show_layout(drawing.get(), layout.get());
 }
 
 int Canvas::Parts::copies_of(const Image& image, const CanvasBox& box) const {
@@ -125,7 +134,8 @@ int Canvas::Parts::copies_of(const Image& image, const CanvasBox& box) const {
 }
 
 void Canvas::Parts::note_missing(const std::string& text) {
-    if (!missing.empty() || pango_layout_get_unknown_glyphs_count(layout.get()) == 0) return;
+    if (!missing.empty() || outlines || pango_layout_get_unknown_glyphs_count(layout.get()) == 0)
+        return;
     missing = fmt::format(
         "no font here has all letters of \"{}\": boxes stand for them; Japanese ones come with "
         "the package {}",

@@ -12,21 +12,26 @@
 
 #include "figure/canvas/cairo_handles.h"
 #include "figure/canvas/canvas.h"
+#include "figure/canvas/outline_text.h"
 
 namespace fumon {
 
 inline constexpr double points_per_inch = 72.0;
 
-/// What a canvas draws with: Cairo's surface and Pango's layout of a text.
+/// What a canvas draws with: Cairo's surface, and a text in outlines that fumon ships (on frames)
+/// or laid out by Pango (on a figure's page, and where those outlines lack a letter).
 struct Canvas::Parts {
     Parts(std::optional<PageFormat> format_, double width_, double height_, double dots_per_inch_,
           double font_size_, CanvasGround ground_ = CanvasGround::white);
 
     cairo_surface_t* new_surface();
     /// Of a text with x^{2} and A_{s} in it (figure/marked_text.h).
-    void set_text(const std::string& text, double size, bool bold) const;
+    void set_text(const std::string& text, double size, bool bold);
+    /// Writes the text that was set, from the current point.
+    void show_text() const;
 
     [[nodiscard]] std::array<double, 2> size_of_text() const {
+        if (outlines) return {outlines->width(), outlines->height()};
         int text_width = 0;
         int text_height = 0;
         pango_layout_get_size(layout.get(), &text_width, &text_height);
@@ -73,10 +78,12 @@ struct Canvas::Parts {
     Surface surface;
     Drawing drawing;
     Layout layout;
+    std::optional<OutlineText> outlines;  ///< of the text that was set; none: Pango has it
     double font_size;
     double line_width;
     std::vector<PlacedText> texts;
     std::string missing;
+    bool system_fonts = false;  ///< Pango has set a text
     FigureMetadata metadata;
 };
 

@@ -164,6 +164,7 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
             placed_[i].font_size = settings.font_size.is_word() ? tried : settings.font_size.value;
             const Canvas ruler(1, 1, placed_[i].font_size);
             const FurnitureSize size = drawn_[i].overlay->size(ruler);
+            system_fonts_ = system_fonts_ || ruler.uses_system_fonts();
             const double room = 2.0 * plate_padding * placed_[i].font_size;
             pieces.push_back({settings.corner, {size.width + room, size.height + room}});
         }

@@ -34,7 +34,7 @@ struct PlacedOverlay {
 /// plate into a layer of its own, which is reused while its content stays the same. Layers are
 /// blended over the frame in sRGB, in which Cairo also blends text and plate, so that an opacity
 /// looks as it does in figures and in other programs. Pixels depend on the system's fonts and on
-/// the versions of Cairo and Pango.
+/// the version of Pango where a text has letters that fumon does not ship.
 class FrameOverlays {
   public:
     /// The overlays of a scene that are shown; the scene outlives them, and `first` is the run's
@@ -46,6 +46,8 @@ class FrameOverlays {
     FrameOverlays& operator=(const FrameOverlays&) = delete;
 
     [[nodiscard]] const std::vector<PlacedOverlay>& placed() const { return placed_; }
+    /// Whether one of their texts is set in the system's fonts.
+    [[nodiscard]] bool uses_system_fonts() const { return system_fonts_; }
     /// Lays them over a frame. `opacity`: 0 … 1, of all of them.
     void draw(Image& image, const OverlayFrame& frame, double opacity = 1.0);
 
@@ -55,6 +57,7 @@ class FrameOverlays {
     std::unique_ptr<FrameContours> contours_;  ///< below all others; null: none
     std::vector<PlacedOverlay> placed_;
     std::vector<DrawnOverlay> drawn_;
+    bool system_fonts_ = false;
 };
 
 }  // namespace fumon

@@ -41,7 +41,12 @@ double wavelength_autocorrelation(const Grid& bed, bool periodic) {
     if (bed.nx() < least_columns || bed.empty()) return undefined;
     std::vector<double> correlation = autocorrelation_along_x(bed, periodic);
     if (correlation.empty()) return undefined;
-    if (periodic) correlation.insert(correlation.end(), {correlation[0], correlation[1]});
+    if (periodic) {
+        const double first = correlation[0];
+        const double second = correlation[1];
+        correlation.push_back(first);
+        correlation.push_back(second);
+    }
     const auto negative = [](double value) { return value < 0.0; };
     const auto positive = [](double value) { return value > 0.0; };
     const auto trough = std::find_if(correlation.begin(), correlation.end(), negative);
