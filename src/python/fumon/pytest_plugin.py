@@ -19,13 +19,19 @@ from typing import TYPE_CHECKING, Any, Iterator
 import pytest
 
 if TYPE_CHECKING:
+    from _pytest.terminal import TerminalReporter
+
     from . import _core
-    from .images import Image
+    from .arrays import Heights
+    from .images import Image, Picture
+    from .scene import Scene, Step
+    from .settings import Setting
 
 _key = pytest.StashKey["Session"]()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
+    """The options of pictures under test."""
     group = parser.getgroup("fumon", "fumon: pictures under test")
     group.addoption("--fumon-update", action="store_true", help="record the pictures as they are now")
     group.addoption("--fumon-pinned", action="store_true",
@@ -35,16 +41,19 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    """Makes ready what a run of pytest keeps."""
     if config.getoption("--fumon-update") and hasattr(config, "workerinput"):
         raise pytest.UsageError("--fumon-update records in one process; leave -n out")
     config.stash[_key] = Session(config)
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
+    """Writes the locks and the page."""
     session.config.stash[_key].finish()
 
 
-def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:
+def pytest_terminal_summary(terminalreporter: TerminalReporter, config: pytest.Config) -> None:
+    """Says what was recorded, and where the page is."""
     for line in config.stash[_key].told:
         terminalreporter.write_line(line)
 
@@ -58,12 +67,16 @@ def fumon_image(request: pytest.FixtureRequest) -> Iterator[Checker]:
 class Session:
     """The locks, and the page of differences, of one run of pytest."""
 
+    updates: bool
+    folder: Path  #: of the page
+    told: list[str]  #: lines for the terminal
+
     def __init__(self, config: pytest.Config) -> None:
-        self.updates: bool = config.getoption("--fumon-update")
+        self.updates = bool(config.getoption("--fumon-update"))
         worker = getattr(config, "workerinput", {}).get("workerid", "")
         folder = Path(config.getoption("--fumon-output"))
         self.folder = (folder if folder.is_absolute() else config.rootpath / folder) / worker
-        self.told: list[str] = []
+        self.told = []
         self._pins: bool = config.getoption("--fumon-pinned")
         self._locks: dict[Path, dict[str, _core.Record]] = {}
         self._changed: set[Path] = set()
@@ -78,6 +91,7 @@ class Session:
         self.page()  # which takes away that of an earlier run
 
     def records(self, lock: Path) -> dict[str, _core.Record]:
+        """What a lock holds, by the pictures' names."""
         from . import _core
         if lock not in self._locks:
             self._locks[lock] = _core.read_lock(str(lock))
@@ -95,6 +109,7 @@ class Session:
                 self.told.append(f"fumon: {error}")
 
     def record(self, lock: Path, name: str, record: _core.Record) -> None:
+        """Takes a picture into its lock, which finish() writes."""
         before = self.records(lock).get(name)
         changes = "recorded; look at it before you keep it" if before is None else before.changes(record)
         if not changes:
@@ -104,12 +119,14 @@ class Session:
         self._changed.add(lock)
 
     def page(self) -> _core.DifferencePage:
+        """The page of pictures that differ."""
         from . import _core
         if self._page is None:
             self._page = _core.DifferencePage(str(self.folder))
         return self._page
 
     def finish(self) -> None:
+        """Writes the locks that changed, and the page if it has a picture."""
         from . import _core
         for lock in sorted(self._changed):
             _core.write_lock(str(lock), self._locks[lock])
@@ -125,8 +142,8 @@ class Checker:
         self._file = Path(node.path)
         self._name = node.name
 
-    def __call__(self, subject: Any, *, step: int | None = None, name: str = "", picture: bool = False,
-                 thumbnail_difference: float = 0.5, tile_ssim: float = 0.95, **look: Any) -> Image:
+    def __call__(self, subject: Scene | Step | Picture | Heights, *, step: int | None = None, name: str = "", picture: bool = False,
+                 thumbnail_difference: float = 0.5, tile_ssim: float = 0.95, **look: Setting) -> Image:
         """Fails unless the picture is as recorded, by the tiers of ``fumon verify``.
 
         subject: a Scene, which is run to ``step`` (the last one by default); a Step; a picture, as an array or a PNG
