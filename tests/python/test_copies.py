@@ -100,6 +100,9 @@ def test_a_picture_reckons_as_an_array_does():
     assert np.squeeze(image[:1, :1, :1]).shape == () and type(image / 255) is fumon.Image
     filled = np.empty(image.shape)
     assert np.add(image, 1, out=filled) is filled and np.array_equal(filled, pixels + 1.0)
+    rest = np.empty_like(pixels)
+    quotient, own = np.divmod(image, 3, out=(None, rest))
+    assert type(quotient) is fumon.Image and own is rest and np.array_equal(rest, pixels % 3)
     image += 1
     assert type(image) is fumon.Image and np.array_equal(image, pixels + 1)
     assert type(np.ma.masked_greater(image, 30).mean()) is np.float64

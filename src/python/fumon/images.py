@@ -38,17 +38,15 @@ class Image(_Pixels):
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
         """What NumPy reckons of an array; as a picture again where it has dimensions, in which NumPy's own subclasses
         would keep a single number, too."""
+        given: tuple[Any, ...] = options.get("out", (None,) * ufunc.nout)
         if "out" in options:
-            given: tuple[Any, ...] = options["out"]
             options["out"] = tuple(_plain(one) for one in given)
         if "where" in options:
             options["where"] = _plain(options["where"])
         result = getattr(ufunc, method)(*(_plain(one) for one in inputs), **options)
-        if "out" in options:
-            return given if len(given) > 1 else given[0]
         if isinstance(result, tuple):
-            return tuple(self._again(one) for one in result)
-        return self._again(result)
+            return tuple(self._again(one) if own is None else own for one, own in zip(result, given))
+        return self._again(result) if given[0] is None else given[0]
 
     def _again(self, result: Any) -> Any:
         return result.view(type(self)) if type(result) is np.ndarray and result.ndim > 0 else result
