@@ -26,6 +26,8 @@ TEST(Registry, SnapshotsHaveTheLandformOfTheirModel) {
         const Snapshot snapshot = model->snapshot();
         EXPECT_EQ(snapshot.landform, entry.landform) << entry.name;
         EXPECT_EQ(snapshot.section != nullptr, entry.landform == Landform::air) << entry.name;
+        for (const SnapshotNumber& number : snapshot.numbers)
+            EXPECT_GT(number.name, "bed_height") << "ParaView opens a file at its first name";
     }
 }
 

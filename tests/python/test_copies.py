@@ -90,6 +90,25 @@ def test_numbers_are_plain(barchans):
     assert type(told.changed) is int and type(told.mean) is float
 
 
+def test_a_picture_reckons_as_an_array_does():
+    pixels = np.random.default_rng(0).integers(0, 255, (6, 8, 3), dtype=np.uint8)
+    image = fumon.Image(pixels.copy())
+    for of in (np.mean, np.median, np.std, np.ptp, np.argmax, np.average, np.nanmax, np.count_nonzero, lambda a: np.percentile(a, 30),
+               lambda a: np.linalg.norm(a[0]), lambda a: np.dot(a[0, 0], a[0, 0]), lambda a: np.maximum.reduce(a, axis=None),
+               lambda a: np.mean(a, where=a > 9), lambda a: np.divmod(a[0, 0].sum(), 3), lambda a: np.allclose(a, a)):
+        assert type(of(image)) is type(of(pixels)) and of(image) == of(pixels)
+    assert np.squeeze(image[:1, :1, :1]).shape == () and type(image / 255) is fumon.Image
+    filled = np.empty(image.shape)
+    assert np.add(image, 1, out=filled) is filled and np.array_equal(filled, pixels + 1.0)
+    rest = np.empty_like(pixels)
+    quotient, own = np.divmod(image, 3, out=(None, rest))
+    assert type(quotient) is fumon.Image and own is rest and np.array_equal(rest, pixels % 3)
+    image += 1
+    assert type(image) is fumon.Image and np.array_equal(image, pixels + 1)
+    assert type(np.ma.masked_greater(image, 30).mean()) is np.float64
+    assert type(np.modf(image)) is tuple and type(np.modf(image)[0]) is fumon.Image
+
+
 def test_a_bed_is_periodic_as_for_the_command(tmp_path):
     program = os.environ.get("FUMON_PROGRAM")
     if not program:

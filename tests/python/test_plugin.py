@@ -116,3 +116,121 @@ def test_pinned_records_pin(pytester):
     pytester.runpytest_subprocess(*words, "--fumon-update", "--fumon-pinned").assert_outcomes(passed=2, deselected=1)
     assert "pinned = true" in (pytester.path / "pictures.lock").read_text()
     pytester.runpytest_subprocess(*words).assert_outcomes(passed=2, deselected=1)
+
+
+def test_a_grey_picture_is_a_picture(pytester, run):
+    text = """
+import numpy as np
+import fumon
+
+GREY = np.arange(40 * 60, dtype=np.uint8).reshape(40, 60)
+
+def test_grey(fumon_image):
+    grey = fumon_image(GREY, picture=True)
+    assert grey.shape == (40, 60, 3) and all(np.array_equal(grey[:, :, k], GREY) for k in range(3))
+    assert np.array_equal(fumon_image(GREY[:, :, None], name="one-channel"), grey)
+    assert np.array_equal(fumon_image(grey[:, :, 1], name="of-a-picture"), grey)
+
+def test_heights(fumon_image):
+    drawn = fumon_image(GREY, heights=True, image_width=96, image_height=64)
+    assert drawn.shape == (64, 96, 3) and np.array_equal(drawn, fumon.render(GREY, image_width=96, image_height=64))
+    fumon_image(GREY.astype(np.int16), name="whole-metres", image_width=96, image_height=64)
+"""
+    run("--fumon-update", text=text).assert_outcomes(passed=2)
+    run(text=text).assert_outcomes(passed=2)
+    wrong = run(text="def test_it(fumon_image):\n    import numpy as np\n    fumon_image(np.zeros((4, 4), np.uint8), camera_azimuth=3)")
+    wrong.stdout.fnmatch_lines(["*camera_azimuth changes what is drawn; * heights=True takes *"])
+
+
+CLASSES = """
+import numpy as np
+import pytest
+
+def flat(level):
+    return np.full((8, 9, 3), level, np.uint8)
+
+class TestRed:
+    @pytest.mark.parametrize("level", [10, 20])
+    def test_one(self, fumon_image, level):
+        fumon_image(flat(level), picture=True)
+
+class TestBlue:
+    def test_one(self, fumon_image):
+        fumon_image(flat(30))
+
+@pytest.mark.parametrize("text", ["long" * 40 + "a", "long" * 40 + "b"])
+def test_long(fumon_image, text):
+    fumon_image(flat(len(text)), name="x")
+
+def test_plain(fumon_image):
+    fumon_image(flat(50))
+    fumon_image(flat(60), name="second")
+"""
+
+
+def recorded(pytester):
+    return sorted(re.findall(r"^\[recorded\.(.*)\]", (pytester.path / "pictures.lock").read_text(), re.MULTILINE))
+
+
+def test_names_tell_class_and_parameters(pytester, run):
+    run("--fumon-update", text=CLASSES).assert_outcomes(passed=6)
+    names = recorded(pytester)
+    assert [name for name in names if "long" not in name] == [
+        "test_it-TestBlue-test_one", "test_it-TestRed-test_one-10", "test_it-TestRed-test_one-20", "test_it-test_plain",
+        "test_it-test_plain-second"]
+    long = [name for name in names if "long" in name]
+    assert len(long) == 2 and all(len(name) == 100 for name in long)
+    # Records of before have no class: they count, and the next update gives them their names.
+    lock = pytester.path / "pictures.lock"
+    lock.write_text(lock.read_text().replace("TestRed-", "").replace("TestBlue-", ""))
+    for file in (pytester.path / "pictures").iterdir():
+        file.rename(file.with_name(file.name.replace("TestRed-", "")))
+    before = run(text=CLASSES)
+    before.assert_outcomes(passed=6)
+    assert "no test draws" not in before.stdout.str()
+    run("--fumon-update", text=CLASSES)
+    assert recorded(pytester) == names
+    assert sorted(file.name for file in (pytester.path / "pictures").iterdir()) == [f"{name}.png" for name in names if "TestRed" in name]
+
+
+def test_records_of_tests_that_are_gone(pytester, run):
+    run("--fumon-update", text=CLASSES)
+    (pytester.path / "test_other.py").write_text("def test_it(fumon_image):\n    import numpy as np\n"
+                                                 "    fumon_image(np.zeros((8, 9, 3), np.uint8))")
+    run("--fumon-update", text=CLASSES).assert_outcomes(passed=7)
+    names = recorded(pytester)
+    less = CLASSES.replace("[10, 20]", "[10]")
+    gone = "test_it-TestRed-test_one-20"
+    run(text=less).stdout.fnmatch_lines([f"fumon: */{gone}: is recorded, and no test draws it; --fumon-update removes it"])
+    skipped = less.replace("def test_plain", "@pytest.mark.skip\ndef test_plain")
+    failing = less.replace("    fumon_image(flat(50))", "    assert False")
+    for words, text in ((["-k", "plain"], less), (["test_it.py::test_plain"], less), (["test_other.py"], less), ([], skipped),
+                        ([], failing), (["-x"], failing)):
+        part = run("--fumon-update", *words, text=text)
+        assert recorded(pytester) == names and "no test draws" not in part.stdout.str(), words
+    run("--fumon-update", text=less).stdout.fnmatch_lines([f"fumon: */{gone}: removed, as no test draws it"])
+    assert recorded(pytester) == [name for name in names if name != gone]
+    assert [file.name for file in (pytester.path / "pictures").iterdir()] == ["test_it-TestRed-test_one-10.png"]
+    (pytester.path / "test_other.py").unlink()
+    run("--fumon-update", "-k", "plain", text=less)
+    assert recorded(pytester) == [name for name in names if name != gone and "test_other" not in name]
+
+
+def test_several_processes(pytester, run):
+    pytest.importorskip("xdist")
+    run("--fumon-update", text=CLASSES)
+    names = recorded(pytester)
+    pytester.makepyfile(test_it=CLASSES.replace("flat(30)", "flat(90)").replace("flat(50)", "flat(90)"))
+    words = (*WORDS, "-n", "2")
+    changed = pytester.runpytest_subprocess(*words)
+    changed.assert_outcomes(passed=4, failed=2)
+    pages = sorted((pytester.path / "fumon-images").glob("gw*/index.html"))
+    assert sum(page.read_text().count("<section") for page in pages) == 2
+    for page in pages:
+        changed.stdout.fnmatch_lines([f"fumon: pictures that differ: {page}"])
+    pytester.makepyfile(test_it=CLASSES)
+    pytester.runpytest_subprocess(*words).assert_outcomes(passed=6)
+    assert list((pytester.path / "fumon-images").glob("**/index.html")) == []
+    refused = pytester.runpytest_subprocess(*words, "--fumon-update")
+    assert refused.ret == pytest.ExitCode.USAGE_ERROR and "records in one process" in refused.stderr.str()
+    assert recorded(pytester) == names

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "files/netcdf/former_names.h"
 #include "files/netcdf/netcdf_section_record.h"
 
 namespace fumon {
@@ -40,7 +41,8 @@ SourceVariables source_variables(const NetcdfInput& from, const std::vector<std:
     source.bed = variable_of(from, "bed_height", over_cells);
     for (const std::string& name : fields)
         source.fields.push_back(variable_of(from, name, over_cells));
-    for (const std::string& name : numbers) source.numbers.push_back(variable_of(from, name, 1));
+    for (const std::string& name : numbers)
+        source.numbers.push_back(variable_of(from, name_in_file(from, name), 1));
     source.step = variable_of(from, "step", 1);
     source.time = variable_of(from, "time", 1);
     return source;

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "files/input_file.h"
+#include "files/netcdf/former_names.h"
 #include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_section_record.h"
 
@@ -165,7 +166,7 @@ Snapshot snapshot_at(const NetcdfInput& input, std::int64_t step, Snapshot snaps
         check_size(input, field.values, snapshot.bed);
     }
     for (SnapshotNumber& number : snapshot.numbers)
-        number.value = number_at(input, number.name, record);
+        number.value = number_at(input, name_in_file(input, number.name), record);
     if (snapshot.section) snapshot.section = read_section(input, record);
     return snapshot;
 }

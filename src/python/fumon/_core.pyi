@@ -1,6 +1,6 @@
 """What the package is built on, in C++; use the package itself."""
 
-from typing import Any, Callable
+from typing import Any, Callable, Literal, TypedDict
 
 import numpy as np
 import numpy.typing as npt
@@ -10,6 +10,35 @@ _Measured = list[tuple[str, float, str, str]]
 _Drawn = tuple[npt.NDArray[np.uint8], str]
 _Layers = tuple[list[tuple[str, str, npt.NDArray[np.float32]]], str]
 _CellSize = tuple[float, float] | None
+
+class _Compared(TypedDict):
+    likeness: Literal["identical", "same to the eye", "close", "different"]
+    largest: int
+    changed: int
+    changed_share: float
+    mean: float
+    tile_ssim: float
+    thumbnail: float
+
+class _Fingerprint(TypedDict):
+    width: int
+    height: int
+    pixels_sha256: str
+    dhash: str
+    thumbnail: npt.NDArray[np.float64]
+
+class _SweptRun(TypedDict):
+    combination: int
+    seed: int
+    done: bool
+    message: str
+    state: str
+    columns: dict[str, npt.NDArray[np.float64]]
+
+class _Swept(TypedDict):
+    axes: list[tuple[list[str], list[str]]]
+    runs: list[_SweptRun]
+    columns: dict[str, tuple[str, str]]
 
 version: str
 
@@ -97,7 +126,7 @@ class Component:
     def set_at(self, name: str, indices: npt.NDArray[np.intc], values: npt.NDArray[np.float64]) -> None: ...
     def grid_rank(self, grid: int) -> int: ...
     def grid_size(self, grid: int) -> int: ...
-    def grid_type(self, grid: int) -> str: ...
+    def grid_type(self, grid: int) -> Literal["uniform_rectilinear", "scalar"]: ...
     def grid_edge_count(self, grid: int) -> int: ...
     def grid_face_count(self, grid: int) -> int: ...
     def grid_shape(self, grid: int) -> npt.NDArray[np.intc]: ...
@@ -128,9 +157,9 @@ def grows_downward(positive: str, standard_name: str) -> bool: ...
 def png(image: npt.NDArray[np.uint8], dots_per_inch: float | None = None) -> bytes: ...
 def read_png(file: str) -> npt.NDArray[np.uint8]: ...
 def write_file(file: str, bytes: bytes) -> None: ...
-def compare(first: npt.NDArray[np.uint8], second: npt.NDArray[np.uint8]) -> dict[str, Any]: ...
+def compare(first: npt.NDArray[np.uint8], second: npt.NDArray[np.uint8]) -> _Compared: ...
 def difference(first: npt.NDArray[np.uint8], second: npt.NDArray[np.uint8]) -> npt.NDArray[np.uint8]: ...
-def fingerprint(image: npt.NDArray[np.uint8]) -> dict[str, Any]: ...
+def fingerprint(image: npt.NDArray[np.uint8]) -> _Fingerprint: ...
 
 class MovieWriter:
     def __init__(self, file: str, rate: float, quality: int) -> None: ...
@@ -138,7 +167,7 @@ class MovieWriter:
     def finish(self) -> None: ...
 
 def sweep(scene: SceneValue, over: list[str], seeds: str, folder: str, threads: int,
-          tell: Callable[[int, int], None] | None) -> dict[str, Any]: ...
+          tell: Callable[[int, int], None] | None) -> _Swept: ...
 
 class Record:
     def __init__(self, image: npt.NDArray[np.uint8], environment: str, state: str) -> None: ...

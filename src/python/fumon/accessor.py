@@ -9,6 +9,7 @@ import xarray
 from .images import Image, PathLike
 from .measures import Measures
 from .movies import Movie, movie
+from .settings import Setting
 from .terrain import CellSize, Origin, measure, render
 
 # Versions of xarray differ in whether these have types.
@@ -23,9 +24,9 @@ class TerrainAccessor:
     def __init__(self, array: xarray.DataArray) -> None:
         self._array = array
 
-    def render(self, cell_size: CellSize = None, *, origin: Origin = "lower", **look: Any) -> Image:
+    def render(self, cell_size: CellSize = None, *, origin: Origin = "lower", **look: Setting) -> Image:
         """A picture, see fumon.render()."""
-        return render(self._array, cell_size, origin=origin, **look)
+        return render(self._array, cell_size, origin=origin, field=None, **look)
 
     def measure(self, cell_size: CellSize = None, *, origin: Origin = "lower", periodic: bool = True,
                 channel_area: float = 0.0) -> Measures:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import os
-from typing import NoReturn, SupportsIndex
+from typing import Literal, NoReturn, SupportsIndex, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Array
+from .arrays import Array, Numbers
 from .images import PathLike
+
+Dest = TypeVar("Dest", bound=Array)  #: the caller's own array, of any type that holds the values
 
 
 class Bmi:
@@ -60,25 +62,31 @@ class Bmi:
         self._core.finalize()
 
     def get_component_name(self) -> str:
+        """"fumon" and the model's name."""
         return self._core.component_name()
 
     def get_input_item_count(self) -> int:
+        """How many variables can be set."""
         return len(self._core.input_names())
 
     def get_output_item_count(self) -> int:
+        """How many variables the model computes."""
         return len(self._core.output_names())
 
     def get_input_var_names(self) -> tuple[str, ...]:
+        """What can be set: the bed and its uplift, and the numbers of the scene's [model] and [wind]."""
         return tuple(self._core.input_names())
 
     def get_output_var_names(self) -> tuple[str, ...]:
+        """What the model computes: the bed, and its fields."""
         return tuple(self._core.output_names())
 
     def get_var_grid(self, name: str) -> int:
-        """0: one value a cell; 1: one value."""
+        """0: one value a cell; 1: one value. InputError, as from all that take a name, for one that there is not."""
         return self._core.var_grid(name)
 
-    def get_var_type(self, name: str) -> str:
+    def get_var_type(self, name: str) -> Literal["float64"]:
+        """NumPy's name of the type of its values."""
         self._core.var_grid(name)
         return "float64"
 
@@ -88,20 +96,25 @@ class Bmi:
         return self._core.var_units(name)
 
     def get_var_itemsize(self, name: str) -> int:
+        """Bytes of a value."""
         self._core.var_grid(name)
         return 8
 
     def get_var_nbytes(self, name: str) -> int:
+        """Bytes of all its values."""
         return 8 * self._core.grid_size(self._core.var_grid(name))
 
-    def get_var_location(self, name: str) -> str:
+    def get_var_location(self, name: str) -> Literal["node"]:
+        """Values lie at nodes, which are the cells' centres."""
         self._core.var_grid(name)
         return "node"
 
     def get_current_time(self) -> float:
+        """When the last step ended, in ``get_time_units()``."""
         return self._core.current_time()
 
     def get_start_time(self) -> float:
+        """Zero."""
         return 0.0
 
     def get_end_time(self) -> float:
@@ -109,93 +122,106 @@ class Bmi:
         return self._core.end_time()
 
     def get_time_units(self) -> str:
+        """"s", "yr", or "1" for a model that counts steps."""
         return self._core.time_units()
 
     def get_time_step(self) -> float:
         """What the next step takes, found by taking it on a copy of the model."""
         return self._core.time_step()
 
-    def get_value(self, name: str, dest: Array) -> Array:
+    def get_value(self, name: str, dest: Dest) -> Dest:
+        """Copies a variable's values into ``dest``: flat, row 0 southernmost."""
         dest[:] = self._core.value(name)
         return dest
 
-    def get_value_ptr(self, name: str) -> Array:
+    def get_value_ptr(self, name: str) -> Numbers:
         """The component's own array, which follows the model and cannot be written to; set_value() does that."""
         return self._core.value_pointer(name)
 
-    def get_value_at_indices(self, name: str, dest: Array, inds: npt.ArrayLike) -> Array:
+    def get_value_at_indices(self, name: str, dest: Dest, inds: npt.ArrayLike) -> Dest:
+        """Copies those at some places of the flat array into ``dest``."""
         dest[:] = self._core.value(name)[np.asarray(inds)]
         return dest
 
     def set_value(self, name: str, src: npt.ArrayLike) -> None:
+        """Sets all values of a variable. InputError, and nothing changes, where one is not finite or the model cannot
+        take it, or where there are too many or too few."""
         self._core.set(name, np.asarray(src, dtype=float).ravel())
 
     def set_value_at_indices(self, name: str, inds: npt.ArrayLike, src: npt.ArrayLike) -> None:
+        """Sets those at some places of the flat array; errors as of set_value()."""
         self._core.set_at(name, np.asarray(inds, dtype=np.intc), np.asarray(src, dtype=float))
 
     def get_grid_rank(self, grid: int) -> int:
+        """2, or 0 for the grid of one value. InputError, as from all that take a grid, for one that there is not."""
         return self._core.grid_rank(grid)
 
     def get_grid_size(self, grid: int) -> int:
+        """How many values it has."""
         return self._core.grid_size(grid)
 
-    def get_grid_type(self, grid: int) -> str:
+    def get_grid_type(self, grid: int) -> Literal["uniform_rectilinear", "scalar"]:
+        """"uniform_rectilinear", or "scalar" for the grid of one value."""
         return self._core.grid_type(grid)
 
-    def get_grid_shape(self, grid: int, shape: Array) -> Array:
+    def get_grid_shape(self, grid: int, shape: Dest) -> Dest:
         """(rows, columns)."""
         shape[:] = self._core.grid_shape(grid)
         return shape
 
-    def get_grid_spacing(self, grid: int, spacing: Array) -> Array:
+    def get_grid_spacing(self, grid: int, spacing: Dest) -> Dest:
         """(northward, eastward), metres or sites."""
         spacing[:] = self._core.grid_spacing(grid)
         return spacing
 
-    def get_grid_origin(self, grid: int, origin: Array) -> Array:
+    def get_grid_origin(self, grid: int, origin: Dest) -> Dest:
         """(northward, eastward) of the south-western cell's centre, from the bed's corner."""
         origin[:] = self._core.grid_origin(grid)
         return origin
 
-    def get_grid_x(self, grid: int, x: Array) -> Array:
+    def get_grid_x(self, grid: int, x: Dest) -> Dest:
         """Of the columns' centres."""
         x[:] = self._core.grid_x(grid)
         return x
 
-    def get_grid_y(self, grid: int, y: Array) -> Array:
+    def get_grid_y(self, grid: int, y: Dest) -> Dest:
         """Of the rows' centres."""
         y[:] = self._core.grid_y(grid)
         return y
 
-    def get_grid_z(self, grid: int, z: Array) -> Array:
+    def get_grid_z(self, grid: int, z: Dest) -> Dest:
         """Raises InputError: the grid lies in the plane."""
         z[:] = self._core.grid_z(grid)
         return z
 
     def get_grid_node_count(self, grid: int) -> int:
+        """How many cells' centres it has."""
         return self._core.grid_size(grid)
 
     def get_grid_edge_count(self, grid: int) -> int:
+        """How many lines join neighbouring centres."""
         return self._core.grid_edge_count(grid)
 
     def get_grid_face_count(self, grid: int) -> int:
+        """How many squares lie between four centres."""
         return self._core.grid_face_count(grid)
 
-    def get_grid_edge_nodes(self, grid: int, edge_nodes: Array) -> Array:
+    def get_grid_edge_nodes(self, grid: int, edge_nodes: Dest) -> Dest:
         """Both ends of each edge: those along x row by row, then those along y."""
         edge_nodes[:] = self._core.grid_edge_nodes(grid)
         return edge_nodes
 
-    def get_grid_face_edges(self, grid: int, face_edges: Array) -> Array:
+    def get_grid_face_edges(self, grid: int, face_edges: Dest) -> Dest:
         """The edges of each square between four centres, counterclockwise from the south."""
         face_edges[:] = self._core.grid_face_edges(grid)
         return face_edges
 
-    def get_grid_face_nodes(self, grid: int, face_nodes: Array) -> Array:
+    def get_grid_face_nodes(self, grid: int, face_nodes: Dest) -> Dest:
         """Their corners, counterclockwise from the south-west."""
         face_nodes[:] = self._core.grid_face_nodes(grid)
         return face_nodes
 
-    def get_grid_nodes_per_face(self, grid: int, nodes_per_face: Array) -> Array:
+    def get_grid_nodes_per_face(self, grid: int, nodes_per_face: Dest) -> Dest:
+        """Four for each."""
         nodes_per_face[:] = self._core.grid_nodes_per_face(grid)
         return nodes_per_face

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, Literal, TypedDict, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .arrays import Array, Bytes
+from .arrays import Array, Bytes, Numbers
 
 PathLike = Union[str, "os.PathLike[str]"]
+Picture = Union[PathLike, npt.ArrayLike]  #: a PNG file or pixels
+Likeness = Literal["identical", "same to the eye", "close", "different"]
 
 
 if TYPE_CHECKING:
@@ -27,15 +29,27 @@ class Image(_Pixels):
 
     environment: str  #: what drew it, as one line of JSON; empty where that is not known
 
-    def __new__(cls, pixels: Any) -> Image:
+    def __new__(cls, pixels: npt.ArrayLike) -> Image:
         return checked_pixels(pixels).view(cls)
 
     def __array_finalize__(self, other: Any) -> None:
         self.environment = ""
 
-    def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = True) -> Any:
-        wrapped = super().__array_wrap__(array)
-        return wrapped if wrapped.ndim else np.asarray(wrapped)[()]
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
+        """What NumPy reckons of an array; as a picture again where it has dimensions, in which NumPy's own subclasses
+        would keep a single number, too."""
+        given: tuple[Any, ...] = options.get("out", (None,) * ufunc.nout)
+        if "out" in options:
+            options["out"] = tuple(_plain(one) for one in given)
+        if "where" in options:
+            options["where"] = _plain(options["where"])
+        result = getattr(ufunc, method)(*(_plain(one) for one in inputs), **options)
+        if isinstance(result, tuple):
+            return tuple(self._again(one) if own is None else own for one, own in zip(result, given))
+        return self._again(result) if given[0] is None else given[0]
+
+    def _again(self, result: Any) -> Any:
+        return result.view(type(self)) if type(result) is np.ndarray and result.ndim > 0 else result
 
     def __copy__(self) -> Image:
         return self.__deepcopy__()
@@ -48,6 +62,7 @@ class Image(_Pixels):
 
     @classmethod
     def drawn(cls, drawn: tuple[Bytes, str]) -> Image:
+        """What the core drew: the pixels, and what drew them."""
         image = drawn[0].view(cls)
         image.environment = drawn[1]
         return image
@@ -71,6 +86,10 @@ class Image(_Pixels):
         return f"<fumon.Image, {self.shape[1]} x {self.shape[0]} pixels>"
 
 
+def _plain(thing: Any) -> Any:
+    return thing.view(np.ndarray) if isinstance(thing, Image) else thing
+
+
 def _image_of(kind: type[Image], pixels: Array, environment: str) -> Image:
     image: Image = pixels.view(kind)
     image.environment = environment
@@ -78,14 +97,15 @@ def _image_of(kind: type[Image], pixels: Array, environment: str) -> Image:
 
 
 def write_png(file: PathLike, data: bytes) -> None:
+    """Writes the bytes of a PNG file. ValueError where the name ends otherwise."""
     name = os.fspath(file)
     if not name.lower().endswith(".png"):
         raise ValueError(f"{name}: pictures are PNG files; write {name}.png")
     _core.write_file(name, data)
 
 
-def checked_pixels(pixels: Any) -> Bytes:
-    """Pixels as they come, as a packed array."""
+def checked_pixels(pixels: npt.ArrayLike) -> Bytes:
+    """Pixels as they come, as a packed array. TypeError and ValueError for what is no picture."""
     array = np.asarray(pixels)
     if array.dtype != np.uint8:
         raise TypeError(f"a picture has levels of 8 bits (uint8), not {array.dtype}")
@@ -94,7 +114,7 @@ def checked_pixels(pixels: Any) -> Bytes:
     return np.ascontiguousarray(array)
 
 
-def _pixels_of(picture: Any) -> Bytes:
+def _pixels_of(picture: Picture) -> Bytes:
     if isinstance(picture, (str, os.PathLike)):
         return _core.read_png(os.fspath(picture))
     return checked_pixels(picture)
@@ -104,7 +124,7 @@ def _pixels_of(picture: Any) -> Bytes:
 class Comparison:
     """How far two pictures are apart, as ``fumon compare`` says it."""
 
-    likeness: str  #: "identical", "same to the eye", "close" or "different"
+    likeness: Likeness
     largest: int  #: difference of a level, 0 … 255
     changed: int  #: pixels
     changed_share: float
@@ -114,14 +134,24 @@ class Comparison:
     difference: Image = field(repr=False, compare=False)  #: the first one in grey, what changed over it in red
 
 
-def compare(first: Any, second: Any) -> Comparison:
+class Fingerprint(TypedDict):
+    """What is told of a picture by fingerprint()."""
+
+    width: int  #: pixels
+    height: int
+    pixels_sha256: str
+    dhash: str
+    thumbnail: Numbers  #: (18, 32, 3), means of boxes
+
+
+def compare(first: Picture, second: Picture) -> Comparison:
     """Compares two pictures of one size: arrays or PNG files; what is transparent on black and on white, whichever tells
     them further apart. ValueError where their sizes differ."""
     a, b = _pixels_of(first), _pixels_of(second)
     return Comparison(**_core.compare(a, b), difference=_core.difference(a, b).view(Image))
 
 
-def fingerprint(picture: Any) -> dict[str, Any]:
+def fingerprint(picture: Picture) -> Fingerprint:
     """What ``fumon fingerprint`` says of a picture, an array or a PNG file: width and height (pixels), pixels_sha256,
     dhash and thumbnail, an array (18, 32, 3) of box means."""
     return _core.fingerprint(_pixels_of(picture))

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
+
+from .arrays import Floats
 
 
-class Layers(dict[str, "npt.NDArray[np.float32]"]):
+class Layers(dict[str, Floats]):
     """Channels of a picture by name, each float32 (height, width), top row first: "R", "G" and "B", linear light before
     exposure and tone curve; "A" where the background is transparent, by which they are multiplied; "Z", "normal.X",
     "position.X", "field.height" and others, as the guide's table in movies.md tells them. A dict in all it does."""
@@ -15,7 +16,8 @@ class Layers(dict[str, "npt.NDArray[np.float32]"]):
     environment: str  #: what drew it, as one line of JSON
 
     @classmethod
-    def drawn(cls, drawn: tuple[list[tuple[str, str, npt.NDArray[np.float32]]], str]) -> Layers:
+    def drawn(cls, drawn: tuple[list[tuple[str, str, Floats]], str]) -> Layers:
+        """What the core drew: each channel's name, unit and values, and what drew them."""
         channels, environment = drawn
         layers = cls({name: values for name, _, values in channels})
         layers.units = {name: unit for name, unit, _ in channels}
@@ -23,7 +25,7 @@ class Layers(dict[str, "npt.NDArray[np.float32]"]):
         return layers
 
     @property
-    def light(self) -> npt.NDArray[np.float32]:
+    def light(self) -> Floats:
         """R, G, B as one array (height, width, 3)."""
         return np.stack([self["R"], self["G"], self["B"]], axis=-1)
 

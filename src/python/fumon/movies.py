@@ -6,23 +6,33 @@ import base64
 import html
 import os
 from pathlib import Path
-from typing import Any, Iterator
+from typing import Any, Iterable, Iterator, Mapping, Union
 
 import numpy as np
 
 from . import _core
-from .arrays import Bytes
+from .arrays import Bytes, Dataset, Heights
 from .images import Image, PathLike, checked_pixels
 from .progress import Progress
 from .scene import Run, Step
+from .settings import Setting
 from .terrain import CellSize, Origin, Painter, bed_of, ordered_dims
 
 _types = {".mp4": "video/mp4", ".webm": "video/webm", ".gif": "image/gif", ".webp": "image/webp", ".apng": "image/apng"}
 _largest_embedded = 64_000_000  # bytes
 
 
+Frames = Union[Run, Step, Iterable[Union[Step, Heights]], Heights, Dataset]
+
+
 class Movie:
     """A movie file. A notebook shows it, from its own bytes."""
+
+    file: Path
+    width: int  #: pixels
+    height: int
+    frames: int
+    rate: float  #: frames a second
 
     def __init__(self, file: PathLike, width: int, height: int, frames: int, rate: float) -> None:
         self.file = Path(file)
@@ -41,8 +51,9 @@ class Movie:
         return f"<fumon.Movie {self.file}: {self.frames} frames, {self.width} x {self.height} pixels, {self.rate:g} a second>"
 
 
-def movie(frames: Any, file: PathLike, *, rate: float = 30.0, quality: int = 18, cell_size: CellSize = None,
-          origin: Origin = "lower", variable: str | None = None, progress: bool | None = None, **look: Any) -> Movie:
+def movie(frames: Frames, file: PathLike, *, rate: float = 30.0, quality: int = 18, cell_size: CellSize = None,
+          origin: Origin = "lower", variable: str | None = None, progress: bool | None = None,
+          **look: Setting) -> Movie:
     """Writes a movie; the ending of ``file`` says which kind (.mp4, .webm, .gif, .webp, .apng, .mov, .mkv).
 
     frames: a run (``scene.run(every=10)``) or its steps; pictures; or beds to be drawn as render() draws them, framed
@@ -73,7 +84,7 @@ def movie(frames: Any, file: PathLike, *, rate: float = 30.0, quality: int = 18,
     if size is None:
         raise ValueError("a movie needs a frame")
     writer.finish()
-    return Movie(name, size[1], size[0], count, rate)
+    return Movie(name, size[1], size[0], count, float(rate))
 
 
 def _items(frames: Any, variable: str | None) -> tuple[Iterator[Any], int]:
@@ -105,7 +116,7 @@ def _heights_of(dataset: Any) -> str:
     return names[0]
 
 
-def _picture(item: Any, painter: Painter, cell_size: CellSize, origin: Origin, look: dict[str, Any]) -> Bytes:
+def _picture(item: Any, painter: Painter, cell_size: CellSize, origin: Origin, look: Mapping[str, Setting]) -> Bytes:
     is_picture = isinstance(item, Image) or (getattr(item, "dtype", None) == np.uint8 and getattr(item, "ndim", 0) == 3)
     if (is_picture or isinstance(item, Step)) and look:
         raise TypeError(f"{next(iter(look))} changes beds that are drawn; these are pictures, or steps with a scene")

@@ -20,7 +20,7 @@ class Progress:
     """Tells how much of ``total`` is done. ``wanted`` None: on a terminal and in a notebook alone."""
 
     def __init__(self, total: int, unit: str, wanted: bool | None = None) -> None:
-        self.total = total
+        self.total: int = total
         self._unit = unit
         self._notebook = _in_notebook()
         self._on = wanted if wanted is not None else self._notebook or sys.stderr.isatty()

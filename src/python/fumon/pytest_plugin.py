@@ -11,6 +11,7 @@ What is recorded of each picture stands in ``pictures.lock`` beside the test's f
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
 from pathlib import Path
@@ -19,13 +20,19 @@ from typing import TYPE_CHECKING, Any, Iterator
 import pytest
 
 if TYPE_CHECKING:
+    from _pytest.terminal import TerminalReporter
+
     from . import _core
-    from .images import Image
+    from .arrays import Heights
+    from .images import Image, Picture
+    from .scene import Scene, Step
+    from .settings import Setting
 
 _key = pytest.StashKey["Session"]()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
+    """The options of pictures under test."""
     group = parser.getgroup("fumon", "fumon: pictures under test")
     group.addoption("--fumon-update", action="store_true", help="record the pictures as they are now")
     group.addoption("--fumon-pinned", action="store_true",
@@ -35,16 +42,26 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    if config.getoption("--fumon-update") and hasattr(config, "workerinput"):
+    """Makes ready what a run of pytest keeps."""
+    if config.getoption("--fumon-update") and config.getoption("numprocesses", None):
         raise pytest.UsageError("--fumon-update records in one process; leave -n out")
-    config.stash[_key] = Session(config)
+    session = config.stash[_key] = Session(config)
+    config.pluginmanager.register(session.whole)
+    if config.getoption("numprocesses", None):
+        session.clear_pages()
+        config.pluginmanager.register(OtherProcesses(session))
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
-    session.config.stash[_key].finish()
+    """Writes the locks and the page."""
+    ours = session.config.stash[_key]
+    ours.finish()
+    if hasattr(session.config, "workeroutput"):  # pytest-xdist: only the process that started this one has a terminal
+        session.config.workeroutput["fumon"] = ours.told
 
 
-def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:
+def pytest_terminal_summary(terminalreporter: TerminalReporter, config: pytest.Config) -> None:
+    """Says what was recorded, and where the page is."""
     for line in config.stash[_key].told:
         terminalreporter.write_line(line)
 
@@ -58,17 +75,23 @@ def fumon_image(request: pytest.FixtureRequest) -> Iterator[Checker]:
 class Session:
     """The locks, and the page of differences, of one run of pytest."""
 
+    updates: bool
+    folder: Path  #: of the page
+    told: list[str]  #: lines for the terminal
+    whole: WholeFiles
+
     def __init__(self, config: pytest.Config) -> None:
-        self.updates: bool = config.getoption("--fumon-update")
+        self.updates = bool(config.getoption("--fumon-update"))
         worker = getattr(config, "workerinput", {}).get("workerid", "")
         folder = Path(config.getoption("--fumon-output"))
         self.folder = (folder if folder.is_absolute() else config.rootpath / folder) / worker
-        self.told: list[str] = []
+        self.told = []
         self._pins: bool = config.getoption("--fumon-pinned")
         self._locks: dict[Path, dict[str, _core.Record]] = {}
         self._changed: set[Path] = set()
         self._page: _core.DifferencePage | None = None
         self._taken: set[tuple[Path, str]] = set()
+        self.whole = WholeFiles(config)
 
     def take(self, lock: Path, name: str) -> None:
         """A name is that of one picture."""
@@ -77,7 +100,12 @@ class Session:
         self._taken.add((lock, name))
         self.page()  # which takes away that of an earlier run
 
+    def keep(self, lock: Path, name: str) -> None:
+        """A record that is in use."""
+        self._taken.add((lock, name))
+
     def records(self, lock: Path) -> dict[str, _core.Record]:
+        """What a lock holds, by the pictures' names."""
         from . import _core
         if lock not in self._locks:
             self._locks[lock] = _core.read_lock(str(lock))
@@ -95,6 +123,7 @@ class Session:
                 self.told.append(f"fumon: {error}")
 
     def record(self, lock: Path, name: str, record: _core.Record) -> None:
+        """Takes a picture into its lock, which finish() writes."""
         before = self.records(lock).get(name)
         changes = "recorded; look at it before you keep it" if before is None else before.changes(record)
         if not changes:
@@ -103,18 +132,99 @@ class Session:
         self._locks[lock][name] = record
         self._changed.add(lock)
 
+    def clear_pages(self) -> None:
+        """Takes away the pages of an earlier run, of all its processes."""
+        from . import _core
+        for folder in (self.folder, *self.folder.glob("gw*")):
+            if (folder / "index.html").exists():
+                _core.DifferencePage(str(folder)).finish()
+
     def page(self) -> _core.DifferencePage:
+        """The page of pictures that differ."""
         from . import _core
         if self._page is None:
             self._page = _core.DifferencePage(str(self.folder))
         return self._page
 
     def finish(self) -> None:
+        """Writes the locks that changed, and the page if it has a picture."""
         from . import _core
+        for lock in sorted(self._locks):
+            self._look_for_gone(lock)
         for lock in sorted(self._changed):
             _core.write_lock(str(lock), self._locks[lock])
         if self._page is not None and self._page.finish():
             self.told.append(f"fumon: pictures that differ: {self._page.file}")
+
+
+    def _look_for_gone(self, lock: Path) -> None:
+        """Records that no test draws any more: told and, where records are taken, removed."""
+        taken = {name for at, name in self._taken if at == lock}
+        for name in sorted(set(self._locks[lock]) - taken):
+            if not self.whole.is_gone(lock.parent, name):
+                continue
+            if not self.updates:
+                self.told.append(f"fumon: {lock.parent.name}/{name}: is recorded, and no test draws it; --fumon-update removes it")
+                continue
+            self.told.append(f"fumon: {lock.parent.name}/{name}: removed, as no test draws it")
+            del self._locks[lock][name]
+            self._changed.add(lock)
+            kept_picture(lock, name).unlink(missing_ok=True)
+
+
+class OtherProcesses:
+    """The processes of pytest-xdist, which have no terminal."""
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+
+    def pytest_testnodedown(self, node: Any, error: object) -> None:
+        """Takes over what a process that ended has to say."""
+        self._session.told += getattr(node, "workeroutput", {}).get("fumon", [])
+
+
+class WholeFiles:
+    """The files all of whose tests ran and passed, so that what they did not draw is drawn no more."""
+
+    def __init__(self, config: pytest.Config) -> None:
+        self._in_part = hasattr(config, "workerinput") or any(
+            config.getoption(name, None) for name in ("numprocesses", "lf"))
+        here = config.invocation_params.dir
+        self._parts = {(here / argument.split("::")[0]).resolve() for argument in config.args if "::" in argument}
+        self._waiting: dict[str, Path] = {}
+        self._files: dict[Path, bool] = {}
+
+    def pytest_collection_finish(self, session: pytest.Session) -> None:
+        """Notes the tests that are to run."""
+        self._waiting = {item.nodeid: Path(item.path) for item in session.items}
+        for path in self._waiting.values():
+            self._files.setdefault(path, path.resolve() not in self._parts)
+
+    def pytest_deselected(self, items: list[pytest.Item]) -> None:
+        """Notes the files of which not every test runs."""
+        for item in items:
+            self._files[Path(item.path)] = False
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Notes a test that ran; one that was skipped or failed draws what it draws another time."""
+        path = self._waiting.get(report.nodeid)
+        if path is None:
+            return
+        if not report.passed:
+            self._files[path] = False
+        elif report.when == "teardown":
+            del self._waiting[report.nodeid]
+
+    def is_gone(self, folder: Path, name: str) -> bool:
+        """Whether a record that was not drawn is of a test that is no more."""
+        if self._in_part:
+            return False
+        stems = [_good_name(file.stem) for file in folder.glob("*.py")]
+        owner = max((stem for stem in stems if name.startswith(f"{stem}-")), key=len, default=None)
+        if owner is None:  # the file is gone
+            return True
+        return any(is_whole and path.parent == folder and _good_name(path.stem) == owner and path not in self._waiting.values()
+                   for path, is_whole in self._files.items())
 
 
 class Checker:
@@ -124,13 +234,17 @@ class Checker:
         self._session = session
         self._file = Path(node.path)
         self._name = node.name
+        self._classes = [part.name for part in node.listchain() if isinstance(part, pytest.Class)]
 
-    def __call__(self, subject: Any, *, step: int | None = None, name: str = "", picture: bool = False,
-                 thumbnail_difference: float = 0.5, tile_ssim: float = 0.95, **look: Any) -> Image:
+    def __call__(self, subject: Scene | Step | Picture | Heights, *, step: int | None = None, name: str = "",
+                 picture: bool = False, heights: bool = False, thumbnail_difference: float = 0.5,
+                 tile_ssim: float = 0.95, **look: Setting) -> Image:
         """Fails unless the picture is as recorded, by the tiers of ``fumon verify``.
 
-        subject: a Scene, which is run to ``step`` (the last one by default); a Step; a picture, as an array or a PNG
-            file; or heights, which are drawn as render(subject, **look) draws them.
+        subject: a Scene, which is run to ``step`` (the last one by default); a Step; a picture, as an array of uint8,
+            (height, width) where it is grey, or a PNG file; or heights, which are drawn as render(subject, **look)
+            draws them.
+        heights: take an array of uint8 (ny, nx) for heights, too.
         name: of this picture, where a test has several.
         picture: keep the picture itself, too, beside the lock; its tiles are then compared.
         thumbnail_difference (grey levels), tile_ssim: what passes in the portable tier.
@@ -139,18 +253,24 @@ class Checker:
         """
         from . import _core
         lock = self._file.parent / "pictures.lock"
-        full = _good_name("-".join(part for part in (self._file.stem, self._name, name) if part))
+        full = _good_name("-".join(part for part in (self._file.stem, *self._classes, self._name, name) if part))
         self._session.take(lock, full)
-        recorded = self._session.records(lock).get(full)
-        image, state = _drawn(subject, step, look)
+        records = self._session.records(lock)
+        # Before fumon 0.3 names had no class, and long ones were cut off.
+        former = _plain_name("-".join(part for part in (self._file.stem, self._name, name) if part))[:100]
+        known = former if full not in records and former in records else full
+        recorded = records.get(known)
+        image, state = _drawn(subject, step, heights, look)
         present = _core.Record(image, image.environment, state)
-        kept = lock.with_suffix("") / f"{full}.png"
         if self._session.updates:
             self._session.record(lock, full, present)
             if picture:
+                kept = kept_picture(lock, full)
                 kept.parent.mkdir(exist_ok=True)
                 image.save(kept)
             return image
+        self._session.keep(lock, known)
+        kept = kept_picture(lock, known)
         expected = _core.read_png(os.fspath(kept)) if picture and kept.exists() else None
         outcome, finding = _core.judge(recorded, present, image, expected, picture, thumbnail_difference, tile_ssim)
         if outcome != "as recorded":
@@ -162,7 +282,7 @@ class Checker:
         return image
 
 
-def _drawn(subject: Any, step: int | None, look: dict[str, Any]) -> tuple[Image, str]:
+def _drawn(subject: Any, step: int | None, heights: bool, look: dict[str, Any]) -> tuple[Image, str]:
     """The picture, and the hash of the state where a scene made it."""
     import numpy as np
 
@@ -176,17 +296,31 @@ def _drawn(subject: Any, step: int | None, look: dict[str, Any]) -> tuple[Image,
         return next(run).image(), run.state_hash
     if step is not None:
         raise TypeError("step is of a scene, which this is not")
-    is_picture = getattr(subject, "dtype", None) == np.uint8 and getattr(subject, "ndim", 0) == 3
+    is_picture = not heights and getattr(subject, "dtype", None) == np.uint8 and getattr(subject, "ndim", 0) in (2, 3)
     if not (is_picture or isinstance(subject, (Step, str, os.PathLike))):
         return render(subject, **look), ""
     if look:
-        raise TypeError(f"{next(iter(look))} changes what is drawn; this is drawn already")
+        hint = "; heights=True takes an array of uint8 for heights" if getattr(subject, "ndim", 0) == 2 else ""
+        raise TypeError(f"{next(iter(look))} changes what is drawn; this is drawn already{hint}")
     if isinstance(subject, Step):
         return subject.image(), ""
+    if is_picture and (subject.ndim == 2 or subject.shape[2] == 1):  # grey
+        return Image(np.stack([np.asarray(subject).reshape(subject.shape[:2])] * 3, axis=-1)), ""
     if is_picture:
         return subject if isinstance(subject, Image) else Image(subject), ""
     return Image.open(subject), ""
 
 
+def kept_picture(lock: Path, name: str) -> Path:
+    """Where a picture lies that is kept besides its record."""
+    return lock.with_suffix("") / f"{name}.png"
+
+
+def _plain_name(text: str) -> str:
+    return re.sub(r"[^A-Za-z0-9_-]+", "-", text).strip("-")
+
+
 def _good_name(text: str) -> str:
-    return re.sub(r"[^A-Za-z0-9_-]+", "-", text).strip("-")[:100]
+    """At most 100 letters; what is longer ends in a hash of all of it."""
+    name = _plain_name(text)
+    return name if len(name) <= 100 else f"{name[:91]}-{hashlib.sha256(text.encode()).hexdigest()[:8]}"

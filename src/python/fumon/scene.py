@@ -6,7 +6,7 @@ import copy
 import os
 import warnings
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, Iterable, Iterator, NoReturn, Sequence, SupportsIndex, Union
+from typing import TYPE_CHECKING, Any, Iterable, Iterator, NoReturn, SupportsIndex
 
 from . import _core
 from .arrays import Bytes, Numbers
@@ -14,10 +14,12 @@ from .images import Image, PathLike, write_png
 from .layers import Layers
 from .measures import Measures
 from .progress import Progress
-from .settings import key_of, settings_of
+from .settings import Setting, key_of, settings_of
 
 if TYPE_CHECKING:
     import xarray
+
+    from .sweeps import Keys, Over
 
 
 class Scene(Mapping[str, Any]):
@@ -29,11 +31,11 @@ class Scene(Mapping[str, Any]):
     file:line:column where the text is wrong.
     """
 
-    def __init__(self, source: PathLike, **settings: Any) -> None:
+    def __init__(self, source: PathLike, **settings: Setting) -> None:
         self._value = _core.SceneValue.read(os.fspath(source), settings_of(settings))
 
     @classmethod
-    def from_toml(cls, text: str, **settings: Any) -> Scene:
+    def from_toml(cls, text: str, **settings: Setting) -> Scene:
         """The scene of a text; files that it names are looked for from the working folder."""
         scene = cls.__new__(cls)
         scene._value = _core.SceneValue.parse(text, "text", os.getcwd(), settings_of(settings))
@@ -42,10 +44,10 @@ class Scene(Mapping[str, Any]):
     def __getitem__(self, key: str) -> Any:
         return self._value.get(key_of(key))
 
-    def __setitem__(self, key: str, value: Any) -> None:
+    def __setitem__(self, key: str, value: Setting) -> None:
         self._value.set(settings_of({key: value}))
 
-    def update(self, settings: Mapping[str, Any] | None = None, **more: Any) -> None:
+    def update(self, settings: Mapping[str, Setting] | None = None, **more: Setting) -> None:
         """Sets several keys at once: all of them or, where one is wrong, none."""
         self._value.set(settings_of({**(settings or {}), **more}))
 
@@ -107,7 +109,7 @@ class Scene(Mapping[str, Any]):
         wanted = self["run.steps"] if step is None else step
         return Run(self, None, [wanted], True, threads, progress).present_as_still()
 
-    def sweep(self, over: Mapping[Union[str, tuple[str, ...]], Sequence[Any]] | None = None,
+    def sweep(self, over: Over[Keys] | None = None,
               seeds: int | range | None = None, *, folder: PathLike | None = None, threads: int = 0,
               progress: bool | None = None) -> xarray.Dataset:
         """Runs every combination of values with every seed, on all processors, and gathers what they measured.
@@ -175,6 +177,7 @@ class Run:
 
     @property
     def steps_done(self) -> int:
+        """Steps taken so far."""
         return self._live.steps_done
 
     @property
@@ -213,6 +216,7 @@ class Step:
 
     @property
     def step(self) -> int:
+        """How many steps were taken."""
         return self._core.step
 
     @property
@@ -222,6 +226,7 @@ class Step:
 
     @property
     def time_unit(self) -> str:
+        """"s", "yr", or what the model counts ("step")."""
         return self._core.time_unit
 
     @property

@@ -5,7 +5,14 @@ from __future__ import annotations
 import json
 import numbers
 import os
-from typing import Any, Iterable, Mapping
+from typing import Any, Iterable, Mapping, Sequence, Union
+
+import numpy as np
+import numpy.typing as npt
+
+#: What a key is set to.
+Setting = Union[str, "os.PathLike[str]", bool, int, float, np.generic, npt.NDArray[np.generic], Sequence["Setting"],
+                Mapping[str, "Setting"]]
 
 
 def key_of(name: str) -> str:
@@ -36,13 +43,13 @@ def toml_of(value: Any, key: str) -> str:
     raise TypeError(f"{key} takes a number, a text, a truth value or a list of them, not {type(value).__name__}")
 
 
-def settings_of(given: Mapping[str, Any]) -> list[tuple[str, str]]:
+def settings_of(given: Mapping[str, Setting]) -> list[tuple[str, str]]:
     """Keys with their values as TOML; a list of dicts (``overlay=[{"kind": "scale-bar"}]``) sets the keys of a list of
     sections, item by item."""
     return [setting for name, value in given.items() for setting in _settings(key_of(name), value)]
 
 
-def _settings(key: str, value: Any) -> Iterable[tuple[str, str]]:
+def _settings(key: str, value: Setting) -> Iterable[tuple[str, str]]:
     if isinstance(value, Mapping):
         for name, inner in value.items():
             yield from _settings(f"{key}.{name}", inner)

@@ -6,23 +6,27 @@ import contextlib
 import os
 import tempfile
 import warnings
-from typing import TYPE_CHECKING, Any, Iterator, Mapping, Sequence, Union
+from typing import TYPE_CHECKING, Any, Iterator, Mapping, Sequence, TypeVar, Union
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _core
 from .arrays import Array
 from .images import PathLike
 from .progress import Progress
-from .settings import key_of, toml_of
+from .settings import Setting, key_of, toml_of
 
 if TYPE_CHECKING:
     import xarray
 
-Over = Mapping[Union[str, "tuple[str, ...]"], Sequence[Any]]
+Keys = TypeVar("Keys", bound=Union[str, "tuple[str, ...]"])
+_Values = Union[Sequence[Setting], npt.NDArray[np.generic]]
+#: Values by key, or by keys that go together.
+Over = Mapping[Keys, _Values]
 
 
-def sweep(scene: _core.SceneValue, over: Over | None, seeds: int | range | None, folder: PathLike | None, threads: int,
+def sweep(scene: _core.SceneValue, over: Over[Keys] | None, seeds: int | range | None, folder: PathLike | None, threads: int,
           progress: bool | None) -> xarray.Dataset:
     """See Scene.sweep()."""
     import xarray  # noqa: F401  before hours of work
@@ -66,7 +70,7 @@ def _folder(folder: PathLike | None) -> Iterator[str]:
         yield place
 
 
-def _dataset(result: dict[str, Any], names: list[str] | None, values: list[list[Any]]) -> xarray.Dataset:
+def _dataset(result: _core._Swept, names: list[str] | None, values: list[list[Any]]) -> xarray.Dataset:
     import xarray
 
     if names is None:  # the scene's own sweep
@@ -80,7 +84,7 @@ def _dataset(result: dict[str, Any], names: list[str] | None, values: list[list[
     arrays = {name: np.full((*sizes, len(seeds), len(steps)), np.nan) for name in columns}
     states = np.full((*sizes, len(seeds)), "", dtype=object)
     for run in runs:
-        place = (*np.unravel_index(run["combination"], sizes or [1])[:len(sizes)], seeds.index(run["seed"]))
+        place: Any = (*np.unravel_index(run["combination"], sizes or [1])[:len(sizes)], seeds.index(run["seed"]))
         states[place] = run["state"]
         if not run["done"]:
             warnings.warn(f"a run failed (combination {run['combination'] + 1}, seed {run['seed']}): {run['message']}",

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal, Union
+from typing import Any, Literal, Mapping, Union
 
 import numpy as np
 
 from . import _core
-from .arrays import Bytes, Numbers
+from .arrays import Bytes, Heights, Numbers
 from .images import Image
 from .layers import Layers
 from .measures import Measures
-from .settings import settings_of
+from .settings import Setting, settings_of
 
 CellSize = Union[float, "tuple[float, float]", None]
 Origin = Literal["lower", "upper"]
@@ -31,8 +31,8 @@ class Bed:
     cell_size: tuple[float, float] | None
 
 
-def render(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
-           **look: Any) -> Image:
+def render(data: Heights, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
+           **look: Setting) -> Image:
     """A picture of a terrain.
 
     data: heights, metres, of any real dtype and strides: an array (ny, nx), whose NaN and masked cells have no data;
@@ -53,15 +53,15 @@ def render(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", f
     return Image.drawn(_painter(bed, look).first())
 
 
-def render_layers(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
-                  **look: Any) -> Layers:
+def render_layers(data: Heights, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
+                  **look: Setting) -> Layers:
     """The light of the picture that render() gives, before exposure and tone curve, and what each of its pixels shows:
     depth, normals, positions, heights. Arguments and errors as for render()."""
     bed = bed_of(data, cell_size, origin, field)
     return Layers.drawn(_painter(bed, look).layers())
 
 
-def measure(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
+def measure(data: Heights, cell_size: CellSize = None, *, origin: Origin = "lower", field: str | None = None,
             periodic: bool = True, channel_area: float = 0.0) -> Measures:
     """The measures of a terrain, as ``fumon measure`` has them: wavelengths, crests, slopes, dunes. In metres where
     there is a cell size, else in cells. data, cell_size, origin, field: as for render(). periodic: the bed goes on
@@ -74,7 +74,7 @@ def measure(data: Any, cell_size: CellSize = None, *, origin: Origin = "lower", 
     return Measures(_core.measure_bed(bed.heights, bed.nodata, bed.cell_size, periodic, channel_area))
 
 
-def _painter(bed: Bed, look: dict[str, Any]) -> _core.BedPainter:
+def _painter(bed: Bed, look: Mapping[str, Setting]) -> _core.BedPainter:
     scene = _core.SceneValue.terrain(settings_of(look))
     return _core.BedPainter(scene, bed.heights, bed.nodata, bed.cell_size)
 
@@ -82,17 +82,18 @@ def _painter(bed: Bed, look: dict[str, Any]) -> _core.BedPainter:
 class Painter:
     """Draws beds of one shape, framed by the first of them."""
 
-    def __init__(self, look: dict[str, Any]) -> None:
+    def __init__(self, look: Mapping[str, Setting]) -> None:
         self._look = look
         self._painter: _core.BedPainter | None = None
 
     def draw(self, bed: Bed) -> Image:
+        """A picture of it."""
         if self._painter is None:
             self._painter = _painter(bed, self._look)
         return Image.drawn(self._painter.draw(bed.heights, bed.nodata))
 
 
-def bed_of(data: Any, cell_size: CellSize = None, origin: Origin = "lower", field: str | None = None) -> Bed:
+def bed_of(data: Heights, cell_size: CellSize = None, origin: Origin = "lower", field: str | None = None) -> Bed:
     """Whatever holds heights, as a Bed."""
     if origin not in ("lower", "upper"):
         raise ValueError(f'origin is "lower" or "upper", not {origin!r}')

@@ -210,6 +210,7 @@ void write_as_before(const std::filesystem::path& path, const Snapshot& first,
     const int times = maker.variable("time", NC_DOUBLE, {time});
     const int steps = maker.variable("step", NC_INT64, {time});
     const int bed = maker.variable("bed_height", NC_DOUBLE, {time, y, x});
+    const int passes = maker.variable("avalanche_passes", NC_DOUBLE, {time});
     std::vector<double> all_times;
     std::vector<double> all_steps;
     std::vector<double> heights;
@@ -225,12 +226,13 @@ void write_as_before(const std::filesystem::path& path, const Snapshot& first,
                  heights);
     maker.values(times, {records.size()}, all_times);
     maker.values(steps, {records.size()}, all_steps);
+    maker.values(passes, {records.size()}, all_steps);
 }
 
 Snapshot bare(std::int64_t step) {
     Snapshot made = snapshot(step);
     made.fields.clear();
-    made.numbers.clear();
+    made.numbers = {{"sand_avalanche_passes", "1", static_cast<double>(step)}};
     made.nodata = {};
     return made;
 }
@@ -248,9 +250,11 @@ TEST(NetcdfConventions, AnOlderFileIsReadAndGoneOnWithInOneLayout) {
     write_as_before(folder / "old.nc", bare(0), {bare(0), bare(10)});
     EXPECT_EQ(read_fields_moments(folder / "old.nc").back().step, 10);
     EXPECT_EQ(read_fields_snapshot(folder / "old.nc", 10, bare(0)).bed, bare(10).bed);
+    EXPECT_EQ(read_fields_snapshot(folder / "old.nc", 10, bare(0)).numbers.at(0).value, 10.0);
     ASSERT_TRUE(read_fields_record(folder / "old.nc"));
-    EXPECT_TRUE(read_fields_record(folder / "old.nc")->numbers.empty());
-    EXPECT_TRUE(read_fields_record(folder / "new.nc")->numbers.empty()) << "a date is none";
+    EXPECT_EQ(read_fields_record(folder / "old.nc")->numbers.size(), std::size_t{1});
+    EXPECT_EQ(read_fields_record(folder / "new.nc")->numbers.size(), std::size_t{1})
+        << "a date is none";
     FieldsFile file(folder / "old.nc", bare(0), fields_text, former);
     file.add(bare(20));
     file.commit();
