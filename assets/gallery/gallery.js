@@ -52,7 +52,7 @@ document.getElementById("after").onclick = () => turn(1);
 document.getElementById("close").onclick = leave;
 
 addEventListener("keydown", event => {
-  if (event.ctrlKey || event.altKey || event.metaKey || event.target.closest("video, pre")) return;
+  if (event.ctrlKey || event.altKey || event.metaKey || event.target.closest("video, pre, .table")) return;
   const steps = { ArrowLeft: -1, ArrowRight: 1 };
   if (open >= 0) {
     if (event.key in steps) { event.preventDefault(); turn(steps[event.key]); }

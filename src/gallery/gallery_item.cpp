@@ -14,6 +14,7 @@
 #include "figure/canvas/figure_metadata.h"
 #include "files/input_file.h"
 #include "files/json_text.h"
+#include "gallery/description.h"
 #include "gallery/gallery_plots.h"
 #include "keys/key_value.h"
 #include "outputs/output_claims.h"
@@ -70,25 +71,52 @@ bool decides_the_run(KeyRole role) {
     return role == KeyRole::run || role == KeyRole::parameter;
 }
 
-/// The parameters of a scene that was written with every key.
-std::vector<GalleryParameter> parameters_of(const std::string& text, const std::string& source) {
+std::vector<GalleryParameter> parameters_of(Scene& scene) {
     std::vector<GalleryParameter> parameters;
+    const KeyTable table = scene_keys(scene);
+    for (const Key& key : table.keys()) {
+        if (!decides_the_run(key.role)) continue;
+        const std::string value = value_text(key);
+        if (value == "\"\"" || value == "[]") continue;
+        const bool pure = key.notes.unit == "1";
+        parameters.push_back({key.path, value, pure ? "" : key.notes.unit, key.notes.help});
+    }
+    return parameters;
+}
+
+std::string described(const std::string& kind, const Scene& scene, const std::string& step) {
+    if (kind == "film" || (kind == "run" && step.empty())) return described_film(scene);
+    return kind == "figure" ? described_figure(scene) : described_picture(scene, step);
+}
+
+/// What an item tells of the scene that its file was made from, which was written with every key.
+void tell_scene(GalleryItem& item, const std::string& text, const std::string& source,
+                const std::string& step) {
     try {
         SceneText written{text, source, ""};
         written.trusted = false;  // nothing is run
         Scene scene = parse_scene(written, {});
-        const KeyTable table = scene_keys(scene);
-        for (const Key& key : table.keys()) {
-            if (!decides_the_run(key.role)) continue;
-            const std::string value = value_text(key);
-            if (value == "\"\"" || value == "[]") continue;
-            const bool pure = key.notes.unit == "1";
-            parameters.push_back({key.path, value, pure ? "" : key.notes.unit, key.notes.help});
-        }
+        item.parameters = parameters_of(scene);
+        item.description = described(item.kind, scene, step) + ": " + item.title;
     } catch (const InputError&) {
-        parameters.clear();  // of a version whose scenes this one does not read
+        item.parameters.clear();  // of a version whose scenes this one does not read
     }
-    return parameters;
+}
+
+/// The paragraphs of the caption beside a figure, if fumon wrote it.
+std::vector<std::string> caption_of(const fs::path& file) {
+    std::vector<std::string> paragraphs;
+    if (!is_file(file) || !says_that_fumon_made_it(file)) return paragraphs;
+    const std::string text = read_input_file(file);
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find("\n\n", begin), text.size());
+        std::string paragraph = text.substr(begin, end - begin);
+        while (paragraph.ends_with('\n')) paragraph.pop_back();
+        std::ranges::replace(paragraph, '\n', ' ');
+        if (!paragraph.empty()) paragraphs.push_back(std::move(paragraph));
+        begin = end + 2;
+    }
+    return paragraphs;
 }
 
 /// The items so far, with names that are not taken twice.
@@ -156,31 +184,60 @@ class Gathering {
             const auto found = texts.find(keyword);
             return found == texts.end() ? std::string() : found->second;
         };
-        GalleryItem item;
-        item.name = free_name(file.stem().string());
         const std::string ending = small_ending(file);
-        const std::string shown = "files/" + item.name + ending;
-        item.title = text("Title").empty() ? file.stem().string() : text("Title");
-        item.files.push_back({item.name + ending, file});
         const std::string scene = text("fumon:scene");
-        if (!text("fumon:film").empty()) {
-            item.kind = "film";
-            const std::string film_file =
-                ending == ".mp4" || ending == ".png" ? shown : shown + ".json";
-            if (film_file != shown)
-                item.files.push_back({item.name + ending + ".json", sidecar(file)});
+        const bool is_film = !text("fumon:film").empty();
+        const bool is_figure = scene.empty() || !text("fumon:figure").empty();
+        const std::string kind =
+            is_film || ending == ".mp4" ? "film" : (is_figure ? "figure" : "picture");
+        fs::path stem = file;
+        stem.replace_extension();
+        const auto [same, is_new] = of_stems_.try_emplace({stem, kind}, items_.size());
+        if (!is_new) {
+            add_another(items_[same->second], file, is_film);
+            return;
+        }
+        GalleryItem item;
+        item.name = free_name(stem.filename().string());
+        item.kind = kind;
+        item.title = text("Title").empty() ? stem.filename().string() : text("Title");
+        item.description = item.title;
+        if (!scene.empty()) tell_scene(item, scene, file.string(), text("fumon:step"));
+        const std::string shown = "files/" + item.name + ending;
+        add_another(item, file, is_film);
+        if (is_film) {
+            const bool has_sidecar = item.files.size() > 1;
             item.again = {fmt::format("fumon run files/{}.toml -o out/{}", item.name, item.name),
-                          fmt::format("fumon film out/{} {}", item.name, film_file)};
+                          fmt::format("fumon film out/{} {}", item.name,
+                                      has_sidecar ? shown + ".json" : shown)};
             item.files.push_back({item.name + ".toml", {}, scene});
-            fs::path captions = file;
-            captions.replace_extension(".srt");
-            if (is_file(captions)) item.files.push_back({item.name + ".srt", captions});
+            add_companion(item, stem, ".srt");
         } else {
-            item.kind = ending == ".mp4" ? "film" : scene.empty() ? "figure" : "picture";
             item.again = {"fumon again " + shown};
         }
-        if (!scene.empty()) item.parameters = parameters_of(scene, file.string());
+        if (kind == "figure") {
+            const fs::path page = stem.string() + ".pdf";
+            if (is_file(page) && says_that_fumon_made_it(page)) add_companion(item, stem, ".pdf");
+            item.caption = caption_of(stem.string() + ".caption.txt");
+            if (!item.caption.empty()) add_companion(item, stem, ".caption.txt");
+        }
         items_.push_back(std::move(item));
+    }
+
+    /// Adds a file to an item, with the sidecar of a film that cannot hold its texts.
+    static void add_another(GalleryItem& item, const fs::path& file, bool is_film) {
+        const std::string ending = small_ending(file);
+        const std::string name = item.name + ending;
+        const auto is_there = [&](const GalleryFile& other) { return other.name == name; };
+        if (std::ranges::any_of(item.files, is_there)) return;  // gathered twice
+        item.files.push_back({name, file});
+        if (is_film && ending != ".mp4" && ending != ".png")
+            item.files.push_back({item.name + ending + ".json", sidecar(file)});
+    }
+
+    static void add_companion(GalleryItem& item, const fs::path& stem, const char* ending) {
+        const fs::path file = stem.string() + ending;
+        if (is_file(file)) item.files.push_back({item.name + ending, file});
     }
 
     void add_run(const fs::path& folder) {
@@ -189,6 +246,7 @@ class Gathering {
                                                         : folder.filename().string());
         item.kind = "run";
         item.title = item.name;
+        item.description = item.title;
         const fs::path movie = folder / "movie.mp4";
         std::optional<fs::path> shown;
         if (is_file(movie)) {
@@ -205,7 +263,9 @@ class Gathering {
                 item.title = title->second;
             item.files.push_back({item.name + small_ending(*shown), *shown});
             if (found != texts.end()) {
-                item.parameters = parameters_of(found->second, folder.string());
+                const auto step = texts.find("fumon:step");
+                tell_scene(item, found->second, folder.string(),
+                           step == texts.end() ? "" : step->second);
                 item.files.push_back({item.name + ".toml", {}, found->second});
                 item.again = {
                     fmt::format("fumon run files/{}.toml -o out/{}", item.name, item.name)};
@@ -213,9 +273,11 @@ class Gathering {
         }
         if (is_file(folder / "measurements.csv")) {
             int number = 0;
-            for (const std::string& plot : measurement_plots(folder / "measurements.csv"))
-                item.plots.push_back(
-                    {fmt::format("{}-plot-{}.svg", item.name, ++number), {}, plot});
+            for (MeasurementPlot& plot : measurement_plots(folder / "measurements.csv"))
+                item.plots.push_back({fmt::format("{}-plot-{}.svg", item.name, ++number),
+                                      {},
+                                      std::move(plot.svg),
+                                      std::move(plot.description)});
             item.files.push_back({item.name + ".csv", folder / "measurements.csv"});
         }
         if (item.files.empty()) return;
@@ -223,7 +285,8 @@ class Gathering {
     }
 
     std::vector<GalleryItem> items_;
-    std::set<std::string> names_;
+    std::set<std::string> names_{"cards", "paging", "before", "close", "after"};  // are the page's
+    std::map<std::pair<fs::path, std::string>, std::size_t> of_stems_;            ///< and of kinds
 };
 
 }  // namespace

@@ -19,23 +19,27 @@ struct GalleryFile {
     std::string name;              ///< in the gallery's folder "files"
     std::filesystem::path source;  ///< empty: `text` is written
     std::string text{};
+    std::string description{};  ///< what a plot shows
 };
 
 /// What stands in a gallery under one picture.
 struct GalleryItem {
     std::string name;  ///< as its file, without ending: unique in a gallery
     std::string title;
-    std::string kind;                ///< "film", "picture", "figure" or "run"
-    std::vector<GalleryFile> files;  ///< the one that is shown first, if any
-    std::vector<GalleryFile> plots;  ///< SVG
-    std::vector<std::string> again;  ///< commands that make it again, from the gallery's folder
+    std::string kind;                  ///< "film", "picture", "figure" or "run"
+    std::string description;           ///< what the file that is shown first shows
+    std::vector<std::string> caption;  ///< paragraphs
+    std::vector<GalleryFile> files;    ///< the one that is shown first, if any
+    std::vector<GalleryFile> plots;    ///< SVG
+    std::vector<std::string> again;    ///< commands that make it again, from the gallery's folder
     std::vector<GalleryParameter> parameters;
 };
 
 /// The items of what fumon made: of a run's folder (its movie or last frame, plots of its
 /// measurements), of a file (PNG, MP4, SVG, a movie with a sidecar), or of all of these in a
-/// folder. Files of others are passed over in folders. Throws InputError for a path where there is
-/// nothing that fumon made, and for a damaged file.
+/// folder. Files of one kind that differ in their endings alone are one item, with the PDF and the
+/// caption of a figure. Files of others are passed over in folders. Throws InputError for a path
+/// where there is nothing that fumon made, and for a damaged file.
 std::vector<GalleryItem> gallery_items(const std::vector<std::filesystem::path>& from);
 
 }  // namespace fumon

@@ -27,27 +27,29 @@ bool is_shown(const std::string& name) {
            ending == ".gif" || ending == ".apng";
 }
 
+std::string picture(const std::string& file, const std::string& description) {
+    return fmt::format("<img src=\"{}\" alt=\"{}\" loading=\"lazy\">", file_link(file),
+                       markup_text(description));
+}
+
 /// The first file as a picture or film; `small`: in the list of all.
 std::string shown_file(const GalleryItem& item, bool small) {
     if (!item.files.empty() && is_shown(item.files.front().name)) {
-        const std::string link = file_link(item.files.front().name);
-        if (!is_movie_file(item.files.front().name)) {
-            return fmt::format("<img src=\"{}\" alt=\"{}\" loading=\"lazy\">", link,
-                               markup_text(item.title));
-        }
-        // A film's picture in the list is that of its middle: its start is often a title.
+        const std::string& name = item.files.front().name;
+        if (!is_movie_file(name)) return picture(name, item.description);
+        // A film's picture in the list is that of its middle: its start is often a title. It says
+        // nothing that the card's letters do not.
         return small ? fmt::format(
                            "<video src=\"{}\" muted playsinline preload=\"metadata\" "
-                           "tabindex=\"-1\"></video>",
-                           link)
+                           "aria-hidden=\"true\"></video>",
+                           file_link(name))
                      : fmt::format(
-                           "<video src=\"{}\" controls playsinline loop "
+                           "<video src=\"{}\" aria-label=\"{}\" controls muted playsinline loop "
                            "preload=\"metadata\"></video>",
-                           link);
+                           file_link(name), markup_text(item.description));
     }
     if (!item.plots.empty())
-        return fmt::format("<img src=\"{}\" alt=\"{}\" loading=\"lazy\">",
-                           file_link(item.plots.front().name), markup_text(item.title));
+        return picture(item.plots.front().name, item.plots.front().description);
     return "<span class=\"empty\"></span>";
 }
 
@@ -60,11 +62,16 @@ std::string card(const GalleryItem& item) {
 
 std::string parameters(const GalleryItem& item) {
     if (item.parameters.empty()) return "";
-    std::string text = "<details><summary>Parameters</summary><div class=\"table\"><table>\n";
+    std::string text =
+        "<details><summary>Parameters</summary><div class=\"table\" role=\"group\" "
+        "aria-label=\"Parameters\" tabindex=\"0\"><table>\n"
+        "<tr><th scope=\"col\">key</th><th scope=\"col\">value</th>"
+        "<th scope=\"col\">meaning</th></tr>\n";
     for (const GalleryParameter& one : item.parameters)
-        text += fmt::format("<tr><th>{}</th><td class=\"value\">{} {}</td><td>{}</td></tr>\n",
-                            markup_text(one.key), markup_text(one.value), markup_text(one.unit),
-                            markup_text(one.help));
+        text += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td class=\"value\">{} {}</td><td>{}</td></tr>\n",
+            markup_text(one.key), markup_text(one.value), markup_text(one.unit),
+            markup_text(one.help));
     return text + "</table></div></details>\n";
 }
 
@@ -74,26 +81,28 @@ std::string again(const GalleryItem& item) {
     for (const std::string& command : item.again)
         commands += (commands.empty() ? "" : "\n") + markup_text(command);
     return fmt::format(
-        "<h3>How to make it again</h3>\n<div class=\"again\"><pre>{}</pre>"
+        "<h3>How to make it again</h3>\n<div class=\"again\"><pre tabindex=\"0\">{}</pre>"
         "<button type=\"button\" class=\"copy\">Copy</button></div>\n",
         commands);
 }
 
 std::string sheet(const GalleryItem& item) {
     std::string plots;
-    for (const GalleryFile& plot : item.plots)
-        plots += fmt::format("<img src=\"{}\" alt=\"{}\" loading=\"lazy\">", file_link(plot.name),
-                             markup_text(plot.name));
+    for (const GalleryFile& plot : item.plots) plots += picture(plot.name, plot.description);
+    std::string caption;
+    for (const std::string& paragraph : item.caption)
+        caption += "<p>" + markup_text(paragraph) + "</p>\n";
     std::string files;
     for (const GalleryFile& file : item.files)
         files += fmt::format("<li><a href=\"{}\" download>{}</a></li>", file_link(file.name),
                              markup_text(file.name));
     return fmt::format(
-        "<dialog id=\"{}\" aria-label=\"{}\">\n<div class=\"shown\">{}</div>\n<div "
+        "<dialog id=\"{}\" data-kind=\"{}\" aria-label=\"{}\">\n<div "
+        "class=\"shown\">{}</div>\n<div "
         "class=\"told\">\n"
-        "<h2>{}</h2>\n{}{}{}<ul class=\"files\">{}</ul>\n</div>\n</dialog>\n",
-        markup_text(item.name), markup_text(item.title), shown_file(item, false),
-        markup_text(item.title), again(item),
+        "<h2>{}</h2>\n{}{}{}{}<ul class=\"files\">{}</ul>\n</div>\n</dialog>\n",
+        markup_text(item.name), item.kind, markup_text(item.title), shown_file(item, false),
+        markup_text(item.title), caption, again(item),
         plots.empty() ? "" : "<div class=\"plots\">" + plots + "</div>\n", parameters(item), files);
 }
 

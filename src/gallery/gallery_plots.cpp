@@ -1,5 +1,7 @@
 #include "gallery/gallery_plots.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,11 +26,16 @@ constexpr double edge = 8.0;  // points
 constexpr std::array<std::string_view, 4> of_little_news{"step", "time", "mean_height",
                                                          "total_sand"};
 
-/// Whether there is something to see: three values that are not all alike.
-bool changes(const TableColumn& column) {
+std::vector<double> known_values(const TableColumn& column) {
     std::vector<double> values;
     for (const double value : column.values)
         if (std::isfinite(value)) values.push_back(value);
+    return values;
+}
+
+/// Whether there is something to see: three values that are not all alike.
+bool changes(const TableColumn& column) {
+    const std::vector<double> values = known_values(column);
     constexpr std::size_t least = 3;
     if (values.size() < least) return false;
     const double low = std::ranges::min(values);
@@ -40,6 +47,13 @@ bool changes(const TableColumn& column) {
 std::string in_words(std::string name) {
     std::ranges::replace(name, '_', ' ');
     return name;
+}
+
+std::string described(const TableColumn& time, const TableColumn& column) {
+    const std::vector<double> values = known_values(column);
+    return fmt::format("Plot of the {} over {}: between {:.3g} and {:.3g}, at the end {:.3g}",
+                       in_words(column.name), in_words(time.name), std::ranges::min(values),
+                       std::ranges::max(values), values.back());
 }
 
 std::string drawn(const TableColumn& time, const TableColumn& column) {
@@ -64,15 +78,15 @@ std::string drawn(const TableColumn& time, const TableColumn& column) {
 
 }  // namespace
 
-std::vector<std::string> measurement_plots(const std::filesystem::path& measurements) {
+std::vector<MeasurementPlot> measurement_plots(const std::filesystem::path& measurements) {
     const Table table = parse_csv_table({measurements.string(), read_input_file(measurements)});
-    std::vector<std::string> plots;
+    std::vector<MeasurementPlot> plots;
     const TableColumn* time = table.find("time");
     if (time == nullptr) return plots;
     for (const TableColumn& column : table.columns) {
         const bool little = std::ranges::find(of_little_news, column.name) != of_little_news.end();
         if (little || !changes(column)) continue;
-        plots.push_back(drawn(*time, column));
+        plots.push_back({drawn(*time, column), described(*time, column)});
         if (plots.size() == most_plots) break;
     }
     return plots;

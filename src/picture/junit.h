@@ -17,11 +17,16 @@ struct JunitCase {
     std::string name;
     Verdict verdict;
     double seconds = 0.0;
+    std::string expected_pixels{};  ///< SHA-256, hexadecimal; empty where nothing is recorded
+    std::string got_pixels{};       ///< empty where nothing was drawn
 };
 
-/// JUnit XML as CI services read it: a testsuite for each run of cases of one suite; a case that
-/// differs or is missing is a failure, one that could not be drawn an error. What was found is the
-/// message, and of a case that passes its standard output.
-std::string junit_xml(const std::vector<JunitCase>& cases);
+/// JUnit XML as CI services read it, Jenkins by its schema junit-10.xsd: a testsuite for each run
+/// of cases of one suite, with the hashes of their pixels as its properties; a case that differs or
+/// is missing is a failure, one that could not be drawn an error. What was found is the message,
+/// and of a case that passes its standard output. Cases of two baseline files have two class names:
+/// their paths without ending, with dots between folders. `timestamp`: when the suites began, ISO
+/// 8601 in UTC without a zone.
+std::string junit_xml(const std::vector<JunitCase>& cases, const std::string& timestamp);
 
 }  // namespace fumon

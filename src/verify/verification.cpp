@@ -1,9 +1,11 @@
 #include "verify/verification.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -11,6 +13,7 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "files/atomic_file.h"
+#include "files/hash.h"
 #include "outputs/output_claims.h"
 #include "picture/junit.h"
 #include "picture/png.h"
@@ -171,32 +174,37 @@ class Verification {
             for (const BaselineCase& one : suite.baseline.cases) {
                 page_.forget(suite.name, one.name);
                 const Stopwatch watch;
-                const Verdict verdict = look_at(suite, one);
+                JunitCase looked_at{suite.baseline.file.string(), one.name, {}};
+                look_at(suite, one, looked_at);
                 if (signal_ != 0) return stop();
-                cases_.push_back(
-                    {suite.baseline.file.string(), one.name, verdict, watch.seconds()});
+                looked_at.seconds = watch.seconds();
+                cases_.push_back(std::move(looked_at));
             }
             if (options_.update) rewrite(suite, before);
         }
         page_.finish();
-        if (!options_.junit.empty()) write_file(options_.junit, junit_xml(cases_));
+        if (!options_.junit.empty()) write_file(options_.junit, junit_xml(cases_, began_));
         return conclude();
     }
 
   private:
-    Verdict look_at(Suite& suite, const BaselineCase& one) {
+    /// Draws a case and judges it: what comes of it, and the hashes of the pixels.
+    void look_at(Suite& suite, const BaselineCase& one, JunitCase& result) {
+        const auto recorded = suite.baseline.records.find(one.name);
+        if (recorded != suite.baseline.records.end())
+            result.expected_pixels = hex(recorded->second.fingerprint.pixels);
         try {
             const DrawnCase drawn =
                 draw_case(suite.baseline, one, options_.trust, defaults_of(options_), work_);
             signal_ = drawn.signal;
-            if (signal_ != 0) return {};
-            return options_.update ? accept(suite, one, drawn) : check(suite, one, drawn);
+            if (signal_ != 0) return;
+            result.got_pixels = hex(drawn.record.fingerprint.pixels);
+            result.verdict = options_.update ? accept(suite, one, drawn) : check(suite, one, drawn);
         } catch (const Error& fault) {
             const bool wrong = dynamic_cast<const InputError*>(&fault) != nullptr;
-            Verdict verdict{wrong ? Outcome::wrong_input : Outcome::failed, fault.what()};
-            tell(word_of(verdict.outcome), suite, one, verdict.finding);
-            if (!options_.update) page_.add(suite.name, one.name, verdict);
-            return verdict;
+            result.verdict = {wrong ? Outcome::wrong_input : Outcome::failed, fault.what()};
+            tell(word_of(result.verdict.outcome), suite, one, result.verdict.finding);
+            if (!options_.update) page_.add(suite.name, one.name, result.verdict);
         }
     }
 
@@ -311,6 +319,7 @@ class Verification {
     VerifyPage page_;
     WorkOptions work_;
     std::vector<JunitCase> cases_;
+    std::string began_ = fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(std::time(nullptr)));
     int signal_ = 0;
 };
 

@@ -32,32 +32,52 @@ constexpr const char* page_start = R"html(<!DOCTYPE html>
 <meta name="generator" )html";
 
 constexpr const char* page_head = R"html(>
-<title>fumon verify</title>
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<title>fumon verify: what differs from its baseline</title>
 <style>
-body { font: 15px/1.4 sans-serif; margin: 2em; background: #fafafa; color: #222; }
+:root { --ground: #fafafa; --letters: #222222; --line: #cccccc; --mark: #0b57a4; }
+@media (prefers-color-scheme: dark) {
+  :root { --ground: #17181a; --letters: #ececec; --line: #4a4c50; --mark: #8ab8f0; }
+}
+body { font: 15px/1.4 sans-serif; margin: clamp(1em, 4vw, 2em); background: var(--ground); color: var(--letters); }
 section { margin-bottom: 3em; }
+h1 { font-size: 1.5em; }
 h2 { font-size: 1.2em; margin: 0; }
+h1, h2, p { overflow-wrap: anywhere; }
 .pictures { display: flex; flex-wrap: wrap; gap: 1em; }
 figure { margin: 0; width: 30em; max-width: 100%; }
-img { width: 100%; border: 1px solid #ccc; image-rendering: pixelated; }
-img.blink { cursor: pointer; }
+img { width: 100%; box-sizing: border-box; border: 1px solid var(--line); image-rendering: pixelated; }
+button { display: block; width: 100%; padding: 0; border: 0; background: none; cursor: pointer; }
+:focus-visible { outline: 3px solid var(--mark); outline-offset: 2px; }
 </style>
 </head>
 <body>
+<main>
 <h1>What differs from its baseline</h1>
 )html";
 
-constexpr const char* tail = R"html(<script>
+constexpr const char* tail = R"html(</main>
+<script>
+"use strict";
+// A fourth picture of each pair shows what was expected and what was got in turns, until it is pressed.
+const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
 for (const section of document.querySelectorAll("section.pair")) {
   const sides = ["expected", "got"].map(kind => section.querySelector("img." + kind));
-  const blink = section.querySelector("img.blink");
-  const caption = blink.parentElement.querySelector("figcaption");
-  let turn = 0, held = false;
+  const figure = document.createElement("figure");
+  const button = figure.appendChild(document.createElement("button"));
+  const picture = button.appendChild(document.createElement("img"));
+  const caption = figure.appendChild(document.createElement("figcaption"));
+  section.querySelector("img.difference").closest("figure").after(figure);
+  button.type = "button";
+  picture.alt = section.querySelector("h2").textContent + ": expected and got in turns";
+  let turn = 0, held = still;
   const show = () => {
-    blink.src = sides[turn].src;
+    picture.src = sides[turn].src;
     caption.textContent = "in turns: " + sides[turn].className + (held ? ", held" : "");
+    button.setAttribute("aria-pressed", held);
   };
-  blink.onclick = () => { held = !held; show(); };
+  button.onclick = () => { held = !held; show(); };
   setInterval(() => { if (!held) { turn = 1 - turn; show(); } }, 700);
   show();
 }
@@ -143,7 +163,12 @@ void VerifyPage::add(const std::string& suite, const std::string& name, const Ve
                      const Image& got, const BaselineRecord* record, const Image* expected) {
     begin();
     const auto file = [&](const char* kind) { return picture(suite, name, kind); };
-    open_section(suite, name, verdict, record != nullptr);
+    write_section_head(suite, name, verdict, record != nullptr);
+    write("<div class=\"pictures\">\n");
+    const auto show = [&](const Image& image, const std::filesystem::path& to, const char* kind,
+                          const std::string& caption) {
+        write_picture(image, to, kind, suite + " " + name, caption);
+    };
     if (record == nullptr) {
         show(got, file(got_kind), "got", "got");
     } else {
@@ -155,9 +180,6 @@ void VerifyPage::add(const std::string& suite, const std::string& name, const Ve
         show(after, file(whole ? got_kind : thumbnail_kind), "got", "got" + of_what);
         show(difference_picture(before, after), file(difference_kind), "difference",
              "difference" + of_what);
-        write(
-            "<figure><img class=\"blink\" alt=\"expected and got in turns\">"
-            "<figcaption></figcaption></figure>\n");
         if (!whole) show(got, file(got_kind), "whole", "got, whole");
     }
     write("</div>\n</section>\n");
@@ -165,8 +187,8 @@ void VerifyPage::add(const std::string& suite, const std::string& name, const Ve
 
 void VerifyPage::add(const std::string& suite, const std::string& name, const Verdict& verdict) {
     begin();
-    open_section(suite, name, verdict, false);
-    write("</div>\n</section>\n");
+    write_section_head(suite, name, verdict, false);
+    write("</section>\n");
 }
 
 void VerifyPage::finish() {
@@ -200,24 +222,24 @@ void VerifyPage::write(std::string_view text) {
     }
 }
 
-void VerifyPage::open_section(const std::string& suite, const std::string& name,
-                              const Verdict& verdict, bool pair) {
-    write(fmt::format("<section{}>\n<h2>{} {}</h2>\n<p>{}</p>\n<div class=\"pictures\">\n",
-                      pair ? " class=\"pair\"" : "", markup_text(suite), markup_text(name),
-                      markup_text(verdict.finding)));
+void VerifyPage::write_section_head(const std::string& suite, const std::string& name,
+                                    const Verdict& verdict, bool pair) {
+    write(fmt::format("<section{}>\n<h2>{} {}</h2>\n<p>{}</p>\n", pair ? " class=\"pair\"" : "",
+                      markup_text(suite), markup_text(name), markup_text(verdict.finding)));
 }
 
-void VerifyPage::show(const Image& image, const std::filesystem::path& file, const char* kind,
-                      const std::string& caption) {
+void VerifyPage::write_picture(const Image& image, const std::filesystem::path& file,
+                               const char* kind, const std::string& of,
+                               const std::string& caption) {
     std::error_code fault;
     std::filesystem::create_directories(file.parent_path(), fault);
     if (fault) refuse_to_write(file.parent_path(), fault.value());
     const auto bytes = encode_png(image, screen_dots_per_inch, own_text());
     write_file(file, bytes);
     write(
-        fmt::format("<figure><img class=\"{}\" alt=\"{}\" src=\"data:image/png;base64,{}\">"
+        fmt::format("<figure><img class=\"{}\" alt=\"{}: {}\" src=\"data:image/png;base64,{}\">"
                     "<figcaption>{}</figcaption></figure>\n",
-                    kind, caption, base64(bytes), caption));
+                    kind, markup_text(of), caption, base64(bytes), caption));
 }
 
 }  // namespace fumon

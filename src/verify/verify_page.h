@@ -54,10 +54,11 @@ class VerifyPage {
                                                 std::string_view kind) const;
     void begin();
     void write(std::string_view text);
-    void open_section(const std::string& suite, const std::string& name, const Verdict& verdict,
-                      bool pair);
-    void show(const Image& image, const std::filesystem::path& file, const char* kind,
-              const std::string& caption);
+    void write_section_head(const std::string& suite, const std::string& name,
+                            const Verdict& verdict, bool pair);
+    /// Writes a picture's file and shows it on the page; `of`: the case.
+    void write_picture(const Image& image, const std::filesystem::path& file, const char* kind,
+                       const std::string& of, const std::string& caption);
 
     std::filesystem::path folder_;
     std::optional<FolderLock> lock_;

@@ -36,7 +36,7 @@ TEST(GalleryCommand, HoldsAllThatFumonMadeAndNeedsNoNetwork) {
     for (const char* wanted :
          {"<h1>&lt;mine&gt;</h1>", "a &lt;b&gt; &amp; c", "fumon again files/still.png",
           "fumon run files/dunes.toml -o out/dunes", "fumon film out/cut files/cut.webp.json",
-          "<th>model.creep_rate</th>", "files/dunes-plot-1.svg", "files/dunes.mp4"})
+          "<th scope=\"row\">model.creep_rate</th>", "files/dunes-plot-1.svg", "files/dunes.mp4"})
         EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
     for (const char* file : {"dunes.mp4", "dunes.csv", "dunes.toml", "still.png", "cut.webp"})
         EXPECT_TRUE(fs::exists(folder / "site/files" / file)) << file;

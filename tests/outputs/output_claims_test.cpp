@@ -83,7 +83,7 @@ TEST_F(Claims, FumonsOwnFilesAreReplaced) {
     movie.finish(own_text());
     folder_.file("a.png", png(own_text()));
     folder_.file("a.svg", svg);
-    folder_.file("a.xml", junit_xml({}));
+    folder_.file("a.xml", junit_xml({}, ""));
     folder_.file("a.html", "<!DOCTYPE html>\n<meta " + std::string(own_page_mark) + ">");
     folder_.file("a.toml", "# A law\n" + std::string(own_scene_mark) + "9.9\nseed = 1\n");
     folder_.file("a.caption.txt", "Dunes.\n\nMade from dunes.toml by fumon 9.9.\n");

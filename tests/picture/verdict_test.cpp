@@ -171,7 +171,8 @@ TEST(Junit, IsWellFormedWhateverIsFound) {
     const std::string xml = junit_xml({{"a.toml", "one", {Outcome::as_recorded, nasty}, 1.5},
                                        {"a.toml", "two", {Outcome::differs, nasty}, 0.5},
                                        {"b.toml", "one", {Outcome::missing, nasty}, 0.25},
-                                       {"b.toml", "two", {Outcome::failed, nasty}, 0.25}});
+                                       {"b.toml", "two", {Outcome::failed, nasty}, 0.25}},
+                                      "2026-11-27T10:00:00");
     const Tags tags(xml);
     EXPECT_TRUE(tags.well_formed) << xml;
     const auto count = [&](const char* name) {
@@ -183,10 +184,30 @@ TEST(Junit, IsWellFormedWhateverIsFound) {
     EXPECT_EQ(count("failure"), 2);
     EXPECT_EQ(count("error"), 1);
     EXPECT_NE(xml.find("name=\"fumon verify\" tests=\"4\" failures=\"2\" errors=\"1\" "
-                       "skipped=\"0\" time=\"2.500\""),
+                       "time=\"2.500\""),
               std::string::npos)
         << xml;
     EXPECT_NE(xml.find("a &lt; b &amp; &quot;c&quot; &gt; &#39;d&#39; ? ? 風"), std::string::npos);
+}
+
+TEST(Junit, TellsSuitesApartAndSaysWhatItComparedWhen) {
+    const std::string xml =
+        junit_xml({{"p.toml", "one", {Outcome::differs, "a"}, 1.0, "0a", "0b"},
+                   {"sub/p.toml", "one", {Outcome::missing, "a"}, 1.0, "", "0c"},
+                   {"../p.toml", "one", {Outcome::wrong_input, "a"}, 1.0}},
+                  "2026-11-27T10:00:00");
+    for (const char* wanted :
+         {"<testcase classname=\"p\" name=\"one\"", "<testcase classname=\"sub.p\" name=\"one\"",
+          "<testcase classname=\"p-2\" name=\"one\"", "<failure type=\"differs\" message=\"a\">",
+          "<failure type=\"missing\"", "<error type=\"wrong-input\"",
+          "skipped=\"0\" timestamp=\"2026-11-27T10:00:00\"",
+          "<property name=\"one.expected-pixels-sha256\" value=\"0a\"/>",
+          "<property name=\"one.got-pixels-sha256\" value=\"0b\"/>",
+          "<property name=\"one.got-pixels-sha256\" value=\"0c\"/>"})
+        EXPECT_NE(xml.find(wanted), std::string::npos) << wanted << "\n" << xml;
+    const std::size_t suites = xml.find("<testsuites");
+    EXPECT_GT(xml.find("skipped"), xml.find('>', suites))
+        << "all suites together have no such count";
 }
 
 TEST(Markup, KeepsUtf8AndReplacesTheRest) {
