@@ -5,6 +5,7 @@
 // What tests write rasters with: functions of GDAL's that fumon does not use itself.
 extern "C" {
 CPLErr GDALCreateDatasetMaskBand(GDALDatasetH dataset, int flags);
+char** GDALGetFileList(GDALDatasetH dataset);
 void GDALGetBlockSize(GDALRasterBandH band, int* nx, int* ny);
 const char* GDALGetDataTypeName(GDALDataType type);
 int GDALGetOverviewCount(GDALRasterBandH band);
@@ -17,5 +18,6 @@ CPLErr GDALSetRasterScale(GDALRasterBandH band, double value);
 CPLErr GDALSetProjection(GDALDatasetH dataset, const char* wkt);
 CPLErr GDALSetGCPs(GDALDatasetH dataset, int count, const void* points, const char* wkt);
 void CPLSetThreadLocalConfigOption(const char* key, const char* value);
+CPLErr GDALSetMetadata(GDALMajorObjectH object, char** entries, const char* domain);
 const char* OSRGetAuthorityCode(OGRSpatialReferenceH crs, const char* key);
 }
