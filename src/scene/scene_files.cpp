@@ -16,7 +16,11 @@ namespace fs = std::filesystem;
 
 void add_grid(const fs::path& grid, std::vector<fs::path>& files) {
     files.push_back(grid);
-    for (const GridPart& part : grid_parts(grid)) files.push_back(part.file);
+    try {
+        for (const GridPart& part : grid_parts(grid)) files.push_back(part.file);
+    } catch (const InputError&) {
+        // whoever reads the grid says what is wrong with it
+    }
 }
 
 void add_bed(const Scene& scene, std::vector<fs::path>& files) {
