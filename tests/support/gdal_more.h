@@ -18,6 +18,5 @@ CPLErr GDALSetRasterScale(GDALRasterBandH band, double value);
 CPLErr GDALSetProjection(GDALDatasetH dataset, const char* wkt);
 CPLErr GDALSetGCPs(GDALDatasetH dataset, int count, const void* points, const char* wkt);
 void CPLSetThreadLocalConfigOption(const char* key, const char* value);
-CPLErr GDALSetMetadata(GDALMajorObjectH object, char** entries, const char* domain);
 const char* OSRGetAuthorityCode(OGRSpatialReferenceH crs, const char* key);
 }
