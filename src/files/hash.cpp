@@ -70,16 +70,6 @@ Sha256 file_hash(const fs::path& file) {
     return hasher.finish();
 }
 
-bool has_hash(const std::filesystem::path& file, const std::string& hash) {
-    std::error_code fault;
-    if (!fs::is_regular_file(file, fault) && !is_zarr(file)) return false;
-    try {
-        return hex(file_hash(file)) == hash;
-    } catch (const std::exception&) {
-        return false;  // it cannot be read
-    }
-}
-
 std::string hex(const Sha256& hash) {
     constexpr std::string_view digits = "0123456789abcdef";
     std::string text;

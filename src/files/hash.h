@@ -26,10 +26,6 @@ bool is_zarr(const std::filesystem::path& path);
 /// sorted by name. Throws as read_input_file otherwise.
 Sha256 file_hash(const std::filesystem::path& file);
 
-/// Whether a path leads to a regular file or Zarr store of this SHA-256 (hexadecimal) that can be
-/// read.
-bool has_hash(const std::filesystem::path& file, const std::string& hash);
-
 std::string hex(const Sha256& hash);
 
 }  // namespace fumon

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/undefined.h"
 #include "files/text_source.h"
 #include "scene/placeholders.h"
 
@@ -57,15 +58,19 @@ Condition read_condition(const std::string& text, const Table& table) {
     return condition;
 }
 
+/// Whether a row has numbers in x and y, else it is missing data.
+bool has_point(const Table& table, const CurveSettings& settings, std::size_t row) {
+    return std::isfinite(table.find(settings.x)->values[row]) &&
+           std::isfinite(table.find(settings.y)->values[row]);
+}
+
+/// The rows that meet the conditions, missing data among them.
 Rows chosen_rows(const Table& table, const CurveSettings& settings) {
     std::vector<Condition> conditions;
     for (const std::string& text : settings.where)
         conditions.push_back(read_condition(text, table));
-    const TableColumn& x = *table.find(settings.x);
-    const TableColumn& y = *table.find(settings.y);
     Rows rows;
     for (std::size_t row = 0; row < table.rows(); ++row) {
-        if (!std::isfinite(x.values[row]) || !std::isfinite(y.values[row])) continue;
         if (std::all_of(conditions.begin(), conditions.end(),
                         [&](const Condition& condition) { return condition.holds(row); }))
             rows.push_back(row);
@@ -73,10 +78,15 @@ Rows chosen_rows(const Table& table, const CurveSettings& settings) {
     return rows;
 }
 
-/// The rows of each value of a column, in the order in which the values come up.
-std::vector<Rows> groups_of(const Table& table, const std::string& column, const Rows& rows) {
-    if (column.empty()) return {rows};
-    const TableColumn& by = *table.find(column);
+/// The rows of each value of settings.group_by, in the order in which the values come up; no group
+/// without a point.
+std::vector<Rows> groups_of(const Table& table, const CurveSettings& settings, const Rows& rows) {
+    const auto is_point = [&](std::size_t row) { return has_point(table, settings, row); };
+    if (settings.group_by.empty()) {
+        if (std::ranges::none_of(rows, is_point)) return {};
+        return {rows};
+    }
+    const TableColumn& by = *table.find(settings.group_by);
     std::map<std::string, std::size_t> places;
     std::vector<Rows> groups;
     for (const std::size_t row : rows) {
@@ -84,6 +94,7 @@ std::vector<Rows> groups_of(const Table& table, const std::string& column, const
         if (is_new) groups.emplace_back();
         groups[place->second].push_back(row);
     }
+    std::erase_if(groups, [&](const Rows& group) { return std::ranges::none_of(group, is_point); });
     return groups;
 }
 
@@ -117,10 +128,14 @@ void add_points(CurvePoints& points, const CurveSettings& settings, const Table&
         return;
     }
     std::map<double, std::vector<double>> by_x;
-    for (const std::size_t row : rows) by_x[x.values[row]].push_back(shown(y.values[row]));
+    for (const std::size_t row : rows) {
+        if (!std::isfinite(x.values[row])) continue;
+        std::vector<double>& values = by_x[x.values[row]];
+        if (std::isfinite(y.values[row])) values.push_back(shown(y.values[row]));
+    }
     for (const auto& [place, values] : by_x) {
         points.x.push_back(place * settings.scale_x);
-        points.y.push_back(mean_of(values));
+        points.y.push_back(values.empty() ? undefined : mean_of(values));
         points.counts.push_back(static_cast<std::int64_t>(values.size()));
         if (settings.spread != CurveSpread::none)
             points.spread.push_back(spread_of(values, settings.spread));
@@ -142,6 +157,7 @@ void fit(CurvePoints& points, const CurveSettings& settings) {
     std::vector<double> x;
     std::vector<double> y;
     for (std::size_t i = 0; i < points.x.size(); ++i) {
+        if (!std::isfinite(points.x[i]) || !std::isfinite(points.y[i])) continue;
         if (!settings.fit_low.is_word() && points.x[i] < settings.fit_low.value) continue;
         if (!settings.fit_high.is_word() && points.x[i] > settings.fit_high.value) continue;
         x.push_back(points.x[i]);
@@ -157,9 +173,10 @@ void fit(CurvePoints& points, const CurveSettings& settings) {
 std::vector<CurvePoints> curve_points(const CurvePlan& curve, const Table& table) {
     const CurveSettings& settings = curve.settings;
     const Rows rows = chosen_rows(table, settings);
-    if (rows.empty()) throw InputError("no row has numbers in x and y and meets the conditions");
+    const std::vector<Rows> groups = groups_of(table, settings, rows);
+    if (groups.empty()) throw InputError("no row has numbers in x and y and meets the conditions");
     std::vector<CurvePoints> curves;
-    for (const Rows& group : groups_of(table, settings.group_by, rows)) {
+    for (const Rows& group : groups) {
         CurvePoints points;
         points.name = curve_name(curve, table, group);
         points.x_name = settings.x;
@@ -190,6 +207,7 @@ std::string curve_csv(const CurvePoints& points) {
     if (!points.counts.empty()) header.push_back("rows");
     text += csv_line(header);
     for (std::size_t i = 0; i < points.x.size(); ++i) {
+        if (!std::isfinite(points.x[i]) || !std::isfinite(points.y[i])) continue;
         std::vector<std::string> cells{fmt::format("{}", points.x[i]),
                                        fmt::format("{}", points.y[i])};
         if (!points.spread.empty()) cells.push_back(fmt::format("{}", points.spread[i]));

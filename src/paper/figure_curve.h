@@ -25,13 +25,14 @@ struct CurvePoints {
 };
 
 /// The curves of a table: one, or one for each value of the column group_by in the order in which
-/// they come up. Rows without a number in x or y are passed over. Averaged points are in the order
-/// of x; else they stay in the order of the rows. Throws InputError without a place for a wrong
-/// condition and where no row is left, Error where a law cannot be fitted.
+/// they come up. Rows without a number in x or y are missing data:
+/// points that are not finite, which break a line and count for nothing else. Averaged points are
+/// in the order of x; else they stay in the order of the rows. Throws InputError without a place
+/// for a wrong condition and where no row is left, Error where a law cannot be fitted.
 std::vector<CurvePoints> curve_points(const CurvePlan& curve, const Table& table);
 
-/// The points as CSV: x, y, and where there are any the spread and the rows behind a point; a law's
-/// values stand above in lines that begin with '#'.
+/// The points as CSV, without missing ones: x, y, and where there are any the spread and the rows
+/// behind a point; a law's values stand above in lines that begin with '#'.
 std::string curve_csv(const CurvePoints& points);
 
 }  // namespace fumon

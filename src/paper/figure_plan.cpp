@@ -112,12 +112,30 @@ class Planner {
             plan_.notes.push_back(initial.note);
     }
 
+    /// Empty cells and nan are missing data; what is infinite is a slip of who computed it.
+    static void refuse_infinities(const Table& table, const CurveSettings& settings,
+                                  const std::string& file) {
+        for (const std::string& name : {settings.x, settings.y}) {
+            const TableColumn* column = table.find(name);
+            if (column == nullptr) continue;
+            for (const auto& [row, written] : column->not_finite) {
+                if (written.find_first_of("aA") != std::string::npos) continue;  // nan
+                throw InputError(fmt::format(
+                    "{}:{}: {} is {}; it takes a finite number, or an empty cell where there is "
+                    "none",
+                    file, table.lines[row], name, written));
+            }
+        }
+    }
+
     std::optional<CurvePlan> read_curve(const CurveSettings& settings, const std::string& path) {
         CurvePlan curve{settings, path, {}, {}, {}, 0, {}};
         if (settings.table == CurveTable::file) {
             curve.table = at(path + ".file", [&] {
                 const SourceText& source = sources_.text(plan_.scene.directory / settings.file);
-                return parse_csv_table({source.path, source.text});
+                Table table = parse_csv_table({source.path, source.text});
+                refuse_infinities(table, settings, source.path);
+                return table;
             });
             curve.scene = plan_.scene;
         } else {

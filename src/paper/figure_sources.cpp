@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "files/hash.h"
 #include "files/input_file.h"
+#include "files/terrain/grid_hash.h"
 #include "run/inputs/find_input.h"
 #include "scene/input_maps.h"
 
@@ -82,7 +82,7 @@ void FigureSources::find(const fs::path& named, std::string& file) const {
     }
     const bool found_before =
         std::any_of(inputs_.begin(), inputs_.end(),
-                    [&](const InputFile& input) { return has_hash(name, input.hash); });
+                    [&](const InputFile& input) { return has_grid_hash(name, input.hash); });
     if (found_before) return;
     throw InputError(fmt::format("{}: is not among the files that the figure was made from", name));
 }

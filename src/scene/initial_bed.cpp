@@ -12,6 +12,7 @@
 #include "base/random.h"
 #include "files/hash.h"
 #include "files/terrain/doubtful_heights.h"
+#include "files/terrain/grid_hash.h"
 #include "files/terrain/reproject.h"
 #include "files/terrain/terrain_file.h"
 #include "models/registry.h"
@@ -216,7 +217,8 @@ bool named_from_here(const Scene& scene) {
 void check_listed(const Scene& scene, const std::filesystem::path& file) {
     if (!scene.bed_hashes || scene.set_on_command_line("bed.file")) return;
     const auto& hashes = *scene.bed_hashes;
-    if (std::ranges::any_of(hashes, [&](const auto& hash) { return has_hash(file, hash); })) return;
+    if (std::ranges::any_of(hashes, [&](const auto& hash) { return has_grid_hash(file, hash); }))
+        return;
     throw InputError(fmt::format(
         "{}{} is not one of the files whose SHA-256 the metadata lists, or is not there as it was",
         scene.at("bed.file"), file.string()));
@@ -265,6 +267,7 @@ void reproject(const Scene& scene, Terrain& terrain) {
 InitialBed bed_from_file(const Scene& scene) {
     const std::filesystem::path file = bed_path(scene);
     check_listed(scene, file);
+    check_trust(scene, "bed.file", file);
     std::error_code fault;
     if (!std::filesystem::exists(file, fault) && !may_tell_of_bed(scene))
         throw no_bed_in(scene, file);
@@ -302,7 +305,7 @@ InitialBed bed_from_file(const Scene& scene) {
         for (double& height : initial.bed.values()) height /= initial.scale.height_unit;
     }
     initial.nodata = std::move(terrain.nodata);
-    initial.inputs.push_back({file.lexically_normal().string(), hex(file_hash(file))});
+    initial.inputs.push_back({file.lexically_normal().string(), hex(grid_hash(file))});
     initial.note = note;
     return initial;
 }

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "files/hash.h"
+#include "files/terrain/grid_hash.h"
 #include "files/terrain/on_cells.h"
 #include "files/terrain/terrain_file.h"
 #include "keys/key_value.h"
@@ -62,7 +63,7 @@ Terrain read_map(const Scene& scene, const KeyTable& keys, std::size_t number,
     const bool mine = scene.trusted || scene.set_on_command_line(key);
     const bool listed = !scene.bed_hashes || scene.set_on_command_line(key) ||
                         std::ranges::any_of(*scene.bed_hashes, [&](const std::string& hash) {
-                            return has_hash(file, hash);
+                            return has_grid_hash(file, hash);
                         });
     if (!listed || (!mine && !scene.bed_hashes)) {
         throw InputError(fmt::format(
@@ -70,6 +71,7 @@ Terrain read_map(const Scene& scene, const KeyTable& keys, std::size_t number,
             "was",
             scene.at(key), file.string()));
     }
+    check_trust(scene, key, file);
     std::error_code fault;
     if (!fs::exists(file, fault) && mine) {
         throw InputError(fmt::format("{}{} \"{}\" is not there (looked for {})", scene.at(key), key,
@@ -142,7 +144,7 @@ void add_maps(const Scene& scene, InitialBed& initial) {
             throw InputError(
                 fmt::format("{}{}: {}", scene.at(key.path), file.string(), refusal.what()));
         }
-        initial.inputs.push_back({file.lexically_normal().string(), hex(file_hash(file))});
+        initial.inputs.push_back({file.lexically_normal().string(), hex(grid_hash(file))});
     }
 }
 

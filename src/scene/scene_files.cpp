@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "files/terrain/grid_hash.h"
 #include "scene/initial_bed.h"
 #include "scene/input_maps.h"
 #include "scene/read.h"
@@ -13,10 +14,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+void add_grid(const fs::path& grid, std::vector<fs::path>& files) {
+    files.push_back(grid);
+    try {
+        for (const GridPart& part : grid_parts(grid)) files.push_back(part.file);
+    } catch (const InputError&) {
+        // whoever reads the grid says what is wrong with it
+    }
+}
+
 void add_bed(const Scene& scene, std::vector<fs::path>& files) {
     if (scene.bed.file.empty()) return;
-    files.push_back(bed_path(scene));
-    files.push_back(fs::path(files.back()).replace_extension(".prj"));  // its coordinates' system
+    add_grid(bed_path(scene), files);
 }
 
 /// The files that a run of the scene reads.
@@ -24,7 +33,7 @@ void add_inputs(const Scene& scene, std::vector<fs::path>& files) {
     add_bed(scene, files);
     Scene named = scene;
     for (const InputKey& key : input_keys(named)) {
-        if (key.path != "bed.file") files.push_back(input_path(scene, key));
+        if (key.path != "bed.file") add_grid(input_path(scene, key), files);
     }
 }
 

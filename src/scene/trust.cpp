@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/number_text.h"
+#include "files/terrain/raster_trust.h"
 #include "keys/keys.h"
 #include "scene/scene_keys.h"
 #include "scene/schedule.h"
@@ -94,6 +95,16 @@ void check_limits(const Scene& scene, std::int64_t cells, std::int64_t steps) {
     if (scene.trusted) return;
     const std::string too_much = excess(scene, cells, steps);
     if (!too_much.empty()) throw InputError(scene.at("bed.file") + too_much);
+}
+
+void check_trust(const Scene& scene, const std::string& key, const std::filesystem::path& file) {
+    if (scene.trusted || scene.set_on_command_line(key)) return;
+    const bool listed = scene.bed_hashes != nullptr;
+    const std::string why = listed ? why_trust_is_needed(file) : why_trust_is_needed_by_name(file);
+    if (why.empty()) return;
+    throw InputError(fmt::format(
+        "{}{} is read only with --trust, since {}{}", scene.at(key), file.string(), why,
+        listed ? fmt::format(": fumon again --trust {}", scene.source) : std::string()));
 }
 
 bool may_tell_of_bed(const Scene& scene) {

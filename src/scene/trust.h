@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include "scene/faults.h"
@@ -27,6 +28,11 @@ void check_limits(const Scene& scene, Faults& faults);
 /// Throws InputError where a scene that is not trusted has a bed of too many cells, or takes too
 /// long to a step.
 void check_limits(const Scene& scene, std::int64_t cells, std::int64_t steps);
+
+/// Throws InputError where others named the file of a key and only --trust opens it
+/// (why_trust_is_needed). Of a file that a picture's metadata lists its content may count, of any
+/// other its name alone.
+void check_trust(const Scene& scene, const std::string& key, const std::filesystem::path& file);
 
 /// Whether messages may tell what is in a scene's terrain file: not where others named it.
 bool may_tell_of_bed(const Scene& scene);

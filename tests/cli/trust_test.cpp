@@ -6,6 +6,7 @@
 
 #include "files/atomic_file.h"
 #include "files/hash.h"
+#include "files/terrain/grid_hash.h"
 #include "picture/png.h"
 #include "support/program.h"
 
@@ -81,6 +82,61 @@ TEST_F(Trust, NothingOfAFileIsPrinted) {
         "picture.png:4:8: secret.asc is not there or is no bed that can be read; --trust says "
         "which\n");
     EXPECT_NE(refusal({"--trust"}).find("secret.asc:1: "), std::string::npos);
+}
+
+TEST_F(Trust, WhatNamesOtherFilesIsReadByItsUsersWord) {
+    const auto refused = [&](const std::string& name) {
+        forge(of_bed(name), R"([{"path": ")" + name + R"(", "sha256": ")" +
+                                hex(grid_hash(folder_ / name)) + R"("}])");
+        return refusal();
+    };
+    write_text(folder_ / "dem.vrt", "<VRTDataset></VRTDataset>");
+    EXPECT_EQ(refused("dem.vrt"),
+              "picture.png:4:8: dem.vrt is read only with --trust, since a VRT names other files: "
+              "fumon again --trust picture.png\n");
+    write_text(folder_ / "dem.img", "EHFA_HEADER_TAG");
+    EXPECT_NE(refused("dem.img").find("since its format (.img) may name other files: fumon again "
+                                      "--trust picture.png\n"),
+              std::string::npos);
+    fs::create_directory(folder_ / "dem.zarr");
+    write_text(folder_ / "dem.zarr/.zgroup", "{}");
+    EXPECT_NE(refused("dem.zarr")
+                  .find("dem.zarr is read only with --trust, since a Zarr store is "
+                        "a folder of files: fumon again --trust picture.png\n"),
+              std::string::npos);
+    write_text(folder_ / "b.toml", "[cases]\na = {scene = \"s.toml\"}\n");
+    for (const char* name : {"dem.vrt", "none.vrt"}) {
+        write_text(folder_ / "s.toml", of_bed(name));
+        const Ended ended = fumon({"verify", "b.toml"}, folder_.path());
+        EXPECT_EQ(ended.status, 2);
+        EXPECT_NE(ended.output.find(std::string(name) +
+                                    " is read only with --trust, since a VRT names other files"),
+                  std::string::npos)
+            << ended.output << ended.errors;
+    }
+}
+
+TEST_F(Trust, AChangedReferenceSystemBesideAGridIsNoticed) {
+    write_text(folder_ / "dem.asc",
+               "ncols 2\nnrows 2\nxllcorner 5\nyllcorner 5\ncellsize 1\n1 2 3 4\n");
+    const std::string feet = "PROJCS[\"a\",UNIT[\"Foot_US\",0.3048006]]";
+    write_text(folder_ / "dem.prj", feet);
+    ASSERT_EQ(fumon({"still", "dem.asc", "-o", "a.png", "-q", "--set", "image.width=64", "--set",
+                     "image.height=48"},
+                    folder_.path())
+                  .status,
+              0);
+    const auto again = [&] { return fumon({"again", "a.png", "-o", "made.png"}, folder_.path()); };
+    EXPECT_NE(again().errors.find("the same pixels"), std::string::npos);
+    fs::remove(folder_ / "made.png");
+    write_text(folder_ / "dem.prj", "PROJCS[\"a\",UNIT[\"Metre\",1]]");
+    Ended changed = again();
+    EXPECT_EQ(changed.status, 2);
+    EXPECT_NE(changed.errors.find("dem.asc as it was when the picture was made"), std::string::npos)
+        << changed.errors;
+    fs::remove(folder_ / "dem.prj");
+    EXPECT_EQ(again().status, 2);
+    EXPECT_FALSE(fs::exists(folder_ / "made.png"));
 }
 
 TEST_F(Trust, APictureMayAskForSoMuch) {

@@ -218,5 +218,36 @@ TEST_F(FigureTest, AProfileCurveLeavesOutCellsWithoutData) {
     EXPECT_EQ(points[2], (std::vector<std::string>{"5", "7", "1"}));
 }
 
+TEST_F(FigureTest, MissingDataBreakALineAndInfinitiesAreRefused) {
+    const auto lines_of = [&](const std::string& points) {
+        write_text(folder_ / "points.csv", points);
+        write_text(folder_ / "gaps.toml",
+                   "[figure]\nformats = [\"svg\"]\n[[figure.panel]]\nx_label = \"x\"\n"
+                   "[[figure.panel.curve]]\ntable = \"file\"\nfile = \"points.csv\"\nx = \"x\"\ny "
+                   "= \"y\"\n");
+        return figure("gaps.toml");
+    };
+    const auto drawn = [&](const std::string& points) {
+        const Ended ended = lines_of(points);
+        EXPECT_EQ(ended.status, 0) << ended.errors;
+        const std::string svg = text("out/gaps.svg");
+        return count_of(svg.substr(svg.find("</metadata>")), "<path");
+    };
+    const std::size_t whole = drawn("x,y\n1,2\n2,4\n3,5\n4,6\n5,7\n");
+    EXPECT_EQ(drawn("x,y\n1,2\n2,4\n3,\n4,6\n5,7\n"), whole) << "a line more, and a marker less";
+    EXPECT_EQ(cells_of(text("out/gaps-a-1.csv")).size(), 5U) << "a header and four points";
+    EXPECT_EQ(drawn("x,y\n1,2\n2,4\n3,nan\n4,6\n5,7\n"), whole);
+    EXPECT_EQ(drawn("x,y\n1,2\n2,4\n3,5\n5,7\n4,\n"), whole - 1) << "none at the end";
+    const Ended infinite = lines_of("x,y\n1,2\n2,-inf\n3,5\n");
+    EXPECT_EQ(infinite.status, 2);
+    EXPECT_NE(infinite.errors.find("points.csv:3: y is -inf; it takes a finite number, or an empty "
+                                   "cell where there is none"),
+              std::string::npos)
+        << infinite.errors;
+    const Ended none = lines_of("x,y\n1,\n2,nan\n");
+    EXPECT_EQ(none.status, 2);
+    EXPECT_NE(none.errors.find("no row has numbers in x and y"), std::string::npos) << none.errors;
+}
+
 }  // namespace
 }  // namespace fumon::test

@@ -302,6 +302,9 @@ TEST_F(ResumeTest, FromAnotherFolderTheTerrainIsFoundAndAChangeNoticed) {
     write_text(folder_ / "data/bed.asc", grid + "\n");
     expect_refusal({"run", "--resume", "out"}, "data/bed.asc as it was when the run was made");
     write_text(folder_ / "data/bed.asc", grid);
+    write_text(folder_ / "data/bed.prj", "PROJCS[\"a\",UNIT[\"Foot_US\",0.3048006]]");
+    expect_refusal({"run", "--resume", "out"}, "but files beside it count");
+    fs::remove(folder_ / "data/bed.prj");
     write_text(out() / "checkpoint.fumon.part", "what a failing disk left");
     const Ended ended = fumon({"run", "--resume", "../out", "-q"}, folder_ / "elsewhere");
     EXPECT_EQ(ended.status, 0) << ended.errors;

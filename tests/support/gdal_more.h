@@ -5,6 +5,7 @@
 // What tests write rasters with: functions of GDAL's that fumon does not use itself.
 extern "C" {
 CPLErr GDALCreateDatasetMaskBand(GDALDatasetH dataset, int flags);
+char** GDALGetFileList(GDALDatasetH dataset);
 void GDALGetBlockSize(GDALRasterBandH band, int* nx, int* ny);
 const char* GDALGetDataTypeName(GDALDataType type);
 int GDALGetOverviewCount(GDALRasterBandH band);

@@ -114,7 +114,12 @@ void draw_bars(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes, c
 void draw_curve(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes,
                 const SeriesLook& look) {
     const double width = line_width_of(canvas, series);
-    for (const auto& piece : pieces_of(series, axes)) {
+    const auto pieces = pieces_of(series, axes);
+    for (const auto& piece : pieces) {
+        if (piece.size() == 1 && pieces.size() > 1 && !has_markers(series)) {  // between gaps
+            draw_marker(canvas, Marker::circle, piece.front(), width, look.ink);
+            continue;
+        }
         if (series.kind == SeriesKind::fit) canvas.stroke(piece, fit_edge * width, white_ink);
         canvas.stroke(piece, width, look.ink, dash_lengths(look.dashes, width));
     }

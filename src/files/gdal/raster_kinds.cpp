@@ -7,6 +7,7 @@
 
 #include "files/gdal/gdal_functions.h"
 #include "files/gdal/gdal_session.h"
+#include "files/input_file.h"
 
 namespace fumon {
 
@@ -25,7 +26,8 @@ bool starts_esri_ascii(std::string_view start) {
     if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);
     while (!start.empty() && std::isspace(static_cast<unsigned char>(start.front())) != 0)
         start.remove_prefix(1);
-    const std::string word = lower_case(std::string(start));
+    constexpr std::size_t longest_word = 6;
+    const std::string word = lower_case(std::string(start.substr(0, longest_word)));
     constexpr std::array words{"ncols"sv, "nrows"sv, "xllc"sv,  "yllc"sv,
                                "cells"sv, "dx"sv,    "nodata"sv};
     return std::ranges::any_of(words, [&](std::string_view known) {
@@ -59,7 +61,9 @@ bool is_other_raster(const std::filesystem::path& file, std::string_view start) 
                                  ".sdat"sv, ".sgrd"sv, ".zarr"sv, ".ddf"sv};
     std::string ending = lower_case(file.extension().string());
     if (std::ranges::find(endings, ending) != endings.end()) return true;
-    if (start.empty() || starts_esri_ascii(start) || !has_gdal()) return false;
+    if (start.empty() || !has_gdal()) return false;
+    constexpr std::size_t looked_at = 4096;  // bytes; a text may begin with blanks
+    if (starts_esri_ascii(start_of_input_file(file, looked_at))) return false;
     const GdalSession session(GdalSession::Siblings::by_name);
     return gdal().GDALIdentifyDriverEx(std::filesystem::absolute(file).c_str(), GDAL_OF_RASTER,
                                        raster_drivers(true).data(), nullptr) != nullptr;
@@ -69,11 +73,13 @@ std::span<const char* const> raster_drivers(bool trusted) {
     static constexpr std::array<const char*, 10> alone{"GTiff",   "JP2OpenJPEG", "SRTMHGT", "DTED",
                                                        "USGSDEM", "GSAG",        "GSBG",    "GS7BG",
                                                        "XYZ",     nullptr};
-    static constexpr std::array<const char*, 28> all{
-        "GTiff",   "VRT",  "HFA",  "GPKG",  "JP2OpenJPEG",    "SRTMHGT",  "DTED",
-        "USGSDEM", "GSAG", "GSBG", "GS7BG", "ENVI",           "EHdr",     "Zarr",
-        "SAGA",    "RST",  "ERS",  "BT",    "GRASSASCIIGrid", "PCRaster", "SDTS",
-        "ISIS3",   "PDS",  "PDS4", "VICAR", "Terragen",       "XYZ",      nullptr};
+    static constexpr std::array<const char*, 38> all{
+        "GTiff",   "VRT",    "HFA",  "GPKG",  "JP2OpenJPEG",    "SRTMHGT",  "DTED",
+        "USGSDEM", "GSAG",   "GSBG", "GS7BG", "ENVI",           "EHdr",     "Zarr",
+        "SAGA",    "RST",    "ERS",  "BT",    "GRASSASCIIGrid", "PCRaster", "SDTS",
+        "ISIS3",   "PDS",    "PDS4", "VICAR", "Terragen",       "GXF",      "ZMap",
+        "RRASTER", "SIGDEM", "HF2",  "GTX",   "ILWIS",          "Leveller", "ROI_PAC",
+        "ACE2",    "XYZ",    nullptr};
     if (trusted) return all;
     return alone;
 }

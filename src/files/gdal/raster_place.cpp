@@ -45,6 +45,12 @@ RasterPlace raster_place(GDALDatasetH dataset, int nx, int ny, const Refuse& ref
         if (gdal().GDALGetGCPCount(dataset) > 0)
             refuse("is placed by ground control points",
                    "make an even grid of it first (gdalwarp)");
+        if (gdal().GDALGetMetadata(dataset, "RPC") != nullptr)
+            refuse("is placed by rational polynomials (RPC)",
+                   "make an even grid of it first (gdalwarp -rpc)");
+        if (gdal().GDALGetMetadata(dataset, "GEOLOCATION") != nullptr)
+            refuse("is placed by arrays of coordinates",
+                   "make an even grid of it first (gdalwarp -geoloc)");
         return place;
     }
     if (transform[2] != 0.0 || transform[4] != 0.0)

@@ -22,7 +22,8 @@ struct RasterPlace {
 };
 
 /// Reads the place of an open raster of nx × ny cells. A GdalSession is held. `refuse` throws for
-/// (what is wrong, remedy): rotated or skewed cells, ground control points, cells of no size,
+/// (what is wrong, remedy): rotated or skewed cells, ground control points, rational
+/// polynomials (RPC), arrays of coordinates, cells of no size,
 /// angles that are no degrees.
 RasterPlace raster_place(
     GDALDatasetH dataset, int nx, int ny,

@@ -2,16 +2,33 @@
 
 #include <fmt/format.h>
 
+#include <exception>
 #include <system_error>
 #include <vector>
 
 #include "base/error.h"
 #include "files/hash.h"
+#include "files/terrain/grid_hash.h"
 #include "scene/input_maps.h"
 
 namespace fumon {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Whether a file has a hash but for what lies beside it.
+bool is_that_file_alone(const fs::path& file, const std::string& hash) {
+    std::error_code fault;
+    if (!fs::is_regular_file(file, fault)) return false;
+    try {
+        return hex(file_hash(file)) == hash;
+    } catch (const std::exception&) {
+        return false;  // it cannot be read
+    }
+}
+
+}  // namespace
 
 fs::path find_input(const InputFile& input, const fs::path& place, std::string_view what) {
     std::vector<fs::path> candidates{input.path};
@@ -22,7 +39,14 @@ fs::path find_input(const InputFile& input, const fs::path& place, std::string_v
         }
     }
     for (const fs::path& candidate : candidates) {
-        if (has_hash(candidate, input.hash)) return candidate;
+        if (has_grid_hash(candidate, input.hash)) return candidate;
+    }
+    for (const fs::path& candidate : candidates) {
+        if (!is_that_file_alone(candidate, input.hash)) continue;
+        throw InputError(fmt::format(
+            "{}: {} is as it was when the {} was made, but files beside it count (a mask, a .prj "
+            "…), and they came later or were not recorded then; take them away",
+            place.string(), input.path, what));
     }
     throw InputError(
         fmt::format("{}: {} as it was when the {} was made (SHA-256 {}…) is not there; bring it "

@@ -13,8 +13,8 @@ namespace fumon {
 
 /// Finds an input of a picture, movie or run (`what`, at `place`): first the recorded path from the
 /// working folder, then below the folder of `place` or one of its parents. Throws InputError if no
-/// file there has the recorded content; it does not say whether there is another one, since a
-/// picture of others may name any path.
+/// file there has the recorded content with what lies beside it (grid_hash); it does not say
+/// whether there is another one, since a picture of others may name any path.
 std::filesystem::path find_input(const InputFile& input, const std::filesystem::path& place,
                                  std::string_view what);
 

@@ -160,5 +160,102 @@ TEST_F(WrittenRaster, ACloudOptimizedOneHasTilesAndOverviewsAndTheSameHeights) {
     GDALClose(dataset);
 }
 
+/// Where a bed lies that is written, and what it is in the end.
+struct PlaceCase {
+    const char* name;
+    const char* crs;
+    double west;
+    double south;
+    double cell;
+};
+
+class WrittenPlace : public RasterTest, public ::testing::WithParamInterface<PlaceCase> {
+  protected:
+    /// What GDAL finds in a file.
+    static void expect_place(const fs::path& file, const PlaceCase& one) {
+        CPLSetThreadLocalConfigOption("GDAL_DISABLE_READDIR_ON_OPEN", "NO");
+        GDALDatasetH dataset =
+            GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr);
+        CPLSetThreadLocalConfigOption("GDAL_DISABLE_READDIR_ON_OPEN", nullptr);
+        ASSERT_NE(dataset, nullptr) << file;
+        std::array<double, 6> transform{};
+        EXPECT_EQ(GDALGetGeoTransform(dataset, transform.data()), CE_None);
+        const double near = 1e-9 * std::abs(one.west) + 1e-12;
+        EXPECT_NEAR(transform[0], one.west, near);
+        EXPECT_NEAR(transform[3], one.south + 2 * one.cell, near);
+        EXPECT_NEAR(transform[1], one.cell, 1e-12 * one.cell);
+        EXPECT_NEAR(transform[5], -one.cell, 1e-12 * one.cell);
+        OGRSpatialReferenceH found = GDALGetSpatialRef(dataset);
+        EXPECT_EQ(found != nullptr, *one.crs != '\0');
+        if (found != nullptr && *one.crs != '\0') {
+            OGRSpatialReferenceH wanted = OSRNewSpatialReference(nullptr);
+            EXPECT_EQ(OSRSetFromUserInput(wanted, one.crs), OGRERR_NONE);
+            EXPECT_EQ(OSRIsProjected(found), OSRIsProjected(wanted));
+            EXPECT_EQ(OSRIsGeographic(found), OSRIsGeographic(wanted));
+            if (OSRIsProjected(wanted) != 0) {
+                EXPECT_NEAR(OSRGetLinearUnits(found, nullptr), OSRGetLinearUnits(wanted, nullptr),
+                            1e-12);
+            }
+            EXPECT_EQ(OSRGetSemiMajor(found, nullptr), OSRGetSemiMajor(wanted, nullptr));
+            OSRDestroySpatialReference(wanted);
+        }
+        GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
+        int has = 0;
+        const double missing = GDALGetRasterNoDataValue(band, &has);
+        EXPECT_EQ(has, 1);
+        std::array<double, 6> rows{};
+        EXPECT_EQ(GDALRasterIO(band, GF_Read, 0, 0, 3, 2, rows.data(), 3, 2, GDT_Float64, 0, 0),
+                  CE_None);
+        EXPECT_EQ(rows[1], missing);
+        EXPECT_NEAR(rows[0], 0.1 * 3.0, 1e-7);
+        EXPECT_NEAR(rows[5], 0.1 * 2.0, 1e-7) << "the southern row last";
+        GDALClose(dataset);
+    }
+};
+
+TEST_P(WrittenPlace, IsWhereGdalAndFumonFindIt) {
+    GDALAllRegister();
+    const PlaceCase& one = GetParam();
+    Raster raster;
+    raster.crs = one.crs;
+    raster.transform = {one.west, one.cell, 0, one.south + 2 * one.cell, 0, -one.cell};
+    const Terrain from = read(raster);
+    Written written(*from.place);
+    written.scale.dx = from.dx;
+    written.scale.dy = from.dy;
+    for (const char* format : {"geotiff", "cloud-optimized-geotiff", "esri-ascii"}) {
+        SCOPED_TRACE(format);
+        fs::path file;
+        for (const TerrainBytes& part : written.files(format)) {
+            const fs::path made = folder_.file(std::string(format) + part.ending, part.bytes);
+            if (file.empty()) file = made;
+        }
+        expect_place(file, one);
+        const Terrain back = read_terrain(file);
+        ASSERT_TRUE(back.place);
+        EXPECT_NEAR(back.place->west, one.west, 1e-9 * std::abs(one.west) + 1e-12);
+        EXPECT_NEAR(back.place->south, one.south, 1e-9 * std::abs(one.south) + 1e-12);
+        EXPECT_NEAR(back.dx, from.dx, 1e-8 * from.dx);
+        EXPECT_NEAR(back.dy, from.dy, 1e-8 * from.dy);
+        EXPECT_EQ(back.nodata, written.nodata);
+        EXPECT_EQ(back.heights(2, 0), written.heights(2, 0));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Systems, WrittenPlace,
+    ::testing::Values(PlaceCase{"Utm", "EPSG:32613", 500000, 4000000, 10},
+                      PlaceCase{"Lambert93", "EPSG:2154", 700000, 6600000, 5},
+                      PlaceCase{"EqualArea", "EPSG:3035", 4321000, 3210000, 25},
+                      PlaceCase{"UsFeet", "EPSG:2231", 3000000, 1700000, 10},
+                      PlaceCase{"InternationalFeet", "EPSG:2222", 700000, 1000000, 10},
+                      PlaceCase{"WebMercator", "EPSG:3857", -11700000, 4800000, 10},
+                      PlaceCase{"Degrees", "EPSG:4326", -105.55, 40.05, 0.001},
+                      PlaceCase{"Nad83Degrees", "EPSG:4269", -105.55, 40.05, 0.001},
+                      PlaceCase{"Krovak", "EPSG:5514", -750000, -1040000, 10},
+                      PlaceCase{"Polar", "EPSG:3031", 1000000, 1000000, 100},
+                      PlaceCase{"None", "", 500000, 4000000, 10}),
+    [](const auto& info) { return info.param.name; });
+
 }  // namespace
 }  // namespace fumon::test

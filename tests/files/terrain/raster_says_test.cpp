@@ -20,7 +20,30 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A band as one likes, with what only GDAL's calls can add.
-class RasterSays : public RasterTest {};
+class RasterSays : public RasterTest {
+  protected:
+    /// A raster in memory as a file of a driver that only copies.
+    static void copy_of(const Raster& raster, const char* driver, const fs::path& file) {
+        GDALAllRegister();
+        GDALDatasetH source = GDALCreate(GDALGetDriverByName("MEM"), "", raster.nx, raster.ny, 1,
+                                         raster.type, nullptr);
+        std::vector<double> transform = raster.transform;
+        GDALSetGeoTransform(source, transform.data());
+        OGRSpatialReferenceH crs = OSRNewSpatialReference(nullptr);
+        OSRSetFromUserInput(crs, raster.crs.c_str());
+        GDALSetSpatialRef(source, crs);
+        OSRDestroySpatialReference(crs);
+        std::vector<double> values = raster.values;
+        EXPECT_EQ(GDALRasterIO(GDALGetRasterBand(source, 1), GF_Write, 0, 0, raster.nx, raster.ny,
+                               values.data(), raster.nx, raster.ny, GDT_Float64, 0, 0),
+                  CE_None);
+        GDALDatasetH copy = GDALCreateCopy(GDALGetDriverByName(driver), file.c_str(), source, 0,
+                                           nullptr, nullptr, nullptr);
+        ASSERT_NE(copy, nullptr) << driver;
+        GDALClose(copy);
+        GDALClose(source);
+    }
+};
 
 TEST_F(RasterSays, AMaskBesideTheFileHidesCells) {
     Raster raster;
@@ -134,6 +157,103 @@ TEST_F(RasterSays, APrjOfSeveralLinesOrOfWordsCounts) {
     EXPECT_EQ(unread.place->crs, "");
     EXPECT_EQ(unread.note, (folder_.path() / "dem.prj").string() +
                                " holds no reference system that can be read, and is passed over");
+}
+
+TEST_F(RasterSays, APlaceThatIsNoGridIsRefusedWithItsRemedy) {
+    Raster raster;
+    raster.transform.clear();
+    raster.crs = "";
+    raster.more = [](GDALDatasetH dataset) {
+        const std::string row = "1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0";
+        for (const char* name :
+             {"LINE_NUM_COEFF", "LINE_DEN_COEFF", "SAMP_NUM_COEFF", "SAMP_DEN_COEFF"})
+            GDALSetMetadataItem(dataset, name, row.c_str(), "RPC");
+        for (const char* name :
+             {"LINE_OFF", "SAMP_OFF", "LAT_OFF", "LONG_OFF", "HEIGHT_OFF", "LINE_SCALE",
+              "SAMP_SCALE", "LAT_SCALE", "LONG_SCALE", "HEIGHT_SCALE"})
+            GDALSetMetadataItem(dataset, name, "1", "RPC");
+    };
+    EXPECT_EQ(refusal(raster),
+              "is placed by rational polynomials (RPC); make an even grid of it first (gdalwarp "
+              "-rpc)");
+}
+
+/// The tiles of whole degrees, whose files have one size.
+TEST_F(RasterSays, TilesOfADegreeLieWhereTheirFormatsSay) {
+    struct Tile {
+        const char* driver;
+        const char* file;
+        int cells;
+    };
+    for (const Tile& tile : {Tile{"DTED", "w105.dt0", 121}, Tile{"SRTMHGT", "N39W105.hgt", 1201},
+                             Tile{"USGSDEM", "u.dem", 1201}}) {
+        Raster raster;
+        raster.nx = raster.ny = tile.cells;
+        raster.type = GDT_Int16;
+        raster.crs = "EPSG:4326";
+        const double cell = 1.0 / (tile.cells - 1);
+        raster.transform = {-105 - cell / 2, cell, 0, 40 + cell / 2, 0, -cell};
+        raster.values.assign(
+            static_cast<std::size_t>(tile.cells) * static_cast<std::size_t>(tile.cells), 7.0);
+        raster.values[static_cast<std::size_t>(tile.cells) *
+                      static_cast<std::size_t>(tile.cells - 1)] = 1700;
+        const fs::path file = folder_.path() / tile.file;
+        copy_of(raster, tile.driver, file);
+        const Terrain terrain = read_terrain(file);
+        ASSERT_EQ(terrain.heights.nx(), tile.cells) << tile.driver;
+        ASSERT_EQ(terrain.heights.ny(), tile.cells);
+        EXPECT_EQ(terrain.heights(0, 0), 1700.0) << tile.driver;
+        EXPECT_EQ(terrain.heights(1, 0), 7.0);
+        EXPECT_EQ(std::ranges::count(terrain.nodata.values(), 1), 0);
+        ASSERT_TRUE(terrain.place);
+        EXPECT_TRUE(terrain.place->degrees);
+        EXPECT_NEAR(terrain.place->west, -105 - cell / 2, 1e-9) << tile.driver;
+        EXPECT_NEAR(terrain.place->south, 39 - cell / 2, 1e-9) << tile.driver;
+        EXPECT_NEAR(terrain.place->dx, cell, 1e-12);
+        EXPECT_NEAR(terrain.dy, 111025.04 * cell, 0.01 * cell) << "at 39.5 degrees";
+    }
+}
+
+TEST_F(RasterSays, EachBandHasItsOwnValueForNoData) {
+    write(folder_.path() / "a.tif", {});
+    Raster second;
+    second.values = {11, 12, 13, 14, 15, 16};
+    write(folder_.path() / "b.tif", second);
+    const auto band = [](int number, const char* file, int missing) {
+        return "<VRTRasterBand dataType=\"Float64\" band=\"" + std::to_string(number) +
+               "\"><NoDataValue>" + std::to_string(missing) +
+               "</NoDataValue><Offset>100</Offset><Scale>0.5</Scale><SimpleSource><SourceFilename "
+               "relativeToVRT=\"1\">" +
+               file + "</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand>";
+    };
+    const fs::path file = folder_.file(
+        "bands.vrt",
+        "<VRTDataset rasterXSize=\"3\" rasterYSize=\"2\"><GeoTransform>500000, 10, 0, 4000020, 0, "
+        "-10</GeoTransform>" +
+            band(1, "a.tif", 2) + band(2, "b.tif", 14) + "</VRTDataset>");
+    const Terrain one = read_terrain(file, {.band = 1});
+    EXPECT_EQ(one.nodata(1, 1), 1);
+    EXPECT_EQ(std::ranges::count(one.nodata.values(), 1), 1);
+    EXPECT_EQ(one.heights(0, 0), 4 * 0.5 + 100.0);
+    const Terrain two = read_terrain(file, {.band = 2});
+    EXPECT_EQ(two.nodata(0, 0), 1);
+    EXPECT_EQ(std::ranges::count(two.nodata.values(), 1), 1);
+    EXPECT_EQ(two.heights(1, 0), 15 * 0.5 + 100.0);
+}
+
+/// Lines of GXF, which GDAL reads and does not write.
+TEST_F(RasterSays, GxfIsRead) {
+    const fs::path file = folder_.file(
+        "a.gxf",
+        "#POINTS\n3\n#ROWS\n2\n#XORIGIN\n500005\n#YORIGIN\n4000005\n#PTSEPARATION\n10\n"
+        "#RWSEPARATION\n10\n#ROTATION\n0\n#SENSE\n1\n#DUMMY\n-9999\n#GRID\n1 2 3\n4 -9999 6\n");
+    const Terrain terrain = read_terrain(file);
+    ASSERT_EQ(terrain.heights.nx(), 3);
+    EXPECT_EQ(values_of(terrain.heights), (std::vector<double>{1, 2, 3, 4, 0, 6}));
+    EXPECT_EQ(terrain.nodata(1, 1), 1);
+    EXPECT_EQ(terrain.place->west, 500000.0);
+    EXPECT_EQ(terrain.place->south, 4000000.0);
+    EXPECT_EQ(terrain.dx, 10.0);
 }
 
 TEST_F(RasterSays, OthersFilesNameNoFile) {

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "files/gdal/gdal_notes.h"
+#include "files/terrain/grid_hash.h"
 #include "files/terrain/raster.h"
 #include "files/terrain/terrain_file.h"
 #include "support/grid_values.h"
@@ -36,6 +38,9 @@ struct RasterCase {
     double dy = 10.0;
     double corner = 9.0;  ///< the south-western height
     double tolerance = 1e-9;
+    bool point = false;          ///< AREA_OR_POINT
+    bool place_is_lost = false;  ///< the format has none
+    double second = 2.0;         ///< the second height from the west in the northern row
 };
 
 std::ostream& operator<<(std::ostream& out, const RasterCase& variant) {
@@ -58,6 +63,7 @@ GDALDatasetH memory_raster(const RasterCase& variant) {
         GDALSetSpatialRef(dataset, crs);
         OSRDestroySpatialReference(crs);
     }
+    if (variant.point) GDALSetMetadataItem(dataset, "AREA_OR_POINT", "Point", nullptr);
     std::vector<double> values = values_north_first();
     GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
     if (!std::isnan(variant.hole)) {
@@ -69,10 +75,18 @@ GDALDatasetH memory_raster(const RasterCase& variant) {
     return dataset;
 }
 
+/// Whether a file is none that says how cells are drawn, counted or found faster.
+bool says_anything(const fs::path& file) {
+    if (file.extension() == ".clr" || file.extension() == ".stx" || file.extension() == ".smp")
+        return false;
+    return !file.string().ends_with(".aux.xml") || !without_statistics(bytes_of(file)).empty();
+}
+
 class RasterVariant : public ::testing::TestWithParam<RasterCase> {
   protected:
     fs::path written() const {
         GDALAllRegister();
+        CPLSetThreadLocalConfigOption("GDAL_DISABLE_READDIR_ON_OPEN", "NO");
         const RasterCase& variant = GetParam();
         std::vector<const char*> options = variant.options;
         options.push_back(nullptr);
@@ -86,6 +100,7 @@ class RasterVariant : public ::testing::TestWithParam<RasterCase> {
             if (copy != nullptr) GDALClose(copy);
         }
         GDALClose(source);
+        CPLSetThreadLocalConfigOption("GDAL_DISABLE_READDIR_ON_OPEN", nullptr);
         return file;
     }
 
@@ -97,15 +112,18 @@ TEST_P(RasterVariant, IsReadWhereItLiesWithItsValuesAndHoles) {
     GDALAllRegister();
     if (GDALGetDriverByName(variant.driver) == nullptr)
         GTEST_SKIP() << "this GDAL has no driver " << variant.driver;
-    const Terrain terrain = read_terrain(written());
+    const fs::path file = written();
+    const Terrain terrain = read_terrain(file);
     ASSERT_EQ(terrain.heights.nx(), 4);
     ASSERT_EQ(terrain.heights.ny(), 3);
     EXPECT_NEAR(terrain.heights(0, 0), variant.corner, variant.tolerance);
-    EXPECT_NEAR(terrain.heights(1, 2), variant.corner * 2.0 / 9.0, variant.tolerance);
-    if (!variant.transform.empty()) {
+    EXPECT_NEAR(terrain.heights(1, 2), variant.second * variant.corner / 9.0, variant.tolerance);
+    if (!variant.place_is_lost) {
         ASSERT_TRUE(terrain.place);
         EXPECT_NEAR(terrain.place->west, variant.transform[0], 1e-6);
-        EXPECT_NEAR(terrain.place->south, variant.transform[3] + 3 * variant.transform[5], 1e-6);
+        EXPECT_NEAR(terrain.place->south,
+                    std::min(variant.transform[3], variant.transform[3] + 3 * variant.transform[5]),
+                    1e-6);
         EXPECT_NEAR(terrain.dx, variant.dx, 1e-5 * variant.dx) << terrain.note;
         EXPECT_NEAR(terrain.dy, variant.dy, 1e-5 * variant.dy);
     }
@@ -113,6 +131,27 @@ TEST_P(RasterVariant, IsReadWhereItLiesWithItsValuesAndHoles) {
     if (!std::isnan(variant.hole)) {
         EXPECT_EQ(terrain.nodata(3, 2), 1);
     }
+}
+
+/// What GDAL reads a grid from counts in its hash.
+TEST_P(RasterVariant, AllItsFilesCountInItsHash) {
+    GDALAllRegister();
+    if (GDALGetDriverByName(GetParam().driver) == nullptr) GTEST_SKIP();
+    const fs::path file = written();
+    if (fs::is_directory(file)) return;  // its files are those in the folder
+    CPLSetThreadLocalConfigOption("GDAL_DISABLE_READDIR_ON_OPEN", "NO");
+    GDALDatasetH dataset =
+        GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr);
+    CPLSetThreadLocalConfigOption("GDAL_DISABLE_READDIR_ON_OPEN", nullptr);
+    ASSERT_NE(dataset, nullptr);
+    char** names = GDALGetFileList(dataset);
+    GDALClose(dataset);
+    const std::vector<GridPart> parts = grid_parts(file);
+    for (char** name = names; name != nullptr && *name != nullptr; ++name) {
+        if (*name == file || !says_anything(*name)) continue;
+        EXPECT_EQ(std::ranges::count(parts, fs::path(*name), &GridPart::file), 1) << *name;
+    }
+    CSLDestroy(names);
 }
 
 constexpr double international_foot = 0.3048;
@@ -178,6 +217,35 @@ INSTANTIATE_TEST_SUITE_P(
         RasterCase{.name = "WebMercator", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:3857", .transform = web_mercator, .dx = 7.7217524, .dy = 7.6909306},
         RasterCase{.name = "WebMercatorErdas", .driver = "HFA", .file = "a.img", .crs = "EPSG:3857", .transform = web_mercator, .dx = 7.7217524, .dy = 7.6909306},
         RasterCase{.name = "WebMercatorAscii", .driver = "AAIGrid", .file = "a.asc", .crs = "EPSG:3857", .transform = web_mercator, .dx = 7.7217524, .dy = 7.6909306},
+        RasterCase{.name = "ZMapPlus", .driver = "ZMap", .file = "a.dat", .crs = "", .tolerance = 1e-6},
+        RasterCase{.name = "OfR", .driver = "RRASTER", .file = "a.grd", .hole = -9999},
+        RasterCase{.name = "Sigdem", .driver = "SIGDEM", .file = "a.sigdem", .tolerance = 1e-3},
+        RasterCase{.name = "Hf2", .driver = "HF2", .file = "a.hf2", .tolerance = 1e-2},
+        RasterCase{.name = "Ilwis", .driver = "ILWIS", .file = "a.mpr", .tolerance = 1e-3},
+        RasterCase{.name = "BinaryTerrain", .driver = "BT", .file = "a.bt", .tolerance = 1e-3},
+        RasterCase{.name = "Pds4", .driver = "PDS4", .file = "a.xml", .crs = "", .place_is_lost = true},
+        RasterCase{.name = "Vicar", .driver = "VICAR", .file = "a.vic", .crs = "", .place_is_lost = true},
+        RasterCase{.name = "Isis3", .driver = "ISIS3", .file = "a.cub", .crs = "+proj=eqc +R=3396190 +units=m", .transform = {50000, 10, 0, 40030, 0, -10}},
+        RasterCase{.name = "Gtx", .driver = "GTX", .file = "a.gtx", .crs = "EPSG:4326", .transform = flat_degrees, .dx = 0.001 * east_degree, .dy = 0.001 * north_degree},
+        RasterCase{.name = "NetcdfClassic", .driver = "netCDF", .file = "a.nc", .options = {"FORMAT=NC"}, .hole = -9999},
+        RasterCase{.name = "Netcdf4", .driver = "netCDF", .file = "a.nc", .options = {"FORMAT=NC4"}},
+        RasterCase{.name = "NetcdfDegrees", .driver = "netCDF", .file = "a.nc", .crs = "EPSG:4326", .transform = flat_degrees, .dx = 0.001 * east_degree, .dy = 0.001 * north_degree},
+        RasterCase{.name = "NetcdfUsFeet", .driver = "netCDF", .file = "a.nc", .crs = "EPSG:2231", .transform = {3000000, 10, 0, 1700030, 0, -10}, .dx = 10 * survey_foot, .dy = 10 * survey_foot},
+        RasterCase{.name = "BigTiffTiled", .driver = "GTiff", .file = "a.tif", .type = GDT_Float64, .options = {"BIGTIFF=YES", "TILED=YES", "BLOCKXSIZE=16", "BLOCKYSIZE=16", "COMPRESS=LZW"}},
+        RasterCase{.name = "HoleBetweenFloats", .driver = "GTiff", .file = "a.tif", .type = GDT_Float32, .hole = 0.1},
+        RasterCase{.name = "HoleOfDigits", .driver = "GTiff", .file = "a.tif", .type = GDT_Float64, .hole = -9999.0000000000018},
+        RasterCase{.name = "SouthUp", .driver = "GTiff", .file = "a.tif", .transform = {500000, 10, 0, 4000000, 0, 10}, .corner = 1.0, .second = 90.0},
+        RasterCase{.name = "PixelIsPoint", .driver = "GTiff", .file = "a.tif", .point = true},
+        RasterCase{.name = "EastOfGreenwichTo360", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:4326", .transform = {254.45, 0.001, 0, 40.051, 0, -0.001}, .dx = 0.001 * east_degree, .dy = 0.001 * north_degree},
+        RasterCase{.name = "AcrossGreenwich", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:4326", .transform = {-0.002, 0.001, 0, 40.051, 0, -0.001}, .dx = 0.001 * east_degree, .dy = 0.001 * north_degree},
+        RasterCase{.name = "AcrossGreenwichAt360", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:4326", .transform = {359.998, 0.001, 0, 40.051, 0, -0.001}, .dx = 0.001 * east_degree, .dy = 0.001 * north_degree},
+        RasterCase{.name = "AcrossTheDateLine", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:4326", .transform = {179.998, 0.001, 0, 40.051, 0, -0.001}, .dx = 0.001 * east_degree, .dy = 0.001 * north_degree},
+        RasterCase{.name = "AcrossTheDateLineWest", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:4326", .transform = {-180.002, 0.001, 0, 40.051, 0, -0.001}, .dx = 0.001 * east_degree, .dy = 0.001 * north_degree},
+        RasterCase{.name = "EuropeanEqualArea", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:3035", .transform = {4321000, 10, 0, 3210030, 0, -10}},
+        RasterCase{.name = "Krovak", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:5514", .transform = {-750000, 10, 0, -1040000, 0, -10}},
+        RasterCase{.name = "KrovakErdas", .driver = "HFA", .file = "a.img", .crs = "EPSG:5514", .transform = {-750000, 10, 0, -1040000, 0, -10}},
+        RasterCase{.name = "BritishGrid", .driver = "AAIGrid", .file = "a.asc", .crs = "EPSG:27700", .transform = {400000, 10, 0, 300030, 0, -10}},
+        RasterCase{.name = "NoSystem", .driver = "GTiff", .file = "a.tif", .crs = ""},
         RasterCase{.name = "Lambert93", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:2154", .transform = {700000, 10, 0, 6600030, 0, -10}},
         RasterCase{.name = "PolarStereographic", .driver = "GTiff", .file = "a.tif", .crs = "EPSG:3031", .transform = {1000000, 100, 0, 1000300, 0, -100}, .dx = 101.489263, .dy = 101.489263, .tolerance = 1e-9}),
     [](const auto& info) { return info.param.name; });

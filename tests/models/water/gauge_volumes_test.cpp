@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "base/error.h"
 #include "files/checkpoint.h"
+#include "files/terrain/terrain_file.h"
 #include "support/gully_run.h"
 #include "support/temporary_folder.h"
 
@@ -87,6 +89,27 @@ TEST(GaugeVolumes, ASideOfARainyPlaneReadsAllItsRain) {
         EXPECT_EQ(run.number("all_volume_m3"), run.number("east_volume_m3"));
         EXPECT_EQ(run.number("all_discharge_m3s"), run.number("east_discharge_m3s"));
     }
+}
+
+TEST(GaugeVolumes, AllSidesOfRealTerrainReadWhatLeaves) {
+    const Terrain hill =
+        read_terrain(std::filesystem::path(FUMON_TERRAIN_FOLDER) / "front_range_hill.asc", {});
+    WaterParameters water = gauged_water();
+    water.edges_x = water.edges_y = EdgeKind::open;
+    water.rain = 60.0;
+    water.time_step = 20.0;
+    water.gauges = gauges_all_round();
+    GullyRun run(water, hill.heights, 2, hill.dx, hill.dy);
+    run.to(600.0);
+    const double rain = run.number("rain_volume");
+    const double all = run.number("all_volume_m3");
+    EXPECT_GT(all, 0.01 * rain);
+    EXPECT_NEAR(all, run.number("left_volume"), 1e-12 * rain);
+    EXPECT_NEAR(all + run.number("water_volume"), rain, 1e-12 * rain);
+    double sides = 0.0;
+    for (const char* side : {"west", "east", "south", "north"})
+        sides += run.number(side + std::string("_volume_m3"));
+    EXPECT_NEAR(sides, all, 1e-12 * rain);
 }
 
 /// A hill with a hole in the data, open all round.
