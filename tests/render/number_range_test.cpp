@@ -17,21 +17,21 @@
 #include "support/drawn_picture.h"
 #include "support/view_beds.h"
 
-namespace fumon {
+namespace fumon::number_range {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// A way to draw a bed: what lies around it, and how it is seen.
-struct Way {
+struct WayToDraw {
     std::string name;
     View view;
     bool periodic = false;
 };
 
-std::vector<Way> ways() {
-    std::vector<Way> all;
+std::vector<WayToDraw> ways() {
+    std::vector<WayToDraw> all;
     const auto add = [&](const std::string& name, Ground ground, Projection projection,
                          ViewMode mode, bool periodic) {
         View view = small_view(16, 16);
@@ -65,11 +65,11 @@ Snapshot bed_of(double height, double cell, bool in_metres, bool periodic) {
 TEST(NumberRange, PicturesAreMadeUpToItsEnds) {
     const auto context = gl::Context::create(gl::Backend::automatic);
     WorkerPool pool(1);
-    for (const Way& way : ways()) {
-        for (const double cell : {smallest_cell_size, 1.0, largest_cell_size}) {
+    for (const WayToDraw& way : ways()) {
+        for (const double cell : {smallest_cell_size, largest_cell_size}) {
             const Snapshot bed = bed_of(largest_height, cell, true, way.periodic);
             View view = way.view;
-            if (cell != 1.0) view.look.exaggeration = {"", 1e4};
+            view.look.exaggeration = {"", 1e4};
             if (view.camera.projection == Projection::perspective && cell < 1.0) {
                 view.camera.at = {largest_place, -largest_place, largest_place};
                 view.camera.look_at = {-largest_place, 0.0, 0.0};
@@ -83,7 +83,7 @@ TEST(NumberRange, PicturesAreMadeUpToItsEnds) {
 TEST(NumberRange, BeyondThemNothingIsDrawn) {
     const auto context = gl::Context::create(gl::Backend::automatic);
     WorkerPool pool(1);
-    for (const Way& way : ways()) {
+    for (const WayToDraw& way : ways()) {
         const Snapshot good = bed_of(1.0, 1.0, true, way.periodic);
         Renderer renderer(*context, way.view, good, 1, pool);
         for (const double height : {std::nextafter(largest_height, infinite), 1e300, -1.797e308,
@@ -139,4 +139,4 @@ TEST(NumberRange, OfScalesTimesAndFields) {
 }
 
 }  // namespace
-}  // namespace fumon
+}  // namespace fumon::number_range

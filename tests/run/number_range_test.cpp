@@ -28,7 +28,7 @@
 #include "support/netcdf_file.h"
 #include "support/program.h"
 
-namespace fumon::test {
+namespace fumon::test::number_range {
 namespace {
 
 namespace fs = std::filesystem;
@@ -166,11 +166,11 @@ TEST_F(NumberRangeOfFiles, ATableOfTheWatersEdge) {
                scene_of("water", small + "[[edge]]\nside = \"west\"\nkind = "
                                          "\"discharge\"\ntable = \"q.csv\"\n"));
     write_text(folder_ / "q.csv", "seconds,value\n0,1\n10,inf\n");
-    refused({"check", "scene.toml"}, "q.csv:3: value is \"inf\"");
+    refused({"check", "scene.toml"}, "q.csv:3: value is 'inf'");
     write_text(folder_ / "q.csv", "seconds,value\n0,1\n10,1e300\n");
-    refused({"check", "scene.toml"}, "q.csv:3: value is \"1e+300\"");
+    refused({"check", "scene.toml"}, "q.csv:3: value is '1e+300'");
     write_text(folder_ / "q.csv", "seconds,value\n0,1\n1e300,1\n");
-    refused({"check", "scene.toml"}, "q.csv:3: seconds is \"1e+300\"");
+    refused({"check", "scene.toml"}, "q.csv:3: seconds is '1e+300'");
 }
 
 /// Where the values of the entries of reals lie in a checkpoint.
@@ -273,4 +273,4 @@ TEST_F(NumberRangeOfFiles, AStoredBedAndThePictureOfAnother) {
 }
 
 }  // namespace
-}  // namespace fumon::test
+}  // namespace fumon::test::number_range
