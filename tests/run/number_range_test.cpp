@@ -196,7 +196,7 @@ std::vector<std::pair<std::string, std::size_t>> reals_of(const std::string& byt
 TEST_F(NumberRangeOfFiles, AForgedCheckpoint) {
     const fs::path file = folder_ / "out" / "checkpoint.fumon";
     write_text(folder_ / "scene.toml",
-               "[model]\nname = \"dunes\"\n[run]\nsteps = 1000000\n[grid]\nnx = 12\nny = 8\n"
+               "[model]\nname = \"sand\"\n[run]\nsteps = 1000000\n[grid]\nnx = 12\nny = 8\n"
                "cell_size = 1\n[output]\nframes = false\nmovie = false\nmeasure_every = 1000000\n");
     Program running({"run", "scene.toml", "-o", "out", "-q", "--checkpoint-every", "0.000001"},
                     folder_.path());
@@ -248,7 +248,9 @@ TEST_F(NumberRangeOfFiles, ACaseUnderTest) {
 }
 
 TEST_F(NumberRangeOfFiles, AStoredBedAndThePictureOfAnother) {
-    write_text(folder_ / "scene.toml", scene_of("sand", small + "[output]\nfields_every = 1\n"));
+    write_text(
+        folder_ / "scene.toml",
+        scene_of("sand", small + "[output]\nframes = false\nmovie = false\nfields_every = 1\n"));
     ASSERT_EQ(said({"run", "scene.toml", "-o", "out", "-q"}).status, 0);
     ASSERT_EQ(said({"still", "scene.toml", "-o", "a.png", "-q"}).status, 0);
     int file = 0;
