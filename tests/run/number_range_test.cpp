@@ -64,7 +64,7 @@ TEST_P(NumberRangeOfKeys, EndsAreTakenAndWhatIsBeyondIsRefused) {
     const KeyOfRange& one = GetParam();
     const auto with = [&](const std::string& number) {
         const std::string line = std::string(one.key) + " = " + number + "\n";
-        return refusal(line + scene_of(one.model, one.more));
+        return refusal(line + one.more + scene_of(one.model, ""));
     };
     EXPECT_EQ(with(fmt::format("{:e}", one.end)), "taken") << one.key;
     std::vector<std::string> beyond{fmt::format("{:.17e}", std::nextafter(one.end, infinite)),
@@ -91,7 +91,6 @@ INSTANTIATE_TEST_SUITE_P(
         KeyOfRange{"static", "", "camera.distance", 100.0},
         KeyOfRange{"static", "camera.aperture = 0.1\n", "camera.focus", largest_place},
         KeyOfRange{"static", "", "sun.azimuth", 360.0},
-        KeyOfRange{"static", "", "sun.hours", 8784.0},
         KeyOfRange{"static", "", "look.exaggeration", 1e4}));
 
 TEST(NumberRange, OfLists) {
@@ -218,7 +217,7 @@ TEST_F(NumberRangeOfFiles, AForgedCheckpoint) {
             std::copy(sum.begin(), sum.end(), forged.end() - 32);
             write_text(file, forged);
             const Stopwatch watch;
-            refused({"run", "--resume", "out"}, "out/checkpoint.fumon: its " + name);
+            refused({"run", "--resume", "out", "-q"}, "out/checkpoint.fumon: its " + name);
             EXPECT_LT(watch.seconds(), 5.0) << name;
         }
     }
