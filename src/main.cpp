@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,9 @@ int main(int count, char** values) {
         return ended_with(error.exit_status());
     } catch (const std::bad_alloc&) {
         return ended_with(tell_out_of_memory());
+    } catch (const std::filesystem::filesystem_error& error) {
+        std::fprintf(stderr, "%s: %s\n", error.path1().c_str(), error.code().message().c_str());
+        return ended_with(1);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "fumon: unexpected: %s\n", error.what());
         return ended_with(1);

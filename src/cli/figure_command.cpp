@@ -111,7 +111,10 @@ OutputClaims claim_figures(const FigureOptions& options,
         for (const SourceText& text : figure.sources.all()) claims.reads(text.path);
         for (const InputFile& input : figure.plan.inputs) claims.reads(input.path);
     }
-    if (!fs::exists(options.folder)) return claims;
+    std::error_code fault;
+    if (!fs::exists(options.folder, fault) && !fault) return claims;
+    if (fault)
+        throw Error(fmt::format("cannot make the folder {}: {}", options.folder, fault.message()));
     const FolderLock lock(options.folder, patience_with_others);
     for (const PlannedFigure& figure : figures) claim_figure(figure.plan, options.folder, claims);
     return claims;

@@ -90,7 +90,10 @@ int perform(const GalleryOptions& options) {
     claims.check(folder / "index.html", own);
     const std::string page = gallery_page(options.title, items);
 
-    fs::create_directories(folder / "files");
+    std::error_code fault;
+    fs::create_directories(folder / "files", fault);
+    if (fault)
+        throw Error(fmt::format("cannot make the folder {}: {}", folder.string(), fault.message()));
     for (const auto& [to, file] : all) {
         if (file->source.empty()) {
             write_file(to, file->text);

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/ground_range.h"
 #include "cli/remark.h"
 #include "files/netcdf/netcdf_record.h"
 #include "measure/suite.h"
-#include "models/shared/check_finite.h"
 #include "scene/initial_bed.h"
 #include "scene/terrain_scene.h"
 
@@ -68,7 +68,8 @@ Snapshot read_snapshot(const std::string& file, const std::string& heights,
     snapshot.periodic = true;
     if (scene.bed.variable.empty()) add_record(file, snapshot);
     snapshot.landform = guessed_landform(snapshot);
-    check_finite(snapshot);
+    if (const std::string fault = beyond_ground(snapshot); !fault.empty())
+        throw InputError(fmt::format("{}: {}", file, fault));
     return snapshot;
 }
 

@@ -263,6 +263,8 @@ void refuse_other_encodings(const TextSource& source) {
 
 std::string TableColumn::text(std::size_t row) const {
     if (row < words.size()) return words[row];
+    if (const auto special = not_finite.find(row); special != not_finite.end())
+        return special->second;
     return values[row] == values[row] ? fmt::format("{}", values[row]) : "";
 }
 

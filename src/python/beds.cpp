@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/ground_range.h"
 #include "files/terrain/geographic.h"
 #include "files/terrain/wanted_unit.h"
 #include "files/unit_conversion.h"
@@ -49,6 +50,10 @@ Bed bed_of(const GridArray& heights, const std::optional<MaskArray>& nodata) {
     return bed;
 }
 
+void check_heights(const Snapshot& snapshot) {
+    if (const std::string fault = beyond_ground(snapshot); !fault.empty()) throw InputError(fault);
+}
+
 /// Draws beds that Python brings, framed by the first of them, as terrain files are drawn.
 class BedPainter {
   public:
@@ -70,6 +75,7 @@ class BedPainter {
         Snapshot snapshot = first;
         snapshot.bed = std::move(bed->heights);
         snapshot.nodata = std::move(bed->nodata);
+        check_heights(snapshot);
         return drawer_->draw(std::make_shared<const Snapshot>(std::move(snapshot)), {});
     }
 
@@ -90,6 +96,7 @@ std::vector<std::tuple<std::string, double, std::string, std::string>> measures_
     snapshot.scale = scale_of(cell_size);
     snapshot.periodic = periodic;
     snapshot.landform = Landform::terrain;
+    check_heights(snapshot);
     MeasureSuite suite(measured_landform(snapshot), snapshot, {channel_area});
     const std::vector<double> values = suite.row(snapshot);
     std::vector<std::tuple<std::string, double, std::string, std::string>> measures;

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/whole_number.h"
 #include "base/worker_pool.h"
 #include "render/view/drawn_height.h"
 
@@ -62,20 +63,21 @@ PlaceLayers::PlaceLayers(int width, int height, DrawnGround ground)
 /// By differences over two cells of the drawn surface, between which they change linearly.
 glm::dvec3 PlaceLayers::surface_normal(const glm::dvec2& share) const {
     const Field<float>& z = ground_.surface;
-    const auto number = [&](int at, int count) {
-        return ground_.endless ? ((at % count) + count) % count : std::clamp(at, 0, count - 1);
+    const auto number = [&](long long at, int count) {
+        return static_cast<int>(ground_.endless ? ((at % count) + count) % count
+                                                : std::clamp<long long>(at, 0, count - 1));
     };
-    const auto height = [&](int i, int j) {
+    const auto height = [&](long long i, long long j) {
         return static_cast<double>(z(number(i, z.nx()), number(j, z.ny())));
     };
     const double column = share.x * z.nx() - 0.5;
     const double row = share.y * z.ny() - 0.5;
-    const int i = static_cast<int>(std::floor(column));
-    const int j = static_cast<int>(std::floor(row));
-    const double s = column - i;
-    const double t = row - j;
-    const auto slope = [&](int a, int b) {
-        const auto over = [&](int from, int to, int count, double cell) {
+    const long long i = whole_of(std::floor(column));
+    const long long j = whole_of(std::floor(row));
+    const double s = column - static_cast<double>(i);
+    const double t = row - static_cast<double>(j);
+    const auto slope = [&](long long a, long long b) {
+        const auto over = [&](long long from, long long to, int count, double cell) {
             const int cells = ground_.endless ? 2 : number(to, count) - number(from, count);
             return cells > 0 ? 1.0 / (cells * cell) : 0.0;
         };
@@ -165,7 +167,7 @@ void PlaceLayers::put(std::size_t pixel, const Seen& seen) {
         }
     }
     const auto cell = [](double share, int count) {
-        return std::clamp(static_cast<int>(share * count), 0, count - 1);
+        return whole_within(share * count, 0, count - 1);
     };
     for (std::size_t k = 0; k < fields_.size(); ++k) {
         float& value = layers_[first_field + k].values[pixel];

@@ -8,6 +8,7 @@
 #include "base/elementary.h"
 #include "base/elementary_power.h"
 #include "base/snapshot_lookup.h"
+#include "base/whole_number.h"
 #include "render/streamer_layer.h"
 #include "render/view/drawn_height.h"
 #include "render/view/far_copies_waves.h"
@@ -114,8 +115,7 @@ void PlantLayer::set_bed(const Snapshot& snapshot, const Field<float>& z, bool r
         for (float share = 0.5F; level + 1 < rank_levels && plant.rank < share; share *= 0.5F)
             ++level;
         const auto square = [](double place, double extent) {
-            return std::clamp(static_cast<int>(place / extent * squares_a_side), 0,
-                              squares_a_side - 1);
+            return whole_within(place / extent * squares_a_side, 0, squares_a_side - 1);
         };
         const int number = square(plant.place.y, block_.width_y) * squares_a_side +
                            square(plant.place.x, block_.width_x);

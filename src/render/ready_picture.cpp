@@ -66,7 +66,7 @@ ReadyPicture Renderer::Parts::ready(std::shared_ptr<const Snapshot> snapshot,
                                     WorkerPool& with) const {
     ReadyPicture picture;
     picture.snapshot = std::move(snapshot);
-    picture.reshaped = shown_snapshot(*picture.snapshot, view);
+    picture.reshaped = shown_snapshot(drawable(*picture.snapshot), view);
     const Snapshot& shown = picture.shown();
     if (shown.bed.nx() != first.bed.nx() || shown.bed.ny() != first.bed.ny())
         throw Error("a snapshot of another size than the first one cannot be drawn");

@@ -8,6 +8,7 @@
 #include "gl/functions.h"
 #include "render/ready_picture.h"
 #include "render/renderer_parts.h"
+#include "render/view/shown_snapshot.h"
 #include "render/view_uniforms.h"
 #include "scene/placed_sun.h"
 
@@ -107,7 +108,8 @@ void Renderer::prepare(const ReadyPicture& picture) {
     const LitBed& lit = *picture.lit;
     const Camera& camera = picture.pose.camera;
     std::optional<Snapshot> other;
-    if (picture.pose.reference) other = Parts::shown_first(*picture.pose.reference, p.view);
+    if (picture.pose.reference)
+        other = Parts::shown_first(drawable(*picture.pose.reference), p.view);
     if (other && p.plain) other = PlainAround(*other, p.pool).around(*other);
     const Snapshot& reference = other ? *other : p.first_ground();
     const bool uploaded = p.uploaded == picture.lit && !other;

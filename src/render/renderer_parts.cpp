@@ -114,7 +114,7 @@ Renderer::Parts::Parts(gl::Context& context_, const View& view_, const Snapshot&
                        PixelKind kind_)
     : context(context_),
       view(with_chosen_ground(view_, first_)),
-      first(shown_first(first_, view)),
+      first(shown_first(drawable(first_), view)),
       last_step(last_step_),
       pool(pool_),
       wanted(kind_),

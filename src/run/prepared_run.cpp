@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <limits>
 #include <variant>
 #include <vector>
 
 #include "base/error.h"
+#include "base/ground_range.h"
 #include "figure/overlays/frame_overlays.h"
 #include "figure/panels/section_figure.h"
 #include "files/csv_table.h"
@@ -25,6 +25,7 @@
 #include "scene/input_maps.h"
 #include "scene/overlay_keys.h"
 #include "scene/scene_keys.h"
+#include "scene/trust.h"
 #include "scene/wind_tables.h"
 
 namespace fumon {
@@ -118,7 +119,8 @@ void check_persons_and_files(const Scene& scene, const Snapshot& first) {
 }
 
 /// Times and values of two columns of a file.
-void read_edge_table(const std::filesystem::path& file, std::vector<double>& times,
+void read_edge_table(const std::filesystem::path& file, const Range& times_range,
+                     const Range& values_range, std::vector<double>& times,
                      std::vector<double>& values) {
     const std::string text = read_input_file(file);
     const TextSource source{file.string(), text};
@@ -128,9 +130,8 @@ void read_edge_table(const std::filesystem::path& file, std::vector<double>& tim
         throw InputError(fmt::format("{}: {} columns and {} rows; {}", file.string(),
                                      table.columns.size(), table.rows(), help));
     }
-    constexpr double most = std::numeric_limits<double>::max();
-    times = numbers_of(source, table, table.columns[0], -most, most);
-    values = numbers_of(source, table, table.columns[1], -most, most);
+    times = numbers_of(source, table, table.columns[0], times_range.low, times_range.high);
+    values = numbers_of(source, table, table.columns[1], values_range.low, values_range.high);
 }
 
 /// Puts the tables that [[edge]] names in their place, so that a resolved scene needs no file.
@@ -156,7 +157,9 @@ void read_edge_tables(Scene& scene) {
         const std::filesystem::path named(written);
         try {
             read_edge_table(named.is_absolute() || from_here ? named : scene.directory / named,
-                            *list_of("times"), *list_of("values"));
+                            keys.find(path("times"))->notes.range,
+                            keys.find(path("values"))->notes.range, *list_of("times"),
+                            *list_of("values"));
         } catch (const InputError& fault) {
             throw InputError(place + fault.what());
         }
@@ -180,6 +183,30 @@ void complete(Scene& scene) {
     name_parameter_keys(scene);
     read_wind_tables(scene);
     read_edge_tables(scene);
+}
+
+/// Heights and cells are those of ground. Of a file that others named, a refusal tells nothing of
+/// what is in it.
+void check_ground(const Scene& scene, const InitialBed& initial) {
+    const std::string fault = beyond_ground(initial.bed, initial.scale);
+    if (fault.empty()) return;
+    const bool of_file = bed_kind(scene) == BedKind::file;
+    const std::string place = scene.at(of_file ? "bed.file" : "bed.kind");
+    const bool told = !of_file || may_tell_of_bed(scene);
+    throw InputError(place +
+                     (told ? "the bed: " + fault : "the bed has heights that no ground has"));
+}
+
+/// One line on a palette that colours nothing, or empty. Resolved scenes list all keys.
+std::string palette_in_vain(const Scene& scene) {
+    const LookSettings& look = scene.view.look;
+    if (look.colour_by != Colouring::natural || !scene.locations.contains("look.palette") ||
+        look.palette == LookSettings{}.palette || !scene.figure.panels.empty())
+        return {};
+    return fmt::format(
+        "{}look.palette = \"{}\" colours nothing while look.colour_by is \"natural\"; "
+        "look.colour_by = \"height\" colours the bed by it",
+        scene.at("look.palette"), look.palette);
 }
 
 PreparedScene with_bed(Scene scene, InitialBed initial) {
@@ -215,6 +242,9 @@ PreparedRun prepare_run(PreparedScene prepared, int threads) {
     PreparedRun run;
     run.scene = std::move(prepared.scene);
     run.initial = std::move(prepared.initial);
+    check_ground(run.scene, run.initial);
+    if (const std::string vain = palette_in_vain(run.scene); !vain.empty())
+        run.initial.note += (run.initial.note.empty() ? "" : "; ") + vain;
     run.pool = std::make_unique<WorkerPool>(threads, "fumon-simulate");
     run.model = make_model(run.scene, {run.initial.bed, run.initial.nodata, run.initial.scale,
                                        static_cast<std::uint64_t>(run.scene.seed), *run.pool,

@@ -2,11 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "base/error.h"
+#include "base/ground_range.h"
+#include "base/limits.h"
+#include "base/state_carrier.h"
 #include "files/hash.h"
 #include "picture/environment.h"
 #include "run/drawing.h"
@@ -57,6 +64,43 @@ void check_inputs(const std::vector<InputFile>& now, const RunCheckpoint& checkp
         "{}: cannot go on with it: the files that the scene reads are no longer those of the run",
         file));
 }
+
+/// What is restored of a model: refuses numbers that no run has computed, before anything goes on
+/// with them.
+class FiniteState : public StateCarrier {
+  public:
+    explicit FiniteState(StateCarrier& stored) : stored_(stored) {}
+
+    void values(std::string_view name, std::span<double> values) override {
+        stored_.values(name, values);
+        check(name, values);
+    }
+    void values(std::string_view name, std::span<std::int64_t> values) override {
+        stored_.values(name, values);
+    }
+    void list(std::string_view name, std::vector<double>& values) override {
+        stored_.list(name, values);
+        check(name, values);
+    }
+    void list(std::string_view name, std::vector<std::int64_t>& values) override {
+        stored_.list(name, values);
+    }
+    void text(std::string_view name, std::string& text) override { stored_.text(name, text); }
+    [[noreturn]] void refuse(const std::string& why) const override {
+        stored_.refuse(why);
+        throw InputError(why);  // which refuse() has done: GCC 12 loses sight of it
+    }
+
+  private:
+    void check(std::string_view name, std::span<const double> values) const {
+        for (const double value : values) {
+            if (std::abs(value) <= largest_field_value) continue;
+            refuse(fmt::format("its {} has a value of {:g}, which no run computes", name, value));
+        }
+    }
+
+    StateCarrier& stored_;
+};
 
 /// Compares what a run left with what its checkpoint counts.
 class LeftOutputs {
@@ -171,9 +215,12 @@ ResumedRun resume_run(const RunFolder& folder, const std::string& asked,
     }
     resumed.first = run.model->snapshot();
     check_outputs(folder, run.scene, checkpoint, resumed.first);
-    run.model->carry(*resumed.rest);
+    FiniteState state(*resumed.rest);
+    run.model->carry(state);
     if (run.model->steps_done() != checkpoint.step)
         resumed.rest->refuse("its model stands at another step");
+    if (const std::string fault = beyond_ground(run.model->snapshot()); !fault.empty())
+        resumed.rest->refuse("its state is none of a run: " + fault);
     return resumed;
 }
 

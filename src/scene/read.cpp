@@ -369,7 +369,20 @@ class Reader {
                                                 path, nearest));
         }
         throw InputError(fmt::format("{}: unknown key {}; `fumon describe {}` lists the known ones",
-                                     place, path, has_model_ ? scene_.model.name : "scene"));
+                                     place, path, what_describes(path)));
+    }
+
+    /// What to ask `fumon describe` for: a key's own section where every scene has it.
+    [[nodiscard]] std::string what_describes(const std::string& path) const {
+        const std::string begin = path.substr(0, path.find('.') + 1);
+        Scene any;
+        const KeyTable common = scene_keys(any);
+        const bool of_all = begin.ends_with('.') && begin != "model." &&
+                            std::ranges::any_of(common.keys(), [&](const Key& key) {
+                                return key.path.starts_with(begin);
+                            });
+        if (of_all) return begin.substr(0, begin.size() - 1);
+        return has_model_ ? scene_.model.name : "scene";
     }
 
     [[nodiscard]] static std::string other_model_with(const std::string& path) {

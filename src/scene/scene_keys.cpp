@@ -50,13 +50,15 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                    .help = "cells northward, across the wind; a terrain file brings its own"});
     table.real_list("grid.cell_size", scene.grid.cell_size, 0, 2,
                     {.unit = "m",
-                     .range = {0, 1e7, true},
+                     .range = {smallest_cell_size, largest_cell_size},
                      .help = "one number or [dx, dy]; without it lengths are in sites"});
     table.word_or_real("grid.height_unit", scene.grid.height_unit,
                        {{"auto",
                          "1 m for models in metres (static, gully, airflow), else the cell size dx "
                          "(1 site without one)"}},
-                       {.unit = "m", .range = {0, 1e7, true}, .help = "metres per model height"});
+                       {.unit = "m",
+                        .range = {smallest_height_unit, largest_height_unit},
+                        .help = "metres per model height"});
     table.choice("bed.kind", scene.bed.kind,
                  {{BedKind::automatic, "auto",
                    "the terrain file if bed.file names one, else flat for the sandpile and noise "
@@ -67,16 +69,22 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                   {BedKind::file, "file", "a terrain file"}},
                  {.help = "the initial bed"});
     table.real("bed.height", scene.bed.height,
-               {.unit = "model heights", .help = "height of a flat bed, or of a heap's top"});
+               {.unit = "model heights",
+                .range = {-largest_height, largest_height},
+                .help = "height of a flat bed, or of a heap's top"});
     table.real("bed.heap_radius", scene.bed.heap_radius,
                {.unit = "m, or sites",
-                .range = {0, 1e9},
+                .range = {0, largest_place},
                 .help = "of a heap's foot, in metres where cells have a size; its height falls as "
                         "the squared cosine"});
     table.real("bed.low", scene.bed.low,
-               {.unit = "model heights", .help = "lower end of the noise"});
+               {.unit = "model heights",
+                .range = {-largest_height, largest_height},
+                .help = "lower end of the noise"});
     table.real("bed.high", scene.bed.high,
-               {.unit = "model heights", .help = "upper end of the noise; 0.01 for a gully"});
+               {.unit = "model heights",
+                .range = {-largest_height, largest_height},
+                .help = "upper end of the noise; 0.01 for a gully"});
     table.role(KeyRole::run);
     table.text("bed.file", scene.bed.file,
                {.help = terrain_titles() +
@@ -84,7 +92,9 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                         "working folder"});
     table.role(KeyRole::parameter);
     table.real_list("bed.heights", scene.bed.heights, 0, 2,
-                    {.unit = "m", .help = "[low, high]: heights of black and white in a PNG bed"});
+                    {.unit = "m",
+                     .range = {-largest_height, largest_height},
+                     .help = "[low, high]: heights of black and white in a PNG bed"});
     table.text("bed.variable", scene.bed.variable,
                {.help = "variable of a NetCDF bed; needed where the file has several and no "
                         "bed_height"});
@@ -107,14 +117,16 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                   {HeightSign::down, "down", "depths, which are heights below 0"}},
                  {.help = "whether a terrain file's numbers are heights or depths"});
     table.real_list("bed.window", scene.bed.window, 0, 4,
-                    {.help = "[west, south, east, north]: the part of a terrain file to read, in "
+                    {.range = {-largest_place, largest_place},
+                     .help = "[west, south, east, north]: the part of a terrain file to read, in "
                              "the file's coordinates, or in cells from its south-west corner where "
                              "it has none; empty: all"});
-    table.word_or_real(
-        "bed.nodata", scene.bed.nodata,
-        {{"mask", "cells without data lie outside the domain"},
-         {"fill", "filled smoothly from their rim"}},
-        {.unit = "m", .help = "cells without data: masked, filled, or set to a height"});
+    table.word_or_real("bed.nodata", scene.bed.nodata,
+                       {{"mask", "cells without data lie outside the domain"},
+                        {"fill", "filled smoothly from their rim"}},
+                       {.unit = "m",
+                        .range = {-largest_height, largest_height},
+                        .help = "cells without data: masked, filled, or set to a height"});
     table.word_or_real(
         "bed.nodata_value", scene.bed.nodata_value, {{"auto", "what the file itself says"}},
         {.unit = "m",
@@ -126,7 +138,7 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                  "cells a terrain file is brought; empty: its own"});
     table.real("bed.resample", scene.bed.resample,
                {.unit = "m",
-                .range = {0, 1e7},
+                .range = {0, largest_cell_size},
                 .help = "size of the cells onto which a terrain file's heights are brought; 0: as "
                         "they are; grid.cell_size is that of the file's own cells"});
     table.choice(
@@ -160,9 +172,11 @@ void list_section_keys(SectionSettings& section, KeyTable& table) {
                   {SectionColour::pressure, "pressure", "Pa"}},
                  {.help = "what the colours of the velocity panel mean"});
     table.word_or_real("section.low", section.low, {{"auto", "from the frame"}},
-                       {.help = "value at the palette's start, in the unit of section.colour_by"});
+                       {.range = {-largest_colour_value, largest_colour_value},
+                        .help = "value at the palette's start, in the unit of section.colour_by"});
     table.word_or_real("section.high", section.high, {{"auto", "from the frame"}},
-                       {.help = "value at the palette's end"});
+                       {.range = {-largest_colour_value, largest_colour_value},
+                        .help = "value at the palette's end"});
     table.word_or_real("section.font_size", section.font_size,
                        {{"auto", "a 36th of the picture's shorter side, or what leaves room"}},
                        {.unit = "points",

@@ -9,7 +9,7 @@ namespace {
 void list_person_keys(PersonSettings& person, const std::string& path, KeyTable& table) {
     table.real_list(path + ".at", person.at, 0, 2,
                     {.unit = "m",
-                     .range = {-1e9, 1e9},
+                     .range = {-largest_place, largest_place},
                      .help = "east and north of the bed's south-western corner"});
     table.real(path + ".facing", person.facing,
                {.unit = "degrees",
@@ -23,7 +23,7 @@ void list_track_keys(TrackSettings& track, const std::string& path, KeyTable& ta
                  {.help = "what left it"});
     table.real_list(path + ".along", track.along, 0, 2000,
                     {.unit = "m",
-                     .range = {-1e9, 1e9},
+                     .range = {-largest_place, largest_place},
                      .help = "the points of its line, first to last: east and north of the bed's "
                              "south-western corner, in turn"});
     table.integer(path + ".seed", track.seed,
@@ -46,7 +46,7 @@ void list_lens_keys(CameraSettings& camera, KeyTable& table) {
                          "on what camera.look_at or camera.framing look at; else on the "
                          "ground in the middle of the picture"}},
                        {.unit = "m or sites",
-                        .range = {0, 1e9, true},
+                        .range = {0, largest_place, true},
                         .help = "how far before the lens what is sharp lies, along its axis"});
     table.word_or_real(
         "camera.lens_samples", camera.lens_samples,
@@ -104,10 +104,12 @@ void list_view_keys(View& view, KeyTable& table) {
     const char* place =
         "east and north of the bed's south-western corner, and above the bed there: in `fumon "
         "still` that of its step, elsewhere that of the first frame";
-    table.real_list("camera.at", camera.at, 0, 3,
-                    {.unit = "m or sites", .range = {-1e9, 1e9}, .help = place});
-    table.real_list("camera.look_at", camera.look_at, 0, 3,
-                    {.unit = "m or sites", .range = {-1e9, 1e9}, .help = place});
+    table.real_list(
+        "camera.at", camera.at, 0, 3,
+        {.unit = "m or sites", .range = {-largest_place, largest_place}, .help = place});
+    table.real_list(
+        "camera.look_at", camera.look_at, 0, 3,
+        {.unit = "m or sites", .range = {-largest_place, largest_place}, .help = place});
     table.real(
         "camera.turn", camera.turn,
         {.unit = "degrees", .range = {-36000, 36000}, .help = "azimuth added evenly over the run"});
@@ -254,9 +256,11 @@ void list_view_keys(View& view, KeyTable& table) {
     table.boolean("look.palette_reversed", look.palette_reversed,
                   {.help = "reversed, such as dark for deep with grey"});
     table.word_or_real("look.low", look.low, {{"auto", "see look.range"}},
-                       {.help = "value at the palette's start, in the unit of colour_by"});
+                       {.range = {-largest_colour_value, largest_colour_value},
+                        .help = "value at the palette's start, in the unit of colour_by"});
     table.word_or_real("look.high", look.high, {{"auto", "see look.range"}},
-                       {.help = "value at the palette's end"});
+                       {.range = {-largest_colour_value, largest_colour_value},
+                        .help = "value at the palette's end"});
     table.choice(
         "look.range", look.range,
         {{ColourSpan::run, "run",

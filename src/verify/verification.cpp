@@ -104,7 +104,8 @@ OutputClaims claim_outputs(const VerificationOptions& options, const std::vector
     if (options.update) {
         for (const Suite& suite : suites) claim_records(suite.baseline, updates);
     }
-    if (!options.update || fs::exists(options.folder))
+    std::error_code fault;
+    if (!options.update || fs::exists(options.folder, fault))
         check_output_folder(options.folder, "the pictures");
     if (!options.junit.empty()) claims.writes(options.junit);
     return claims;

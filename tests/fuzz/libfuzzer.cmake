@@ -12,6 +12,7 @@ endforeach()
 set(parts run/run_checkpoint run/recorder run/written_outputs run/run_folder run/run_files run/frame_list run/picture_text
           outputs/output_claims outputs/own_file figure/canvas/figure_metadata paper/figure_origin paper/figure_sources
           paper/figure_curve
+          film/film_read film/film_texts film/timeline film/script/film_keys film/script/film_check film/script/film_sizes
           sweep/sweep_axis sweep/sweep_manifest sweep/sweep_table render/colour/palette)
 foreach(part IN LISTS parts)
     get_filename_component(room ${part} DIRECTORY)
@@ -21,5 +22,5 @@ endforeach()
 add_library(fumon_parts STATIC ${part_sources})
 set_target_properties(fumon_parts PROPERTIES UNITY_BUILD_MODE GROUP)
 target_link_libraries(fumon_parts PUBLIC fumon_scene fumon_measure fumon_picture fumon_build_identity
-                      PRIVATE nlohmann_json::nlohmann_json glm::glm)
+                      PRIVATE nlohmann_json::nlohmann_json glm::glm PkgConfig::tomlplusplus)
 

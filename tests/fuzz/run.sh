@@ -25,9 +25,9 @@ export LSAN_OPTIONS="suppressions=$PWD/tests/sanitizers/leaks.txt:print_suppress
 mkdir -p "$found"
 
 # The names of all keys, models and choices, for whatever reads scenes; those of its own files for whatever reads JSON.
-grep -rhoE '"[a-z][a-z0-9_.-]+"' src/scene src/models | sort -u > "$found/scene.dict"
+{ grep -rhoE '"[a-z][a-z0-9_.-]+"' src/scene src/models src/film/script | sort -u; cat tests/fuzz/numbers.dict; } > "$found/scene.dict"
 grep -rhoE '"[a-z][a-z0-9_]+"' src/run/run_files.cpp src/sweep/sweep_manifest.cpp src/files/snapshot_outline.cpp \
-    src/paper/figure_origin.cpp | sort -u | sed 's/"\(.*\)"/"\\"\1\\":"/' > "$found/json.dict"
+    src/paper/figure_origin.cpp | sort -u | sed 's/"\(.*\)"/"\\"\1\\":"/' | cat - tests/fuzz/numbers.dict > "$found/json.dict"
 
 # The corpus of a target; what stands in scenes/ joins that of the targets of scenes, which share one.
 seeds_of() {
@@ -46,7 +46,9 @@ fuzz() {
     local program=$build/tests/fuzz/fuzz_$target kept=$found/$1
     read -ra seeds <<< "$(seeds_of "$target")"
     case $target in
-        scene* | settings | picture_text | sweep_axis | figure_curve) options=("-dict=$found/scene.dict") ;;
+        scene* | film | settings | picture_text | sweep_axis | figure_curve) options=("-dict=$found/scene.dict") ;;
+        csv_table | wind_table | sweep_table | avalanche_table | esri_ascii | palette | baseline)
+            options=(-dict=tests/fuzz/numbers.dict) ;;
         run_json | sweep_json | snapshot_outline | figure_metadata) options=("-dict=$found/json.dict") ;;
     esac
     options+=(-timeout=$slowest -rss_limit_mb=$most_memory -malloc_limit_mb=$most_at_once -max_len=$longest

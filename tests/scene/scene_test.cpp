@@ -201,7 +201,7 @@ TEST(SceneFaults, ThatFollowFromOthersAreNotTold) {
         << "neither that run.steps is missing nor that a frame lies behind its end";
     EXPECT_EQ(
         scene_refusal(least + "[camera]\ntarget = 1\n"),
-        "scene.toml:6:1: unknown key camera.target; `fumon describe sand` lists the known ones");
+        "scene.toml:6:1: unknown key camera.target; `fumon describe camera` lists the known ones");
     EXPECT_EQ(scene_refusal(least + "[look]\nambient = \"x\"\nlow = 3\nhigh = 2\n").find("must be"),
               std::string::npos);
 }

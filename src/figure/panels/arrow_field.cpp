@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/elementary_angle.h"
+#include "base/whole_number.h"
 #include "figure/canvas/picture_inks.h"
 #include "figure/panels/scale_bar.h"
 
@@ -44,10 +45,11 @@ struct ArrowGrid {
 };
 
 ArrowGrid arrow_grid(const Canvas& canvas, const CanvasBox& frame, const ArrowField& field) {
+    constexpr int most_arrows = 4096;  // along a side
     const double font = canvas.font_size();
     ArrowGrid grid;
-    grid.columns = std::max(4, static_cast<int>(frame.width / (field.apart_x * font)));
-    grid.rows = std::max(2, static_cast<int>(frame.height / (field.apart_y * font)));
+    grid.columns = whole_within(frame.width / (field.apart_x * font), 4, most_arrows);
+    grid.rows = whole_within(frame.height / (field.apart_y * font), 2, most_arrows);
     grid.units_per_speed = longest * frame.width / grid.columns / field.fastest;
     return grid;
 }

@@ -15,6 +15,7 @@
 #include "base/elementary.h"
 #include "base/elementary_angle.h"
 #include "base/error.h"
+#include "base/whole_number.h"
 
 namespace fumon {
 
@@ -97,8 +98,7 @@ class Labels {
         std::vector<LabelPlace> found;
         const double length = line.length();
         if (length < 2.0 * gap) return found;
-        const int count =
-            std::max(1, static_cast<int>(length / (label_every * canvas_.font_size())));
+        const int count = whole_within(length / (label_every * canvas_.font_size()), 1, 1 << 20);
         for (int i = 0; i < count; ++i) {
             const double begin = length * i / count;
             const double end = length * (i + 1) / count - gap;

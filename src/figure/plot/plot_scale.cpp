@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "base/elementary_power.h"
+#include "base/whole_number.h"
 #include "figure/plot/ticks.h"
 
 namespace fumon {
@@ -79,10 +80,10 @@ PlotScale linear_scale(const PlotAxis& axis, ValueRange values, double room) {
 }
 
 std::string logarithmic_label(double value) {
-    const int power = static_cast<int>(std::floor(elementary::log10(value) + rounding_of_step));
+    const int power = power_below(value, rounding_of_step);
     constexpr int most_digits = 4;
     if (std::abs(power) > most_digits) {
-        const int leading = static_cast<int>(std::lround(value / elementary::pow(10.0, power)));
+        const int leading = whole_within(std::round(value / elementary::pow(10.0, power)), 0, 10);
         return leading == 1 ? power_of_ten(power)
                             : fmt::format("{}×{}", leading, power_of_ten(power));
     }
@@ -92,8 +93,8 @@ std::string logarithmic_label(double value) {
 /// Marks within one decade or so: 1, 2 and 5 of each.
 PlotTicks narrow_logarithmic_ticks(const PlotScale& scale, int most) {
     PlotTicks ticks;
-    const int first = static_cast<int>(std::floor(elementary::log10(scale.low)));
-    const int last = static_cast<int>(std::floor(elementary::log10(scale.high)));
+    const int first = power_below(scale.low);
+    const int last = power_below(scale.high);
     for (int power = first; power <= last; ++power) {
         for (int leading = 1; leading < 10; ++leading) {
             const double value = leading * elementary::pow(10.0, power);
@@ -116,8 +117,8 @@ PlotTicks wide_logarithmic_ticks(const PlotScale& scale, int most) {
     const Ticks powers = logarithmic_ticks(scale.low, scale.high, most);
     ticks.values = powers.values;
     ticks.labels = powers.labels;
-    const int first = static_cast<int>(std::floor(elementary::log10(scale.low) + rounding_of_step));
-    const int last = static_cast<int>(std::floor(elementary::log10(scale.high) + rounding_of_step));
+    const int first = power_below(scale.low, rounding_of_step);
+    const int last = power_below(scale.high, rounding_of_step);
     constexpr int most_decades = 12;  // with minor marks in each
     const bool all = ticks.values.size() < 2 || ticks.values[1] < 11.0 * ticks.values[0];
     for (int power = first; power <= last; ++power) {
@@ -144,7 +145,7 @@ PlotTicks linear_plot_ticks(const PlotScale& scale, int most) {
     double largest = 0.0;
     for (const double value : ticks.values) largest = std::max(largest, std::abs(value));
     if (largest > 0.0 && (largest >= 1e5 || largest < 1e-2)) {
-        ticks.power = static_cast<int>(std::floor(elementary::log10(largest) + rounding_of_step));
+        ticks.power = power_below(largest, rounding_of_step);
     }
     for (const double value : ticks.values)
         ticks.labels.push_back(plain_number(value / elementary::pow(10.0, ticks.power),

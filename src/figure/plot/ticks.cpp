@@ -9,12 +9,15 @@
 #include <string_view>
 
 #include "base/elementary_power.h"
+#include "base/whole_number.h"
 
 namespace fumon {
 
 namespace {
 
 constexpr double rounding_of_end = 1e-9;  // of a step, by which an end may miss a multiple of it
+
+constexpr int most_power = 400;  // of ten: beyond all doubles
 
 std::string with_minus_sign(std::string text) {
     if (!text.empty() && text.front() == '-') text.replace(0, 1, "\u2212");
@@ -32,20 +35,22 @@ std::string superscript(int number) {
 
 }  // namespace
 
+int power_below(double value, double above) {
+    return whole_within(std::floor(elementary::log10(value) + above), -most_power, most_power);
+}
+
 double RoundStep::value() const {
     return leading * elementary::pow(10.0, exponent);
 }
 
 RoundStep round_step(double low, double high, int most) {
     const double finest = (high - low) / std::max(most, 2);
-    int exponent = static_cast<int>(std::floor(elementary::log10(finest))) - 1;
+    int exponent = power_below(finest) - 1;
     for (;; ++exponent) {
         for (const int leading : {1, 2, 5}) {
             const RoundStep step{leading, exponent};
-            const auto first =
-                static_cast<std::int64_t>(std::ceil(low / step.value() - rounding_of_end));
-            const auto last =
-                static_cast<std::int64_t>(std::floor(high / step.value() + rounding_of_end));
+            const auto first = whole_of(std::ceil(low / step.value() - rounding_of_end));
+            const auto last = whole_of(std::floor(high / step.value() + rounding_of_end));
             if (last - first + 1 <= std::max(most, 2)) return step;
         }
     }
@@ -53,9 +58,9 @@ RoundStep round_step(double low, double high, int most) {
 
 std::vector<double> multiples(double step, double low, double high) {
     std::vector<double> values;
-    const auto first = static_cast<std::int64_t>(std::ceil(low / step - rounding_of_end));
-    const auto last = static_cast<std::int64_t>(std::floor(high / step + rounding_of_end));
-    for (std::int64_t i = first; i <= last; ++i) values.push_back(static_cast<double>(i) * step);
+    const auto first = whole_of(std::ceil(low / step - rounding_of_end));
+    const auto last = whole_of(std::floor(high / step + rounding_of_end));
+    for (long long i = first; i <= last; ++i) values.push_back(static_cast<double>(i) * step);
     return values;
 }
 
@@ -80,8 +85,10 @@ Ticks linear_ticks(double low, double high, int most) {
 Ticks logarithmic_ticks(double low, double high, int most) {
     Ticks ticks;
     if (!(low > 0.0) || !std::isfinite(high) || !(low < high)) return ticks;
-    const int first = static_cast<int>(std::ceil(elementary::log10(low) - rounding_of_end));
-    const int last = static_cast<int>(std::floor(elementary::log10(high) + rounding_of_end));
+    const int first =
+        whole_within(std::ceil(elementary::log10(low) - rounding_of_end), -most_power, most_power);
+    const int last = whole_within(std::floor(elementary::log10(high) + rounding_of_end),
+                                  -most_power, most_power);
     const int every = std::max(1, (last - first + std::max(most, 1)) / std::max(most, 1));
     for (int power = first; power <= last; power += every) {
         ticks.values.push_back(elementary::pow(10.0, power));

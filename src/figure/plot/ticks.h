@@ -11,6 +11,10 @@ struct Ticks {
     std::vector<std::string> labels;  ///< as many, with a true minus sign
 };
 
+/// The power of ten at or below a value > 0, or as little `above` it, within ±400: beyond all
+/// doubles.
+int power_below(double value, double above = 0.0);
+
 /// 1, 2 or 5 times a power of ten.
 struct RoundStep {
     int leading = 1;

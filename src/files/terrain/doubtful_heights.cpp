@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/limits.h"
 
 namespace fumon {
 

@@ -6,14 +6,11 @@
 
 namespace fumon {
 
-/// Heights beyond this in size are refused: no ground has them. Metres.
-inline constexpr double largest_height = 1e6;
-
 /// One line on heights that no ground has and that the file has not declared as no data, or empty:
 /// those beyond 30 km in size, and those of the numbers that are customary for no data (−9999,
 /// 9999, −32768, 32767 … in the file's own unit) that lie more than 1 km from all other heights.
-/// Throws InputError "FILE: …" for heights beyond `largest_height`. Both say how bed.nodata_value
-/// takes them out.
+/// Throws InputError "FILE: …" for heights beyond `largest_height` (base/limits.h). Both say how
+/// bed.nodata_value takes them out.
 std::string heights_in_doubt(const Terrain& terrain, const std::string& file);
 
 }  // namespace fumon

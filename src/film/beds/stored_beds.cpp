@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/ground_range.h"
+#include "base/whole_number.h"
 #include "files/csv_table.h"
 #include "files/input_file.h"
 #include "files/json_text.h"
@@ -251,7 +253,12 @@ StoredBeds StoredBeds::recorded(std::string name, fs::path folder, PreparedRun r
 
 Snapshot StoredBeds::read(std::size_t number, const Snapshot& outline) const {
     const StoredBed& bed = beds_.at(number);
-    if (bed.file.empty()) return read_fields_snapshot(folder_ / fields_, bed.step, outline);
+    if (bed.file.empty()) {
+        Snapshot stored = read_fields_snapshot(folder_ / fields_, bed.step, outline);
+        if (const std::string fault = beyond_ground(stored); !fault.empty())
+            throw InputError(fmt::format("{}: {}", (folder_ / fields_).string(), fault));
+        return stored;
+    }
     Snapshot snapshot = outline;
     InitialBed read = make_initial_bed(scene_of_bed(run_.scene, folder_ / bed.file));
     if (read.bed.nx() != first_.bed.nx() || read.bed.ny() != first_.bed.ny()) {
@@ -304,7 +311,7 @@ std::vector<MeasuredRows> StoredBeds::measurements(const std::vector<std::string
         throw InputError(file.string() + ": has no step or time; run the scene again");
     for (std::size_t i = 0; i < table.rows(); ++i) {
         Snapshot at;
-        at.step = static_cast<std::int64_t>(steps->values[i]);
+        at.step = whole_of(steps->values[i]);
         at.time = times->values[i];
         while (rows.size() < beds_.size() && at.step > beds_[rows.size()].step)
             rows.push_back(gatherer.rows());

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/limits.h"
 #include "film/script/film_sizes.h"
 #include "keys/describe_key.h"
 #include "picture/movie_format.h"
@@ -110,11 +111,11 @@ void list_key(ShotKey& key, const std::string& path, KeyTable& table) {
     const char* place = "east and north of the bed's south-western corner, and above the bed there";
     table.real_list(path + ".at", key.at, 0, 3,
                     {.unit = "m or sites",
-                     .range = {-1e9, 1e9},
+                     .range = {-largest_place, largest_place},
                      .help = std::string("where the camera stands: ") + place});
     table.real_list(path + ".look_at", key.look_at, 0, 3,
                     {.unit = "m or sites",
-                     .range = {-1e9, 1e9},
+                     .range = {-largest_place, largest_place},
                      .help = "what it looks at, likewise; empty: the shot's subject"});
     list_light(path, key.focal_length, key.sun_azimuth, key.sun_elevation, key.exposure, "shot",
                "as the shot says", table);
@@ -131,11 +132,12 @@ void list_shot(Shot& shot, const std::string& path, KeyTable& table) {
                                     {"end", "the last stored bed"}};
     table.word_or_real(path + ".from", shot.from, ends,
                        {.unit = "steps or time",
-                        .range = {0, 1e15},
+                        .range = {0, largest_time},
                         .help = "where in the run it begins; the same as .to: a freeze"});
-    table.word_or_real(
-        path + ".to", shot.to, ends,
-        {.unit = "steps or time", .range = {0, 1e15}, .help = "and where it ends, maybe before"});
+    table.word_or_real(path + ".to", shot.to, ends,
+                       {.unit = "steps or time",
+                        .range = {0, largest_time},
+                        .help = "and where it ends, maybe before"});
     table.choice(path + ".clock", shot.clock,
                  {{FilmClock::step, "step", "steps"},
                   {FilmClock::time, "time", "the model's time, in its unit"}},
@@ -185,7 +187,7 @@ void list_shot(Shot& shot, const std::string& path, KeyTable& table) {
     table.real_list(
         path + ".subject", shot.subject, 0, 3,
         {.unit = "m or sites",
-         .range = {-1e9, 1e9},
+         .range = {-largest_place, largest_place},
          .help = "what the camera looks at, as camera.look_at; empty: the bed's middle"});
     table.real(path + ".turn", shot.turn,
                {.unit = "degrees", .range = {-3600, 3600}, .help = "of an orbit, clockwise"});

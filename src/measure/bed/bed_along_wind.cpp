@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/whole_number.h"
+
 namespace fumon {
 
 namespace {
@@ -16,8 +18,8 @@ std::array<double, 4> convolution(double beyond) {
 }
 
 int cell_of(double cell, int count, bool periodic) {
-    if (!periodic) return static_cast<int>(std::clamp(cell, 0.0, count - 1.0));
-    return std::min(static_cast<int>(cell - count * std::floor(cell / count)), count - 1);
+    if (!periodic) return whole_within(cell, 0, count - 1);
+    return whole_within(cell - count * std::floor(cell / count), 0, count - 1);
 }
 
 /// Turned by quarters: the cell (x, y) of the result is the cell origin + x·way + y·left.

@@ -1,5 +1,7 @@
 #include "measure/bed/bed_groups.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -7,6 +9,7 @@
 #include <utility>
 
 #include "base/elementary_angle.h"
+#include "base/limits.h"
 #include "base/snapshot_lookup.h"
 #include "base/units.h"
 #include "measure/bed/bed_along_wind.h"
@@ -59,6 +62,10 @@ void carry_before(BedBefore& before, StateCarrier& carrier) {
     if (size[0] < 0 || size[1] < 0 || size[0] > longest || size[1] > longest ||
         !std::cmp_equal(size[0] * size[1], heights.size()))
         carrier.refuse("its bed_measured_before has another size");
+    for (const double height : heights) {
+        if (!(std::abs(height) <= largest_field_value))
+            carrier.refuse(fmt::format("its bed_measured_before has a height of {:g}", height));
+    }
     before.bed = Grid(static_cast<int>(size[0]), static_cast<int>(size[1]));
     std::ranges::copy(heights, before.bed.values().begin());
 }

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/whole_number.h"
+
 namespace fumon {
 
 std::vector<LinePlace> places_along(const std::vector<std::array<double, 2>>& corners, double dx,
                                     double dy) {
+    constexpr std::size_t most_places = std::size_t{1} << 24;  // of one line
     const double apart = 0.5 * std::min(dx, dy);
     std::vector<LinePlace> places{{0.0, corners.front()[0], corners.front()[1]}};
     for (std::size_t k = 1; k < corners.size(); ++k) {
@@ -15,7 +18,7 @@ std::vector<LinePlace> places_along(const std::vector<std::array<double, 2>>& co
         const double up = corners[k][1] - corners[k - 1][1];
         const double length = std::sqrt(across * across * dx * dx + up * up * dy * dy);
         const double begin = places.back().distance;
-        const auto pieces = static_cast<std::size_t>(std::ceil(length / apart));
+        const auto pieces = whole_within(std::ceil(length / apart), std::size_t{0}, most_places);
         for (std::size_t n = 1; n <= pieces; ++n) {
             const double share = static_cast<double>(n) / static_cast<double>(pieces);
             places.push_back({begin + share * length, corners[k - 1][0] + share * across,
@@ -30,7 +33,7 @@ double value_between(const Grid& values, const Mask& nodata, double x, double y)
         return nodata.empty() || nodata(column, row) == 0;
     };
     const auto cell = [](double place, int count) {
-        return std::clamp(static_cast<int>(std::floor(place)), 0, count - 1);
+        return whole_within(std::floor(place), 0, count - 1);
     };
     const int nx = values.nx();
     const int ny = values.ny();

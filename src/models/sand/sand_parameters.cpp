@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/limits.h"
 #include "keys/keys.h"
 #include "models/sand/creep.h"
 
@@ -51,6 +52,7 @@ void list_keys(SandParameters& sand, KeyTable& table) {
                 .help = "N'x of the exponential law; 100 on any grid"});
     table.real_list("model.hop_table_heights", sand.hop_table_heights, 0, longest_table,
                     {.unit = "heights",
+                     .range = {-largest_height, largest_height},
                      .help = "of the tabulated law: heights, rising; beyond the ends the length "
                              "stays"});
     table.real_list("model.hop_table_lengths", sand.hop_table_lengths, 0, longest_table,

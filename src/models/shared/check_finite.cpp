@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/ground_range.h"
+#include "base/limits.h"
 
 namespace fumon {
 
@@ -18,30 +20,27 @@ std::string moment(const Snapshot& snapshot) {
 }
 
 void check(const Snapshot& snapshot, const Grid& field, std::string_view name,
-           std::string_view place) {
-    for (int y = 0; y < field.ny(); ++y) {
-        const auto row = field.row(y);
-        for (int x = 0; x < field.nx(); ++x) {
-            const double value = row[static_cast<std::size_t>(x)];
-            if (std::isfinite(value)) continue;
-            throw Error(
-                fmt::format("{} became {} at {} ({}, {}), {}; try smaller rates (`fumon "
-                            "describe` lists the ranges)",
-                            name, std::isnan(value) ? "nan" : fmt::format("{}", value), place, x, y,
-                            moment(snapshot)));
-        }
-    }
+           std::string_view place, double most, double factor) {
+    const std::size_t cell = first_beyond(field, most);
+    if (cell == field.size()) return;
+    const auto nx = static_cast<std::size_t>(field.nx());
+    const double value = factor * field.values()[cell];
+    throw Error(fmt::format(
+        "{} became {} at {} ({}, {}), {}; try smaller rates (`fumon describe` lists the ranges)",
+        name, std::isnan(value) ? "nan" : fmt::format("{}", value), place, cell % nx, cell / nx,
+        moment(snapshot)));
 }
 
 }  // namespace
 
 void check_finite(const Snapshot& snapshot) {
-    check(snapshot, snapshot.bed, "the bed height", "cell");
+    const double unit = snapshot.scale.height_unit;
+    check(snapshot, snapshot.bed, "the bed height", "cell", largest_height / unit, unit);
     for (const SnapshotField& field : snapshot.fields)
-        check(snapshot, field.values, field.name, "cell");
+        check(snapshot, field.values, field.name, "cell", largest_field_value, 1.0);
     if (!snapshot.section) return;
     for (const SnapshotField& field : snapshot.section->fields)
-        check(snapshot, field.values, field.name, "node");
+        check(snapshot, field.values, field.name, "node", largest_field_value, 1.0);
 }
 
 }  // namespace fumon

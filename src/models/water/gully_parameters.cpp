@@ -1,5 +1,6 @@
 #include "models/water/gully_parameters.h"
 
+#include "base/limits.h"
 #include "keys/keys.h"
 
 namespace fumon {
@@ -10,6 +11,7 @@ namespace {
 void list_ground_keys(GullyParameters& gully, KeyTable& table) {
     table.real_list("model.rain_times", gully.rain_times, 0, 100000,
                     {.unit = "s",
+                     .range = {-largest_time, largest_time},
                      .help = "at which the rain changes, rising; none before the first; empty: "
                              "model.rain throughout"});
     table.real_list("model.rain_rates", gully.rain_rates, 0, 100000,

@@ -1,5 +1,7 @@
 #include "models/water/water_settings.h"
 
+#include "base/limits.h"
+
 namespace fumon {
 
 namespace {
@@ -36,6 +38,7 @@ void list_edge(EdgeSettings& edge, const std::string& path, KeyTable& table) {
                 .help = "the discharge of the whole stretch, or the level, as heights of the bed"});
     table.real_list(path + ".times", edge.times, 0, longest_table,
                     {.unit = "s",
+                     .range = {-largest_time, largest_time},
                      .help = "of edge.values, rising; in between the value changes evenly, before "
                              "and after it stays; empty: edge.value at all times"});
     table.real_list(path + ".values", edge.values, 0, longest_table,
@@ -58,10 +61,12 @@ void list_gauge(GaugeSettings& gauge, const std::string& path, KeyTable& table) 
                         "underscores; empty: gauge_1, gauge_2 …"});
     table.real_list(path + ".at", gauge.at, 0, 2,
                     {.unit = "m, or degrees",
+                     .range = {-largest_place, largest_place},
                      .help = "[x, y] of the point, or of the left end of a line across the "
                              "stream, seen downstream"});
     table.real_list(path + ".to", gauge.to, 0, 2,
                     {.unit = "m, or degrees",
+                     .range = {-largest_place, largest_place},
                      .help = "[x, y] of the line's right end: what passes the cells' faces along "
                              "the line is noted then; empty: a point"});
     table.choice(path + ".coordinates", gauge.coordinates,
@@ -125,6 +130,7 @@ void list_map(MapSettings& map, const std::string& path, KeyTable& table) {
 void list_region(RegionSettings& region, const std::string& path, KeyTable& table) {
     table.real_list(path + ".window", region.window, 0, 4,
                     {.unit = "m",
+                     .range = {-largest_place, largest_place},
                      .help = "[west, south, east, north], from the grid's south-west corner: the "
                              "cells whose middles lie in it; empty: all"});
     table.word_or_real(path + ".depth", region.depth, {{"none", "water.level says it"}},

@@ -7,6 +7,7 @@
 
 #include "base/elementary_angle.h"
 #include "base/error.h"
+#include "base/whole_number.h"
 
 namespace fumon {
 
@@ -55,10 +56,10 @@ class LinePlaces {
 
   private:
     [[nodiscard]] int column_of(glm::dvec2 at) const {
-        return std::clamp(static_cast<int>(at.x / box_), 0, columns_ - 1);
+        return whole_within(at.x / box_, 0, columns_ - 1);
     }
     [[nodiscard]] int row_of(glm::dvec2 at) const {
-        return std::clamp(static_cast<int>(at.y / box_), 0, rows_ - 1);
+        return whole_within(at.y / box_, 0, rows_ - 1);
     }
     [[nodiscard]] std::size_t index(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +

@@ -1,5 +1,7 @@
 #include "render/ground/ground_fan.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +11,8 @@
 
 #include "base/elementary.h"
 #include "base/elementary_angle.h"
+#include "base/error.h"
+#include "base/whole_number.h"
 #include "base/worker_pool.h"
 #include "render/ground/ground_vectors.h"
 #include "render/ground/wall_places.h"
@@ -57,12 +61,11 @@ std::vector<Ring> rings_of(const GroundFan& fan, int levels) {
         const double from = ring == 1 ? radius : radius_of(fan, u - 0.5 * step);
         const double to = radius_of(fan, u + 0.5 * step);
         const double fineness = std::max(texels_a_ray * radius * between_rays / fan.cell, 1.0);
-        const int level = std::min(std::ilogb(fineness), levels - 1);
+        const int level = std::clamp(std::ilogb(fineness), 0, levels - 1);
         const double texel = std::ldexp(fan.cell, level);
         const double spacing =
             std::max(least_texels * texel, least_spacing * radius * between_rays);
-        const int count =
-            std::clamp(static_cast<int>(std::ceil((to - from) / spacing)), 1, most_places);
+        const int count = whole_within(std::ceil((to - from) / spacing), 1, most_places);
         all.push_back(ring_of(level, from, to, count));
     }
     return all;
@@ -314,7 +317,7 @@ std::vector<bool> seen_through_lens(const GroundFan& fan, const GroundMesh& mesh
         const glm::vec3& place = mesh.places[ring];
         const double range = elementary::hypot(place.x, place.y);
         const double aside = std::ceil(fan.lens / (range * between_rays));
-        const auto reach = static_cast<std::size_t>(std::min(aside, static_cast<double>(pairs)));
+        const auto reach = whole_within(aside, std::size_t{0}, pairs);
         for (std::size_t k = 0; k < pairs; ++k) {
             const auto first = lower.begin() + static_cast<std::ptrdiff_t>(k - std::min(k, reach));
             const auto last =
@@ -328,9 +331,22 @@ std::vector<bool> seen_through_lens(const GroundFan& fan, const GroundMesh& mesh
     return seen;
 }
 
+/// That there are rings and rays, from an eye that stands somewhere.
+void check(const GroundFan& fan, const HeightPyramid& bed) {
+    const bool rings_rise = fan.nearest > 0.0 && fan.nearest < fan.farthest &&
+                            std::isfinite(fan.farthest / fan.nearest);
+    const bool somewhere = std::isfinite(fan.eye.x) && std::isfinite(fan.eye.y) &&
+                           std::isfinite(fan.eye.z) && std::isfinite(bed.highest());
+    if (rings_rise && somewhere && fan.cell > 0.0 && fan.rays > 1) return;
+    throw Error(fmt::format(
+        "endless ground cannot be drawn from {:g} to {:g} block lengths around ({:g}, {:g}, {:g})",
+        fan.nearest, fan.farthest, fan.eye.x, fan.eye.y, fan.eye.z));
+}
+
 }  // namespace
 
 GroundMesh ground_mesh(const GroundFan& fan, const HeightPyramid& bed, WorkerPool& pool) {
+    check(fan, bed);
     const std::vector<Ring> all = rings_of(fan, bed.levels());
     const AtEdges edges = edges_of(fan);
     GroundMesh mesh;

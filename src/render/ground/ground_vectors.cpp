@@ -33,8 +33,10 @@ HWY_INLINE Between between(hn::Vec<Doubles> periods, int count) {
     const auto cells = hn::Set(d, static_cast<double>(count));
     const auto place = (periods - hn::Trunc(periods)) * cells - hn::Set(d, 0.5);
     const auto within = hn::IfThenElse(hn::Lt(place, hn::Zero(d)), place + cells, place);
+    // Within the bed whatever the place is.
     const auto first =
-        hn::Min(hn::DemoteTo(integers, within), hn::Set(integers, std::int32_t{count} - 1));
+        hn::Max(hn::Min(hn::DemoteTo(integers, within), hn::Set(integers, std::int32_t{count} - 1)),
+                hn::Zero(integers));
     const auto next = first + hn::Set(integers, std::int32_t{1});
     const auto second =
         hn::IfThenZeroElse(hn::Eq(next, hn::Set(integers, std::int32_t{count})), next);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/grid.h"
+#include "base/whole_number.h"
 #include "render/view/ground_tiles.h"
 
 namespace fumon {
@@ -46,10 +47,10 @@ class HeightPyramid {
         float share;  ///< of the second
     };
     static Between between(double periods, int count) {
-        const double whole = static_cast<double>(static_cast<std::int64_t>(periods));
+        const double whole = static_cast<double>(whole_of(periods));
         double place = (periods - whole) * count - 0.5;
         if (place < 0.0) place += count;
-        const int first = std::min(static_cast<int>(place), count - 1);
+        const int first = whole_within(place, 0, count - 1);
         return {first, first + 1 == count ? 0 : first + 1, static_cast<float>(place - first)};
     }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/grid.h"
+#include "base/whole_number.h"
 #include "render/light/light_vectors.h"
 
 namespace fumon {
@@ -73,7 +74,9 @@ int rows_before(const Field<float>& heights, const light_vectors::ShadowStep& st
     const float relief = high - low;
     // Twice, since neighbouring rays mix what they carry.
     if (2.0F * relief >= most * step.lower_drop) return most_periods * heights.ny();
-    return static_cast<int>(2.0F * relief / step.lower_drop) + 2;
+    return whole_within(static_cast<double>(2.0F * relief / step.lower_drop), 0,
+                        most_periods * heights.ny()) +
+           2;
 }
 
 /// The sweep where the sun stands more along y than along x (in cells): rows follow each other.

@@ -8,6 +8,7 @@
 #include "base/elementary.h"
 #include "base/random.h"
 #include "base/rounding.h"
+#include "base/whole_number.h"
 
 namespace fumon {
 
@@ -138,7 +139,7 @@ double ring_drops(double rate) {
 std::vector<FallenDrop> fallen_drops(double time, double rate) {
     constexpr std::uint64_t any_seed = 1;
     const double a_slot = ring_drops(rate) / ring_layers * ring_tile * ring_tile * slot;
-    const auto last = static_cast<std::int64_t>(std::floor(time / slot));
+    const auto last = std::int64_t{whole_of(std::floor(time / slot))};
     std::vector<FallenDrop> drops;
     for (std::int64_t number = last - slots_seen; number <= last; ++number) {
         RandomStream stream(any_seed, 0, number, Purpose::raindrops);

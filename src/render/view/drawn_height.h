@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "base/grid.h"
+#include "base/whole_number.h"
 
 namespace fumon {
 
@@ -21,8 +22,8 @@ Number drawn_height(const Field<Number>& z, const glm::dvec2& share, bool repeat
         const double cell = at * count - 0.5;
         const double low = std::floor(cell);
         const auto number = [&](double value) {
-            const int whole = static_cast<int>(value);
-            return repeats ? (whole % count + count) % count : std::clamp(whole, 0, count - 1);
+            if (!repeats) return whole_within(value, 0, count - 1);
+            return static_cast<int>((whole_of(value) % count + count) % count);
         };
         return Split{number(low), number(low + 1.0), static_cast<Number>(cell - low)};
     };

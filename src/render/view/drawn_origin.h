@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "base/whole_number.h"
 #include "render/view/block.h"
 #include "render/view/camera.h"
 
@@ -27,7 +28,7 @@ inline DrawnOrigin origin_around(const Camera& camera, const Block& block, int n
     const auto first_of = [&](double place, double extent, int count) {
         const double share = place / extent + 0.5;
         const double within = (share - std::floor(share)) * count;
-        const int cell = static_cast<int>(std::floor(within + begin_of_cells));
+        const int cell = whole_within(std::floor(within + begin_of_cells), 0, count);
         return ((cell - count / 2) % count + count) % count;
     };
     DrawnOrigin origin;

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/error.h"
+#include "base/ground_range.h"
 #include "render/view/chosen_ground.h"
 #include "render/view/plain_around.h"
 
@@ -146,6 +148,12 @@ int cells_averaged(const Snapshot& snapshot, const View& view) {
 }
 
 }  // namespace
+
+const Snapshot& drawable(const Snapshot& snapshot) {
+    if (const std::string fault = beyond_ground(snapshot); !fault.empty())
+        throw Error("no picture can be made: " + fault);
+    return snapshot;
+}
 
 std::optional<Snapshot> shown_snapshot(const Snapshot& snapshot, const View& view) {
     const int nx = snapshot.bed.nx();

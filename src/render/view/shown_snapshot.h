@@ -7,6 +7,10 @@
 
 namespace fumon {
 
+/// The same snapshot, through which all that is drawn comes: throws Error with the place of a
+/// number beyond those for which pictures are made (base/limits.h).
+const Snapshot& drawable(const Snapshot& snapshot);
+
 /// A snapshot as it is drawn, where that is not the snapshot itself:
 ///
 /// - a profile (a single row) becomes a strip: look.profile_sites of its sites from
