@@ -55,6 +55,8 @@ class FrameOverlays {
     std::unique_ptr<FrameContours> contours_;  ///< below all others; null: none
     std::vector<PlacedOverlay> placed_;
     std::vector<DrawnOverlay> drawn_;
+    std::vector<PlacedOverlay> over_all_placed_;  ///< those that fill the picture, below the others
+    std::vector<DrawnOverlay> over_all_;
 };
 
 }  // namespace fumon
