@@ -269,7 +269,8 @@ void reproject(const Scene& scene, Terrain& terrain) {
 std::string smooth_terraces(const Scene& scene, Terrain& terrain) {
     const std::optional<double> step = height_step(terrain);
     if (!scene.bed.smooth_terraces) {
-        if (!step || !has_terraces(terrain, *step)) return {};
+        const bool is_terrain = terrain.dx > 0.0;  // and no bed in sites, whose heights are whole
+        if (!step || !is_terrain || !has_terraces(terrain, *step)) return {};
         return fmt::format(
             "heights are multiples of {:.4g} m, which makes terraces (bed.smooth_terraces = true "
             "takes them out)",

@@ -127,7 +127,7 @@ TEST_F(ExportRaster, WhatIsNotThereIsRefused) {
               "stl\n");
 }
 
-TEST_F(ExportRaster, TheHelpAndCompletionListThem) {
+TEST_F(ExportRaster, TheHelpListsThem) {
     const Ended help = fumon({"export", "--help"}, folder_.path());
     for (const char* name : {"water-depth", "change", "slope", "aspect", "hillshade", "drainage"})
         EXPECT_NE(help.output.find(std::string("\n  ") + name + " "), std::string::npos) << name;

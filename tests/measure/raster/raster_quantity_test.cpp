@@ -93,6 +93,7 @@ TEST(RasterQuantity, WaterHasItsNumbers) {
     const Raster surface = make_raster("water-surface", {snapshot});
     EXPECT_EQ(surface.values(0, 0), 4.5);
     EXPECT_EQ(surface.values(2, 0), 6.0);
+    ASSERT_FALSE(surface.nodata.empty());
     EXPECT_EQ(surface.nodata(1, 0), 1) << "dry";
     EXPECT_EQ(surface.unit, "m");
     EXPECT_EQ(make_raster("water-depth", {snapshot}).values(2, 0), 2.0);
