@@ -31,8 +31,7 @@ std::vector<double> candidates(const Terrain& terrain) {
         for (const double part : parts) steps.push_back(unit * part);
     }
     std::ranges::sort(steps, std::greater<>());
-    const auto repeated = std::ranges::unique(steps);
-    steps.erase(repeated.begin(), repeated.end());
+    steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
     return steps;
 }
 
