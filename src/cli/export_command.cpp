@@ -30,6 +30,7 @@
 #include "mesh/vtk_section.h"
 #include "outputs/output_claims.h"
 #include "picture/png.h"
+#include "rasters/raster_files.h"
 #include "run/drawing.h"
 #include "run/frame_painter.h"
 #include "run/inputs/scene_argument.h"
@@ -47,13 +48,14 @@ struct ExportKind {
     std::string_view terrain{};
 };
 
-constexpr std::array<ExportKind, 9> export_kinds{
+constexpr std::array<ExportKind, 10> export_kinds{
     {{"vts", ".vts"},
      {"pvd", ".pvd"},
      {"glb", ".glb"},
      {"stl", ".stl"},
      {"ply", ".ply"},
      {"obj", ".obj"},
+     {"netcdf", ".nc"},
      {"cloud-optimized-geotiff", ".cog.tif", "cloud-optimized-geotiff"},
      {"geotiff", ".tif", "geotiff"},
      {"esri-ascii", ".asc", "esri-ascii"}}};
@@ -62,6 +64,7 @@ struct ExportOptions {
     std::string input;   ///< a run's folder, a fields.nc or a terrain file
     std::string output;  ///< a file, or "-"
     std::string as;      ///< the name of a kind; empty: by the file's ending
+    std::string field;   ///< of a grid; empty: the heights
     std::string heights;
     double exaggeration = 1.0;
     double size = 150.0;  ///< mm, of the longer side of an STL
@@ -81,8 +84,7 @@ void declare(CLI::App& command, ExportOptions& options) {
             "-o,--output", options.output,
             "VTK for ParaView (.vts, or .pvd with a .vts for each record of fields.nc), GLB "
             "for slides (.glb), STL for printing (.stl), a coloured mesh (.ply, .obj), a grid of "
-            "heights (.asc, .tif, .cog.tif); "
-            "- is standard output")
+            "heights or of --field (.asc, .tif, .cog.tif, .nc); - is standard output")
         ->type_name("FILE")
         ->required();
     std::vector<std::string> names;
@@ -90,9 +92,16 @@ void declare(CLI::App& command, ExportOptions& options) {
     for (const ExportKind& kind : export_kinds) names.emplace_back(kind.name);
     add_word(command, "--as", options.as, names,
              "what it becomes, where the name does not say (for standard output esri-ascii)");
+    command
+        .add_option("--field", options.field,
+                    "what a grid holds (.tif, .cog.tif, .asc, .nc): a name of the list below; "
+                    "default: height, and in .nc all fields of the input")
+        ->type_name("NAME")
+        ->check(CLI::Validator([](std::string&) { return std::string(); }, "",
+                               words_as_name(raster_names())));
     constexpr double largest = 1e6;
     add_number(command, "--exaggeration", options.exaggeration, 1e-6, largest,
-               "vertical (default 1)");
+               "vertical, also of a hillshade (default 1)");
     add_number(command, "--size", options.size, 1, largest,
                "millimetres of an STL's longer side (default 150)");
     add_number(command, "--base", options.base, 0.1, largest,
@@ -105,14 +114,18 @@ void declare(CLI::App& command, ExportOptions& options) {
     add_force(command, options.force);
     add_work_options(command, options.work);
     add_drawing_options(command, options.work);
-    add_examples(command,
-                 {{"fumon export dem.asc -o dem.stl --size 200 --exaggeration 2", "to be printed"},
-                  {"fumon export out/rain -o rain.pvd", "a run, for ParaView"},
-                  {"fumon export out/dunes -o bed.tif", "its last bed, for GIS"},
-                  {"fumon export out/dunes -o - | awk 'NR > 6' > bed.txt", "to a program"}},
-                 "GLB, PLY and OBJ have the colours of a picture from above: --set look.palette=… "
-                 "and all other "
-                 "looks change it.");
+    add_examples(
+        command,
+        {{"fumon export dem.asc -o dem.stl --size 200 --exaggeration 2", "to be printed"},
+         {"fumon export out/rain -o rain.pvd", "a run, for ParaView"},
+         {"fumon export out/dunes -o bed.tif", "its last bed, for GIS"},
+         {"fumon export dem.tif -o slope.tif --field slope", "a grid of slopes"},
+         {"fumon export out/rain -o depth.tif --field water-depth", "of a run's last record"},
+         {"fumon export out/dunes -o - | awk 'NR > 6' > bed.txt", "to a program"}},
+        raster_help() +
+            "\nGLB, PLY and OBJ have the colours of a picture from above: --set look.palette=… "
+            "and all other "
+            "looks change it.");
 }
 
 /// A surface as it is printed: its longer side `size` millimetres, standing on z = 0.
@@ -265,10 +278,23 @@ bool is_coloured(const ExportKind& kind) {
     return kind.name == "glb" || kind.name == "ply" || kind.name == "obj";
 }
 
+/// The sun stands as settings say; else as in other programs, and not as in pictures.
+RasterRequest raster_request(const ExportOptions& options, const std::string& input) {
+    const Scene scene = terrain_scene(input, options.heights, options.work.settings);
+    RasterRequest request{input, options.field};
+    HillLight& light = request.light;
+    if (scene.set_on_command_line("sun.azimuth")) light.azimuth = scene.view.sun.azimuth;
+    if (scene.set_on_command_line("sun.elevation")) light.elevation = scene.view.sun.elevation;
+    light.exaggeration = options.exaggeration;
+    return request;
+}
+
 /// The files of a kind that is not a series: the first is FILE itself, others stand beside it.
 std::vector<TerrainBytes> exported(const ExportOptions& options, const ExportKind& kind,
                                    const std::string& input) {
     const Snapshot snapshot = read_snapshot(input, options.heights, options.work.settings);
+    if (!options.field.empty())
+        return raster_files(raster_request(options, input), snapshot, kind.terrain);
     std::vector<TerrainBytes> files;
     if (!kind.terrain.empty()) return bed_files(snapshot, std::array{std::string(kind.terrain)});
     if (kind.name == "vts") {
@@ -290,8 +316,15 @@ std::string stem_of(const ExportOptions& options, const ExportKind& kind) {
 }
 
 void check_kind(const ExportOptions& options, const ExportKind& kind) {
+    if (!options.field.empty() && kind.terrain.empty() && kind.name != "netcdf") {
+        throw InputError(
+            fmt::format("--field {}: a field is written as a grid: .tif, .cog.tif, .asc or .nc, "
+                        "not as {}",
+                        options.field, kind.name));
+    }
     if (to_standard_output(options)) {
         if (kind.name == "pvd") throw InputError("-o -: a .pvd names its .vts files; name a file");
+        if (kind.name == "netcdf") throw InputError("-o -: a NetCDF file needs a name");
         if (kind.name != "esri-ascii") refuse_terminal("what is exported is no text", "bed.tif");
         return;
     }
@@ -318,6 +351,12 @@ int perform(const ExportOptions& options) {
         write_series(options, input, claims);
         return 0;
     }
+    if (kind.name == "netcdf") {
+        write_raster_netcdf(raster_request(options, input),
+                            read_snapshot(input, options.heights, options.work.settings),
+                            options.output);
+        return 0;
+    }
     const std::string stem = stem_of(options, kind);
     const std::vector<TerrainBytes> files = exported(options, kind, input);
     for (std::size_t n = 1; n < files.size(); ++n) claims.writes(stem + files[n].ending);
@@ -330,10 +369,11 @@ int perform(const ExportOptions& options) {
 }  // namespace
 
 Command export_command() {
-    return make_command<ExportOptions>("export",
-                                       "a bed, or a run's fields, for ParaView (VTK), slides "
-                                       "(GLB), printers (STL), meshes (PLY, OBJ) and GIS",
-                                       declare, perform);
+    return make_command<ExportOptions>(
+        "export",
+        "a bed, or a run's fields, for ParaView (VTK), slides "
+        "(GLB), printers (STL), meshes (PLY, OBJ) and GIS (heights, slope, drainage …)",
+        declare, perform);
 }
 
 }  // namespace fumon

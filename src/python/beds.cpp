@@ -1,5 +1,7 @@
 #include <pybind11/stl.h>
 
+#include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -11,6 +13,7 @@
 #include "files/terrain/geographic.h"
 #include "files/terrain/wanted_unit.h"
 #include "files/unit_conversion.h"
+#include "measure/raster/raster_quantity.h"
 #include "measure/suite.h"
 #include "python/arrays.h"
 #include "python/drawer.h"
@@ -108,6 +111,21 @@ std::vector<std::tuple<std::string, double, std::string, std::string>> measures_
     return measures;
 }
 
+/// A terrain's values of a quantity, NaN where it has none, with its unit and description.
+std::tuple<std::shared_ptr<const Grid>, std::string, std::string> raster_of_bed(
+    Bed bed, const CellSize& cell_size, const std::string& quantity, const HillLight& light) {
+    Snapshot snapshot;
+    snapshot.bed = std::move(bed.heights);
+    snapshot.nodata = std::move(bed.nodata);
+    snapshot.scale = scale_of(cell_size);
+    Raster raster = make_raster(quantity, {snapshot, nullptr, light});
+    for (std::size_t cell = 0; cell < raster.nodata.size(); ++cell) {
+        if (raster.nodata.values()[cell] != 0)
+            raster.values.values()[cell] = std::numeric_limits<double>::quiet_NaN();
+    }
+    return {std::make_shared<const Grid>(std::move(raster.values)), raster.unit, raster.long_name};
+}
+
 }  // namespace
 
 void define_beds(py::module_& core) {
@@ -161,6 +179,23 @@ void define_beds(py::module_& core) {
         },
         py::arg("heights"), py::arg("nodata"), py::arg("cell_size"), py::arg("periodic"),
         py::arg("channel_area"));
+    core.def(
+        "raster_of_bed",
+        [](const GridArray& heights, const std::optional<MaskArray>& nodata,
+           const CellSize& cell_size, const std::string& quantity, double azimuth, double elevation,
+           double exaggeration) {
+            Bed bed = bed_of(heights, nodata);
+            std::tuple<std::shared_ptr<const Grid>, std::string, std::string> made;
+            {
+                const py::gil_scoped_release unlocked;
+                made = raster_of_bed(std::move(bed), cell_size, quantity,
+                                     {azimuth, elevation, exaggeration});
+            }
+            const auto& [values, unit, long_name] = made;
+            return py::make_tuple(view_of(*values, values), unit, long_name);
+        },
+        py::arg("heights"), py::arg("nodata"), py::arg("cell_size"), py::arg("quantity"),
+        py::arg("azimuth"), py::arg("elevation"), py::arg("exaggeration"));
     core.def(
         "metres_per_degree",
         [](double latitude) {

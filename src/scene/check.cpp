@@ -52,6 +52,7 @@ void check_raster_keys(const Scene& scene, bool from_file, const Refuse& refuse)
     belongs_to_file("bed.height_factor", bed.height_factor != 1.0);
     belongs_to_file("bed.height_sign", bed.height_sign != HeightSign::automatic);
     belongs_to_file("bed.window", !bed.window.empty());
+    belongs_to_file("bed.smooth_terraces", bed.smooth_terraces);
     belongs_to_file("bed.crs", !bed.crs.empty());
     belongs_to_file("bed.resample", bed.resample != 0.0);
     if (!bed.window.empty() && bed.window.size() != 4) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "base/elementary.h"
 #include "base/error.h"
@@ -14,6 +15,7 @@
 #include "files/terrain/doubtful_heights.h"
 #include "files/terrain/grid_hash.h"
 #include "files/terrain/reproject.h"
+#include "files/terrain/terraces.h"
 #include "files/terrain/terrain_file.h"
 #include "models/registry.h"
 #include "numerics/resampling.h"
@@ -264,6 +266,26 @@ void reproject(const Scene& scene, Terrain& terrain) {
     }
 }
 
+/// Takes out the terraces of rounded heights where bed.smooth_terraces says so. One line on what
+/// was done, or could be; or empty.
+std::string smooth_terraces(const Scene& scene, Terrain& terrain) {
+    const std::optional<double> step = height_step(terrain);
+    if (!scene.bed.smooth_terraces) {
+        const bool is_terrain = terrain.dx > 0.0;  // and no bed in sites, whose heights are whole
+        if (!step || !is_terrain || !has_terraces(terrain, *step)) return {};
+        return fmt::format(
+            "heights are multiples of {:.4g} m, which makes terraces (bed.smooth_terraces = true "
+            "takes them out)",
+            *step);
+    }
+    if (!step)
+        return "heights are no multiples of a step: bed.smooth_terraces leaves them as they are";
+    const bool has_cells = terrain.dx > 0.0 && terrain.dy > 0.0;
+    terrain.heights = without_terraces(terrain, *step, has_cells ? terrain.dx : 1.0,
+                                       has_cells ? terrain.dy : 1.0);
+    return fmt::format("terraces of {:.4g} m are taken out of the heights", *step);
+}
+
 InitialBed bed_from_file(const Scene& scene) {
     const std::filesystem::path file = bed_path(scene);
     check_listed(scene, file);
@@ -283,8 +305,11 @@ InitialBed bed_from_file(const Scene& scene) {
     Terrain terrain = read_bed_file(scene, file);
     take_out_nodata_value(scene, terrain);
     const std::string doubt = doubts_of(scene, terrain, file);
+    const std::string terraces = smooth_terraces(scene, terrain);
     reproject(scene, terrain);
-    if (!doubt.empty()) terrain.note += (terrain.note.empty() ? "" : "; ") + doubt;
+    for (const std::string& remark : {doubt, terraces}) {
+        if (!remark.empty()) add_note(terrain, remark);
+    }
     InitialBed initial;
     initial.scale = scale_of(scene, terrain.dx, terrain.dy);
     if (const std::string guess = guessed_cells(scene, terrain, initial.scale); !guess.empty())

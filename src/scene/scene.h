@@ -46,7 +46,8 @@ struct BedSettings {
     std::vector<double> window;  ///< file: west, south, east, north of the part to read, or none
     WordOrReal nodata{"mask", 0.0};
     WordOrReal nodata_value{"auto", 0.0};  ///< m, that stands for no data; auto: the file says
-    std::string crs;        ///< file: the reference system to bring it to; empty: its own
+    bool smooth_terraces = false;  ///< file: whether the terraces of rounded heights are taken out
+    std::string crs;               ///< file: the reference system to bring it to; empty: its own
     double resample = 0.0;  ///< file: size of the model's cells, metres; 0: the file's own cells
     Resampling resample_method = Resampling::average;
     std::int64_t refine = 1;  ///< file: cells along each side of one of its cells

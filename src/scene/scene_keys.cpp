@@ -132,6 +132,10 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
         {.unit = "m",
          .help = "the height that stands for no data in a terrain file, in metres or as the file "
                  "has it"});
+    table.boolean("bed.smooth_terraces", scene.bed.smooth_terraces,
+                  {.help = "takes out the terraces of a terrain file whose heights are rounded (to "
+                           "metres, feet, decimetres …): the smoothest surface that no cell leaves "
+                           "by more than half a step; wide level water stays level"});
     table.text(
         "bed.crs", scene.bed.crs,
         {.help = "\"utm\", or a reference system in metres as \"EPSG:32613\", onto whose even "

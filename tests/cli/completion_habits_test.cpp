@@ -33,6 +33,7 @@ TEST_F(CompletionHabitsTest, CompletionKnowsCommandsOptionsKeysAndValues) {
     EXPECT_EQ(found({"sweep", "x.toml", "--over", "model.creep_r"}), (Words{"model.creep_rate="}));
     EXPECT_EQ(found({"still", "x", "--gl", ""}), (Words{"auto", "egl", "osmesa"}));
     EXPECT_EQ(found({"measure", "--as", "pi"}), (Words{"pile"}));
+    EXPECT_EQ(found({"export", "x", "--field", "wa"}), (Words{"water-depth", "water-surface"}));
     EXPECT_EQ(found({"run", "terada-ri"}), (Words{"terada-ripples", ":files"}));
     EXPECT_EQ(found({"describe", "camera.az"}), (Words{"camera.azimuth"}));
     EXPECT_EQ(found({"film", "out", "x", "--set", "film.siz"}), (Words{"film.size="}));

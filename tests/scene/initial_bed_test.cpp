@@ -196,6 +196,45 @@ TEST_F(InitialBedTest, HeightsThatNoGroundHasAreToldAndCanBeTakenOut) {
               "leave the key out");
 }
 
+TEST_F(InitialBedTest, TerracesAreToldAndTakenOutByChoice) {
+    // A slope of 48 x 40 cells, rounded to metres, and as it was.
+    const auto write = [&](const char* name, bool rounded) {
+        std::ofstream file(folder_ / name);
+        file << "ncols 48\nnrows 40\nxllcorner 0\nyllcorner 0\ncellsize 4\n";
+        for (int y = 39; y >= 0; --y) {
+            for (int x = 0; x < 48; ++x) {
+                const double height = 0.2 * x + 0.03 * y;
+                file << (rounded ? std::round(height) : height) << (x < 47 ? ' ' : '\n');
+            }
+        }
+    };
+    write("whole.asc", true);
+    write("real.asc", false);
+    const auto bed = [&](const std::string& file, const std::string& more) {
+        return make_initial_bed(
+            scene("static", "[bed]\nkind = \"file\"\nfile = \"" + file + "\"\n" + more));
+    };
+    const InitialBed whole = bed("whole.asc", "");
+    EXPECT_EQ(whole.note,
+              "heights are multiples of 1 m, which makes terraces (bed.smooth_terraces = true "
+              "takes them out)");
+    EXPECT_EQ(whole.bed(24, 20), std::round(0.2 * 24 + 0.03 * 20));
+    const InitialBed smooth = bed("whole.asc", "smooth_terraces = true\n");
+    EXPECT_EQ(smooth.note, "terraces of 1 m are taken out of the heights");
+    double farthest = 0.0;
+    for (std::size_t cell = 0; cell < smooth.bed.size(); ++cell)
+        farthest =
+            std::max(farthest, std::abs(smooth.bed.values()[cell] - whole.bed.values()[cell]));
+    EXPECT_LE(farthest, 0.5);
+    EXPECT_NEAR(smooth.bed(24, 20), 0.2 * 24 + 0.03 * 20, 0.1);
+    const InitialBed real = bed("real.asc", "");
+    EXPECT_EQ(real.note, "");
+    const InitialBed kept = bed("real.asc", "smooth_terraces = true\n");
+    EXPECT_EQ(kept.bed, real.bed);
+    EXPECT_EQ(kept.note,
+              "heights are no multiples of a step: bed.smooth_terraces leaves them as they are");
+}
+
 TEST_F(InitialBedTest, WhatDoesNotFitTheFileIsRefused) {
     const std::string file = "[bed]\nkind = \"file\"\nfile = \"bed.asc\"\n";
     EXPECT_EQ(refusal(file + "[grid]\nnx = 4\n"),

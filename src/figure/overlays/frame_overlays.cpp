@@ -86,7 +86,8 @@ constexpr double rounding_of_plate = 0.3;  // radius of the plate's corners
 constexpr double gap_of_plates =
     0.55;  // between plates, and from the edges, of the usual font size
 constexpr double least_font = 6.0;
-constexpr double shrinking = 0.93;  // from one try to the next
+constexpr double small_texts = 0.75;  // of an overlay that fills the picture
+constexpr double shrinking = 0.93;    // from one try to the next
 
 std::unique_ptr<Overlay> make_overlay(const OverlayScene& on, std::size_t number) {
 #define FUMON_MAKER(name, word, shows, help) make_##name##_overlay,
@@ -129,6 +130,35 @@ struct FrameOverlays::DrawnOverlay {
     bool shadowed = false;  ///< pale letters with a shadow, no plate
     std::optional<std::string> look;
     CanvasLayer layer;
+
+    void draw(Image& image, const PlacedOverlay& place, const OverlayFrame& frame, double of_all) {
+        if (std::string look_now = overlay->look_in(frame); look != look_now) {
+            look = std::move(look_now);
+            layer = drawn_layer(place, frame);
+        }
+        lay_over(image, layer, static_cast<int>(place.box.x), static_cast<int>(place.box.y),
+                 of_all);
+    }
+
+  private:
+    [[nodiscard]] CanvasLayer drawn_layer(const PlacedOverlay& place,
+                                          const OverlayFrame& frame) const {
+        Canvas canvas(static_cast<int>(place.box.width), static_cast<int>(place.box.height),
+                      place.font_size, CanvasGround::transparent);
+        const bool fills = overlay->fills_picture();
+        const double padding = plate_padding * place.font_size;
+        const double room = fills ? 0.0 : padding;
+        if (opacity > 0.0 && !fills) {
+            draw_rounded(canvas, place.box.width, place.box.height,
+                         rounding_of_plate * place.font_size, {1.0, 1.0, 1.0, opacity});
+        }
+        overlay->draw(canvas,
+                      {room, room, place.box.width - 2.0 * room, place.box.height - 2.0 * room},
+                      frame);
+        if (!shadowed) return canvas.layer();
+        return with_soft_shadow(inverted(canvas.layer()),
+                                std::max(2, static_cast<int>(0.4 * padding)));
+    }
 };
 
 FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const OverlayStyle& style) {
@@ -143,12 +173,13 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
         const OverlayKind kind = overlays[number].kind;
         const bool shadowed = style.shadowed && kind != OverlayKind::colour_bar &&
                               kind != OverlayKind::plot && kind != OverlayKind::inset_map;
-        drawn_.push_back({make_overlay(on, number),
-                          shadowed ? 0.0 : overlays[number].opacity,
-                          shadowed,
-                          {},
-                          {}});
-        placed_.push_back({number, {}, 0.0});
+        DrawnOverlay drawn;
+        drawn.overlay = make_overlay(on, number);
+        drawn.opacity = shadowed ? 0.0 : overlays[number].opacity;
+        drawn.shadowed = shadowed;
+        const bool fills = drawn.overlay->fills_picture();
+        (fills ? over_all_ : drawn_).push_back(std::move(drawn));
+        (fills ? over_all_placed_ : placed_).push_back({number, {}, 0.0});
     }
     if (scene.view.look.draws_contours() && !first.section && first.bed.ny() > 1)
         contours_ = std::make_unique<FrameContours>(on, usual_font(scene.view.image));
@@ -173,6 +204,12 @@ FrameOverlays::FrameOverlays(const Scene& scene, const Snapshot& first, const Ov
         const std::size_t misfit = first_misfit(boxes, width, height);
         if (misfit == boxes.size()) {
             for (std::size_t i = 0; i < boxes.size(); ++i) placed_[i].box = boxes[i];
+            for (std::size_t i = 0; i < over_all_.size(); ++i) {
+                const WordOrReal& size = overlays[over_all_placed_[i].number].font_size;
+                over_all_placed_[i].font_size = size.is_word() ? small_texts * usual : size.value;
+                over_all_placed_[i].box = {0.0, 0.0, width, height};
+                over_all_[i].overlay->stand_among(boxes, over_all_[i].opacity);
+            }
             return;
         }
         if (font > least_font) continue;
@@ -193,29 +230,10 @@ void FrameOverlays::draw(Image& image, const OverlayFrame& frame, double opacity
         for (const PlacedOverlay& place : placed_) taken.push_back(place.box);
         contours_->draw(image, frame, taken, opacity);
     }
-    for (std::size_t i = 0; i < placed_.size(); ++i) {
-        const PlacedOverlay& place = placed_[i];
-        DrawnOverlay& drawn = drawn_[i];
-        if (std::string look = drawn.overlay->look_in(frame); drawn.look != look) {
-            drawn.look = std::move(look);
-            Canvas canvas(static_cast<int>(place.box.width), static_cast<int>(place.box.height),
-                          place.font_size, CanvasGround::transparent);
-            const double room = plate_padding * place.font_size;
-            if (drawn.opacity > 0.0) {
-                draw_rounded(canvas, place.box.width, place.box.height,
-                             rounding_of_plate * place.font_size, {1.0, 1.0, 1.0, drawn.opacity});
-            }
-            drawn.overlay->draw(
-                canvas, {room, room, place.box.width - 2.0 * room, place.box.height - 2.0 * room},
-                frame);
-            drawn.layer = drawn.shadowed
-                              ? with_soft_shadow(inverted(canvas.layer()),
-                                                 std::max(2, static_cast<int>(0.4 * room)))
-                              : canvas.layer();
-        }
-        lay_over(image, drawn.layer, static_cast<int>(place.box.x), static_cast<int>(place.box.y),
-                 opacity);
-    }
+    for (std::size_t i = 0; i < over_all_.size(); ++i)
+        over_all_[i].draw(image, over_all_placed_[i], frame, opacity);
+    for (std::size_t i = 0; i < drawn_.size(); ++i)
+        drawn_[i].draw(image, placed_[i], frame, opacity);
 }
 
 }  // namespace fumon

@@ -58,6 +58,8 @@ class FrameOverlays {
     std::vector<PlacedOverlay> placed_;
     std::vector<DrawnOverlay> drawn_;
     bool system_fonts_ = false;
+    std::vector<PlacedOverlay> over_all_placed_;  ///< those that fill the picture, below the others
+    std::vector<DrawnOverlay> over_all_;
 };
 
 }  // namespace fumon

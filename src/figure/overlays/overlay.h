@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/snapshot.h"
 #include "figure/canvas/canvas.h"
@@ -48,6 +49,15 @@ class Overlay {
     Overlay& operator=(const Overlay&) = delete;
     virtual ~Overlay() = default;
 
+    /// Whether it is drawn over the whole picture, below the plates of the others; `box` is then
+    /// the picture.
+    [[nodiscard]] virtual bool fills_picture() const { return false; }
+    /// Of one that fills the picture: boxes that its texts keep away from, and the opacity of the
+    /// pale ground behind each of them.
+    virtual void stand_among(const std::vector<CanvasBox>& taken, double plate) {
+        (void)taken;
+        (void)plate;
+    }
     /// What it takes at the canvas's font size: the same for all frames, so that nothing moves.
     [[nodiscard]] virtual FurnitureSize size(const Canvas& canvas) const = 0;
     /// The same text for frames over which it looks the same.

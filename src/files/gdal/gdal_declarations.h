@@ -58,6 +58,7 @@ GDALDatasetH GDALOpenEx(const char* file, unsigned int flags, const char* const*
 CPLErr GDALRasterIO(GDALRasterBandH band, GDALRWFlag direction, int x, int y, int nx, int ny,
                     void* buffer, int buffer_nx, int buffer_ny, GDALDataType buffer_type,
                     int pixel_space, int line_space);
+void GDALSetDescription(GDALMajorObjectH object, const char* text);
 CPLErr GDALSetGeoTransform(GDALDatasetH dataset, double* transform);
 CPLErr GDALSetRasterNoDataValue(GDALRasterBandH band, double value);
 CPLErr GDALSetRasterUnitType(GDALRasterBandH band, const char* unit);

@@ -49,6 +49,7 @@ struct GdalFunctions {
     FUMON_GDAL(GDALIdentifyDriverEx);
     FUMON_GDAL(GDALOpenEx);
     FUMON_GDAL(GDALRasterIO);
+    FUMON_GDAL(GDALSetDescription);
     FUMON_GDAL(GDALSetGeoTransform);
     FUMON_GDAL(GDALSetRasterNoDataValue);
     FUMON_GDAL(GDALSetRasterUnitType);

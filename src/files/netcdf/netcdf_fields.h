@@ -14,7 +14,7 @@ namespace fumon {
 /// What a fields file says of its run.
 struct FieldsText {
     std::string title;
-    std::string scene;      ///< the resolved scene as TOML
+    std::string scene;      ///< the resolved scene as TOML; empty: it is no run's
     std::int64_t seed = 1;  ///< of the scene
 };
 

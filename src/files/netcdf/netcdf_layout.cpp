@@ -63,8 +63,10 @@ void put_global_attributes(int file, const Snapshot& first, const FieldsText& te
     put_text(file, NC_GLOBAL, "title", text.title);
     put_text(file, NC_GLOBAL, "source", "fumon " FUMON_VERSION);
     put_text(file, NC_GLOBAL, "history",
-             "fumon " FUMON_VERSION " computed it from the scene in the attribute scene");
-    put_text(file, NC_GLOBAL, "scene", text.scene);
+             text.scene.empty() ? "fumon " FUMON_VERSION " exported it"
+                                : "fumon " FUMON_VERSION
+                                  " computed it from the scene in the attribute scene");
+    if (!text.scene.empty()) put_text(file, NC_GLOBAL, "scene", text.scene);
     put_seed(file, text.seed);
     put_number(file, NC_GLOBAL, "cell_size_x", first.scale.dx);
     put_number(file, NC_GLOBAL, "cell_size_y", first.scale.dy);

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -42,6 +44,19 @@ void append_line(std::string& text, std::string_view word, Number value) {
     text += '\n';
 }
 
+std::string in_xml(const std::string& text) {
+    std::string result;
+    for (const char letter : text) {
+        if (letter == '&')
+            result += "&amp;";
+        else if (letter == '<')
+            result += "&lt;";
+        else
+            result += letter;
+    }
+    return result;
+}
+
 Terrain read_esri_ascii(const std::filesystem::path& file, const TerrainQuery& query) {
     const std::string bytes = read_input_file(file);
     Terrain terrain = parse_esri_ascii({file.string(), bytes}, query.window);
@@ -53,7 +68,8 @@ Terrain read_esri_ascii(const std::filesystem::path& file, const TerrainQuery& q
 bool reads_back(const TerrainOutput& terrain) {
     const WorldScale& scale = terrain.scale;
     const GeoReference& place = *scale.place;
-    if (!place.crs.empty()) return true;  // by its .prj
+    // By its .prj; and what is no height is not read as one.
+    if (!place.crs.empty() || !terrain.description.empty()) return true;
     if (!place.degrees) {
         constexpr double tolerance = 1e-6;
         return std::abs(place.dx / scale.dx - 1.0) < tolerance &&
@@ -64,8 +80,19 @@ bool reads_back(const TerrainOutput& terrain) {
                           relief(terrain.heights, terrain.nodata)});
 }
 
-std::vector<TerrainBytes> write_esri_ascii(const TerrainOutput& terrain) {
-    const auto& [heights, nodata, scale] = terrain;
+/// What GDAL reads beside a grid of another quantity than heights: its description and unit.
+std::string auxiliary_xml(const TerrainOutput& terrain) {
+    return fmt::format(
+        "<PAMDataset>\n  <PAMRasterBand band=\"1\">\n    <Description>{}</Description>\n"
+        "    <UnitType>{}</UnitType>\n  </PAMRasterBand>\n</PAMDataset>\n",
+        in_xml(terrain.description), in_xml(terrain.unit));
+}
+
+/// The grid, and the file with its reference system.
+std::vector<TerrainBytes> grid_files(const TerrainOutput& terrain) {
+    const Grid& heights = terrain.heights;
+    const Mask& nodata = terrain.nodata;
+    const WorldScale& scale = terrain.scale;
     if (!scale.in_metres || !scale.place || !reads_back(terrain))
         return {{".asc", esri_ascii(heights, nodata, scale.dx, scale.dy)}};
     const GeoReference& place = *scale.place;
@@ -74,6 +101,12 @@ std::vector<TerrainBytes> write_esri_ascii(const TerrainOutput& terrain) {
     const std::string crs =
         place.degrees && place.crs.empty() ? degrees_of_unknown_datum : place.crs;
     if (!crs.empty()) files.push_back({".prj", esri_projection(crs) + "\n"});
+    return files;
+}
+
+std::vector<TerrainBytes> write_esri_ascii(const TerrainOutput& terrain) {
+    std::vector<TerrainBytes> files = grid_files(terrain);
+    if (!terrain.description.empty()) files.push_back({".asc.aux.xml", auxiliary_xml(terrain)});
     return files;
 }
 

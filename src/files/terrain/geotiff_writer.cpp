@@ -54,11 +54,22 @@ void place(GDALDatasetH dataset, const TerrainOutput& terrain) {
              terrain.heights.ny());
 }
 
+/// What the numbers are, as programs show it beside them.
+void describe(GDALRasterBandH band, const TerrainOutput& terrain) {
+    if (terrain.description.empty()) {
+        if (terrain.scale.in_metres) gdal().GDALSetRasterUnitType(band, "m");
+        return;
+    }
+    gdal().GDALSetDescription(band, terrain.description.c_str());
+    gdal().GDALSetRasterUnitType(band, terrain.unit.c_str());
+}
+
 void write_rows(GDALRasterBandH band, const TerrainOutput& terrain) {
-    const auto& [heights, nodata, scale] = terrain;
+    const Grid& heights = terrain.heights;
+    const Mask& nodata = terrain.nodata;
     const double missing = nodata.empty() ? 0.0 : unused_height(heights);
     if (!nodata.empty()) gdal().GDALSetRasterNoDataValue(band, missing);
-    if (scale.in_metres) gdal().GDALSetRasterUnitType(band, "m");
+    describe(band, terrain);
     std::vector<double> row(static_cast<std::size_t>(heights.nx()));
     for (int y = heights.ny() - 1; y >= 0; --y) {
         for (int x = 0; x < heights.nx(); ++x) {

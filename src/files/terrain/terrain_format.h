@@ -12,11 +12,14 @@
 
 namespace fumon {
 
-/// Heights to write: in metres, or in model heights where the scale has no metres.
+/// Numbers to write: heights in metres, or in model heights where the scale has no metres; or
+/// another quantity, which has a description.
 struct TerrainOutput {
     const Grid& heights;
     const Mask& nodata;
     const WorldScale& scale;
+    std::string description{};  ///< "slope: angle of …"; empty: heights
+    std::string unit{};         ///< of another quantity; "1" for pure numbers
 };
 
 /// One file of a written terrain.

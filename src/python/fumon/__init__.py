@@ -6,6 +6,7 @@
 
     fumon.render(heights, cell_size=30)         # a picture of any terrain
     fumon.measure(heights, cell_size=30)        # its wavelengths, slopes, dunes …
+    fumon.raster(heights, "slope", cell_size=30)  # also aspect, hillshade, drainage, wetness
     fumon.movie(beds, "growth.mp4", cell_size=30)
     fumon.Bmi()                                 # a model for others to step and change
     fumon.compare(image, other), fumon.fingerprint(image)
@@ -38,6 +39,7 @@ from .images import Comparison, Image, compare, fingerprint  # noqa: E402
 from .layers import Layers  # noqa: E402
 from .measures import Measures  # noqa: E402
 from .movies import Movie, movie  # noqa: E402
+from .rasters import raster  # noqa: E402
 from .scene import Run, Scene, Step  # noqa: E402
 from .terrain import measure, render, render_layers  # noqa: E402
 
@@ -55,5 +57,5 @@ def pin_rendering() -> None:
 
 __all__ = [
     "Bmi", "Comparison", "Error", "Image", "InputError", "Layers", "Measures", "Movie", "Run", "Scene", "Step",
-    "compare", "fingerprint", "measure", "movie", "pin_rendering", "render", "render_layers",
+    "compare", "fingerprint", "measure", "movie", "pin_rendering", "raster", "render", "render_layers",
 ]

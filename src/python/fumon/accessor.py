@@ -9,8 +9,9 @@ import xarray
 from .images import Image, PathLike
 from .measures import Measures
 from .movies import Movie, movie
+from .rasters import made_raster
 from .settings import Setting
-from .terrain import CellSize, Origin, measure, render
+from .terrain import CellSize, Origin, measure, ordered_dims, render
 
 # Versions of xarray differ in whether these have types.
 _register_dataarray_accessor: Any = xarray.register_dataarray_accessor
@@ -32,6 +33,15 @@ class TerrainAccessor:
                 channel_area: float = 0.0) -> Measures:
         """Its measures, see fumon.measure()."""
         return measure(self._array, cell_size, origin=origin, periodic=periodic, channel_area=channel_area)
+
+    def raster(self, quantity: str, cell_size: CellSize = None, *, origin: Origin = "lower", sun_azimuth: float = 315.0,
+               sun_elevation: float = 45.0, exaggeration: float = 1.0) -> xarray.DataArray:
+        """A number for each cell on the same coordinates, see fumon.raster()."""
+        made = made_raster(self._array, quantity, cell_size, origin, None, (sun_azimuth, sun_elevation, exaggeration))
+        dims = ordered_dims(self._array)
+        coordinates = {dim: self._array.coords[dim] for dim in dims if dim in self._array.coords}
+        return xarray.DataArray(made.values, coords=coordinates, dims=dims, name=quantity,
+                                attrs={"units": made.unit, "long_name": made.long_name})
 
     def movie(self, file: PathLike, **options: Any) -> Movie:
         """A movie over its third dimension, see fumon.movie()."""

@@ -26,7 +26,9 @@ enum class OverlayShows {
     KIND(parameters, "parameters", keys, "a line of keys and their values")           \
     KIND(plot, "plot", measurements, "a measurement over time, up to the frame")      \
     KIND(inset_map, "inset-map", nothing,                                             \
-         "a small map of the bed, with where the camera stands and what it sees")
+         "a small map of the bed, with where the camera stands and what it sees")     \
+    KIND(coordinates, "coordinates", nothing,                                         \
+         "coordinates of the terrain's file along a map's frame or a block's lower edges")
 
 #define FUMON_ENUMERATOR(name, word, shows, help) name,
 enum class OverlayKind { FUMON_OVERLAY_KINDS(FUMON_ENUMERATOR) };

@@ -76,6 +76,30 @@ TEST_F(WrittenRaster, GdalFindsAWrittenBedWhereItLies) {
     GDALClose(dataset);
 }
 
+TEST_F(WrittenRaster, WhatIsNoHeightHasItsUnitAndDescription) {
+    const Written written({4000.0, 7000.0, 10.0, 10.0});
+    const TerrainOutput slope{written.heights, written.nodata, written.scale, "slope: a < b",
+                              "degree"};
+    for (const auto* format : {"geotiff", "cloud-optimized-geotiff"}) {
+        const std::string file =
+            folder_.file("slope.tif", find_written_format(format)->write(slope)[0].bytes).string();
+        const GDALDatasetH dataset =
+            GDALOpenEx(file.c_str(), GDAL_OF_RASTER, nullptr, nullptr, nullptr);
+        ASSERT_NE(dataset, nullptr);
+        const GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
+        EXPECT_STREQ(GDALGetDescription(band), "slope: a < b") << format;
+        EXPECT_STREQ(GDALGetRasterUnitType(band), "degree") << format;
+        int has_nodata = 0;
+        EXPECT_EQ(GDALGetRasterNoDataValue(band, &has_nodata), -9999.0);
+        EXPECT_EQ(has_nodata, 1);
+        GDALClose(dataset);
+    }
+    const auto grid = find_written_format("esri-ascii")->write(slope);
+    ASSERT_EQ(grid.size(), 2U);
+    EXPECT_EQ(grid[1].ending, ".asc.aux.xml");
+    EXPECT_NE(grid[1].bytes.find("<Description>slope: a &lt; b</Description>"), std::string::npos);
+}
+
 TEST_F(WrittenRaster, APictureLiesWhereItWasTakenFrom) {
     Image picture(3, 2);
     for (std::size_t k = 0; k < picture.rgb.size(); ++k)
