@@ -29,6 +29,7 @@ struct PictureOrigin {
     std::optional<RenderingEnvironment> environment;  ///< none in pictures of older versions
     bool is_movie = false;
     bool is_exr = false;
+    std::string ending;   ///< of such a file: ".png", ".jpg", ".webp", ".exr", ".mp4"
     std::string encoder;  ///< of a movie: what encoded its frames
 };
 
@@ -48,8 +49,8 @@ PictureText movie_text(const std::string& resolved, const Scene& scene,
                        const std::vector<InputFile>& inputs, const FrameList& frames,
                        const RenderingEnvironment& environment);
 
-/// Reads them back. Throws InputError when the file is neither PNG nor OpenEXR nor MP4 or not of
-/// fumon's making.
+/// Reads them back. Throws InputError when the file is neither PNG, JPEG, WebP, OpenEXR nor MP4 or
+/// not of fumon's making.
 PictureOrigin read_origin(const std::filesystem::path& picture);
 
 }  // namespace fumon

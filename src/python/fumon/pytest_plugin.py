@@ -151,7 +151,7 @@ class Checker:
                 kept.parent.mkdir(exist_ok=True)
                 image.save(kept)
             return image
-        expected = _core.read_png(os.fspath(kept)) if picture and kept.exists() else None
+        expected = _core.read_picture(os.fspath(kept)) if picture and kept.exists() else None
         outcome, finding = _core.judge(recorded, present, image, expected, picture, thumbnail_difference, tile_ssim)
         if outcome != "as recorded":
             if outcome == "missing":
