@@ -254,6 +254,8 @@ bool loses(const std::string& ending) {
 int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& work,
                   const PictureOrigin& origin) {
     PreparedRun prepared = prepare(std::move(scene), origin.step, work.threads);
+    if (!prepared.initial.inputs.empty() && !reads_another_file(prepared.scene))
+        prepared.initial.inputs = origin.inputs;  // as they were named then
     const fs::path output = output_of(options, origin.ending);
     check_still(prepared, output.string());
     const bool other_format = is_exr_name(output) != origin.is_exr ||
@@ -286,9 +288,13 @@ int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& w
 /// Makes the files that the scene reads those that its metadata lists, as they lie now; a file
 /// given on the command line stays.
 void find_listed(Scene& scene, const PictureOrigin& origin, const std::string& picture) {
-    for (const InputKey& key : input_keys(scene)) {
+    const std::vector<InputKey> keys = input_keys(scene);
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        const InputKey& key = keys[k];
         if (scene.set_on_command_line(key.path)) continue;
         const InputFile* input = find_by(origin.inputs, &InputFile::path, *key.file);
+        if (k < origin.inputs.size() && origin.inputs[k].path == *key.file)
+            input = &origin.inputs[k];  // files of two folders may have one name
         if (input == nullptr) {
             throw InputError(fmt::format(
                 "{}: its scene starts from {}, which its metadata does not list with its SHA-256; "

@@ -33,7 +33,7 @@ constexpr const char* environment_keyword = "fumon:environment";
 
 std::string inputs_text(const std::vector<InputFile>& inputs) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const InputFile& input : inputs)
+    for (const InputFile& input : without_local_paths(inputs))
         list.push_back({{"path", input.path}, {"sha256", input.hash}});
     return json_text(list);
 }
@@ -78,7 +78,7 @@ std::string usual_ending(std::string_view head) {
 
 std::string resolved_scene(const Scene& scene, const std::vector<InputFile>& inputs) {
     Scene resolved = scene;
-    name_inputs(resolved, inputs, &InputFile::path);
+    name_inputs(resolved, without_local_paths(inputs), &InputFile::path);
     return to_toml(resolved);
 }
 

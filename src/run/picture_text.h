@@ -34,7 +34,7 @@ struct PictureOrigin {
 };
 
 /// The scene with every default written out and its input files named as reached from the working
-/// folder.
+/// folder, or by their names alone where that would tell of folders of this machine.
 std::string resolved_scene(const Scene& scene, const std::vector<InputFile>& inputs);
 
 /// The texts to write into a picture: Title, Software, and fumon's own (fumon:scene, fumon:seed,
