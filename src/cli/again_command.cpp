@@ -18,7 +18,7 @@
 #include "paper/figure_files.h"
 #include "paper/figure_make.h"
 #include "paper/figure_page.h"
-#include "picture/picture_file.h"
+#include "picture/stills/picture_file.h"
 #include "run/drawing.h"
 #include "run/inputs/find_input.h"
 #include "run/picture_text.h"

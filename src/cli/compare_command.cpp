@@ -11,8 +11,8 @@
 #include "files/atomic_file.h"
 #include "outputs/output_claims.h"
 #include "picture/compare.h"
-#include "picture/picture_file.h"
 #include "picture/png.h"
+#include "picture/stills/picture_file.h"
 #include "scene/json.h"
 
 namespace fumon {

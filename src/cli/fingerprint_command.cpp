@@ -10,7 +10,7 @@
 #include "keys/key_value.h"
 #include "picture/fingerprint.h"
 #include "picture/fingerprint_text.h"
-#include "picture/picture_file.h"
+#include "picture/stills/picture_file.h"
 #include "scene/json.h"
 
 namespace fumon {

@@ -19,7 +19,7 @@
 #include "outputs/output_claims.h"
 #include "outputs/own_file.h"
 #include "picture/movie.h"
-#include "picture/picture_file.h"
+#include "picture/stills/picture_file.h"
 #include "scene/read.h"
 #include "scene/scene_keys.h"
 

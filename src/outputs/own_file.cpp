@@ -10,7 +10,7 @@
 #include "picture/exr.h"
 #include "picture/junit.h"
 #include "picture/movie.h"
-#include "picture/picture_file.h"
+#include "picture/stills/picture_file.h"
 
 namespace fumon {
 

@@ -9,8 +9,8 @@
 #include "picture/compare.h"
 #include "picture/fingerprint.h"
 #include "picture/fingerprint_text.h"
-#include "picture/picture_file.h"
 #include "picture/png.h"
+#include "picture/stills/picture_file.h"
 #include "python/arrays.h"
 #include "python/module.h"
 

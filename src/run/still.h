@@ -7,7 +7,7 @@
 #include "base/image.h"
 #include "base/snapshot.h"
 #include "files/hash.h"
-#include "picture/picture_file.h"
+#include "picture/stills/picture_file.h"
 #include "run/frame_painter.h"
 #include "run/prepared_run.h"
 #include "run/stepper.h"

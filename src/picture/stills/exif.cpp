@@ -1,4 +1,4 @@
-#include "picture/exif.h"
+#include "picture/stills/exif.h"
 
 #include <algorithm>
 #include <cmath>

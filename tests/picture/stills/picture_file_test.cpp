@@ -1,4 +1,4 @@
-#include "picture/picture_file.h"
+#include "picture/stills/picture_file.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 
 #include "base/error.h"
 #include "files/atomic_file.h"
-#include "picture/jpeg.h"
-#include "picture/webp.h"
-#include "picture/xmp.h"
+#include "picture/stills/jpeg.h"
+#include "picture/stills/webp.h"
+#include "picture/stills/xmp.h"
 #include "support/temporary_folder.h"
 
 namespace fumon {

@@ -2,7 +2,7 @@
 // letters), its size (uint32, little-endian) and its content, filled up to an even number of bytes
 // (RFC 9649). Texts stand behind the picture.
 
-#include "picture/webp.h"
+#include "picture/stills/webp.h"
 
 #include <fmt/format.h>
 #include <webp/decode.h>
@@ -14,8 +14,8 @@
 #include <optional>
 
 #include "base/error.h"
-#include "picture/exif.h"
-#include "picture/xmp.h"
+#include "picture/stills/exif.h"
+#include "picture/stills/xmp.h"
 
 namespace fumon {
 

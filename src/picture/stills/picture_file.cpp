@@ -1,4 +1,4 @@
-#include "picture/picture_file.h"
+#include "picture/stills/picture_file.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include "base/error.h"
 #include "files/input_file.h"
 #include "files/png_reader.h"
-#include "picture/jpeg.h"
-#include "picture/webp.h"
+#include "picture/stills/jpeg.h"
+#include "picture/stills/webp.h"
 
 namespace fumon {
 

@@ -1,4 +1,4 @@
-#include "picture/xmp.h"
+#include "picture/stills/xmp.h"
 
 #include <fmt/format.h>
 

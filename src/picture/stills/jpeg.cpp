@@ -1,4 +1,4 @@
-#include "picture/jpeg.h"
+#include "picture/stills/jpeg.h"
 
 #include <fmt/format.h>
 
@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "base/error.h"
-#include "picture/exif.h"
-#include "picture/jpeg_guard.h"
-#include "picture/xmp.h"
+#include "picture/stills/exif.h"
+#include "picture/stills/jpeg_guard.h"
+#include "picture/stills/xmp.h"
 
 namespace fumon {
 
