@@ -18,6 +18,7 @@
 #include "paper/figure_files.h"
 #include "paper/figure_make.h"
 #include "paper/figure_page.h"
+#include "picture/stills/picture_file.h"
 #include "run/drawing.h"
 #include "run/inputs/find_input.h"
 #include "run/picture_text.h"
@@ -35,7 +36,7 @@ namespace {
 
 struct AgainOptions {
     std::string picture;
-    std::string output;  ///< empty: NAME-again.png (or .exr, .mp4 …) in the working folder
+    std::string output;  ///< empty: NAME-again.png (or .jpg, .exr, .mp4 …) in the working folder
     std::string runs;    ///< of a figure: the folder of finished runs; empty: "runs" beside it
     bool force = false;
     bool trust = false;  ///< what the picture asks for, without limits
@@ -44,12 +45,13 @@ struct AgainOptions {
 
 void declare(CLI::App& command, AgainOptions& options) {
     command
-        .add_option("PICTURE", options.picture,
-                    "a PNG, OpenEXR, MP4, PDF or SVG that fumon made, or a film of any format")
+        .add_option(
+            "PICTURE", options.picture,
+            "a PNG, JPEG, WebP, OpenEXR, MP4, PDF or SVG that fumon made, or a film of any format")
         ->required();
     command
         .add_option("-o,--output", options.output,
-                    "what is made (default: NAME-again.png, .exr, .mp4, .pdf or .svg here)")
+                    "what is made (default: NAME-again and the ending of PICTURE, here)")
         ->type_name("FILE");
     command
         .add_option("--runs", options.runs,
@@ -240,24 +242,40 @@ int movie_again(Scene scene, const AgainOptions& options, const PictureOrigin& o
     return 0;
 }
 
+bool is_exr_name(const fs::path& file) {
+    return small_ending(file) == exr_ending.front();
+}
+
+/// Whether pictures of that ending may have other pixels than what was drawn.
+bool loses(const std::string& ending) {
+    return ending == ".jpg" || ending == ".webp";
+}
+
 int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& work,
                   const PictureOrigin& origin) {
     PreparedRun prepared = prepare(std::move(scene), origin.step, work.threads);
-    const std::string_view usual = origin.is_exr ? exr_ending.front() : png_ending.front();
-    const fs::path output = output_of(options, usual);
+    if (!prepared.initial.inputs.empty() && !reads_another_file(prepared.scene))
+        prepared.initial.inputs = origin.inputs;  // as they were named then
+    const fs::path output = output_of(options, origin.ending);
     check_still(prepared, output.string());
-    const bool other_format = small_ending(output) != usual;
+    const bool other_format = is_exr_name(output) != origin.is_exr ||
+                              picture_format(output) != picture_format("picture" + origin.ending);
     claim_output(options, output, scene_files(prepared.scene));
     Progress progress(work.verbosity, static_cast<std::int64_t>(prepared.initial.bed.size()));
     const Snapshot first = prepared.model->snapshot();
     if (const int signal = advance_to(prepared, origin.step, progress); signal != 0)
         return exit_status_of_signal(signal);
 
+    const Sha256 before = file_hash(options.picture);
     const DrawnStill still =
         draw_still(prepared, first, prepared.model->snapshot(), output.string(), work, progress);
     const std::string pixels = hex(still.pixels);
     if (origin.pixels_hash.empty() || other_format || !options.work.settings.empty()) {
         progress.note(fmt::format("{}: made", output.string()));
+    } else if (pixels == origin.pixels_hash && loses(origin.ending) &&
+               file_hash(output) != before) {
+        progress.note(fmt::format("{}: drawn with the same pixels as {}, encoded otherwise",
+                                  output.string(), options.picture));
     } else if (pixels == origin.pixels_hash) {
         progress.note(fmt::format("{}: the same pixels as {}", output.string(), options.picture));
     } else {
@@ -270,9 +288,13 @@ int picture_again(Scene scene, const AgainOptions& options, const WorkOptions& w
 /// Makes the files that the scene reads those that its metadata lists, as they lie now; a file
 /// given on the command line stays.
 void find_listed(Scene& scene, const PictureOrigin& origin, const std::string& picture) {
-    for (const InputKey& key : input_keys(scene)) {
+    const std::vector<InputKey> keys = input_keys(scene);
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        const InputKey& key = keys[k];
         if (scene.set_on_command_line(key.path)) continue;
         const InputFile* input = find_by(origin.inputs, &InputFile::path, *key.file);
+        if (k < origin.inputs.size() && origin.inputs[k].path == *key.file)
+            input = &origin.inputs[k];  // files of two folders may have one name
         if (input == nullptr) {
             throw InputError(fmt::format(
                 "{}: its scene starts from {}, which its metadata does not list with its SHA-256; "

@@ -12,6 +12,7 @@
 #include "outputs/output_claims.h"
 #include "picture/compare.h"
 #include "picture/png.h"
+#include "picture/stills/picture_file.h"
 #include "scene/json.h"
 
 namespace fumon {
@@ -28,7 +29,7 @@ struct CompareOptions {
 };
 
 void declare(CLI::App& command, CompareOptions& options) {
-    command.add_option("A", options.first, "a PNG file")->required();
+    command.add_option("A", options.first, "a PNG, JPEG or WebP file")->required();
     command.add_option("B", options.second, "another")->required();
     command.add_option("--diff", options.difference, "draw where they differ")
         ->type_name("FILE.png");
@@ -94,8 +95,8 @@ void check_difference(const CompareOptions& options) {
 
 int perform(const CompareOptions& options) {
     check_difference(options);
-    const Image first = read_png(options.first);
-    const Image second = read_png(options.second);
+    const Image first = read_picture(options.first);
+    const Image second = read_picture(options.second);
     if (first.width != second.width || first.height != second.height) {
         const std::string text =
             options.as_json

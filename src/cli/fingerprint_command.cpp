@@ -10,7 +10,7 @@
 #include "keys/key_value.h"
 #include "picture/fingerprint.h"
 #include "picture/fingerprint_text.h"
-#include "picture/png.h"
+#include "picture/stills/picture_file.h"
 #include "scene/json.h"
 
 namespace fumon {
@@ -23,7 +23,7 @@ struct FingerprintOptions {
 };
 
 void declare(CLI::App& command, FingerprintOptions& options) {
-    command.add_option("IMAGE", options.images, "PNG files")->required();
+    command.add_option("IMAGE", options.images, "PNG, JPEG or WebP files")->required();
     command.add_flag("--json", options.as_json, "as JSON");
     add_examples(
         command,
@@ -63,7 +63,7 @@ int perform(const FingerprintOptions& options) {
     Json all = Json::array();
     std::string text;
     for (std::string file : options.images) {
-        const Fingerprint fingerprint = fingerprint_of(read_png(file));
+        const Fingerprint fingerprint = fingerprint_of(read_picture(file));
         if (options.as_json) {
             all.push_back(fingerprint_json(file, fingerprint));
             continue;

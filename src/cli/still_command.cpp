@@ -29,7 +29,9 @@ namespace {
 
 struct StillOptions {
     std::string input;   ///< a scene (.toml) or a terrain file
-    std::string output;  ///< a PNG or OpenEXR file
+    std::string output;  ///< a PNG, JPEG, WebP or OpenEXR file
+    std::optional<int> quality;
+    bool lossless = false;
     std::optional<std::int64_t> step;
     std::optional<double> time;
     std::string heights;  ///< "low:high", metres of black and white of a PNG terrain
@@ -44,11 +46,16 @@ void declare(CLI::App& command, StillOptions& options) {
             "a scene (.toml), or terrain: " + terrain_titles() + "; - is either on standard input")
         ->required();
     command
-        .add_option("-o,--output", options.output,
-                    "the picture: PNG, or linear light and layers as OpenEXR (.exr); - is standard "
-                    "output (PNG)")
+        .add_option(
+            "-o,--output", options.output,
+            "the picture: .png, .jpg or .webp, or linear light and layers as OpenEXR (.exr); - is "
+            "standard output (PNG)")
         ->type_name("FILE")
         ->required();
+    auto* quality = add_number(command, "--quality", options.quality, 1, 100,
+                               "of JPEG and WebP (default: image.quality of the scene, 92)")
+                        ->type_name("N");
+    command.add_flag("--lossless", options.lossless, "WebP without any loss")->excludes(quality);
     auto* step = add_number(command, "--step", options.step, 0, largest_step,
                             "of which step (default: the run's last)")
                      ->type_name("N");
@@ -64,6 +71,7 @@ void declare(CLI::App& command, StillOptions& options) {
         command,
         {{"fumon still terada-barchans --step 500 -o dunes.png", "a step of a scene"},
          {"fumon still terrain.asc -o terrain.png", "a terrain file of your own"},
+         {"fumon still terada-barchans -o dunes.webp --quality 80", "a small file"},
          {"fumon still terada-barchans -o dunes.exr", "its light, depth and fields"},
          {"fumon still dunes-barchans --step 0 -o - --set camera.projection=map | feh -",
           "to a program"},
@@ -110,6 +118,25 @@ std::int64_t step_of(const StillOptions& options, const Scene& scene) {
     return *options.step;
 }
 
+/// Puts the options of a format where the scene's other settings are. Throws InputError where the
+/// picture is of another format.
+StillOptions with_coding(StillOptions options) {
+    if (!options.quality && !options.lossless) return options;
+    const PictureFormat format = picture_format(options.output);
+    const bool fits =
+        options.lossless ? format == PictureFormat::webp : format != PictureFormat::png;
+    if (!fits) {
+        throw InputError(options.lossless
+                             ? "--lossless belongs to WebP; name the picture FILE.webp"
+                             : "--quality belongs to JPEG and WebP; name the picture FILE.jpg or "
+                               "FILE.webp");
+    }
+    options.work.settings.push_back(options.lossless
+                                        ? std::string("image.lossless=true")
+                                        : fmt::format("image.quality={}", *options.quality));
+    return options;
+}
+
 PreparedRun prepare(const StillOptions& options, const StandardInput* given) {
     const EndAtOnce nothing_is_written;
     return prepare_run(scene_of(options, given), options.work.threads);
@@ -122,8 +149,9 @@ void claim_outputs(OutputClaims& claims, const Scene& scene, const std::string& 
     for (const fs::path& file : map_file_names(scene, picture)) claims.writes(file, was_own);
 }
 
-int perform(const StillOptions& options) {
+int perform(const StillOptions& asked) {
     const InterruptGuard guard;
+    const StillOptions options = with_coding(asked);
     const bool to_standard_output = options.output == standard_output;
     if (to_standard_output) {
         refuse_terminal("the picture is a PNG file", "dunes.png");

@@ -12,6 +12,7 @@
 #include "picture/movie.h"
 #include "picture/png.h"
 #include "run/picture_text.h"
+#include "scene/input_maps.h"
 #include "scene/json.h"
 
 namespace fumon {
@@ -64,7 +65,7 @@ std::string filmed_runs_text(const FilmRuns& runs) {
     for (std::size_t run = 0; run < runs.size(); ++run) {
         const StoredBeds& beds = runs.beds(run);
         Json inputs = Json::array();
-        for (const InputFile& input : beds.inputs())
+        for (const InputFile& input : without_local_paths(beds.inputs()))
             inputs.push_back({{"path", input.path}, {"sha256", input.hash}});
         list.push_back({{"name", fs::path(beds.name()).filename().string()},
                         {"scene", resolved_scene(beds.scene(), beds.inputs())},

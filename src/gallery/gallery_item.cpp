@@ -20,7 +20,7 @@
 #include "outputs/output_claims.h"
 #include "outputs/own_file.h"
 #include "picture/movie.h"
-#include "picture/png.h"
+#include "picture/stills/picture_file.h"
 #include "scene/read.h"
 #include "scene/scene_keys.h"
 
@@ -57,11 +57,12 @@ Texts texts_of_sidecar(const fs::path& file) {
 /// The texts that a file of fumon's carries; empty where it is none.
 Texts texts_of(const fs::path& file) {
     const std::string ending = small_ending(file);
-    if (std::ranges::find(with_sidecars, ending) != with_sidecars.end())
-        return is_file(sidecar(file)) ? texts_of_sidecar(file) : Texts{};
+    if (std::ranges::find(with_sidecars, ending) != with_sidecars.end() && is_file(sidecar(file)))
+        return texts_of_sidecar(file);
     if (!says_that_fumon_made_it(file)) return {};
     PictureText texts;
-    if (ending == ".png") texts = read_png_texts(file);
+    if (std::ranges::find(pixel_endings, ending) != pixel_endings.end())
+        texts = read_picture_texts(file);
     if (ending == ".mp4") texts = read_movie_texts(file);
     if (ending == ".svg") texts = read_figure_metadata(read_input_file(file), file.string());
     return {texts.begin(), texts.end()};

@@ -23,8 +23,8 @@ bool is_movie_file(const std::string& name) {
 
 bool is_shown(const std::string& name) {
     const std::string ending = small_ending(name);
-    return is_movie_file(name) || ending == ".png" || ending == ".svg" || ending == ".webp" ||
-           ending == ".gif" || ending == ".apng";
+    return is_movie_file(name) || ending == ".png" || ending == ".jpg" || ending == ".jpeg" ||
+           ending == ".svg" || ending == ".webp" || ending == ".gif" || ending == ".apng";
 }
 
 std::string picture(const std::string& file, const std::string& description) {

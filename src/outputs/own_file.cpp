@@ -10,6 +10,7 @@
 #include "picture/exr.h"
 #include "picture/junit.h"
 #include "picture/movie.h"
+#include "picture/stills/picture_file.h"
 
 namespace fumon {
 
@@ -67,6 +68,7 @@ bool says_that_fumon_made_it(const std::filesystem::path& file) {
     try {
         const std::string head = start_of_input_file(file, head_bytes);
         if (is_png(head)) return is_own_png(file);
+        if (is_picture(head)) return by_fumon(read_picture_texts(file));
         if (is_exr(head)) return by_fumon(read_exr_texts(file));
         if (is_movie(file)) return by_fumon(read_movie_texts(file));
         if (is_figure_file(head))

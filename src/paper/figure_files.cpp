@@ -12,6 +12,7 @@
 #include "outputs/output_claims.h"
 #include "outputs/own_file.h"
 #include "paper/figure_caption.h"
+#include "paper/figure_paths.h"
 #include "run/picture_text.h"
 
 namespace fumon {
@@ -102,7 +103,8 @@ std::vector<WholeFile> figure_files(const FigurePlan& plan, const FigureSources&
             notes.push_back(missing);
         files.push_back({path, std::move(drawn.bytes)});
     }
-    files.push_back({folder / (plan.name + ".caption.txt"), figure_caption(plan)});
+    files.push_back({folder / (plan.name + ".caption.txt"),
+                     FigurePaths(plan, sources).in_text(figure_caption(plan))});
     for (const FigureData& data : made.data)
         files.push_back({folder / fmt::format("{}-{}", plan.name, data.name), data.text});
     return files;

@@ -6,7 +6,9 @@
 
 #include "base/error.h"
 #include "files/json_text.h"
+#include "paper/figure_paths.h"
 #include "run/picture_text.h"
+#include "scene/input_maps.h"
 
 namespace fumon {
 
@@ -26,21 +28,28 @@ const std::string* text_of(const FigureMetadata& metadata, const std::string& ke
 }  // namespace
 
 FigureMetadata figure_metadata(const FigurePlan& plan, const FigureSources& sources) {
+    const FigurePaths paths(plan, sources);
     Json origin;
-    origin["scene"] = plan.file;
-    origin["set"] = plan.settings;
+    origin["scene"] = paths.name_of(plan.file);
+    origin["set"] = Json::array();
+    for (const std::string& setting : plan.settings)
+        origin["set"].push_back(paths.in_text(setting));
     if (!sources.version().empty()) origin["defaults"] = sources.version();
     origin["texts"] = Json::array();
-    for (const SourceText& text : sources.all())
-        origin["texts"].push_back({{"path", text.path}, {"text", text.text}});
+    for (const SourceText& text : sources.all()) {
+        origin["texts"].push_back(
+            {{"path", paths.name_of(text.path)}, {"text", paths.in_source(text)}});
+    }
     origin["inputs"] = Json::array();
     for (const InputFile& input : plan.inputs)
-        origin["inputs"].push_back({{"path", input.path}, {"sha256", input.hash}});
+        origin["inputs"].push_back({{"path", paths.name_of(input.path)}, {"sha256", input.hash}});
     FigureMetadata metadata;
     if (!plan.scene.title.empty()) metadata.emplace_back("Title", plan.scene.title);
     metadata.emplace_back("Software", "fumon " FUMON_VERSION);
     metadata.emplace_back(version_keyword, FUMON_VERSION);
-    metadata.emplace_back("fumon:scene", resolved_scene(plan.scene, {}));
+    Scene scene = plan.scene;
+    for (const InputKey& key : input_keys(scene)) *key.file = paths.name_of(*key.file);
+    metadata.emplace_back("fumon:scene", paths.in_text(resolved_scene(scene, {})));
     metadata.emplace_back(figure_keyword,
                           origin.dump(-1, ' ', true, Json::error_handler_t::replace));
     return metadata;

@@ -10,6 +10,7 @@
 #include "picture/fingerprint.h"
 #include "picture/fingerprint_text.h"
 #include "picture/png.h"
+#include "picture/stills/picture_file.h"
 #include "python/arrays.h"
 #include "python/module.h"
 
@@ -19,12 +20,14 @@ namespace {
 
 namespace py = pybind11;
 
-py::bytes png_of(const ImageArray& array, std::optional<double> dots_per_inch) {
+py::bytes encoded(const ImageArray& array, const std::string& file,
+                  std::optional<double> dots_per_inch, int quality, bool lossless) {
     const Image image = image_of(array);
     std::vector<std::uint8_t> bytes;
     {
         const py::gil_scoped_release unlocked;
-        bytes = encode_png(image, dots_per_inch.value_or(screen_dots_per_inch), own_text());
+        bytes = encode_picture(image, picture_format(file), {quality, lossless},
+                               dots_per_inch.value_or(screen_dots_per_inch), own_text());
     }
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
@@ -70,14 +73,16 @@ py::dict fingerprint_dict(const ImageArray& array) {
 }  // namespace
 
 void define_pictures(py::module_& core) {
-    core.def("png", &png_of, py::arg("image"), py::arg("dots_per_inch") = py::none());
+    core.def("encoded", &encoded, py::arg("image"), py::arg("file") = ".png",
+             py::arg("dots_per_inch") = py::none(), py::arg("quality") = PictureCoding{}.quality,
+             py::arg("lossless") = false);
     core.def(
-        "read_png",
+        "read_picture",
         [](const std::string& file) {
             Image image;
             {
                 const py::gil_scoped_release unlocked;
-                image = read_png(file);
+                image = read_picture(file);
             }
             return array_of(std::move(image));
         },

@@ -60,7 +60,7 @@ LayersDrawing layers_drawing_of(const Step& step) {
 
 /// The file that `encode` makes of a drawing of a step.
 template <class Drawn, class Encode>
-py::bytes file_of(const Step& step, const Drawn& drawing, Encode encode) {
+py::bytes file_of(const Step& step, const Drawn& drawing, const Encode& encode) {
     std::vector<std::uint8_t> bytes;
     {
         const py::gil_scoped_release unlocked;
@@ -102,7 +102,17 @@ void define_runs(py::module_& core) {
         .def_property_readonly("numbers", &numbers_of)
         .def_property_readonly("measured", &measures_of)
         .def("drawn", [](const Step& step) { return drawn_of(drawing_of(step)); })
-        .def("png", [](const Step& step) { return file_of(step, drawing_of(step), &still_file); })
+        .def(
+            "still",
+            [](const Step& step, const std::string& file) {
+                return file_of(step, drawing_of(step),
+                               [&file](const Scene& scene, const std::vector<InputFile>& inputs,
+                                       std::int64_t number, const Drawing& drawing) {
+                                   return still_file(scene, inputs, number, drawing,
+                                                     picture_format(file));
+                               });
+            },
+            py::arg("file"))
         .def("layers", [](const Step& step) { return layers_of(layers_drawing_of(step)); })
         .def("exr",
              [](const Step& step) { return file_of(step, layers_drawing_of(step), &layers_file); });

@@ -73,7 +73,7 @@ std::vector<std::filesystem::path> map_file_names(const Scene& scene,
         names.push_back(std::filesystem::path(picture).replace_extension(ending));
     };
     if (scene.output.world_files) {
-        for (const WorldFile& file : world_files({})) add(file.ending);
+        for (const WorldFile& file : world_files({}, small_ending(picture))) add(file.ending);
     }
     if (scene.output.geotiff_frames) add(geotiff_ending);
     return names;
@@ -85,7 +85,8 @@ void write_map_files(const Scene& scene, const Snapshot& snapshot, const Image& 
         write_file(std::filesystem::path(picture).replace_extension(ending), bytes);
     };
     if (scene.output.world_files) {
-        for (const WorldFile& file : world_files(map_frame(scene.view, snapshot, world_files_key)))
+        for (const WorldFile& file :
+             world_files(map_frame(scene.view, snapshot, world_files_key), small_ending(picture)))
             write(file.ending, file.text);
     }
     if (!scene.output.geotiff_frames) return;

@@ -12,6 +12,9 @@
 #include "files/json_text.h"
 #include "picture/exr.h"
 #include "picture/movie.h"
+#include "picture/stills/jpeg.h"
+#include "picture/stills/picture_file.h"
+#include "picture/stills/webp.h"
 #include "scene/input_maps.h"
 #include "scene/json.h"
 #include "scene/write.h"
@@ -30,7 +33,7 @@ constexpr const char* environment_keyword = "fumon:environment";
 
 std::string inputs_text(const std::vector<InputFile>& inputs) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const InputFile& input : inputs)
+    for (const InputFile& input : without_local_paths(inputs))
         list.push_back({{"path", input.path}, {"sha256", input.hash}});
     return json_text(list);
 }
@@ -67,11 +70,15 @@ std::int64_t parse_step(const std::string& text, const std::string& picture) {
     return step;
 }
 
+std::string usual_ending(std::string_view head) {
+    return is_jpeg(head) ? ".jpg" : is_webp(head) ? ".webp" : ".png";
+}
+
 }  // namespace
 
 std::string resolved_scene(const Scene& scene, const std::vector<InputFile>& inputs) {
     Scene resolved = scene;
-    name_inputs(resolved, inputs, &InputFile::path);
+    name_inputs(resolved, without_local_paths(inputs), &InputFile::path);
     return to_toml(resolved);
 }
 
@@ -101,24 +108,24 @@ PictureText movie_text(const std::string& resolved, const Scene& scene,
 }
 
 PictureOrigin read_origin(const std::filesystem::path& picture) {
-    constexpr std::string_view png = "\x89PNG";
+    constexpr std::size_t signature = 12;  // bytes
     std::map<std::string, std::string> texts;
     const bool movie = is_movie(picture);
-    const std::string head = start_of_input_file(picture, png.size());
+    const std::string head = start_of_input_file(picture, signature);
     const bool light = is_exr(head);
-    if (!movie && !light && head != png) {
+    if (!movie && !light && !is_picture(head)) {
         const std::string what =
             picture.extension() == ".toml"
                 ? fmt::format("; `fumon run {} -o DIR` runs a scene", picture.string())
                 : "";
         throw InputError(
-            fmt::format("{}: is no picture; fumon again takes a PNG, OpenEXR, MP4, PDF or SVG "
-                        "that fumon made{}",
+            fmt::format("{}: is no picture; fumon again takes a PNG, JPEG, WebP, OpenEXR, MP4, PDF "
+                        "or SVG that fumon made{}",
                         picture.string(), what));
     }
     for (auto& [keyword, text] : movie   ? read_movie_texts(picture)
                                  : light ? read_exr_texts(picture)
-                                         : read_png_texts(picture))
+                                         : read_picture_texts(picture))
         texts[keyword] = std::move(text);
     if (texts.contains("fumon:film")) {
         throw InputError(fmt::format(
@@ -142,6 +149,7 @@ PictureOrigin read_origin(const std::filesystem::path& picture) {
     origin.pixels_hash = texts[pixels_keyword];
     origin.is_movie = movie;
     origin.is_exr = light;
+    origin.ending = movie ? ".mp4" : light ? ".exr" : usual_ending(head);
     origin.encoder = texts[encoder_keyword];
     if (texts.contains(environment_keyword))
         origin.environment = parse_drawn_by(texts[environment_keyword], picture.string());

@@ -29,11 +29,12 @@ struct PictureOrigin {
     std::optional<RenderingEnvironment> environment;  ///< none in pictures of older versions
     bool is_movie = false;
     bool is_exr = false;
+    std::string ending;   ///< of such a file: ".png", ".jpg", ".webp", ".exr", ".mp4"
     std::string encoder;  ///< of a movie: what encoded its frames
 };
 
 /// The scene with every default written out and its input files named as reached from the working
-/// folder.
+/// folder, or by their names alone where that would tell of folders of this machine.
 std::string resolved_scene(const Scene& scene, const std::vector<InputFile>& inputs);
 
 /// The texts to write into a picture: Title, Software, and fumon's own (fumon:scene, fumon:seed,
@@ -48,8 +49,8 @@ PictureText movie_text(const std::string& resolved, const Scene& scene,
                        const std::vector<InputFile>& inputs, const FrameList& frames,
                        const RenderingEnvironment& environment);
 
-/// Reads them back. Throws InputError when the file is neither PNG nor OpenEXR nor MP4 or not of
-/// fumon's making.
+/// Reads them back. Throws InputError when the file is neither PNG, JPEG, WebP, OpenEXR nor MP4 or
+/// not of fumon's making.
 PictureOrigin read_origin(const std::filesystem::path& picture);
 
 }  // namespace fumon

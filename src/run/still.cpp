@@ -11,7 +11,9 @@
 #include "files/atomic_file.h"
 #include "outputs/output_claims.h"
 #include "picture/exr.h"
-#include "picture/png.h"
+#include "picture/stills/jpeg.h"
+#include "picture/stills/picture_file.h"
+#include "picture/stills/webp.h"
 #include "render/view/framing.h"
 #include "render/view/shown_snapshot.h"
 #include "run/drawing.h"
@@ -84,9 +86,11 @@ PictureText text_of(const Scene& scene, const std::vector<InputFile>& inputs, st
                         record.environment);
 }
 
-std::vector<std::uint8_t> png_file(const Scene& scene, const Drawing& drawing,
-                                   const PictureText& text) {
-    return encode_png(drawing.image, scene.view.image.dots_per_inch, text);
+std::vector<std::uint8_t> pixel_file(const Scene& scene, const Drawing& drawing,
+                                     PictureFormat format, const PictureText& text) {
+    const ImageSettings& image = scene.view.image;
+    return encode_picture(drawing.image, format, {static_cast<int>(image.quality), image.lossless},
+                          image.dots_per_inch, text);
 }
 
 std::vector<std::uint8_t> exr_file(const Scene& scene, const LayersDrawing& drawing,
@@ -97,9 +101,10 @@ std::vector<std::uint8_t> exr_file(const Scene& scene, const LayersDrawing& draw
 }  // namespace
 
 std::vector<std::uint8_t> still_file(const Scene& scene, const std::vector<InputFile>& inputs,
-                                     std::int64_t step, const Drawing& drawing) {
-    return png_file(scene, drawing,
-                    text_of(scene, inputs, step, pixel_hash(drawing.image), drawing.record));
+                                     std::int64_t step, const Drawing& drawing,
+                                     PictureFormat format) {
+    return pixel_file(scene, drawing, format,
+                      text_of(scene, inputs, step, pixel_hash(drawing.image), drawing.record));
 }
 
 std::vector<std::uint8_t> layers_file(const Scene& scene, const std::vector<InputFile>& inputs,
@@ -142,6 +147,30 @@ bool is_exr_name(const std::string& file) {
     return small_ending(file) == exr_ending.front();
 }
 
+/// Throws KeyError where a format cannot hold what a scene asks for.
+void check_pixels(const ImageSettings& image, PictureFormat format) {
+    if (format == PictureFormat::png) return;
+    const std::string_view name = name_of(format);
+    if (image.deep_colour) {
+        throw KeyError("image.deep_colour",
+                       fmt::format("{} holds 8 bits a channel, and image.deep_colour asks for 16; "
+                                   "write a PNG, or set image.deep_colour = false",
+                                   name));
+    }
+    const bool jpeg = format == PictureFormat::jpeg;
+    if (jpeg && image.lossless) {
+        throw KeyError("image.lossless",
+                       "JPEG cannot do without loss; write a WebP or PNG, or set image.lossless = "
+                       "false");
+    }
+    const std::int64_t longest = jpeg ? longest_jpeg_side : longest_webp_side;
+    if (image.width > longest || image.height > longest) {
+        throw KeyError(image.width > longest ? "image.width" : "image.height",
+                       fmt::format("{} holds at most {} pixels on a side, not {} × {}; write a PNG",
+                                   name, longest, image.width, image.height));
+    }
+}
+
 }  // namespace
 
 void stand_on_drawn_ground(View& view, const Snapshot& first, const Snapshot& drawn) {
@@ -151,10 +180,13 @@ void stand_on_drawn_ground(View& view, const Snapshot& first, const Snapshot& dr
 }
 
 void check_still(const PreparedRun& prepared, const std::string& file) {
-    if (!is_exr_name(file)) return;
     const Scene& scene = prepared.scene;
     try {
-        check_layers(scene, prepared.model->snapshot());
+        if (is_exr_name(file)) {
+            check_layers(scene, prepared.model->snapshot());
+        } else {
+            check_pixels(scene.view.image, picture_format(file));
+        }
     } catch (const KeyError& refusal) {
         throw InputError(scene.at(refusal.key()) + refusal.what());
     }
@@ -169,7 +201,10 @@ DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const 
     const Sha256 pixels = pixel_hash(drawing.image);
     const PictureText text =
         text_of(scene, prepared.initial.inputs, snapshot.step, pixels, drawing.record);
-    write_bytes(file, png_file(scene, drawing, text));
+    const PictureFormat format = picture_format(file);
+    write_bytes(file, pixel_file(scene, drawing, format, text));
+    if (format == PictureFormat::jpeg && drawing.image.transparent())
+        progress.note("JPEG has no alpha: what can be seen through stands on white");
     if (file != standard_output) write_map_files(scene, snapshot, drawing.image, file);
     if (drawing.record.exaggeration != 1.0)
         progress.note(fmt::format("vertical exaggeration {:g}", drawing.record.exaggeration));

@@ -7,6 +7,7 @@
 #include "base/image.h"
 #include "base/snapshot.h"
 #include "files/hash.h"
+#include "picture/stills/picture_file.h"
 #include "run/frame_painter.h"
 #include "run/prepared_run.h"
 #include "run/stepper.h"
@@ -46,9 +47,11 @@ Drawing draw_snapshot(const PreparedRun& prepared, const Snapshot& first, const 
 /// What a file is called that is to go to standard output.
 inline constexpr const char* standard_output = "-";
 
-/// The PNG file of such a picture of a step, with its metadata, by which `fumon again` makes it.
+/// The file of such a picture of a step, in a format, with its metadata, by which `fumon again`
+/// makes it. Throws as encode_picture().
 std::vector<std::uint8_t> still_file(const Scene& scene, const std::vector<InputFile>& inputs,
-                                     std::int64_t step, const Drawing& drawing);
+                                     std::int64_t step, const Drawing& drawing,
+                                     PictureFormat format);
 
 /// The light and layers of a snapshot, and what drew them.
 struct LayersDrawing {
@@ -67,8 +70,8 @@ void stand_on_drawn_ground(View& view, const Snapshot& first, const Snapshot& dr
 /// Throws InputError where a still cannot be what the ending of its file says.
 void check_still(const PreparedRun& prepared, const std::string& file);
 
-/// Draws it and writes that file whole: a PNG or, by its ending .exr, an OpenEXR file, whose hash
-/// is layers_hash().
+/// Draws it and writes that file whole: by its ending a PNG, JPEG, WebP or OpenEXR file; the hash
+/// is that of the pixels as they are drawn, or layers_hash().
 DrawnStill draw_still(const PreparedRun& prepared, const Snapshot& first, const Snapshot& snapshot,
                       const std::string& file, const WorkOptions& work, Progress& progress);
 

@@ -120,6 +120,16 @@ void name_inputs(Scene& scene, const std::vector<InputFile>& inputs,
         *keys[k].file = inputs[k].*member;
 }
 
+std::vector<InputFile> without_local_paths(std::vector<InputFile> inputs) {
+    for (InputFile& input : inputs) {
+        const fs::path file(input.path);
+        if (!file.is_absolute()) continue;
+        const fs::path last = file.has_filename() ? file.filename() : file.parent_path().filename();
+        input.path = last.string();
+    }
+    return inputs;
+}
+
 void add_maps(const Scene& scene, InitialBed& initial) {
     Scene named = scene;
     const KeyTable keys = scene_keys(named);

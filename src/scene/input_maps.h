@@ -26,6 +26,10 @@ std::filesystem::path input_path(const Scene& scene, const InputKey& key);
 void name_inputs(Scene& scene, const std::vector<InputFile>& inputs,
                  std::string InputFile::*member);
 
+/// The same inputs by names that tell nothing of this machine, for what leaves it: a path from the
+/// root of the file system becomes the file's name alone, any other stays.
+std::vector<InputFile> without_local_paths(std::vector<InputFile> inputs);
+
 /// Reads the maps of a scene, [[map]], and brings each to the cells of the bed that is there
 /// already (on_cells): initial.maps, with their files at the end of initial.inputs and what the
 /// user should hear in its note. Throws InputError, located at the key, where a file is missing,

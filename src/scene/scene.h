@@ -184,6 +184,8 @@ struct ImageSettings {
     std::int64_t supersampling = 2;  ///< 1, 2 or 4 samples along each side of a pixel
     double dots_per_inch = 300.0;    ///< written into the PNG
     bool deep_colour = false;        ///< PNG of 16 bits a channel
+    std::int64_t quality = 92;       ///< of JPEG and WebP, 1 … 100
+    bool lossless = false;           ///< WebP without loss
 };
 
 enum class SectionArrows { arrows, streamlines, none };

@@ -422,9 +422,13 @@ void list_view_keys(View& view, KeyTable& table) {
     table.integer("image.supersampling", image.supersampling,
                   {.range = {1, 4}, .help = "1, 2 or 4 samples along each side of a pixel"});
     table.real("image.dots_per_inch", image.dots_per_inch,
-               {.range = {1, 10000}, .help = "physical size, written into the PNG"});
+               {.range = {1, 10000}, .help = "physical size, written into the picture"});
     table.boolean("image.deep_colour", image.deep_colour,
                   {.help = "PNG of 16 bits a channel, of 3-D views"});
+    table.integer(
+        "image.quality", image.quality,
+        {.range = {1, 100}, .help = "of JPEG and WebP pictures: their loss against their size"});
+    table.boolean("image.lossless", image.lossless, {.help = "WebP pictures without any loss"});
     table.tables("person", view.persons,
                  "a person of 1.75 m who stands on the bed as a scale (scenic, perspective)",
                  list_person_keys);

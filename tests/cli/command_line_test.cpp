@@ -182,7 +182,8 @@ TEST(CommandLine, PicturesAndScenesAreToldApart) {
             "fumon has drawn, `fumon again a.png` makes again\n");
     }
     EXPECT_EQ(fumon({"again", "scene.toml"}, folder.path()).errors,
-              "scene.toml: is no picture; fumon again takes a PNG, OpenEXR, MP4, PDF or SVG that "
+              "scene.toml: is no picture; fumon again takes a PNG, JPEG, WebP, OpenEXR, MP4, PDF "
+              "or SVG that "
               "fumon made; "
               "`fumon run scene.toml -o DIR` runs a scene\n");
 }

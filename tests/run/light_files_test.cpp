@@ -1,4 +1,4 @@
-// OpenEXR and PNG of 16 bits, as a user makes them.
+// OpenEXR, PNG of 16 bits, JPEG and WebP, as a user makes them.
 
 #include <gtest/gtest.h>
 
@@ -59,6 +59,34 @@ TEST_F(LightFiles, AStillIsMadeAgainToTheByte) {
     EXPECT_EQ(read_text(folder_ / "a.exr"), read_text(folder_ / "a-again.exr"));
     ASSERT_EQ(run({"again", "a.exr", "-o", "b.png"}).status, 0);
     EXPECT_EQ(read_png(folder_ / "b.png").width, 64);
+}
+
+TEST_F(LightFiles, AJpegAndAWebpAreMadeAgainToTheByte) {
+    for (const std::vector<std::string>& how : std::vector<std::vector<std::string>>{
+             {"a.jpg"}, {"b.JPEG", "--quality", "60"}, {"c.webp"}, {"d.webp", "--lossless"}}) {
+        const fs::path file = how.front();
+        std::vector<std::string> still{"still", "scene.toml", "--threads", "1", "-o"};
+        still.insert(still.end(), how.begin(), how.end());
+        ASSERT_EQ(run(still).status, 0) << file;
+        const std::string made = file.stem().string() + "-again" +
+                                 (file == "b.JPEG" ? ".jpg" : file.extension().string());
+        const Ended again = run({"again", file.string(), "--threads", "3"});
+        EXPECT_NE(again.errors.find(made + ": the same pixels as " + file.string()),
+                  std::string::npos)
+            << again.errors;
+        EXPECT_EQ(read_text(folder_ / file.string()), read_text(folder_ / made));
+    }
+    EXPECT_LT(fs::file_size(folder_ / "b.JPEG"), fs::file_size(folder_ / "a.jpg"));
+    ASSERT_EQ(run({"again", "d.webp", "-o", "e.png"}).status, 0);
+    EXPECT_EQ(run({"compare", "d.webp", "e.png", "--level", "identical"}).status, 0);
+    EXPECT_EQ(run({"compare", "a.jpg", "e.png"}).status, 1);  // noise of a small picture
+    const Ended deep =
+        run({"still", "scene.toml", "-o", "f.jpg", "--set", "image.deep_colour=true"});
+    EXPECT_EQ(deep.status, 2);
+    EXPECT_NE(deep.errors.find("JPEG holds 8 bits a channel"), std::string::npos) << deep.errors;
+    EXPECT_EQ(run({"still", "scene.toml", "-o", "f.png", "--quality", "50"}).errors,
+              "--quality belongs to JPEG and WebP; name the picture FILE.jpg or FILE.webp\n");
+    EXPECT_FALSE(fs::exists(folder_ / "f.jpg"));
 }
 
 TEST_F(LightFiles, FramesHaveThemBesideThem) {

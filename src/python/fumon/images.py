@@ -69,16 +69,20 @@ class Image(_Pixels):
 
     @classmethod
     def open(cls, file: PathLike) -> Image:
-        """The pixels of a PNG file, with alpha where it has some."""
-        return _core.read_png(os.fspath(file)).view(cls)
+        """The pixels of a PNG, JPEG or WebP file, with alpha where it has some."""
+        return _core.read_picture(os.fspath(file)).view(cls)
 
-    def save(self, file: PathLike) -> None:
-        """Writes it as PNG, whole or not at all."""
-        write_png(file, _core.png(checked_pixels(self)))
+    def save(self, file: PathLike, quality: int = 92, lossless: bool = False) -> None:
+        """Writes it whole or not at all, as PNG, JPEG (.jpg, .jpeg) or WebP by the file's name. ``quality``, 1 … 100, is of
+        JPEG and WebP, ``lossless`` of WebP. JPEG has no alpha: what can be seen through stands on white."""
+        name = picture_name(file)
+        if not 1 <= quality <= 100:
+            raise ValueError(f"quality is {quality}; it takes 1 … 100")
+        _core.write_file(name, _core.encoded(checked_pixels(self), name, quality=quality, lossless=lossless))
 
     def _repr_png_(self) -> bytes | None:
         is_picture = self.ndim == 3 and self.shape[2] in (3, 4) and self.dtype == np.uint8 and self.size > 0
-        return _core.png(np.ascontiguousarray(self)) if is_picture else None
+        return _core.encoded(np.ascontiguousarray(self)) if is_picture else None
 
     def __repr__(self) -> str:
         if self.ndim != 3:
@@ -96,12 +100,12 @@ def _image_of(kind: type[Image], pixels: Array, environment: str) -> Image:
     return image
 
 
-def write_png(file: PathLike, data: bytes) -> None:
-    """Writes the bytes of a PNG file. ValueError where the name ends otherwise."""
+def picture_name(file: PathLike) -> str:
+    """The name of a file for a picture. ValueError where it ends otherwise."""
     name = os.fspath(file)
-    if not name.lower().endswith(".png"):
-        raise ValueError(f"{name}: pictures are PNG files; write {name}.png")
-    _core.write_file(name, data)
+    if not name.lower().endswith((".png", ".jpg", ".jpeg", ".webp")):
+        raise ValueError(f"{name}: pictures are PNG, JPEG or WebP files; write {name}.png")
+    return name
 
 
 def checked_pixels(pixels: npt.ArrayLike) -> Bytes:
@@ -116,7 +120,7 @@ def checked_pixels(pixels: npt.ArrayLike) -> Bytes:
 
 def _pixels_of(picture: Picture) -> Bytes:
     if isinstance(picture, (str, os.PathLike)):
-        return _core.read_png(os.fspath(picture))
+        return _core.read_picture(os.fspath(picture))
     return checked_pixels(picture)
 
 
@@ -145,13 +149,13 @@ class Fingerprint(TypedDict):
 
 
 def compare(first: Picture, second: Picture) -> Comparison:
-    """Compares two pictures of one size: arrays or PNG files; what is transparent on black and on white, whichever tells
+    """Compares two pictures of one size: arrays or files (PNG, JPEG, WebP); what is transparent on black and on white, whichever tells
     them further apart. ValueError where their sizes differ."""
     a, b = _pixels_of(first), _pixels_of(second)
     return Comparison(**_core.compare(a, b), difference=_core.difference(a, b).view(Image))
 
 
 def fingerprint(picture: Picture) -> Fingerprint:
-    """What ``fumon fingerprint`` says of a picture, an array or a PNG file: width and height (pixels), pixels_sha256,
+    """What ``fumon fingerprint`` says of a picture, an array or a file (PNG, JPEG, WebP): width and height (pixels), pixels_sha256,
     dhash and thumbnail, an array (18, 32, 3) of box means."""
     return _core.fingerprint(_pixels_of(picture))

@@ -271,7 +271,7 @@ class Checker:
             return image
         self._session.keep(lock, known)
         kept = kept_picture(lock, known)
-        expected = _core.read_png(os.fspath(kept)) if picture and kept.exists() else None
+        expected = _core.read_picture(os.fspath(kept)) if picture and kept.exists() else None
         outcome, finding = _core.judge(recorded, present, image, expected, picture, thumbnail_difference, tile_ssim)
         if outcome != "as recorded":
             if outcome == "missing":

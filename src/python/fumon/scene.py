@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Iterable, Iterator, NoReturn, SupportsInd
 
 from . import _core
 from .arrays import Bytes, Numbers
-from .images import Image, PathLike, write_png
+from .images import Image, PathLike, picture_name
 from .layers import Layers
 from .measures import Measures
 from .progress import Progress
@@ -284,15 +284,17 @@ class Step:
         return Layers.drawn(self._core.layers())
 
     def save(self, file: PathLike) -> None:
-        """Writes that picture as PNG or, where the name ends in .exr, its layers as OpenEXR, with all that
-        ``fumon again`` needs to make it once more."""
+        """Writes that picture as PNG, JPEG (.jpg, .jpeg) or WebP or, where the name ends in .exr, its layers as OpenEXR,
+        with all that ``fumon again`` needs to make it once more. ``image_quality`` and ``image_lossless`` of the scene are
+        those of JPEG and WebP."""
         if os.fspath(file).lower().endswith(".exr"):
             _core.write_file(os.fspath(file), self._core.exr())
         else:
-            write_png(file, self._core.png())
+            name = picture_name(file)
+            _core.write_file(name, self._core.still(name))
 
     def _repr_png_(self) -> bytes:
-        return self._core.png()
+        return self._core.still(".png")
 
     def __repr__(self) -> str:
         ny, nx = self.bed.shape

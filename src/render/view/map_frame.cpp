@@ -57,15 +57,17 @@ MapFrame map_frame(const View& view, const Snapshot& snapshot, const char* key) 
             pixel_y, place.crs};
 }
 
-std::vector<WorldFile> world_files(const MapFrame& frame) {
+std::vector<WorldFile> world_files(const MapFrame& frame, const std::string& ending) {
+    if (ending.size() < 2) return world_files(frame);  // of a picture without an ending
     std::vector<WorldFile> files;
     files.push_back(
-        {".pgw", fmt::format("{}\n0\n0\n{}\n{}\n{}\n", frame.pixel_x, -frame.pixel_y,
-                             frame.west + 0.5 * frame.pixel_x, frame.north - 0.5 * frame.pixel_y)});
+        {std::string{'.', ending.at(1), ending.back(), 'w'},
+         fmt::format("{}\n0\n0\n{}\n{}\n{}\n", frame.pixel_x, -frame.pixel_y,
+                     frame.west + 0.5 * frame.pixel_x, frame.north - 0.5 * frame.pixel_y)});
     const std::string system =
         frame.crs.empty() ? "" : fmt::format("  <SRS>{}</SRS>\n", xml_text(frame.crs));
     files.push_back(
-        {".png.aux.xml",
+        {ending + ".aux.xml",
          fmt::format("<PAMDataset>\n{}  <GeoTransform>{}, {}, 0, {}, 0, {}</GeoTransform>\n"
                      "</PAMDataset>\n",
                      system, frame.west, frame.pixel_x, frame.north, -frame.pixel_y)});

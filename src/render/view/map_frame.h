@@ -23,14 +23,15 @@ struct MapFrame {
 /// where the camera looks otherwise or the bed lies nowhere on a map.
 MapFrame map_frame(const View& view, const Snapshot& snapshot, const char* key);
 
-/// A file that stands beside a picture: picture.png gets picture.pgw and picture.png.aux.xml.
+/// A file that stands beside a picture: picture.png gets picture.pgw and picture.png.aux.xml,
+/// picture.jpg picture.jgw and picture.jpg.aux.xml.
 struct WorldFile {
-    std::string ending;  ///< ".pgw", ".png.aux.xml", in the place of ".png"
+    std::string ending;  ///< ".pgw", ".png.aux.xml", in the place of the picture's
     std::string text;
 };
 
 /// The world file of six lines, and the auxiliary file of GDAL with the reference system, which
-/// QGIS and ArcGIS read too.
-std::vector<WorldFile> world_files(const MapFrame& frame);
+/// QGIS and ArcGIS read too; `ending`: the picture's.
+std::vector<WorldFile> world_files(const MapFrame& frame, const std::string& ending = ".png");
 
 }  // namespace fumon

@@ -50,8 +50,9 @@ fs::path find_input(const InputFile& input, const fs::path& place, std::string_v
     }
     throw InputError(
         fmt::format("{}: {} as it was when the {} was made (SHA-256 {}…) is not there; bring it "
-                    "back, or run this in the folder from which the path leads to it",
-                    place.string(), input.path, what, input.hash.substr(0, 12)));
+                    "back or beside the {}, or run this in the folder from which the path leads to "
+                    "it",
+                    place.string(), input.path, what, input.hash.substr(0, 12), what));
 }
 
 std::shared_ptr<const std::vector<std::string>> hashes_of(const std::vector<InputFile>& inputs) {
