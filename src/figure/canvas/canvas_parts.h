@@ -38,6 +38,9 @@ struct Canvas::Parts {
         cairo_set_source_rgba(drawing.get(), ink.red, ink.green, ink.blue, ink.opacity);
     }
 
+    /// Shows the layout from the current origin on, at an offset from it.
+    void show_text(const CanvasPoint& at, const Ink& ink);
+
     void trace(std::span<const CanvasPoint> points) const {
         cairo_new_path(drawing.get());
         for (const CanvasPoint& point : points) cairo_line_to(drawing.get(), point.x, point.y);
@@ -77,6 +80,8 @@ struct Canvas::Parts {
     double line_width;
     std::vector<PlacedText> texts;
     std::string missing;
+    bool letters_as_text = false;  ///< of an SVG file
+    std::string svg_texts;         ///< elements that come last in it
     FigureMetadata metadata;
 };
 
