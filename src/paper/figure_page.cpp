@@ -46,6 +46,7 @@ Page empty_page(const FigurePlan& plan) {
                        ? static_cast<int>(figure.columns)
                        : columns_for(pictures_of(plan), page.width < narrow * millimetre);
     page.font_size = figure.font_size;
+    page.svg_text = figure.svg_text == SvgText::text;
     page.line_width = 0.5 * figure.line_width;  // curves are twice as wide
     page.letters = figure.letters;
     return page;

@@ -21,6 +21,7 @@
 #include "figure/canvas/figure_metadata.h"
 #include "figure/canvas/marked_text.h"
 #include "figure/canvas/svg_ids.h"
+#include "figure/canvas/svg_text.h"
 #include "picture/png.h"
 
 namespace fumon {
@@ -167,9 +168,7 @@ void Canvas::write(const std::string& text, const CanvasPoint& at, const CanvasP
     cairo_translate(drawing, box.x, upright ? box.y + box.height : box.y);
     constexpr double quarter_turn = -1.5707963267948966;
     if (upright) cairo_rotate(drawing, quarter_turn);
-    parts_->use(ink);
-    cairo_move_to(drawing, 0.0, 0.0);
-    parts_->show_text();
+    parts_->show_text({0.0, 0.0}, ink);
     cairo_restore(drawing);
     parts_->note_missing(text);
     parts_->texts.push_back({read_marked_text(text).letters, box});
@@ -183,9 +182,7 @@ void Canvas::write_turned(const std::string& text, const CanvasPoint& middle, do
     cairo_save(drawing);
     cairo_translate(drawing, middle.x, middle.y);
     cairo_rotate(drawing, angle);
-    parts_->use(ink);
-    cairo_move_to(drawing, -0.5 * length, -0.5 * height);
-    parts_->show_text();
+    parts_->show_text({-0.5 * length, -0.5 * height}, ink);
     cairo_restore(drawing);
     parts_->note_missing(text);
     const double across = std::abs(elementary::cos(angle));
@@ -257,6 +254,10 @@ CanvasLayer Canvas::layer() const {
     return layer;
 }
 
+void Canvas::keep_letters_as_text() {
+    parts_->letters_as_text = parts_->format == PageFormat::svg;
+}
+
 void Canvas::set_metadata(FigureMetadata metadata) {
     parts_->metadata = std::move(metadata);
 }
@@ -286,7 +287,8 @@ std::string Canvas::bytes() {
                                     parts_->height, cairo_status_to_string(status)));
     }
     if (*parts_->format == PageFormat::pdf) return parts_->file;
-    return with_svg_metadata(with_counted_ids(parts_->file), parts_->metadata);
+    return with_svg_metadata(with_svg_texts(with_counted_ids(parts_->file), parts_->svg_texts),
+                             parts_->metadata);
 }
 
 CanvasClip::CanvasClip(Canvas& canvas, const CanvasBox& box) : canvas_(canvas) {

@@ -113,6 +113,9 @@ class Canvas {
     [[nodiscard]] CanvasLayer layer() const;
 
     /// What bytes() writes into the file beside the drawing. "Title" and "Software" are also what
+    /// Lets an SVG file hold texts that are written from now on as text, in DejaVu Sans or what a
+    /// reader has for it, above all else; in place of outlines, which look the same everywhere.
+    void keep_letters_as_text();
     /// other programs show as title and creator.
     void set_metadata(FigureMetadata metadata);
     /// The page's finished file; nothing can be drawn after it. Holds no date, and the same calls

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "figure/canvas/marked_text.h"
+#include "figure/canvas/svg_text.h"
 
 namespace fumon {
 
@@ -117,11 +118,22 @@ void Canvas::Parts::set_text(const std::string& text, double size, bool bold) {
                           static_cast<int>(marked.letters.size()));
 }
 
-void Canvas::Parts::show_text() const {
+void Canvas::Parts::show_text(const CanvasPoint& at, const Ink& ink) {
+    cairo_t* const on = drawing.get();
+    if (letters_as_text) {
+        cairo_matrix_t matrix;
+        cairo_get_matrix(on, &matrix);
+        cairo_matrix_translate(&matrix, at.x, at.y);
+        svg_texts += svg_text(
+            layout.get(), {matrix.xx, matrix.yx, matrix.xy, matrix.yy, matrix.x0, matrix.y0}, ink);
+        return;
+    }
+    use(ink);
+    cairo_move_to(on, at.x, at.y);
     if (outlines)
-        outlines->fill(drawing.get());
+        outlines->fill(on);
     else
-        pango_cairo_show_layout(drawing.get(), layout.get());
+        pango_cairo_show_layout(on, layout.get());
 }
 
 int Canvas::Parts::copies_of(const Image& image, const CanvasBox& box) const {

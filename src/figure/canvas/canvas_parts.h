@@ -27,9 +27,6 @@ struct Canvas::Parts {
     cairo_surface_t* new_surface();
     /// Of a text with x^{2} and A_{s} in it (figure/marked_text.h).
     void set_text(const std::string& text, double size, bool bold);
-    /// Writes the text that was set, from the current point.
-    void show_text() const;
-
     [[nodiscard]] std::array<double, 2> size_of_text() const {
         if (outlines) return {outlines->width(), outlines->height()};
         int text_width = 0;
@@ -42,6 +39,9 @@ struct Canvas::Parts {
     void use(const Ink& ink) const {
         cairo_set_source_rgba(drawing.get(), ink.red, ink.green, ink.blue, ink.opacity);
     }
+
+    /// Writes the text that was set, from the current origin on, at an offset from it.
+    void show_text(const CanvasPoint& at, const Ink& ink);
 
     void trace(std::span<const CanvasPoint> points) const {
         cairo_new_path(drawing.get());
@@ -84,6 +84,8 @@ struct Canvas::Parts {
     std::vector<PlacedText> texts;
     std::string missing;
     bool system_fonts = false;  ///< Pango has set a text
+    bool letters_as_text = false;  ///< of an SVG file
+    std::string svg_texts;         ///< elements that come last in it
     FigureMetadata metadata;
 };
 

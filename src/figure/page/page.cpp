@@ -123,6 +123,7 @@ DrawnPage draw_page(const Page& page, PageFormat format, double dots_per_inch,
     PageLayout layout = lay_out(page);
     Canvas canvas(format, layout.width, layout.height, dots_per_inch, page.font_size);
     canvas.set_metadata(metadata);
+    if (page.svg_text) canvas.keep_letters_as_text();
     draw_page(page, layout, canvas);
     std::string bytes = canvas.bytes();
     return {std::move(bytes), std::move(layout), canvas.texts(), canvas.missing_letters()};

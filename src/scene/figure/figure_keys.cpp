@@ -273,6 +273,12 @@ void list_figure_keys(FigureSettings& figure, KeyTable& table) {
     table.real("figure.dots_per_inch", figure.dots_per_inch,
                {.range = {50, 1200}, .help = "of pictures in the page, and of its PNG"});
     table.text_list("figure.formats", figure.formats, {.help = "pdf, svg, png"});
+    table.choice<SvgText>(
+        "figure.svg_text", figure.svg_text,
+        {{SvgText::outlines, "outlines", "shapes, which look the same everywhere"},
+         {SvgText::text, "text",
+          "text in DejaVu Sans, to select, search and edit; above all else"}},
+        {.help = "letters of the figure's SVG"});
     table.text("figure.caption", figure.caption,
                {.help = "the caption's first sentences; parameters, seeds and version follow"});
     table.tables("figure.panel", figure.panels, "a panel of the figure, for `fumon figure`",

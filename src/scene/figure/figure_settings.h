@@ -132,6 +132,8 @@ struct PanelSettings {
     std::vector<RangeBoxSettings> boxes;
 };
 
+enum class SvgText { outlines, text };
+
 /// A paper's figure: panels on a page.
 struct FigureSettings {
     WordOrReal width{"double", 0.0};  ///< mm
@@ -142,6 +144,7 @@ struct FigureSettings {
     bool letters = true;
     double dots_per_inch = 300.0;  ///< of pictures, and of the PNG
     std::vector<std::string> formats{"pdf", "svg", "png"};
+    SvgText svg_text = SvgText::outlines;
     std::string caption;  ///< comes before the parameters
     std::vector<PanelSettings> panels;
 };
