@@ -36,10 +36,10 @@ struct GalleryItem {
 };
 
 /// The items of what fumon made: of a run's folder (its movie or last frame, plots of its
-/// measurements), of a file (PNG, JPEG, WebP, MP4, SVG, a movie with a sidecar), or of all of these in a
-/// folder. Files of one kind that differ in their endings alone are one item, with the PDF and the
-/// caption of a figure. Files of others are passed over in folders. Throws InputError for a path
-/// where there is nothing that fumon made, and for a damaged file.
+/// measurements), of a file (PNG, JPEG, WebP, MP4, SVG, a movie with a sidecar), or of all of these
+/// in a folder. Files of one kind that differ in their endings alone are one item, with the PDF and
+/// the caption of a figure. Files of others are passed over in folders. Throws InputError for a
+/// path where there is nothing that fumon made, and for a damaged file.
 std::vector<GalleryItem> gallery_items(const std::vector<std::filesystem::path>& from);
 
 }  // namespace fumon

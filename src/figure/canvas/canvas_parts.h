@@ -83,7 +83,7 @@ struct Canvas::Parts {
     double line_width;
     std::vector<PlacedText> texts;
     std::string missing;
-    bool system_fonts = false;  ///< Pango has set a text
+    bool system_fonts = false;     ///< Pango has set a text
     bool letters_as_text = false;  ///< of an SVG file
     std::string svg_texts;         ///< elements that come last in it
     FigureMetadata metadata;

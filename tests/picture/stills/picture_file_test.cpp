@@ -39,7 +39,7 @@ std::string text_of(const std::vector<std::uint8_t>& bytes) {
     return {bytes.begin(), bytes.end()};
 }
 
-PictureText texts(std::size_t length) {
+PictureText scene_texts(std::size_t length) {
     std::string scene = "title = \"5 < 6 & 7 > 6 'ÄÖ' ]]>\"\n\t# tab\r\n";
     while (scene.size() < length) scene += "key = \"&amp; <value>\"\n";
     return {{"Title", "Dunes & <ripples>"},
@@ -48,7 +48,7 @@ PictureText texts(std::size_t length) {
             {"fumon:pixels-sha256", "00ff"}};
 }
 
-int largest_difference(const Image& a, const Image& b) {
+int largest_loss(const Image& a, const Image& b) {
     int largest = 0;
     for (std::size_t i = 0; i < a.rgb.size(); ++i)
         largest = std::max(largest, std::abs(int{a.rgb[i]} - int{b.rgb[i]}));
@@ -61,9 +61,10 @@ TEST(PictureFile, HasTheSameTextsInEveryFormatAlsoLongOnes) {
         for (const char* name : {"a.png", "a.jpg", "a.webp"}) {
             const TemporaryFolder folder;
             const auto file = folder.path() / name;
-            write_file(file, encode_picture(image, picture_format(file), {}, 300, texts(length)));
+            write_file(file,
+                       encode_picture(image, picture_format(file), {}, 300, scene_texts(length)));
             PictureText read = read_picture_texts(file);
-            PictureText wanted = texts(length);
+            PictureText wanted = scene_texts(length);
             std::ranges::sort(read);
             std::ranges::sort(wanted);
             EXPECT_EQ(read, wanted) << name << " " << length;
@@ -74,9 +75,9 @@ TEST(PictureFile, HasTheSameTextsInEveryFormatAlsoLongOnes) {
 TEST(PictureFile, PixelsComeBackWithinTheLossOfTheFormat) {
     const Image image = shaded(67, 41, false);
     const auto jpeg = encode_picture(image, PictureFormat::jpeg, {}, 300, {});
-    EXPECT_LE(largest_difference(decode_jpeg(text_of(jpeg), "a.jpg"), image), 4);
+    EXPECT_LE(largest_loss(decode_jpeg(text_of(jpeg), "a.jpg"), image), 4);
     const auto lossy = encode_picture(image, PictureFormat::webp, {}, 300, {});
-    EXPECT_LE(largest_difference(decode_webp(text_of(lossy), "a.webp"), image), 12);
+    EXPECT_LE(largest_loss(decode_webp(text_of(lossy), "a.webp"), image), 12);
     const Image seen_through = shaded(67, 41, true);
     const auto whole = encode_picture(seen_through, PictureFormat::webp, {92, true}, 300, {});
     EXPECT_EQ(decode_webp(text_of(whole), "a.webp"), seen_through);
@@ -134,7 +135,7 @@ TEST(PictureFile, DamagedFilesAreRefused) {
     for (const char* name : {"a.jpg", "a.webp"}) {
         const auto file = folder.path() / name;
         const std::string whole =
-            text_of(encode_picture(image, picture_format(file), {}, 96, texts(0)));
+            text_of(encode_picture(image, picture_format(file), {}, 96, scene_texts(0)));
         for (std::size_t size = 0; size < whole.size(); size += 7) {
             write_file(file, whole.substr(0, size));
             EXPECT_THROW(read_picture_texts(file), InputError) << name << " " << size;
