@@ -26,7 +26,7 @@ def test_a_picture_is_an_array_that_shows_itself(tmp_path):
     assert np.array_equal(fumon.Image.open(tmp_path / "part.png"), PICTURE[:10, ::2])
     assert image.mean(axis=2)._repr_png_() is None and float(image.mean()) == PICTURE.mean()
     with pytest.raises(ValueError, match="png"):
-        image.save(tmp_path / "a.jpg")
+        image.save(tmp_path / "a.bmp")
     with pytest.raises(fumon.Error, match="nowhere"):
         image.save(tmp_path / "nowhere" / "a.png")
     with pytest.raises(fumon.InputError):

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "files/netcdf/former_names.h"
+#include "files/netcdf/number_names.h"
 #include "files/netcdf/netcdf_section_record.h"
 
 namespace fumon {

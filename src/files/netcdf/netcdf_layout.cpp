@@ -13,6 +13,7 @@
 #include "files/netcdf/netcdf_calls.h"
 #include "files/netcdf/netcdf_definition.h"
 #include "files/netcdf/netcdf_place.h"
+#include "files/netcdf/number_names.h"
 
 namespace fumon {
 
@@ -43,7 +44,7 @@ void check_names(const Snapshot& first) {
             throw Error(fmt::format("two fields are called \"{}\"; each needs its own name", name));
     };
     for (const SnapshotField& field : first.fields) check(field.name);
-    for (const SnapshotNumber& number : first.numbers) check(number.name);
+    for (const SnapshotNumber& number : first.numbers) check(variable_of_number(number.name));
     if (!first.section) return;
     for (const std::string& name : section_variable_names(*first.section)) check(name);
 }
@@ -204,7 +205,8 @@ FieldsLayout define_fields(int file, const Snapshot& first, const FieldsText& te
         describe(file, layout.fields.back(), field.long_name, field.unit);
     }
     for (const SnapshotNumber& number : first.numbers) {
-        layout.numbers.push_back(define_over_time(file, dimensions, number.name));
+        layout.numbers.push_back(
+            define_over_time(file, dimensions, variable_of_number(number.name)));
         describe(file, layout.numbers.back(), in_words(number.name), number.unit);
     }
     if (first.section) layout.section = define_section(file, dimensions.date, *first.section);

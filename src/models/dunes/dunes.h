@@ -56,7 +56,7 @@ class Dunes : public Model {
     /// "local_wind" (of the next step's wind), where relief bends it "wind_turn" (degrees), with
     /// plants "cover", "grass" and "shrubs", if asked for "avalanche_age" (yr; of cells that never
     /// slid, since the start); numbers "sand_volume", "sand_inflow", "sand_outflow" (m³) and
-    /// "sand_avalanche_passes", with rock that is worn "rock_worn" (m³), with plants "plant_cover".
+    /// "avalanche_passes", with rock that is worn "rock_worn" (m³), with plants "plant_cover".
     [[nodiscard]] Snapshot snapshot() const override;
 
     /// Where avalanches of the last step did not come to rest.

@@ -109,7 +109,7 @@ Snapshot Dunes::snapshot() const {
     snapshot.numbers = {{"sand_volume", "m3", area * total_sand(bed_)},
                         {"sand_inflow", "m3", area * to_metres(bed_.inflow)},
                         {"sand_outflow", "m3", area * to_metres(bed_.outflow)},
-                        {"sand_avalanche_passes", "1", static_cast<double>(passes_)}};
+                        {"avalanche_passes", "1", static_cast<double>(passes_)}};
     if (rock_wear_) snapshot.numbers.push_back({"rock_worn", "m3", area * to_metres(bed_.worn)});
     if (parameters_.winds.size() > 1) {
         const BlowingWind wind = turns_.at(steps_);

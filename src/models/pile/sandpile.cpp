@@ -135,7 +135,7 @@ Snapshot Sandpile::snapshot() const {
          pile_.changes()});
     snapshot.numbers = {{"dropped_grains", "grains", static_cast<double>(dropped_)},
                         {"lost_grains", "grains", static_cast<double>(pile_.lost())},
-                        {"pile_avalanches", "1", static_cast<double>(avalanche_count_)},
+                        {"avalanches", "1", static_cast<double>(avalanche_count_)},
                         {"drop_x", "1", static_cast<double>(sites_.front().x)},
                         {"drop_y", "1", static_cast<double>(sites_.front().y)}};
     return snapshot;

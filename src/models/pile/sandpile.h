@@ -62,7 +62,7 @@ class Sandpile : public Model {
     [[nodiscard]] std::span<const Avalanche> avalanches() const override { return avalanches_; }
 
     /// The bed; as field "last_avalanche" what the last avalanche did to each cell (Pile::changes);
-    /// as numbers "dropped_grains", "lost_grains" and "pile_avalanches" so far, and the first drop
+    /// as numbers "dropped_grains", "lost_grains" and "avalanches" so far, and the first drop
     /// site "drop_x", "drop_y".
     [[nodiscard]] Snapshot snapshot() const override;
 

@@ -232,7 +232,7 @@ void write_as_before(const std::filesystem::path& path, const Snapshot& first,
 Snapshot bare(std::int64_t step) {
     Snapshot made = snapshot(step);
     made.fields.clear();
-    made.numbers = {{"sand_avalanche_passes", "1", static_cast<double>(step)}};
+    made.numbers = {{"avalanche_passes", "1", static_cast<double>(step)}};
     made.nodata = {};
     return made;
 }

@@ -74,7 +74,7 @@ TEST(Topple, MovesGrainsToThreeCellsAroundTheDirection) {
     run.step(1);  // a grain that sets off nothing leaves the last avalanche on show
     EXPECT_TRUE(run.model.avalanches().empty());
     EXPECT_EQ(run.model.snapshot().fields.at(0).values, bed);
-    EXPECT_EQ(number(run.model.snapshot(), "pile_avalanches"), 1.0);
+    EXPECT_EQ(number(run.model.snapshot(), "avalanches"), 1.0);
 
     const auto state = run.model.state();
     ASSERT_EQ(state.size(), 3U);
