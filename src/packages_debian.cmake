@@ -15,13 +15,27 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
     string(TOUPPER ${component} name)
     set(package ${CPACK_DEBIAN_${name}_PACKAGE_NAME})
     set(folder ${CPACK_TEMPORARY_DIRECTORY}/${component}/usr/share/doc/${package})
+    set(letters "")
+    if(component STREQUAL "data")  # whose letters are another's
+        file(READ ${CMAKE_CURRENT_LIST_DIR}/../assets/fonts/README.md letters)
+        string(REGEX MATCH "\n> Permission is hereby granted.*" letters "${letters}")
+        string(REGEX REPLACE "\n>( ?)([^\n]*)" "\n \\2" letters "${letters}")
+        string(REGEX REPLACE "\n +\n" "\n .\n" letters "${letters}")
+        string(STRIP "${letters}" letters)
+        set(letters "
+Files: usr/share/fumon/assets/fonts/*
+Copyright: 2003 Bitstream, Inc.
+License: bitstream-vera
+ ${letters}
+")
+    endif()
     file(WRITE ${folder}/copyright "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
 Upstream-Name: fumon
 
 Files: *
 Copyright: 2026 the fumon authors
 License: Expat
- ${license}")
+ ${license}${letters}")
     file(WRITE ${folder}/changelog.Debian "${package} (${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) unstable; urgency=medium
 
   * Packaged by CPack; what has changed is told in
