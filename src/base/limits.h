@@ -12,8 +12,8 @@ inline constexpr double smallest_picture_side = 16;            // pixels
 inline constexpr double largest_picture_side = 16384;          // pixels
 
 // Numbers for which pictures are made, stated once: keys, files, Python, couplings and checkpoints
-// keep to them, and a snapshot beyond them is not drawn (base/ground_range.h). The guide tells them
-// (assets/guide/units.md). Down and up alike where one number stands for both.
+// keep to them, and a snapshot beyond them is not drawn (base/snapshots/ground_range.h). The guide
+// tells them (assets/guide/units.md). Down and up alike where one number stands for both.
 inline constexpr double largest_height = 1e6;         // m; model heights where they have no metres
 inline constexpr double smallest_cell_size = 1e-6;    // m
 inline constexpr double largest_cell_size = 1e7;      // m

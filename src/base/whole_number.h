@@ -10,9 +10,9 @@ constexpr Whole whole_within(double value, Whole low, Whole high) {
     return value < static_cast<double>(high) ? static_cast<Whole>(value) : high;
 }
 
-/// The same without ends other than those of numbers that are whole and exact in a double.
+/// The same within ±2⁶².
 constexpr long long whole_of(double value) {
-    constexpr long long most = 1LL << 53;
+    constexpr long long most = 1LL << 62;
     return whole_within(value, -most, most);
 }
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/ground_range.h"
+#include "base/snapshots/ground_range.h"
 #include "cli/remark.h"
 #include "files/netcdf/netcdf_record.h"
 #include "measure/suite.h"

@@ -8,8 +8,8 @@
 #include <map>
 
 #include "base/error.h"
-#include "base/undefined.h"
 #include "files/text_source.h"
+#include "measure/shared/undefined.h"
 #include "scene/placeholders.h"
 
 namespace fumon {

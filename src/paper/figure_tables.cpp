@@ -9,11 +9,11 @@
 
 #include "base/error.h"
 #include "base/snapshot_lookup.h"
-#include "base/undefined.h"
 #include "base/worker_pool.h"
 #include "files/avalanche_table.h"
 #include "files/input_file.h"
 #include "measure/pile/avalanche_sizes.h"
+#include "measure/shared/undefined.h"
 #include "measure/suite.h"
 #include "models/air/airflow_parameters.h"
 #include "models/air/grain_flight.h"

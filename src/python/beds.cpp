@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/ground_range.h"
+#include "base/snapshots/ground_range.h"
 #include "files/terrain/geographic.h"
 #include "files/terrain/wanted_unit.h"
 #include "files/unit_conversion.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/ground_range.h"
+#include "base/snapshots/ground_range.h"
 #include "figure/overlays/frame_overlays.h"
 #include "figure/panels/section_figure.h"
 #include "files/csv_table.h"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/ground_range.h"
 #include "base/limits.h"
+#include "base/snapshots/ground_range.h"
 #include "base/state_carrier.h"
 #include "files/hash.h"
 #include "picture/environment.h"

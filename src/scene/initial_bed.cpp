@@ -15,7 +15,7 @@
 #include "files/terrain/doubtful_heights.h"
 #include "files/terrain/grid_hash.h"
 #include "files/terrain/reproject.h"
-#include "files/terrain/terraces.h"
+#include "files/terrain/terraces/terraces.h"
 #include "files/terrain/terrain_file.h"
 #include "models/registry.h"
 #include "numerics/resampling.h"

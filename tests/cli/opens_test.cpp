@@ -25,11 +25,13 @@ const std::string& declarations() {
     return all;
 }
 
-/// "Suite.Name", "Suite.*", or "reach.Name".
+/// "Suite.Name", "Suite.*", "python.name", or "reach.Name".
 bool is_a_test(const std::string& suite, const std::string& name) {
     const std::string parameter = suite + (name == "*" ? "," : ", " + name + ")");
     for (const char* kind : {"TEST(", "TEST_F(", "TEST_P("})
         if (declarations().find(kind + parameter) != std::string::npos) return true;
+    if (suite == "python")
+        return fs::exists(fs::path(FUMON_TEST_FOLDER) / "python" / ("test_" + name + ".py"));
     return declarations().find("NAME " + suite + "." + name + " ") != std::string::npos;
 }
 

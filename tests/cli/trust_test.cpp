@@ -70,7 +70,8 @@ TEST_F(Trust, NothingTellsWhatIsThere) {
     EXPECT_EQ(
         changed,
         "picture.png: FILE as it was when the picture was made (SHA-256 0123456789ab…) is not "
-        "there; bring it back, or run this in the folder from which the path leads to it\n");
+        "there; bring it back or beside the picture, or run this in the folder from which the path "
+        "leads to it\n");
 }
 
 TEST_F(Trust, NothingOfAFileIsPrinted) {

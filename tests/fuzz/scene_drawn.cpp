@@ -1,6 +1,6 @@
 // Scenes that are taken and have a small grid: the smallest picture of their first bed.
 
-#include "base/ground_range.h"
+#include "base/snapshots/ground_range.h"
 #include "base/worker_pool.h"
 #include "gl/context.h"
 #include "models/registry.h"

@@ -125,8 +125,9 @@ TEST_F(ReplacedFiles, AKilledRunIsReplacedAsWhole) {
 }
 
 TEST_F(ReplacedFiles, WhatARunLeavesUnfinishedSaysWhatItMayWrite) {
-    const Ended failed = plain_run("out", {"--set", "bed.high=1.7e308", "--set", "bed.low=-1",
-                                           "--set", "model.hop_per_height=0"});
+    Words beyond = settings_that_leave_the_range();
+    beyond.insert(beyond.end(), {"--set", "bed.high=999999"});
+    const Ended failed = plain_run("out", beyond);
     ASSERT_EQ(failed.status, 1) << failed.errors;
     const auto manifest = read_manifest(folder_ / "out");
     EXPECT_EQ(manifest["status"], "failed");
@@ -264,7 +265,8 @@ TEST_F(ReplacedFiles, AnUnknownEndingIsRefusedBeforeAnythingIsRead) {
     const auto refused = [&](const Words& words, const std::string& what) {
         expect_refused(words, what + "\n");
     };
-    refused({"still", "no.toml", "-o", "a.gif"}, "a.gif: the name of a picture ends in .png, .exr");
+    refused({"still", "no.toml", "-o", "a.gif"},
+            "a.gif: the name of a picture ends in .png, .jpg, .jpeg, .webp, .exr");
     refused({"compare", "no.png", "no.png", "--diff", "d.jpg"},
             "d.jpg: the name of a picture ends in .png");
     refused({"verify", "no.toml", "--junit", "j.html"},

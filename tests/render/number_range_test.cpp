@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/ground_range.h"
 #include "base/limits.h"
+#include "base/snapshots/ground_range.h"
 #include "base/worker_pool.h"
 #include "gl/context.h"
 #include "render/renderer.h"

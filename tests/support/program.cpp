@@ -99,4 +99,13 @@ std::string small_scene() {
            "[frames]\nevery = 5\n[image]\nwidth = 64\nheight = 48\n";
 }
 
+std::vector<std::string> settings_that_leave_the_range() {
+    std::vector<std::string> words;
+    for (const char* setting : {"bed.low=-1", "model.hop_amount=slope", "model.amount=1000",
+                                "model.amount_slope_factor=1000", "model.limit_amount=false",
+                                "model.creep_rate=1e-9", "model.hop_per_height=0"})
+        words.insert(words.end(), {"--set", setting});
+    return words;
+}
+
 }  // namespace fumon::test

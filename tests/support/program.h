@@ -57,4 +57,8 @@ nlohmann::json read_manifest(const std::filesystem::path& folder);
 /// A scene that runs in a moment: 24×20 cells, 20 steps, five frames of 64×48.
 std::string small_scene();
 
+/// Settings with which sand of `small_scene()` near 1e6 heights leaves their range within a few
+/// steps.
+std::vector<std::string> settings_that_leave_the_range();
+
 }  // namespace fumon::test

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/ground_range.h"
+#include "base/snapshots/ground_range.h"
 #include "base/whole_number.h"
 #include "files/csv_table.h"
 #include "files/input_file.h"

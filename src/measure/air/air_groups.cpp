@@ -8,11 +8,11 @@
 
 #include "base/find_named.h"
 #include "base/snapshot_lookup.h"
-#include "base/undefined.h"
 #include "measure/air/air_extremes.h"
 #include "measure/air/eddy.h"
 #include "measure/air/profile_under_air.h"
 #include "measure/air/stress_lead.h"
+#include "measure/shared/undefined.h"
 
 namespace fumon {
 

@@ -7,9 +7,9 @@
 #include <limits>
 #include <vector>
 
-#include "base/undefined.h"
 #include "measure/bed/row_departures.h"
 #include "measure/bed/row_waves.h"
+#include "measure/shared/undefined.h"
 
 namespace fumon {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "base/undefined.h"
+#include "measure/shared/undefined.h"
 
 namespace fumon {
 

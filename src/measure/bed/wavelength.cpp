@@ -6,10 +6,10 @@
 #include <limits>
 #include <vector>
 
-#include "base/undefined.h"
 #include "measure/bed/row_departures.h"
 #include "measure/bed/row_spectrum.h"
 #include "measure/bed/row_waves.h"
+#include "measure/shared/undefined.h"
 #include "numerics/peak_offset.h"
 
 namespace fumon {

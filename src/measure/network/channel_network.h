@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/grid.h"
-#include "base/undefined.h"
 #include "measure/network/flow_routing.h"
+#include "measure/shared/undefined.h"
 
 namespace fumon {
 

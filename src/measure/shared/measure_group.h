@@ -10,7 +10,7 @@
 #include "base/avalanche.h"
 #include "base/snapshot.h"
 #include "base/state_carrier.h"
-#include "base/undefined.h"
+#include "measure/shared/undefined.h"
 
 namespace fumon {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "base/ground_range.h"
 #include "base/limits.h"
+#include "base/snapshots/ground_range.h"
 
 namespace fumon {
 

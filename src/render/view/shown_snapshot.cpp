@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/ground_range.h"
+#include "base/snapshots/ground_range.h"
 #include "render/view/chosen_ground.h"
 #include "render/view/plain_around.h"
 

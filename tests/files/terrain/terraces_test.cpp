@@ -1,6 +1,6 @@
 // Heights rounded to whole steps: the step is found, the terraces go, and nothing else changes.
 
-#include "files/terrain/terraces.h"
+#include "files/terrain/terraces/terraces.h"
 
 #include <gtest/gtest.h>
 

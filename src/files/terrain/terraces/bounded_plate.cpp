@@ -1,4 +1,4 @@
-#include "files/terrain/bounded_plate.h"
+#include "files/terrain/terraces/bounded_plate.h"
 
 #include <algorithm>
 #include <cstddef>

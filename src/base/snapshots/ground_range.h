@@ -15,7 +15,7 @@ namespace fumon {
 std::string beyond_ground(const Grid& bed, const WorldScale& scale);
 
 /// The same of all that a snapshot holds: its bed and scale, its time, and its other fields, whose
-/// values are finite and at most `largest_field_value` in size.
+/// values are finite and at most `largest_field_value` in size but for cells without data.
 std::string beyond_ground(const Snapshot& snapshot);
 
 /// The cell of the first value that is not finite or larger in size than `most`, or the number of

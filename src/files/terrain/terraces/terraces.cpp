@@ -1,4 +1,4 @@
-#include "files/terrain/terraces.h"
+#include "files/terrain/terraces/terraces.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "files/terrain/bounded_plate.h"
+#include "files/terrain/terraces/bounded_plate.h"
 
 namespace fumon {
 

@@ -1,4 +1,4 @@
-#include "base/ground_range.h"
+#include "base/snapshots/ground_range.h"
 
 #include <fmt/format.h>
 
@@ -40,8 +40,15 @@ std::string beyond_scale(const WorldScale& scale) {
                        number_text(scale.height_unit), smallest_height_unit, largest_height_unit);
 }
 
-std::string beyond_field(const SnapshotField& field) {
-    const std::size_t cell = first_beyond(field.values, largest_field_value);
+/// In cells without data a field may hold anything.
+std::string beyond_field(const SnapshotField& field, const Mask& nodata) {
+    std::size_t cell = first_beyond(field.values, largest_field_value);
+    if (nodata.size() == field.values.size()) {
+        while (cell < field.values.size() &&
+               (nodata.values()[cell] != 0 ||
+                std::abs(field.values.values()[cell]) <= largest_field_value))
+            ++cell;
+    }
     if (cell == field.values.size()) return {};
     return cell_text(field.name, field.values, cell, 1.0) +
            fmt::format("; it has values up to ±{:g}", largest_field_value);
@@ -83,7 +90,7 @@ std::string beyond_ground(const Snapshot& snapshot) {
                            snapshot.time_unit, largest_time);
     }
     for (const SnapshotField& field : snapshot.fields) {
-        if (std::string fault = beyond_field(field); !fault.empty()) return fault;
+        if (std::string fault = beyond_field(field, snapshot.nodata); !fault.empty()) return fault;
     }
     if (!snapshot.section) return {};
     const SnapshotSection& section = *snapshot.section;
@@ -93,7 +100,7 @@ std::string beyond_ground(const Snapshot& snapshot) {
                            number_text(size), smallest_cell_size, largest_cell_size);
     }
     for (const SnapshotField& field : section.fields) {
-        if (std::string fault = beyond_field(field); !fault.empty()) return fault;
+        if (std::string fault = beyond_field(field, {}); !fault.empty()) return fault;
     }
     return {};
 }
