@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "files/netcdf/number_names.h"
 #include "files/netcdf/netcdf_section_record.h"
+#include "files/netcdf/number_names.h"
 
 namespace fumon {
 

@@ -12,9 +12,9 @@
 
 #include "base/error.h"
 #include "files/input_file.h"
-#include "files/netcdf/number_names.h"
 #include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_section_record.h"
+#include "files/netcdf/number_names.h"
 
 namespace fumon {
 
