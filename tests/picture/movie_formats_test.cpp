@@ -63,7 +63,12 @@ PlayedFile played_file(const std::filesystem::path& file) {
     AVFrame* frame = av_frame_alloc();
     const auto receive = [&] {
         while (avcodec_receive_frame(codec, frame) == 0) {
-            if (frame->key_frame != 0) played.keys.push_back(played.frames);
+#ifdef AV_FRAME_FLAG_KEY
+            const bool is_key = (frame->flags & AV_FRAME_FLAG_KEY) != 0;
+#else
+            const bool is_key = frame->key_frame != 0;
+#endif
+            if (is_key) played.keys.push_back(played.frames);
             ++played.frames;
             played.pixels = av_get_pix_fmt_name(static_cast<AVPixelFormat>(frame->format));
             played.even_blocks = share_of_even_blocks(*frame);

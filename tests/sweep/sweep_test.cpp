@@ -119,7 +119,7 @@ TEST_F(SweepTest, HasEveryCombinationAndTheMeasurementsOfARun) {
                                                seed + "," + expected[k]);
                 }
                 EXPECT_EQ(runs("state_sha256")[static_cast<std::size_t>(number - 1)],
-                          read_manifest(folder_ / one)["state_sha256"]);
+                          read_manifest(folder_ / one)["state_sha256"].get<std::string>());
                 ++number;
             }
         }
