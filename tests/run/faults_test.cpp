@@ -225,7 +225,7 @@ TEST_F(FaultTest, WhereMemoryEndsADriversCrashIsOneLineToo) {
     GTEST_SKIP() << "sanitizers take more address space than any limit that drivers meet";
 #endif
     int failed = 0;
-    for (const char* kibibytes : {"380000", "410000", "430000", "450000"}) {
+    for (const char* kibibytes : {"340000", "360000", "380000", "410000"}) {
         write_text(folder_ / "still.png", "an earlier picture");
         const Ended ended =
             shell(std::string("ulimit -v ") + kibibytes +
