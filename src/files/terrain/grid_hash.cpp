@@ -89,7 +89,7 @@ void add_named(const fs::path& vrt, const std::string& before, int depth,
         for (const std::string& name : named_in(text, tag)) names.push_back(name);
     }
     std::ranges::sort(names);
-    names.erase(std::ranges::unique(names).begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     for (const std::string& name : names) {
         const fs::path beside = vrt.parent_path() / name;
         const fs::path file = is_file(beside) || is_zarr(beside) ? beside : fs::path(name);
@@ -139,7 +139,10 @@ std::vector<GridPart> grid_parts(const fs::path& grid) {
     std::vector<GridPart> parts;
     add_parts(grid, "", 0, parts);
     std::ranges::sort(parts, {}, &GridPart::role);
-    parts.erase(std::ranges::unique(parts, {}, &GridPart::role).begin(), parts.end());
+    const auto same_role = [](const GridPart& one, const GridPart& other) {
+        return one.role == other.role;
+    };
+    parts.erase(std::unique(parts.begin(), parts.end(), same_role), parts.end());
     return parts;
 }
 
