@@ -7,6 +7,7 @@ extern "C" {
 CPLErr GDALCreateDatasetMaskBand(GDALDatasetH dataset, int flags);
 char** GDALGetFileList(GDALDatasetH dataset);
 void GDALGetBlockSize(GDALRasterBandH band, int* nx, int* ny);
+GDALDataType GDALGetDataTypeByName(const char* name);
 const char* GDALGetDataTypeName(GDALDataType type);
 int GDALGetOverviewCount(GDALRasterBandH band);
 CPLErr GDALSetMetadataItem(GDALMajorObjectH object, const char* name, const char* value,

@@ -18,15 +18,16 @@ bool is_digit(char c) {
 }
 
 /// How many letters and digits of letters followed by digits, and by nothing else of a name, a text
-/// starts with; both 0 if it does not.
+/// starts with; both 0 if it does not. Since Cairo 1.17 a hyphen stands between them.
 struct NumberedName {
-    std::size_t letters = 0;
+    std::size_t letters = 0;  ///< with the hyphen
     std::size_t length = 0;
 };
 
 NumberedName numbered_name(std::string_view text) {
     NumberedName name;
     while (name.letters < text.size() && is_letter(text[name.letters])) ++name.letters;
+    if (name.letters > 0 && name.letters < text.size() && text[name.letters] == '-') ++name.letters;
     name.length = name.letters;
     while (name.length < text.size() && is_digit(text[name.length])) ++name.length;
     const bool ended =

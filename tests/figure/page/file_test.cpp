@@ -220,6 +220,10 @@ TEST(SvgIds, CountFromOneWhereverTheyAreUsed) {
               "<use xlink:href=\"#image1\"/><use fill=\"url(#surface1)\"/>"
               "<symbol id=\"glyph0-3\"/><use xlink:href=\"#glyph0-3\"/>"
               "<g id=\"surface2\" fill=\"#123456\"/>");
+    // As Cairo writes them since 1.17.
+    EXPECT_EQ(with_counted_ids(
+                  "<g id=\"source-5\"/><use xlink:href=\"#source-5\"/><g id=\"glyph-0-1\"/>"),
+              "<g id=\"source-1\"/><use xlink:href=\"#source-1\"/><g id=\"glyph-0-1\"/>");
 }
 
 }  // namespace
