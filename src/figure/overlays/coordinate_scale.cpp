@@ -71,8 +71,7 @@ std::string CoordinateScale::label(double coordinate, const RoundStep& step,
                            : angle < 0.0 ? from
                                          : towards);
     }
-    std::string number =
-        plain_number(in_kilometres ? coordinate / 1000.0 : coordinate, decimals);
+    std::string number = plain_number(in_kilometres ? coordinate / 1000.0 : coordinate, decimals);
     if (unit_ == Unit::sites) return number;
     const char* const unit = unit_ == Unit::feet ? "ft" : in_kilometres ? "km" : "m";
     return lies_somewhere_ ? fmt::format("{} {} {}", number, unit, towards)
