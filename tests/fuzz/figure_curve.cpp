@@ -3,6 +3,9 @@
 
 #include "paper/figure_curve.h"
 
+#include <cmath>
+#include <cstddef>
+
 #include "read_scene.h"
 
 namespace {
@@ -35,7 +38,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 if (points.x.empty() || points.x.size() != points.y.size())
                     fuzz::broken_promise("a curve has points", points.name);
                 const Table drawn = parse_csv_table({"curve.csv", curve_csv(points)});
-                if (drawn.rows() != points.x.size())
+                std::size_t with_data = 0;  // the others break its line
+                for (std::size_t i = 0; i < points.x.size(); ++i)
+                    with_data += std::isfinite(points.x[i]) && std::isfinite(points.y[i]) ? 1 : 0;
+                if (drawn.rows() != with_data)
                     fuzz::broken_promise("a curve's table has its points", curve_csv(points));
             }
         });
