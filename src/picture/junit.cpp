@@ -62,25 +62,12 @@ std::map<std::string, std::string> class_names(const std::vector<JunitCase>& cas
     return names;
 }
 
-const char* type_of(Outcome outcome) {
-    switch (outcome) {
-        case Outcome::differs:
-            return "differs";
-        case Outcome::missing:
-            return "missing";
-        case Outcome::wrong_input:
-            return "wrong-input";
-        default:
-            return "failed";
-    }
-}
-
 std::string case_xml(const JunitCase& one, const std::string& class_name) {
     const std::string finding = markup_text(one.verdict.finding);
     std::string inside = fmt::format("<system-out>{}</system-out>", finding);
     if (is_failure(one) || is_error(one))
         inside = fmt::format("<{0} type=\"{1}\" message=\"{2}\">{2}</{0}>",
-                             is_failure(one) ? "failure" : "error", type_of(one.verdict.outcome),
+                             is_failure(one) ? "failure" : "error", name_of(one.verdict.outcome),
                              finding);
     return fmt::format(
         "    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">\n      {}\n    </testcase>\n",

@@ -37,6 +37,21 @@ std::string tiles_text(const TileSimilarity& tiles, double limit) {
 
 }  // namespace
 
+const char* name_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::as_recorded:
+            return "as-recorded";
+        case Outcome::differs:
+            return "differs";
+        case Outcome::missing:
+            return "missing";
+        case Outcome::wrong_input:
+            return "wrong-input";
+        default:
+            return "failed";
+    }
+}
+
 Verdict judge(const BaselineCase& one, const BaselineRecord* recorded,
               const BaselineRecord& present, const Image& got, const Image* expected) {
     if (recorded == nullptr) {

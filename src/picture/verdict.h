@@ -16,6 +16,9 @@ enum class Outcome {
     wrong_input  ///< its scene is wrong
 };
 
+/// "as-recorded", "differs" …: as JSON and JUnit have it.
+const char* name_of(Outcome outcome);
+
 struct Verdict {
     Outcome outcome = Outcome::missing;
     std::string finding;  ///< one line: the tier and why, and what was found

@@ -4,10 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cstddef>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -16,7 +14,6 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/utf8.h"
-#include "files/input_file.h"
 #include "keys/assign.h"
 #include "keys/earlier_defaults.h"
 #include "keys/look_presets.h"
@@ -427,30 +424,6 @@ Scene parse_scene(std::string_view text, const std::string& source,
                   const std::filesystem::path& directory,
                   const std::vector<std::string>& settings) {
     return parse_scene({std::string(text), source, directory}, read_settings(settings));
-}
-
-SceneText read_scene_text(const std::filesystem::path& file) {
-    std::error_code fault;
-    if (std::filesystem::is_directory(file, fault)) {
-        throw InputError(fmt::format("{}: is a folder; a scene is a TOML file", file.string()));
-    }
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) refuse_to_read(file, errno);
-    constexpr std::size_t largest_scene = std::size_t{1} << 24;  // bytes; a device may have no end
-    constexpr std::size_t piece = std::size_t{1} << 16;          // read at once
-    std::string text;
-    while (stream && text.size() <= largest_scene) {
-        const std::size_t before = text.size();
-        text.resize(before + piece);
-        stream.read(text.data() + before, static_cast<std::streamsize>(piece));
-        text.resize(before + static_cast<std::size_t>(stream.gcount()));
-    }
-    if (stream.bad()) refuse_to_read(file, EIO);
-    if (text.size() > largest_scene) {
-        throw InputError(fmt::format("{}: has more than {} bytes; a scene is a TOML file",
-                                     file.string(), largest_scene));
-    }
-    return {std::move(text), file.string(), file.parent_path()};
 }
 
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings) {

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "keys/override.h"
 #include "scene/scene.h"
+#include "scene/text/scene_text.h"
 
 namespace fumon {
 
@@ -24,20 +24,6 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<std::strin
 Scene parse_scene(std::string_view text, const std::string& source,
                   const std::filesystem::path& directory,
                   const std::vector<std::string>& settings = {});
-
-/// The text of a scene's file when it was read.
-struct SceneText {
-    std::string text;
-    std::string source;               ///< names it in messages
-    std::filesystem::path directory;  ///< where its relative files are looked for
-    bool trusted = true;              ///< see Scene::trusted
-    std::shared_ptr<const std::vector<std::string>> bed_hashes{};  ///< see Scene::bed_hashes
-    std::string version{};  ///< of the fumon whose defaults hold where the text says nothing; empty
-                            ///< for this one's
-};
-
-/// Throws InputError when the file cannot be read.
-SceneText read_scene_text(const std::filesystem::path& file);
 
 /// The scene of a text with overrides applied in order; throws as read_scene.
 Scene parse_scene(const SceneText& text, const std::vector<Override>& overrides);

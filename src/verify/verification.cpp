@@ -119,22 +119,6 @@ bool any_pinned(const std::vector<Suite>& suites) {
     });
 }
 
-/// As JSON has it.
-const char* name_of(Outcome outcome) {
-    switch (outcome) {
-        case Outcome::as_recorded:
-            return "as-recorded";
-        case Outcome::differs:
-            return "differs";
-        case Outcome::missing:
-            return "missing";
-        case Outcome::wrong_input:
-            return "wrong-input";
-        default:
-            return "failed";
-    }
-}
-
 const char* word_of(Outcome outcome) {
     switch (outcome) {
         case Outcome::as_recorded:

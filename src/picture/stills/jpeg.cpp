@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "picture/stills/exif.h"
 #include "picture/stills/jpeg_guard.h"
+#include "picture/stills/sides.h"
 #include "picture/stills/xmp.h"
 
 namespace fumon {
@@ -183,13 +184,7 @@ std::optional<std::string> extension_in(const std::vector<std::string_view>& seg
 
 std::vector<std::uint8_t> encode_jpeg(const Image& image, int quality, double dots_per_inch,
                                       const PictureText& texts) {
-    if (image.width < 1 || image.height < 1 || image.width > longest_jpeg_side ||
-        image.height > longest_jpeg_side) {
-        throw InputError(fmt::format(
-            "a picture of {} × {} pixels is too large for JPEG, which holds {} on a side; write a "
-            "PNG",
-            image.width, image.height, longest_jpeg_side));
-    }
+    check_sides(image, longest_jpeg_side, "JPEG");
     const Image opaque = image.transparent() ? laid_on(image, white_ground) : Image();
     const Image& shown = image.transparent() ? opaque : image;
     const std::vector<std::string> segments = segments_of(image, dots_per_inch, texts);

@@ -15,6 +15,7 @@
 
 #include "base/error.h"
 #include "picture/stills/exif.h"
+#include "picture/stills/sides.h"
 #include "picture/stills/xmp.h"
 
 namespace fumon {
@@ -139,13 +140,7 @@ std::string bare_file(const Image& image, bool lossless, int quality) {
 
 std::vector<std::uint8_t> encode_webp(const Image& image, bool lossless, int quality,
                                       double dots_per_inch, const PictureText& texts) {
-    if (image.width < 1 || image.height < 1 || image.width > longest_webp_side ||
-        image.height > longest_webp_side) {
-        throw InputError(fmt::format(
-            "a picture of {} × {} pixels is too large for WebP, which holds {} on a side; write a "
-            "PNG",
-            image.width, image.height, longest_webp_side));
-    }
+    check_sides(image, longest_webp_side, "WebP");
     const std::string bare = bare_file(image, lossless, quality);
     std::string content = "WEBP";
     std::string flags_and_size;
