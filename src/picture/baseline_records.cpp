@@ -21,6 +21,7 @@ struct RecordText {
     std::string fumon;
     RenderingEnvironment environment;
     std::string state;
+    std::string under_overlays;
     FingerprintText fingerprint;
 
     void list_head_keys(const std::string& prefix, KeyTable& table) {
@@ -32,6 +33,8 @@ struct RecordText {
         table.text(prefix + "llvm_version", environment.llvm_version, {.help = "of LLVM"});
         table.boolean(prefix + "pinned", environment.pinned, {.help = "drawn with --pinned"});
         table.text(prefix + "state", state, {.help = "SHA-256 of the model's state"});
+        table.text(prefix + "under_overlays", under_overlays,
+                   {.help = "SHA-256 of the pixels without overlays"});
     }
 };
 
@@ -97,7 +100,8 @@ BaselineRecord read_record(const std::string& name, const toml::node& section,
     record.fingerprint.list_keys(prefix, table);
     read_known_keys(*section.as_table(), prefix, table, locate);
     try {
-        return {record.fumon, record.environment, record.state, record.fingerprint.fingerprint()};
+        return {record.fumon, record.environment, record.state, record.fingerprint.fingerprint(),
+                record.under_overlays};
     } catch (const KeyError& fault) {
         const toml::node* at = section.as_table()->get(fault.key());
         throw InputError(fmt::format("{}: {}{}",
@@ -107,11 +111,14 @@ BaselineRecord read_record(const std::string& name, const toml::node& section,
 }
 
 std::string record_text(const std::string& name, const BaselineRecord& record) {
-    RecordText head{record.fumon, record.environment, record.state, {}};
+    RecordText head{record.fumon, record.environment, record.state, record.under_overlays, {}};
     KeyTable table;
     head.list_head_keys("", table);
     std::string text = fmt::format("[recorded.{}]\n", name);
-    for (const Key& key : table.keys()) text += fmt::format("{} = {}\n", key.path, value_text(key));
+    for (const Key& key : table.keys()) {
+        if (key.path == "under_overlays" && record.under_overlays.empty()) continue;
+        text += fmt::format("{} = {}\n", key.path, value_text(key));
+    }
     return text + fingerprint_text(record.fingerprint);
 }
 

@@ -20,6 +20,8 @@ struct BaselineRecord {
     RenderingEnvironment environment;
     std::string state;  ///< SHA-256 of the model's state, hexadecimal; empty where none made it
     Fingerprint fingerprint;
+    /// SHA-256 of the pixels without overlays, hexadecimal; empty where there are none.
+    std::string under_overlays{};
 };
 
 /// By the pictures' names.

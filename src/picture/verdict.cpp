@@ -83,6 +83,8 @@ Verdict judge(const BaselineCase& one, const BaselineRecord* recorded,
         what.emplace_back(same_state ? "state and pixels as recorded" : "pixels as recorded");
         return found(same_state, what);
     }
+    if (!recorded->under_overlays.empty() && recorded->under_overlays == present.under_overlays)
+        what.emplace_back("text and overlays alone differ, the picture under them is as recorded");
     std::optional<Comparison> comparison;
     if (expected != nullptr) comparison = compare(*expected, got);
     const ThumbnailDifference thumbnail = thumbnail_difference(before.thumbnail, after.thumbnail);

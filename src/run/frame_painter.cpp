@@ -10,7 +10,9 @@
 #include "figure/canvas/canvas.h"
 #include "figure/overlays/frame_overlays.h"
 #include "figure/panels/section_figure.h"
+#include "files/hash.h"
 #include "gl/pinned.h"
+#include "picture/fingerprint.h"
 #include "render/renderer.h"
 #include "render/view/chosen_ground.h"
 #include "scene/overlay_keys.h"
@@ -102,11 +104,13 @@ class SectionPainter : public FramePainter {
 class OverlayPainter : public FramePainter {
   public:
     /// The scene outlives it. Throws what FrameOverlays throws.
-    OverlayPainter(std::unique_ptr<FramePainter> under, const Scene& scene, const Snapshot& first)
-        : under_(std::move(under)), overlays_(scene, first) {}
+    OverlayPainter(std::unique_ptr<FramePainter> under, const Scene& scene, const Snapshot& first,
+                   bool one_picture)
+        : under_(std::move(under)), overlays_(scene, first), one_picture_(one_picture) {}
 
     Image paint(const Snapshot& snapshot, const MeasuredRows& rows) override {
         Image image = under_->paint(snapshot, rows);
+        if (one_picture_) pixels_under_ = hex(pixel_hash(image));
         const std::vector<std::uint8_t> before =
             image.rgb16.empty() ? std::vector<std::uint8_t>{} : image.rgb;
         overlays_.draw(image, {snapshot, rows, under_->drawn_colours()});
@@ -125,6 +129,7 @@ class OverlayPainter : public FramePainter {
     [[nodiscard]] DrawingRecord record() const override {
         DrawingRecord record = under_->record();
         record.text_library = figure_library();
+        record.under_overlays = pixels_under_;
         if (overlays_.uses_system_fonts()) {
             record.environment.pinned = false;
             if (gl::rendering_is_pinned()) record.why_not_pinned = text_is_not_pinned;
@@ -135,6 +140,8 @@ class OverlayPainter : public FramePainter {
   private:
     std::unique_ptr<FramePainter> under_;
     FrameOverlays overlays_;
+    bool one_picture_;
+    std::string pixels_under_;
 };
 
 std::unique_ptr<FramePainter> make_bare_painter(const Scene& scene, const Snapshot& first,
@@ -180,7 +187,8 @@ std::unique_ptr<FramePainter> make_frame_painter(const Scene& scene, const Snaps
                                                  PaintedFrames frames) {
     auto bare = make_bare_painter(scene, first, backend, pool, frames);
     if (!has_overlays(scene) || frames == PaintedFrames::layers) return bare;
-    return std::make_unique<OverlayPainter>(std::move(bare), scene, first);
+    return std::make_unique<OverlayPainter>(std::move(bare), scene, first,
+                                            frames == PaintedFrames::one_picture);
 }
 
 }  // namespace fumon

@@ -21,6 +21,9 @@ struct DrawingRecord {
     std::string why_not_pinned;        ///< empty where it is, or where that was not asked for
     double exaggeration = 1.0;
     std::string text_library;  ///< that writes on the frames; empty where there is no text
+    /// SHA-256 of the pixels before overlays were laid over them, hexadecimal, of one picture;
+    /// empty where it has no overlays.
+    std::string under_overlays{};
 };
 
 /// Why a picture with text is not pinned.

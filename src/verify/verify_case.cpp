@@ -136,7 +136,7 @@ DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, bool trus
         if (drawn.signal != 0) return drawn;
         Drawing drawing = draw_snapshot(prepared, first, prepared.model->snapshot(), work);
         drawn.record = {FUMON_VERSION, drawing.record.environment, hex(state_hash(*prepared.model)),
-                        fingerprint_of(drawing.image)};
+                        fingerprint_of(drawing.image), drawing.record.under_overlays};
         drawn.image = std::move(drawing.image);
         return drawn;
     });
