@@ -301,7 +301,13 @@ void find_listed(Scene& scene, const PictureOrigin& origin, const std::string& p
                 "to start from a file of your own, give it with --set {}=FILE",
                 picture, *key.file, key.path));
         }
-        *key.file = find_input(*input, picture, origin.is_movie ? "movie" : "picture").string();
+        try {
+            *key.file = find_input(*input, picture, origin.is_movie ? "movie" : "picture").string();
+        } catch (const InputError& fault) {
+            throw InputError(
+                fmt::format("{}; to start from another file, give it with --set {}=FILE",
+                            fault.what(), key.path));
+        }
     }
 }
 

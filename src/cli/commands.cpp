@@ -19,6 +19,7 @@
     COMMAND(compare)            \
     COMMAND(verify)             \
     COMMAND(check)              \
+    COMMAND(cite)               \
     COMMAND(models)             \
     COMMAND(describe)           \
     COMMAND(scenes)             \

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "cli/shipped_scenes.h"
 #include "film/script/film_keys.h"
 #include "run/inputs/scene_argument.h"
+#include "run/inputs/shipped_scenes.h"
 #include "scene/describe.h"
 #include "scene/read.h"
 

@@ -60,6 +60,8 @@ constexpr std::array<ExportKind, 10> export_kinds{
      {"geotiff", ".tif", "geotiff"},
      {"esri-ascii", ".asc", "esri-ascii"}}};
 
+constexpr std::int64_t last_record = -1;
+
 struct ExportOptions {
     std::string input;   ///< a run's folder, a fields.nc or a terrain file
     std::string output;  ///< a file, or "-"
@@ -70,6 +72,7 @@ struct ExportOptions {
     double size = 150.0;  ///< mm, of the longer side of an STL
     double base = 4.0;    ///< mm, below its lowest point
     std::int64_t triangles = 500'000;
+    std::int64_t step = last_record;
     bool force = false;
     WorkOptions work;
 };
@@ -110,6 +113,9 @@ void declare(CLI::App& command, ExportOptions& options) {
     add_number(
         command, "--triangles", options.triangles, 2, most,
         "of the surface of a GLB, STL, PLY or OBJ at most, else it gets coarser (default 500000)");
+    constexpr double latest = 9e15;
+    add_number(command, "--step", options.step, 0, latest,
+               "of a run's folder or fields.nc: the record of this step (default: the last)");
     add_heights(command, options.heights);
     add_force(command, options.force);
     add_work_options(command, options.work);
@@ -121,6 +127,7 @@ void declare(CLI::App& command, ExportOptions& options) {
          {"fumon export out/dunes -o bed.tif", "its last bed, for GIS"},
          {"fumon export dem.tif -o slope.tif --field slope", "a grid of slopes"},
          {"fumon export out/rain -o depth.tif --field water-depth", "of a run's last record"},
+         {"fumon export out/rain -o before.tif --step 0", "of its first"},
          {"fumon export out/dunes -o - | awk 'NR > 6' > bed.txt", "to a program"}},
         raster_help() +
             "\nGLB, PLY and OBJ have the colours of a picture from above: --set look.palette=… "
@@ -289,10 +296,31 @@ RasterRequest raster_request(const ExportOptions& options, const std::string& in
     return request;
 }
 
+/// What the input holds at the asked step. Throws InputError where it has no record of that step.
+Snapshot snapshot_of(const ExportOptions& options, const std::string& input) {
+    const bool chosen = options.step != last_record && is_fields_file(input);
+    Snapshot snapshot = read_snapshot(input, options.heights, options.work.settings, !chosen);
+    if (!chosen) return snapshot;
+    return read_fields_snapshot(input, options.step, std::move(snapshot));
+}
+
+/// The file that holds the asked state of a run's folder, or the input itself. Throws InputError
+/// where it has no such state.
+std::string state_file(const ExportOptions& options) {
+    const std::string input = terrain_argument(options.input);
+    if (options.step == last_record) return last_state_of(input).string();
+    const std::string file = state_of_step(input, options.step).string();
+    if (std::error_code fault; std::filesystem::is_directory(input, fault)) return file;
+    if (is_fields_file(file)) return file;
+    throw InputError(fmt::format(
+        "--step {}: {} has one moment; --step goes with a run's folder or its fields.nc",
+        options.step, input));
+}
+
 /// The files of a kind that is not a series: the first is FILE itself, others stand beside it.
 std::vector<TerrainBytes> exported(const ExportOptions& options, const ExportKind& kind,
                                    const std::string& input) {
-    const Snapshot snapshot = read_snapshot(input, options.heights, options.work.settings);
+    const Snapshot snapshot = snapshot_of(options, input);
     if (!options.field.empty())
         return raster_files(raster_request(options, input), snapshot, kind.terrain);
     std::vector<TerrainBytes> files;
@@ -316,6 +344,8 @@ std::string stem_of(const ExportOptions& options, const ExportKind& kind) {
 }
 
 void check_kind(const ExportOptions& options, const ExportKind& kind) {
+    if (options.step != last_record && kind.name == "pvd")
+        throw InputError("--step: a .pvd is a series of all records; name a .vts");
     if (!options.field.empty() && kind.terrain.empty() && kind.name != "netcdf") {
         throw InputError(
             fmt::format("--field {}: a field is written as a grid: .tif, .cog.tif, .asc or .nc, "
@@ -337,7 +367,7 @@ void check_kind(const ExportOptions& options, const ExportKind& kind) {
 int perform(const ExportOptions& options) {
     const ExportKind& kind = kind_of(options);
     check_kind(options, kind);
-    const std::string input = last_state_of(terrain_argument(options.input)).string();
+    const std::string input = state_file(options);
     OutputClaims claims(options.force);
     claims.reads(input);
     if (is_coloured(kind)) prepare_drawing(options.work);
@@ -352,8 +382,7 @@ int perform(const ExportOptions& options) {
         return 0;
     }
     if (kind.name == "netcdf") {
-        write_raster_netcdf(raster_request(options, input),
-                            read_snapshot(input, options.heights, options.work.settings),
+        write_raster_netcdf(raster_request(options, input), snapshot_of(options, input),
                             options.output);
         return 0;
     }

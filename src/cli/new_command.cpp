@@ -6,9 +6,9 @@
 #include "cli/examples.h"
 #include "cli/remark.h"
 #include "cli/shared_options.h"
-#include "cli/shipped_scenes.h"
 #include "files/atomic_file.h"
 #include "outputs/output_claims.h"
+#include "run/inputs/shipped_scenes.h"
 
 namespace fumon {
 

@@ -6,7 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/examples.h"
-#include "cli/shipped_scenes.h"
+#include "run/inputs/shipped_scenes.h"
 #include "scene/json.h"
 
 namespace fumon {

@@ -55,11 +55,25 @@ fs::path last_state_of(const fs::path& run) {
         run.string()));
 }
 
+fs::path state_of_step(const fs::path& run, std::int64_t step) {
+    std::error_code fault;
+    if (!fs::is_directory(run, fault)) return run;
+    if (fs::exists(run / "fields.nc", fault)) return run / "fields.nc";
+    const fs::path bed = run / "beds" / fmt::format("bed_{:08}", step);
+    for (const char* ending : {".asc", ".tif"}) {
+        if (const fs::path file = bed.string() + ending; fs::exists(file, fault)) return file;
+    }
+    throw InputError(
+        fmt::format("--step {}: {} holds neither fields.nc nor {}.asc; it has the "
+                    "beds of output.bed_at and output.bed_every",
+                    step, run.string(), (fs::path("beds") / bed.filename()).string()));
+}
+
 Snapshot read_snapshot(const std::string& file, const std::string& heights,
-                       const std::vector<std::string>& settings) {
+                       const std::vector<std::string>& settings, bool remarks) {
     const Scene scene = terrain_scene(file, heights, settings);
     InitialBed initial = make_initial_bed(scene);
-    if (!initial.note.empty()) remark(initial.note + "\n");
+    if (remarks && !initial.note.empty()) remark(initial.note + "\n");
     Snapshot snapshot;
     snapshot.time_unit = "steps";
     snapshot.bed = std::move(initial.bed);

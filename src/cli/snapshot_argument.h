@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,10 +13,15 @@ namespace fumon {
 /// wrote; a path that is no folder is itself. Throws InputError where a folder has neither.
 std::filesystem::path last_state_of(const std::filesystem::path& run);
 
+/// As last_state_of(), for a step: its fields.nc, else beds/bed_STEP. Throws InputError where a
+/// folder has neither.
+std::filesystem::path state_of_step(const std::filesystem::path& run, std::int64_t step);
+
 /// A snapshot as a file holds it: a terrain file, or the last record of a fields.nc with its water
 /// and what else there is. `heights` and `settings` as terrain_scene takes them; what the user
 /// should hear (degrees converted …) goes to standard error. Throws InputError.
+/// With `remarks` off it says nothing.
 Snapshot read_snapshot(const std::string& file, const std::string& heights = {},
-                       const std::vector<std::string>& settings = {});
+                       const std::vector<std::string>& settings = {}, bool remarks = true);
 
 }  // namespace fumon

@@ -8,19 +8,12 @@
 #include <utility>
 
 #include "base/error.h"
-#include "files/input_file.h"
 #include "files/netcdf/netcdf_fields.h"
-#include "files/netcdf/netcdf_input.h"
 #include "files/netcdf/netcdf_record.h"
 
 namespace fumon {
 
 namespace {
-
-bool is_fields_file(const std::string& file) {
-    return is_netcdf(start_of_input_file(file, netcdf_signature_length)) &&
-           read_fields_record(file).has_value();
-}
 
 /// The first record of a run whose fields.nc this is; none of another file.
 std::optional<Snapshot> first_record(const RasterRequest& request, const Snapshot& last) {

@@ -105,6 +105,16 @@ TEST_F(ExportRaster, ARunHasItsWaterAndWhatItMoved) {
     EXPECT_EQ(value("water-depth.asc"), value("water_depth.asc"));
     EXPECT_NEAR(value("discharge.asc"), value("speed.asc") * value("water-depth.asc"), 1e-15);
     EXPECT_EQ(value("change.asc"), 0.0) << "this water moves nothing";
+    ASSERT_EQ(write("rain", "first.asc", "water-depth", {"--step", "1"}).status, 0);
+    EXPECT_GT(value("first.asc"), 0.0);
+    EXPECT_LT(value("first.asc"), value("water-depth.asc")) << "it rains on";
+    EXPECT_EQ(fumon({"export", "rain", "-o", "one.nc", "--step", "1"}, folder_.path()).status, 0);
+    EXPECT_NEAR(read_terrain(folder_ / "one.nc", {.variable = "water_depth", .any_unit = true})
+                    .heights(3, 3),
+                value("first.asc"), 1e-15);
+    const Ended none = write("rain", "none.asc", "water-depth", {"--step", "7"});
+    EXPECT_EQ(none.status, 2);
+    EXPECT_EQ(none.errors, "rain/fields.nc: has no record of step 7; its nearest is of step 2\n");
     EXPECT_EQ(write("rain", "all.nc", "speed").status, 0);
     EXPECT_EQ(fumon({"export", "rain", "-o", "last.nc"}, folder_.path()).status, 0);
     EXPECT_NEAR(read_terrain(folder_ / "last.nc", {.variable = "water_depth", .any_unit = true})
@@ -125,6 +135,11 @@ TEST_F(ExportRaster, WhatIsNotThereIsRefused) {
     EXPECT_EQ(errors("x.stl", "slope"),
               "--field slope: a field is written as a grid: .tif, .cog.tif, .asc or .nc, not as "
               "stl\n");
+    EXPECT_EQ(write("dem.asc", "x.asc", "slope", {"--step", "0"}).errors,
+              "--step 0: dem.asc has one moment; --step goes with a run's folder or its "
+              "fields.nc\n");
+    EXPECT_EQ(fumon({"export", "dem.asc", "-o", "x.pvd", "--step", "0"}, folder_.path()).errors,
+              "--step: a .pvd is a series of all records; name a .vts\n");
 }
 
 TEST_F(ExportRaster, TheHelpListsThem) {

@@ -71,7 +71,7 @@ TEST_F(Trust, NothingTellsWhatIsThere) {
         changed,
         "picture.png: FILE as it was when the picture was made (SHA-256 0123456789ab…) is not "
         "there; bring it back or beside the picture, or run this in the folder from which the path "
-        "leads to it\n");
+        "leads to it; to start from another file, give it with --set bed.file=FILE\n");
 }
 
 TEST_F(Trust, NothingOfAFileIsPrinted) {

@@ -100,9 +100,12 @@ std::size_t record_of(const NetcdfInput& input, std::int64_t step) {
             end = middle;
         }
     }
-    if (first == records || step_of(first) != step)
-        input.refuse(fmt::format("has no record of step {}", step), "delete it");
-    return first;
+    if (first < records && step_of(first) == step) return first;
+    std::string nearest = records == 0 ? "it has none at all" : "its nearest is of step";
+    if (first > 0) nearest += fmt::format(" {}", step_of(first - 1));
+    if (first > 0 && first < records) nearest += " or";
+    if (first < records) nearest += fmt::format(" {}", step_of(first));
+    input.refuse(fmt::format("has no record of step {}", step), nearest);
 }
 
 std::vector<FieldsMoment> moments_of(const NetcdfInput& input) {
@@ -207,6 +210,11 @@ Snapshot read_fields_snapshot(const std::filesystem::path& file, std::int64_t st
 std::optional<FieldsRecord> read_fields_record(const std::filesystem::path& file) {
     if (!is_netcdf_file(file)) return std::nullopt;
     return locked(file, [](const NetcdfInput& input) { return read_record(input); });
+}
+
+bool is_fields_file(const std::filesystem::path& file) {
+    return is_netcdf(start_of_input_file(file, netcdf_signature_length)) &&
+           read_fields_record(file).has_value();
 }
 
 }  // namespace fumon

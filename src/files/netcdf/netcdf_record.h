@@ -24,6 +24,9 @@ struct FieldsRecord {
 /// Throws InputError "FILE: what; remedy" for a damaged one, and for one without a record.
 std::optional<FieldsRecord> read_fields_record(const std::filesystem::path& file);
 
+/// Whether a file is one that a FieldsFile wrote. Throws as above.
+bool is_fields_file(const std::filesystem::path& file);
+
 /// When a record of a fields file was taken.
 struct FieldsMoment {
     std::int64_t step = 0;

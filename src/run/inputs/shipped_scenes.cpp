@@ -1,4 +1,4 @@
-#include "cli/shipped_scenes.h"
+#include "run/inputs/shipped_scenes.h"
 
 #include <fmt/format.h>
 
