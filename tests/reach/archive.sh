@@ -51,7 +51,7 @@ for system in $FUMON_BARE_SYSTEMS; do
         cd "/opt/any place" && PATH="$PWD/moved/bin:$PATH"
         small="--quiet --set grid.nx=48 --set grid.ny=32 --set image.width=160 --set image.height=120"
         fumon --version
-        fumon still terada-barchans --step 20 -o still.png --pinned $small --set "overlay=[{kind=\"text\",text=\"fumon\"}]"
+        fumon still terada-barchans --step 20 -o still.png --pinned $small --set "overlay=[{kind=\"title\",text=\"fumon\"}]"
         fumon run terada-barchans -o run $small --set run.steps=20 --set output.movie=true --set frames.every=5
         [ -s run/movie.mp4 ]
         moved="moved/share/fumon/assets/terrain/west_bijou_gully.asc"
