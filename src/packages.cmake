@@ -67,6 +67,9 @@ if(FUMON_BMI_LIBRARY)
     set(CPACK_DEBIAN_BMI_PACKAGE_NAME fumon-bmi)
     set(CPACK_DEBIAN_BMI_PACKAGE_SECTION libdevel)
     set(CPACK_DEBIAN_BMI_PACKAGE_SHLIBDEPS ON)
+    set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)  # for packages of programs that are built with it
+    file(WRITE ${CMAKE_BINARY_DIR}/share/triggers "activate-noawait ldconfig\n")
+    set(CPACK_DEBIAN_BMI_PACKAGE_CONTROL_EXTRA ${CMAKE_BINARY_DIR}/share/triggers)
     set(CPACK_DEBIAN_BMI_PACKAGE_DEPENDS "fumon-data (= ${PROJECT_VERSION}-${revision})")
     set(CPACK_COMPONENT_BMI_DESCRIPTION "models of fumon for programs that couple models
 Sand and water landforms as components of the Basic Model Interface: the
