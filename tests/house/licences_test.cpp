@@ -111,8 +111,9 @@ TEST(LicencesTest, EachStatementNamesFilesThatThereAreAndALicenceWhoseTextStands
         EXPECT_FALSE(statement.holder.empty());
         EXPECT_TRUE(copyright.texts.contains(statement.licence)) << statement.licence;
         used.insert(statement.licence);
-        for (const std::string& pattern : statement.patterns)
-            if (pattern != "*") EXPECT_TRUE(fs::exists(source_folder / pattern)) << pattern;
+        for (const std::string& pattern : statement.patterns) {
+            EXPECT_TRUE(pattern == "*" || fs::exists(source_folder / pattern)) << pattern;
+        }
     }
     for (const auto& [licence, text] : copyright.texts) {
         EXPECT_TRUE(used.contains(licence)) << licence;

@@ -51,14 +51,14 @@ for system in $FUMON_BARE_SYSTEMS; do
         cd "/opt/any place" && PATH="$PWD/moved/bin:$PATH"
         small="--quiet --set grid.nx=48 --set grid.ny=32 --set image.width=160 --set image.height=120"
         fumon --version
-        fumon still terada-barchans --step 20 -o still.png --pinned $small --set "overlay=[{kind=\"title\",text=\"fumon\"}]"
+        fumon still terada-barchans --step 20 -o still.png --pinned $small --set overlay.0.kind=title --set overlay.0.text=fumon
         fumon run terada-barchans -o run $small --set run.steps=20 --set output.movie=true --set frames.every=5
         [ -s run/movie.mp4 ]
         moved="moved/share/fumon/assets/terrain/west_bijou_gully.asc"
         fumon measure "$moved" --set bed.height_unit=ft > /dev/null
         fumon export "$moved" -o bed.nc --quiet
         fumon still bed.nc -o from-netcdf.png --quiet --set image.width=160 --set image.height=120
-        fumon export "$moved" -o bed.tif --quiet && fumon check bed.tif
+        fumon export "$moved" -o bed.tif --quiet && fumon measure bed.tif > /dev/null
         sha256sum still.png
         ' > "$place/said" 2>&1; then
         cat "$place/said"
