@@ -1,29 +1,22 @@
 # Debian packages, made by `cpack -G DEB` in a build folder: fumon (program, manual pages, completion), fumon-data
-# (shaders, palettes, scenes, the guide, icon), fumon-bmi (libfumonbmi with what programs are built by), python3-fumon. Configure with --preset package, which sets the prefix /usr.
+# (shaders, palettes, scenes, the guide), fumon-pictures (those of the scenes' page), fumon-bmi (libfumonbmi with what programs
+# are built by), python3-fumon. Configure with --preset package, which sets the prefix /usr. `cpack --config
+# CPackSourceConfig.cmake` makes the package of the sources.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME fumon)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # which would stand above each package's own
-# Who made the packages, as Debian's own tools ask for it: DEBFULLNAME and DEBEMAIL; else user and machine.
-set(packager "$ENV{DEBFULLNAME}")
-set(address "$ENV{DEBEMAIL}")
-if(NOT packager)
-    set(packager "who built this package of fumon")
-endif()
-if(NOT address)
-    cmake_host_system_information(RESULT machine QUERY FQDN)
-    execute_process(COMMAND id -un OUTPUT_VARIABLE user OUTPUT_STRIP_TRAILING_WHITESPACE)
-    set(address "${user}@${machine}")
-endif()
-set(CPACK_PACKAGE_CONTACT "${packager} <${address}>" CACHE STRING "Who maintains the packages: name and address")
+set(CPACK_PACKAGE_CONTACT "" CACHE STRING "Who maintains the packages: name and address; empty: who runs cpack")
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/packages_now.cmake)
+set(CPACK_PACKAGE_HOMEPAGE_URL ${FUMON_HOMEPAGE})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
     WORLD_EXECUTE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
-set(CPACK_COMPONENTS_ALL program data)
+set(CPACK_COMPONENTS_ALL program data pictures)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(revision 0fumon1)  # below 1, Debian's own
 set(CPACK_DEBIAN_PACKAGE_RELEASE ${revision})
@@ -59,11 +52,24 @@ set(CPACK_COMPONENT_DATA_DESCRIPTION "shaders, palettes, scenes and guide of fum
 Sand and water landforms, simulated and rendered without a display: this
 package holds what the program and the Python module read, and the guide.")
 
+set(CPACK_DEBIAN_DATA_PACKAGE_SUGGESTS fumon-pictures)
+
+set(CPACK_DEBIAN_PICTURES_PACKAGE_NAME fumon-pictures)
+set(CPACK_DEBIAN_PICTURES_PACKAGE_SECTION doc)
+set(CPACK_DEBIAN_PICTURES_PACKAGE_ARCHITECTURE all)
+set(CPACK_COMPONENT_PICTURES_DESCRIPTION "pictures of the scenes of fumon
+Sand and water landforms, simulated and rendered without a display: the
+pictures of the page on the scenes that ship, each with its scene, so that
+fumon makes it again, and of `fumon gallery --shipped`.")
+
 if(FUMON_BMI_LIBRARY)
     list(APPEND CPACK_COMPONENTS_ALL bmi)
     set(CPACK_DEBIAN_BMI_PACKAGE_NAME fumon-bmi)
     set(CPACK_DEBIAN_BMI_PACKAGE_SECTION libdevel)
     set(CPACK_DEBIAN_BMI_PACKAGE_SHLIBDEPS ON)
+    set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)  # for packages of programs that are built with it
+    file(WRITE ${CMAKE_BINARY_DIR}/share/triggers "activate-noawait ldconfig\n")
+    set(CPACK_DEBIAN_BMI_PACKAGE_CONTROL_EXTRA ${CMAKE_BINARY_DIR}/share/triggers)
     set(CPACK_DEBIAN_BMI_PACKAGE_DEPENDS "fumon-data (= ${PROJECT_VERSION}-${revision})")
     set(CPACK_COMPONENT_BMI_DESCRIPTION "models of fumon for programs that couple models
 Sand and water landforms as components of the Basic Model Interface: the
@@ -86,7 +92,14 @@ of beds, pictures of anyone's terrain, movies, sweeps as xarray Datasets,
 and every model as a component of the Basic Model Interface.")
 endif()
 
-# What Debian wants in each package besides: compressed manual pages, a copyright file, a changelog.
+# What each kind of package needs besides: of Debian's compressed manual pages, a copyright file and a changelog; of the sources
+# their licences.
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/packages_debian.cmake)
+
+set(CPACK_SOURCE_GENERATOR TXZ)
+set(CPACK_SOURCE_PACKAGE_FILE_NAME fumon-${PROJECT_VERSION})
+string(REGEX REPLACE "([][+.*()^$?|\\\\])" "\\\\\\1" here "${CMAKE_SOURCE_DIR}")
+set(CPACK_SOURCE_IGNORE_FILES "^${here}/(build|out|[.]git|[.]cache|src/python/build)/" "/__pycache__/" "[.]egg-info/" "[.]part$"
+    "/compile_commands[.]json$")
 
 include(CPack)

@@ -50,7 +50,8 @@ fs::path shipped_pictures() {
     if (const auto folder = find_document("scenes/pictures")) return *folder;
     throw InputError(
         "fumon gallery --shipped: the pictures of the shipped scenes are not installed "
-        "(share/doc/fumon/scenes/pictures); name the folder that has them");
+        "(share/doc/fumon/scenes/pictures, of the package fumon-pictures); name the folder with "
+        "them");
 }
 
 bool is_own_gallery(const fs::path& folder) {

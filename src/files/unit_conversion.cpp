@@ -12,6 +12,7 @@
 #include <mutex>
 #include <utility>
 
+#include "base/data_files.h"
 #include "base/error.h"
 #include "base/find_named.h"
 
@@ -140,6 +141,10 @@ class Units {
     Units() {
         ut_set_error_message_handler(ut_ignore);
         system_ = ut_read_xml(nullptr);
+        if (system_ != nullptr) return;
+        // The units travel with an archive, whose system may have none.
+        if (const auto beside = find_data_file("udunits/udunits2.xml"))
+            system_ = ut_read_xml(beside->c_str());
         if (system_ != nullptr) return;
         throw Error(
             "the units of UDUNITS-2 cannot be read; install libudunits2-data, or name the file "

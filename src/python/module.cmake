@@ -30,20 +30,31 @@ string(REGEX MATCH "\nrequires-python = \"([^\"]+)\"" found "${project}")
 set(python_versions ${CMAKE_MATCH_1})
 string(REGEX MATCH "\nfumon = \"([a-z_.]+)\"" found "${project}")
 set(plugin ${CMAKE_MATCH_1})
-if(NOT summary OR NOT python_versions OR NOT plugin)
-    message(FATAL_ERROR "${project_file} has no description, requires-python or plugin of pytest")
+string(REGEX MATCH "\nauthors = \\[{name = \"([^\"]+)\"" found "${project}")
+set(author ${CMAKE_MATCH_1})
+string(REGEX MATCH "\nclassifiers = \\[\n([^]]+)\n\\]" found "${project}")
+string(REGEX REPLACE " *\"([^\"]+)\",?" "Classifier: \\1" classifiers "${CMAKE_MATCH_1}")
+if(NOT summary OR NOT python_versions OR NOT plugin OR NOT author OR NOT classifiers)
+    message(FATAL_ERROR "${project_file} has no description, requires-python, authors, classifiers or plugin of pytest")
+endif()
+set(address "")
+if(FUMON_HOMEPAGE)
+    set(address "\nProject-URL: Homepage, ${FUMON_HOMEPAGE}")
 endif()
 set(about ${CMAKE_BINARY_DIR}/share/fumon-${PROJECT_VERSION}.dist-info)
 file(CONFIGURE OUTPUT ${about}/METADATA CONTENT "Metadata-Version: 2.1
 Name: fumon
 Version: @PROJECT_VERSION@
 Summary: @summary@
-Author: The fumon developers
+Author: @author@
 License: MIT
-Classifier: License :: OSI Approved :: MIT License
-Classifier: Typing :: Typed
+License-File: LICENSE
+License-File: copyright@address@
+@classifiers@
 Requires-Python: @python_versions@
 Requires-Dist: numpy
 " @ONLY)
+configure_file(${CMAKE_SOURCE_DIR}/LICENSE ${about}/LICENSE COPYONLY)
+configure_file(${CMAKE_SOURCE_DIR}/assets/copyright ${about}/copyright COPYONLY)
 file(CONFIGURE OUTPUT ${about}/entry_points.txt CONTENT "[pytest11]\nfumon = @plugin@\n" @ONLY)
 install(DIRECTORY ${about} DESTINATION ${FUMON_PYTHON_FOLDER} COMPONENT python)

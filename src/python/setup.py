@@ -47,6 +47,20 @@ def readme() -> str:
     return page[:page.index("\n## ")].replace("# Python", "# fumon", 1)
 
 
-os.chdir(pathlib.Path(__file__).parent)
-setup(version=version(), long_description=readme(), long_description_content_type="text/markdown",
-      ext_modules=[Extension("fumon._core", [])], cmdclass={"build_ext": BuildByCMake})
+def addresses() -> dict[str, str]:
+    """Of whoever publishes fumon, which has no address itself."""
+    page = os.environ.get("FUMON_HOMEPAGE")
+    return {"Homepage": page} if page else {}
+
+
+here = pathlib.Path(__file__).parent
+os.chdir(here)
+papers = {here / "LICENSE": SOURCE / "LICENSE", here / "copyright": SOURCE / "assets" / "copyright"}
+try:
+    for copy, paper in papers.items():  # setuptools takes none from above
+        shutil.copyfile(paper, copy)
+    setup(version=version(), long_description=readme(), long_description_content_type="text/markdown",
+          project_urls=addresses(), ext_modules=[Extension("fumon._core", [])], cmdclass={"build_ext": BuildByCMake})
+finally:
+    for copy in papers:
+        copy.unlink(missing_ok=True)

@@ -23,6 +23,9 @@ cd /
 "$root/example/build/coupled" terada-ripplez 2> "$root/said" && { echo "an unknown scene was taken"; exit 1; }
 grep -q 'did you mean "terada-ripples"' "$root/said"
 
+library=$(find "$here" -name 'libfumonbmi.so')
+if [ -n "$( (readelf -d "$library" && readelf -Ws "$library") | grep -iE 'libpython|pybind')" ]; then echo "libfumonbmi needs Python"; exit 1; fi
+
 pc=$(find "$here" -name fumonbmi.pc)
 flags=$(PKG_CONFIG_PATH=$(dirname "$pc") pkg-config --cflags --libs fumonbmi)
 sed -e '/<fumon.bmi.h>/d' -e 's#<fumon/bmi_library.h>#<bmi.hxx>\nextern "C" bmi::Bmi* bmi_model_create();\nextern "C" void bmi_model_destroy(bmi::Bmi*);#' \
