@@ -91,10 +91,14 @@ const std::vector<std::string>& overridden_by_pinning() {
 std::string why_not_pinned(const std::string& renderer) {
 #if !defined(__x86_64__)
     return "the processor is no x86-64";
-#endif
+#else
     if (!renderer.starts_with("llvmpipe"))
         return fmt::format("{} draws it, not Mesa's llvmpipe", renderer);
+    // Without it llvmpipe multiplies the bytes of textures in another rounding.
+    if (__builtin_cpu_supports("sse4.1") == 0)
+        return "pinned pictures need SSE4.1 (processors from 2008 on), which this processor lacks";
     return {};
+#endif
 }
 
 }  // namespace fumon::gl

@@ -10,6 +10,10 @@ void prepare_drawing(const WorkOptions& work) {
     if (work.pinned) gl::pin_rendering();
 }
 
+std::string why_processor_is_not_pinned(const WorkOptions& work) {
+    return work.pinned ? gl::why_not_pinned("llvmpipe") : "";
+}
+
 void tell_drawing(const DrawingRecord& drawing, Progress& progress) {
     const RenderingEnvironment& environment = drawing.environment;
     if (environment.backend.empty()) return;

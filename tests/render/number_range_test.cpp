@@ -80,6 +80,24 @@ TEST(NumberRange, PicturesAreMadeUpToItsEnds) {
     }
 }
 
+TEST(NumberRange, PicturesAreMadeOfWaterUpToItsEnds) {
+    const auto context = gl::Context::create(gl::Backend::automatic);
+    WorkerPool pool(1);
+    for (const WayToDraw& way : ways()) {
+        if (way.view.look.ground == Ground::endless) continue;  // which has no water
+        for (const double depth : {smallest_cell_size, largest_height, largest_field_value}) {
+            Snapshot wet = bed_of(1.0, 1.0, true, way.periodic);
+            for (const char* name : {"water_depth", "velocity_x", "velocity_y"})
+                wet.fields.push_back({name, "", "", Grid(8, 6, 0.5)});
+            wet.fields[0].values(3, 3) = depth;
+            wet.fields[1].values(4, 3) = depth;
+            wet.fields[2].values(4, 4) = -depth;
+            Renderer renderer(*context, way.view, wet, 1, pool);
+            EXPECT_EQ(renderer.render(wet).rgb.size(), 768U) << way.name << " depth " << depth;
+        }
+    }
+}
+
 TEST(NumberRange, BeyondThemNothingIsDrawn) {
     const auto context = gl::Context::create(gl::Backend::automatic);
     WorkerPool pool(1);

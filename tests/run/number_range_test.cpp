@@ -8,25 +8,22 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <set>
 #include <string>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "base/limits.h"
-#include "base/sha256.h"
 #include "base/stopwatch.h"
 #include "bmi/coupled_model.h"
 #include "files/atomic_file.h"
 #include "picture/png.h"
 #include "run/prepared_run.h"
 #include "scene/read.h"
+#include "support/forged_checkpoint.h"
 #include "support/netcdf_file.h"
 #include "support/program.h"
 
@@ -174,26 +171,6 @@ TEST_F(NumberRangeOfFiles, ATableOfTheWatersEdge) {
     refused({"check", "scene.toml"}, "q.csv:3: seconds is '1e+300'");
 }
 
-/// Where the values of the entries of reals lie in a checkpoint.
-std::vector<std::pair<std::string, std::size_t>> reals_of(const std::string& bytes) {
-    const auto number = [&](std::size_t at, std::size_t size) {
-        std::uint64_t value = 0;
-        std::memcpy(&value, bytes.data() + at, size);
-        return static_cast<std::size_t>(value);
-    };
-    std::vector<std::pair<std::string, std::size_t>> found;
-    for (std::size_t at = 12; at < bytes.size() - 40;) {
-        const char kind = bytes[at];
-        const std::size_t length = number(at + 1, 2);
-        const std::string name = bytes.substr(at + 3, length);
-        const std::size_t count = number(at + 3 + length, 8);
-        at += 11 + length;
-        if (kind == 'd' && count > 0) found.emplace_back(name, at);
-        at += count * (kind == 't' ? 1 : 8);
-    }
-    return found;
-}
-
 TEST_F(NumberRangeOfFiles, AForgedCheckpoint) {
     const fs::path file = folder_ / "out" / "checkpoint.fumon";
     write_text(folder_ / "scene.toml",
@@ -211,13 +188,7 @@ TEST_F(NumberRangeOfFiles, AForgedCheckpoint) {
     for (const auto& [name, at] : reals_of(whole)) {
         names.insert(name);
         for (const double value : {1e300, infinite, std::nan("")}) {
-            std::string forged = whole;
-            std::memcpy(forged.data() + at, &value, sizeof(value));
-            Sha256Stream hash;
-            hash.add(forged.data(), forged.size() - 32);
-            const Sha256 sum = hash.finish();
-            std::copy(sum.begin(), sum.end(), forged.end() - 32);
-            write_text(file, forged);
+            write_text(file, forged_checkpoint(whole, at, value));
             const Stopwatch watch;
             refused({"run", "--resume", "out", "-q"}, "out/checkpoint.fumon: its " + name);
             EXPECT_LT(watch.seconds(), 5.0) << name;

@@ -50,7 +50,7 @@ except ImportError:  # without xarray there is nothing to be added to
 
 
 def pin_rendering() -> None:
-    """Draw the same pixels on every x86-64 processor, as ``fumon --pinned`` does: a fifth slower. Call it before
+    """Draw the same pixels on every x86-64 processor with SSE4.1 (of 2008 or later), as ``fumon --pinned`` does: a fifth slower. Call it before
     anything is drawn; raises Error after that."""
     _core.pin_rendering()
 

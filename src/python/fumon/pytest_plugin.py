@@ -36,7 +36,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group = parser.getgroup("fumon", "fumon: pictures under test")
     group.addoption("--fumon-update", action="store_true", help="record the pictures as they are now")
     group.addoption("--fumon-pinned", action="store_true",
-                    help="draw the same pixels on every x86-64 processor (as is done where they were recorded so)")
+                    help="draw the same pixels on every x86-64 processor with SSE4.1 (as is done where they were recorded so)")
     group.addoption("--fumon-output", metavar="DIR", default="fumon-images",
                     help="folder for the page of pictures that differ (default fumon-images; not made if all pass)")
 
