@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 namespace fumon {
 
@@ -21,16 +22,43 @@ inline std::string quantity_text(const std::string& name, const std::string& uni
     return in_words(twice ? name.substr(0, name.size() - ending.size()) : name) + " (" + unit + ")";
 }
 
-/// A label of one's own, in which {unit} stands for what the usual one has in its last parentheses;
-/// the usual one where there is none.
+/// What a label has in its last parentheses: "m" of "height (m)"; empty where it has none.
+inline std::string unit_of(const std::string& label) {
+    const std::size_t open = label.rfind('(');
+    if (open == std::string::npos) return {};
+    return label.substr(open + 1, label.rfind(')') - open - 1);
+}
+
+/// A label of one's own, in which {unit} stands for the unit of the usual one; the usual one where
+/// there is none; "{{" and "}}" are braces. Of what has no unit, {unit} goes with the brackets and
+/// the blank before it, and alone it is 1.
 inline std::string label_or(const std::string& own, const std::string& usual) {
     if (own.empty()) return usual;
-    constexpr const char* mark = "{unit}";
-    const std::size_t at = own.find(mark);
-    const std::size_t open = usual.rfind('(');
-    if (at == std::string::npos || open == std::string::npos) return own;
-    const std::string unit = usual.substr(open + 1, usual.rfind(')') - open - 1);
-    return std::string(own).replace(at, std::string(mark).size(), unit);
+    constexpr std::string_view mark = "{unit}";
+    const std::string unit = unit_of(usual);
+    std::string label = own;
+    for (std::size_t at = label.find(mark); at != std::string::npos; at = label.find(mark, at)) {
+        std::size_t begin = at;
+        std::size_t end = at + mark.size();
+        const bool in_brackets = begin > 0 && end < label.size() &&
+                                 ((label[begin - 1] == '(' && label[end] == ')') ||
+                                  (label[begin - 1] == '[' && label[end] == ']'));
+        if (!unit.empty() || !in_brackets) {
+            label.replace(at, mark.size(), unit.empty() ? "1" : unit);
+            continue;
+        }
+        --begin;
+        ++end;
+        if (begin > 0 && label[begin - 1] == ' ') --begin;
+        label.erase(begin, end - begin);
+        at = begin;
+    }
+    for (const char* brace : {"{{", "}}"}) {
+        for (std::size_t at = label.find(brace); at != std::string::npos;
+             at = label.find(brace, at + 1))
+            label.erase(at, 1);
+    }
+    return label;
 }
 
 }  // namespace fumon

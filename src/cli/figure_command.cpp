@@ -92,6 +92,7 @@ void make_figure(const PlannedFigure& figure, const FigureRuns& runs, const RunS
     const FigurePage page =
         figure_page(plan, runs, store, {options.work.backend, options.work.threads});
     std::vector<std::string> notes = plan.notes;
+    notes.insert(notes.end(), page.warnings.begin(), page.warnings.end());
     const std::vector<WholeFile> files =
         figure_files(plan, figure.sources, page, options.folder, notes);
     make_folder(options.folder);

@@ -64,7 +64,9 @@ MeasuredValue in_world_units(const MeasuredValue& measured, const WorldScale& sc
 class MeasureSuite::Parts {
   public:
     std::vector<MeasureGroup> groups;
-    std::vector<MeasureColumn> columns;
+    std::vector<MeasureColumn> measured;  ///< as the groups have them
+    std::vector<MeasureColumn> columns;   ///< as they are told
+    bool in_metres = false;
 };
 
 namespace {
@@ -150,13 +152,18 @@ constexpr std::array suite_groups{
 
 MeasureSuite::MeasureSuite(Landform landform, const Snapshot& first, const MeasureChoice& choice)
     : parts_(std::make_unique<Parts>()) {
-    std::vector<MeasureColumn>& columns = parts_->columns;
+    std::vector<MeasureColumn>& columns = parts_->measured;
     for (const SuiteGroup& group : suite_groups) {
         if ((group.landforms & bit(landform)) == 0) continue;
         parts_->groups.push_back(group.make({landform, first, columns, choice}));
         const std::vector<MeasureColumn>& own = parts_->groups.back().columns;
         columns.insert(columns.end(), own.begin(), own.end());
     }
+    parts_->in_metres = choice.in_metres;
+    parts_->columns = columns;
+    if (!choice.in_metres) return;
+    for (MeasureColumn& column : parts_->columns)
+        column = in_world_units({column, 0.0}, first.scale).column;
 }
 
 MeasureSuite::~MeasureSuite() = default;
@@ -184,6 +191,9 @@ std::vector<double> MeasureSuite::row(const Snapshot& snapshot) {
         const std::vector<double> some = group.values(snapshot);
         values.insert(values.end(), some.begin(), some.end());
     }
+    if (!parts_->in_metres) return values;
+    for (std::size_t k = 0; k < values.size(); ++k)
+        values[k] = in_world_units({parts_->measured[k], values[k]}, snapshot.scale).value;
     return values;
 }
 

@@ -34,10 +34,14 @@ struct MeasureChoice {
     /// Water and terrain: the network of channels through which at least this area drains, m² (or
     /// cells of a bed that is not in metres). 0: no network.
     double channel_area = 0.0;
+    /// Of a model that lives in metres, however large its cells are: lengths in metres, where
+    /// others have sites and model heights.
+    bool in_metres = false;
 };
 
 /// What a run measures, row by row. The landform decides the columns; rows may depend on earlier
-/// ones (celerity) and on all avalanches so far. Water and air are measured in metres and seconds,
+/// ones (celerity) and on all avalanches so far. Models that live in metres are measured in metres,
+/// others in sites and model heights. Water and air are measured in metres and seconds,
 /// the units of their models; the numbers that these models keep are columns too, under their own
 /// names.
 class MeasureSuite {

@@ -97,14 +97,21 @@ std::string term(double factor, const std::string& of) {
     return fmt::format("{} {}{}", factor < 0.0 ? "\u2212" : "+", number(std::abs(factor)), of);
 }
 
+/// "1.83 x", "x", "−x".
+std::string times(double factor, const std::string& of) {
+    const std::string digits = number(factor);
+    if (digits == "1") return of;
+    return digits == "\u22121" ? "\u2212" + of : digits + " " + of;
+}
+
 std::string formula(const CurveLaw& law) {
     switch (law.form) {
         case CurveFit::line:
-            return fmt::format("y = {} x {}", number(law.value("b")), term(law.value("a"), ""));
+            return fmt::format("y = {} {}", times(law.value("b"), "x"), term(law.value("a"), ""));
         case CurveFit::power:
-            return fmt::format("y = {} x^{{{}}}", number(law.value("a")), number(law.value("b")));
+            return "y = " + times(law.value("a"), "x^{" + number(law.value("b")) + "}");
         case CurveFit::exponential:
-            return fmt::format("y = {} exp({} x)", number(law.value("a")), number(law.value("b")));
+            return "y = " + times(law.value("a"), "exp(" + times(law.value("b"), "x") + ")");
         case CurveFit::hop:
             return fmt::format("y = {}^{{x}} \u2212 1", number(law.value("a")));
         case CurveFit::cosine:

@@ -1,10 +1,16 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
+#include <utility>
 
 #include "base/elementary.h"
 #include "base/quantity_text.h"
 #include "base/units.h"
+#include "figure/panels/axis_units.h"
 #include "figure/panels/hill_shading.h"
 #include "figure/panels/map_panel.h"
 #include "files/terrain/terrain_format.h"
@@ -26,6 +32,20 @@ std::optional<LookSettings> look_of_field(const PanelSettings& panel, const Scen
     return look;
 }
 
+using Values = std::optional<std::pair<double, double>>;
+
+/// The least and the greatest value of several pictures.
+Values values_of_all(std::span<const MapPicture> pictures) {
+    Values all;
+    for (const MapPicture& picture : pictures) {
+        const Values own = values_of(picture);
+        if (!own) continue;
+        all = all ? std::pair{std::min(all->first, own->first), std::max(all->second, own->second)}
+                  : *own;
+    }
+    return all;
+}
+
 void share_range(std::vector<MapPicture>& pictures) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -44,13 +64,14 @@ std::vector<MapPicture> map_pictures_of(const PanelPlan& panel, const Snapshot& 
     const Scene& scene = panel.picture->scene;
     const bool shared = panel.settings.range == PanelRange::shared;
     const auto look = look_of_field(panel.settings, scene);
-    if (look && shared) return map_pictures(*look, snapshots, first);
+    if (look && shared) return map_pictures(*look, snapshots, first, tails_of(panel.settings));
     std::vector<MapPicture> pictures;
     pictures.reserve(snapshots.size());
     for (const Snapshot& snapshot : snapshots) {
-        pictures.push_back(
-            look ? map_picture(*look, snapshot, first)
-                 : field_picture(look_of(panel.settings, scene), snapshot, panel.settings.field));
+        pictures.push_back(look ? map_picture(*look, snapshot, first, tails_of(panel.settings))
+                                : field_picture(look_of(panel.settings, scene), snapshot,
+                                                panel.settings.field,
+                                                tails_of(panel.settings, 0.0)));
     }
     if (shared) share_range(pictures);
     return pictures;
@@ -91,6 +112,7 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
             pictures[k].light = hill_light(subject.snapshots[k], shading, tools.pool);
     }
     const bool shared = settings.range == PanelRange::shared;
+    const Values values = values_of_all(pictures);
     std::vector<MadePanel> made;
     for (std::size_t k = 0; k < pictures.size(); ++k) {
         MapPicture& picture = pictures[k];
@@ -104,12 +126,26 @@ std::vector<MadePanel> make_maps(const PanelSubject& subject, PanelTools& tools)
         if (k == 0) {
             shown.scale_bar = settings.scale_bar;
             shown.arrow = direction_of(settings.arrow, subject.first);
+            shown.compass = has_compass(settings.arrow);
         }
         if (settings.vectors) shown.flow = water_flow_of(subject.snapshots[k]);
         if (settings.crests)
             shown.lines = crest_lines_of(subject.snapshots[k], settings.flux_ratio);
         shown.contours = ground_contours(settings.contours, subject.snapshots[k]);
         MadePanel one;
+        const Values own = shared ? values : values_of(picture);
+        if (tells_ends(settings)) tell_ends(picture.colours, own);
+        one.remarks.push_back(range_sentence(picture.colours, own));
+        if (own && (own->second < picture.colours.low || own->first > picture.colours.high)) {
+            one.warnings.push_back(
+                fmt::format("all values ({:.4g} to {:.4g}) lie beyond the ends of the colours",
+                            own->first, own->second));
+        }
+        if (shown.contours) {
+            one.remarks.push_back(
+                fmt::format("contours every {:g} {}", shown.contours->interval,
+                            height_unit(subject.first.scale.in_metres, INFINITY).symbol));
+        }
         for (TerrainBytes& file : find_written_format("esri-ascii")
                                       ->write({picture.values, picture.blank,
                                                scale_of_values(picture, subject.snapshots[k])}))

@@ -6,9 +6,11 @@
 #include "base/error.h"
 #include "base/quantity_text.h"
 #include "figure/plot/plot.h"
+#include "paper/curve_remarks.h"
 #include "paper/figure_curve.h"
 #include "paper/figure_tables.h"
 #include "paper/panel_makers.h"
+#include "paper/plot_limits.h"
 
 namespace fumon {
 
@@ -35,14 +37,17 @@ SeriesKind kind_of(const CurveSettings& settings, const CurvePoints& points) {
     return many ? SeriesKind::line : SeriesKind::line_and_points;
 }
 
+/// `whole`: the runs behind a point that has all of them.
 PlotSeries series_of(const CurveSettings& settings, const CurvePoints& points,
-                     const SeriesLook& look) {
+                     const SeriesLook& look, std::int64_t whole) {
     PlotSeries series;
     series.label = points.name;
     series.kind = kind_of(settings, points);
     series.x = points.x;
     series.y = points.y;
-    series.y_error = points.spread;
+    for (const double spread : points.spread)
+        series.y_error.push_back(std::isfinite(spread) ? spread : 0.0);
+    for (const std::int64_t runs : points.runs) series.hollow.push_back(runs < whole);
     series.ink = look.ink;
     series.marker = look.marker;
     series.dashes = look.dashes;
@@ -110,11 +115,12 @@ Plot figure_plot(const PanelSettings& panel, const std::vector<std::vector<Curve
     std::size_t next_look = 0;
     for (std::size_t c = 0; c < curves.size(); ++c) {
         const CurveSettings& settings = panel.curves[c];
+        const std::int64_t whole = runs_of_whole_points(curves[c]);
         for (const CurvePoints& points : curves[c]) {
             if (first == nullptr) first = &points;
             const SeriesLook look = series_look(
                 settings.colour > 0 ? static_cast<std::size_t>(settings.colour - 1) : next_look++);
-            plot.series.push_back(series_of(settings, points, look));
+            plot.series.push_back(series_of(settings, points, look, whole));
             if (points.law) plot.series.push_back(fit_series(points, look, panel.x_logarithmic));
         }
     }
@@ -151,7 +157,11 @@ std::vector<MadePanel> make_plots(const PanelSubject& subject, PanelTools& tools
                 {fmt::format("-{}.csv", made[0].data.size() + 1), curve_csv(points)});
         }
     }
-    made[0].content = std::make_unique<PlotPanel>(figure_plot(subject.panel.settings, curves));
+    Plot plot = figure_plot(subject.panel.settings, curves);
+    made[0].warnings = check_limits(subject.panel, plot, tools.plan.scene);
+    for (std::size_t c = 0; c < curves.size(); ++c)
+        add_remarks(made[0].remarks, subject.panel.settings, c, curves[c]);
+    made[0].content = std::make_unique<PlotPanel>(std::move(plot));
     return made;
 }
 

@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "base/quantity_text.h"
 #include "figure/panels/time_space_panel.h"
 #include "files/csv_table.h"
@@ -28,9 +32,23 @@ std::vector<MadePanel> make_time_space(const PanelSubject& subject, PanelTools& 
     const PanelSettings& settings = subject.panel.settings;
     LookSettings look = look_of(settings, subject.panel.picture->scene);
     look.colour_by = colouring_of(settings.field).value_or(Colouring::height);
-    TimeSpacePicture picture = time_space_picture(look, subject.snapshots,
-                                                  row_of(settings, subject.snapshots.front().bed));
+    TimeSpacePicture picture =
+        time_space_picture(look, subject.snapshots, row_of(settings, subject.snapshots.front().bed),
+                           tails_of(settings));
+    const auto [least, greatest] =
+        std::minmax_element(picture.values.values().begin(), picture.values.values().end());
+    const std::pair shown{*least, *greatest};
+    const double farthest = std::max(std::abs(*least), std::abs(*greatest));
+    const bool balanced = look.colour_by == Colouring::change;
+    if (settings.low.word == "auto" && look.low.is_word())
+        picture.colours.low = balanced ? -farthest : shown.first;
+    if (settings.high.word == "auto" && look.high.is_word())
+        picture.colours.high = balanced ? farthest : shown.second;
+    if (!(picture.colours.high > picture.colours.low))
+        picture.colours.high = picture.colours.low + 1.0;
+    if (tells_ends(settings)) tell_ends(picture.colours, shown);
     std::vector<MadePanel> made(1);
+    made[0].remarks.push_back(range_sentence(picture.colours, shown));
     made[0].data = {{".csv", time_space_csv(picture)}};
     picture.x_label = settings.x_label;
     picture.y_label = settings.y_label;

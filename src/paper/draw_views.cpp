@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -14,18 +17,38 @@ namespace fumon {
 
 namespace {
 
+/// The colours of a view where nothing is said of their ends: all values that the panel shows.
+void take_whole_range(LookSettings& look, const PanelSettings& panel, const Snapshot& first,
+                      const std::vector<Snapshot>& snapshots) {
+    if (!ranges_by_values(look) || panel.low.word == "auto-0.2" || panel.high.word == "auto-0.2")
+        return;
+    if (panel.low.word != "auto" && panel.high.word != "auto") return;
+    double low = std::numeric_limits<double>::max();
+    double high = std::numeric_limits<double>::lowest();
+    for (const Snapshot& snapshot : snapshots) {
+        const auto [least, greatest] = colour_range(
+            look, snapshot, coloured_values(look.colour_by, snapshot, first), tails_of(panel));
+        low = std::min(low, least);
+        high = std::max(high, greatest);
+    }
+    look.low = {"", low};
+    look.high = {"", high};
+}
+
 /// The view of a panel's scene, in the panel's look and as many pixels as its place on the page
 /// has.
-View view_of(const PanelPlan& panel, double width, double dots_per_inch) {
+View view_of(const PanelSubject& subject, double dots_per_inch) {
+    const PanelPlan& panel = subject.panel;
     View view = panel.picture->scene.view;
     view.look = look_of(panel.settings, panel.picture->scene);
     if (const auto colouring = colouring_of(panel.settings.field);
         colouring && *colouring != Colouring::height)
         view.look.colour_by = *colouring;
+    take_whole_range(view.look, panel.settings, subject.first, subject.snapshots);
     constexpr double points_per_inch = 72.0;
     const double aspect =
         static_cast<double>(view.image.height) / static_cast<double>(view.image.width);
-    const double pixels = dots_per_inch / points_per_inch * width;
+    const double pixels = dots_per_inch / points_per_inch * subject.width;
     view.image.width = std::max<std::int64_t>(16, std::llround(pixels));
     view.image.height = std::max<std::int64_t>(16, std::llround(pixels * aspect));
     return view;
@@ -34,7 +57,7 @@ View view_of(const PanelPlan& panel, double width, double dots_per_inch) {
 std::vector<MadePanel> make_views(const PanelSubject& subject, PanelTools& tools) {
     const PanelSettings& settings = subject.panel.settings;
     const auto steps = static_cast<double>(subject.panel.picture->scene.run.steps);
-    const View view = view_of(subject.panel, subject.width, tools.plan.scene.figure.dots_per_inch);
+    const View view = view_of(subject, tools.plan.scene.figure.dots_per_inch);
     if (!tools.context) tools.context = gl::Context::create(tools.backend);
     Renderer renderer(*tools.context, view, subject.first, subject.panel.picture->scene.run.steps,
                       tools.pool);
@@ -44,7 +67,10 @@ std::vector<MadePanel> make_views(const PanelSubject& subject, PanelTools& tools
         ViewSettings shown;
         shown.scale_bar = settings.scale_bar;
         shown.arrow = direction_of(settings.arrow, subject.first);
+        shown.compass = has_compass(settings.arrow);
         MadePanel one;
+        if (renderer.exaggeration() != 1.0)
+            one.remarks.push_back(fmt::format("heights × {:g}", renderer.exaggeration()));
         one.content =
             std::make_unique<ViewPanel>(view_picture(view, renderer.render(snapshot), subject.first,
                                                      renderer.exaggeration(), progress),

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numeric>
+#include <set>
 
 #include "base/error.h"
+#include "base/quantity_text.h"
 #include "files/text_source.h"
 #include "measure/shared/undefined.h"
 #include "scene/placeholders.h"
@@ -104,9 +107,9 @@ double mean_of(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
-/// Standard deviation of a sample, or of its mean; 0 for a single value.
+/// Standard deviation of a sample, or of its mean; a single value has none.
 double spread_of(const std::vector<double>& values, CurveSpread spread) {
-    if (values.size() < 2) return 0.0;
+    if (values.size() < 2) return undefined;
     const auto count = static_cast<double>(values.size());
     const double mean = mean_of(values);
     double squares = 0.0;
@@ -115,8 +118,26 @@ double spread_of(const std::vector<double>& values, CurveSpread spread) {
     return spread == CurveSpread::standard_error ? deviation / std::sqrt(count) : deviation;
 }
 
-void add_points(CurvePoints& points, const CurveSettings& settings, const Table& table,
-                const Rows& rows) {
+/// Which run each row comes from; of a file's, each row its own.
+std::vector<std::size_t> runs_of_rows(const CurvePlan& curve, const Table& table) {
+    std::vector<std::size_t> runs(table.rows());
+    if (!curve.sweep) {
+        std::iota(runs.begin(), runs.end(), std::size_t{0});
+        return runs;
+    }
+    std::vector<std::string> names = varied_keys(*curve.sweep);
+    names.emplace_back("seed");
+    std::map<std::string, std::size_t> known;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        std::string run;
+        for (const std::string& name : names) run += table.find(name)->text(row) + '\n';
+        runs[row] = known.emplace(std::move(run), known.size()).first->second;
+    }
+    return runs;
+}
+
+void add_points(CurvePoints& points, const CurvePlan& curve, const Table& table, const Rows& rows) {
+    const CurveSettings& settings = curve.settings;
     const TableColumn& x = *table.find(settings.x);
     const TableColumn& y = *table.find(settings.y);
     const auto shown = [&](double value) { return (value + settings.offset_y) * settings.scale_y; };
@@ -127,25 +148,40 @@ void add_points(CurvePoints& points, const CurveSettings& settings, const Table&
         }
         return;
     }
-    std::map<double, std::vector<double>> by_x;
+    struct Averaged {
+        std::vector<double> values;
+        std::set<std::size_t> runs;
+    };
+    std::map<double, Averaged> by_x;
+    const std::vector<std::size_t> runs = runs_of_rows(curve, table);
     for (const std::size_t row : rows) {
         if (!std::isfinite(x.values[row])) continue;
-        std::vector<double>& values = by_x[x.values[row]];
-        if (std::isfinite(y.values[row])) values.push_back(shown(y.values[row]));
+        Averaged& averaged = by_x[x.values[row]];
+        if (!std::isfinite(y.values[row])) continue;
+        averaged.values.push_back(shown(y.values[row]));
+        averaged.runs.insert(runs[row]);
     }
-    for (const auto& [place, values] : by_x) {
+    const bool pooled = curve.sweep && settings.table == CurveTable::avalanche_sizes;
+    const bool spreads = settings.spread != CurveSpread::none;
+    for (const auto& [place, averaged] : by_x) {
+        const std::int64_t count =
+            pooled ? curve.sweep->seeds.count() : static_cast<std::int64_t>(averaged.runs.size());
+        const bool left_out = averaged.values.empty() || count < settings.least;
         points.x.push_back(place * settings.scale_x);
-        points.y.push_back(values.empty() ? undefined : mean_of(values));
-        points.counts.push_back(static_cast<std::int64_t>(values.size()));
-        if (settings.spread != CurveSpread::none)
-            points.spread.push_back(spread_of(values, settings.spread));
+        points.y.push_back(left_out ? undefined : mean_of(averaged.values));
+        points.counts.push_back(static_cast<std::int64_t>(averaged.values.size()));
+        if (curve.sweep || spreads) points.runs.push_back(count);
+        if (spreads) points.spread.push_back(spread_of(averaged.values, settings.spread));
     }
 }
 
 std::string curve_name(const CurvePlan& curve, const Table& table, const Rows& rows) {
     const CurveSettings& settings = curve.settings;
     std::string text = settings.name;
-    if (text.empty() && !settings.group_by.empty()) text = "{" + settings.group_by + "}";
+    if (text.empty() && !settings.group_by.empty()) {
+        const std::string& group = settings.group_by;
+        text = in_words(group.substr(group.rfind('.') + 1)) + " = {" + group + "}";
+    }
     return fill_placeholders(text, [&](const std::string& name) -> std::optional<std::string> {
         if (const TableColumn* column = table.find(name)) return column->text(rows.front());
         return key_text(curve.scene, name);
@@ -183,9 +219,14 @@ std::vector<CurvePoints> curve_points(const CurvePlan& curve, const Table& table
         points.y_name = settings.y;
         if (settings.scale_x == 1.0) points.x_unit = table.find(settings.x)->unit;
         if (settings.scale_y == 1.0) points.y_unit = table.find(settings.y)->unit;
-        add_points(points, settings, table, group);
+        add_points(points, curve, table, group);
+        if (std::ranges::none_of(points.y, [](double y) { return std::isfinite(y); })) continue;
         fit(points, settings);
         curves.push_back(std::move(points));
+    }
+    if (curves.empty()) {
+        throw InputError(
+            fmt::format("no point is of {} runs or more, as least says", settings.least));
     }
     return curves;
 }
@@ -210,7 +251,10 @@ std::string curve_csv(const CurvePoints& points) {
         if (!std::isfinite(points.x[i]) || !std::isfinite(points.y[i])) continue;
         std::vector<std::string> cells{fmt::format("{}", points.x[i]),
                                        fmt::format("{}", points.y[i])};
-        if (!points.spread.empty()) cells.push_back(fmt::format("{}", points.spread[i]));
+        if (!points.spread.empty()) {
+            const double spread = points.spread[i];
+            cells.push_back(std::isfinite(spread) ? fmt::format("{}", spread) : "");
+        }
         if (!points.counts.empty()) cells.push_back(fmt::format("{}", points.counts[i]));
         text += csv_line(cells);
     }

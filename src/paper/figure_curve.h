@@ -17,8 +17,11 @@ struct CurvePoints {
     std::string y_name, y_unit;
     std::vector<double> x;
     std::vector<double> y;
-    std::vector<double> spread;        ///< of y, as its settings say; empty: none
+    std::vector<double> spread;  ///< of y, as its settings say, not finite for n = 1; empty: none
     std::vector<std::int64_t> counts;  ///< rows behind each point; empty where rows are points
+    /// Runs behind each point, or rows of a file; empty where rows are points, or a file's have no
+    /// spread.
+    std::vector<std::int64_t> runs;
     std::optional<CurveLaw> law;
     double law_low = 0.0;  ///< x between which it was fitted
     double law_high = 0.0;

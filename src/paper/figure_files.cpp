@@ -11,6 +11,7 @@
 #include "files/atomic_file.h"
 #include "outputs/output_claims.h"
 #include "outputs/own_file.h"
+#include "paper/caption_text.h"
 #include "paper/figure_caption.h"
 #include "paper/figure_paths.h"
 #include "run/picture_text.h"
@@ -20,6 +21,15 @@ namespace fumon {
 namespace {
 
 namespace fs = std::filesystem;
+
+struct CaptionFile {
+    std::string_view end;  ///< of its name
+    std::string (*write)(const std::string& caption);
+};
+
+constexpr std::array<CaptionFile, 3> caption_files{{{".caption.txt", plain_caption},
+                                                    {".caption.tex", latex_caption},
+                                                    {".caption.md", markdown_caption}}};
 
 /// What follows a panel's letter in a name of data, NAME-a-1.csv: perhaps "-inset", perhaps a
 /// curve's number, and .csv, .asc or .prj.
@@ -55,7 +65,8 @@ void claim_figure(const FigurePlan& plan, const fs::path& folder, const OutputCl
         made_before = made_before || says_that_fumon_made_it(file(end));
     for (const std::string& format : plan.scene.figure.formats)
         claims.check(file("." + format), false);
-    claims.check(file(".caption.txt"), false);
+    for (const CaptionFile& caption : caption_files)
+        claims.check(file(std::string(caption.end)), false);
     std::error_code fault;
     for (const auto& entry : fs::directory_iterator(folder, fault)) {
         fs::path data = entry.path();
@@ -103,8 +114,10 @@ std::vector<WholeFile> figure_files(const FigurePlan& plan, const FigureSources&
             notes.push_back(missing);
         files.push_back({path, std::move(drawn.bytes)});
     }
-    files.push_back({folder / (plan.name + ".caption.txt"),
-                     FigurePaths(plan, sources).in_text(figure_caption(plan))});
+    const std::string caption =
+        FigurePaths(plan, sources).in_text(figure_caption(plan, made.remarks));
+    for (const CaptionFile& file : caption_files)
+        files.push_back({folder / (plan.name + std::string(file.end)), file.write(caption)});
     for (const FigureData& data : made.data)
         files.push_back({folder / fmt::format("{}-{}", plan.name, data.name), data.text});
     return files;

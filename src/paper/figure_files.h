@@ -34,8 +34,8 @@ PageFormat page_format(const std::filesystem::path& file);
 DrawnPage draw_figure(const FigurePlan& plan, const FigurePage& made, PageFormat format,
                       const FigureMetadata& metadata);
 
-/// All files of a figure: NAME.pdf …, NAME.caption.txt and the data NAME-a-1.csv …. A warning of
-/// letters that no font has goes to `notes`. Throws as draw_page.
+/// All files of a figure: NAME.pdf …, NAME.caption.txt, .tex and .md, and the data NAME-a-1.csv ….
+/// A warning of letters that no font has goes to `notes`. Throws as draw_page.
 std::vector<WholeFile> figure_files(const FigurePlan& plan, const FigureSources& sources,
                                     const FigurePage& made, const std::filesystem::path& folder,
                                     std::vector<std::string>& notes);

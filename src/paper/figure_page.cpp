@@ -1,9 +1,14 @@
 #include "paper/figure_page.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "figure/page/page_grid.h"
+#include "figure/plot/plot_axes.h"
 #include "paper/panel_makers.h"
+#include "paper/panel_title.h"
 
 namespace fumon {
 
@@ -72,6 +77,7 @@ class Assembly {
         : plan_(plan), tools_{plan,   runs, store, drawing.backend, WorkerPool(drawing.threads),
                               nullptr} {
         made_.page = empty_page(plan);
+        warn_of_small_print();
     }
 
     FigurePage assemble() {
@@ -80,6 +86,25 @@ class Assembly {
     }
 
   private:
+    /// The least that journals print.
+    void warn_of_small_print() {
+        constexpr double least_letters = 6.0;  // points
+        constexpr double least_line = 0.25;
+        const double letters = tick_text * made_.page.font_size;
+        if (letters < least_letters) {
+            made_.warnings.push_back(fmt::format(
+                "ticks and legends are of {:.2g} points, and journals ask for {:g} or more; "
+                "figure.font_size = {:.2g} does it",
+                letters, least_letters, std::ceil(10.0 * least_letters / tick_text) / 10.0));
+        }
+        if (made_.page.line_width < least_line) {
+            made_.warnings.push_back(fmt::format(
+                "frames and ticks are {:.2g} points wide, and journals ask for {:g} or more; "
+                "figure.line_width = {:g} does it",
+                made_.page.line_width, least_line, 2.0 * least_line));
+        }
+    }
+
     /// "a", or "a-inset" for the data of what stands in it.
     [[nodiscard]] std::string letter_of_next(const PanelPlan& panel) const {
         const bool inset = panel.settings.inset != InsetPlace::none;
@@ -114,7 +139,18 @@ class Assembly {
         const bool inset = settings.inset != InsetPlace::none;
         const double share = inset ? settings.inset_size : static_cast<double>(settings.columns);
         const double width = made_.page.width / made_.page.columns * share;
-        for (MadePanel& one : make(panel, width)) {
+        std::vector<MadePanel> made = make(panel, width);
+        const bool alike = std::ranges::all_of(
+            made, [&made](const MadePanel& one) { return one.remarks == made.front().remarks; });
+        std::vector<std::string>& remarks = made_.remarks.emplace_back();
+        if (alike) remarks = made.front().remarks;
+        for (MadePanel& one : made) {
+            const std::string letter = panel_letter(made_.page.panels.size() - (inset ? 1 : 0));
+            for (const std::string& remark : one.remarks) {
+                if (!alike) remarks.push_back(fmt::format("{} {}", letter, remark));
+            }
+            for (const std::string& warning : one.warnings)
+                made_.warnings.push_back(fmt::format("panel {}: {}", letter, warning));
             for (FigureData& data : one.data)
                 made_.data.push_back({letter_of_next(panel) + data.name, std::move(data.text)});
             place(panel, std::move(one.content), std::move(one.title));

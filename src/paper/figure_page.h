@@ -11,6 +11,8 @@ namespace fumon {
 struct FigurePage {
     Page page;
     std::vector<FigureData> data;
+    std::vector<std::vector<std::string>> remarks;  ///< for the caption, of each panel of the plan
+    std::vector<std::string> warnings;              ///< what the user should hear
 };
 
 /// Builds the panels of a figure from its runs, all of which must be stored. Throws a located

@@ -9,10 +9,10 @@
 #include "base/error.h"
 #include "base/find_named.h"
 #include "base/nearest_name.h"
-#include "figure/panels/step_text.h"
 #include "keys/keys.h"
 #include "paper/figure_tables.h"
 #include "paper/panel_makers.h"
+#include "paper/panel_title.h"
 #include "run/prepared_run.h"
 #include "scene/input_maps.h"
 #include "scene/overlay_keys.h"
@@ -375,21 +375,6 @@ std::size_t panels_of(const PanelPlan& panel) {
     const bool one_each = shown_by(panel.settings.kind) == PanelShows::each_step &&
                           panel.settings.inset == InsetPlace::none;
     return one_each ? panel.picture->steps.size() : 1;
-}
-
-std::string panel_title(const PanelSettings& settings, const Scene& scene,
-                        const Snapshot* snapshot) {
-    return fill_placeholders(settings.title,
-                             [&](const std::string& name) -> std::optional<std::string> {
-                                 if (snapshot != nullptr && name == "step")
-                                     return fmt::format("{}", snapshot->step);
-                                 if (snapshot != nullptr && name == "time") {
-                                     if (snapshot->time_unit == "steps")
-                                         return fmt::format("{}", snapshot->step);
-                                     return length_of_time(snapshot->time, snapshot->time_unit);
-                                 }
-                                 return key_text(scene, name);
-                             });
 }
 
 }  // namespace fumon

@@ -65,8 +65,4 @@ std::vector<std::size_t> runs_of(const FigurePlan& plan);
 /// How many panels of the page it takes: one for each of its steps, or one alone.
 std::size_t panels_of(const PanelPlan& panel);
 
-/// What a panel's title may name: {step}, {time} of a snapshot, and the keys of its scene.
-std::string panel_title(const PanelSettings& settings, const Scene& scene,
-                        const Snapshot* snapshot);
-
 }  // namespace fumon

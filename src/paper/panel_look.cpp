@@ -1,5 +1,11 @@
 #include "paper/panel_look.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/quantity_text.h"
+
 namespace fumon {
 
 LookSettings look_of(const PanelSettings& panel, const Scene& scene) {
@@ -23,9 +29,53 @@ std::optional<Colouring> colouring_of(const std::string& field) {
     return std::nullopt;
 }
 
+RangeTails tails_of(const PanelSettings& panel, double former) {
+    const auto tail = [former](const WordOrReal& end) {
+        if (end.word == "percentile") return RangeTails{}.low;
+        return end.word == "auto" ? 0.0 : former;
+    };
+    return {tail(panel.low), tail(panel.high)};
+}
+
+bool tells_ends(const PanelSettings& panel) {
+    return panel.low.word != "auto-0.2" && panel.high.word != "auto-0.2";
+}
+
+void tell_ends(ColourScale& colours, const std::optional<std::pair<double, double>>& values) {
+    constexpr double rounding = 1e-6;  // of the range: values may have been single-precision
+    const double near = rounding * (colours.high - colours.low);
+    colours.ends_labelled = true;
+    colours.values_below = values && values->first < colours.low - near;
+    colours.values_above = values && values->second > colours.high + near;
+}
+
+std::string range_sentence(const ColourScale& colours,
+                           const std::optional<std::pair<double, double>>& values) {
+    const auto number = [](double value) {
+        std::string text = fmt::format("{:.4g}", value == 0.0 ? 0.0 : value);
+        if (text.front() == '-') text.replace(0, 1, "\u2212");
+        return text;
+    };
+    const std::string unit = unit_of(colours.label);
+    const std::string of = unit.empty() ? "" : " " + unit;
+    std::string text =
+        fmt::format("colours from {} to {}{}", number(colours.low), number(colours.high), of);
+    if (values && (colours.values_below || colours.values_above)) {
+        text += fmt::format(" (values from {} to {}{})", number(values->first),
+                            number(values->second), of);
+    }
+    return text;
+}
+
+bool has_compass(PanelArrow arrow) {
+    return arrow == PanelArrow::north || arrow == PanelArrow::wind_and_north ||
+           arrow == PanelArrow::flow_and_north;
+}
+
 std::optional<GroundDirection> direction_of(PanelArrow arrow, const Snapshot& first) {
-    if (arrow == PanelArrow::wind) return wind_direction(first);
-    if (arrow == PanelArrow::flow) return flow_direction();
+    if (arrow == PanelArrow::wind || arrow == PanelArrow::wind_and_north)
+        return wind_direction(first);
+    if (arrow == PanelArrow::flow || arrow == PanelArrow::flow_and_north) return flow_direction();
     return std::nullopt;
 }
 

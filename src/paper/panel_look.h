@@ -2,8 +2,11 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "figure/panels/colour_bar.h"
 #include "figure/panels/ground_arrow.h"
+#include "render/colour/colouring.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -13,6 +16,24 @@ LookSettings look_of(const PanelSettings& panel, const Scene& scene);
 
 /// The colouring that shows a field; nothing where it is none of the renderer's.
 std::optional<Colouring> colouring_of(const std::string& field);
+
+/// What share of a panel's values may lie beyond the ends of its colours, where low and high are
+/// words: `former` of a figure that earlier versions made.
+RangeTails tails_of(const PanelSettings& panel, double former = RangeTails{}.low);
+
+/// Whether a figure of today shows a panel's colours, whose bar tells its ends and what lies beyond
+/// them.
+bool tells_ends(const PanelSettings& panel);
+
+/// Notes in a picture's colours what their bar tells of these values.
+void tell_ends(ColourScale& colours, const std::optional<std::pair<double, double>>& values);
+
+/// The ends of a panel's colours for its caption: "Colours run from 0 m to 3 m; …".
+std::string range_sentence(const ColourScale& colours,
+                           const std::optional<std::pair<double, double>>& values);
+
+/// Whether a compass stands in the corner of a map or view.
+bool has_compass(PanelArrow arrow);
 
 /// What the arrow in the corner of a map or view shows; nothing where there is none.
 std::optional<GroundDirection> direction_of(PanelArrow arrow, const Snapshot& first);

@@ -24,6 +24,8 @@ struct FigureData {
 struct MadePanel {
     std::unique_ptr<const PanelContent> content;
     std::string title;
+    std::vector<std::string> remarks;   ///< for the caption: ranges, intervals, exaggeration
+    std::vector<std::string> warnings;  ///< what the user should hear
     std::vector<FigureData> data;  ///< named by what follows the panel's letter: ".asc", "-1.csv"
 };
 

@@ -5,6 +5,7 @@
 #include "models/shared/state_hash.h"
 #include "python/patience.h"
 #include "run/still.h"
+#include "scene/lives_in_metres.h"
 
 namespace fumon::python {
 
@@ -25,8 +26,9 @@ LiveRun::LiveRun(Scene scene, int threads, bool measures)
     const auto first = std::make_shared<const Snapshot>(prepared_->model->snapshot());
     prepared_->initial.bed = Grid();  // the model has its own
     if (measures)
-        suite_.emplace(measured_landform(*first), *first,
-                       MeasureChoice{prepared_->scene.output.channel_area});
+        suite_.emplace(
+            measured_landform(*first), *first,
+            MeasureChoice{prepared_->scene.output.channel_area, lives_in_metres(prepared_->scene)});
     drawer_ = std::make_shared<Drawer>(prepared_->scene, prepared_->initial.inputs, first);
     last_step_ = prepared_->scene.run.steps;
     note_ = prepared_->initial.note;

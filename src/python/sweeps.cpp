@@ -23,6 +23,7 @@
 #include "python/scene_value.h"
 #include "run/prepared_run.h"
 #include "run/terminal/interrupt.h"
+#include "scene/lives_in_metres.h"
 #include "sweep/sweep_folder.h"
 #include "sweep/sweep_work.h"
 
@@ -70,7 +71,8 @@ void explain_columns(DoneSweep& sweep) {
         const PreparedRun run = prepare_run(scene_of(sweep.plan, sweep.plan.runs[n]), 1);
         const Snapshot first = run.model->snapshot();
         sweep.columns.emplace("time", MeasureColumn{"time", first.time_unit, "time of the model"});
-        const MeasureSuite suite(measured_landform(first), first, {run.scene.output.channel_area});
+        const MeasureSuite suite(measured_landform(first), first,
+                                 {run.scene.output.channel_area, lives_in_metres(run.scene)});
         for (const MeasureColumn& column : suite.columns())
             sweep.columns.emplace(column.name, column);
     }

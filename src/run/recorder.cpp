@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "files/avalanche_table.h"
+#include "scene/lives_in_metres.h"
 #include "scene/overlay_keys.h"
 
 namespace fumon {
@@ -19,7 +20,8 @@ std::vector<std::string> gathered_columns(const Scene& scene, const Recording& r
 }
 
 MeasureSuite suite_for(const Scene& scene, const Snapshot& first) {
-    return MeasureSuite(measured_landform(first), first, {scene.output.channel_area});
+    return MeasureSuite(measured_landform(first), first,
+                        {scene.output.channel_area, lives_in_metres(scene)});
 }
 
 }  // namespace

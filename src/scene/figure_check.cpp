@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "scene/palette_names.h"
+#include "scene/placeholders.h"
 
 namespace fumon {
 
@@ -29,6 +33,8 @@ class FigureCheck {
                        "an inset stands in the panel before it; this is the first");
             check_place(panels[p], path);
             check_keys_of_kind(panels[p], path);
+            check_labels(panels[p], path);
+            check_palette(panels[p], path);
             if (shown_by(panels[p].kind) == PanelShows::curves) {
                 check_plot(panels[p], path);
             } else {
@@ -80,6 +86,34 @@ class FigureCheck {
         }
     }
 
+    void check_palette(const PanelSettings& panel, const std::string& path) const {
+        if (panel.palette.empty()) return;
+        try {
+            check_palette_name(panel.palette);
+        } catch (const InputError& unknown) {
+            refuse(path + ".palette", unknown.what());
+        }
+    }
+
+    /// In labels {unit} alone stands for something.
+    void check_labels(const PanelSettings& panel, const std::string& path) const {
+        const auto check = [&](const std::string& label, const char* key) {
+            try {
+                fill_placeholders(
+                    label,
+                    [](const std::string& name) {
+                        return name == "unit" ? std::optional<std::string>("") : std::nullopt;
+                    },
+                    "{unit} stands for the unit");
+            } catch (const InputError& fault) {
+                refuse(path + key, fault.what());
+            }
+        };
+        check(panel.x_label, ".x_label");
+        check(panel.y_label, ".y_label");
+        check(panel.bar_label, ".bar_label");
+    }
+
     /// Refuses what a panel of this kind would not show.
     void check_keys_of_kind(const PanelSettings& panel, const std::string& path) const {
         using enum PanelKind;
@@ -118,8 +152,8 @@ class FigureCheck {
             {"every", panel.every != usual.every, over_time},
             {"row_of_bed", panel.row_of_bed != usual.row_of_bed, along_rows},
             {"field", panel.field != usual.field, of_fields},
-            {"low", panel.low != usual.low, coloured},
-            {"high", panel.high != usual.high, coloured},
+            {"low", is_given(panel.low), coloured},
+            {"high", is_given(panel.high), coloured},
             {"palette", panel.palette != usual.palette, coloured},
             {"palette_reversed", panel.palette_reversed, coloured},
             {"shading", panel.shading != usual.shading, maps},
@@ -137,6 +171,11 @@ class FigureCheck {
                    fmt::format("belongs to {}; a {} panel would not show it", names_of(asked.kinds),
                                word_of(panel.kind)));
         }
+    }
+
+    /// Whether an end of the colours is no word for what it is where nothing is said.
+    static bool is_given(const WordOrReal& end) {
+        return !end.is_word() || end.word == "percentile";
     }
 
     static std::string_view word_of(PanelKind kind) {
@@ -195,6 +234,8 @@ class FigureCheck {
         }
         if (curve.spread != CurveSpread::none && !curve.average)
             refuse(path + ".spread", "is of what is averaged; write average = true");
+        if (curve.least > 1 && !curve.average)
+            refuse(path + ".least", "counts what is averaged; write average = true");
         if (curve.fit == CurveFit::none && !(curve.fit_low.is_word() && curve.fit_high.is_word()))
             refuse(path + (curve.fit_low.is_word() ? ".fit_high" : ".fit_low"),
                    "there is no fit; write fit = \"line\" or another");
@@ -228,6 +269,18 @@ class FigureCheck {
         if (!panel.boxes.empty())
             refuse(path + ".kind", "boxes belong to plots; write kind = \"plot\"");
         check_range(panel.low, panel.high, path, "", false);
+        if (panel.kind == PanelKind::section) {
+            for (const auto& [end, name] : {std::pair{&panel.low, "low"}, {&panel.high, "high"}}) {
+                if (end->word == "percentile")
+                    refuse(fmt::format("{}.{}", path, name),
+                           "a section shows all its values; write \"auto\" or a number");
+            }
+        }
+        const bool also_north = panel.arrow == PanelArrow::north ||
+                                panel.arrow == PanelArrow::wind_and_north ||
+                                panel.arrow == PanelArrow::flow_and_north;
+        if (panel.kind == PanelKind::profile && also_north)
+            refuse(path + ".arrow", "a profile has no north; take \"wind\"");
         if (panel.inset != InsetPlace::none && panel.steps.size() > 1)
             refuse(path + ".steps", "an inset shows one step");
         const PanelShows shows = shown_by(panel.kind);

@@ -10,7 +10,8 @@
 
 namespace fumon {
 
-std::string fill_placeholders(const std::string& text, const PlaceholderValues& values) {
+std::string fill_placeholders(const std::string& text, const PlaceholderValues& values,
+                              const std::string& hint) {
     std::string filled;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char letter = text[i];
@@ -39,9 +40,7 @@ std::string fill_placeholders(const std::string& text, const PlaceholderValues& 
         const std::string name = text.substr(i + 1, end - i - 1);
         const auto value = values(name);
         if (!value) {
-            throw InputError(fmt::format(
-                "{{{}}} stands for nothing here; a key such as {{model.creep_rate}} has a value",
-                name));
+            throw InputError(fmt::format("{{{}}} stands for nothing here; {}", name, hint));
         }
         filled += *value;
         i = end;

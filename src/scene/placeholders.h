@@ -13,8 +13,11 @@ using PlaceholderValues = std::function<std::optional<std::string>(const std::st
 
 /// A text with every {name} replaced by its value; "{{" and "}}" are braces,
 /// and ^{…} and _{…} are left as they are, since they raise and lower letters. Throws InputError
-/// without a place for an unknown name and a brace without its other one.
-std::string fill_placeholders(const std::string& text, const PlaceholderValues& values);
+/// without a place for an unknown name and a brace without its other one; `hint` says which names
+/// are known.
+std::string fill_placeholders(
+    const std::string& text, const PlaceholderValues& values,
+    const std::string& hint = "a key such as {model.creep_rate} has a value");
 
 /// The value of a scene's key as one would write it, texts without their quotes; nothing where
 /// there is no such key.

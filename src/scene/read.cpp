@@ -346,6 +346,7 @@ class Reader {
             throw InputError(fmt::format("{}: {} is a section; write [{}] and its keys below",
                                          place, path, path));
         }
+        refuse_missing_item(path, place);
         std::vector<std::string> known;
         for (const Key& key : table_.keys()) {
             if (path.starts_with(item_of(key.path))) known.push_back(key.path);
@@ -367,6 +368,22 @@ class Reader {
         }
         throw InputError(fmt::format("{}: unknown key {}; `fumon describe {}` lists the known ones",
                                      place, path, what_describes(path)));
+    }
+
+    /// Refuses a key of a list's item that is not there.
+    void refuse_missing_item(const std::string& path, const std::string& place) const {
+        for (const TableList& list : table_.lists()) {
+            if (!path.starts_with(list.path + ".")) continue;
+            std::size_t item = 0;
+            const char* end = path.data() + path.size();
+            const auto [stop, fault] =
+                std::from_chars(path.data() + list.path.size() + 1, end, item);
+            if (fault != std::errc{} || stop == end || *stop != '.' || item < list.size()) continue;
+            throw InputError(fmt::format(
+                "{}: there is no {}.{}: the scene has {} [[{}]], and they are counted from 0",
+                place, list.path, item, list.size() == 0 ? "no" : fmt::format("{}", list.size()),
+                without_numbers(list.path)));
+        }
     }
 
     /// What to ask `fumon describe` for: a key's own section where every scene has it.

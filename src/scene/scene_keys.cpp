@@ -5,6 +5,7 @@
 #include "keys/keys.h"
 #include "models/registry.h"
 #include "scene/figure/figure_keys.h"
+#include "scene/lives_in_metres.h"
 
 namespace fumon {
 
@@ -59,6 +60,7 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                        {.unit = "m",
                         .range = {smallest_height_unit, largest_height_unit},
                         .help = "metres per model height"});
+    const char* height = lives_in_metres(scene) ? "m" : "model heights";
     table.choice("bed.kind", scene.bed.kind,
                  {{BedKind::automatic, "auto",
                    "the terrain file if bed.file names one, else flat for the sandpile and noise "
@@ -69,7 +71,7 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                   {BedKind::file, "file", "a terrain file"}},
                  {.help = "the initial bed"});
     table.real("bed.height", scene.bed.height,
-               {.unit = "model heights",
+               {.unit = height,
                 .range = {-largest_height, largest_height},
                 .help = "height of a flat bed, or of a heap's top"});
     table.real("bed.heap_radius", scene.bed.heap_radius,
@@ -78,11 +80,11 @@ void list_bed_keys(Scene& scene, KeyTable& table) {
                 .help = "of a heap's foot, in metres where cells have a size; its height falls as "
                         "the squared cosine"});
     table.real("bed.low", scene.bed.low,
-               {.unit = "model heights",
+               {.unit = height,
                 .range = {-largest_height, largest_height},
                 .help = "lower end of the noise"});
     table.real("bed.high", scene.bed.high,
-               {.unit = "model heights",
+               {.unit = height,
                 .range = {-largest_height, largest_height},
                 .help = "upper end of the noise; 0.01 for a gully"});
     table.role(KeyRole::run);

@@ -31,6 +31,10 @@ TEST(CurveLaw, FindsTheLawThatMadeThePoints) {
     EXPECT_NEAR(straight.value("b"), -2.0, 1e-12);
     EXPECT_NEAR(straight.value("r_squared"), 1.0, 1e-12);
     EXPECT_EQ(straight.text(), "y = \u22122 x + 3, R² = 1.000");
+    const Points unit = sample(0.0, 0.5, 9, [](double x) { return x - 5.0; });
+    EXPECT_EQ(fit_law(CurveFit::line, unit.x, unit.y).text(), "y = x \u2212 5, R² = 1.000");
+    const Points falling = sample(0.0, 0.5, 9, [](double x) { return 2.0 - x; });
+    EXPECT_EQ(fit_law(CurveFit::line, falling.x, falling.y).text(), "y = \u2212x + 2, R² = 1.000");
     const Points powers = sample(1.0, 2.0, 8, [](double x) { return 5.0 * std::pow(x, -1.5); });
     const CurveLaw power = fit_law(CurveFit::power, powers.x, powers.y);
     EXPECT_NEAR(power.value("a"), 5.0, 1e-10);

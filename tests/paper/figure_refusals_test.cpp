@@ -113,6 +113,16 @@ TEST_F(FigureRefusalsTest, WhatIsWrongIsOneLocatedLine) {
         {map + "field = \"water_depth\"\n", "the model sand has no field \"water_depth\""},
         {map + "title = \"{stepp}\"\n", "{stepp} stands for nothing here"},
         {map + "title = \"{step\"\n", "has a brace alone"},
+        {map + "title = \"{time:weeks}\"\n", "{time:weeks} stands for nothing here"},
+        {map + "x_label = \"along ({units})\"\n",
+         "bad.toml:17:11: figure.panel.0.x_label: {units} stands for nothing here; {unit} stands "
+         "for the unit"},
+        {map + "palette = \"virids\"\n",
+         "bad.toml:17:11: figure.panel.0.palette: unknown palette \"virids\"; did you mean "
+         "\"viridis\"?"},
+        {"[[figure.panel]]\nkind = \"profile\"\narrow = \"north\"\n", "a profile has no north"},
+        {"[[figure.panel]]\nkind = \"view\"\nlow = \"least\"\n", "figure.panel.0.low"},
+        {curve + "average = false\nleast = 2\n", "counts what is averaged"},
         {map + "set = [\"model.creep_rat=1\"]\n", "did you mean \"model.creep_rate\"?"},
         {map + "scene = \"other.toml\"\n", "other.toml"},
         {"[[figure.panel]]\nkind = \"section\"\n", "needs a model with one (airflow), not sand"},
@@ -137,6 +147,16 @@ TEST_F(FigureRefusalsTest, WhatIsWrongIsOneLocatedLine) {
         EXPECT_EQ(checked.status, 2) << scene;
         EXPECT_EQ(checked.errors, said);
     }
+}
+
+TEST_F(FigureRefusalsTest, APanelThatIsNotThereIsCounted) {
+    write_scene("bad.toml", "[[figure.panel]]\nkind = \"map\"\n");
+    const Ended ended = figure("bad.toml", {"--set", "figure.panel.9.title=a"}, "bad");
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_NE(ended.errors.find("there is no figure.panel.9: the scene has 1 [[figure.panel]], and "
+                                "they are counted from 0"),
+              std::string::npos)
+        << ended.errors;
 }
 
 }  // namespace

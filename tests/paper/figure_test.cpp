@@ -159,7 +159,9 @@ TEST(LabelOr, PutsTheUnitInItsPlace) {
     EXPECT_EQ(label_or("東 ({unit})", "x (m)"), "東 (m)");
     EXPECT_EQ(label_or("height / {unit}", "height (mean) (model heights)"),
               "height / model heights");
-    EXPECT_EQ(label_or("{unit}", "step"), "{unit}") << "which has none";
+    EXPECT_EQ(label_or("wave ({unit})", "step"), "wave") << "which has none";
+    EXPECT_EQ(label_or("wave / {unit}", "step"), "wave / 1");
+    EXPECT_EQ(label_or("{{a}} in {unit}, {unit}", "x (m)"), "{a} in m, m");
     EXPECT_EQ(label_or("distance", "x (m)"), "distance");
 }
 

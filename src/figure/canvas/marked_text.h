@@ -19,8 +19,8 @@ struct MarkedText {
     std::vector<RaisedPart> parts;
 };
 
-/// Reads the marks of a text: ^{…} raises what is in the braces, _{…} lowers it. Marks without a
-/// closing brace are letters like others.
+/// Reads the marks of a text: ^{…} raises what is in the braces, _{…} lowers it, and ^ raises a
+/// number that follows a letter, as in m^2 and s^-1. Other marks are letters like others.
 MarkedText read_marked_text(const std::string& text);
 
 }  // namespace fumon

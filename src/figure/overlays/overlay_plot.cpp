@@ -12,6 +12,7 @@
 #include "base/nearest_name.h"
 #include "base/quantity_text.h"
 #include "figure/overlays/overlay_text.h"
+#include "scene/lives_in_metres.h"
 
 namespace fumon {
 
@@ -57,7 +58,8 @@ class LivePlot : public Overlay {
           run_end_(settings_.x == "step" ? static_cast<double>(times_.last)
                                          : times_.end.value_or(on.end_time.value_or(0.0))),
           scene_(on.scene) {
-        MeasureSuite suite(measured_landform(on.first), on.first, {on.scene.output.channel_area});
+        MeasureSuite suite(measured_landform(on.first), on.first,
+                           {on.scene.output.channel_area, lives_in_metres(on.scene)});
         const auto columns = measured_columns(suite.columns(), on.first);
         std::vector<std::string> names;
         names.reserve(columns.size());

@@ -24,6 +24,8 @@ constexpr double bar_width = 0.9;
 constexpr double from_frame = 0.8;
 constexpr double to_bar_below = 0.5;
 
+constexpr double triangle_length = 0.8;  // of the bar's width
+
 /// A bar's ticks, the room that their texts take, and how its label is written.
 struct BarLayout {
     Ticks ticks;
@@ -34,6 +36,32 @@ struct BarLayout {
     double label_height = 0.0;
 };
 
+/// Ticks at both ends of a bar too, in place of those nearer to them than `apart`, a share of the
+/// bar. Their labels have a digit more than those of round numbers need.
+Ticks with_ends(const Ticks& round, const ColourScale& scale, int most, double apart) {
+    const double range = scale.high - scale.low;
+    const int decimals = std::max(0, 1 - round_step(scale.low, scale.high, most).exponent);
+    const auto near = [&](double a, double b) { return std::abs(a - b) < apart * range; };
+    Ticks ticks;
+    const auto add = [&ticks](double value, const std::string& label) {
+        ticks.values.push_back(value);
+        ticks.labels.push_back(label);
+    };
+    const auto is_round = [&](double end) {
+        return std::any_of(round.values.begin(), round.values.end(),
+                           [&](double value) { return std::abs(value - end) < 1e-6 * range; });
+    };
+    if (!is_round(scale.low)) add(scale.low, plain_number(scale.low, decimals));
+    for (std::size_t i = 0; i < round.values.size(); ++i) {
+        const double value = round.values[i];
+        const bool in_the_way = (near(value, scale.low) && !is_round(scale.low)) ||
+                                (near(value, scale.high) && !is_round(scale.high));
+        if (!in_the_way) add(value, round.labels[i]);
+    }
+    if (!is_round(scale.high)) add(scale.high, plain_number(scale.high, decimals));
+    return ticks;
+}
+
 BarLayout lay_out_bar(const Canvas& canvas, double length, const ColourScale& scale,
                       BarDirection direction) {
     const double font = canvas.font_size();
@@ -42,6 +70,11 @@ BarLayout lay_out_bar(const Canvas& canvas, double length, const ColourScale& sc
     int most = std::clamp(static_cast<int>(length / ((upright ? 1.5 : 2.2) * font)), 2, most_ticks);
     for (;; --most) {
         layout.ticks = linear_ticks(scale.low, scale.high, most);
+        if (scale.ends_labelled) {
+            const double label = upright ? 1.3 * canvas.text_size("0", bar_tick_text)[1]
+                                         : layout.widest + 0.6 * font;
+            layout.ticks = with_ends(layout.ticks, scale, most, std::min(label / length, 0.5));
+        }
         layout.widest = 0.0;
         for (const std::string& label : layout.ticks.labels) {
             const auto [width, height] = canvas.text_size(label, bar_tick_text);
@@ -64,7 +97,7 @@ BarLayout lay_out_bar(const Canvas& canvas, double length, const ColourScale& sc
 /// A triangle in the end colour, pointing beyond the bar's end.
 void draw_triangle(Canvas& canvas, const CanvasBox& bar, const ColourScale& scale, bool upright,
                    bool at_high, const Ink& ink) {
-    const double length = 0.8 * (upright ? bar.width : bar.height);
+    const double length = triangle_length * (upright ? bar.width : bar.height);
     const double end = upright ? (at_high ? bar.y : bar.bottom()) : (at_high ? bar.right() : bar.x);
     const double tip = end + (at_high == upright ? -length : length);  // y points down
     const std::array<CanvasPoint, 3> corners =
@@ -174,8 +207,11 @@ PanelMargins with_colour_bar(const Canvas& canvas, const PanelMargins& margins, 
     if (place == BarPlace::none) return margins;
     const CanvasBox bar = placed_bar(canvas, {0.0, 0.0, width, height}, margins.below, place);
     const bool below = place == BarPlace::below;
-    const PanelMargins room =
+    PanelMargins room =
         colour_bar_margins(canvas, bar, scale, below ? BarDirection::level : BarDirection::upright);
+    const double triangle = triangle_length * (below ? bar.height : bar.width);
+    if (scale.values_below) (below ? room.left : room.below) += triangle;
+    if (scale.values_above) (below ? room.right : room.above) += triangle;
     return {std::max(margins.left, room.left - bar.x),
             std::max(margins.right, bar.right() + room.right - width),
             std::max(margins.above, room.above - bar.y),

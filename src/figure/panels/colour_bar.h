@@ -16,6 +16,7 @@ struct ColourScale {
     std::string label;          ///< the quantity and its unit
     bool values_below = false;  ///< there are some, which a triangle at the bar's end says
     bool values_above = false;
+    bool ends_labelled = false;  ///< the bar's two ends have ticks, whatever their values
 
     /// The place of a value in the palette, 0 … 255.
     [[nodiscard]] std::size_t place(double value) const;

@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "base/find_named.h"
 #include "figure/panels/axis_units.h"
-#include "render/colour/colouring.h"
+#include "numerics/percentile.h"
 #include "render/view/water.h"
 
 namespace fumon {
@@ -62,6 +62,16 @@ Palette palette_of(const LookSettings& look, const char* automatic) {
     return palette;
 }
 
+std::vector<double> known_values(const MapPicture& picture) {
+    std::vector<double> known;
+    known.reserve(picture.values.size());
+    for (std::size_t i = 0; i < picture.values.size(); ++i) {
+        if (picture.blank.empty() || picture.blank.values()[i] == 0)
+            known.push_back(picture.values.values()[i]);
+    }
+    return known;
+}
+
 /// A picture of fewer cells, each the mean of those of `cells` × `cells` that have a value.
 MapPicture coarser(const MapPicture& fine, int cells) {
     const int nx = (fine.values.nx() + cells - 1) / cells;
@@ -107,13 +117,13 @@ std::uint8_t level(double display_share) {
 }  // namespace
 
 std::vector<MapPicture> map_pictures(const LookSettings& look, std::span<const Snapshot> snapshots,
-                                     const Snapshot& first) {
+                                     const Snapshot& first, const RangeTails& tails) {
     std::pair<double, double> range{std::numeric_limits<double>::max(),
                                     std::numeric_limits<double>::lowest()};
     std::vector<Field<float>> coloured;
     for (const Snapshot& snapshot : snapshots) {
         coloured.push_back(coloured_values(look.colour_by, snapshot, first));
-        const auto [low, high] = colour_range(look, snapshot, coloured.back());
+        const auto [low, high] = colour_range(look, snapshot, coloured.back(), tails);
         range = {std::min(range.first, low), std::max(range.second, high)};
     }
     std::vector<MapPicture> pictures;
@@ -135,26 +145,22 @@ std::vector<MapPicture> map_pictures(const LookSettings& look, std::span<const S
     return pictures;
 }
 
-MapPicture map_picture(const LookSettings& look, const Snapshot& snapshot, const Snapshot& first) {
-    return std::move(map_pictures(look, {&snapshot, 1}, first).front());
+MapPicture map_picture(const LookSettings& look, const Snapshot& snapshot, const Snapshot& first,
+                       const RangeTails& tails) {
+    return std::move(map_pictures(look, {&snapshot, 1}, first, tails).front());
 }
 
-MapPicture field_picture(const LookSettings& look, const Snapshot& snapshot,
-                         std::string_view name) {
+MapPicture field_picture(const LookSettings& look, const Snapshot& snapshot, std::string_view name,
+                         const RangeTails& tails) {
     const SnapshotField* field = find_named(snapshot.fields, name);
     if (field == nullptr) throw InputError(fmt::format("the model gives no field \"{}\"", name));
     MapPicture picture;
     picture.values = field->values;
     picture.blank = snapshot.nodata;
     picture.scale = snapshot.scale;
-    double low = std::numeric_limits<double>::max();
-    double high = std::numeric_limits<double>::lowest();
-    for (std::size_t i = 0; i < picture.values.size(); ++i) {
-        if (!picture.blank.empty() && picture.blank.values()[i] != 0) continue;
-        low = std::min(low, picture.values.values()[i]);
-        high = std::max(high, picture.values.values()[i]);
-    }
-    if (low > high) low = high = 0.0;
+    std::vector<double> known = known_values(picture);
+    double low = percentile(known, tails.low);
+    double high = percentile(known, 1.0 - tails.high);
     if (!look.low.is_word()) low = look.low.value;
     if (!look.high.is_word()) high = look.high.value;
     if (!(high > low)) high = low + 1.0;
@@ -164,6 +170,13 @@ MapPicture field_picture(const LookSettings& look, const Snapshot& snapshot,
                            ? what
                            : fmt::format("{} ({})", what, field->unit)};
     return picture;
+}
+
+std::optional<std::pair<double, double>> values_of(const MapPicture& picture) {
+    const std::vector<double> known = known_values(picture);
+    if (known.empty()) return std::nullopt;
+    const auto [least, greatest] = std::minmax_element(known.begin(), known.end());
+    return std::pair{*least, *greatest};
 }
 
 Image map_image(const MapPicture& picture, const Ink& blank, int most) {

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/snapshot.h"
 #include "figure/panels/colour_bar.h"
+#include "render/colour/colouring.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -25,16 +28,22 @@ struct MapPicture {
 /// where the snapshot has metres. `first` is the reference of "change". Natural colouring shows the
 /// height. Throws InputError for a quantity of the water where there is none, and where there is no
 /// such palette.
-MapPicture map_picture(const LookSettings& look, const Snapshot& snapshot, const Snapshot& first);
+MapPicture map_picture(const LookSettings& look, const Snapshot& snapshot, const Snapshot& first,
+                       const RangeTails& tails = {});
 
 /// The same for several snapshots, of one run or of several, that are seen side by side: one unit,
-/// and one range that holds the ranges of all.
+/// and one range that holds the ranges of all. `tails` are those of colour_range().
 std::vector<MapPicture> map_pictures(const LookSettings& look, std::span<const Snapshot> snapshots,
-                                     const Snapshot& first);
+                                     const Snapshot& first, const RangeTails& tails = {});
 
-/// A picture of the model's field of that name, between its least and greatest value where look
-/// does not say. Throws InputError where the model has no such field.
-MapPicture field_picture(const LookSettings& look, const Snapshot& snapshot, std::string_view name);
+/// A picture of the model's field of that name, where look does not say between its least and
+/// greatest value, or the percentiles that `tails` cut off. Throws InputError where the model has
+/// no such field.
+MapPicture field_picture(const LookSettings& look, const Snapshot& snapshot, std::string_view name,
+                         const RangeTails& tails = {0.0, 0.0});
+
+/// The least and the greatest value of a picture; nothing where every cell is blank.
+std::optional<std::pair<double, double>> values_of(const MapPicture& picture);
 
 /// The picture's cells as pixels, north up; blank ones take `blank`. Where a side has more than
 /// `most` cells, k × k of them are averaged first, the smallest k that will do. Light multiplies

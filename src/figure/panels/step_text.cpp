@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <string_view>
+
+#include "base/find_named.h"
 
 namespace fumon {
 
@@ -18,7 +22,44 @@ std::string time_with_unit(double time, const std::string& unit) {
     return "t = " + length_of_time(time, unit);
 }
 
+struct TimeUnit {
+    std::string_view name;
+    double seconds;
+};
+
+constexpr double day = 86400.0;
+constexpr std::array<TimeUnit, 8> time_units{{{"µs", 1e-6},
+                                              {"us", 1e-6},
+                                              {"ms", 1e-3},
+                                              {"s", 1.0},
+                                              {"min", 60.0},
+                                              {"h", 3600.0},
+                                              {"d", day},
+                                              {"yr", 365.25 * day}}};
+
 }  // namespace
+
+std::optional<std::string> time_in(double time, const std::string& unit,
+                                   const std::string& wanted) {
+    const TimeUnit* from = find_by(time_units, &TimeUnit::name, unit);
+    const TimeUnit* to = find_by(time_units, &TimeUnit::name, wanted);
+    if (from == nullptr || to == nullptr) return std::nullopt;
+    return fmt::format("{:.6g} {}", time * (from->seconds / to->seconds), wanted);
+}
+
+std::string natural_time(double time, const std::string& unit) {
+    const TimeUnit* given = find_by(time_units, &TimeUnit::name, unit);
+    if (given == nullptr || time == 0.0) return length_of_time(time, unit);
+    const double seconds = std::abs(time) * given->seconds;
+    const auto in = [&](const char* wanted) { return *time_in(time, unit, wanted); };
+    const auto whole = [&](double of) { return seconds / of == std::floor(seconds / of); };
+    constexpr double tenth_of_year = 36.525 * day;
+    if (seconds < 1.0) return length_of_time(time * given->seconds, "s");
+    if (seconds >= tenth_of_year) return in("yr");
+    if (seconds >= 2.0 * day || (seconds >= day && whole(day))) return in("d");
+    if (seconds >= 2.0 * 3600.0 || (seconds >= 3600.0 && whole(1800.0))) return in("h");
+    return seconds >= 600.0 || (seconds >= 60.0 && whole(60.0)) ? in("min") : in("s");
+}
 
 std::string length_of_time(double time, const std::string& unit) {
     constexpr double microsecond = 1e-6;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "base/snapshot.h"
@@ -8,6 +9,13 @@ namespace fumon {
 
 /// "12.5 s", "50 µs", "2.5 ms": seconds in µs and ms below a millisecond and a second.
 std::string length_of_time(double time, const std::string& unit);
+
+/// A time in the unit that suits it: "2.5 ms", "90 s", "20 min", "1.5 h", "3 d", "0.25 yr".
+std::string natural_time(double time, const std::string& unit);
+
+/// A time in a unit of one's own, of the units of time that are known: µs, ms, s, min, h, d, yr (of
+/// 365.25 d); nothing where either is none of them.
+std::optional<std::string> time_in(double time, const std::string& unit, const std::string& wanted);
 
 /// "step 1200", and with its time where the model has one: "step 40, t = 8 s".
 std::string step_text(const Snapshot& snapshot);

@@ -48,13 +48,13 @@ Image image_of(const TimeSpacePicture& picture) {
 }  // namespace
 
 TimeSpacePicture time_space_picture(const LookSettings& look, std::span<const Snapshot> snapshots,
-                                    std::optional<int> row) {
+                                    std::optional<int> row, const RangeTails& tails) {
     if (snapshots.size() < 2) throw InputError("a time-space picture needs two records or more");
     const int ny = snapshots.front().bed.ny();
     if (row && (*row < 0 || *row >= ny))
         throw InputError(
             fmt::format("row {} of a time-space picture: the bed has rows 0 to {}", *row, ny - 1));
-    const auto maps = map_pictures(look, snapshots, snapshots.front());
+    const auto maps = map_pictures(look, snapshots, snapshots.front(), tails);
     const int nx = maps.front().values.nx();
     TimeSpacePicture picture;
     picture.values = Grid(nx, static_cast<int>(maps.size()));

@@ -9,6 +9,7 @@
 #include "figure/canvas/panel.h"
 #include "figure/panels/colour_bar.h"
 #include "figure/plot/axes.h"
+#include "render/colour/colouring.h"
 #include "scene/scene.h"
 
 namespace fumon {
@@ -26,10 +27,11 @@ struct TimeSpacePicture {
 };
 
 /// The row `row` of each snapshot (none: the mean over the rows) of what look.colour_by says, as
-/// map_pictures() shows it. At least two snapshots, in the order of their steps. Throws InputError
-/// where they are fewer or `row` is not in the bed, and what map_pictures throws.
+/// map_pictures() shows it, `tails` being those of its colours. At least two snapshots, in the
+/// order of their steps. Throws InputError where they are fewer or `row` is not in the bed, and
+/// what map_pictures throws.
 TimeSpacePicture time_space_picture(const LookSettings& look, std::span<const Snapshot> snapshots,
-                                    std::optional<int> row);
+                                    std::optional<int> row, const RangeTails& tails = {});
 
 /// A row's course over time as a panel: x to the right, time upward, each record from halfway to
 /// the one before to halfway to the next.

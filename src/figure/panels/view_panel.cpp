@@ -28,14 +28,28 @@ struct GroundEdge {
     double length = 0.0;
 };
 
+/// The south-west and north-east corners of the ground that is there: of all cells with data.
+std::pair<glm::dvec2, glm::dvec2> drawn_ground(const Block& block) {
+    const glm::dvec2 whole(block.width_x, block.width_y);
+    if (block.outline.empty()) return {{0.0, 0.0}, whole * block.side};
+    glm::dvec2 low = block.outline.front();
+    glm::dvec2 high = low;
+    for (const glm::dvec2& corner : block.outline) {
+        low = glm::min(low, corner);
+        high = glm::max(high, corner);
+    }
+    return {(low + 0.5 * whole) * block.side, (high + 0.5 * whole) * block.side};
+}
+
 /// The edge along x or y that faces the camera most.
 GroundEdge facing_edge(const ViewPicture& picture) {
-    const double width = picture.block.width_x * picture.block.side;
-    const double height = picture.block.width_y * picture.block.side;
-    const std::array<GroundEdge, 4> edges{{{{0.0, 0.0}, {1.0, 0.0}, {0.0, -1.0}, width},
-                                           {{0.0, height}, {1.0, 0.0}, {0.0, 1.0}, width},
-                                           {{0.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, height},
-                                           {{width, 0.0}, {0.0, 1.0}, {1.0, 0.0}, height}}};
+    const auto [low, high] = drawn_ground(picture.block);
+    const double width = high.x - low.x;
+    const double height = high.y - low.y;
+    const std::array<GroundEdge, 4> edges{{{low, {1.0, 0.0}, {0.0, -1.0}, width},
+                                           {{low.x, high.y}, {1.0, 0.0}, {0.0, 1.0}, width},
+                                           {low, {0.0, 1.0}, {-1.0, 0.0}, height},
+                                           {{high.x, low.y}, {0.0, 1.0}, {1.0, 0.0}, height}}};
     const glm::dvec2 to_camera(-picture.camera.forward.x, -picture.camera.forward.y);
     return *std::max_element(
         edges.begin(), edges.end(), [&](const GroundEdge& a, const GroundEdge& b) {

@@ -27,13 +27,33 @@ constexpr std::array<Marker, 9> markers{
     Marker::diamond,     Marker::circle_open, Marker::triangle_down,
     Marker::square_open, Marker::cross,       Marker::dot};
 
-void polygon(Canvas& canvas, const CanvasPoint& at, double size, const Ink& ink,
-             const std::vector<CanvasPoint>& corners) {
-    std::vector<CanvasPoint> placed;
-    placed.reserve(corners.size());
+/// The corners of a marker that is a polygon, of size 1 around 0; none for others.
+std::vector<CanvasPoint> corners_of(Marker marker) {
+    switch (marker) {
+        case Marker::square:
+            return {{-0.44, -0.44}, {0.44, -0.44}, {0.44, 0.44}, {-0.44, 0.44}};
+        case Marker::triangle:
+            return {{0.0, -0.62}, {0.56, 0.38}, {-0.56, 0.38}};
+        case Marker::triangle_down:
+            return {{0.0, 0.62}, {0.56, -0.38}, {-0.56, -0.38}};
+        case Marker::diamond:
+            return {{0.0, -0.64}, {0.64, 0.0}, {0.0, 0.64}, {-0.64, 0.0}};
+        default:
+            return {};
+    }
+}
+
+std::vector<CanvasPoint> placed(const std::vector<CanvasPoint>& corners, const CanvasPoint& at,
+                                double size) {
+    std::vector<CanvasPoint> points;
+    points.reserve(corners.size());
     for (const CanvasPoint& corner : corners)
-        placed.push_back({at.x + size * corner.x, at.y + size * corner.y});
-    canvas.fill(placed, ink);
+        points.push_back({at.x + size * corner.x, at.y + size * corner.y});
+    return points;
+}
+
+void polygon(Canvas& canvas, Marker marker, const CanvasPoint& at, double size, const Ink& ink) {
+    canvas.fill(placed(corners_of(marker), at, size), ink);
 }
 
 }  // namespace
@@ -60,12 +80,9 @@ void draw_marker(Canvas& canvas, Marker marker, const CanvasPoint& at, double si
         case Marker::square:
             return canvas.fill(square, ink);
         case Marker::triangle:
-            return polygon(canvas, at, size, ink, {{0.0, -0.62}, {0.56, 0.38}, {-0.56, 0.38}});
         case Marker::triangle_down:
-            return polygon(canvas, at, size, ink, {{0.0, 0.62}, {0.56, -0.38}, {-0.56, -0.38}});
         case Marker::diamond:
-            return polygon(canvas, at, size, ink,
-                           {{0.0, -0.64}, {0.64, 0.0}, {0.0, 0.64}, {-0.64, 0.0}});
+            return polygon(canvas, marker, at, size, ink);
         case Marker::circle_open:
             canvas.fill_circle(at, 0.5 * size, white_ink);
             return canvas.stroke_circle(at, 0.5 * (size - line), line, ink);
@@ -87,6 +104,22 @@ void draw_marker(Canvas& canvas, Marker marker, const CanvasPoint& at, double si
                     line, ink);
             return;
     }
+}
+
+void draw_hollow_marker(Canvas& canvas, Marker marker, const CanvasPoint& at, double size,
+                        const Ink& ink) {
+    if (marker == Marker::circle) return draw_marker(canvas, Marker::circle_open, at, size, ink);
+    const double line = 0.16 * size;
+    std::vector<CanvasPoint> outline = placed(corners_of(marker), at, size - line);
+    if (outline.empty()) {
+        const auto pale = [](double part) { return 0.5 * (1.0 + part); };
+        return draw_marker(canvas, marker, at, size,
+                           {pale(ink.red), pale(ink.green), pale(ink.blue), ink.opacity});
+    }
+    canvas.fill(outline, white_ink);
+    outline.push_back(outline.front());
+    outline.push_back(outline[1]);
+    canvas.stroke(outline, line, ink);
 }
 
 }  // namespace fumon

@@ -37,4 +37,8 @@ SeriesLook series_look(std::size_t n);
 /// Draws a marker `size` units across.
 void draw_marker(Canvas& canvas, Marker marker, const CanvasPoint& at, double size, const Ink& ink);
 
+/// The same with its outline alone; a marker that has no filling is pale.
+void draw_hollow_marker(Canvas& canvas, Marker marker, const CanvasPoint& at, double size,
+                        const Ink& ink);
+
 }  // namespace fumon

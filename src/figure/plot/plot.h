@@ -27,7 +27,7 @@ enum class SeriesKind {
     line_and_points,
     step,  ///< constant from each x to the next
     band,  ///< filled between y_low and y
-    fit,   ///< a thin line with a white edge over all points
+    fit,   ///< a thin line behind all points, bars and curves
 };
 
 /// One quantity over another. Values that are not finite, or not above 0 on a logarithmic axis, are
@@ -40,6 +40,7 @@ struct PlotSeries {
     std::vector<double> y_low;         ///< of a band: as many as x
     std::vector<double> x_error;       ///< half the length of each point's bar; empty: none
     std::vector<double> y_error;       ///< likewise
+    std::vector<bool> hollow;          ///< points whose markers are not filled; empty: none
     bool on_right = false;             ///< counts on the right axis
     std::optional<Ink> ink;            ///< else the next of the cycle
     std::optional<Marker> marker;      ///< else the next of the cycle

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double curve_width = 2.0;  // of the frame's line
 constexpr double band_opacity = 0.25;
-constexpr double fit_edge = 2.5;  // of its own width
-constexpr double cap = 0.2;       // half the cap of an error bar, font sizes
+constexpr double cap = 0.2;   // half the cap of an error bar, font sizes
+constexpr double head = 0.5;  // of the arrow of one that goes on beyond the frame
 
 double line_width_of(const Canvas& canvas, const PlotSeries& series) {
     if (series.width > 0.0) return series.width;
@@ -84,28 +84,53 @@ void draw_band(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes, I
     close();
 }
 
-void draw_bars(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes, const Ink& ink) {
-    const double half = cap * canvas.font_size();
+/// Half an error bar, with its cap; where it leaves the frame it ends there in an arrow.
+void draw_half_bar(Canvas& canvas, const CanvasBox& frame, const CanvasPoint& from,
+                   const CanvasPoint& to, const Ink& ink) {
+    const double font = canvas.font_size();
     const double width = 1.3 * canvas.line_width();
-    const auto stroke = [&](const CanvasPoint& from, const CanvasPoint& to) {
-        canvas.stroke(std::array<CanvasPoint, 2>{from, to}, width, ink);
+    const auto stroke = [&](const CanvasPoint& begin, const CanvasPoint& end) {
+        canvas.stroke(std::array<CanvasPoint, 2>{begin, end}, width, ink);
     };
+    const bool upright = to.x == from.x;
+    const double across = upright ? cap * font : 0.0;  // along the cap
+    const double along = upright ? 0.0 : cap * font;
+    if (within(to, frame) || !within(from, frame)) {
+        stroke(from, to);
+        stroke({to.x - across, to.y - along}, {to.x + across, to.y + along});
+        return;
+    }
+    const CanvasPoint tip{std::clamp(to.x, frame.x, frame.right()),
+                          std::clamp(to.y, frame.y, frame.bottom())};
+    const double way_x = upright ? 0.0 : (to.x > from.x ? 1.0 : -1.0);
+    const double way_y = upright ? (to.y > from.y ? 1.0 : -1.0) : 0.0;
+    const CanvasPoint foot{tip.x - way_x * head * font, tip.y - way_y * head * font};
+    stroke(from, foot);
+    canvas.fill(
+        std::array<CanvasPoint, 3>{
+            {tip, {foot.x - across, foot.y - along}, {foot.x + across, foot.y + along}}},
+        ink);
+}
+
+void draw_bars(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes, const Ink& ink) {
+    constexpr double rounding = 1e-6;  // units
+    const CanvasBox frame = grown(axes.frame(), rounding);
     for (std::size_t i = 0; i < series.x.size(); ++i) {
         if (!axes.shows(series.x[i], series.y[i], series.on_right)) continue;
         if (!series.y_error.empty() && series.y_error[i] > 0.0) {
             for (const double side : {-1.0, 1.0}) {
                 const CanvasPoint end =
                     axes.at(series.x[i], series.y[i] + side * series.y_error[i], series.on_right);
-                stroke(axes.at(series.x[i], series.y[i], series.on_right), end);
-                stroke({end.x - half, end.y}, {end.x + half, end.y});
+                draw_half_bar(canvas, frame, axes.at(series.x[i], series.y[i], series.on_right),
+                              end, ink);
             }
         }
         if (!series.x_error.empty() && series.x_error[i] > 0.0) {
             for (const double side : {-1.0, 1.0}) {
                 const CanvasPoint end =
                     axes.at(series.x[i] + side * series.x_error[i], series.y[i], series.on_right);
-                stroke(axes.at(series.x[i], series.y[i], series.on_right), end);
-                stroke({end.x, end.y - half}, {end.x, end.y + half});
+                draw_half_bar(canvas, frame, axes.at(series.x[i], series.y[i], series.on_right),
+                              end, ink);
             }
         }
     }
@@ -120,7 +145,6 @@ void draw_curve(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes,
             draw_marker(canvas, Marker::circle, piece.front(), width, look.ink);
             continue;
         }
-        if (series.kind == SeriesKind::fit) canvas.stroke(piece, fit_edge * width, white_ink);
         canvas.stroke(piece, width, look.ink, dash_lengths(look.dashes, width));
     }
 }
@@ -132,8 +156,9 @@ void draw_markers(Canvas& canvas, const PlotSeries& series, const PlotAxes& axes
     for (std::size_t i = 0; i < series.x.size(); ++i) {
         if (!axes.shows(series.x[i], series.y[i], series.on_right)) continue;
         const CanvasPoint at = axes.at(series.x[i], series.y[i], series.on_right);
-        if (within(at, grown(axes.frame(), rounding)))
-            draw_marker(canvas, look.marker, at, size, look.ink);
+        if (!within(at, grown(axes.frame(), rounding))) continue;
+        const bool hollow = !series.hollow.empty() && series.hollow[i];
+        (hollow ? draw_hollow_marker : draw_marker)(canvas, look.marker, at, size, look.ink);
     }
 }
 
@@ -182,6 +207,9 @@ void draw_series(Canvas& canvas, const Plot& plot, const PlotAxes& axes) {
             if (series.kind == SeriesKind::band) draw_band(canvas, series, axes, look.ink);
         });
         each([&](const PlotSeries& series, const SeriesLook& look) {
+            if (series.kind == SeriesKind::fit) draw_curve(canvas, series, axes, look);
+        });
+        each([&](const PlotSeries& series, const SeriesLook& look) {
             draw_bars(canvas, series, axes, look.ink);
             if (has_line(series) && series.kind != SeriesKind::fit)
                 draw_curve(canvas, series, axes, look);
@@ -189,10 +217,6 @@ void draw_series(Canvas& canvas, const Plot& plot, const PlotAxes& axes) {
     }
     each([&](const PlotSeries& series, const SeriesLook& look) {
         if (has_markers(series)) draw_markers(canvas, series, axes, look);
-    });
-    const CanvasClip clip(canvas, axes.frame());
-    each([&](const PlotSeries& series, const SeriesLook& look) {
-        if (series.kind == SeriesKind::fit) draw_curve(canvas, series, axes, look);
     });
 }
 

@@ -20,6 +20,7 @@
 #include "run/inputs/find_input.h"
 #include "run/run_identity.h"
 #include "scene/json.h"
+#include "scene/lives_in_metres.h"
 #include "scene/read.h"
 
 namespace fumon {
@@ -303,7 +304,8 @@ std::vector<MeasuredRows> StoredBeds::measurements(const std::vector<std::string
                         "output.measurements = true",
                         file.string()));
     const Table table = parse_csv_table({file.string(), read_input_file(file)});
-    const MeasureSuite suite(measured_landform(first_), first_, {run_.scene.output.channel_area});
+    const MeasureSuite suite(measured_landform(first_), first_,
+                             {run_.scene.output.channel_area, lives_in_metres(run_.scene)});
     RowGatherer gatherer(names, suite.columns(), first_);
     const TableColumn* steps = table.find("step");
     const TableColumn* times = table.find("time");

@@ -18,8 +18,6 @@ namespace fumon {
 
 namespace {
 
-constexpr double tail = 0.005;  // share of cells that may lie beyond each end of an automatic range
-
 /// The arc tangent of x ≥ 0 in degrees, within 1e-3.
 double degrees_of_slope(double x) {
     const double arc = elementary::rough_atan(std::min(x, 1.0) / std::max(x, 1.0));
@@ -100,15 +98,15 @@ namespace {
 
 /// The ends of the range, in no order where the values do not differ.
 std::pair<double, double> ends_of_values(const LookSettings& look, const Snapshot& snapshot,
-                                         const Field<float>& values) {
+                                         const Field<float>& values, const RangeTails& tails) {
     std::vector<float> known;
     known.reserve(values.size());
     const Mask without = uncoloured_cells(look.colour_by, snapshot);
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (without.empty() || without.values()[i] == 0) known.push_back(values.values()[i]);
     }
-    double low = percentile(known, tail);
-    double high = percentile(known, 1.0 - tail);
+    double low = percentile(known, tails.low);
+    double high = percentile(known, 1.0 - tails.high);
     if (look.colour_by == Colouring::slope) low = 0.0;
     if (look.colour_by == Colouring::change) {
         high = std::max(std::abs(low), std::abs(high));
@@ -122,9 +120,9 @@ std::pair<double, double> ends_of_values(const LookSettings& look, const Snapsho
 }  // namespace
 
 std::pair<double, double> colour_range(const LookSettings& look, const Snapshot& snapshot,
-                                       const Field<float>& values) {
+                                       const Field<float>& values, const RangeTails& tails) {
     if (!look.low.is_word() && !look.high.is_word()) return {look.low.value, look.high.value};
-    const auto [low, high] = ends_of_values(look, snapshot, values);
+    const auto [low, high] = ends_of_values(look, snapshot, values, tails);
     if (!(high > low)) {  // a flat bed: any range that holds its one value in the middle
         const double middle = 0.5 * (low + high);
         return {middle - 0.5, middle + 0.5};
@@ -143,7 +141,7 @@ DrawnColours drawn_colours(const LookSettings& look, const Snapshot& snapshot,
     LookSettings alone = look;
     alone.low = {"auto", 0.0};
     alone.high = {"auto", 0.0};
-    const auto [low, high] = ends_of_values(alone, snapshot, values);
+    const auto [low, high] = ends_of_values(alone, snapshot, values, {});
     const bool differ = high > low;
     drawn.values_below = differ && low < drawn.low;
     drawn.values_above = differ && high > drawn.high;

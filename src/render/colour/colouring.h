@@ -23,14 +23,20 @@ Mask uncoloured_cells(Colouring colour_by, const Snapshot& snapshot);
 /// water, 0 in dry cells. Throws InputError for the latter without water.
 Field<float> coloured_values(Colouring colour_by, const Snapshot& snapshot, const Snapshot& first);
 
+/// Which share of the values may lie beyond each end of an automatic range; 0: none.
+struct RangeTails {
+    double low = 0.005;
+    double high = 0.005;
+};
+
 /// The values at the two ends of the palette, in the unit of what is coloured: model heights
 /// (height, change), degrees (slope), m (water-depth), m/s (speed), 1 (froude) or log10 of m² or
 /// cells (drainage). What is not fixed by look.low and look.high comes from `values`, the
-/// snapshot's coloured_values(): the 0.5th and 99.5th percentile of the bed or of the wet cells,
-/// for slope 0 and the 99.5th percentile, for change the larger of the two tails' 99.5 % on both
-/// sides of zero. Natural colouring has the range of height.
+/// snapshot's coloured_values(): the percentiles of the bed or of the wet cells that `tails` cut
+/// off, for slope 0 and the upper percentile, for change the larger of both on both sides of zero.
+/// Natural colouring has the range of height.
 std::pair<double, double> colour_range(const LookSettings& look, const Snapshot& snapshot,
-                                       const Field<float>& values);
+                                       const Field<float>& values, const RangeTails& tails = {});
 
 /// Whether look.low or look.high is left to the values that are coloured.
 bool ranges_by_values(const LookSettings& look);

@@ -9,7 +9,7 @@ namespace {
 void list_curve_data_keys(CurveSettings& curve, const std::string& path, KeyTable& table) {
     table.text(path + ".name", curve.name,
                {.help = "in the legend; {column} or {key} stands for a value; empty: none, or with "
-                        "group_by the value"});
+                        "group_by its name and value"});
     table.choice(
         path + ".table", curve.table,
         {{CurveTable::measurements, "measurements",
@@ -46,6 +46,11 @@ void list_curve_data_keys(CurveSettings& curve, const std::string& path, KeyTabl
                {.help = "a curve for each value of this column, such as a varied key"});
     table.boolean(path + ".average", curve.average,
                   {.help = "rows with the same x (of several seeds) become one point, their mean"});
+    table.integer(path + ".least", curve.least,
+                  {.unit = "runs",
+                   .range = {1, 1e9},
+                   .help = "points of fewer runs (of a file: rows) are left out; points of fewer "
+                           "runs than others are hollow"});
 }
 
 void list_curve_keys(CurveSettings& curve, const std::string& path, KeyTable& table) {
@@ -96,9 +101,10 @@ void list_box_keys(RangeBoxSettings& box, const std::string& path, KeyTable& tab
 void list_place_keys(PanelSettings& panel, const std::string& path, KeyTable& table) {
     table.choice(path + ".kind", panel.kind, choices_of(panel_kinds),
                  {.help = "what the panel shows"});
-    table.text(path + ".title", panel.title,
-               {.help = "above it; {step}, {time}, {seed} and {model.creep_rate} stand for "
-                        "values; x^{2} raises and A_{s} lowers letters, here and in all texts"});
+    table.text(
+        path + ".title", panel.title,
+        {.help = "above it; {step}, {time}, {time:h}, {seed} and {model.creep_rate} "
+                 "stand for values; x^{2} raises and A_{s} lowers letters, here and in all texts"});
     table.integer(path + ".row", panel.row,
                   {.range = {0, 100}, .help = "in the grid of panels, from 1; 0: reading order"});
     table.integer(path + ".column", panel.column,
@@ -140,10 +146,22 @@ void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& 
                  {{PanelRange::shared, "shared", "one range for all steps"},
                   {PanelRange::own, "own", "each step its own"}},
                  {.help = "of the colours, where low and high are auto"});
-    table.word_or_real(path + ".low", panel.low, {{"auto", "from the data"}},
-                       {.help = "value at the palette's start"});
-    table.word_or_real(path + ".high", panel.high, {{"auto", "from the data"}},
-                       {.help = "value at its end"});
+    const KeyWord former{"auto-0.2",
+                         "what auto was in version 0.2: percentile for bed, change and water_depth "
+                         "of maps and time-space panels, without a word on values beyond"};
+    table.word_or_real(
+        path + ".low", panel.low,
+        {{"auto", "the least value that is shown; for change as far below 0 as high is above"},
+         {"percentile", "the value below which 0.5 % of the cells lie"},
+         former},
+        {.help = "value at the palette's start; where values lie below, the bar ends in a triangle",
+         .earlier = {"0.3.0", "\"auto-0.2\""}});
+    table.word_or_real(
+        path + ".high", panel.high,
+        {{"auto", "the greatest value that is shown"},
+         {"percentile", "the value above which 0.5 % of the cells lie"},
+         former},
+        {.help = "value at its end; likewise", .earlier = {"0.3.0", "\"auto-0.2\""}});
     table.text(path + ".palette", panel.palette, {.help = "empty: the scene's look.palette"});
     table.boolean(path + ".palette_reversed", panel.palette_reversed,
                   {.help = "reversed; without a palette of its own, the opposite of the scene's"});
@@ -168,8 +186,12 @@ void list_picture_keys(PanelSettings& panel, const std::string& path, KeyTable& 
     table.choice(path + ".arrow", panel.arrow,
                  {{PanelArrow::none, "none", "none"},
                   {PanelArrow::wind, "wind", "along the wind, +x"},
-                  {PanelArrow::flow, "flow", "down the slope, -y"}},
-                 {.help = "an arrow in the corner of a map (of the first step) or view"});
+                  {PanelArrow::flow, "flow", "down the slope, -y"},
+                  {PanelArrow::north, "north", "to the north, +y"},
+                  {PanelArrow::wind_and_north, "wind-and-north", "both"},
+                  {PanelArrow::flow_and_north, "flow-and-north", "both"}},
+                 {.help = "an arrow in the corner of a map (of the first step) or view; of a "
+                          "profile, the wind's"});
     table.boolean(path + ".crests", panel.crests,
                   {.help = "lines through a map's middle: along its crests (unbroken), and along "
                            "those that the bed instability predicts of its winds (broken)"});

@@ -50,6 +50,7 @@ struct CurveSettings {
     std::vector<std::string> where;  ///< "column=value", "column>=value" …
     std::string group_by;            ///< a curve for each value of this column
     bool average = true;             ///< rows with the same x become one point
+    std::int64_t least = 1;          ///< points of fewer runs are left out
     CurveSpread spread = CurveSpread::none;
     double offset_y = 0.0;  ///< added to y, before the scale
     double scale_x = 1.0;
@@ -69,7 +70,7 @@ struct RangeBoxSettings {
     double y_low = 0.0, y_high = 1.0;
 };
 
-enum class PanelArrow { none, wind, flow };
+enum class PanelArrow { none, wind, flow, north, wind_and_north, flow_and_north };
 enum class PanelRange { shared, own };
 enum class PanelLegend {
     automatic,

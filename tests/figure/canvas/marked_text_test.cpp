@@ -23,10 +23,19 @@ TEST(MarkedText, TakesTheMarksOutAndSaysWhatStandsWhere) {
 }
 
 TEST(MarkedText, WhatIsNoMarkStaysAsItIs) {
-    for (const char* text : {"", "^", "x^2", "a_b", "x^{2", "{x}", "^}_"}) {
+    for (const char* text :
+         {"", "^", "a_b", "x^{2", "{x}", "^}_", "x^n", "^2", "x ^2", "L_0", "x^-"}) {
         EXPECT_EQ(read_marked_text(text).letters, text);
         EXPECT_TRUE(read_marked_text(text).parts.empty()) << text;
     }
+}
+
+TEST(MarkedText, RaisesASimplePower) {
+    const MarkedText marked = read_marked_text("m^2 s^-1, (x)^10 m^−3");
+    EXPECT_EQ(marked.letters, "m2 s−1, (x)10 m−3");
+    ASSERT_EQ(marked.parts.size(), 4U);
+    for (const RaisedPart& part : marked.parts) EXPECT_TRUE(part.raised);
+    EXPECT_EQ(marked.letters.substr(marked.parts[1].begin, 4), "−1");
 }
 
 TEST(MarkedText, RaisedLettersAreSmallerAndTheirLineIsHigher) {
