@@ -128,10 +128,11 @@ struct Assign {
         const auto* text = value.as_string();
         if (text == nullptr) refuse(key, value, locate);
         if (target.choose(text->get())) return;
-        throw InputError(fmt::format("{}: {} is \"{}\"; it takes one of {} ({})",
-                                     locate(value.source()), key.path, text->get(),
-                                     fmt::join(quoted(target.words), ", "),
-                                     suggestion(text->get(), plain(target.words))));
+        const std::string nearest = nearest_name(text->get(), plain(target.words));
+        throw InputError(
+            fmt::format("{}: {} is \"{}\"; it takes one of {}{}", locate(value.source()), key.path,
+                        text->get(), fmt::join(quoted(target.words), ", "),
+                        nearest.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", nearest)));
     }
     void operator()(const WordOrRealTarget& target) const {
         if (const auto* text = value.as_string()) {

@@ -90,7 +90,7 @@ std::int64_t runs_of_whole_points(const std::vector<CurvePoints>& curves) {
 }
 
 void add_remarks(std::vector<std::string>& remarks, const PanelSettings& panel, std::size_t number,
-                 const std::vector<CurvePoints>& curves) {
+                 const std::vector<CurvePoints>& curves, bool marked) {
     const CurveSettings& settings = panel.curves[number];
     const std::string of =
         panel.curves.size() > 1 ? fmt::format("curve {}: ", number + 1) : std::string();
@@ -105,7 +105,7 @@ void add_remarks(std::vector<std::string>& remarks, const PanelSettings& panel, 
         if (!text.empty()) text += ", ";
         text += changes ? changing_counts(curves, counts) : fmt::format("n = {}", counts.most);
     }
-    if (changes) text += " (fewer: hollow)";
+    if (changes && marked) text += " (fewer: hollow)";
     if (!text.empty()) remarks.push_back(of + text);
     if (settings.least > 1)
         remarks.push_back(fmt::format("{}points of fewer than {} left out", of, settings.least));

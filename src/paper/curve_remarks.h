@@ -14,8 +14,9 @@ namespace fumon {
 std::int64_t runs_of_whole_points(const std::vector<CurvePoints>& curves);
 
 /// Adds what a caption says of the points of the panel's curve `number`, from 0: what its bars are,
-/// of how many runs its points are where that changes, and where bars are cut.
+/// of how many runs its points are where that changes, and where bars are cut. `marked`: it is
+/// drawn with markers.
 void add_remarks(std::vector<std::string>& remarks, const PanelSettings& panel, std::size_t number,
-                 const std::vector<CurvePoints>& curves);
+                 const std::vector<CurvePoints>& curves, bool marked);
 
 }  // namespace fumon

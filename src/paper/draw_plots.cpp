@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/elementary_power.h"
@@ -136,6 +137,13 @@ Plot figure_plot(const PanelSettings& panel, const std::vector<std::vector<Curve
     return plot;
 }
 
+bool is_marked(const CurveSettings& settings, const std::vector<CurvePoints>& curves) {
+    return std::ranges::any_of(curves, [&settings](const CurvePoints& points) {
+        const SeriesKind kind = kind_of(settings, points);
+        return kind == SeriesKind::points || kind == SeriesKind::line_and_points;
+    });
+}
+
 /// The points of a curve, whose faults are told where the scene asks for it.
 std::vector<CurvePoints> points_of(const CurvePlan& curve, const PanelTools& tools) {
     try {
@@ -160,7 +168,8 @@ std::vector<MadePanel> make_plots(const PanelSubject& subject, PanelTools& tools
     Plot plot = figure_plot(subject.panel.settings, curves);
     made[0].warnings = check_limits(subject.panel, plot, tools.plan.scene);
     for (std::size_t c = 0; c < curves.size(); ++c)
-        add_remarks(made[0].remarks, subject.panel.settings, c, curves[c]);
+        add_remarks(made[0].remarks, subject.panel.settings, c, curves[c],
+                    is_marked(subject.panel.settings.curves[c], curves[c]));
     made[0].content = std::make_unique<PlotPanel>(std::move(plot));
     return made;
 }

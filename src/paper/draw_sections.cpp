@@ -89,6 +89,8 @@ std::vector<MadePanel> make_sections(const PanelSubject& subject, PanelTools& /*
     for (const Snapshot& snapshot : subject.snapshots) {
         const SectionPanel shown = section_panels(view.section, snapshot).front();
         MadePanel one;
+        if (shown == SectionPanel::velocity || shown == SectionPanel::pressure)
+            one.remarks.push_back(range_sentence(section_colours(view, snapshot, shown), {}));
         one.data = {{".csv", section_csv(*snapshot.section, shown)}};
         one.content = make_section_panel(view, snapshot, shown,
                                          settings.colour_bar ? BarPlace::right : BarPlace::none);

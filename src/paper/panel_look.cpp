@@ -63,6 +63,8 @@ std::string range_sentence(const ColourScale& colours,
     if (values && (colours.values_below || colours.values_above)) {
         text += fmt::format(" (values from {} to {}{})", number(values->first),
                             number(values->second), of);
+    } else if (colours.values_below || colours.values_above) {
+        text += " (values lie beyond)";
     }
     return text;
 }

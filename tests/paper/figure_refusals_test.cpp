@@ -134,6 +134,9 @@ TEST_F(FigureRefusalsTest, WhatIsWrongIsOneLocatedLine) {
         {curve + "table = \"file\"\n", ".file: is missing"},
         {curve + "table = \"file\"\nfile = \"none.csv\"\n", "none.csv"},
         {curve + "name = \"{colour}\"\n", "{colour} stands for nothing here"},
+        {curve + "spread = \"dev\"\n",
+         "curve.0.spread is \"dev\"; it takes one of \"none\", \"deviation\", "
+         "\"standard-error\"\n"},
         {curve + "scale_y = 2.0\n", "the column's unit holds no more"},
         {curve + "over = [\"model.creep_rte=1,2\"]\n", "did you mean \"model.creep_rate\"?"},
         {curve + "[[figure.panel.box]]\nlabel = \"a\"\n", ".source: is missing"},

@@ -130,6 +130,29 @@ TEST_F(FigureRemarksTest, SharedParametersAreToldOnceAndOwnOnesByTheirSymbols) {
     EXPECT_EQ(figure("pictures.toml").status, 0) << "captions of its own are replaced";
 }
 
+TEST_F(FigureRemarksTest, ColoursShowAllValuesButThoseOfOlderFigures) {
+    std::string bed = "ncols 20\nnrows 20\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+    for (int i = 0; i < 400; ++i)
+        bed += i == 84 ? "9\n" : std::to_string(0.05 * (i % 20)) + "\n";  // one peak
+    write_text(folder_ / "peak.asc", bed);
+    write_text(folder_ / "peak.toml",
+               "[model]\nname = \"static\"\n[bed]\nfile = \"peak.asc\"\n[figure]\nformats = "
+               "[\"svg\"]\nsvg_text = \"text\"\n[[figure.panel]]\nkind = \"map\"\n");
+    ASSERT_EQ(figure("peak.toml").status, 0);
+    const auto labels = [](const std::string& svg) { return svg.substr(svg.find("</metadata>")); };
+    std::string svg = text("out/peak.svg");
+    EXPECT_NE(labels(svg).find(">9<"), std::string::npos) << "a tick at the bar's end";
+    EXPECT_NE(caption("peak").find("Colours from 0 to 9 m."), std::string::npos) << caption("peak");
+    const std::string version = "fumon:version\">";
+    const std::size_t at = svg.find(version) + version.size();
+    svg.replace(at, svg.find('<', at) - at, "0.2.0");
+    write_text(folder_ / "old.svg", svg);
+    ASSERT_EQ(fumon({"again", "old.svg", "-o", "again.svg"}, folder_.path()).status, 0);
+    EXPECT_EQ(labels(text("again.svg")).find(">9<"), std::string::npos);
+    EXPECT_NE(labels(text("again.svg")).find(">0.8<"), std::string::npos)
+        << "up to the 99.5th percentile";
+}
+
 TEST_F(FigureRemarksTest, AModelInMetresSpeaksMetres) {
     write_text(folder_ / "dunes.toml",
                "[model]\nname = \"dunes\"\n[grid]\nnx = 24\nny = 16\ncell_size = 2\n[run]\nsteps = "

@@ -57,7 +57,8 @@ class Canvas {
   public:
     /// An image. `font_size` in pixels. Throws Error where the size is more than Cairo can hold.
     Canvas(int width, int height, double font_size, CanvasGround ground = CanvasGround::white);
-    /// A page. Sizes in points; `dots_per_inch` of a PNG's pixels. Throws Error where the size is
+    /// A page. Sizes in points; `dots_per_inch` of a PNG's pixels, and
+    /// at least of pictures in other files. Throws Error where the size is
     /// more than Cairo can hold.
     Canvas(PageFormat format, double width, double height, double dots_per_inch, double font_size);
     ~Canvas();
@@ -74,9 +75,9 @@ class Canvas {
     void stroke_circle(const CanvasPoint& middle, double radius, double width, const Ink& ink);
     /// Stretches an image over a box, each of its pixels one even patch: PDF and SVG pages hold it
     /// with its own pixels, or a whole number of copies of each if they would be coarser than 300
-    /// an inch, since readers blur coarse ones; where a PNG or an image has fewer pixels than it,
-    /// they are averages. `opacity`: 0 … 255 a pixel, top row first; empty where the image covers
-    /// all.
+    /// an inch or the page's dots_per_inch, since readers blur coarse ones; where a PNG or an image
+    /// has fewer pixels than it, they are averages. `opacity`: 0 … 255 a pixel, top row first;
+    /// empty where the image covers all.
     void draw(const Image& image, const CanvasBox& box, std::span<const std::uint8_t> opacity = {});
 
     /// Width and height that a text takes, with x^{2} raised and A_{s} lowered, units, `size` times

@@ -137,8 +137,9 @@ void Canvas::Parts::show_text(const CanvasPoint& at, const Ink& ink) {
 }
 
 int Canvas::Parts::copies_of(const Image& image, const CanvasBox& box) const {
-    constexpr double finest = 300.0;  // pixels an inch
+    constexpr double least = 300.0;  // pixels an inch
     constexpr double most = 64.0;
+    const double finest = std::max(least, dots_per_inch);
     if (has_pixels()) return 1;
     const double needed =
         std::max(box.width / image.width, box.height / image.height) * finest / points_per_inch;

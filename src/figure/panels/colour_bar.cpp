@@ -37,10 +37,15 @@ struct BarLayout {
 };
 
 /// Ticks at both ends of a bar too, in place of those nearer to them than `apart`, a share of the
-/// bar. Their labels have a digit more than those of round numbers need.
+/// bar. Their labels have a digit more than those of round numbers, where they need it.
 Ticks with_ends(const Ticks& round, const ColourScale& scale, int most, double apart) {
     const double range = scale.high - scale.low;
-    const int decimals = std::max(0, 1 - round_step(scale.low, scale.high, most).exponent);
+    const int exponent = round_step(scale.low, scale.high, most).exponent;
+    const auto label = [&](double end) {
+        std::string few = plain_number(end, std::max(0, -exponent));
+        std::string more = plain_number(end, std::max(0, 1 - exponent));
+        return more == few + "0" || more == few + ".0" ? few : more;
+    };
     const auto near = [&](double a, double b) { return std::abs(a - b) < apart * range; };
     Ticks ticks;
     const auto add = [&ticks](double value, const std::string& label) {
@@ -51,14 +56,14 @@ Ticks with_ends(const Ticks& round, const ColourScale& scale, int most, double a
         return std::any_of(round.values.begin(), round.values.end(),
                            [&](double value) { return std::abs(value - end) < 1e-6 * range; });
     };
-    if (!is_round(scale.low)) add(scale.low, plain_number(scale.low, decimals));
+    if (!is_round(scale.low)) add(scale.low, label(scale.low));
     for (std::size_t i = 0; i < round.values.size(); ++i) {
         const double value = round.values[i];
         const bool in_the_way = (near(value, scale.low) && !is_round(scale.low)) ||
                                 (near(value, scale.high) && !is_round(scale.high));
         if (!in_the_way) add(value, round.labels[i]);
     }
-    if (!is_round(scale.high)) add(scale.high, plain_number(scale.high, decimals));
+    if (!is_round(scale.high)) add(scale.high, label(scale.high));
     return ticks;
 }
 

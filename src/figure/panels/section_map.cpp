@@ -67,7 +67,9 @@ std::array<double, 2> extremes(const SectionAir& air, SectionQuantity quantity) 
 
 ColourScale map_scale(const SectionAir& air, SectionQuantity quantity, const LookSettings& look,
                       const WordOrReal& low, const WordOrReal& high) {
-    auto [least, greatest] = extremes(air, quantity);
+    const auto [smallest, largest] = extremes(air, quantity);
+    double least = smallest;
+    double greatest = largest;
     const bool both_signs = least < 0.0 && greatest > 0.0;
     if (both_signs) {
         greatest = std::max(-least, greatest);
@@ -81,6 +83,8 @@ ColourScale map_scale(const SectionAir& air, SectionQuantity quantity, const Loo
     scale.low = low.is_word() ? least : low.value;
     scale.high = high.is_word() ? greatest : high.value;
     if (!(scale.high > scale.low)) scale.high = scale.low + std::max(1.0, std::abs(scale.low));
+    scale.values_below = smallest < scale.low;
+    scale.values_above = largest > scale.high;
     scale.label = label_of(quantity);
     const char* automatic = both_signs ? "vik" : "viridis";
     scale.palette = read_palette(look.palette == "sand" ? automatic : look.palette);

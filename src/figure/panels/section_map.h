@@ -12,7 +12,8 @@ namespace fumon {
 enum class SectionQuantity { speed, velocity_x, velocity_z, pressure };
 
 /// The palette and range of a map. A range that is not given comes from the air: from 0 where the
-/// values have one sign, else as far below 0 as above it. A palette "sand" (for beds) gives way to
+/// values have one sign, else as far below 0 as above it; where values lie beyond a given one, the
+/// bar says so. A palette "sand" (for beds) gives way to
 /// viridis, or vik for values of both signs. Throws InputError where there is no such palette.
 ColourScale map_scale(const SectionAir& air, SectionQuantity quantity, const LookSettings& look,
                       const WordOrReal& low, const WordOrReal& high);

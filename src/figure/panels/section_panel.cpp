@@ -94,6 +94,19 @@ bool gives(const Snapshot& snapshot, SectionPanel panel) {
     }
 }
 
+SectionQuantity quantity_of(const View& view, SectionPanel panel) {
+    return panel == SectionPanel::velocity ? static_cast<SectionQuantity>(view.section.colour_by)
+                                           : SectionQuantity::pressure;
+}
+
+ColourScale scale_of(const View& view, const SectionAir& air, SectionPanel panel) {
+    const WordOrReal automatic{"auto", 0.0};
+    const bool velocity = panel == SectionPanel::velocity;
+    return map_scale(air, quantity_of(view, panel), view.look,
+                     velocity ? view.section.low : automatic,
+                     velocity ? view.section.high : automatic);
+}
+
 /// The air as colours, with its velocity.
 class SectionMapPanel : public PanelContent {
   public:
@@ -106,11 +119,8 @@ class SectionMapPanel : public PanelContent {
           colour_bar_(colour_bar),
           velocity_(panel == SectionPanel::velocity),
           arrows_(view.section.arrows) {
-        const WordOrReal automatic{"auto", 0.0};
-        quantity_ = velocity_ ? static_cast<SectionQuantity>(view.section.colour_by)
-                              : SectionQuantity::pressure;
-        scale_ = map_scale(air_, quantity_, view.look, velocity_ ? view.section.low : automatic,
-                           velocity_ ? view.section.high : automatic);
+        quantity_ = quantity_of(view, panel);
+        scale_ = scale_of(view, air_, panel);
     }
 
     [[nodiscard]] double aspect() const override {
@@ -256,6 +266,10 @@ double section_exaggeration(const Snapshot& snapshot) {
     const double aspect = air.length() / air.height();
     if (!(aspect > longest_equal)) return 1.0;
     return std::max(1.0, round_length(aspect / shortest_exaggerated));
+}
+
+ColourScale section_colours(const View& view, const Snapshot& snapshot, SectionPanel panel) {
+    return scale_of(view, SectionAir(snapshot), panel);
 }
 
 std::unique_ptr<PanelContent> make_section_panel(const View& view, const Snapshot& snapshot,

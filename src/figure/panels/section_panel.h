@@ -24,6 +24,9 @@ std::string section_title(SectionPanel panel);
 /// the largest of 2, 5, 10 … that leaves it at least three times as long.
 double section_exaggeration(const Snapshot& snapshot);
 
+/// The colours of a map of a snapshot's section: of its velocity or pressure.
+ColourScale section_colours(const View& view, const Snapshot& snapshot, SectionPanel panel);
+
 /// One panel of a snapshot's section, which has what the panel shows. Maps (velocity, pressure)
 /// keep their scales equal, or exaggerated as section_exaggeration() says and they state above;
 /// their range and arrows are those of view.section. Throws InputError where there is no such

@@ -142,8 +142,10 @@ TEST(FigureFile, AsPdfIsReadByPoppler) {
 
 TEST(FigureFile, HoldsImagesWithTheirOwnPixelsUnlessTheyAreCoarse) {
     const test::TemporaryFolder folder;
-    for (const auto& [size, copies] : {std::pair{72.0 * 6 / 400, 1}, {72.0 * 6 / 50, 6}}) {
-        Canvas canvas(PageFormat::pdf, 100.0, 100.0, 72.0, 8.0);
+    for (const auto& [size, dots_per_inch, copies] : {std::tuple{72.0 * 6 / 400, 300.0, 1},
+                                                      {72.0 * 6 / 50, 300.0, 6},
+                                                      {72.0 * 6 / 50, 600.0, 12}}) {
+        Canvas canvas(PageFormat::pdf, 100.0, 100.0, dots_per_inch, 8.0);
         canvas.draw(chequered(), {10.0, 10.0, size, size / 1.5});
         const std::string file = folder.file("figure.pdf", canvas.bytes()).string();
         said_by("pdfimages -png " + file + " " + (folder / "image").string());

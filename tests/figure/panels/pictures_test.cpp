@@ -308,6 +308,22 @@ TEST(ViewPanel, LaysItsBarBesideTheEdgeThatFacesTheCamera) {
     }
 }
 
+TEST(ViewPanel, LaysItsBarBesideTheGroundThatIsThere) {
+    const CanvasBox frame{0.0, 0.0, 300.0, 200.0};
+    ViewPicture picture = block_picture(180.0);
+    const GroundBar whole = ViewPanel(picture, {}).ground_bar(frame);
+    const auto corner = [&](double x, double y) {
+        const Block& block = picture.block;
+        return glm::dvec2(x / block.side - 0.5 * block.width_x,
+                          y / block.side - 0.5 * block.width_y);
+    };
+    picture.block.outline = {corner(3.0, 4.0), corner(6.0, 4.0), corner(3.0, 6.0),
+                             corner(6.0, 6.0)};
+    const GroundBar bar = ViewPanel(picture, {}).ground_bar(frame);
+    EXPECT_EQ(bar.text, "1 m") << "of 3 m with data";
+    EXPECT_LT(bar.from.y, whole.from.y) << "nearer to them";
+}
+
 /// The smallest and largest place of ink on a canvas, as a box.
 CanvasBox ink_box(const Image& image) {
     int left = image.width;

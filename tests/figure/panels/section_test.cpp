@@ -113,6 +113,17 @@ TEST(SectionFigure, KeepsEqualScalesOrSaysByHowMuchNot) {
     }));
 }
 
+TEST(SectionFigure, SaysWhereValuesLieBeyondALimit) {
+    const Snapshot snapshot = full_section(48, 32);
+    View view;
+    const ColourScale whole = section_colours(view, snapshot, SectionPanel::velocity);
+    EXPECT_FALSE(whole.values_above);
+    EXPECT_FALSE(whole.values_below);
+    view.section.high = 0.5 * whole.high;
+    EXPECT_TRUE(section_colours(view, snapshot, SectionPanel::velocity).values_above);
+    EXPECT_FALSE(section_colours(view, snapshot, SectionPanel::pressure).values_above);
+}
+
 TEST(SectionFigure, DrawsTheSamePixelsAgain) {
     View view = figure_view(400, 300);
     const Snapshot snapshot = full_section(48, 32);

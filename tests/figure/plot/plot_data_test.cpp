@@ -10,22 +10,22 @@
 namespace fumon {
 namespace {
 
-constexpr CanvasBox frame{60.0, 20.0, 400.0, 300.0};
+constexpr CanvasBox plot_frame{60.0, 20.0, 400.0, 300.0};
 
 /// Green of the pixel there.
 int green_at(const Image& image, const CanvasPoint& at) {
     return image.row(static_cast<int>(at.y))[3 * static_cast<int>(at.x) + 1];
 }
 
-Image drawn(const Plot& plot) {
+Image drawn_plot(const Plot& plot) {
     Canvas canvas(500, 360, 20.0);
-    PlotPanel(plot).draw(canvas, frame);
+    PlotPanel(plot).draw(canvas, plot_frame);
     return canvas.image();
 }
 
-CanvasPoint place(const Plot& plot, double x, double y) {
+CanvasPoint place_of_values(const Plot& plot, double x, double y) {
     const Canvas canvas(500, 360, 20.0);
-    return PlotAxes(canvas, plot, frame).at(x, y);
+    return PlotAxes(canvas, plot, plot_frame).at(x, y);
 }
 
 Plot five_points() {
@@ -51,8 +51,8 @@ TEST(PlotData, AFitLiesBehindPointsAndBarsAndHidesNothingOfThem) {
     fit.y = {0.0, 6.0};
     fit.ink = Ink{1.0, 0.0, 0.0};
     fitted.series.push_back(fit);
-    const Image without = drawn(bare);
-    const Image with = drawn(fitted);
+    const Image without = drawn_plot(bare);
+    const Image with = drawn_plot(fitted);
     int red = 0;
     for (int y = 0; y < without.height; ++y) {
         for (int x = 0; x < without.width; ++x) {
@@ -75,9 +75,10 @@ TEST(PlotData, APointOfFewerRunsIsHollow) {
     for (const Marker marker : {Marker::circle, Marker::square, Marker::triangle, Marker::diamond,
                                 Marker::triangle_down}) {
         plot.series[0].marker = marker;
-        const Image image = drawn(plot);
-        EXPECT_GT(green_at(image, place(plot, 1.0, 1.0)), 250) << static_cast<int>(marker);
-        EXPECT_LT(green_at(image, place(plot, 2.0, 2.0)), 5) << static_cast<int>(marker);
+        const Image image = drawn_plot(plot);
+        EXPECT_GT(green_at(image, place_of_values(plot, 1.0, 1.0)), 250)
+            << static_cast<int>(marker);
+        EXPECT_LT(green_at(image, place_of_values(plot, 2.0, 2.0)), 5) << static_cast<int>(marker);
     }
 }
 
@@ -98,12 +99,12 @@ TEST(PlotData, ABarThatLeavesTheFrameEndsThereInAnArrow) {
             dark += green_at(image, {static_cast<double>(x), y}) < 128 ? 1 : 0;
         return dark;
     };
-    const Image image = drawn(plot);
-    const int shaft = dark_in_row(image, frame.bottom() - 60.0);
+    const Image image = drawn_plot(plot);
+    const int shaft = dark_in_row(image, plot_frame.bottom() - 60.0);
     EXPECT_GT(shaft, 0);
-    EXPECT_GT(dark_in_row(image, frame.bottom() - 9.0), 2 * shaft) << "the head";
-    EXPECT_LE(dark_in_row(image, frame.bottom() - 2.5), shaft + 2) << "and its tip";
-    const CanvasPoint top = place(plot, 1.0, 60.0);
+    EXPECT_GT(dark_in_row(image, plot_frame.bottom() - 9.0), 2 * shaft) << "the head";
+    EXPECT_LE(dark_in_row(image, plot_frame.bottom() - 2.5), shaft + 2) << "and its tip";
+    const CanvasPoint top = place_of_values(plot, 1.0, 60.0);
     EXPECT_GT(dark_in_row(image, top.y), 2 * shaft) << "the cap of the other half";
 }
 
