@@ -21,7 +21,8 @@ struct RecordText {
     std::string fumon;
     RenderingEnvironment environment;
     std::string state;
-    FingerprintText fingerprint;
+    std::string ignored{};
+    FingerprintText fingerprint{};
 
     void list_head_keys(const std::string& prefix, KeyTable& table) {
         table.text(prefix + "fumon", fumon, {.help = "version that drew it"});
@@ -32,6 +33,7 @@ struct RecordText {
         table.text(prefix + "llvm_version", environment.llvm_version, {.help = "of LLVM"});
         table.boolean(prefix + "pinned", environment.pinned, {.help = "drawn with --pinned"});
         table.text(prefix + "state", state, {.help = "SHA-256 of the model's state"});
+        table.text(prefix + "ignored", ignored, {.help = "SHA-256 of which pixels are ignored"});
     }
 };
 
@@ -97,7 +99,8 @@ BaselineRecord read_record(const std::string& name, const toml::node& section,
     record.fingerprint.list_keys(prefix, table);
     read_known_keys(*section.as_table(), prefix, table, locate);
     try {
-        return {record.fumon, record.environment, record.state, record.fingerprint.fingerprint()};
+        return {record.fumon, record.environment, record.state, record.fingerprint.fingerprint(),
+                record.ignored};
     } catch (const KeyError& fault) {
         const toml::node* at = section.as_table()->get(fault.key());
         throw InputError(fmt::format("{}: {}{}",
@@ -107,11 +110,14 @@ BaselineRecord read_record(const std::string& name, const toml::node& section,
 }
 
 std::string record_text(const std::string& name, const BaselineRecord& record) {
-    RecordText head{record.fumon, record.environment, record.state, {}};
+    RecordText head{record.fumon, record.environment, record.state, record.ignored};
     KeyTable table;
     head.list_head_keys("", table);
     std::string text = fmt::format("[recorded.{}]\n", name);
-    for (const Key& key : table.keys()) text += fmt::format("{} = {}\n", key.path, value_text(key));
+    for (const Key& key : table.keys()) {
+        if (key.path == "ignored" && record.ignored.empty()) continue;
+        text += fmt::format("{} = {}\n", key.path, value_text(key));
+    }
     return text + fingerprint_text(record.fingerprint);
 }
 

@@ -99,6 +99,8 @@ OutputClaims claim_outputs(const VerificationOptions& options, const std::vector
                 both->reads(scene_files(scene));
             }
             if (one.picture) claims.reads(suite.baseline.picture_of(one));
+            if (!one.ignore.mask.empty())
+                claims.reads(suite.baseline.file.parent_path() / one.ignore.mask);
         }
     }
     if (options.update) {
@@ -198,13 +200,14 @@ class Verification {
         const BaselineRecord* record =
             found == suite.baseline.records.end() ? nullptr : &found->second;
         std::optional<Image> expected;
-        if (record != nullptr) expected = recorded_picture(suite.baseline, one, *record);
+        if (record != nullptr)
+            expected = recorded_picture(suite.baseline, one, *record, drawn.ignored);
         const Image* kept = expected ? &*expected : nullptr;
-        Verdict verdict = judge(one, record, drawn.record, drawn.image, kept);
+        Verdict verdict = judge(one, record, drawn.record, drawn.image, kept, drawn.ignored);
         if (verdict.outcome != Outcome::as_recorded || !options_.quietly())
             tell(word_of(verdict.outcome), suite, one, verdict.finding);
         if (verdict.outcome != Outcome::as_recorded)
-            page_.add(suite.name, one.name, verdict, drawn.image, record, kept);
+            page_.add(suite.name, one.name, verdict, drawn.image, record, kept, drawn.ignored);
         return verdict;
     }
 
