@@ -38,6 +38,39 @@ Image with_ignored_of(Image image, const Image& other, const IgnoredPixels& igno
     return image;
 }
 
+/// A row of pixels laid on a grey, as laid_on() does it.
+void lay_row(const std::uint8_t* levels, const std::uint8_t* alpha, std::size_t width,
+             std::uint8_t grey, std::uint8_t* out) {
+    if (std::all_of(alpha, alpha + width, [](std::uint8_t share) { return share == 255; })) {
+        std::memcpy(out, levels, 3 * width);
+        return;
+    }
+    for (std::size_t x = 0; x < width; ++x, levels += 3, out += 3) {
+        const unsigned share = alpha[x];
+        const unsigned ground = (255U - share) * grey + 127U;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const unsigned both = share * levels[channel] + ground;
+            // both / 255, for all up to 65534
+            out[channel] = static_cast<std::uint8_t>((both + 1U + (both >> 8U)) >> 8U);
+        }
+    }
+}
+
+/// As laid_on(), by all threads, into a picture that may have been used so before.
+const Image& laid_on(const Image& image, std::uint8_t grey, WorkerPool& pool, Image& whole) {
+    if (!image.transparent()) return image;
+    if (whole.width != image.width || whole.height != image.height)
+        whole = Image(image.width, image.height);
+    pool.for_ranges(image.height, [&](int begin, int end) {
+        const auto width = static_cast<std::size_t>(image.width);
+        for (int y = begin; y < end; ++y) {
+            const std::uint8_t* alpha = image.alpha.data() + static_cast<std::size_t>(y) * width;
+            lay_row(image.row(y), alpha, width, grey, whole.row(y));
+        }
+    });
+    return whole;
+}
+
 /// Of small pictures the caller alone: threads would take longer to start.
 int threads_for(const Image& image) {
     constexpr std::size_t large = std::size_t{3} << 18U;  // bytes, of a quarter of a megapixel
@@ -98,9 +131,14 @@ Comparison compare_any(const Image& first, const Image& second, const IgnoredPix
                        WorkerPool& pool) {
     if (!seen_through(first) && !seen_through(second))
         return compare_opaque(first, second, ignored, pool);
-    const Comparison dark = compare_opaque(laid_on(first, 0), laid_on(second, 0), ignored, pool);
-    const Comparison pale =
-        compare_opaque(laid_on(first, 255), laid_on(second, 255), ignored, pool);
+    Image whole_first;
+    Image whole_second;
+    const auto on = [&](std::uint8_t grey) {
+        return compare_opaque(laid_on(first, grey, pool, whole_first),
+                              laid_on(second, grey, pool, whole_second), ignored, pool);
+    };
+    const Comparison dark = on(0);
+    const Comparison pale = on(255);
     return dark.mean > pale.mean ? dark : pale;
 }
 
@@ -148,14 +186,18 @@ std::string likeness_help() {
 
 Image difference_picture(const Image& first, const Image& second, const IgnoredPixels& ignored) {
     check_sizes(first, second);
-    if (seen_through(first) || seen_through(second))
-        return difference_picture(laid_on(first, 255), laid_on(second, 255), ignored);
+    WorkerPool pool(threads_for(first), "fumon-compare");
+    if (seen_through(first) || seen_through(second)) {
+        Image whole_first;
+        Image whole_second;
+        return difference_picture(laid_on(first, 255, pool, whole_first),
+                                  laid_on(second, 255, pool, whole_second), ignored);
+    }
     if (ignored.any()) {
         const Image same_there = with_ignored_of(second, first, ignored);
         return hatched(difference_picture(first, same_there), ignored);
     }
     Image picture(first.width, first.height);
-    WorkerPool pool(threads_for(first), "fumon-compare");
     pool.for_ranges(first.height, [&](int begin, int end) {
         for (int y = begin; y < end; ++y)
             level_vectors::mark_row(first.row(y), second.row(y), first.width, picture.row(y));
