@@ -57,7 +57,9 @@ class Reader {
         BaselineCase common;
         KeyTable table;
         common.list_keys("", table);
-        read_known_keys(root, "", table, locate_, {"cases", "recorded"});
+        read_known_keys(root, "", table, locate_, {"cases", "recorded", "ignore"});
+        if (const toml::node* ignore = root.get("ignore"))
+            read_ignore(*ignore, "ignore", locate_, common.ignore);
         if (cases == nullptr || cases->empty()) {
             throw InputError(fmt::format(
                 "{}:1:1: names no case; write [cases] and below NAME = {{scene = \"FILE.toml\"}}",
@@ -120,7 +122,12 @@ class Reader {
         KeyTable table;
         const std::string prefix = fmt::format("cases.{}.", one.name);
         one.list_keys(prefix, table);
-        read_known_keys(*value.as_table(), prefix, table, locate_);
+        read_known_keys(*value.as_table(), prefix, table, locate_, {"ignore"});
+        if (const toml::node* ignore = value.as_table()->get("ignore")) {
+            one.ignore.boxes.clear();
+            one.ignore.overlays.clear();
+            read_ignore(*ignore, prefix + "ignore", locate_, one.ignore);
+        }
         one.settings.insert(one.settings.begin(), shared.begin(), shared.end());
         if (one.step >= 0 && one.time >= 0.0) {
             throw InputError(
@@ -222,6 +229,8 @@ void BaselineCase::list_keys(const std::string& prefix, KeyTable& table) {
                {.unit = "grey levels", .range = {0, 255}, .help = "that passes elsewhere"});
     table.real(prefix + "tile_ssim", tile_ssim,
                {.range = {-1, 1}, .help = "of every tile that passes elsewhere"});
+    table.text(prefix + "ignore_mask", ignore.mask,
+               {.help = "a PNG whose white pixels are ignored, relative to the baseline"});
 }
 
 std::filesystem::path Baseline::lock() const {

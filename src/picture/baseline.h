@@ -8,6 +8,7 @@
 #include "keys/keys.h"
 #include "picture/baseline_records.h"
 #include "picture/compare.h"
+#include "picture/pixels/ignore_rules.h"
 
 namespace fumon {
 
@@ -23,6 +24,8 @@ struct BaselineCase {
     bool picture = false;               ///< keep the expected picture beside the baseline
     double thumbnail_difference = same_to_the_eye_limits.thumbnail;  ///< that passes, grey levels
     double tile_ssim = same_to_the_eye_limits.tile_ssim;             ///< that passes
+
+    IgnoreRules ignore;  ///< of which `ignore` itself is read by read_ignore()
 
     /// Lists its keys under a prefix, bound to it.
     void list_keys(const std::string& prefix, KeyTable& table);

@@ -21,8 +21,9 @@ struct RecordText {
     std::string fumon;
     RenderingEnvironment environment;
     std::string state;
-    std::string under_overlays;
-    FingerprintText fingerprint;
+    std::string ignored{};
+    std::string under_overlays{};
+    FingerprintText fingerprint{};
 
     void list_head_keys(const std::string& prefix, KeyTable& table) {
         table.text(prefix + "fumon", fumon, {.help = "version that drew it"});
@@ -33,6 +34,7 @@ struct RecordText {
         table.text(prefix + "llvm_version", environment.llvm_version, {.help = "of LLVM"});
         table.boolean(prefix + "pinned", environment.pinned, {.help = "drawn with --pinned"});
         table.text(prefix + "state", state, {.help = "SHA-256 of the model's state"});
+        table.text(prefix + "ignored", ignored, {.help = "SHA-256 of which pixels are ignored"});
         table.text(prefix + "under_overlays", under_overlays,
                    {.help = "SHA-256 of the pixels without overlays"});
     }
@@ -101,7 +103,7 @@ BaselineRecord read_record(const std::string& name, const toml::node& section,
     read_known_keys(*section.as_table(), prefix, table, locate);
     try {
         return {record.fumon, record.environment, record.state, record.fingerprint.fingerprint(),
-                record.under_overlays};
+                record.ignored, record.under_overlays};
     } catch (const KeyError& fault) {
         const toml::node* at = section.as_table()->get(fault.key());
         throw InputError(fmt::format("{}: {}{}",
@@ -111,11 +113,13 @@ BaselineRecord read_record(const std::string& name, const toml::node& section,
 }
 
 std::string record_text(const std::string& name, const BaselineRecord& record) {
-    RecordText head{record.fumon, record.environment, record.state, record.under_overlays, {}};
+    RecordText head{record.fumon, record.environment, record.state, record.ignored,
+                    record.under_overlays};
     KeyTable table;
     head.list_head_keys("", table);
     std::string text = fmt::format("[recorded.{}]\n", name);
     for (const Key& key : table.keys()) {
+        if (key.path == "ignored" && record.ignored.empty()) continue;
         if (key.path == "under_overlays" && record.under_overlays.empty()) continue;
         text += fmt::format("{} = {}\n", key.path, value_text(key));
     }

@@ -19,7 +19,8 @@ struct BaselineRecord {
     std::string fumon;  ///< the version that drew it
     RenderingEnvironment environment;
     std::string state;  ///< SHA-256 of the model's state, hexadecimal; empty where none made it
-    Fingerprint fingerprint;
+    Fingerprint fingerprint;  ///< with ignored pixels grey, as blanked()
+    std::string ignored{};    ///< IgnoredPixels::hash(); empty where none is
     /// SHA-256 of the pixels without overlays, hexadecimal; empty where there are none.
     std::string under_overlays{};
 };

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdlib>
+#include <cstring>
+#include <mutex>
 
 #include "base/error.h"
+#include "base/worker_pool.h"
+#include "picture/pixels/level_vectors.h"
 
 namespace fumon {
 
@@ -22,55 +24,133 @@ void check_sizes(const Image& first, const Image& second) {
         throw InputError("pictures without pixels cannot be compared");
 }
 
-int pixel_difference(const std::uint8_t* a, const std::uint8_t* b) {
-    return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+/// Whether something can be seen through a picture: not where all of it is opaque.
+bool seen_through(const Image& image) {
+    return std::any_of(image.alpha.begin(), image.alpha.end(),
+                       [](std::uint8_t alpha) { return alpha != 255; });
 }
 
-/// What the levels of one row of `pixels` differ by.
-struct RowDifference {
-    int largest = 0;
-    int changed = 0;
-    std::int64_t sum = 0;
-};
-
-RowDifference row_difference(const std::uint8_t* a, const std::uint8_t* b, int pixels) {
-    RowDifference row;
-    if (std::equal(a, a + std::ptrdiff_t{3} * pixels, b)) return row;
-    for (int x = 0; x < pixels; ++x, a += 3, b += 3) {
-        const int red = std::abs(a[0] - b[0]);
-        const int green = std::abs(a[1] - b[1]);
-        const int blue = std::abs(a[2] - b[2]);
-        row.largest = std::max({row.largest, red, green, blue});
-        row.changed += static_cast<int>((red | green | blue) != 0);
-        row.sum += red + green + blue;
+/// The picture with another's levels in ignored pixels.
+Image with_ignored_of(Image image, const Image& other, const IgnoredPixels& ignored) {
+    for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+        if (ignored.flags[i / 3] != 0) image.rgb[i] = other.rgb[i];
     }
-    return row;
+    return image;
+}
+
+/// A row of pixels laid on a grey, as laid_on() does it.
+void lay_row(const std::uint8_t* levels, const std::uint8_t* alpha, std::size_t width,
+             std::uint8_t grey, std::uint8_t* out) {
+    if (std::all_of(alpha, alpha + width, [](std::uint8_t share) { return share == 255; })) {
+        std::memcpy(out, levels, 3 * width);
+        return;
+    }
+    for (std::size_t x = 0; x < width; ++x, levels += 3, out += 3) {
+        const unsigned share = alpha[x];
+        const unsigned ground = (255U - share) * grey + 127U;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const unsigned both = share * levels[channel] + ground;
+            // both / 255, for all up to 65534
+            out[channel] = static_cast<std::uint8_t>((both + 1U + (both >> 8U)) >> 8U);
+        }
+    }
+}
+
+/// As laid_on(), by all threads, into a picture that may have been used so before.
+const Image& laid_on(const Image& image, std::uint8_t grey, WorkerPool& pool, Image& whole) {
+    if (!image.transparent()) return image;
+    if (whole.width != image.width || whole.height != image.height)
+        whole = Image(image.width, image.height);
+    pool.for_ranges(image.height, [&](int begin, int end) {
+        const auto width = static_cast<std::size_t>(image.width);
+        for (int y = begin; y < end; ++y) {
+            const std::uint8_t* alpha = image.alpha.data() + static_cast<std::size_t>(y) * width;
+            lay_row(image.row(y), alpha, width, grey, whole.row(y));
+        }
+    });
+    return whole;
+}
+
+/// Of small pictures the caller alone: threads would take longer to start.
+int threads_for(const Image& image) {
+    constexpr std::size_t large = std::size_t{3} << 18U;  // bytes, of a quarter of a megapixel
+    return image.rgb.size() < large ? 1 : 0;
+}
+
+/// Adds what the pixels of two opaque pictures differ by.
+void compare_rows(const Image& first, const Image& second, WorkerPool& pool,
+                  Comparison& comparison) {
+    std::int64_t sum = 0;
+    std::mutex mutex;
+    pool.for_ranges(first.height, [&](int begin, int end) {
+        level_vectors::RowDifference mine;
+        std::int64_t changed = 0;
+        for (int y = begin; y < end; ++y) {
+            const std::uint8_t* a = first.row(y);
+            const std::uint8_t* b = second.row(y);
+            if (std::memcmp(a, b, 3 * static_cast<std::size_t>(first.width)) == 0) continue;
+            const auto row = level_vectors::row_difference(a, b, first.width);
+            mine.largest = std::max(mine.largest, row.largest);
+            changed += row.changed;
+            mine.sum += row.sum;
+        }
+        const std::lock_guard lock(mutex);
+        comparison.largest = std::max(comparison.largest, mine.largest);
+        comparison.changed += changed;
+        sum += mine.sum;
+    });
+    const double pixels = static_cast<double>(first.width) * static_cast<double>(first.height) -
+                          static_cast<double>(comparison.ignored);
+    comparison.changed_share = static_cast<double>(comparison.changed) / pixels;
+    comparison.mean = static_cast<double>(sum) / (3.0 * pixels);
+}
+
+ThumbnailDifference compare_thumbnails(const Image& first, const Image& second, WorkerPool& pool) {
+    std::array<Thumbnail, 2> thumbnails;
+    pool.for_ranges(2, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i)
+            thumbnails.at(static_cast<std::size_t>(i)) = thumbnail_of(i == 0 ? first : second);
+    });
+    return thumbnail_difference(thumbnails[0], thumbnails[1]);
+}
+
+/// Compares two opaque pictures, whose ignored pixels are the same.
+Comparison compare_opaque(const Image& first, const Image& second, const IgnoredPixels& ignored,
+                          WorkerPool& pool) {
+    Comparison comparison;
+    comparison.ignored = ignored.count();
+    comparison.ignored_share = ignored.share();
+    compare_rows(first, second, pool, comparison);
+    if (comparison.changed == 0) return comparison;
+    comparison.tiles = tile_similarity(first, second, ignored, pool);
+    comparison.thumbnail = compare_thumbnails(first, second, pool);
+    return comparison;
+}
+
+Comparison compare_any(const Image& first, const Image& second, const IgnoredPixels& ignored,
+                       WorkerPool& pool) {
+    if (!seen_through(first) && !seen_through(second))
+        return compare_opaque(first, second, ignored, pool);
+    Image whole_first;
+    Image whole_second;
+    const auto on = [&](std::uint8_t grey) {
+        return compare_opaque(laid_on(first, grey, pool, whole_first),
+                              laid_on(second, grey, pool, whole_second), ignored, pool);
+    };
+    const Comparison dark = on(0);
+    const Comparison pale = on(255);
+    return dark.mean > pale.mean ? dark : pale;
 }
 
 }  // namespace
 
-Comparison compare(const Image& first, const Image& second) {
+Comparison compare(const Image& first, const Image& second, const IgnoredPixels& ignored) {
     check_sizes(first, second);
-    if (first.transparent() || second.transparent()) {
-        const Comparison dark = compare(laid_on(first, 0), laid_on(second, 0));
-        const Comparison pale = compare(laid_on(first, 255), laid_on(second, 255));
-        return dark.mean > pale.mean ? dark : pale;
+    WorkerPool pool(threads_for(first), "fumon-compare");
+    if (ignored.any()) {
+        return compare_any(blanked(first, ignored), blanked(second, ignored), ignored, pool);
     }
-    Comparison comparison;
-    std::int64_t sum = 0;
-    for (int y = 0; y < first.height; ++y) {
-        const RowDifference row = row_difference(first.row(y), second.row(y), first.width);
-        comparison.largest = std::max(comparison.largest, row.largest);
-        comparison.changed += row.changed;
-        sum += row.sum;
-    }
-    const double pixels = static_cast<double>(first.width) * static_cast<double>(first.height);
-    comparison.changed_share = static_cast<double>(comparison.changed) / pixels;
-    comparison.mean = static_cast<double>(sum) / (3.0 * pixels);
-    if (comparison.changed == 0) return comparison;
-    comparison.tiles = tile_similarity(first, second);
-    comparison.thumbnail = thumbnail_difference(thumbnail_of(first), thumbnail_of(second));
-    return comparison;
+    return compare_any(first, second, ignored, pool);
 }
 
 std::string_view name_of(Likeness likeness) {
@@ -104,28 +184,24 @@ std::string likeness_help() {
         close_limits.tile_ssim);
 }
 
-Image difference_picture(const Image& first, const Image& second) {
+Image difference_picture(const Image& first, const Image& second, const IgnoredPixels& ignored) {
     check_sizes(first, second);
-    if (first.transparent() || second.transparent())
-        return difference_picture(laid_on(first, 255), laid_on(second, 255));
-    Image picture(first.width, first.height);
-    for (int y = 0; y < first.height; ++y) {
-        const std::uint8_t* a = first.row(y);
-        const std::uint8_t* b = second.row(y);
-        std::uint8_t* out = picture.row(y);
-        for (int x = 0; x < first.width; ++x, a += 3, b += 3, out += 3) {
-            const int difference = pixel_difference(a, b);
-            if (difference == 0) {
-                const int grey = (77 * a[0] + 150 * a[1] + 29 * a[2]) >> 10;  // a quarter
-                std::fill_n(out, 3, static_cast<std::uint8_t>(grey));
-                continue;
-            }
-            // One level is seen at once; from 64 levels on red turns to yellow.
-            out[0] = static_cast<std::uint8_t>(std::min(255, 120 + 4 * difference));
-            out[1] = static_cast<std::uint8_t>(std::clamp(2 * (difference - 64), 0, 255));
-            out[2] = 0;
-        }
+    WorkerPool pool(threads_for(first), "fumon-compare");
+    if (seen_through(first) || seen_through(second)) {
+        Image whole_first;
+        Image whole_second;
+        return difference_picture(laid_on(first, 255, pool, whole_first),
+                                  laid_on(second, 255, pool, whole_second), ignored);
     }
+    if (ignored.any()) {
+        const Image same_there = with_ignored_of(second, first, ignored);
+        return hatched(difference_picture(first, same_there), ignored);
+    }
+    Image picture(first.width, first.height);
+    pool.for_ranges(first.height, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y)
+            level_vectors::mark_row(first.row(y), second.row(y), first.width, picture.row(y));
+    });
     return picture;
 }
 

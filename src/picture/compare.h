@@ -6,12 +6,14 @@
 
 #include "base/image.h"
 #include "picture/fingerprint.h"
+#include "picture/pixels/ignored_pixels.h"
 #include "picture/tile_similarity.h"
 
 namespace fumon {
 
 /// How far two pictures of the same size are apart. A pixel counts as changed if any of its three
-/// levels differs.
+/// levels differs. Shares and means are of the pixels that are not ignored; in thumbnails ignored
+/// ones are grey.
 struct Comparison {
     int largest = 0;           ///< difference of a level, 0 … 255
     std::int64_t changed = 0;  ///< pixels
@@ -19,10 +21,13 @@ struct Comparison {
     double mean = 0.0;  ///< difference of a level, over all levels of all pixels
     TileSimilarity tiles;
     ThumbnailDifference thumbnail;  ///< of thumbnails that are not rounded
+    std::int64_t ignored = 0;       ///< pixels
+    double ignored_share = 0.0;     ///< of all pixels
 };
 
 /// Compares two pictures of one size. Throws InputError where their sizes differ or they are empty.
-Comparison compare(const Image& first, const Image& second);
+/// Large ones take all processors; the numbers are the same on any.
+Comparison compare(const Image& first, const Image& second, const IgnoredPixels& ignored = {});
 
 /// How alike two pictures are, from the least to the most.
 enum class Likeness { different, close, same_to_the_eye, identical };
@@ -46,7 +51,8 @@ Likeness likeness(const Comparison& comparison);
 std::string likeness_help();
 
 /// Where two pictures of one size differ: the first in dim grey, changed pixels over it from dark
-/// red for a level to bright yellow.
-Image difference_picture(const Image& first, const Image& second);
+/// red for a level to bright yellow, ignored ones hatched.
+Image difference_picture(const Image& first, const Image& second,
+                         const IgnoredPixels& ignored = {});
 
 }  // namespace fumon

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "base/image.h"
+#include "picture/pixels/ignored_pixels.h"
 
 namespace fumon {
+
+class WorkerPool;
 
 /// The tile in which two pictures resemble each other least.
 struct TileSimilarity {
@@ -20,7 +23,10 @@ struct TileSimilarity {
 ///     C₁ = (0.01 · 255)², C₂ = (0.03 · 255)²,
 ///
 /// with means, and variances over n - 1, of a tile's luminance 0.299 R + 0.587 G + 0.114 B (ITU-R
-/// BT.601) in 256ths of a grey level. The constants keep flat tiles from dividing by zero.
+/// BT.601) in 256ths of a grey level. The constants keep flat tiles from dividing by zero. Ignored
+/// pixels are none of a tile's; the result is the same on any number of threads.
+TileSimilarity tile_similarity(const Image& first, const Image& second,
+                               const IgnoredPixels& ignored, WorkerPool& pool);
 TileSimilarity tile_similarity(const Image& first, const Image& second);
 
 }  // namespace fumon

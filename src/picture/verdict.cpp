@@ -35,6 +35,10 @@ std::string tiles_text(const TileSimilarity& tiles, double limit) {
                        tiles.x, tiles.y);
 }
 
+std::string ignored_text(const IgnoredPixels& ignored) {
+    return fmt::format("{:.3g} % of the picture ignored", 100.0 * ignored.share());
+}
+
 }  // namespace
 
 const char* name_of(Outcome outcome) {
@@ -53,7 +57,8 @@ const char* name_of(Outcome outcome) {
 }
 
 Verdict judge(const BaselineCase& one, const BaselineRecord* recorded,
-              const BaselineRecord& present, const Image& got, const Image* expected) {
+              const BaselineRecord& present, const Image& got, const Image* expected,
+              const IgnoredPixels& ignored) {
     if (recorded == nullptr) {
         return {Outcome::missing,
                 "nothing is recorded; look at the picture, then `fumon verify --update`"};
@@ -67,7 +72,8 @@ Verdict judge(const BaselineCase& one, const BaselineRecord* recorded,
     const Fingerprint& after = present.fingerprint;
     const std::string reason = why_pixels_may_differ(recorded->environment, present.environment);
     const std::string tier = reason.empty() ? "strict" : fmt::format("portable ({})", reason);
-    const auto found = [&](bool good, const std::vector<std::string>& what) {
+    const auto found = [&](bool good, std::vector<std::string> what) {
+        if (ignored.any()) what.push_back(ignored_text(ignored));
         return Verdict{good ? Outcome::as_recorded : Outcome::differs,
                        fmt::format("{}: {}", tier, fmt::join(what, "; "))};
     };
@@ -79,6 +85,12 @@ Verdict judge(const BaselineCase& one, const BaselineRecord* recorded,
         what.push_back(sizes(before, after));
         return found(false, what);
     }
+    if (recorded->ignored != present.ignored) {
+        what.emplace_back(
+            "what is ignored is not what it was when this was recorded; look at the picture, then "
+            "`fumon verify --update`");
+        return found(false, what);
+    }
     if (before.pixels == after.pixels) {
         what.emplace_back(same_state ? "state and pixels as recorded" : "pixels as recorded");
         return found(same_state, what);
@@ -86,7 +98,7 @@ Verdict judge(const BaselineCase& one, const BaselineRecord* recorded,
     if (!recorded->under_overlays.empty() && recorded->under_overlays == present.under_overlays)
         what.emplace_back("text and overlays alone differ, the picture under them is as recorded");
     std::optional<Comparison> comparison;
-    if (expected != nullptr) comparison = compare(*expected, got);
+    if (expected != nullptr) comparison = compare(*expected, got, ignored);
     const ThumbnailDifference thumbnail = thumbnail_difference(before.thumbnail, after.thumbnail);
     what.push_back(pixels_text(comparison));
     what.push_back(thumbnail_text(thumbnail, one.thumbnail_difference));
@@ -109,6 +121,7 @@ std::string changes(const BaselineRecord& before, const BaselineRecord& after) {
             fmt::format("the pixels change, their thumbnail by {:.1f} at column {}, row {}",
                         thumbnail.largest, thumbnail.x, thumbnail.y));
     }
+    if (before.ignored != after.ignored) what.emplace_back("what is ignored changes");
     if (const std::string drawn = difference(before.environment, after.environment); !drawn.empty())
         what.push_back(drawn);
     if (before.fumon != after.fumon)

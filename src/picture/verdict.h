@@ -27,9 +27,11 @@ struct Verdict {
 /// Judges a picture by what is recorded of it. The state's hash must be the recorded one. Where the
 /// pixels must be equal (see why_pixels_may_differ), their hash must be, too: the strict tier.
 /// Else, in the portable tier, the thumbnail and, where the expected picture was kept, every tile's
-/// SSIM must be within the case's limits. `recorded` and `expected` may be null.
+/// SSIM must be within the case's limits. `recorded` and `expected` may be null. What is ignored
+/// must be what was ignored when it was recorded; `present` is of the picture without it.
 Verdict judge(const BaselineCase& one, const BaselineRecord* recorded,
-              const BaselineRecord& present, const Image& got, const Image* expected);
+              const BaselineRecord& present, const Image& got, const Image* expected,
+              const IgnoredPixels& ignored = {});
 
 /// What changed from one record to another, for a person, by commas; empty where nothing did.
 std::string changes(const BaselineRecord& before, const BaselineRecord& after);

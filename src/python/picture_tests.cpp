@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "files/atomic_file.h"
+#include "files/hash.h"
 #include "outputs/output_claims.h"
 #include "picture/baseline.h"
 #include "picture/baseline_records.h"
@@ -101,6 +102,8 @@ void define_picture_tests(py::module_& core) {
         .def(py::init(&record_of), py::arg("image"), py::arg("environment"), py::arg("state"))
         .def_property_readonly(
             "pinned", [](const BaselineRecord& record) { return record.environment.pinned; })
+        .def_property_readonly(
+            "pixels", [](const BaselineRecord& record) { return hex(record.fingerprint.pixels); })
         .def("changes", &changes, py::arg("after"));
     core.def(
         "read_lock", [](const std::string& file) { return read_lock(file, LockOwner::pytest); },

@@ -99,6 +99,8 @@ OutputClaims claim_outputs(const VerificationOptions& options, const std::vector
                 both->reads(scene_files(scene));
             }
             if (one.picture) claims.reads(suite.baseline.picture_of(one));
+            if (!one.ignore.mask.empty())
+                claims.reads(suite.baseline.file.parent_path() / one.ignore.mask);
         }
     }
     if (options.update) {
@@ -168,6 +170,7 @@ class Verification {
                 look_at(suite, one, looked_at);
                 if (signal_ != 0) return stop();
                 looked_at.seconds = watch.seconds();
+                annotations_.push_back({one.place, one.name, looked_at.verdict});
                 cases_.push_back(std::move(looked_at));
             }
             if (options_.update) rewrite(suite, before);
@@ -203,13 +206,14 @@ class Verification {
         const BaselineRecord* record =
             found == suite.baseline.records.end() ? nullptr : &found->second;
         std::optional<Image> expected;
-        if (record != nullptr) expected = recorded_picture(suite.baseline, one, *record);
+        if (record != nullptr)
+            expected = recorded_picture(suite.baseline, one, *record, drawn.ignored);
         const Image* kept = expected ? &*expected : nullptr;
-        Verdict verdict = judge(one, record, drawn.record, drawn.image, kept);
+        Verdict verdict = judge(one, record, drawn.record, drawn.image, kept, drawn.ignored);
         if (verdict.outcome != Outcome::as_recorded || !options_.quietly())
             tell(word_of(verdict.outcome), suite, one, verdict.finding);
         if (verdict.outcome != Outcome::as_recorded)
-            page_.add(suite.name, one.name, verdict, drawn.image, record, kept);
+            page_.add(suite.name, one.name, verdict, drawn.image, record, kept, drawn.ignored);
         return verdict;
     }
 
@@ -277,8 +281,9 @@ class Verification {
 
     [[nodiscard]] int conclude() const {
         const std::size_t good = count(Outcome::as_recorded);
+        report_to_service();
         if (options_.as_json) {
-            print_json();
+            if (options_.format != ReportFormat::gitlab) print_json();
         } else if (!options_.update && !options_.quietly()) {
             fmt::print("{} of {} as recorded{}{}\n", good, cases_.size(),
                        page_.has_cases() ? "; see " : "",
@@ -286,6 +291,16 @@ class Verification {
         }
         if (count(Outcome::wrong_input) > 0) return 2;
         return good == cases_.size() ? 0 : 1;
+    }
+
+    void report_to_service() const {
+        const fs::path checkout = checkout_folder(options_.format);
+        if (options_.format == ReportFormat::gitlab)
+            std::fputs(gitlab_report(annotations_, checkout).c_str(), stdout);
+        if (options_.format != ReportFormat::github) return;
+        std::fputs(github_annotations(annotations_, checkout).c_str(), stdout);
+        add_to_github_summary(
+            github_summary(annotations_, page_.has_cases() ? page_.file() : fs::path()));
     }
 
     void print_json() const {
@@ -309,6 +324,7 @@ class Verification {
     VerifyPage page_;
     WorkOptions work_;
     std::vector<JunitCase> cases_;
+    std::vector<Annotation> annotations_;
     std::string began_ = fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::gmtime(std::time(nullptr)));
     int signal_ = 0;
 };
@@ -317,7 +333,15 @@ class Verification {
 
 int verify(const VerificationOptions& options) {
     if (!options.junit.empty()) check_ending(options.junit, "a JUnit report", junit_ending);
-    return Verification(options, read_suites(options)).run();
+    try {
+        return Verification(options, read_suites(options)).run();
+    } catch (const InputError& fault) {
+        if (options.format == ReportFormat::github) {
+            for (const std::string& line : fault.lines())
+                std::fputs(github_fault(line, checkout_folder(options.format)).c_str(), stdout);
+        }
+        throw;
+    }
 }
 
 }  // namespace fumon

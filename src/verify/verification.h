@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "run/terminal/work_options.h"
+#include "verify/annotations.h"
 
 namespace fumon {
 
@@ -16,6 +17,7 @@ struct VerificationOptions {
     bool force = false;                 ///< replace files of others, too
     bool trust = false;                 ///< what the baselines name, without limits
     bool as_json = false;               ///< what is found is printed as JSON alone
+    ReportFormat format = ReportFormat::lines;
     WorkOptions work;
 
     [[nodiscard]] bool quietly() const { return work.verbosity == Verbosity::quiet; }

@@ -16,6 +16,7 @@
 #include "run/still.h"
 #include "run/terminal/interrupt.h"
 #include "scene/read.h"
+#include "verify/ignored_in_case.h"
 
 namespace fumon {
 
@@ -115,8 +116,13 @@ Scene scene_of(const Baseline& baseline, const BaselineCase& one, bool trusted,
     });
 }
 
-DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, bool trusted,
-                    CaseDefaults defaults, const WorkOptions& work) {
+namespace {
+
+/// As it looks, with nothing ignored yet; `overlays` gets those that stand on it,
+/// where one may be ignored.
+DrawnCase draw_whole_case(const Baseline& baseline, const BaselineCase& one, bool trusted,
+                          CaseDefaults defaults, const WorkOptions& work,
+                          std::vector<OverlayPlace>& overlays) {
     if (one.figure) {
         return located(one, trusted, [&] {
             FigureSources sources(trusted, version_of(baseline, one, defaults));
@@ -136,18 +142,39 @@ DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, bool trus
         if (drawn.signal != 0) return drawn;
         Drawing drawing = draw_snapshot(prepared, first, prepared.model->snapshot(), work);
         drawn.record = {FUMON_VERSION, drawing.record.environment, hex(state_hash(*prepared.model)),
-                        fingerprint_of(drawing.image), drawing.record.under_overlays};
+                        fingerprint_of(drawing.image), {}, drawing.record.under_overlays};
         drawn.image = std::move(drawing.image);
+        if (!one.ignore.overlays.empty()) overlays = overlay_places(prepared.scene, first);
         return drawn;
     });
 }
 
+/// The hash of a picture's pixels but for ignored ones; of one of another size that of all.
+Sha256 hash_without(const Image& image, const IgnoredPixels& ignored) {
+    const bool fits = image.width == ignored.width && image.height == ignored.height;
+    return pixel_hash(fits && ignored.any() ? blanked(image, ignored) : image);
+}
+
+}  // namespace
+
+DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, bool trusted,
+                    CaseDefaults defaults, const WorkOptions& work) {
+    std::vector<OverlayPlace> overlays;
+    DrawnCase drawn = draw_whole_case(baseline, one, trusted, defaults, work, overlays);
+    if (drawn.signal != 0 || !one.ignore.any()) return drawn;
+    drawn.ignored = ignored_in_case(baseline, one, trusted, drawn.image, overlays);
+    drawn.record.ignored = drawn.ignored.hash();
+    drawn.record.fingerprint = fingerprint_of(blanked(drawn.image, drawn.ignored));
+    return drawn;
+}
+
 std::optional<Image> recorded_picture(const Baseline& baseline, const BaselineCase& one,
-                                      const BaselineRecord& record) {
+                                      const BaselineRecord& record, const IgnoredPixels& ignored) {
     const auto file = baseline.picture_of(one);
     if (!one.picture || !std::filesystem::exists(file)) return std::nullopt;
     Image image = read_png(file);
-    if (pixel_hash(image) != record.fingerprint.pixels) {
+    if (ignored.hash() != record.ignored) return image;  // judge() says so
+    if (hash_without(image, ignored) != record.fingerprint.pixels) {
         throw InputError(fmt::format(
             "{}: is not the picture that {} recorded for {}; bring it back, or accept a "
             "new one with `fumon verify --update`",

@@ -25,6 +25,7 @@ Scene scene_of(const Baseline& baseline, const BaselineCase& one, bool trusted,
 struct DrawnCase {
     Image image;
     BaselineRecord record;
+    IgnoredPixels ignored;
     int signal = 0;  ///< that stopped it before it was drawn, or 0
 };
 
@@ -34,8 +35,10 @@ DrawnCase draw_case(const Baseline& baseline, const BaselineCase& one, bool trus
                     CaseDefaults defaults, const WorkOptions& work);
 
 /// The expected picture that is kept beside the baseline; none where the case keeps none or the
-/// file is not there. Throws InputError where it is not the picture that was recorded.
+/// file is not there. Throws InputError where it is not the picture that was recorded, ignored
+/// pixels apart.
 std::optional<Image> recorded_picture(const Baseline& baseline, const BaselineCase& one,
-                                      const BaselineRecord& record);
+                                      const BaselineRecord& record,
+                                      const IgnoredPixels& ignored = {});
 
 }  // namespace fumon

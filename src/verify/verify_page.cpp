@@ -160,26 +160,27 @@ std::filesystem::path VerifyPage::picture(const std::string& suite, const std::s
 }
 
 void VerifyPage::add(const std::string& suite, const std::string& name, const Verdict& verdict,
-                     const Image& got, const BaselineRecord* record, const Image* expected) {
+                     const Image& got, const BaselineRecord* record, const Image* expected,
+                     const IgnoredPixels& ignored) {
     begin();
     const auto file = [&](const char* kind) { return picture(suite, name, kind); };
     write_section_head(suite, name, verdict, record != nullptr);
     write("<div class=\"pictures\">\n");
     const auto show = [&](const Image& image, const std::filesystem::path& to, const char* kind,
                           const std::string& caption) {
-        write_picture(image, to, kind, suite + " " + name, caption);
+        write_picture(image, to, kind, suite + " " + name, caption, ignored);
     };
     if (record == nullptr) {
         show(got, file(got_kind), "got", "got");
     } else {
         const bool whole = expected != nullptr && same_size(*expected, got);
         const Image before = whole ? *expected : picture_of(record->fingerprint.thumbnail);
-        const Image after = whole ? got : picture_of(thumbnail_of(got));
+        const Image after = whole ? got : picture_of(thumbnail_of(blanked(got, ignored)));
         const std::string of_what = whole ? "" : " (thumbnail)";
         show(before, file(expected_kind), "expected", "expected" + of_what);
         show(after, file(whole ? got_kind : thumbnail_kind), "got", "got" + of_what);
-        show(difference_picture(before, after), file(difference_kind), "difference",
-             "difference" + of_what);
+        show(difference_picture(before, after, whole ? ignored : IgnoredPixels{}),
+             file(difference_kind), "difference", "difference" + of_what);
         if (!whole) show(got, file(got_kind), "whole", "got, whole");
     }
     write("</div>\n</section>\n");
@@ -229,17 +230,21 @@ void VerifyPage::write_section_head(const std::string& suite, const std::string&
 }
 
 void VerifyPage::write_picture(const Image& image, const std::filesystem::path& file,
-                               const char* kind, const std::string& of,
-                               const std::string& caption) {
+                               const char* kind, const std::string& of, const std::string& caption,
+                               const IgnoredPixels& ignored) {
     std::error_code fault;
     std::filesystem::create_directories(file.parent_path(), fault);
     if (fault) refuse_to_write(file.parent_path(), fault.value());
     const auto bytes = encode_png(image, screen_dots_per_inch, own_text());
     write_file(file, bytes);
+    const bool hatches = ignored.any() && kind != std::string_view("difference") &&
+                         ignored.width == image.width && ignored.height == image.height;
+    const auto shown =
+        hatches ? encode_png(hatched(image, ignored), screen_dots_per_inch, own_text()) : bytes;
     write(
         fmt::format("<figure><img class=\"{}\" alt=\"{}: {}\" src=\"data:image/png;base64,{}\">"
                     "<figcaption>{}</figcaption></figure>\n",
-                    kind, markup_text(of), caption, base64(bytes), caption));
+                    kind, markup_text(of), caption, base64(shown), caption));
 }
 
 }  // namespace fumon

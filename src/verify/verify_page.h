@@ -11,6 +11,7 @@
 #include "files/folder_lock.h"
 #include "outputs/output_claims.h"
 #include "picture/baseline.h"
+#include "picture/pixels/ignored_pixels.h"
 #include "picture/verdict.h"
 
 namespace fumon {
@@ -35,9 +36,11 @@ class VerifyPage {
     void forget(const std::string& suite, const std::string& name);
 
     /// Writes DIR/SUITE/NAME-got.png and, where `record` is not null, -expected.png and
-    /// -difference.png: of the kept picture, else of the thumbnails. Throws Error.
+    /// -difference.png: of the kept picture, else of the thumbnails. On the page and in the
+    /// difference, ignored pixels are hatched. Throws Error.
     void add(const std::string& suite, const std::string& name, const Verdict& verdict,
-             const Image& got, const BaselineRecord* record, const Image* expected);
+             const Image& got, const BaselineRecord* record, const Image* expected,
+             const IgnoredPixels& ignored = {});
 
     /// Adds a case of which there is no picture.
     void add(const std::string& suite, const std::string& name, const Verdict& verdict);
@@ -56,9 +59,11 @@ class VerifyPage {
     void write(std::string_view text);
     void write_section_head(const std::string& suite, const std::string& name,
                             const Verdict& verdict, bool pair);
-    /// Writes a picture's file and shows it on the page; `of`: the case.
+    /// Writes a picture's file and shows it on the page, hatched where pixels are ignored of one of
+    /// its size; `of`: the case.
     void write_picture(const Image& image, const std::filesystem::path& file, const char* kind,
-                       const std::string& of, const std::string& caption);
+                       const std::string& of, const std::string& caption,
+                       const IgnoredPixels& ignored);
 
     std::filesystem::path folder_;
     std::optional<FolderLock> lock_;

@@ -21,7 +21,7 @@ case $target in
 esac
 [ -z "$target" ] || export FUMON_VECTOR_TARGET=$target
 
-benches=(sand_bench gully_bench finite_volume_bench airflow_bench)
+benches=(sand_bench gully_bench finite_volume_bench airflow_bench verify_bench)
 cmake --preset release -B "$build" -DFUMON_BENCHMARKS=ON "-DFUMON_PLAIN_FLAGS=$flags" > /dev/null
 cmake --build "$build" --target "${benches[@]}" > /dev/null
 
@@ -36,7 +36,7 @@ import json, sys
 text = sys.stdin.read()
 for row in json.loads(text[text.index("{"):])["benchmarks"] if "{" in text else []:
     name = row["name"].removesuffix("/manual_time")
-    rate = row.get("million_cell_steps_per_second", row.get("million_node_steps_per_second"))
+    rate = row.get("million_cell_steps_per_second", row.get("million_node_steps_per_second", row.get("million_pixels_per_second")))
     for key in sorted(row):
         if key.startswith("ratio_to_"):
             loop = key.removeprefix("ratio_to_")

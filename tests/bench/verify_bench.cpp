@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <span>
 
+#include "fastest.h"
 #include "files/png_reader.h"
 #include "picture/compare.h"
 #include "picture/fingerprint.h"
 #include "picture/png.h"
 #include "picture/verdict.h"
+#include "plain/picture_plain.h"
 #include "support/pictures.h"
 
 namespace fumon {
@@ -73,6 +75,34 @@ void added_by_verify(benchmark::State& state) {
     }
 }
 
+/// Two pictures of 33 megapixels and where they differ, beside plain loops; million pixels a
+/// second.
+void comparison_of_33_megapixels(benchmark::State& state) {
+    constexpr double pixels = 7680.0 * 4320.0;
+    const Image first = some_picture(7680, 4320);
+    const Image second = changed(first);
+    Fastest fastest;
+    Comparison found;
+    Image difference;
+    while (state.KeepRunning()) {
+        state.SetIterationTime(fastest.time([&] {
+            found = compare(first, second);
+            difference = difference_picture(first, second);
+        }));
+    }
+    Fastest plain_fastest;
+    plain::Compared plain;
+    for (int turn = 0; turn < 3; ++turn)
+        plain_fastest.time([&] { plain = plain::compare(first, second); });
+    if (plain.difference != difference || plain.comparison.mean != found.mean ||
+        plain.comparison.tiles.smallest != found.tiles.smallest)
+        state.SkipWithError("the plain loops came to other numbers");
+    state.counters["million_pixels_per_second"] = fastest.rate(pixels);
+    state.counters["plain"] = plain_fastest.rate(pixels);
+    state.counters["ratio_to_plain"] = fastest.rate(pixels) / plain_fastest.rate(pixels);
+}
+
+BENCHMARK(comparison_of_33_megapixels)->Unit(benchmark::kMillisecond)->UseManualTime();
 BENCHMARK(fingerprint_and_compare)->Unit(benchmark::kMillisecond);
 BENCHMARK(fingerprint)->Unit(benchmark::kMillisecond);
 BENCHMARK(comparison)->Unit(benchmark::kMillisecond);

@@ -1,10 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "files/atomic_file.h"
 #include "files/hash.h"
+#include "picture/compare.h"
 #include "picture/png.h"
+#include "picture/stills/picture_file.h"
+#include "picture/stills/same_picture_files.h"
 #include "support/pictures.h"
 #include "support/program.h"
 
@@ -65,6 +69,80 @@ TEST_F(Pictures, OtherSizesDifferAndBadFilesAreWrongInput) {
     EXPECT_EQ(run({"compare", "a.png", "b.png", "--level", "same-ish"}).errors,
               "fumon compare: --level: it takes identical, same or close, not \"same-ish\"; try "
               "`fumon compare --help`\n");
+}
+
+/// Equal files are not decoded: one whose pixels would be refused is identical to its copy, as long
+/// as its checksums hold.
+TEST_F(Pictures, EqualFilesEndAtOnceWhereTheyAreWhole) {
+    const std::string whole = read_text(folder_ / "a.png");
+    write_text(folder_ / "copy.png", whole);
+    const Ended same = run({"compare", "a.png", "copy.png", "--json"});
+    EXPECT_EQ(same.status, 0) << same.errors;
+    EXPECT_EQ(nlohmann::json::parse(same.output)["likeness"], "identical");
+    EXPECT_EQ(run({"compare", "a.png", "copy.png", "--diff", "d.png"}).status, 0);
+    EXPECT_EQ(read_png(folder_ / "d.png"),
+              difference_picture(some_picture(101, 67), some_picture(101, 67)));
+    const auto refused = [&](const std::string& bytes) {
+        write_text(folder_ / "one.png", bytes);
+        write_text(folder_ / "two.png", bytes);
+        return run({"compare", "one.png", "two.png"}).status == 2;
+    };
+    EXPECT_TRUE(refused(whole.substr(0, whole.size() - 1)));
+    EXPECT_TRUE(refused(whole.substr(0, 400)));
+    EXPECT_TRUE(refused(whole.substr(0, 11)));
+    std::string damaged = whole;
+    damaged[whole.size() / 2] = static_cast<char>(damaged[whole.size() / 2] ^ 1);
+    EXPECT_TRUE(refused(damaged));
+    for (const char* name : {"a.jpg", "a.webp"}) {
+        const Image image = some_picture(60, 40);
+        const auto bytes =
+            encode_picture(image, picture_format(name), {}, screen_dots_per_inch, own_text());
+        write_file(folder_ / name, bytes);
+        EXPECT_TRUE(same_picture_files(folder_ / name, folder_ / name)) << name;
+        write_file(folder_ / name, std::span(bytes).first(bytes.size() - 1));
+        EXPECT_FALSE(same_picture_files(folder_ / name, folder_ / name)) << name;
+    }
+    EXPECT_FALSE(same_picture_files(folder_ / "a.png", folder_ / "b.png"));
+    EXPECT_FALSE(same_picture_files(folder_ / "none.png", folder_ / "none.png"));
+}
+
+TEST_F(Pictures, BoxesAndMasksAreLeftOut) {
+    Image other = some_picture(101, 67);
+    for (int i = 0; i < 60; ++i) other.row(5)[i] ^= 255U;
+    write("other.png", other);
+    Image mask = flat_picture(101, 67, 0);
+    for (int i = 0; i < 60; ++i) mask.row(5)[i] = 255;
+    write("mask.png", mask);
+    EXPECT_EQ(run({"compare", "a.png", "other.png", "--level", "close"}).status, 1);
+    const Ended box = run({"compare", "a.png", "other.png", "--ignore", "0,5,10,1", "--ignore",
+                           "10,0,10,10", "--level", "identical", "--diff", "d.png"});
+    EXPECT_EQ(box.status, 0) << box.output << box.errors;
+    EXPECT_TRUE(box.output.ends_with("ignored pixels        110 (1.626 %)\nidentical\n"))
+        << box.output;
+    IgnoredPixels ignored(101, 67);
+    ignored.add({0, 5, 10, 1});
+    ignored.add({10, 0, 10, 10});
+    EXPECT_EQ(read_png(folder_ / "d.png"),
+              difference_picture(some_picture(101, 67), other, ignored));
+    const Ended masked =
+        run({"compare", "a.png", "other.png", "--ignore-mask", "mask.png", "--json"});
+    EXPECT_EQ(nlohmann::json::parse(masked.output)["likeness"], "identical") << masked.errors;
+    EXPECT_EQ(nlohmann::json::parse(masked.output)["ignored_pixels"], 20);
+    const auto refused = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> all{"compare", "a.png", "other.png", "--diff", "none.png"};
+        all.insert(all.end(), options.begin(), options.end());
+        const Ended ended = run(all);
+        EXPECT_EQ(ended.status, 2);
+        EXPECT_FALSE(std::filesystem::exists(folder_ / "none.png"));
+        return ended.errors;
+    };
+    EXPECT_EQ(refused({"--ignore", "0,0,101,21"}),
+              "31.3 % of the picture would be ignored, more than 30 %; leave out less\n");
+    EXPECT_TRUE(refused({"--ignore", "0,0,3"})
+                    .starts_with("fumon compare: --ignore: \"0,0,3\" is no box; "));
+    EXPECT_TRUE(
+        refused({"--ignore-mask", "c.png"}).starts_with("c.png: is a mask of 101 x 68 pixels"));
+    EXPECT_TRUE(refused({"--ignore-mask", "no.png"}).starts_with("no.png: "));
 }
 
 TEST_F(Pictures, HelpNamesTheLevels) {

@@ -4,6 +4,9 @@ import importlib.metadata
 import os
 import pathlib
 import re
+import subprocess
+import sys
+import time
 
 import pytest
 
@@ -231,6 +234,72 @@ def test_several_processes(pytester, run):
     pytester.makepyfile(test_it=CLASSES)
     pytester.runpytest_subprocess(*words).assert_outcomes(passed=6)
     assert list((pytester.path / "fumon-images").glob("**/index.html")) == []
-    refused = pytester.runpytest_subprocess(*words, "--fumon-update")
-    assert refused.ret == pytest.ExitCode.USAGE_ERROR and "records in one process" in refused.stderr.str()
-    assert recorded(pytester) == names
+
+
+def test_several_processes_record(pytester, run):
+    pytest.importorskip("xdist")
+    pytester.makepyfile(test_it=CLASSES, test_other=CLASSES)
+    words = (*WORDS, "-n", "2")
+    first = pytester.runpytest_subprocess(*words, "--fumon-update")
+    first.assert_outcomes(passed=12)
+    names = recorded(pytester)
+    assert len(names) == 14 and first.stdout.str().count("recorded; look at it") == 14
+    assert len(list((pytester.path / "pictures").iterdir())) == 4
+    lock = (pytester.path / "pictures.lock").read_text()
+    run("--fumon-update", text=CLASSES).assert_outcomes(passed=12)
+    assert (pytester.path / "pictures.lock").read_text() == lock  # as one process records it
+    pytester.runpytest_subprocess(*words).assert_outcomes(passed=12)
+
+
+def test_processes_that_record_at_once_keep_each_others_records(pytester, run):
+    """The second records while the first one, which has read the lock, is still at work."""
+    waiting = """
+import pathlib
+import time
+
+import numpy as np
+
+def test_one(fumon_image):
+    fumon_image(np.full((8, 9, 3), 10, np.uint8))
+    pathlib.Path("drawn").touch()
+    for _ in range(600):
+        if pathlib.Path("other").exists():
+            return
+        time.sleep(0.1)
+    assert False
+"""
+    pytester.makepyfile(test_waiting=waiting)
+    other = "import numpy as np\n\ndef test_two(fumon_image):\n    fumon_image(np.full((8, 9, 3), 20, np.uint8))\n"
+    pytester.makepyfile(test_other=other)
+    words = [sys.executable, "-m", "pytest", *WORDS, "--fumon-update"]
+    first = subprocess.Popen([*words, "test_waiting.py"], stdout=subprocess.DEVNULL)
+    while not (pytester.path / "drawn").exists():
+        assert first.poll() is None
+        time.sleep(0.1)
+    subprocess.run([*words, "--fumon-output", "second", "test_other.py"], stdout=subprocess.DEVNULL, check=True)
+    assert recorded(pytester) == ["test_other-test_two"]
+    (pytester.path / "other").touch()
+    assert first.wait(60) == 0
+    assert recorded(pytester) == ["test_other-test_two", "test_waiting-test_one"]
+
+
+def test_exactly(pytester, run):
+    text = """
+import numpy as np
+
+def picture(level):
+    image = np.full((40, 60, 3), 100, np.uint8)
+    image[5, 7] = level
+    return image
+
+def test_exact(fumon_image):
+    fumon_image(picture(LEVEL), exact=True)
+
+def test_to_the_eye(fumon_image):
+    fumon_image(picture(LEVEL))
+"""
+    run("--fumon-update", text=text.replace("LEVEL", "100")).assert_outcomes(passed=2)
+    run(text=text.replace("LEVEL", "100")).assert_outcomes(passed=2)
+    other = run(text=text.replace("LEVEL", "101"))
+    other.assert_outcomes(passed=1, failed=1)
+    other.stdout.fnmatch_lines(["*test_exact: exact: portable *its pixels differ*"])

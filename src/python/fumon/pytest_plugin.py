@@ -11,6 +11,8 @@ What is recorded of each picture stands in ``pictures.lock`` beside the test's f
 
 from __future__ import annotations
 
+import contextlib
+import fcntl
 import hashlib
 import os
 import re
@@ -43,8 +45,6 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 def pytest_configure(config: pytest.Config) -> None:
     """Makes ready what a run of pytest keeps."""
-    if config.getoption("--fumon-update") and config.getoption("numprocesses", None):
-        raise pytest.UsageError("--fumon-update records in one process; leave -n out")
     session = config.stash[_key] = Session(config)
     config.pluginmanager.register(session.whole)
     if config.getoption("numprocesses", None):
@@ -88,7 +88,8 @@ class Session:
         self.told = []
         self._pins: bool = config.getoption("--fumon-pinned")
         self._locks: dict[Path, dict[str, _core.Record]] = {}
-        self._changed: set[Path] = set()
+        self._recorded: dict[Path, dict[str, _core.Record]] = {}  # by this process, still to be written
+        self._removed: dict[Path, set[str]] = {}
         self._page: _core.DifferencePage | None = None
         self._taken: set[tuple[Path, str]] = set()
         self.whole = WholeFiles(config)
@@ -130,7 +131,7 @@ class Session:
             return
         self.told.append(f"fumon: {lock.parent.name}/{name}: {changes}")
         self._locks[lock][name] = record
-        self._changed.add(lock)
+        self._recorded.setdefault(lock, {})[name] = record
 
     def clear_pages(self) -> None:
         """Takes away the pages of an earlier run, of all its processes."""
@@ -148,14 +149,22 @@ class Session:
 
     def finish(self) -> None:
         """Writes the locks that changed, and the page if it has a picture."""
-        from . import _core
         for lock in sorted(self._locks):
             self._look_for_gone(lock)
-        for lock in sorted(self._changed):
-            _core.write_lock(str(lock), self._locks[lock])
+        for lock in sorted({*self._recorded, *self._removed}):
+            self._write(lock)
         if self._page is not None and self._page.finish():
             self.told.append(f"fumon: pictures that differ: {self._page.file}")
 
+    def _write(self, lock: Path) -> None:
+        """Brings into a lock what this process recorded and removed; another may have written it since it was read."""
+        from . import _core
+        with _alone_in(lock.parent):
+            records = _core.read_lock(str(lock))
+            records.update(self._recorded.get(lock, {}))
+            for name in self._removed.get(lock, ()):
+                records.pop(name, None)
+            _core.write_lock(str(lock), records)
 
     def _look_for_gone(self, lock: Path) -> None:
         """Records that no test draws any more: told and, where records are taken, removed."""
@@ -168,7 +177,8 @@ class Session:
                 continue
             self.told.append(f"fumon: {lock.parent.name}/{name}: removed, as no test draws it")
             del self._locks[lock][name]
-            self._changed.add(lock)
+            self._recorded.get(lock, {}).pop(name, None)
+            self._removed.setdefault(lock, set()).add(name)
             kept_picture(lock, name).unlink(missing_ok=True)
 
 
@@ -237,8 +247,8 @@ class Checker:
         self._classes = [part.name for part in node.listchain() if isinstance(part, pytest.Class)]
 
     def __call__(self, subject: Scene | Step | Picture | Heights, *, step: int | None = None, name: str = "",
-                 picture: bool = False, heights: bool = False, thumbnail_difference: float = 0.5,
-                 tile_ssim: float = 0.95, **look: Setting) -> Image:
+                 picture: bool = False, heights: bool = False, exact: bool = False,
+                 thumbnail_difference: float = 0.5, tile_ssim: float = 0.95, **look: Setting) -> Image:
         """Fails unless the picture is as recorded, by the tiers of ``fumon verify``.
 
         subject: a Scene, which is run to ``step`` (the last one by default); a Step; a picture, as an array of uint8,
@@ -247,6 +257,7 @@ class Checker:
         heights: take an array of uint8 (ny, nx) for heights, too.
         name: of this picture, where a test has several.
         picture: keep the picture itself, too, beside the lock; its tiles are then compared.
+        exact: every pixel must be as recorded, as for arrays of your own that are the same everywhere.
         thumbnail_difference (grey levels), tile_ssim: what passes in the portable tier.
 
         Returns the picture.
@@ -273,6 +284,8 @@ class Checker:
         kept = kept_picture(lock, known)
         expected = _core.read_picture(os.fspath(kept)) if picture and kept.exists() else None
         outcome, finding = _core.judge(recorded, present, image, expected, picture, thumbnail_difference, tile_ssim)
+        if exact and recorded is not None and outcome == "as recorded" and recorded.pixels != present.pixels:
+            outcome, finding = "differs", f"exact: {finding}"
         if outcome != "as recorded":
             if outcome == "missing":
                 finding = "nothing is recorded; look at the picture, then `pytest --fumon-update`"
@@ -309,6 +322,17 @@ def _drawn(subject: Any, step: int | None, heights: bool, look: dict[str, Any]) 
     if is_picture:
         return subject if isinstance(subject, Image) else Image(subject), ""
     return Image.open(subject), ""
+
+
+@contextlib.contextmanager
+def _alone_in(folder: Path) -> Iterator[None]:
+    """Waits until no other process of this machine is at work in it here."""
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX)
+        yield
+    finally:
+        os.close(descriptor)  # which unlocks it
 
 
 def kept_picture(lock: Path, name: str) -> Path:
