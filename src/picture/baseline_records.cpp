@@ -11,6 +11,7 @@
 #include "keys/key_value.h"
 #include "keys/toml_text.h"
 #include "picture/fingerprint_text.h"
+#include "picture/named_environment.h"
 
 namespace fumon {
 
@@ -71,6 +72,12 @@ bool good_picture_name(std::string_view name) {
     return !name.empty() && name.size() <= longest && std::all_of(name.begin(), name.end(), good);
 }
 
+bool good_record_name(std::string_view name) {
+    const auto [picture, environment] = parts_of_record_name(name);
+    return good_picture_name(picture) && name == record_name(picture, environment) &&
+           (environment.empty() || good_picture_name(environment));
+}
+
 void read_known_keys(const toml::table& from, const std::string& prefix, const KeyTable& table,
                      const Locate& locate, std::initializer_list<std::string_view> others) {
     for (const auto& [name, value] : from) {
@@ -110,16 +117,21 @@ std::string record_text(const std::string& name, const BaselineRecord& record) {
     RecordText head{record.fumon, record.environment, record.state, {}};
     KeyTable table;
     head.list_head_keys("", table);
-    std::string text = fmt::format("[recorded.{}]\n", name);
+    const char* quote = good_picture_name(name) ? "" : "\"";
+    std::string text = fmt::format("[recorded.{1}{0}{1}]\n", name, quote);
     for (const Key& key : table.keys()) text += fmt::format("{} = {}\n", key.path, value_text(key));
     return text + fingerprint_text(record.fingerprint);
 }
 
 BaselineRecords read_lock(const std::filesystem::path& file, LockOwner owner) {
-    BaselineRecords records;
     std::error_code fault;
-    if (!std::filesystem::exists(file, fault)) return records;
-    const std::string text = read_input_file(file);
+    if (!std::filesystem::exists(file, fault)) return {};
+    return parse_lock(read_input_file(file), file, owner);
+}
+
+BaselineRecords parse_lock(const std::string& text, const std::filesystem::path& file,
+                           LockOwner owner) {
+    BaselineRecords records;
     refuse_lock_of_other(text, file, owner);
     const toml::table root = parse_toml(text, file.string(), "what is recorded is TOML");
     const Locate locate = [&](const toml::source_region& region) {
@@ -132,7 +144,7 @@ BaselineRecords read_lock(const std::filesystem::path& file, LockOwner owner) {
         throw InputError(locate(recorded->source()) + ": recorded is a section");
     for (const auto& [key, value] : *recorded->as_table()) {
         const std::string name(key.str());
-        if (!good_picture_name(name)) {
+        if (!(owner == LockOwner::verify ? good_record_name(name) : good_picture_name(name))) {
             throw InputError(
                 fmt::format("{}: a picture is named by letters, digits, \"-\" and \"_\"",
                             locate(key.source())));
