@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <exception>
 #include <set>
 #include <utility>
 
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 Suite read_suite(const std::string& file) {
     try {
         return {read_baseline(file, WrongCases::kept), fs::path(file).stem().string()};
-    } catch (const Error& fault) {
+    } catch (const std::exception& fault) {
         Suite suite;
         suite.baseline.file = file;
         suite.name = fs::path(file).stem().string();
@@ -77,7 +78,7 @@ void note_inputs(const VerificationOptions& options, const std::vector<Suite>& s
                              version_of(suite.baseline, one, defaults_of(options), one.name));
                 claims.reads(scene.source);
                 claims.reads(scene_files(scene));
-            } catch (const Error&) {
+            } catch (const std::exception&) {
                 continue;
             }
         }

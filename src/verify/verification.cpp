@@ -173,7 +173,7 @@ class Verification {
         try {
             writing();
             return true;
-        } catch (const Error& fault) {
+        } catch (const std::exception& fault) {
             could_not_write_ = true;
             if (told_.insert(fault.what()).second) fmt::print(stderr, "{}\n", fault.what());
             return false;
